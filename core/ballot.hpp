@@ -1,4 +1,4 @@
-// What the ranks tell each other after a step: reduced in one go to the largest of each.
+// Time-step reduction: values of all ranks after a step, reduced by one element-wise maximum.
 #pragma once
 #include <array>
 #include <bit>
@@ -9,17 +9,17 @@
 
 namespace thaw {
 
-/// Minima are maxima of negated values. Flags: above 0 where some rank says so.
+/// Minima are maxima of negated values. A flag is above 0 if some rank sets it.
 struct Ballot {
   std::array<double, limitNames.size() - kindLimits> negatedLimits{};  ///< s
   double froze = 0, bad = 0, stop = 0, report = 0, checkpoint = 0, melted = 0;
-  double stretch2 = 1;          ///< square of the largest stretch of solids
+  double stretch2 = 1;          ///< squared largest stretch of solids
   double grip = 0;              ///< largestGrip
   double negatedFastLimit = 0;  ///< s, fastAccelerationLimit
   double filling = 0;           ///< 1, largestFilling
-  double surfaceMove2 = 0;  ///< m^2, farthest that a particle has come since the last update of the surface,
-                            ///< squared; sent only with a surface or a further kind
-  std::array<double, kindLimits> negatedKindLimits{};  ///< s; sent only with a further kind
+  double surfaceMove2 = 0;      ///< m^2, squared largest displacement of a particle since the last surface
+                                ///< update; sent only with a surface or a further body type
+  std::array<double, kindLimits> negatedKindLimits{};  ///< s; sent only with a further body type
 };
 
 /// Collective: one reduction.

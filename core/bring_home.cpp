@@ -13,7 +13,7 @@
 namespace thaw {
 namespace {
 
-/// Appends the particles of layers that leave in (before, after] whose cell is ours.
+/// Appends the particles of layers that leave in (before, after] whose cell this rank owns.
 std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, double after, bool first) {
   Continuum& p = w.particles;
   const std::size_t had = p.owned;
@@ -56,8 +56,7 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
   return p.owned - had;
 }
 
-/// Cells of all particles, where they are asked for, and what leaves the domain; a cache full of places at a
-/// time.
+/// Computes cell keys, if needed, and finds leaving particles, in blocks that fit the cache.
 void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool open) {
   constexpr std::size_t block = 1024;
   Continuum& p = w.particles;
@@ -70,7 +69,7 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
   }
 }
 
-/// After a new partition: what was made for the rows of the old one is made anew for those that there are.
+/// Frees buffers sized for the old partition.
 void fitMemory(World& w, StepTools& t) {
   w.particles.shrink(1.0 / 64);
   w.neighbours = {};
@@ -87,7 +86,7 @@ bool needsOrder(const World& w, const StepTools& t) {
 bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   if (p.ghosts > 0) p.resize(p.owned, 0);
-  // a step's clock still shows its beginning here
+  // The clock still shows the beginning of the step.
   if (w.modules.emitters) releaseDriven(w.scene, t.emitters, w.clock.time + dt, p);
   const std::size_t emitted = w.modules.emitters
                                   ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst)
@@ -96,12 +95,12 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   std::vector<std::uint32_t> fresh;
   for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
     fresh.push_back(static_cast<std::uint32_t>(i));
-    if (p.phase[i] == Solid) t.phaseChangedHere = true;  // it came in cold: it wants a slot
+    if (p.phase[i] == Solid) t.phaseChangedHere = true;  // emitted as solid: needs a slot
   }
   addToBalance(w, fresh, w.ledger.entered);
 
-  // where nobody looks for neighbours a particle may stay with the rank that it began with: bonds, which know
-  // their ends wherever these are, need not be sent after it
+  // Without neighbour sums particles may stay on their first rank, so that bonds, which follow their ends
+  // across ranks, need not migrate.
   const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
   const bool partitioned = std::exchange(t.newPartition, false);
   if (std::exchange(t.looseMemory, partitioned)) giveBackFreed();
@@ -133,8 +132,8 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.sleep)
     for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
   m.arrivals += emitted;
-  ColumnList stale{};  // what this step finds anew before anybody asks
-  // contacts with both read the last one
+  ColumnList stale{};  // columns that this step recomputes before they are read
+  // Both contacts read the last acceleration.
   if (dt > 0 && !w.modules.sheet && !w.modules.meeting) stale.push_back(&p.acceleration);
   if (!w.modules.sleep) stale.push_back(&p.interaction);
   if (ordered) sortByCell(p, m, t.sort, w.cells, stale);

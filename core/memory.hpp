@@ -1,4 +1,4 @@
-// Where the memory of a rank goes.
+// Memory use of a rank.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,11 +12,11 @@ struct MemoryUse {
   double bytes;
 };
 
-/// Bytes that are allocated on this rank, by what they are for.
+/// Returns the allocated bytes of this rank by purpose.
 std::vector<MemoryUse> memoryOf(const World& world, const StepTools& tools);
 double totalBytes(const std::vector<MemoryUse>& use);
 
-/// Names of the fields that are allocated, "table.field", in their order: what a scene models.
+/// Returns the names of the allocated fields, "table.field", in order.
 std::vector<std::string> fieldsOf(const World& world);
 
 }  // namespace thaw

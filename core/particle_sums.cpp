@@ -65,7 +65,8 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   if (s.uniform) {
     const Material& m = w.scene.materials[0];
     const double dx = w.scene.spacing, h = w.grid.support;
-    s.volume = m.density * dx * dx * dx * (1 / (m.density * h * h * h));  // as packRecords has it
+    s.volume = m.density * dx * dx * dx * (1 / (m.density * h * h * h));  // the same rounding as in
+                                                                          // packRecords
     s.viscosity = viscosityAt(m, 1, 293);
     s.conductivity = conductivityOf(n.heat, m, 1);
     s.artificial = w.modules.artificialViscosity ? t.liquids[0].artificial : 0;
@@ -142,7 +143,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   NeighbourLists& lists = w.neighbours;
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
-    // the pass may skip rows without liquid near: which ones depends on ranks
+    // The pass may skip rows without liquid nearby, and which ones depends on ranks.
     if (p.wetting.active) std::fill_n(p.wetting.data(), p.owned, 0.0F);
     resizeRecords(x, p.owned + t.ghostRoom, t.records);
     for (const RowSpan& rows : rowsToSee(w, t)) packRecords(x, p, rows.begin, rows.end, t.records);
@@ -150,8 +151,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     search(w, t, Part::Inner);
     t.times.lap(StepPhase::Search);
   } else if (pass == NeighbourPass::BoundaryDensity) {
-    if (p.ghosts > t.ghostRoom) {  // more than ever: the padding of the inner lists points where ghosts are
-                                   // now
+    if (p.ghosts > t.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to rows
+                                   // that are now ghosts
       t.ghostRoom = p.ghosts + p.ghosts / 8;
       sumOverNeighbours(w, t, NeighbourPass::InnerDensity, elapsed);
     }
@@ -173,7 +174,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     t.times.lap(StepPhase::Density);
     return;
   }
-  if (w.modules.fluid && !w.modules.incompressible) {  // else pressure is found at the end of the step
+  if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
     pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records)
                                        : packPressure(x, p, p.owned, p.size(), t.records);
     w.compressionKnown = !w.modules.uniform;
@@ -181,7 +182,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   const PairSums s = pairSumsOf(w, t);
   PairSums resisting = s;
   if (p.drag.active)
-    resisting.force = p.drag.data();  // viscosity only: pressure is found at the end of the step
+    resisting.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(resisting, range);
   if (w.modules.surfaceEnergy) {
     pass == NeighbourPass::InnerForces ? packSurfacePull(x, p, 0, p.owned, t.records)
@@ -208,7 +209,7 @@ void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& wall
 
 namespace {
 
-/// The modules that the packing of bodies has, whatever the scene's are.
+/// Modules for the packing of bodies, independent of the scene's.
 Modules packingModules(const World& w) {
   Modules m = w.modules;
   m.fluid = m.neighbours = true;

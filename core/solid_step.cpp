@@ -27,7 +27,7 @@ void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
   w.counters.inverted += r.inverted;
   w.counters.squeezed += r.squeezed;
   t.maxStretch2 = r.maxStretch2;
-  // also of what sleeps; else it is empty
+  // Includes sleeping groups; empty without sleep.
   for (const double stretch2 : t.elastic.groupStretch2) t.maxStretch2 = std::max(t.maxStretch2, stretch2);
 }
 
@@ -37,14 +37,14 @@ BondForming bondForming(const World& w, const StepTools& t) {
                  : w.modules.welding ? BondRule::Welding
                                      : BondRule::Freezing;
   forming.support = t.elastic.support;
-  forming.touch = contactDistance * w.scene.spacing;  // where they would push each other away
+  forming.touch = contactDistance * w.scene.spacing;  // distance of contact repulsion
   forming.selfWeld = w.scene.numerics.selfContact;
   forming.periods = t.elastic.periods;
   forming.materials = &w.scene.materials;
   return forming;
 }
 
-/// What follows from a relink that has changed something on any rank.
+/// Updates data after a relink that changed something on any rank.
 void renewSolids(World& w, Halos& halos, StepTools& t) {
   fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
   if (w.modules.sleep) forgetChangedSlots(w, t);
@@ -54,8 +54,8 @@ void renewSolids(World& w, Halos& halos, StepTools& t) {
   w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
 }
 
-/// Do bonds form in this step, on any rank? Whether solids weld is looked up at the places of now, so that a
-/// restart needs no memory of it.
+/// Returns true if bonds form in this step on any rank. Welding is checked at the current positions, so a
+/// restart needs no extra state.
 bool bondsForm(World& w, Halos& halos, StepTools& t) {
   if (t.bondsAtStart || t.frozeAnywhere) return t.bondsAtStart || w.modules.freezing;
   if (!w.modules.welding) return false;
@@ -64,13 +64,13 @@ bool bondsForm(World& w, Halos& halos, StepTools& t) {
   return touch > 0;
 }
 
-/// Books the energy of the particles that asked for bonds, times this sign: 1 before they have them, -1
-/// after, at the same places.
+/// Records the energy of the particles that requested bonds, times `sign`: 1 before they have the bonds, -1
+/// after, at the same positions.
 void bookEnergy(World& w, StepTools& t, double sign) {
   if (sign > 0) {
     t.rebonded.clear();
     for (const BondRequest& q : t.requests) {
-      const std::uint32_t row = w.solids.particle[q.slot];  // of a particle all requests follow each other
+      const std::uint32_t row = w.solids.particle[q.slot];  // requests of a particle are contiguous
       if (t.rebonded.empty() || t.rebonded.back() != row) t.rebonded.push_back(row);
     }
   }
@@ -78,14 +78,15 @@ void bookEnergy(World& w, StepTools& t, double sign) {
     w.ledger.phaseJump.add(sign * slotEnergy(t.elastic, w.solids, w.bonds, w.particles.slot[row]));
 }
 
-/// Solid particles among the ghosts: no bond of the start goes farther.
+/// Number of solid ghosts, an upper bound of remote rows at the start.
 std::size_t solidGhosts(const Continuum& p) {
   std::size_t n = 0;
   for (std::size_t i = p.owned; i < p.size(); i++) n += p.phase[i] == Solid;
   return n;
 }
 
-/// In how many parts all ranks make the bonds of the start: what asks for one of them is to stay in a cache.
+/// Returns the number of parts in which all ranks make the initial bonds, such that the requests of one part
+/// fit a cache.
 std::size_t partsOfStart(const World& w, Halos& halos) {
   double listed = 0;
   for (const std::uint16_t n : w.neighbours.neighbours) listed += n;
@@ -94,8 +95,7 @@ std::size_t partsOfStart(const World& w, Halos& halos) {
   return static_cast<std::size_t>(std::clamp(listed / together, 8.0, 64.0));
 }
 
-/// All bonds of the start, in parts: asked for at once the requests would be many times what the bonds
-/// themselves take.
+/// Makes all initial bonds in parts: all requests at once would take many times the memory of the bonds.
 void bondScene(World& w, Halos& halos, StepTools& t) {
   takeReferences(w.particles, w.solids);
   const BondForming forming = bondForming(w, t);
@@ -109,7 +109,7 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
   const auto part = [&](std::size_t k) {
     return ListedGroups{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts};
   };
-  if (!w.bonds.vectors) {  // of the largest part, or twice the memory is asked for
+  if (!w.bonds.vectors) {  // for the largest part; growth would take twice the memory
     std::size_t most = 0;
     for (std::size_t k = 0; k < parts; k++) {
       std::size_t places = 0;
@@ -132,13 +132,13 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
   t.bondsAtStart = false;
 }
 
-/// Bonds of the start, or of what has just frozen. The stress of what was there does not change: F of older
-/// ends is taken into account.
+/// Makes the bonds of the start or after freezing. Existing stress does not change: F of older ends is taken
+/// into account.
 void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
   prepareBondForming(p, w.solids);
   const ColumnList columns = bondFormingColumns(p);
-  // one refresh at a time: that of filling is on its way and its end is waited for after this
+  // Only one refresh at a time is allowed, so the pending one of the relative density is finished first.
   if (w.modules.fluid) halos.cells.finishRefresh(p);
   halos.cells.beginRefresh(p, columns);
   halos.cells.finishRefresh(p);

@@ -29,7 +29,7 @@ void drift(World& w, double span, double far2) {
   }
 }
 
-/// Solids::force of bonds, and of contacts with walls.
+/// Computes Solids::force of bonds and of wall contacts.
 void addFastForces(World& w, Halos& halos, StepTools& t, double span) {
   const ElasticStep now{span, false, false};
   copyToSolids(w.particles, w.solids);
@@ -66,7 +66,7 @@ void kick(World& w, double span) {
       p.velocity[i] += f * (span / p.mass[i]);
       continue;
     }
-    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(-f[a] * span);  // of what holds it
+    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(-f[a] * span);  // impulse of its constraint
     if (p.clamped[i] == driven) w.ledger.wallWork.add(-dot(f, p.velocity[i]) * span);
   }
 }
@@ -77,8 +77,8 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
   const int n = w.clock.substeps;
   if (n <= 1) return;
   const double span = dt / n, far2 = w.grid.support * w.grid.support / (dt * dt);
-  linkSlots(w.particles, w.solids);  // rows have been sorted since, if the run was resumed
-  // followed already
+  linkSlots(w.particles, w.solids);  // rows were sorted since, if the run was resumed
+  // Already handled.
   if (w.solids.rereferenced.active)
     std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});
   if (w.particles.travel.active) std::fill_n(w.particles.travel.data(), w.particles.owned, Vec3d{});
@@ -98,8 +98,8 @@ void chooseSubsteps(World& w, const StepTools& t, double longest) {
   const int before = c.substeps, most = w.modules.mostSubsteps;
   const double step = nextStep(c), wanted = std::ceil(step / longest * (1 - 1e-9));
   c.substeps = wanted < most ? std::max(1, static_cast<int>(wanted)) : most;
-  // one less is worth it where it lasts: substeps that jump up and down pump energy into what swings fast, as
-  // steps do
+  // A smaller number pays only if it lasts: a fluctuating number of substeps pumps energy into fast
+  // oscillations, like fluctuating steps.
   if (c.substeps < before && before <= most && 1.1 * step > (before - 1) * longest) c.substeps = before;
   if (c.substeps == before) return;
   for (int a = 0; a < 3; a++) {

@@ -27,21 +27,22 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
   if (w.modules.oriented)
-    stepOriented(w, halos, t, dt);  // by an integrator of their own, past obstacles where forces were found
-  if (w.modules.incompressible) addPressureKick(w);  // found at the end of the last step
+    stepOriented(w, halos, t, dt);  // with integrators of their own, and with obstacles at their positions of
+                                    // the force evaluation
+  if (w.modules.incompressible) addPressureKick(w);  // computed at the end of the last step
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w, t)) || w.clock.substeps > 1;  // v += a dt/2, x += v dt
-  substepSolids(w, halos, t, dt);  // stiff solids: bonds alone, in shorter steps
+  substepSolids(w, halos, t, dt);  // stiff solids: bonds only, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
   if (w.modules.sheet) {
-    moveSheets(w, dt);  // the exact solution over the step
+    moveSheets(w, dt);  // exact solution over the step
     t.times.lap(StepPhase::SheetMotion);
   }
 
-  evaluate(w, halos, t, dt);  // forces at the new places
+  evaluate(w, halos, t, dt);  // forces at the new positions
 
-  if (w.modules.sleep) settleSleep(w, t, dt);  // solids at rest are held from here on
+  if (w.modules.sleep) settleSleep(w, t, dt);  // solids at rest are fixed from here on
   StepOutcome here;
   LargestRates largest;
   here.finite = finishKick(w, dt, awakeRows(w, t), &here.bad, &largest);  // v += a dt/2
@@ -49,7 +50,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   here.badHere = !here.finite || w.oriented.overran;
   if (w.modules.sheet) {
     t.times.lap(StepPhase::Drift);
-    kickSheets(w, dt);  // v += the push of forces at the new places
+    kickSheets(w, dt);  // v += impulse of forces at the new positions
     t.times.lap(StepPhase::SheetMotion);
   }
   if (w.modules.kinds() && !finiteKinds(w)) here.finite = false;
@@ -58,7 +59,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   PhaseChanges changes;
   if (w.modules.melting) changes = changePhase(w);  // solid <-> liquid
   t.phaseChangedHere = changes.melted || changes.frozen;
-  t.frozeAnywhere = changes.frozen;  // both are reduced by the vote
+  t.frozeAnywhere = changes.frozen;  // both are reduced by vote
   t.meltedAnywhere = changes.melted;
   t.times.lap(StepPhase::Heat);
 
@@ -66,24 +67,23 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   w.clock.stepDt = dt;
   w.clock.step++;
   const StepOutcome all = vote(w, halos, t, here, wanted);
-  // v without compression, and the kick that keeps the volume
+  // Removes compression from v and computes the next density-pressure kick.
   if (w.modules.incompressible && all.finite) findPressure(w, halos, t, dt);
   if (w.modules.solid && t.meltedAnywhere)
-    melt(w, halos, t);  // here and not in the next step: a checkpoint has it behind it
+    melt(w, halos, t);  // here and not in the next step, so that checkpoints contain it
   return all;
 }
 
 void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
-  const bool leftSlots = bringHome(w, halos, t, dt);  // emit, let go, migrate, sort by (cell, id)
+  const bool leftSlots = bringHome(w, halos, t, dt);  // emit, remove, migrate, sort by (cell, id)
   if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
   if (w.modules.kinds()) bringKindsHome(w, halos, t, dt);
   if (w.modules.sheet) linkSheets(w, halos, t);
   if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
 
-  // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must
-  // see them there
+  // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
   const WallContext walls{w,
                           t.wallTables,
                           t.liquids,
@@ -97,18 +97,18 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.sleep) beginSleep(w, t, dt);
   const std::int64_t coincident = w.counters.coincidentPairs;
   const bool neighbours = needsNeighbours(w, t);
-  // copies of the cells around ours are on their way ...
+  // Start the exchange of surrounding cells ...
   if (neighbours) halos.cells.beginGhosts(p, w.cells, ghostColumns(w));
   if (w.modules.solid) beginDeformation(w, halos, t);
   t.times.lap(StepPhase::Exchange);
   clearRates(w, w.modules.uniform);
-  // of an evaluation with new coefficients the jump of all is booked
+  // An evaluation with new coefficients records the jump of all contacts.
   const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;
   if (neighbours) {
     markInner(w, halos.cells, t);
     if (w.modules.sleep) markAsleep(w, t);
-    sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while particles inside find neighbours
-                                                               // and density
+    sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while inner particles are searched and
+                                                               // summed
     halos.cells.finishGhosts(p, w.cells);
     t.times.lap(StepPhase::Exchange);
     markInner(w, halos.cells, t);
@@ -131,13 +131,13 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.fluid) halos.cells.beginRefresh(p, toGhosts);
   t.times.lap(StepPhase::Exchange);
   if (w.modules.solid) deform(w, halos, t, dt);  // F, stress; bonds break, form, take new references
-  // pressure, viscosity, heat, tension
+  // Pressure, viscosity, heat, tension.
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::InnerForces);
   if (w.modules.fluid) halos.cells.finishRefresh(p);
   t.times.lap(StepPhase::Exchange);
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
   if (p.softening.active && w.modules.fluid)
-    beginSoftening(w, t);  // how the energy of pairs and contacts depends on what melts
+    beginSoftening(w, t);  // derivative of pair and contact energies with respect to the liquid fraction
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
   if (w.modules.contact)
     addSolidContacts(
@@ -150,10 +150,10 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Walls);
   if (w.modules.sheet) loadSheets(w, halos, t, dt);  // forces on vertices, and of vertices on particles
   if (w.modules.meeting) meetContinuum(w, t, dt);    // oriented particles and the continuum
-  if (w.modules.oriented) bookBornContacts(w, t);    // of those born in this step
+  if (w.modules.oriented) bookBornContacts(w, t);    // contacts of particles born in this step
   if (w.modules.contact) bookResistance(walls, t.contactResistance);
   bookClamps(walls, t.wallContacts);
-  if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // knows all other forces
+  if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // needs all other forces
   if (w.modules.heat) {
     addWallHeat(walls, t.wallContacts);
     addOuterHeat(w, dt, walls.deep);
@@ -166,10 +166,10 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
   StepLimits own = particleLimits(w, here.largest ? *here.largest : largestRates(w), t.stableViscousStep);
-  own[Limit::Sound] = limits[Limit::Sound] / soundStiffening(w);  // the shortest of all ranks is where some
-                                                                  // particle is compressed most
-  // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2
-  // is stable)
+  own[Limit::Sound] = limits[Limit::Sound] / soundStiffening(w);  // the minimum over ranks belongs to the
+                                                                  // most compressed particle
+  // The push of a wall is stiffer than the lattice to which cfl_sound refers: omega dt is at most 1.2 (2 is
+  // stable).
   if (t.wallContacts.stiffest > 0)
     own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   Ballot ballot;
@@ -189,7 +189,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   if (w.modules.substeps) ballot.negatedFastLimit = -fastAccelerationLimit(w);
   if (w.modules.fluid) ballot.filling = largestFilling(w);
   if (w.modules.surface) ballot.surfaceMove2 = largestSurfaceMove2(w);
-  // bonds break and references follow in any step
+  // Bonds break and references change in any step.
   if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);
   t.times.lap(StepPhase::Drift);
   reduce(ballot, halos.all, w.modules);
@@ -197,9 +197,9 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++) limits.value[k] = -ballot.negatedLimits[k];
   for (std::size_t k = 0; k < kindLimits && w.modules.kinds(); k++)
     limits.value[ballot.negatedLimits.size() + k] = -ballot.negatedKindLimits[k];
-  // of the largest of all ranks: not the least of their limits, which depends on what is on the same rank
+  // From the largest values of all ranks: the minimum of their limits would depend on the partition.
   if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, ballot.stretch2, ballot.grip);
-  // of a substep
+  // Limit of a substep.
   const double longest = std::min({limits[Limit::Elastic], t.longestContact, -ballot.negatedFastLimit});
   if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * longest;
   StepOutcome all = here;
@@ -210,12 +210,12 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   all.wanted = {ballot.stop > 0, ballot.report > 0, ballot.checkpoint > 0};
   all.surfaceMove2 = ballot.surfaceMove2;
   all.alarm = all.finite ? alarmOf(w, t.watch, limits, ballot.filling) : Alarm::NotFinite;
-  w.watch.factor = nextFactor(w.watch);  // 1, or less after a retry
+  w.watch.factor = nextFactor(w.watch);  // 1, or less after a rollback
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
-  // where nothing limits the step frames cut it; after a retry it is to be a share of what they leave
+  // Without a limit frames shorten the step; after a rollback it is a fraction of that.
   const bool limited = limits[all.limitedBy] < never;
   const double limit = limited || factor == 1 ? limits[all.limitedBy] : longestUnlimitedStep(w.clock);
-  // growing by a tenth at most: leap-frog whose step jumps up and down pumps energy into what swings fast
+  // The step grows by at most a tenth: fluctuating leap-frog steps pump energy into fast oscillations.
   w.clock.dt = fixed > 0 ? factor * fixed
                          : std::min(factor * limit, w.clock.step > 0 ? 1.1 * w.clock.dt : never);
   if (w.modules.substeps) chooseSubsteps(w, t, factor * longest);

@@ -1,4 +1,4 @@
-// One time step: the page to read first.
+// One time step: the starting point for readers of the code.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -27,104 +27,103 @@
 
 namespace thaw {
 
-/// The other ranks, seen from the step.
+/// Communication interfaces of a step.
 struct Halos {
   Reducer& all;
   CellHalo& cells;
   BondHalo& bonds;
-  CellHalo* kinds[2] = {nullptr, nullptr};  ///< of the further kinds (core/kinds/kinds.hpp), over the same
-                                            ///< grid; null for those that the scene has not
-  BondHalo* edges = nullptr;                ///< of the sheets
+  CellHalo* kinds[2] = {nullptr, nullptr};  ///< for further body types (core/kinds/kinds.hpp), over the same
+                                            ///< grid; null for absent types
+  BondHalo* edges = nullptr;                ///< for sheets
 };
 
-/// What a step works with; made once (makeTools), reused in every step. Nothing of it is part of the state.
+/// Work data of a step, made once (makeTools) and reused. Not part of the state.
 struct StepTools {
   const PairKernels* kernels = nullptr;
   std::vector<LiquidMaterial> liquids;
-  StepLimits fixedLimits;  ///< of materials
+  StepLimits fixedLimits;  ///< from materials
   WatchBounds watch;
   std::vector<EmitterPlan> emitters;
-  std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< of the bodies, until they have been
-                                                              ///< sampled: those of meshes take long to make
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< shapes of the bodies until they are
+                                                              ///< sampled; meshes are slow to make
   WallTables wallTables;
-  ViscousWeight viscousWeight;   ///< of the pairwise viscosity
-  double perLatticeSum = 1;      ///< what sums over V W are multiplied by to be fillings
-  SurfaceMeasure surface;        ///< of surface tension as an energy
-  double selfExcess = 0;         ///< taken from the filling of a particle, per V0 / h^3 of its own
+  ViscousWeight viscousWeight;   ///< for pairwise viscosity
+  double perLatticeSum = 1;      ///< factor that turns sums over V W into relative densities
+  SurfaceMeasure surface;        ///< for surface tension as an energy
+  double selfExcess = 0;         ///< subtracted from a particle's relative density, per V0 / h^3 of its own
                                  ///< (terms/density.hpp)
-  double stableViscousStep = 0;  ///< dt nu / h^2 that is just stable on the lattice
-  double conductionScale = 1;    ///< of heat conduction, see kernels/lattice.hpp
-  double fillingScale = 1;       ///< the same / h^3
+  double stableViscousStep = 0;  ///< largest stable dt nu / h^2 on the lattice
+  double conductionScale = 1;    ///< for heat conduction, see kernels/lattice.hpp
+  double fillingScale = 1;       ///< perLatticeSum / h^3
   SortBuffers sort;
   SearchBuffers search;
   PairRecords records;
   std::vector<std::uint8_t> inner, liquidCells;
-  std::size_t ghostRoom = 1024;  ///< rows kept for ghosts between the owned rows and the dummy
+  std::size_t ghostRoom = 1024;  ///< rows reserved for ghosts between the owned rows and the dummy row
   ClosePairs closePairs;
   std::vector<ContactResistance> contactResistance;
   WallContacts wallContacts;
-  std::vector<WallContact> substepContacts;  ///< of the solids that may touch a wall in this step
-  double longestContact = never;  ///< s, of a substep: contact of solids with walls where substeps do it, of
-                                  ///< materials
+  std::vector<WallContact> substepContacts;  ///< solids that may touch a wall in this step
+  double longestContact = never;  ///< s, limit of a substep by wall contacts of solids, from materials
   PressureWork pressure;
   ElasticWork elastic;
   ViscousWork viscous;
   OrientedWork oriented;
   SleepWork sleep;
   std::vector<BondRequest> requests;
-  std::vector<std::uint32_t> rebonded;  ///< rows of particles that took new bonds
+  std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<std::uint32_t> leaving;
   std::vector<Leaver> leavers;  ///< from all ranks; empty without surface tension
   PhaseTimes times;
-  // from one step to the next; found again after a restart
-  bool bondsAtStart = false;  ///< the next evaluation bonds the solids of the scene
-  bool mayLeave = true;  ///< a particle may be beyond an open side; false: the drift has seen that none is
-  bool newPartition = true;  ///< cells may have other owners than at the last evaluation
-  bool looseMemory = false;  ///< the last evaluation had a new partition: what it needed for once is free
-  bool emitFirst = false;    ///< the next evaluation also emits what leaves at time 0
+  // Carried from one step to the next; recomputed after a restart.
+  bool bondsAtStart = false;  ///< the next evaluation makes the initial bonds
+  bool mayLeave = true;       ///< a particle may be beyond an open side; false: the drift found none
+  bool newPartition = true;   ///< cell owners may differ from the last evaluation
+  bool looseMemory = false;   ///< the last evaluation had a new partition, and its temporary memory is free
+  bool emitFirst = false;     ///< the next evaluation also emits layers that leave at time 0
   bool phaseChangedHere = false;  ///< on this rank, since the last relink
-  bool frozeAnywhere = false;     ///< some particle of some rank has just frozen
-  bool meltedAnywhere = false;    ///< some solid of some rank has melted in this step
+  bool frozeAnywhere = false;     ///< some particle just froze on some rank
+  bool meltedAnywhere = false;    ///< some solid melted in this step on some rank
   double mass = 0;                ///< kg, of all ranks
-  double maxStretch2 = 1;         ///< square of the largest stretch of this rank
+  double maxStretch2 = 1;         ///< squared largest stretch of this rank
 };
 
-/// What a rank would like to happen after a step; if one asks, all do it.
+/// Actions that a rank requests after a step; one request triggers all ranks.
 struct Requests {
   bool stop = false, report = false, checkpoint = false;
 };
 
-/// What all ranks agree on after a step.
+/// Common result of all ranks after a step.
 struct StepOutcome {
   Limit limitedBy = Limit::Scene;
-  Requests wanted;            ///< by some rank
-  Alarm alarm = Alarm::None;  ///< what the watch saw
-  bool finite = true;         ///< false: some value is not; on the rank that has it `bad` is its row
+  Requests wanted;            ///< by any rank
+  Alarm alarm = Alarm::None;  ///< result of the stability monitor
+  bool finite = true;         ///< false: some value is not finite; `bad` is its row on the rank that has it
   bool badHere = false;
   std::size_t bad = 0;
-  std::optional<LargestRates> largest;  ///< of this rank, where the kick has found them
-  double surfaceMove2 = 0;  ///< m^2, farthest that a particle has come since the last update of the surface,
-                            ///< squared; 0 without one
+  std::optional<LargestRates> largest;  ///< on this rank, if the kick computed them
+  double surfaceMove2 = 0;  ///< m^2, squared largest displacement of a particle since the last surface
+                            ///< update; 0 without a surface
 };
 
-/// Everything that a scene needs, made ready. Throws std::runtime_error (one sentence) for what cannot be
+/// Prepares all work data for a scene. Throws std::runtime_error (one sentence) if the scene cannot be
 /// simulated.
 StepTools makeTools(const World& world);
 
-/// Forces, heat flows and all else that follows from positions, velocities and temperatures; migrates, sorts
-/// and finds neighbours first. dt (s) is the step that led here, 0 at the start. Needs: particles in any
-/// order, on any rank. Guarantees: each on the rank that owns its cell, sorted by (cell, id), where anybody
-/// asks for cells (needsOrder).
+/// Migrates, sorts and searches; then computes forces, heat flows and all other data that follow from
+/// positions, velocities and temperatures. dt (s): last step, 0 at the start. Requires: particles in any
+/// order on any rank. Ensures: each particle is on the rank that owns its cell, sorted by (cell, id), if
+/// cells are needed (needsOrder).
 void evaluate(World& world, Halos halos, StepTools& tools, double dt);
 
-/// The next step's dt, from all ranks' limits, into the clock. Collective.
+/// Reduces the limits of all ranks and sets the next step in the clock. Collective.
 StepOutcome vote(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests wanted);
 
-/// One leap-frog step of Clock::dt, cut to hit the next frame time. Needs accelerations: evaluate and vote
-/// once before the first step. Collective; the same bits on any number of ranks.
+/// One leap-frog step of Clock::dt, shortened to hit the next frame time. Requires: accelerations, from one
+/// call of evaluate and vote before the first step. Collective; the same bits on any number of ranks.
 StepOutcome step(World& world, Halos halos, StepTools& tools, Requests wanted);
 
-/// kg of all ranks, exact. Collective.
+/// Returns the exact total mass (kg) of all ranks. Collective.
 double totalMass(const World& world, Reducer& all);
 
 }  // namespace thaw

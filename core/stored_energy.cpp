@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-/// Of the liquid of a scene that has nothing else (Modules::uniform).
+/// Adds the compression energy of a particle in scenes of one liquid (Modules::uniform).
 void addCompression(World& w, const StepTools& t, std::size_t row) {
   w.particles.interaction[row] += compressionOf({w.scene, w.modules, w.grid, t.liquids}, w.particles, row, 1);
 }

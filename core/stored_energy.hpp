@@ -1,4 +1,4 @@
-// Energies that reports, checkpoints, frames and leavers ask for, and no step.
+// Energies that only reports, checkpoints, frames and leaving particles need.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -7,11 +7,11 @@
 
 namespace thaw {
 
-/// What the last evaluation has not found of Solids::energy, Solids::deformation and, of the energy of
-/// compression, Continuum::interaction. Before a checkpoint, a good state or a frame; the ledger's report
-/// sees to it by itself. The same bits whenever and however often it is asked for.
+/// Computes Solids::energy, Solids::deformation and the compression energy in Continuum::interaction, unless
+/// the last evaluation did. Call it before a checkpoint, a snapshot or a frame; the ledger's report calls it
+/// itself. The bits do not depend on when and how often it is called.
 void findStoredEnergy(World& world, const StepTools& tools);
-/// The same for the particles in these rows, which are about to leave.
+/// As above for the particles in these rows, which are about to leave.
 void findStoredEnergy(World& world, const StepTools& tools, std::span<const std::uint32_t> rows);
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// All that a run holds in memory on one rank.
+// The data of a run on one rank.
 #pragma once
 #include <memory>
 #include <string>
@@ -20,40 +20,38 @@
 
 namespace thaw {
 
-/// Things that went wrong or were mended, counted; in the progress lines and the summary. Sums over ranks are
-/// exact.
+/// Counts of problems and corrections, for progress lines and the summary. Sums over ranks are exact.
 struct Counters {
-  std::int64_t singularNeighbourhoods = 0;  ///< particles whose moment matrix had rank < 3 when it was last
-                                            ///< computed
+  std::int64_t singularNeighbourhoods = 0;  ///< particles with a moment matrix of rank < 3 at its last
+                                            ///< computation
   std::int64_t brokenBonds = 0;
-  std::int64_t inverted = 0;  ///< particles with det F <= 0 seen (particle-steps)
-  std::int64_t squeezed = 0;  ///< particles of law "green" seen below sqrt(1/3) of their length in some
-                              ///< direction (particle-steps)
+  std::int64_t inverted = 0;  ///< particles with det F <= 0 (particle-steps)
+  std::int64_t squeezed = 0;  ///< particles of law "green" compressed below sqrt(1/3) in some direction
+                              ///< (particle-steps)
   std::int64_t coincidentPairs = 0;
   std::int64_t melted = 0, frozen = 0;  ///< phase changes
   std::int64_t welds = 0;
   std::int64_t rereferenced = 0;
-  std::int64_t wallProjections = 0;  ///< particles pushed out of an obstacle by position
+  std::int64_t wallProjections = 0;  ///< particles projected out of an obstacle
   std::int64_t left = 0, emitted = 0;
-  std::int64_t leftThrough[3][2] = {};  ///< of those that left: the open side that each was farthest beyond,
-                                        ///< [axis][low, high]
-  std::int64_t viscousIterations = 0;   ///< of implicit viscosity, all steps; on the first rank only
-  std::int64_t viscousUnfinished = 0;   ///< steps in which they were not enough; on the first rank only
-  std::int64_t retries = 0;             ///< stretches that failed and were run again with shorter steps
-  std::int64_t densityIterations = 0, divergenceIterations = 0;  ///< of the incompressible solver; on the
+  std::int64_t leftThrough[3][2] = {};  ///< particles that left, by the open side that each was farthest
+                                        ///< beyond, [axis][low, high]
+  std::int64_t viscousIterations = 0;   ///< implicit viscosity, all steps; on the first rank only
+  std::int64_t viscousUnfinished = 0;   ///< steps without convergence; on the first rank only
+  std::int64_t retries = 0;             ///< failed stretches that were repeated with shorter steps
+  std::int64_t densityIterations = 0, divergenceIterations = 0;  ///< incompressible solver; on the
                                                                  ///< first rank only
   std::int64_t orientedBirths = 0, orientedDeaths = 0;
-  std::int64_t crowded = 0;    ///< liquid particles that are, in the last step, much more crowded than the
-                               ///< density says that they carry
+  std::int64_t crowded = 0;    ///< liquid particles whose summed density far exceeds the carried one in the
+                               ///< last step
   std::int64_t connected = 0;  ///< liquid particles with at least two neighbours, in the last step with
                                ///< carried densities
-  std::int64_t connectedDensity = 0;   ///< 1e-6, the sum of their summed relative densities
-  std::int64_t asleep = 0;             ///< particles whose sums were not formed in the last step
-  std::int64_t unsolvedPressures = 0;  ///< solves that ended at the most iterations allowed; on the first
-                                       ///< rank only
+  std::int64_t connectedDensity = 0;   ///< 1e-6, sum of their summed relative densities
+  std::int64_t asleep = 0;             ///< particles whose sums were skipped in the last step
+  std::int64_t unsolvedPressures = 0;  ///< solves that reached the iteration limit; on the first rank only
 };
 
-/// Iterations of the incompressible solver in the last step, alike on all ranks; not part of the state.
+/// Iterations of the incompressible solver in the last step, equal on all ranks; not part of the state.
 struct PressureIterations {
   std::int64_t density = 0, divergence = 0;
 };
@@ -78,7 +76,7 @@ struct World {
   OrientedBodies oriented;
   SheetBodies sheets;
   PressureIterations lastIterations;
-  bool compressionKnown = true;  ///< the energy of compression is in Continuum::interaction; else
+  bool compressionKnown = true;  ///< Continuum::interaction contains the compression energy; else
                                  ///< findStoredEnergy (core/stored_energy.hpp) adds it
 };
 

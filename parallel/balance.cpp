@@ -10,7 +10,7 @@ namespace thaw {
 
 namespace {
 
-// Whose work a phase is: of all particles, of those that sums over liquids are about, of solids.
+// Attribution of phases: all particles, particles in sums over liquids, solids.
 constexpr std::array ofAll{StepPhase::Drift, StepPhase::Sort,    StepPhase::Search,
                            StepPhase::Walls, StepPhase::Contact, StepPhase::Heat};
 constexpr std::array ofLiquids{StepPhase::Density, StepPhase::Forces, StepPhase::Pressure};
@@ -22,7 +22,7 @@ template<class Phases> double secondsOf(const PhaseTimes& t, const Phases& phase
   return sum;
 }
 
-/// s a row, by what the phases took since the last look.
+/// Cost in s per row, from the time of the phases since the last measurement.
 RowCosts costsOf(const World& w, const PhaseTimes& spent) {
   const Continuum& p = w.particles;
   const double n = static_cast<double>(p.owned);
@@ -37,8 +37,8 @@ RowCosts costsOf(const World& w, const PhaseTimes& spent) {
     return costs;
   }
   const double solids = static_cast<double>(std::count(p.phase.data(), p.phase.data() + p.owned, Solid));
-  // a solid far from liquids takes half of a liquid's sums where they conduct heat (terms/conduction.hpp),
-  // else only what lies beside liquids takes part
+  // With heat, a solid far from liquids takes half of a liquid's sums (terms/conduction.hpp); otherwise only
+  // solids near liquids take part.
   const double share = w.modules.heat ? 0.5 : 0.1,
                sums = secondsOf(spent, ofLiquids) / (n - solids + share * solids),
                each = secondsOf(spent, ofAll) / n;

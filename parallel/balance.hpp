@@ -4,16 +4,16 @@
 
 namespace thaw {
 
-/// Remembers how much work of each phase a rank had done at the last look.
+/// Work of each phase on a rank at the last measurement.
 struct WorkMeter {
   std::array<double, stepPhases> seconds{};
 };
 
-/// Seconds of work on the continuum (not of waiting or output) so far.
+/// Seconds of work on the continuum so far, without waiting and output.
 double workOf(const PhaseTimes& times);
 
-/// Gives cells the cost of their liquid and solid particles, by this rank's times of each since the last
-/// call, and lets the halo decide whether to cut anew. Particles move at the next evaluation. Collective.
+/// Assigns cells the cost of their liquid and solid particles, from this rank's times since the last call,
+/// and lets the halo decide on a new partition. Particles move at the next evaluation. Collective.
 bool balance(World& world, CellHalo& halo, StepTools& tools, WorkMeter& meter);
 
 }  // namespace thaw

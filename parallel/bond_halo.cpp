@@ -16,7 +16,7 @@ std::vector<Message> MpiBondHalo::exchange(const std::vector<Message>& out, int 
   return sparseExchange(comm_, out, kind, MessagesFor::BondEdits);
 }
 
-/// Bits that some rank has set.
+/// Bitwise or over all ranks.
 int MpiBondHalo::anyRank(int bits) const {
   const WaitMark waiting(comm_, MessagesFor::Reduction);
   MPI_Allreduce(MPI_IN_PLACE, &bits, 1, MPI_INT, MPI_BOR, comm_.handle());
@@ -84,7 +84,7 @@ void MpiBondHalo::tellChanges(const BondedRows& p) {
     w.push_back(id);
     w.push_back(owner);
   };
-  // a particle that melts and freezes at once is struck out before it is written
+  // A particle that melts and freezes at once is removed from the directory before it is written again.
   for (const std::uint32_t slot : removed_) tell(graph_.idOf(slot), SolidDirectory::nobody);
   for (const std::uint64_t id : strangers_) tell(id, SolidDirectory::nobody);
   links_.announceRemovals(graph_, removed_, news);
@@ -94,8 +94,8 @@ void MpiBondHalo::tellChanges(const BondedRows& p) {
   applyNews(exchange(news.messages(), NewsKind), true);
 }
 
-/// Ids at the far ends of bonds to be made that no row here has and whose owner nobody told (all: also where
-/// a record tells it).
+/// Returns ids at the other ends of new bonds without a row here and with unknown owner (all: also those
+/// whose record names the owner).
 std::vector<std::uint64_t> MpiBondHalo::unknownIds(const Solids& s, const Relink& work, bool all) {
   std::vector<std::uint64_t> ids;
   SolidRecordView view;
@@ -140,8 +140,8 @@ void MpiBondHalo::askOwners(const std::vector<std::uint64_t>& ids) {
   }
 }
 
-// Particles migrated and others, or the same, stopped being solid before this relink: what was told in the
-// migration is out of date.
+// Handles particles that migrated and particles that stopped being solid before the same relink: owners
+// announced in the migration may be outdated.
 void MpiBondHalo::checkMoves(const Solids& s, const Relink& work) {
   std::vector<std::uint64_t> ids = unknownIds(s, work, true);
   for (const Departure& d : departures_) ids.push_back(graph_.idOf(d.slot));
@@ -155,7 +155,7 @@ void MpiBondHalo::checkMoves(const Solids& s, const Relink& work) {
     if (ownerOf(graph_.idOf(row)) < 0 && graph_.rowOf(graph_.idOf(row)) == row) graph_.removeRemote(row);
 }
 
-/// The directory's answer; -1 where it knows nobody, -2 where it was not asked.
+/// Returns the owner from the directory's answer; -1 if it has none, -2 if the id was not requested.
 int MpiBondHalo::ownerOf(std::uint64_t id) const {
   const auto at = std::lower_bound(askedIds_.begin(), askedIds_.end(), id);
   if (at == askedIds_.end() || *at != id) return -2;
@@ -173,8 +173,8 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
     most = std::max(most, view.bonds.size());
   }
   most = std::max({most, graph_.mostBonds(work.requests), graph_.mostBonds(work.pairs)});
-  // where later parts of a start need little more, all room is made at once: each time it is made it is new
-  // memory for all bonds
+  // If later parts of a start need little more, all capacity is reserved at once: each increase reallocates
+  // all bonds.
   constexpr int little = 4;
   if (work.mostToCome > t.bonds.capacity && work.mostToCome <= static_cast<int>(most + 3) / 4 * 4 + little)
     most = std::max<std::size_t>(most, static_cast<std::size_t>(work.mostToCome));

@@ -1,6 +1,6 @@
-// BondHalo over MPI. A rank that sends a solid particle away tells the ranks that copy it where it went, so
-// that following a body costs as much as moves; who has a solid particle that nobody here has heard of is
-// kept in a directory spread over the ranks. Works on one rank as well, and then sends nothing.
+// BondHalo over MPI. A rank that sends a solid particle away notifies the ranks that hold copies, so the cost
+// of following a body is proportional to its moves. A directory distributed over the ranks stores the owner
+// of every solid particle, for ranks without a copy. Also works on one rank, without messages.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -16,27 +16,27 @@ class MpiBondHalo : public BondHalo {
  public:
   explicit MpiBondHalo(const Communicator& comm) : comm_(comm), graph_(comm.rank()) {}
 
-  /// Throws std::logic_error where the slots of the last migration have not been made by a relink yet.
+  /// Throws std::logic_error if the slots of the last migration were not yet created by a relink.
   void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
                const Migration& migration) override;
   bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
   void begin(Solids& solids, std::span<AnyColumn* const> columns) override;
   void finish(Solids& solids) override;
 
-  /// Records (SolidRecords::bytes) of owned particles that have no slot yet, read from a checkpoint, on
-  /// whatever rank: if the particle migrates first, its record goes with it. The next relink makes slots of
-  /// them; records of other particles are forgotten.
+  /// Adopts records (SolidRecords::bytes) of owned particles without a slot, read from a checkpoint on any
+  /// rank. If the particle migrates first, its record follows. The next relink creates the slots; records of
+  /// other particles are discarded.
   void adopt(std::vector<std::byte> records);
   const BondGraph& graph() const { return graph_; }
 
  private:
-  enum Kind { RecordKind = 40, NewsKind = 41, QueryKind = 42, AnswerKind = 43 };  // of messages
-  /// Solid particles on their way into the table.
+  enum Kind { RecordKind = 40, NewsKind = 41, QueryKind = 42, AnswerKind = 43 };  // kinds of messages
+  /// Solid particles about to enter the table.
   struct Waiting {
     std::vector<std::byte> records;
-    std::vector<std::int32_t> owners;  // of the other end of each bond, one record behind the other; none if
+    std::vector<std::int32_t> owners;  // owner of the other end of each bond, record by record; empty if
                                        // adopted
-    bool adopted = false;              // from a checkpoint: no rank knows of it yet
+    bool adopted = false;              // from a checkpoint: not yet in the directory
   };
   struct Found {  // a record in waiting_
     std::uint64_t id;
@@ -73,11 +73,11 @@ class MpiBondHalo : public BondHalo {
   std::vector<Departure> departures_;     // until the next relink
   std::vector<std::uint32_t> unslotted_;  // rows of particles that get a slot
   std::vector<std::uint32_t> removed_;    // slots
-  std::vector<std::uint64_t> strangers_;  // ids that came here but are not solid any more
+  std::vector<std::uint64_t> strangers_;  // ids of particles that arrived but are no longer solid
   std::vector<std::uint32_t> movedRows_;  // remote rows whose particle has migrated since the last relink
   std::vector<NewSlot> fresh_;
-  std::vector<const Found*> recordOf_;   // of each fresh slot; nullptr: it has just become solid
-  std::vector<std::uint64_t> askedIds_;  // ascending, and who owns them
+  std::vector<const Found*> recordOf_;   // record of each fresh slot; nullptr: the particle just became solid
+  std::vector<std::uint64_t> askedIds_;  // ascending
   std::vector<std::uint64_t> askedOwners_;
   bool moved_ = false;         // solid particles migrated on some rank since the last relink
   bool solidArrived_ = false;  // on this rank

@@ -102,7 +102,7 @@ void BondLinks::announceRemovals(const BondGraph& graph, std::span<const std::ui
 }
 
 void BondLinks::renew(const Communicator& comm, const BondGraph& graph) {
-  // words to each rank: how many ids are given up, these, then the ids asked for
+  // Words to each rank: number of released ids, these ids, then the subscribed ids.
   struct Change {
     std::vector<std::uint64_t> giveUp, ask;
     std::vector<Link> rows;
@@ -114,7 +114,7 @@ void BondLinks::renew(const Communicator& comm, const BondGraph& graph) {
     return at != changes.end() ? at->second : changes.emplace_back(rank, Change{}).second;
   };
   for (const BondGraph::Released& r : graph.released())
-    // else it has moved, and its new owner knows nothing of us
+    // Otherwise it has moved, and its new owner has no link to this rank.
     if (holds(partner(r.owner).receives, r.id)) change(r.owner).giveUp.push_back(r.id);
   const auto want = [&](std::uint32_t row) {
     Change& c = change(graph.ownerOf(row));
@@ -159,7 +159,7 @@ void BondLinks::renew(const Communicator& comm, const BondGraph& graph) {
     for (auto id = ask; id != w.end(); ++id) {
       const std::uint32_t slot = graph.rowOf(*id);
       if (slot == noRow || graph.isRemote(slot))
-        throw std::logic_error("another rank asks for a solid particle that is not here");
+        throw std::logic_error("another rank requested a solid particle that this rank does not own");
       fresh.push_back({*id, slot});
     }
     add(p.sends, fresh);

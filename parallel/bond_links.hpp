@@ -1,5 +1,5 @@
-// Which slots this rank sends to whom along the bonds, and which remote rows it fills from whom; both ends
-// keep the same order, by id.
+// Exchange lists along bonds: slots that this rank sends, and remote rows that it receives, by partner rank.
+// Both ends have the same order, by id.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,15 +13,15 @@ namespace thaw {
 
 class BondLinks {
  public:
-  /// For every owned slot that another rank copies and whose owner in the graph is not this rank any more:
-  /// (id, new owner), to the copies.
+  /// Announces (id, new owner) to the holders of copies, for every copied slot whose owner in the graph is
+  /// another rank.
   void announceDepartures(const BondGraph& graph, int rank, WordMessages& out) const;
-  /// (id, nobody) to the ranks that copy these slots.
+  /// Announces (id, nobody) to the ranks with copies of these slots.
   void announceRemovals(const BondGraph& graph, std::span<const std::uint32_t> slots,
                         WordMessages& out) const;
 
-  /// After an edit of the graph: follows the renumbering, gives up what is not named any more and asks for
-  /// what is new or has moved. Collective.
+  /// Updates the lists after an edit of the graph: applies the renumbering, releases unused rows and
+  /// subscribes to new or moved ones. Collective.
   void renew(const Communicator& comm, const BondGraph& graph);
 
   void begin(const Communicator& comm, std::span<AnyColumn* const> columns);

@@ -1,4 +1,4 @@
-// Bonds of solids that go to another rank.
+// Migration of solids with their bonds.
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
@@ -19,7 +19,7 @@ void MpiBondHalo::listWaiting(const Solids& s) {
       at = end;
     }
     if (!waiting_[w].adopted && owner != waiting_[w].owners.size())
-      throw std::runtime_error("the records of solid particles and their owners disagree");
+      throw std::runtime_error("the numbers of bonds and of owners in records of solid particles differ");
   }
   std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) { return a.id < b.id; });
 }
@@ -35,14 +35,14 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
   if (moved_) throw std::logic_error("solid particles migrate twice without a relink between");
   for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) {
     p.slot[i] = noSlot;
-    solidArrived_ = solidArrived_ || !p.liquid(i);  // perhaps frozen before it went, and nobody here would
-                                                    // look for it
+    solidArrived_ = solidArrived_ || !p.liquid(i);  // it may have frozen before it migrated, which no rank
+                                                    // checks otherwise
   }
   if (comm_.size() == 1) return;
   int any = 0;
   for (std::size_t k = 0; k < m.departed.size(); k++) {
-    if (m.departedTo[k] < 0) continue;      // left the domain: relink misses it
-    if (p.liquid(m.departed[k])) continue;  // melted before it went: the same
+    if (m.departedTo[k] < 0) continue;      // left the domain: relink detects it
+    if (p.liquid(m.departed[k])) continue;  // melted before it migrated: relink detects it
     const std::uint32_t slot = p.slot[m.departed[k]];
     if (slot != noSlot) departures_.push_back({slot, m.departedTo[k]});
     else any = any || !waiting_.empty();
@@ -55,8 +55,8 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
   sendRecords(p, s, b, m);
 }
 
-// To ranks that copy a particle, and to its entry in the directory: who owns it now. Before the records are
-// sent, so that these can say where the other ends of bonds are once all have moved.
+// Sends the new owner to ranks with copies and to the directory. This comes before the records, so that
+// records contain the final owners of the other ends of bonds.
 void MpiBondHalo::tellDepartures() {
   for (const Departure& d : departures_) graph_.setOwner(d.slot, d.to);
   WordMessages news;
@@ -143,7 +143,7 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
   }
 }
 
-// Begins the edit of the graph: who leaves, who comes.
+// Begins the edit of the graph: departures and removals.
 void MpiBondHalo::leaveSlots(const Solids& s, const Bonds& b) {
   for (const Departure& d : departures_) graph_.depart(b, d.slot);
   removed_.clear();
@@ -152,7 +152,7 @@ void MpiBondHalo::leaveSlots(const Solids& s, const Bonds& b) {
   for (const std::uint32_t slot : removed_) graph_.remove(b, slot);
 }
 
-// Particles without a slot and the records that came for them.
+// Matches particles without a slot with the records that arrived for them.
 void MpiBondHalo::matchRecords(const BondedRows& p) {
   std::vector<std::uint8_t> used(found_.size(), 0);
   recordOf_.reserve(unslotted_.size());

@@ -13,17 +13,17 @@ namespace {
 
 enum Tag { GhostTag = 11, GhostRestTag = 12, RefreshTag = 13, MigrateKind = 20 };
 
-/// Messages of the next steps may be longer.
+/// Adds room for longer messages in later steps.
 std::size_t withRoom(std::size_t bytes) { return bytes + bytes / 16; }
 
-/// What is in it is lost: it has been sent or read.
+/// Grows a buffer; its old contents, already sent or read, are lost.
 void fit(std::vector<std::byte>& buffer, std::size_t bytes, std::size_t room) {
   if (bytes <= buffer.size()) return;
   buffer = {};
   buffer.resize(room);
 }
 
-// A message of ghosts: its bytes, the number of cells; their keys; their counts of particles; the columns.
+// A ghost message: its bytes, the number of cells, their keys, their particle counts, the columns.
 struct GhostHead {
   std::uint64_t bytes, cells;
 };
@@ -77,7 +77,8 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   for (Message& x : movers_) x.bytes.clear();
   std::size_t used = 0;
   int to = comm_.rank();
-  std::uint64_t ours = 0;  // a cell that stays: rows come sorted, mostly in the cell of the row before
+  std::uint64_t ours = 0;  // the last cell that stays: rows are sorted, so most are in the cell of the row
+                           // before
   for (std::size_t i = 0; i < p.owned; i++) {
     if (keys[i] == ours || keys[i] == noCell) continue;
     const Vec3i cell = cellOfKey(keys[i]);
@@ -108,11 +109,11 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
     std::size_t row = before;
     for (const Message& x : inbox_.messages())
       for (std::size_t at = 0; at < x.bytes.size(); at += bytes) p.unpackState(row++, x.bytes.data() + at);
-    // a slot is an index into tables of the old owner
+    // A slot is an index into tables of the old owner.
     if (AnyColumn* slot = p.find("slot"); slot != nullptr && slot->active)
       std::fill_n(reinterpret_cast<std::uint32_t*>(slot->bytes.data()) + before, m.arrivals, noSlot);
   }
-  if (newPartition_) {  // never again so many at once
+  if (newPartition_) {  // later migrations are smaller
     movers_ = {};
     inbox_ = {};
     newPartition_ = false;
@@ -120,8 +121,8 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   return m;
 }
 
-/// Bytes that are received in one go once a message had so many: one piece at most, since nobody knows how
-/// many pieces the next will have.
+/// Bytes to receive at once after a message of this size: at most one piece, since the number of pieces of
+/// the next message is unknown.
 std::size_t MpiCellHalo::roomFor(std::size_t bytes) const { return std::min(withRoom(bytes), comm_.piece()); }
 
 void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColumn* const> columns) {
@@ -137,8 +138,7 @@ void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColum
   for (Neighbour& n : neighbours_) sendGhosts(n, cells);
 }
 
-// Both ends know how large the receiver's buffer is; a larger message is announced by its head alone and sent
-// behind.
+// Both ends know the receiver's buffer size. A larger message is announced by its head and sent afterwards.
 void MpiCellHalo::sendGhosts(Neighbour& n, const CellTable& cells) {
   CellCopies& c = n.copies;
   listCopies(grid_, cells, boundary_, c);
@@ -180,8 +180,8 @@ void MpiCellHalo::receiveGhosts(Neighbour& n) {
   }
 }
 
-/// Cells of a received message, behind those of the table; their rows begin at n.ghostFirst. Returns the
-/// number of rows.
+/// Appends the cells of a received message to the table; their rows begin at n.ghostFirst. Returns the number
+/// of rows.
 std::size_t MpiCellHalo::appendCells(const Neighbour& n, CellTable& cells) const {
   const std::size_t count = headOf(n.in).cells, at = cells.key.size();
   cells.key.resize(at + count);
@@ -252,12 +252,12 @@ void MpiCellHalo::finishRefresh(Table&) {
   mark_.end(comm_, MessagesFor::Refresh);
 }
 
-// Costs are measured times: they are made integers of a common unit, so that all ranks see the same sums and
-// decide alike.
+// Costs are measured times. They are converted to integers of a common unit, so that all ranks compute the
+// same sums and decide alike.
 bool MpiCellHalo::rebalance(const CellTable& cells, std::span<const double> cost, bool force) {
   if (comm_.size() == 1) return false;
   const auto usable = [](double c) { return c > 0 && c < std::numeric_limits<double>::max() ? c : 0.0; };
-  const bool merged = cells.key.size() != cost.size();  // with ghost cells, whose owners bring them
+  const bool merged = cells.key.size() != cost.size();  // includes ghost cells, which their owners contribute
   std::vector<WeightedCell> weighted;
   weighted.reserve(cost.size());
   for (std::uint64_t key : cells.key)

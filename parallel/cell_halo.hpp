@@ -10,16 +10,16 @@
 namespace thaw {
 
 struct BalanceRule {
-  double threshold = 1.05;  ///< largest over mean cost above which a new partition is tried
-  double gain = 0.97;       ///< it is taken if its imbalance is below this times the present one
-  int pause = 3;            ///< calls without effect after a new partition was tried, unless it was forced
+  double threshold = 1.05;  ///< largest over mean cost above which a new partition is computed
+  double gain = 0.97;       ///< a new partition is used if its imbalance is below this times the present one
+  int pause = 3;            ///< calls skipped after a new partition was computed, unless it was forced
 };
 
 class MpiCellHalo : public CellHalo {
  public:
-  /// Boxes of equal size; rebalance as soon as there are particles. Collective. The communicator must outlive
-  /// this object. Throws std::invalid_argument for a periodic axis of fewer than three cells, where images
-  /// would overlap.
+  /// Starts with boxes of equal size; rebalance as soon as particles exist. Collective. The communicator must
+  /// outlive this object. Throws std::invalid_argument for a periodic axis of fewer than three cells, where
+  /// images would overlap.
   MpiCellHalo(const Communicator& comm, const CellGrid& grid, const BalanceRule& rule = {});
 
   std::size_t bufferBytes() const override;
@@ -34,17 +34,18 @@ class MpiCellHalo : public CellHalo {
   bool inner(std::uint64_t key) const override { return innerCell(grid_, box_, cellOfKey(key)); }
 
   const std::vector<CellBox>& boxes() const { return partition_.boxes(); }
-  /// Largest over mean cost at the last call of rebalance, 1 before. After a change: of the new partition.
+  /// Largest over mean cost at the last call of rebalance, 1 before; after a change that of the new
+  /// partition.
   double imbalance() const { return imbalance_; }
 
  private:
-  /// Everything exchanged with one rank (or, as images, with ourselves).
+  /// Exchange data for one rank (for images: this rank itself).
   struct Neighbour {
     int rank = 0;
-    CellCopies copies;                           // what it gets from us
-    std::size_t ghostFirst = 0, ghostCount = 0;  // rows we got from it
+    CellCopies copies;                           // sent to it
+    std::size_t ghostFirst = 0, ghostCount = 0;  // rows received from it
     std::vector<std::byte> out, in;              // never shrink
-    std::size_t sendRoom = 0, receiveRoom = 0;   // both ends keep the same figures
+    std::size_t sendRoom = 0, receiveRoom = 0;   // equal on both ends
     std::vector<MPI_Request> receiving, sending;
   };
   void usePartition(Partition partition);
@@ -59,16 +60,16 @@ class MpiCellHalo : public CellHalo {
   Partition partition_;
   CellBox box_;
   std::vector<Neighbour> neighbours_;
-  std::vector<AnyColumn*> columns_;  // of the exchange under way
+  std::vector<AnyColumn*> columns_;  // columns of the exchange in flight
   std::vector<std::uint32_t> boundary_;
   GhostCellMerge merge_;
-  std::vector<Message> movers_;  // kept for their buffers
-  std::vector<int> messageTo_;   // for each rank the message under way to it, -1: none
+  std::vector<Message> movers_;  // kept to reuse the buffers
+  std::vector<int> messageTo_;   // index of the message in preparation, by rank; -1: none
   Inbox inbox_;
   bool newPartition_ = false;  // since the last migration
   int pause_ = 0;
   double imbalance_ = 1;
-  ExchangeMark mark_;  // of the exchange under way
+  ExchangeMark mark_;  // exchange in flight
 };
 
 }  // namespace thaw

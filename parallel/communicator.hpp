@@ -1,4 +1,4 @@
-// MPI behind RAII: start and end of the library, a communicator of our own, exact reductions.
+// RAII wrappers for MPI: library start and end, a private communicator, exact reductions.
 #pragma once
 #include <mpi.h>
 
@@ -13,10 +13,10 @@
 
 namespace thaw {
 
-/// MPI_Init and MPI_Finalize. Make one in main, before anything else of parallel/. Only the thread that made
-/// it may call MPI. Errors of MPI itself end the run on all ranks with MPI's message (MPI's default handler).
-/// An exception that leaves main's try block through this object ends all ranks too: the others would wait
-/// for this one for ever.
+/// MPI_Init and MPI_Finalize. Create one in main, before any other object of parallel/. Only the creating
+/// thread may call MPI. MPI errors end the run on all ranks with MPI's message (MPI's default handler). An
+/// exception that leaves main's try block through this object aborts all ranks, which would otherwise block
+/// forever.
 class MpiSession {
  public:
   MpiSession(int* argc, char*** argv) : exceptions_(std::uncaught_exceptions()) {
@@ -35,16 +35,16 @@ class MpiSession {
   int exceptions_;
 };
 
-/// Largest piece of a message, and most elements of one reduction: MPI counts in 32 bits.
+/// Largest piece of a message, and largest number of elements in a reduction: MPI counts in 32 bits.
 inline constexpr std::size_t largestPiece = std::size_t{1} << 30;
 inline constexpr std::size_t smallestPiece = 64;
 
-/// A duplicate of a communicator, so that our messages meet nobody else's. All halos share one; it counts
-/// what they do.
+/// A duplicated communicator, which isolates the program's messages. All halos share it; it counts their
+/// traffic.
 class Communicator {
  public:
-  /// piece: bytes of the largest piece of a message (64 B to 1 GiB; small ones are for tests), the same on
-  /// all ranks.
+  /// piece: bytes of the largest piece of a message (64 B to 1 GiB; small ones are for tests), equal on all
+  /// ranks.
   explicit Communicator(MPI_Comm from = MPI_COMM_WORLD, std::size_t piece = largestPiece)
       : piece_(std::clamp(piece, smallestPiece, largestPiece)) {
     MPI_Comm_dup(from, &handle_);
@@ -58,11 +58,12 @@ class Communicator {
   int rank() const { return rank_; }
   int size() const { return size_; }
   std::size_t piece() const { return piece_; }
-  /// Alternates at each sparse exchange: a rank that is one exchange ahead must not be heard in the last one.
+  /// Alternates the tag between sparse exchanges, so that messages of a rank one exchange ahead are not
+  /// received early.
   int nextTag(int tag) const { return 2 * tag + static_cast<int>(exchanges_++ & 1u); }
-  /// What was done over this communicator so far, by this rank. To be added to by whoever sends.
+  /// Traffic of this rank over this communicator so far. Senders add to it.
   Traffic& traffic() const { return traffic_; }
-  /// Where waits and exchanges are kept (not owned), or null.
+  /// Trace of waits and exchanges (not owned), or null.
   StepTrace* trace() const { return trace_; }
   void setTrace(StepTrace* trace) const { trace_ = trace; }
 
@@ -75,7 +76,7 @@ class Communicator {
   std::size_t piece_;
 };
 
-/// Counts the time of a scope as waiting for others.
+/// Counts the duration of a scope as waiting for other ranks.
 class WaitMark {
  public:
   WaitMark(const Communicator& comm, MessagesFor purpose)
@@ -95,8 +96,8 @@ class WaitMark {
   StepTrace::Clock::time_point start_;
 };
 
-/// From the first message of an exchange to its end; what was sent between is its size. Only looks at clock
-/// and counters with a trace.
+/// Records an exchange from its first message to its end, with the traffic in between. Does nothing without a
+/// trace.
 class ExchangeMark {
  public:
   void begin(const Communicator& comm, MessagesFor purpose) {
@@ -116,7 +117,7 @@ class ExchangeMark {
   Traffic::Sum before_;
 };
 
-/// Reducer over MPI. A NaN among the values of maximum is passed on as +infinity, so that it is never lost.
+/// Reducer over MPI. maximum turns NaN into +infinity, so that it is never lost.
 class MpiReducer : public Reducer {
  public:
   explicit MpiReducer(const Communicator& comm) : comm_(comm) {}

@@ -20,8 +20,8 @@ struct Group {
 
 int leftOf(int count) { return count / 2; }
 
-/// Work that a plane of ghost cells costs, in planes of owned cells: a narrow box has more of them to its
-/// share.
+/// Cost of a plane of ghost cells, in planes of owned cells. A narrow box has more ghost planes per owned
+/// plane.
 constexpr double ghostWork = 0.3;
 
 struct Cut {
@@ -54,7 +54,7 @@ Occupied occupied(const Group& g, const std::vector<WeightedCell>& cells) {
   return o;
 }
 
-/// Weight below a plane across each axis.
+/// Computes the weight below a plane across each axis.
 void weightBelow(const Group& g, const std::vector<WeightedCell>& cells, const Vec3i& plane,
                  std::int64_t (&sum)[3]) {
   for (int a = 0; a < 3; a++) {
@@ -65,9 +65,9 @@ void weightBelow(const Group& g, const std::vector<WeightedCell>& cells, const V
   g.all->traffic().collectives++;
 }
 
-// For each axis the plane is found that shares the weight best, by bisection of its position: one small
-// reduction a level for all three, whatever the length of the grid. Then the axis where the larger part, with
-// its ghosts, has least to do.
+// Finds for each axis the plane that splits the weight best, by bisection of its position: one small
+// reduction per level for all axes, for any length of the grid. Then selects the axis with the least work,
+// ghosts included, in the larger part.
 Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
   const int left = leftOf(g.count);
   const Occupied o = occupied(g, cells);
@@ -108,7 +108,7 @@ Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
   return best;
 }
 
-/// Cells of a piece of a message. Each full piece is followed by another one, if only an empty one.
+/// Number of cells in a piece of a message. Each full piece is followed by another, possibly empty one.
 std::size_t cellsOfAPiece(const Group& g) { return g.all->piece() / sizeof(WeightedCell); }
 
 std::vector<MPI_Request> sendCells(const Group& g, const std::vector<WeightedCell>& give, int to) {
@@ -135,8 +135,8 @@ void receiveCells(const Group& g, int from, std::vector<WeightedCell>& cells) {
   }
 }
 
-/// Cells go to the half that will own them. Every rank sends to one partner in the other half, so all know
-/// whom to expect.
+/// Moves cells to the half that will own them. Every rank sends to one partner in the other half, so all
+/// senders are known.
 void exchangeHalves(const Group& g, const Cut& cut, std::vector<WeightedCell>& cells) {
   const int left = leftOf(g.count), right = g.count - left;
   const bool mineIsLeft = g.self < left;
@@ -166,7 +166,7 @@ CellBox united(const CellBox& a, const CellBox& b) {
 
 std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells,
                             std::int64_t* ownWeight) {
-  const WaitMark waiting(comm, MessagesFor::Balance);  // nearly all of it
+  const WaitMark waiting(comm, MessagesFor::Balance);  // nearly all of the time
   Group g{MPI_COMM_NULL, 0, comm.size(), comm.rank(), {{0, 0, 0}, grid.cells}, &comm};
   MPI_Comm_dup(comm.handle(), &g.comm);
   comm.traffic().collectives++;

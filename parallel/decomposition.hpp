@@ -1,4 +1,4 @@
-// Who owns which cells: every rank a box of whole cells; the boxes tile the grid (weighted recursive
+// Ownership of cells: each rank has a box of whole cells, and the boxes tile the grid (weighted recursive
 // bisection).
 #pragma once
 #include <cstdint>
@@ -15,21 +15,21 @@ struct WeightedCell {
   std::int64_t weight;
 };
 
-/// Bisects the grid among all ranks so that the weights (> 0) are as even as whole planes of cells allow.
-/// Each rank brings the occupied cells it knows of, in any distribution; the weights of a cell that several
-/// ranks bring add up. The cells travel to the half that will own them, level by level. ownWeight: what this
-/// rank will have. Without cells, boxes of about equal size. Returns the boxes of all ranks. Collective.
+/// Bisects the grid among all ranks such that the weights (> 0) are as even as whole planes of cells allow.
+/// Each rank contributes the occupied cells it knows, in any distribution; weights of a cell from several
+/// ranks are summed. Cells move level by level to the half that will own them. ownWeight: resulting weight of
+/// this rank. Without cells, boxes have about equal size. Returns the boxes of all ranks. Collective.
 std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells,
                             std::int64_t* ownWeight = nullptr);
 
-/// The boxes of all ranks, with the tree of cuts for looking up a cell's owner in O(log ranks).
+/// The boxes of all ranks, with the bisection tree to find the owner of a cell in O(log ranks).
 class Partition {
  public:
   Partition() = default;
-  explicit Partition(std::vector<CellBox> boxes);  ///< as bisect makes them
+  explicit Partition(std::vector<CellBox> boxes);  ///< boxes as made by bisect
   const std::vector<CellBox>& boxes() const { return boxes_; }
   const CellBox& box(int rank) const { return boxes_[static_cast<std::size_t>(rank)]; }
-  /// The owner of a cell of the grid, -1 for cells outside. guess: a rank that is tried first.
+  /// Returns the owner of a cell of the grid, -1 for cells outside. guess: rank to check first.
   int owner(const Vec3i& cell, int guess) const;
 
  private:

@@ -1,4 +1,4 @@
-// Who owns which solid particle: a table spread over the ranks by a hash of the id.
+// Directory of the owners of solid particles, distributed over the ranks by a hash of the id.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// The rank that knows who owns this id.
+/// Returns the rank that stores the owner of this id.
 inline int directoryRank(std::uint64_t id, int ranks) {
   return static_cast<int>((spreadBits(id) >> 32) % static_cast<std::uint64_t>(ranks));
 }
@@ -16,8 +16,9 @@ inline int directoryRank(std::uint64_t id, int ranks) {
 class SolidDirectory {
  public:
   static constexpr std::uint64_t nobody = ~0ull;
-  /// owner: a rank, or nobody: not solid any more, which only the owner may say. A particle that melts here
-  /// and freezes there at once must not be struck out by news that come in another order.
+  /// Sets the owner of an id. owner: a rank, or nobody (no longer solid), which only the present owner may
+  /// set. Otherwise a particle that melts on one rank and freezes on another could be removed by reordered
+  /// messages.
   void set(std::uint64_t id, std::uint64_t owner, int teller) {
     if (owner != nobody) table_.insert(id, static_cast<std::uint32_t>(owner));
     else if (find(id) == static_cast<std::uint64_t>(teller)) table_.erase(id);

@@ -18,7 +18,7 @@ std::byte* Inbox::extend(std::size_t k, std::size_t n) {
   return bytes.data() + bytes.size() - n;
 }
 
-void Inbox::sort() {  // by insertion: few messages, no buffer
+void Inbox::sort() {  // insertion sort: few messages, no buffer
   for (std::size_t k = 1; k < used_; k++)
     for (std::size_t j = k; j > 0 && pool_[j].rank < pool_[j - 1].rank; j--)
       std::swap(pool_[j], pool_[j - 1]);
@@ -26,8 +26,8 @@ void Inbox::sort() {  // by insertion: few messages, no buffer
 
 namespace {
 
-/// Reads a piece that has been found: the end of its sender's last message if that is among `open` (indices
-/// of the inbox), else a new one.
+/// Receives a probed piece: the continuation of its sender's last message if that is in `open` (indices of
+/// the inbox), else a new message.
 void receivePiece(const Communicator& comm, MPI_Message handle, const MPI_Status& status, Inbox& in,
                   std::vector<std::size_t>& open) {
   int bytes = 0;

@@ -1,5 +1,5 @@
-// What a rank has sent, what for, and how long it has waited. Counted by the communicator, which all halos
-// share: a few additions a message.
+// Communication statistics of a rank: messages by purpose, and waiting time. The communicator, which all
+// halos share, counts them at the cost of a few additions per message.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -7,10 +7,10 @@
 
 namespace thaw {
 
-/// What messages are for. Ghosts: cells with their particles, at each search. Refresh: columns of the same
-/// ghosts. Migration: particles to the rank that owns their cell. Bonds: columns along bonds. BondEdits: what
-/// changes of bonds takes. Rows: values back to particles. Balance: cells to the half that will own them.
-/// Reduction: no messages of ours; sums and maxima over all ranks.
+/// Purposes of messages. Ghosts: cells with their particles, at each search. Refresh: columns of the same
+/// ghosts. Migration: particles to the rank that owns their cell. Bonds: columns along bonds. BondEdits:
+/// changes of bonds. Rows: values back to particles. Balance: cells to the half that will own them.
+/// Reduction: sums and maxima over all ranks, no messages.
 enum class MessagesFor : std::uint8_t {
   Ghosts,
   Refresh,
@@ -35,8 +35,7 @@ struct Traffic {
     double waited = 0;                     ///< s
   };
   std::array<Sum, purposes> of{};
-  std::int64_t collectives = 0;  ///< calls that all ranks of a communicator take part in: reductions,
-                                 ///< barriers, splits
+  std::int64_t collectives = 0;  ///< collective calls: reductions, barriers, splits
 
   Sum& operator[](MessagesFor p) { return of[static_cast<std::size_t>(p)]; }
   const Sum& operator[](MessagesFor p) const { return of[static_cast<std::size_t>(p)]; }

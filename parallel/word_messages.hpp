@@ -1,4 +1,4 @@
-// Messages of 64-bit words to a few ranks, put together in any order.
+// Messages of 64-bit words to a few ranks, assembled in any order.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// Words for some ranks; nothing is kept for the others.
+/// Words by destination; only destinations in use take memory.
 class WordMessages {
  public:
   std::vector<std::uint64_t>& to(int rank) {

@@ -8,8 +8,7 @@
 namespace thaw {
 namespace {
 
-/// Coefficient of restitution for a damping ratio z: exp(-z t), t the end of the contact in units of
-/// 1/omega_0.
+/// Coefficient of restitution for a damping ratio z: exp(-z t), t the end of contact in units of 1/omega_0.
 double restitutionOf(double z) {
   const double d = 1 - z * z;
   if (std::abs(d) < 1e-9) return std::exp(-2.0);
@@ -26,7 +25,7 @@ std::array<double, points + 1> table() {
   std::array<double, points + 1> ratio{};
   for (std::size_t k = 0; k <= points; k++) {
     const double e = least + (1 - least) * static_cast<double>(k) / points;
-    double low = 0, high = strongest;  // restitution falls with the ratio
+    double low = 0, high = strongest;  // restitution decreases with the ratio
     for (int n = 0; n < 60; n++) {
       const double middle = 0.5 * (low + high);
       (restitutionOf(middle) > e ? low : high) = middle;

@@ -11,7 +11,7 @@ namespace {
 bool bonded(const ContactContext& x, const Continuum& p, std::uint32_t i, std::uint32_t j) {
   const std::uint32_t slot = p.slot[i];
   if (slot == noSlot) return false;
-  const bool here = j < p.owned;  // then bonds name its slot, and no id of another needs to be read
+  const bool here = j < p.owned;  // then bonds refer to its slot, and no id is read
   const std::uint32_t other = here ? p.slot[j] : noSlot;
   if (here && other == noSlot) return false;
   for (int k = 0; k < x.bonds.capacity; k++) {
@@ -21,7 +21,7 @@ bool bonded(const ContactContext& x, const Continuum& p, std::uint32_t i, std::u
   return false;
 }
 
-/// Exactly antisymmetric difference of two positions: images of periodic sides have theirs shifted already.
+/// Exactly antisymmetric difference of two positions. Positions of periodic images are shifted already.
 Vec3d between(const CellGrid& g, const Vec3d& a, const Vec3d& b) {
   Vec3d d;
   for (int k = 0; k < 3; k++)
@@ -55,7 +55,7 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     if (r >= d0) continue;
     const Elastic a = elasticOf(x.scene, p, i), b = elasticOf(x.scene, p, j);
     const double k = 2 * a.stiffness * b.stiffness / (a.stiffness + b.stiffness);
-    const double energy = 0.25 * k * (d0 - r) * (d0 - r);  // half of the pair's
+    const double energy = 0.25 * k * (d0 - r) * (d0 - r);  // half of the pair energy
     p.interaction[i] += energy;
     if (x.frozen && (p.justFrozen[i] || p.justFrozen[j])) x.frozen->add(-energy);
     if (p.softening.active) {
@@ -68,8 +68,8 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     }
     const Vec3d n = d / r, u = p.velocity[i] - p.velocity[j];
     const double mass = p.mass[i] * p.mass[j] / (p.mass[i] + p.mass[j]);
-    // Restitutions near 0 are overdamped, and a particle can touch five others: more than that in a step and
-    // the dashpots feed what they are to stop.
+    // Restitutions near 0 are overdamped, and a particle can touch five others. Beyond this bound the
+    // dashpots would add energy.
     const double most = 0.2 * mass / x.step;
     const double c = std::min(2 * dashpotRatio(std::min(a.restitution, b.restitution)) * std::sqrt(k * mass),
                               most);
@@ -77,7 +77,7 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     const double dash = std::max(-c * un, -spring);  // a contact never pulls
     const Vec3d tangential = u - n * un;
     const double slip = length(tangential), normalForce = spring + dash;
-    const double cut = std::min(std::sqrt(k * mass), most);  // the same scale as the dashpot: friction stops
+    const double cut = std::min(std::sqrt(k * mass), most);  // the scale of the dashpot: friction stops
                                                              // sliding without reversing it
     const double rub = slip > 0 ? std::min(std::min(a.friction, b.friction) * normalForce, cut * slip) : 0;
     Vec3d resisting = n * dash;

@@ -1,4 +1,4 @@
-// Contact of solids that are not bonded: separate bodies, pieces of one body, frozen lumps.
+// Contact of unbonded solids: separate bodies, pieces of one body, frozen fragments.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -12,11 +12,11 @@
 
 namespace thaw {
 
-/// Distance (in spacings) below which unbonded solid particles push each other away. Below 1, so that
-/// neighbours on a lattice that were never bonded do not repel each other at rest.
+/// Distance (in spacings) below which unbonded solid particles repel each other. It is below 1, so that
+/// unbonded lattice neighbours at rest do not repel.
 inline constexpr double contactDistance = 0.9;
 
-/// The part of a contact's force (N) on a row that takes energy away.
+/// Dissipative part of the contact force (N) on a row.
 struct ContactResistance {
   std::uint32_t row = 0;
   Vec3d force;
@@ -27,25 +27,23 @@ struct ContactContext {
   const CellGrid& grid;
   const Solids& solids;
   const Bonds& bonds;
-  double step;  ///< s, of the step at hand: dashpots and friction take a fifth of a pair's velocity in it at
-                ///< most
-  ExactSum* frozen = nullptr;  ///< Ledger::phaseJump where some particle of some rank has just frozen: what
-                               ///< contacts of such make of nothing is taken from it (J)
-  std::vector<ContactResistance>* resisting = nullptr;  ///< takes those of all pairs: their order is that of
-                                                        ///< the list, where rows of a group take turns, so
-                                                        ///< none are added up
-  std::int64_t* coincident = nullptr;  ///< counts pairs at the same place, each at both ends; nullptr where
-                                       ///< the sum of density does
+  double step;  ///< s, current step; dashpots and friction remove at most a fifth of a pair's velocity in it
+  ExactSum* frozen = nullptr;  ///< Ledger::phaseJump if a particle just froze on any rank: takes the contact
+                               ///< energy that freezing creates (J)
+  std::vector<ContactResistance>* resisting = nullptr;  ///< receives the dissipative force of every pair in
+                                                        ///< list order; not summed per row, since rows of a
+                                                        ///< group alternate none are added up
+  std::int64_t* coincident = nullptr;  ///< counts pairs at the same position, once per end; nullptr if the
+                                       ///< density sum counts them
 };
 
-/// Adds the contact forces of close pairs to owned rows, in the order of the list. Per pair: a linear spring
-/// k (d0 - r) along the line of centres with k the harmonic mean of the two E * spacing, a dashpot that takes
-/// energy away as the coefficient of restitution says (Cundall & Strack 1979), and Coulomb friction,
-/// regularised by the same dashpot. Two at the same place have an energy but no direction: they are counted,
-/// and separateCoincident moves them. Pairs that are bonded are left out, so intact solids feel nothing of
-/// it. Conserves momentum; both ends compute the same force. What is dissipated is booked by the velocities
-/// that the forces are found with; to the square of the step it is with what the kick around now adds
-/// (bookResistance).
+/// Adds the contact forces of close pairs to owned rows, in list order. Each unbonded pair has three forces.
+/// A linear spring k (d0 - r) acts along the line of centres, with k the harmonic mean of both E * spacing. A
+/// dashpot dissipates energy according to the coefficient of restitution (Cundall & Strack 1979). Coulomb
+/// friction is regularised by the same dashpot. Coincident pairs have an energy but no direction: they are
+/// counted, and separateCoincident moves them. Momentum is conserved; both ends compute the same force. The
+/// dissipation uses the velocities of the force evaluation; bookResistance adds the correction of second
+/// order in the step.
 void addSolidContacts(const ContactContext& context, const ClosePairs& pairs, Continuum& particles);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
-// What happens where a vertex of a sheet, or an oriented particle, touches something: a spring with dashpot
-// (Cundall & Strack 1979), a barrier, and Coulomb friction; of sheets per area.
+// Contact of a sheet vertex or an oriented particle: a spring with dashpot (Cundall & Strack 1979), a
+// barrier, and Coulomb friction; for sheets per area.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,47 +10,47 @@
 namespace thaw {
 
 struct TouchLaw {
-  double rate;         ///< 1/s, of the spring: its stiffness is mass * rate^2
+  double rate;         ///< 1/s, of the spring; its stiffness is mass * rate^2
   double mass;         ///< kg/m^2, or kg where forces are N
   double restitution;  ///< 1
   double friction;     ///< 1, Coulomb
-  double span;         ///< s, of a step: friction does not stop what slides earlier
-  double barrier = 0;  ///< N/m (or N/m^3), beside the spring a force 2 barrier depth^3 / reach^2: at full
-                       ///< depth it has stored barrier reach^2 / 2, and what lies on it lightly does not feel
-                       ///< it
-  double reach = 1;    ///< m, depth at which all is lost
+  double span;         ///< s, step; friction removes at most half of the sliding velocity in it
+  double barrier = 0;  ///< N/m (or N/m^3): adds a force 2 barrier depth^3 / reach^2 to the spring; it stores
+                       ///< barrier reach^2 / 2 at full depth and is negligible for light contact
+  double reach = 1;    ///< m, depth at which the contact fails
 };
 
 struct Touch {
   Vec3d force{};      ///< N/m^2 (or N) on the vertex
   double energy = 0;  ///< J/m^2 (or J), stored
-  Vec3d resisting{};  ///< its part that takes energy away; the loss is - resisting * velocity, that after the
-                      ///< push of all forces
-  double slope = 0;   ///< N/m^3 (or N/m), bounds the step; the dashpot is in it
+  Vec3d resisting{};  ///< dissipative part of force; the loss is -resisting * velocity, with the velocity
+                      ///< after the kick of all forces
+  double slope = 0;   ///< N/m^3 (or N/m), stiffness that bounds the step, dashpot included
 };
 
-/// Coulomb friction (N/m^2, or N) of what is pressed together by `normal` and slides.
+/// Coulomb friction (N/m^2, or N) at normal force `normal` and sliding velocity `slide`.
 inline Vec3d frictionOf(const TouchLaw& law, double normal, const Vec3d& slide) {
   const double speed = length(slide);
   if (!(speed > 0) || !(law.friction > 0)) return {};
   return slide * -std::min(law.friction * normal / speed, 0.5 * law.mass / law.span);
 }
 
-/// N/m^3 (or N/m), slope of the force at the depth (m; below 0: not yet touching) that is come to within the
-/// next step, at a speed of separation of vn (m/s).
+/// Slope of the force (N/m^3, or N/m) at the largest depth within the next step, from depth (m; below 0: not
+/// in contact) and separation speed vn (m/s).
 inline double slopeAhead(const TouchLaw& law, double depth, double vn) {
   const double ratio = dashpotRatio(law.restitution), k = law.mass * law.rate * law.rate,
                steep = 2 * law.barrier / (law.reach * law.reach);
-  const double stiffer = 1 + ratio * (2.2 + 1.1 * ratio);  // of steps that know the dashpot's velocity by the
-                                                           // force before: a fit to the eigenvalues, within 3
-                                                           // %
+  const double stiffer = 1 + ratio * (2.2 + 1.1 * ratio);  // for steps whose dashpot velocity lags by one
+                                                           // force evaluation: fit to the eigenvalues, within
+                                                           // 3 %
   const double deeper = std::min(law.reach, depth + std::max(0.0, -vn) * 1.1 * law.span);
   if (!(deeper > 0)) return 0;
   const double root = std::sqrt(k + 3 * steep * deeper * deeper) + std::sqrt(k) * (stiffer - 1);
   return root * root;
 }
 
-/// depth > 0 (m): how far within the thickness; n: out of what is touched; v: relative velocity (m/s).
+/// depth > 0 (m): penetration of the contact thickness; n: outward normal of the other side; v: relative
+/// velocity (m/s).
 inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Vec3d& v) {
   Touch t;
   const double ratio = dashpotRatio(law.restitution), k = law.mass * law.rate * law.rate,
@@ -67,18 +67,18 @@ inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Ve
   return t;
 }
 
-/// Steps: who may be in contact at the end of the next one, which is longer by a tenth at most.
+/// Look-ahead in steps for possible contacts at the end of the next step, which is at most a tenth longer.
 inline constexpr double comesNear = 1.5;
 
-/// 1/s, over which a step is to follow a blow. What comes into contact within a step, or out of it, has its
-/// energy off by (rate step)^2 / 6 of itself: so steps are short for what comes fast, and rest as stability
-/// says. The speed (m/s) is that of approach or leaving; an eighth of the one that contact is made for (rate
-/// * reach / 2) has steps of a quarter of a radian.
+/// Rate (1/s) that a step has to resolve during an impact. A contact that begins or ends within a step has a
+/// relative energy error of (rate step)^2 / 6. Steps are thus short for fast contacts, and limited by
+/// stability alone at rest. speed (m/s): of approach or separation. An eighth of the design speed of the
+/// contact (rate * reach / 2) gives steps of a quarter radian.
 inline double blowRate(double rate, double reach, double speed) {
   return 4 * rate * speed / (0.0625 * rate * reach);
 }
 
-/// A rate (1/s) of approach as its average over a step (s): never beyond what it approaches.
+/// Rate of approach (1/s) averaged over a step (s): never overshoots the target.
 inline double averaged(double rate, double span) {
   return rate * span > 0 ? -std::expm1(-rate * span) / span : 0;
 }

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double mostInLayer = 1e6;
 
-/// Two unit vectors across a direction; a fixed rule, so that every rank and every run makes the same layers.
+/// Two unit vectors perpendicular to a direction, by a fixed rule, so that every rank and run makes the same
+/// layers.
 void across(const Vec3d& n, Vec3d& u, Vec3d& v) {
   const Vec3d axis = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3d{1, 0, 0}
                      : std::abs(n.y) <= std::abs(n.z)                                 ? Vec3d{0, 1, 0}
@@ -24,7 +25,7 @@ void across(const Vec3d& n, Vec3d& u, Vec3d& v) {
   v = cross(n, u);
 }
 
-/// Lattice points k + 1/2 spacings from the middle (or on it, for odd counts) that fill an extent.
+/// Lattice points k + 1/2 spacings from the middle (or on it, for odd counts) within an extent.
 std::vector<double> centred(double extent, double spacing) {
   const int n = std::max(1, static_cast<int>(std::floor(extent / spacing + 1e-9)));
   std::vector<double> x;
@@ -32,7 +33,8 @@ std::vector<double> centred(double extent, double spacing) {
   return x;
 }
 
-/// As many layers as are within the support radius of one that leaves, and in the domain.
+/// Time in the nozzle for as many layers as fit within the support radius of the leaving layer and in the
+/// domain.
 double nozzleTime(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const double distance = plan.interval * e.speed;
   const Vec3d n = normalized(e.direction);
@@ -51,7 +53,7 @@ double nozzleTime(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   return 0;
 }
 
-/// Pairs of a layer with itself and those before it, as the force sums have them (Cohesion).
+/// Energy of pairs of a layer with itself and with earlier layers, as in the force sums (Cohesion).
 std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   using isa_base::Cohesion;
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
@@ -62,7 +64,7 @@ std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, co
   const double distance = plan.interval * e.speed;
   for (int layer = 0; layer * distance < h && layer * plan.interval <= plan.ahead; layer++) {
     energy.emplace_back(plan.layer.size());
-    // rows of the layer follow each other along `a`: only those within h of i's are looked at
+    // Positions are sorted along `a`: only those within h of i are visited.
     std::size_t first = 0;
     for (std::size_t i = 0; i < plan.layer.size(); i++) {
       while (plan.along[i] - plan.along[first] >= h) first++;
@@ -77,8 +79,8 @@ std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, co
   return energy;
 }
 
-/// Energy of the free surface (findSurfaceEnergy) of stacks of layers: what the last one adds, evenly over
-/// its particles; [m]: m more than [0 .. m - 1].
+/// Second differences of the surface energy E(m) (findSurfaceEnergy) of stacks of m layers, per particle of a
+/// layer; [m]: E(m + 1) - 2 E(m) + E(m - 1).
 std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
   std::vector<std::vector<double>> energy;
@@ -87,7 +89,7 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
                distance = plan.interval * e.speed, volume = V / (h * h * h);
   const int reach = static_cast<int>(std::floor(h / distance)), layers = 2 * reach + 2;
   const SurfaceMeasure measure = surfaceMeasure(s.numerics, s.spacing);
-  // gradient and cover by the layer that is k layers away, in a frame with x along the direction
+  // Gradient and colour due to a layer k layers away, in a frame with x along the direction.
   std::vector<std::vector<SurfaceShare>> by;
   const Vec3d n = normalized(e.direction);
   for (int k = 0; k <= reach; k++) {
@@ -141,7 +143,7 @@ ShapeError placed(const Emitter& e, const std::string& what) {
   return problem.lines();
 }
 
-/// Velocities and temperatures of a layer, where the emitter has fields. Layers leave as a whole, so no field
+/// Adds velocities and temperatures of a layer for emitters with fields. Layers leave as a whole, so no field
 /// may change their speed along the direction.
 void addFields(const Emitter& e, EmitterPlan& plan) {
   const Vec3d n = normalized(e.direction);
@@ -174,7 +176,7 @@ void addFields(const Emitter& e, EmitterPlan& plan) {
   }
 }
 
-/// Refuses a velocity field that moves neighbours against each other in the nozzle.
+/// Rejects a velocity field that moves neighbours relative to each other in the nozzle.
 void checkNozzle(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   if (plan.velocity.empty()) return;
   constexpr double most = 0.2;  // spacings
@@ -192,7 +194,7 @@ void checkNozzle(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   SceneProblems problems;
   problems.add(placeOf(e.velocityField),
                "emitter '" + e.name + "': its velocity field moves neighbours by " + text(moved) +
-                   " spacings against each other while they are in the nozzle (" + text(plan.ahead) +
+                   " spacings relative to each other while they are in the nozzle (" + text(plan.ahead) +
                    " s), at most " + text(most) +
                    " are possible: expected a smaller field, a larger `speed` or a finer spacing");
   problems.raise();
@@ -210,8 +212,8 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
                  across2 = e.disc ? across1 : e.depth;
     if (across1 / dx * (across2 / dx) > mostInLayer)
       throw placed(e, "its opening has " + text(across1 / dx * (across2 / dx)) +
-                          " places for particles at a spacing of " + text(dx) +
-                          " m, at most a million are possible: make it smaller or the spacing larger");
+                          " particle positions at a spacing of " + text(dx) +
+                          " m, expected at most a million: reduce the opening or increase the spacing");
     for (double a : centred(across1, dx))
       for (double b : centred(across2, dx))
         if (!e.disc || a * a + b * b <= e.radius * e.radius) {
@@ -225,9 +227,9 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
     if (plan.interval * e.speed < 0.95 * dx)
       throw placed(
           e, "a rate of " + std::to_string(e.rate) +
-                 " kg/s does not fit through its opening at this speed; at most " +
+                 " kg/s does not fit through its opening at this speed; expected at most " +
                  std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) +
-                 " kg/s do");
+                 " kg/s");
     plan.ahead = nozzleTime(s, e, plan);
     checkNozzle(s, e, plan);
     plan.cohesion = s.numerics.tension == TensionForm::SurfaceEnergy ? surfaceEnergyOf(s, e, plan)
@@ -242,13 +244,14 @@ std::string misplacedOpening(const Scene& s, const Walls& walls, const Emitter& 
   Outside opening;
   for (const Vec3d& x : plan.layer) opening.look(s.domain, x);
   if (opening.count > 0)
-    return "emitter '" + e.name + "': " + outsideText(opening, s.domain, all, "places of a layer", "emitter");
+    return "emitter '" + e.name +
+           "': " + outsideText(opening, s.domain, all, "positions of a layer", "emitter");
   for (const Wall& wall : walls.list) {
     const auto in = std::count_if(plan.layer.begin(), plan.layer.end(),
                                   [&](const Vec3d& x) { return holdsSample(wall, x, s.spacing); });
     if (in > 0)
       return "emitter '" + e.name + "': " + std::to_string(in) + " of its " + std::to_string(all) +
-             " places of a layer lie in obstacle '" + wall.properties.name + "'; move the emitter";
+             " positions of a layer lie in obstacle '" + wall.properties.name + "'; move the emitter";
   }
   return {};
 }
@@ -258,9 +261,9 @@ std::string unevenOutflow(const Scene& s, const Emitter& e, const EmitterPlan& p
   const double is = outflowOf(plan),
                meant = s.materials[static_cast<std::size_t>(e.material)].density * area * e.speed;
   if (e.rate > 0 || std::abs(is / meant - 1) < 0.25) return {};
-  return "emitter '" + e.name + "' lets out " + text(is) + " kg/s, where opening, speed and density make " +
-         text(meant) + ": its layers have " + std::to_string(plan.layer.size()) +
-         " particles, whole spacings apart; a smaller spacing or `rate` mends it";
+  return "emitter '" + e.name + "' emits " + text(is) + " kg/s, but opening, speed and density imply " +
+         text(meant) + " kg/s: its layers have " + std::to_string(plan.layer.size()) +
+         " particles at whole spacings; reduce the spacing or set `rate`";
 }
 
 std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time) {

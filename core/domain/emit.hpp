@@ -1,6 +1,6 @@
-// Emitters: layers of particles that leave a disc or a rectangle one after another. A layer is made a few
-// spacings behind the opening and driven through this nozzle at the emitter's speed, whatever presses on it:
-// what has left is pushed on as by a piston, and no particle is ever put where there is one already.
+// Emitters: layers of particles that leave a disc or rectangle one after another. A layer is created a few
+// spacings behind the opening and driven through this nozzle at the emitter's speed against any pressure. It
+// pushes earlier layers like a piston, and no particle is created at an occupied position.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -13,51 +13,50 @@
 
 namespace thaw {
 
-/// An emitter made ready: the places of one layer and the time between layers.
+/// Prepared emitter: positions of one layer and time between layers.
 struct EmitterPlan {
-  std::vector<Vec3d> layer;         ///< m, positions of a layer at the moment it leaves
-  std::vector<double> along;        ///< m, of each along the opening's first axis, ascending
-  std::vector<Vec3d> velocity;      ///< m/s, of each; empty: the emitter's speed along its direction
-  std::vector<double> temperature;  ///< K, of each; empty: the emitter's
-  double interval = 0;              ///< s between layers
-  double ahead = 0;                 ///< s that a layer spends in the nozzle
-  double particleMass = 0;          ///< kg
-  std::vector<std::vector<double>> cohesion;  ///< J, [m][k]: of surface tension between particle k of a layer
-                                              ///< and the layer m before it (0: half of its own); as a
-                                              ///< stress: what stacks of more than m layers gain beyond the
-                                              ///< stack before
+  std::vector<Vec3d> layer;     ///< m, positions of a layer at the moment it leaves
+  std::vector<double> along;    ///< m, coordinate of each position along the opening's first axis, ascending
+  std::vector<Vec3d> velocity;  ///< m/s, per position; empty: the emitter's speed along its direction
+  std::vector<double> temperature;            ///< K, per position; empty: the emitter's temperature
+  double interval = 0;                        ///< s between layers
+  double ahead = 0;                           ///< s that a layer spends in the nozzle
+  double particleMass = 0;                    ///< kg
+  std::vector<std::vector<double>> cohesion;  ///< J, [m][k]: surface tension between particle k of a layer
+                                              ///< and layer m before it (0: half of its own layer). As
+                                              ///< surface energy: (E(m + 1) - 2 E(m) + E(m - 1)) / particles,
+                                              ///< E(m) of a stack of m layers
 };
 
-/// Throws ShapeError where the rate asks for more particles than the opening lets through, and where a field
-/// of the opening has a bad value, changes the speed along the direction, or moves neighbours in the nozzle.
+/// Throws ShapeError if the rate needs more particles than the opening admits, and if a field of the opening
+/// has a bad value, changes the speed along the direction, or moves neighbours in the nozzle.
 std::vector<EmitterPlan> planEmitters(const Scene& scene);
 
-/// One sentence on an emitter whose opening is not all in the domain, or is in an obstacle; empty: there is
-/// nothing to say. (A nozzle ends where the domain does, and may lie in an obstacle.)
+/// Returns a sentence about an emitter whose opening is partly outside of the domain or in an obstacle; empty
+/// if it is not. A nozzle ends at the domain and may lie in an obstacle.
 std::string misplacedOpening(const Scene& scene, const Walls& walls, const Emitter& emitter,
                              const EmitterPlan& plan);
 
-/// kg/s that it lets out while it is open.
+/// Mass flow (kg/s) while the emitter is open.
 inline double outflowOf(const EmitterPlan& plan) {
   return static_cast<double>(plan.layer.size()) * plan.particleMass / plan.interval;
 }
 
-/// One sentence on an emitter that lets out far more or less than opening, speed and density say, since its
-/// layers have whole spacings; empty: it does not.
+/// Returns a sentence about an emitter whose mass flow differs much from opening * speed * density, since
+/// layers have whole spacings; empty if it does not.
 std::string unevenOutflow(const Scene& scene, const Emitter& emitter, const EmitterPlan& plan);
 
-/// Number of the first layer that is made after `time` (s); layers [layersUntil(a), layersUntil(b)) are made
+/// Returns the number of layers created up to `time` (s): layers [layersUntil(a), layersUntil(b)) are created
 /// in (a, b].
 std::int64_t layersUntil(const Emitter& emitter, const EmitterPlan& plan, double time);
 
-/// Energy (J) of surface tension that a particle of a layer brings when it is made behind those that are in
-/// the nozzle.
+/// Surface tension energy (J) of a particle of a layer when it is created behind the layers in the nozzle.
 double cohesionAtEntry(const EmitterPlan& plan, std::int64_t layer, std::size_t k);
 
 /// Time (s) at which a layer leaves the opening.
 double leavingTime(const Emitter& emitter, const EmitterPlan& plan, std::int64_t layer);
 
-/// Ids say where a particle comes from: body or emitter ("source"), and a number within it.
+/// Ids contain the source of a particle, a body or emitter, and a number within it.
 inline constexpr int idBits = 40;
 inline std::uint64_t particleId(std::uint64_t source, std::uint64_t number) {
   return source << idBits | number;
@@ -65,7 +64,7 @@ inline std::uint64_t particleId(std::uint64_t source, std::uint64_t number) {
 inline std::uint64_t sourceOf(std::uint64_t id) { return id >> idBits; }
 inline std::uint64_t numberOf(std::uint64_t id) { return id & ((std::uint64_t(1) << idBits) - 1); }
 
-/// Lets go of the driven particles whose layer has left by `time` (s).
+/// Releases the driven particles whose layer has left by `time` (s).
 void releaseDriven(const Scene& scene, const std::vector<EmitterPlan>& plans, double time,
                    Continuum& particles);
 

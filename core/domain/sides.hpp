@@ -1,4 +1,4 @@
-// The sides of the domain: periodic ones bring particles back, open ones let them go.
+// Sides of the domain: periodic sides wrap positions, open sides remove particles.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -12,18 +12,18 @@ namespace thaw {
 
 struct Counters;
 
-/// Brings a place beyond a periodic side back into the domain. Returns the potential of gravity (J/kg) that
-/// this gives.
+/// Wraps a position beyond a periodic side into the domain. Returns the gained gravitational potential
+/// (J/kg).
 double wrapPlace(const CellGrid& grid, const Domain& domain, Vec3d& place);
 
-/// Brings owned particles that crossed a periodic side back into the domain. The potential of gravity (J)
-/// that this gives them, where they fall round and round, is added to `potential`.
+/// Wraps owned particles beyond periodic sides into the domain. Adds their gain of gravitational potential
+/// energy (J), as in endless falls, to `potential`.
 void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles, ExactSum& potential);
 
-/// What open sides enclose; without end along the others (m).
+/// Region enclosed by open sides (m); infinite along other sides.
 struct OpenBox {
   Vec3d low, high;
-  /// Is a place beyond an open side? Without branches, for loops over all particles.
+  /// Returns true for a position beyond an open side. Branch-free, for loops over all particles.
   bool leaves(const Vec3d& x) const {
     return (x.x < low.x) | (x.y < low.y) | (x.z < low.z) | (x.x >= high.x) | (x.y >= high.y) |
            (x.z >= high.z);
@@ -33,11 +33,11 @@ OpenBox openBox(const Domain& domain);
 
 bool hasOpenSide(const Domain& domain);
 
-/// Counts one that leaves at x: at the open side that it is farthest beyond.
+/// Counts a particle that leaves at x at the open side that it is farthest beyond.
 void countLeaving(const Domain& domain, const Vec3d& x, Counters& counters);
 
-/// Rows [begin, end) beyond an open side, ascending, are added to `rows`. Their nextCell is set to noCell, so
-/// that migration leaves them alone; the caller books and drops them. Particles: Continuum, KindRows.
+/// Appends rows of [begin, end) beyond an open side, ascending, to `rows`. Sets their nextCell to noCell, so
+/// that migration skips them; the caller records and drops them. Particles: Continuum, KindRows.
 template<class Rows>
 void findLeaving(const Domain& domain, Rows& particles, std::size_t begin, std::size_t end,
                  std::vector<std::uint32_t>& rows);

@@ -73,8 +73,8 @@ Sym3f alongWall(const Sym3f& moment, const Vec3d& normal) {
           moment.yz - n.y * k.z - n.z * k.y, moment.xz - n.x * k.z - n.z * k.x};
 }
 
-/// Inverse moment less 1, times the interior weight. 0 where an eigenvalue is below 0.4: corrections
-/// above 2.5 would be unstable at this step.
+/// Inverse moment minus 1, times the interior weight. 0 where an eigenvalue is below 0.4: corrections above
+/// 2.5 would be unstable at this step.
 Sym3d correctionOf(const Sym3f& moment, double filling) {
   const double weight = shareInside(filling);
   const Sym3d m = wide(moment);
@@ -147,7 +147,7 @@ void carry(const CarryContext& x, std::size_t i) {
   p.filling[i] = static_cast<float>(1 + p.compression[i]);
 }
 
-/// Keeps what later checks need of the summed densities, which the carried ones replace.
+/// Stores the summed densities that later checks need, before the carried ones replace them.
 void noteSummedDensity(World& w, double dt) {
   constexpr std::int64_t everySteps = 16;
   if (dt == 0)

@@ -1,5 +1,5 @@
-// Surface tension as a force between pairs. Include from code of one instruction set only through lanes.hpp's
-// namespace.
+// Surface tension as a pair force. Code for one instruction set includes this only through the namespace of
+// lanes.hpp.
 #pragma once
 #include "core/kernels/kernels.hpp"
 
@@ -7,9 +7,9 @@ namespace thaw {
 namespace THAW_ISA {
 
 /// Surface tension as cohesion between pairs of liquid particles: central forces, so momentum and angular
-/// momentum are kept (docs/validation/stability.md B32), calibrated by the surface tension of a pair force in
-/// the continuum (Tartakovsky & Panchenko 2016 eq. 14): sigma = pi/8 n^2 int r^4 F(r) dr, F = s phi(q), phi =
-/// q (1-q)^2 (q - a): repulsive below q = a.
+/// momentum are conserved (docs/validation/stability.md B32). The calibration uses the continuum surface
+/// tension of a pair force (Tartakovsky & Panchenko 2016 eq. 14): sigma = pi/8 n^2 int r^4 F(r) dr, F = s
+/// phi(q), phi = q (1-q)^2 (q - a): repulsive below q = a.
 struct Cohesion {
   static constexpr double a = 0.4;
   static constexpr double moment4 = 1.0 / 252 - a / 168;  // int_0^1 q^4 phi dq

@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-constexpr double unit = 1e-6;  // whole numbers, whose sum has no order
+constexpr double unit = 1e-6;  // integers, whose sum does not depend on the order
 
 }  // namespace
 

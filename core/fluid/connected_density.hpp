@@ -1,4 +1,4 @@
-// How dense connected liquid is by the places of its particles.
+// Mean summed density of connected liquid.
 #pragma once
 #include <array>
 #include <cstdint>

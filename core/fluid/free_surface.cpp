@@ -11,10 +11,10 @@ namespace {
 /// Asymmetry |sum V grad W| / sum V |grad W| above which a particle is at the free surface: 0.25 in the
 /// outermost layer of a lattice.
 constexpr double surfaceAsymmetry = 0.19;
-/// Spacings from a wall within which its normal is left out.
+/// Distance from a wall, in spacings, within which its normal component is removed.
 constexpr double wallLayer = 1.2;
-/// Shifting velocity over h times the rate of strain, and over sqrt(|p| / rho) under tension, each per
-/// gradient of concentration.
+/// Shifting velocity over h times the strain rate, and over sqrt(|p| / rho) under tension, each per
+/// concentration gradient.
 constexpr double perStrain = 20, perTension = 40;
 
 /// Calls action(row, contacts of the row) for each row that has contacts with walls.

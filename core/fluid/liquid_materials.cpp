@@ -12,12 +12,12 @@ double expectedSpeed(const Scene& s) { return expectedFlow(s).speed; }
 
 namespace {
 
-/// m/s, of what surface tension drives at one spacing.
+/// Speed (m/s) that surface tension causes at one spacing.
 double tensionSpeed(const Material& m, double spacing) {
   return std::sqrt(2 * m.surfaceTension / (m.density * spacing));
 }
 
-constexpr double leastSpeed = 1e-3;  // m/s, where nothing moves
+constexpr double leastSpeed = 1e-3;  // m/s, if nothing moves
 
 }  // namespace
 
@@ -50,7 +50,7 @@ std::string soundSpeedReason(const Scene& s, const Material& m) {
   const FlowSpeed flow = expectedFlow(s);
   const double tension = tensionSpeed(m, s.spacing), speed = std::max({flow.speed, tension, leastSpeed});
   const std::string why = speed == flow.speed ? flow.why
-                          : speed == tension  ? "of surface tension at one spacing"
+                          : speed == tension  ? "from surface tension at one spacing"
                                               : "minimum value; no motion is expected";
   char times[80];
   std::snprintf(times, sizeof times, "%.3g times %.3g m/s, ", 1 / std::sqrt(s.numerics.maxDensityError),

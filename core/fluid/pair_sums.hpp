@@ -1,6 +1,5 @@
-// Sums over unbonded neighbours. A sum is a pure function of two particles' records (pair_sums_isa.cpp); one
-// driver loops over groups of eight particles, each lane adding its own neighbours one after another in
-// (cell, id) order.
+// Sums over unbonded neighbours. A sum is a pure function of two particles' records (pair_sums_isa.cpp). One
+// driver loops over groups of eight particles; each lane adds its own neighbours in (cell, id) order.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -25,106 +24,108 @@ struct ClosePair {
 };
 struct ClosePairs {
   std::vector<ClosePair> list;
-  /// out of line, see neighbour_lists.hpp
+  /// Out of line, see neighbour_lists.hpp.
   static void append(ClosePairs& pairs, std::uint32_t own, std::uint32_t other);
 };
 
-/// The dummy's temperature (K) where records have no volume to tell it by: one liquid (Modules::uniform) with
+/// Temperature (K) that marks the dummy row where records hold no volume: one liquid (Modules::uniform) with
 /// heat.
 inline constexpr double dummyTemperature = -1e30;
-/// The dummy's pressure term (Pa) in records of a carried density.
+/// Pressure term (Pa) of the dummy row in records of a carried density.
 inline constexpr double dummyPressure = -1e24;
 
-/// What a sum reads and writes. Records are four values a row, float or double by `precision`; all rows,
-/// owned and ghost, and the dummy row behind them. Lengths in records are in support radii h.
+/// Input and output of the pair sums. Records are four values per row, float or double by `precision`, for
+/// all owned and ghost rows and the dummy row behind them. Lengths in records are in support radii h.
 struct PairSums {
   const NeighbourLists* lists = nullptr;
   KernelKind kernel = KernelKind::WendlandC2;
   Precision precision = Precision::Single;
   PairForm pressureForm = PairForm::Consistent;
   ViscosityForm viscosityForm = ViscosityForm::Pairwise;
-  bool viscous = true;          ///< forces also sum viscosity; not where it is solved implicitly
-  ViscousWeight viscousWeight;  ///< of the pairwise form
-  bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
-  /// One liquid (Modules::uniform): no state records. motion's fourth value is the pressure term; with heat
-  /// it is the temperature, and place's fourth value becomes the pressure term. With a carried density it is
-  /// the compression until the pressure is packed. A negative volume marks the free surface. Forces overwrite
-  /// their results; the other terms add to them.
+  bool viscous = true;          ///< forces include viscosity; false if it is solved implicitly
+  ViscousWeight viscousWeight;  ///< for the pairwise form
+  bool printedTension = false;  ///< colour field as in K05 instead of pair cohesion
+  /// One liquid (Modules::uniform) has no state records. The fourth value of motion is the pressure term.
+  /// With heat it is the temperature, and the fourth value of place becomes the pressure term. With a carried
+  /// density it is the compression until the pressure is packed. A negative volume marks the free surface.
+  /// Forces overwrite their results; the other terms add to them.
   bool uniform = false;
   double volume = 0;                                       ///< V0 / h^3 of all particles of that liquid
-  double viscosity = 0, conductivity = 0, artificial = 0;  ///< of that liquid, Pa s, W/(m K), Pa s; 0: no
+  double viscosity = 0, conductivity = 0, artificial = 0;  ///< for that liquid: Pa s, W/(m K), Pa s; 0: no
                                                            ///< artificial viscosity
-  bool heat = false;                                       ///< forces also sum heat conduction
-  double conductionScale = 1;    ///< factor of heat conduction (kernels/lattice.hpp)
-  double support = 0;            ///< h, m
-  double fillingScale = 0;       ///< h^-3 over the lattice sum: makes filling 1 on the lattice of the scene
-  double selfExcess = 0;         ///< taken from the filling of a particle, per V0 / h^3 of its own
+  bool heat = false;                                       ///< forces include heat conduction
+  double conductionScale = 1;  ///< factor of heat conduction (kernels/lattice.hpp)
+  double support = 0;          ///< h, m
+  double fillingScale = 0;  ///< h^-3 over the lattice sum: relative density is 1 on the lattice of the scene
+  double selfExcess = 0;    ///< subtracted from a particle's relative density, per V0 / h^3 of its own
   const void* place = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the
                                  ///< printed pressure)
   const void* motion = nullptr;  ///< velocity (m/s), viscosity (Pa s)
-  /// Pressure term (Pa): f p / filling^2, printed: f p (for densities: carried compression in units of
-  /// stiffness); liquid fraction f (for densities: -f at the free surface); temperature (K); conductivity
-  /// (W/(m K)).
+  /// Pressure term (Pa): f p / (relative density)^2, printed: f p (for densities: carried compression in
+  /// units of stiffness); liquid fraction f (for densities: -f at the free surface); temperature (K);
+  /// conductivity (W/(m K)).
   const void* state = nullptr;
-  const void* surface = nullptr;  ///< square root of the surface tension of the liquid (N/m)^1/2; 1 if solid,
-                                  ///< else 0; artificial viscosity (Pa s); XSPH factor
-  bool carried = false;           ///< density also sums its rate
-  double elapsed = 0;             ///< s, of the step that led here, whose rate is found
-  double diffusion = 0;           ///< 1, of carried densities
+  const void* surface = nullptr;  ///< square root of the liquid's surface tension (N/m)^1/2; 1 if solid, else
+                                  ///< 0; artificial viscosity (Pa s); XSPH factor
+  bool carried = false;           ///< density sums include the density rate
+  double elapsed = 0;             ///< s, last step, over which the rate is taken
+  double diffusion = 0;           ///< 1, density diffusion of carried densities
   Vec3d weight{};                 ///< m^2/s^2, h g
   const std::uint16_t* material = nullptr;
   const LiquidMaterial* liquids = nullptr;
-  double closeDistance = 0;  ///< of closePairs, in support radii
-  double exposureScale = 0;  ///< m, of exposure
-  // results, added to owned rows (float results are overwritten)
+  double closeDistance = 0;  ///< for closePairs, in support radii
+  double exposureScale = 0;  ///< m, scale of the free-surface indicator
+  // Results, added to owned rows (float results are overwritten).
   float* filling = nullptr;
   Vec3d* force = nullptr;         ///< N
   double* heatFlow = nullptr;     ///< W
   double* dissipation = nullptr;  ///< W
   double* interaction = nullptr;  ///< J, half of each pair's potential energy
   float* exposure = nullptr;      ///< 1
-  const void* pull = nullptr;     ///< records of surface_energy.hpp: slopes of the surface energy by gradient
-                                  ///< and cover, Pa
+  const void* pull = nullptr;     ///< records of surface_energy.hpp: derivatives of the surface energy with
+                                  ///< respect to gradient and colour, Pa
   Vec3d* surfaceGradient = nullptr;  ///< 1 (overwritten)
   double* surfaceCover = nullptr;    ///< 1 (overwritten)
-  double stiffness = 0;              ///< Pa, of the first liquid: unit of the carried compressions in records
+  double stiffness = 0;              ///< Pa, of the first liquid: unit of carried compressions in records
   Sym3f* moment = nullptr;           ///< 1, at mid-step; null: gradients are not corrected
-  Mat3f* flow = nullptr;             ///< 1/s, likewise
+  Mat3f* flow = nullptr;             ///< 1/s, at mid-step; null: gradients are not corrected
   /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: diagonal is zz xy xz yz; place has xx, motion yy.
   const void *diagonal = nullptr, *mixed = nullptr;
   double *densityRate = nullptr, *spreading = nullptr;  ///< 1/s
-  Vec3f* crowding = nullptr;                            ///< 1, h grad filling; none: not wanted
-  float* wetting = nullptr;                             ///< 1, sum V W of liquid; null: no solids
-  Vec3f* solidNormal = nullptr;                         ///< 1, away from solid neighbours; null: no solids
-  Vec3f* surfaceNormal = nullptr;  ///< 1, away from neighbours at the free surface, with gradientSize, h sum
-                                   ///< V |grad W|; none: not wanted
+  Vec3f* crowding = nullptr;       ///< 1, h times the gradient of the relative density; null: not needed
+  float* wetting = nullptr;        ///< 1, sum V W of liquid; null: no solids
+  Vec3f* solidNormal = nullptr;    ///< 1, away from solid neighbours; null: no solids
+  Vec3f* surfaceNormal = nullptr;  ///< 1, away from neighbours at the free surface, together with
+                                   ///< gradientSize, h sum V |grad W|; null: not needed
   float* gradientSize = nullptr;
   Vec3d* smoothed = nullptr;  ///< m/s, velocity change by XSPH
-  Vec3d* impulse = nullptr;   ///< N s, of impulse (overwritten); of response the slope of the filling, 1/m
-  double* compression = nullptr;  ///< 1/s, of compression (overwritten); of response the share of the others,
-                                  ///< 1/(m^2 kg)
-  std::int64_t* coincident = nullptr;  ///< counts particles with another one at the same place
+  Vec3d* impulse = nullptr;   ///< N s, of impulse (overwritten); for response the gradient of the relative
+                              ///< density, 1/m
+  double* compression = nullptr;  ///< 1/s, of compression (overwritten); for response the contribution of the
+                                  ///< neighbours, 1/(m^2 kg)
+  std::int64_t* coincident = nullptr;  ///< counts particles that coincide with another particle
 };
 
-/// A velocity (m/s) that the viscous operator acts on, with the particle's viscosity (Pa s) and liquid
-/// fraction; the size of four doubles.
+/// Velocity (m/s) for the viscous operator, with the particle's viscosity (Pa s) and liquid fraction; the
+/// size of four doubles.
 struct alignas(32) ViscousRecord {
   double x = 0, y = 0, z = 0;
   float viscosity = 0, liquid = 0;
 };
 
-/// Start: also blocks; Apply: the operator alone; Force: also what the force takes away.
+/// Start: also the diagonal blocks; Apply: the operator only; Force: also the dissipation.
 enum class ViscousPass { Start, Apply, Force };
 
-/// What the viscous operator of the implicit solver reads and writes beside PairSums::place. Rows without
-/// liquid around are not written.
+/// Input and output of the viscous operator of the implicit solver, besides PairSums::place. Rows without
+/// liquid neighbours are not written.
 struct ViscousSums {
   ViscousPass pass = ViscousPass::Apply;
   const ViscousRecord* velocity = nullptr;  ///< all rows and the dummy
-  const ViscousRecord* middle = nullptr;  ///< m/s, velocities that the force takes energy at; only with Force
-  Vec3d* result = nullptr;                ///< N, minus the viscous force of these velocities; overwritten
-  Sym3d* block = nullptr;                 ///< kg/s, of the particle's own velocity; overwritten by Start
-  double* lost = nullptr;                 ///< W, added to by Force
+  const ViscousRecord* middle = nullptr;  ///< m/s, velocities at which the force dissipates energy; only with
+                                          ///< Force
+  Vec3d* result = nullptr;                ///< N, minus the viscous force for these velocities; overwritten
+  Sym3d* block = nullptr;                 ///< kg/s, diagonal block; overwritten by Start
+  double* lost = nullptr;                 ///< W, dissipation, added by Force
 };
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
-// The pair sums of one instruction set (compiled once for each, core/simd/dispatch.cpp): each term of
-// core/fluid/terms/ with the kernel and the precision of the scene.
+// The pair sums, compiled once per instruction set (core/simd/dispatch.cpp): each term of core/fluid/terms/
+// with the kernel and precision of the scene.
 #include <type_traits>
 
 #include "core/fluid/terms/artificial_viscosity.hpp"
@@ -54,7 +54,7 @@ template<class Real, class Kernel> void carriedDensity(const PairSums& in, Group
     else sum.template operator()<carry, false, Mixed>();
   };
   if (!in.moment) return withSurfaces.template operator()<Carry::Density, true>();
-  if constexpr (std::is_same_v<Kernel, WendlandC2>)  // the only kernel of one liquid (Modules::uniform)
+  if constexpr (std::is_same_v<Kernel, WendlandC2>)  // the only kernel for one liquid (Modules::uniform)
     if (in.uniform) return withSurfaces.template operator()<Carry::Corrected, false>();
   withSurfaces.template operator()<Carry::Corrected, true>();
 }
@@ -110,7 +110,7 @@ void uniformOf(const PairSums& in, GroupRange range) {
   using L = Lanes<Real>;
   const double h = in.support;
   const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
-  const auto mean = [](double value) {  // of two of the same, as between any two
+  const auto mean = [](double value) {  // pair mean of two equal values, rounded as for any pair
     const L v = L(static_cast<Real>(value));
     return L(2.0) * v * v / max(v + v, L(1e-30));
   };

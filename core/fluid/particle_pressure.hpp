@@ -1,4 +1,4 @@
-// Pressure of a particle, for whoever asks: it follows from other fields, and has none of its own.
+// Pressure of a particle, derived from other fields.
 #pragma once
 #include "core/fluid/liquid_materials.hpp"
 #include "core/fluid/state_equation.hpp"
@@ -10,8 +10,8 @@ inline double liquidFraction(const Continuum& p, std::size_t i) {
   return p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
 }
 
-/// Pa, of the last evaluation: what the equation of state makes of the filling, times the liquid fraction;
-/// incompressible, what the solver found.
+/// Pressure (Pa) of the last evaluation: equation of state times liquid fraction, or the solution of the
+/// incompressible solver.
 inline float pressureOfParticle(const World& w, const std::vector<LiquidMaterial>& liquids, std::size_t i) {
   const Continuum& p = w.particles;
   if (w.modules.incompressible) return p.holding[i] + p.steadying[i];

@@ -13,8 +13,7 @@ namespace {
 
 template<class Real> struct Four { Real a, b, c, d; };
 
-// Two values at once, as every processor of the kind has them: packing a million particles is a tenth of a
-// step.
+// SIMD pairs of baseline instruction sets: packing a million particles is a tenth of a step.
 typedef double Pair __attribute__((vector_size(16)));
 typedef float Quad __attribute__((vector_size(16)));
 typedef std::uint32_t Words __attribute__((vector_size(16)));
@@ -24,7 +23,7 @@ Pair pairAt(const double* p) {
   return v;
 }
 
-/// Fixed-point places: fixedPoint() of x and y at once. The fourth word is 0.
+/// Fixed-point positions: fixedPoint() of x and y at once. The fourth word is 0.
 struct FixedPlaces {
   Pair originXY, scaleXY;
   double originZ, scaleZ;
@@ -39,7 +38,7 @@ struct FixedPlaces {
   }
 };
 
-/// Velocity and one more, in single precision.
+/// Velocity and a fourth value in single precision.
 Quad quad(const Vec3d& v, float last) {
   typedef float Two __attribute__((vector_size(8)));
   const Two xy = __builtin_convertvector(pairAt(&v.x), Two);
@@ -64,7 +63,8 @@ MaterialParameters localParameters(HeatModel model, const Material& m, double f,
   return {viscosityAt(m, f, T), conductivityOf(model, m, f)};
 }
 
-/// Do sums over neighbours ask for more than places? Else they are listed for the bonds of the start alone.
+/// Returns true if pair sums need more than positions. Otherwise neighbours are listed only for the initial
+/// bonds.
 bool sumsOverPairs(const Modules& m) { return m.fluid || m.heat || m.contact; }
 
 template<class Real>
@@ -156,7 +156,7 @@ void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::s
     rows<Real>(r.diagonal)[i] = {xx, yy, zz, Real(0)};
     rows<Real>(r.mixed)[i] = {of(d.xy), of(d.xz), of(d.yz), Real(0)};
     Four<Real>& state = rows<Real>(r.state)[i];
-    state.b = std::abs(state.b);  // the sign is only for the density sums
+    state.b = std::abs(state.b);  // the sign is for the density sums only
     if (substeps && takesSubsteps(p, i))
       put(rows<Real>(r.motion)[i], p.velocity[i], rows<Real>(r.motion)[i].d);
     if (books) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(state.b));
@@ -217,7 +217,7 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const std::size_t each = real64 ? 32 : 16;
   resizeBytes(r.fixed, n + 1, 16);
   for (auto& c : r.coarse) {
-    makeRoom(c, n + 32);  // the search reads up to 31 too many
+    makeRoom(c, n + 32);  // the search reads up to 31 entries more
     c.resize(n + 32);
   }
   if (real64) resizeBytes(r.place, n + 1, each);
@@ -225,7 +225,7 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   if (sums) resizeBytes(r.motion, n + 1, each);
   else r.motion.clear();
   if (sums && !x.modules.uniform) resizeBytes(r.state, n + 1, each);
-  else r.state = {};  // the packing of bodies may have needed what the run does not
+  else r.state = {};  // the packing of bodies may have used it
   const bool surface = x.modules.tension || x.modules.contact ||
                        (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);
@@ -258,7 +258,7 @@ void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::
 
 double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, double f) {
   if (x.modules.continuity)
-    f = 1;  // a carried density belongs to the whole particle, also to a solid beside liquid
+    f = 1;  // a carried density belongs to the whole particle, also to solids near liquid
   if (f == 0 || x.modules.incompressible) return 0;
   const Numerics& n = x.scene.numerics;
   const std::uint16_t k = p.material[i];

@@ -1,5 +1,4 @@
-// Packs the fields that pair sums read into records of four values (128-bit loads and a transpose, no
-// gathers).
+// Packing of the fields of pair sums into records of four values (128-bit loads and a transpose, no gathers).
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -12,23 +11,23 @@
 
 namespace thaw {
 
-/// Parameters that depend on the liquid fraction and temperature only.
+/// Parameters that depend on liquid fraction and temperature only.
 struct MaterialParameters {
   double viscosity = 0, conductivity = 0;
 };
 
-/// Records of all rows and the dummy behind them; bytes, because they are float or double.
+/// Records of all rows and the dummy row behind them; bytes, because they are float or double.
 struct PairRecords {
   AlignedVector<std::byte> fixed;  ///< fixed-point positions and V0 / h^3, float: place in single precision
   AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePlace)
   AlignedVector<std::byte> place, motion, state, surface, diagonal, mixed, pull;
   std::vector<double> volumePerMass;         ///< 1/kg, V0 / h^3 over the mass, by material
-  std::vector<MaterialParameters> constant;  ///< by material, of those that do not change
+  std::vector<MaterialParameters> constant;  ///< by material, if constant
 };
 
-/// What packing needs to know of the run. With Modules::uniform there is no state, and motion gets the
-/// pressure term in place of the viscosity; with heat it gets the temperature, and place the pressure term in
-/// place of the volume, once the densities are found.
+/// Properties of the run for packing. With Modules::uniform there is no state, and motion holds the pressure
+/// term instead of the viscosity. With heat it holds the temperature, and place holds the pressure term
+/// instead of the volume after the density sums.
 struct RecordContext {
   const Scene& scene;
   const Modules& modules;
@@ -42,28 +41,28 @@ struct RecordContext {
 void packRecords(const RecordContext& context, const Continuum& particles, std::size_t begin, std::size_t end,
                  PairRecords& records);
 
-/// Room for `rows` rows and the dummy, which gets zero volume.
+/// Makes room for `rows` rows and the dummy row, which gets zero volume.
 void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& records);
 
 /// Compression energy (J) of a particle with liquid fraction f. With a carried density f is ignored.
 double compressionOf(const RecordContext& context, const Continuum& particles, std::size_t row, double f);
 
-/// Pressure of rows [begin, end) from their filling, into the state records (with the printed pressure
-/// form also the volume V0 / filling); adds the energy of compression to Continuum::interaction of those that
-/// are owned, but where all is one liquid (Modules::uniform): there it is found when it is asked for
+/// Packs the pressure of rows [begin, end) from their relative density into the state records, with the
+/// printed pressure form also the volume V0 over relative density. Adds the compression energy of owned rows
+/// to Continuum::interaction, except for one liquid (Modules::uniform), where it is computed on demand
 /// (core/stored_energy.hpp).
 void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end,
                   PairRecords& records);
 
-/// Continuum::surfacePull and surfaceDraw of rows [begin, end).
+/// Packs Continuum::surfacePull and surfaceDraw of rows [begin, end).
 void packSurfacePull(const RecordContext& context, const Continuum& particles, std::size_t begin,
                      std::size_t end, PairRecords& records);
 
-/// Pressure terms of 1 Pa, all liquid, no viscosity: for the packing of bodies.
+/// Sets pressure terms of 1 Pa, all liquid, no viscosity, to relax the packing of bodies.
 void setUnitPressure(const RecordContext& context, std::size_t rows, PairRecords& records);
 
-/// Pressure terms (Pa) after that: what the filling of a liquid particle has above 1; nothing for others. For
-/// the settling of bodies.
+/// Sets pressure terms (Pa) after that: the relative density of liquid particles above 1, 0 for others. Used
+/// to relax the packing of bodies.
 void setExcessPressure(const RecordContext& context, const Continuum& particles, PairRecords& records);
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// Equations of state of the liquid, in terms of the filling delta = rho / rho0.
+// Equations of state of the liquid as functions of the relative density delta = rho / rho0.
 #pragma once
 #include <cmath>
 
@@ -7,8 +7,8 @@
 namespace thaw {
 
 /// Pressure (Pa). Linear: p = c^2 rho0 (delta - 1) (K05 3.2, DC96: k = c^2). Tait: p = rho0 c^2 / 7 (delta^7
-/// - 1) (Monaghan 1994). Negative pressure is cut to the fraction tensileLimit of it: summation density is
-/// too low at a free surface (docs/validation/stability.md B6, B7).
+/// - 1) (Monaghan 1994). Negative pressure is multiplied by tensileLimit, since the summed density is too low
+/// at a free surface (docs/validation/stability.md B6, B7).
 inline double pressureOf(EquationOfState eos, double stiffness, double filling, double tensileLimit) {
   double p = 0;
   if (eos == EquationOfState::Linear) {
@@ -20,13 +20,13 @@ inline double pressureOf(EquationOfState eos, double stiffness, double filling, 
   return p >= 0 ? p : tensileLimit * p;
 }
 
-/// Speed of sound over that at rest, sqrt(dp/ddelta / c^2 rho0) where it is compressed, 1 where it is not. Of
-/// the pairs' stiffness the other part, p / delta, is smaller.
+/// Sound speed over that at rest, sqrt(dp/ddelta / c^2 rho0), under compression; else 1. The other part of
+/// the pairs' stiffness, p / delta, is smaller.
 inline double soundSpeedFactor(EquationOfState eos, double filling) {
   return eos == EquationOfState::Tait && filling > 1 ? filling * filling * filling : 1;
 }
 
-/// Energy stored by compression per rest volume (J/m^3): the integral of p / delta^2 over delta from 1.
+/// Compression energy per rest volume (J/m^3): the integral of p / delta^2 over delta from 1.
 inline double compressionEnergy(EquationOfState eos, double stiffness, double filling, double tensileLimit) {
   const double factor = filling >= 1 ? 1 : tensileLimit;
   if (factor == 0 || filling <= 0) return 0;

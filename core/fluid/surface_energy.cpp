@@ -9,10 +9,10 @@
 namespace thaw {
 namespace {
 
-/// Measured on drops at rest, at supports of 1.5, 2, 2.5 and 3 spacings; linear in between.
+/// Measured on drops at rest at supports of 1.5, 2, 2.5 and 3 spacings; linear interpolation.
 struct Calibration {
-  double rest;  ///< C, of sigma: the energy of the flat lattice
-  double open;  ///< of that, what lies in the cover that is missing
+  double rest;  ///< C, in units of sigma: energy of the flat lattice surface
+  double open;  ///< fraction of C in the colour term
 };
 Calibration calibrationOf(double support) {
   constexpr double rest[] = {0.91, 0.81, 1.45, 1.36}, open[] = {0.6, 0.73, 0.6, 0.6};
@@ -21,9 +21,9 @@ Calibration calibrationOf(double support) {
   return {rest[k] + (x - k) * (rest[k + 1] - rest[k]), open[k] + (x - k) * (open[k + 1] - open[k])};
 }
 
-/// What the cover that is missing costs, and its slope: like its square where little is missing, as at a flat
-/// surface; twice as much is missing of a layer alone, all of it of a lone particle, and the squares would
-/// give them 2.4 and 11 sigma dx^2 instead of some 2 and 4.8.
+/// Cost of missing colour, and its derivative. It is quadratic where little is missing, as at a flat surface.
+/// A single layer misses twice as much, a single particle all of it; squares would give them 2.4 and 11 sigma
+/// dx^2 instead of about 2 and 4.8.
 struct Opening {
   double cost, slope;
 };
@@ -32,12 +32,11 @@ Opening openingOf(double open) {
   return {square * d, 2 * open * d * d};
 }
 
-/// Of the filling of a flat face of the lattice: below this share of it there is less than a surface (an edge
-/// has as much).
+/// Sparse limit as a fraction of the colour sum at a flat lattice face; an edge has as much.
 constexpr double ofSparse = 0.8;
 
-/// How the energy depends on the filling, and how that changes with it: of the square of the gradient, and of
-/// what is alone.
+/// Dependence of the energy on d, with derivatives: factor of the squared gradient, and term of sparse
+/// particles.
 struct ByFilling {
   double area = 0, areaSlope = 0, alone = 0, aloneSlope = 0;
 };
@@ -45,8 +44,9 @@ struct ByFilling {
 ByFilling byFilling(const SurfaceMeasure& m, double fill) {
   const double least = std::max(fill, m.sparse), power = 1 / (least * least);
   if (fill >= m.sparse) return {power, -2 * power / fill, 0, 0};
-  const double width = m.sparse - m.least, t = (fill - m.least) / width;  // 0 alone, 1 where the power begins
-  const double a = 2 + 2 * width / m.sparse;                              // so that the slope goes on
+  const double width = m.sparse - m.least, t = (fill - m.least) / width;  // 0 for a single particle, 1 where
+                                                                          // the power begins
+  const double a = 2 + 2 * width / m.sparse;                              // so that the slope is continuous
   return {power * t * (a + (1 - a) * t), power * (a + 2 * (1 - a) * t) / width, (1 - t) * (1 - t),
           -2 * (1 - t) / width};
 }
@@ -65,7 +65,7 @@ SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing) {
   m.support = numerics.support * spacing;
   const double e = 1 / numerics.support, V = e * e * e;
   const int n = static_cast<int>(numerics.support) + 1;
-  // of whole layers
+  // Sums over whole layers.
   std::vector<double> slope(static_cast<std::size_t>(n) + 1), cover(static_cast<std::size_t>(n) + 1);
   for (int k = 0; k <= n; k++)
     for (int a = -n; a <= n; a++)

@@ -1,14 +1,14 @@
-// The kernel of the surface energy. Include from code of one instruction set only through lanes.hpp's
-// namespace.
+// Kernel of the surface energy. Code for one instruction set includes this only through the namespace of
+// lanes.hpp.
 #pragma once
 #include "core/kernels/kernels.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
 
-/// W = 315 / (64 pi) (1 - q^2)^3, whatever the kernel of the scene is: its slope counts the second neighbours
-/// almost like the first, so that the energy of a surface depends little on how its particles lie. grad W =
-/// slope d; the Hessian is slope 1 + bend d d.
+/// W = 315 / (64 pi) (1 - q^2)^3 for any kernel of the scene. Its slope weights second neighbours almost like
+/// first ones, so the surface energy depends little on the arrangement of particles. grad W = slope d; the
+/// Hessian is slope 1 + bend d d.
 struct SurfaceKernel {
   template<class T> static THAW_INLINE T w(T q2) {
     const T u = max(T(1.0) - q2, T(0.0));

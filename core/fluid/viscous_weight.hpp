@@ -1,14 +1,13 @@
-// Weight of the viscosity along r, and the only place that evaluates it.
+// Weight of the viscosity along r, and its only evaluation.
 #pragma once
 #include "core/kernels/kernels.hpp"
 
 namespace thaw {
 
 /// scale (1 - q), q = r / h: sum_j V_j weight(q) (u_ij.x_ij) x_ij / r^2 / h^2 is the Laplacian of a
-/// divergence-free velocity, with the scale that viscousWeight() (core/kernels/lattice.hpp) finds for the
-/// scene's support. In the continuum it is 225 / pi (Monaghan 2005 eq. 8.9 has 10 |slope| here, with which a
-/// lattice resists shear along its axes with .59 of the viscosity at h = 2 dx and along its diagonals
-/// with 1.57).
+/// divergence-free velocity, with the scale from viscousWeight() (core/kernels/lattice.hpp). In the continuum
+/// it is 225 / pi. Monaghan 2005 eq. 8.9 has 10 |slope| instead: at h = 2 dx a lattice then resists shear
+/// along its axes with 0.59 of the viscosity, along its diagonals with 1.57.
 struct ViscousWeight {
   double scale = 225 / 3.14159265358979323846;
 };
@@ -16,7 +15,7 @@ struct ViscousWeight {
 namespace THAW_ISA {
 
 template<class T> THAW_INLINE T weightAt(T scale, T q) { return scale * max(T(1.0) - q, T(0.0)); }
-/// Of q^2.
+/// Weight as a function of q^2.
 template<class T> THAW_INLINE T alongPair(T scale, T q2) { return weightAt(scale, sqrt(q2)); }
 
 }  // namespace THAW_ISA

@@ -16,7 +16,7 @@ bool meet(const Bounds& p, const Bounds& q) {
   return true;
 }
 
-/// Of a box without end: 0.
+/// Returns 0 for an infinite box.
 double middle(const Bounds& b, int axis) {
   const double m = 0.5 * (b.min[axis] + b.max[axis]);
   return std::isfinite(m) ? m : 0;
@@ -37,7 +37,7 @@ Bounds BoxTree::bounds() const {
 std::size_t BoxTree::build(std::size_t begin, std::size_t end) {
   const std::size_t node = nodes_.size();
   nodes_.push_back({boxes_[order_[begin]], begin, end, 0});
-  Vec3d low{never, never, never}, high{-never, -never, -never};  // of middles
+  Vec3d low{never, never, never}, high{-never, -never, -never};  // bounds of the middles
   for (std::size_t k = begin; k < end; k++) {
     const Bounds& b = boxes_[order_[k]];
     Bounds& around = nodes_[node].around;

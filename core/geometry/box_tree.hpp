@@ -1,4 +1,4 @@
-// Boxes that meet a box, found in a tree of bounding boxes.
+// Queries for boxes that intersect a box, in a tree of bounding boxes.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -10,22 +10,22 @@ namespace thaw {
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Bounds> boxes);
-  /// Appends the numbers of all boxes that meet `box`, touching included, in any order.
+  /// Appends the numbers of all boxes that intersect or touch `box`, in any order.
   void addMeeting(const Bounds& box, std::vector<std::size_t>& found) const;
   const Bounds& box(std::size_t k) const { return boxes_[k]; }
   std::size_t size() const { return boxes_.size(); }
-  /// Around all boxes; empty (min above max) where there are none.
+  /// Bounding box of all boxes; empty (min above max) without boxes.
   Bounds bounds() const;
 
  private:
   struct Node {
     Bounds around;
-    std::size_t begin, end;  ///< its boxes in order_
-    std::size_t right;       ///< the second child, the first being the next node; 0: a leaf
+    std::size_t begin, end;  ///< range of its boxes in order_
+    std::size_t right;       ///< the second child; the first is the next node; 0: a leaf
   };
   std::size_t build(std::size_t begin, std::size_t end);
   std::vector<Bounds> boxes_;
-  std::vector<std::size_t> order_;  ///< numbers of boxes, by leaf
+  std::vector<std::size_t> order_;  ///< numbers of boxes, grouped by leaf
   std::vector<Node> nodes_;
 };
 

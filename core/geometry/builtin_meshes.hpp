@@ -1,4 +1,4 @@
-// Meshes of the project's own making that scenes can name instead of a file.
+// Built-in meshes that scenes can name instead of a file.
 #pragma once
 #include <string>
 
@@ -7,14 +7,14 @@
 namespace thaw {
 
 inline constexpr const char* builtinHead = "builtin:head";  ///< headSheet (core/sheet/sheet_meshes.hpp), 1 m
-                                                            ///< tall, of 22,000 triangles
+                                                            ///< tall, 22,000 triangles
 inline constexpr const char* builtinList = "\"builtin:bust\" or \"builtin:head\"";
 
-/// Is it meant to be one of these, and not a file?
+/// Returns true if the name refers to a built-in mesh, existing or not, and not to a file.
 inline bool namesBuiltin(const std::string& name) { return name.rfind("builtin:", 0) == 0; }
 inline bool isBuiltin(const std::string& name) { return name == builtinBust || name == builtinHead; }
 
-/// Needs isBuiltin.
+/// Requires: isBuiltin(name).
 TriangleMesh builtinMesh(const std::string& name);
 
 }  // namespace thaw

@@ -8,15 +8,15 @@
 namespace thaw {
 namespace {
 
-// Parts of the sculpture: lengths in m, about those of the final height of 1 m. Values are distances or close
-// to them, negative inside.
+// Parts of the sculpture. Lengths are in m, close to those of the final height of 1 m. Values approximate
+// distances, negative inside.
 
-/// Union whose seam is rounded over a width k (quadratic, so that no transcendental function is needed).
+/// Union with a seam rounded over a width k. It is quadratic, to avoid transcendental functions.
 double blend(double a, double b, double k) {
   const double h = std::max(k - std::abs(a - b), 0.0) / k;
   return std::min(a, b) - 0.25 * k * h * h;
 }
-/// a without b, the edge rounded over k.
+/// a without b, with the edge rounded over k.
 double carve(double a, double b, double k) { return -blend(-a, b, k); }
 
 double ball(const Vec3d& x, const Vec3d& centre, double radius) { return length(x - centre) - radius; }
@@ -28,24 +28,24 @@ double ellipsoid(const Vec3d& x, const Vec3d& centre, const Vec3d& radii) {
   return g > 0 ? k * (k - 1) / g : -std::min({radii.x, radii.y, radii.z});
 }
 
-/// From a to b with radii that change linearly.
+/// Cone with round ends from a to b; the radius varies linearly.
 double limb(const Vec3d& x, const Vec3d& a, const Vec3d& b, double radiusA, double radiusB) {
   const Vec3d e = b - a;
   const double t = std::clamp(dot(x - a, e) / dot(e, e), 0.0, 1.0);
   return length(x - a - e * t) - (radiusA + t * (radiusB - radiusA));
 }
 
-/// 1 at 0, falling smoothly to 0 at -1 and 1.
+/// 1 at 0, falls smoothly to 0 at -1 and 1.
 double bump(double u) { return u > -1 && u < 1 ? (1 - u * u) * (1 - u * u) : 0; }
 
-/// Blunt cone, with a ribbon and a band on the forehead, between the middles of its flat ends, rounded at the
-/// rims.
+/// Blunt cone between the middles of its flat ends, rounded at the rims, with a ribbon and a band on the
+/// forehead.
 double crown(const Vec3d& x) {
   const Vec3d low{0, 0.000, 0.655}, high{0, 0.105, 0.965};
   const Vec3d e = high - low;
   const double l = length(e), t = dot(x - low, e) / l, share = t / l;
   const Vec3d across = x - low - e * (t / l);
-  // longer from front to back, as the head is
+  // Longer from front to back, like the head.
   const double r = length({across.x, across.y * 0.90, across.z * 0.90});
   const double rounding = 0.022;
   const double radius = 0.112 + 0.052 * share * (0.6 + 0.4 * share) + 0.011 * bump((share - 0.50) / 0.11) +
@@ -55,11 +55,11 @@ double crown(const Vec3d& x) {
   return (std::sqrt(u * u + v * v) + std::min(std::max(dr, dt), 0.0) - rounding) * 0.95;
 }
 
-/// Shoulders, chest, collar, foot. Symmetric, as everything here: x.x >= 0.
+/// Shoulders, chest, collar, foot. All parts are symmetric and take x.x >= 0.
 double torso(const Vec3d& x) {
   double d = ellipsoid(x, {0, 0.025, 0.125}, {0.18, 0.115, 0.145});                     // chest
   d = blend(d, limb(x, {0, 0.035, 0.205}, {0.190, 0.045, 0.168}, 0.078, 0.064), 0.06);  // shoulders
-  d = carve(d, x.x * -0.97 + (0.1 - x.z) * 0.24 + 0.238, 0.02);                         // cut off at the arms
+  d = carve(d, x.x * -0.97 + (0.1 - x.z) * 0.24 + 0.238, 0.02);                         // end at the arms
   d = blend(d, limb(x, {0, 0.045, 0.22}, {0, 0.015, 0.42}, 0.082, 0.070), 0.07);        // neck
   const Vec3d c = x - Vec3d{0, 0.040, 0.315};  // collar: ridges at distances from the throat
   const double away = std::sqrt(c.x * c.x * 0.85 + c.y * c.y * 1.1 + c.z * c.z);
@@ -95,12 +95,12 @@ double face(const Vec3d& x) {
 
 double head(const Vec3d& x) {
   double d = blend(face(x), crown(x), 0.006);
-  // the snake on the crown
+  // The snake on the crown.
   d = blend(d, limb(x, {0, -0.124, 0.672}, {0, -0.094, 0.765}, 0.013, 0.016), 0.006);
   return blend(d, ball(x, {0, -0.104, 0.782}, 0.023), 0.008);
 }
 
-/// A round plinth of two steps below the middle of mass, wide enough that the sculpture stands.
+/// A round plinth of two steps below the centre of mass, wide enough for a stable stand.
 double plinth(const Vec3d& x) {
   const auto disc = [&](double radius, double low, double high) {
     constexpr double rounding = 0.012;
@@ -115,7 +115,7 @@ double plinth(const Vec3d& x) {
 
 double queen(Vec3d x) {
   x.x = std::abs(x.x);
-  constexpr double larger = 1.2;  // the head than the shoulders: particles show it better
+  constexpr double larger = 1.2;  // scale of the head over the shoulders, so that particles resolve it
   const double h = larger * head({x.x / larger, x.y / larger, 0.43 + (x.z - 0.365) / larger});
   return blend(blend(torso(x), h, 0.030), plinth(x), 0.012);
 }
@@ -129,7 +129,7 @@ struct Frame {
   double middle = 0, low = 0, scale = 1;
 };
 
-/// Kept: its readers ask one after the other, and it takes a sixth of a second.
+/// Cached: it takes a sixth of a second and has several users.
 const TriangleMesh& unplacedMesh() {
   static const TriangleMesh mesh = polygonise(queen, {{-0.2605, -0.2605, -0.1605}, {0.2605, 0.3305, 1.0905}},
                                               0.0131);

@@ -1,17 +1,17 @@
-// The project's own shape to melt: the bust of a queen with a tall crown.
+// Built-in shape: the bust of a queen with a tall crown.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"
 
 namespace thaw {
 
-inline constexpr const char* builtinBust = "builtin:bust";  ///< what a scene calls it
+inline constexpr const char* builtinBust = "builtin:bust";  ///< its name in scenes
 
-/// Closed, outward mesh, 1 m tall, standing on z = 0 around the origin, facing -y. The same bits everywhere:
-/// only + - * / and roots.
+/// Returns a closed, outward mesh, 1 m tall, standing on z = 0 around the origin, facing -y. It uses only + -
+/// * / and square roots, so the bits are the same everywhere.
 TriangleMesh bustMesh();
 
-/// The sculpture that the mesh is of: about the distance from its surface in m, negative inside, in the frame
-/// of the mesh. The mesh rounds off what is finer than 13 mm of it.
+/// Returns the approximate signed distance (m) from the sculpture's surface, negative inside, in the frame of
+/// the mesh. The mesh does not resolve details below 13 mm.
 double bustValue(const Vec3d& x);
 
 }  // namespace thaw

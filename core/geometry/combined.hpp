@@ -1,4 +1,4 @@
-// Union, difference and intersection, and placement, of shapes that are ready.
+// Union, difference, intersection and placement of shapes.
 #pragma once
 #include <memory>
 #include <vector>
@@ -10,8 +10,9 @@ namespace thaw {
 
 using ShapePart = std::shared_ptr<const SignedDistance>;
 
-/// max over the parts of side * distance, or for unions the min: outside (unions) and inside (the others)
-/// exact, elsewhere a lower bound of the magnitude. Of equal parts the first gives the gradient.
+/// Minimum of the parts' distances for unions, else maximum of side * distance. The value is exact outside of
+/// unions and inside of the others; elsewhere it is a lower bound of the magnitude. Of equal parts the first
+/// gives the gradient.
 class CombinedDistance final : public SignedDistance {
  public:
   enum class Kind { Union, Difference, Intersection };
@@ -41,7 +42,7 @@ struct Placement {
   Vec3d move{};
 };
 
-/// Where a shape puts `part`, which is the shape without its placement. Throws ShapeError.
+/// Returns the placement of `part`, the shape without its placement. Throws ShapeError.
 Placement placementOf(const Shape& shape, const ShapePart& part);
 
 class PlacedDistance final : public SignedDistance {
@@ -65,8 +66,7 @@ class PlacedDistance final : public SignedDistance {
   ShapePart part_;
   Placement placement_;
   Mat3d back_;            ///< inverse of the rotation
-  bool rotated_ = false;  ///< else rotations are left out, so that the bits of unrotated shapes stay as they
-                          ///< are
+  bool rotated_ = false;  ///< false: rotations are skipped, so unrotated shapes keep their exact bits
   Bounds bounds_;
 };
 

@@ -10,8 +10,8 @@ namespace thaw {
 
 Vec3d unitNormal(const Vec3d& n) {
   const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-  return most > 0 ? normalized(n / most) : Vec3d{};  // squares of the parts themselves may be too large or
-                                                     // too small for a double
+  return most > 0 ? normalized(n / most) : Vec3d{};  // squares of the components themselves may overflow or
+                                                     // underflow
 }
 
 void settleNormals(TriangleMesh& m, MeshReport& report) {
@@ -22,8 +22,8 @@ void settleNormals(TriangleMesh& m, MeshReport& report) {
   };
   DisjointSets shells(m.vertices.size());
   for (const auto& t : m.triangles) shells.join(t[0], t[1]), shells.join(t[0], t[2]);
-  std::vector<std::int64_t> outward(m.vertices.size(), 0);  // of a shell's first vertex: normals that point
-                                                            // outward, less those that do not
+  std::vector<std::int64_t> outward(m.vertices.size(), 0);  // by a shell's first vertex: outward normals
+                                                            // minus inward ones
   for (std::size_t t = 0; t < m.triangles.size(); t++)
     for (const Vec3d& n : m.normals[t]) {
       const double d = dot(n, side(t));

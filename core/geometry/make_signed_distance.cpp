@@ -21,8 +21,9 @@ void needPositive(const Shape& s, const char* what, double value) {
 ShapePart makeMesh(const Shape& s, const MeshLoader& load) {
   try {
     if (isBuiltin(s.mesh)) return std::make_shared<MeshDistance>(builtinMesh(s.mesh), s.mesh);
-    if (namesBuiltin(s.mesh)) throw ShapeError("there is no mesh '" + s.mesh + "'; there is " + builtinList);
-    if (!load) throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with");
+    if (namesBuiltin(s.mesh))
+      throw ShapeError("there is no built-in mesh '" + s.mesh + "'; expected " + builtinList);
+    if (!load) throw ShapeError("mesh '" + s.mesh + "': no mesh reader is available");
     return std::make_shared<MeshDistance>(load(s.mesh), s.mesh);
   } catch (const ShapeError& e) {
     const std::string message = e.what();
@@ -52,7 +53,7 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
       return std::make_shared<RevolvedDistance>(cylinderOutline(s.radius, s.height));
     case ShapeKind::Torus:
       needPositive(s, "the radius of a torus", s.radius);
-      needPositive(s, "the tube's radius of a torus", s.radius2);
+      needPositive(s, "the tube radius of a torus", s.radius2);
       return std::make_shared<TorusDistance>(s.radius, s.radius2);
     case ShapeKind::HalfSpace:
       if (!finite(s.point) || !finite(s.normal) || !(length(s.normal) > 0))
@@ -72,7 +73,7 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
     case ShapeKind::Difference: return makeCombined(s, CombinedDistance::Kind::Difference, load);
     case ShapeKind::Intersection: return makeCombined(s, CombinedDistance::Kind::Intersection, load);
   }
-  throw ShapeError("a shape of an unknown kind", s.where);
+  throw ShapeError("unknown kind of shape", s.where);
 }
 
 }  // namespace
@@ -87,7 +88,7 @@ Placement placementOf(const Shape& s, const ShapePart& part) {
     const Bounds b = PlacedDistance(part, p).bounds();
     const double height = b.max.z - b.min.z;
     if (!(height > 0 && std::isfinite(height)))
-      throw ShapeError("a shape without finite height cannot be fitted to one", s.where);
+      throw ShapeError("a shape of infinite height cannot be scaled to a height", s.where);
     p.scale = *s.fitHeight / height;
   } else {
     needPositive(s, "the scale of a shape", s.scale);
@@ -99,8 +100,7 @@ Placement placementOf(const Shape& s, const ShapePart& part) {
     p.move = {};
     const Bounds b = PlacedDistance(part, p).bounds();
     p.move = *s.bottom - Vec3d{0.5 * (b.min.x + b.max.x), 0.5 * (b.min.y + b.max.y), b.min.z};
-    if (!finite(p.move))
-      throw ShapeError("a shape without finite bounds cannot be put on its bottom", s.where);
+    if (!finite(p.move)) throw ShapeError("a shape without finite bounds has no bottom to place", s.where);
   }
   return p;
 }

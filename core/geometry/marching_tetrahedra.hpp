@@ -1,5 +1,5 @@
-// Marching tetrahedra (Doi and Koide 1991): six tetrahedra a cube around its diagonal (Kuhn), which fit those
-// of the next cubes.
+// Marching tetrahedra (Doi and Koide 1991): each cube has six tetrahedra around its diagonal (Kuhn), which
+// match those of adjacent cubes.
 #pragma once
 #include <algorithm>
 
@@ -7,29 +7,31 @@
 
 namespace thaw {
 
-/// Corners of a cube are numbered x + 2 y + 4 z. Each tetrahedron goes from corner 0 to 7 along three edges,
-/// one of each axis.
+/// Corners of a cube are numbered x + 2 y + 4 z. Each tetrahedron runs from corner 0 to corner 7 along three
+/// edges, one per axis.
 inline constexpr int kuhnTetrahedra[6][4] = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7},
                                              {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
 
-/// An edge between two corners of a cube, from the one with fewer bits: of all cubes at it the same two.
+/// An edge between two corners of a cube, directed from the corner with fewer bits. All adjacent cubes see
+/// the same edge.
 struct CubeEdge {
   CubeEdge(int a, int b) : from(std::min(a, b)), to(std::max(a, b)) {}
   int from, to;
   int direction() const {
     return (from ^ to) - 1;
-  }  ///< 0 to 6: which edge it is of those that begin at a corner
+  }  ///< 0 to 6: number of the edge among those that begin at a corner
 };
 
-/// No crossing is nearer to an end of its edge, as a share of it, so that triangles do not degenerate.
+/// Smallest distance of a crossing from the ends of its edge, as a fraction of it, so that triangles do not
+/// degenerate.
 inline constexpr double nearestToCorner = 0.02;
-/// Place between the ends, as a share of the edge, where the value is zero.
+/// Returns the position of the zero between the ends, as a fraction of the edge.
 inline double crossing(double from, double to) {
   return std::clamp(from / (from - to), nearestToCorner, 1 - nearestToCorner);
 }
 
-/// The zero set within a cube: add(edge, edge, edge, outward) for each triangle, whose corners lie on the
-/// edges. It is to look along `outward`. value < 0 inside.
+/// Calls add(edge, edge, edge, outward) for each triangle of the zero set within a cube. The corners of the
+/// triangle lie on the edges, and its normal is along `outward`. value < 0 inside.
 template<class Add> void marchTetrahedra(const double (&value)[8], Add add) {
   const auto place = [](int c) {
     return Vec3d{static_cast<double>(c & 1), static_cast<double>(c >> 1 & 1), static_cast<double>(c >> 2)};

@@ -16,7 +16,7 @@ double distanceToBox(const Bounds& b, const Vec3d& x) {
   return length(d);
 }
 
-/// The mesh without the triangles that have the solid on both sides, where several shells overlap.
+/// Returns the mesh without the triangles that have the solid on both sides, where shells overlap.
 TriangleMesh withoutBuried(const TriangleMesh& m, const TriangleBvh& surface) {
   const Bounds b = surface.bounds();
   const double offset = 1e-6 * length(b.max - b.min);
@@ -25,8 +25,7 @@ TriangleMesh withoutBuried(const TriangleMesh& m, const TriangleBvh& surface) {
     const Vec3d corners[] = {m.vertices[t[0]], m.vertices[t[1]], m.vertices[t[2]]};
     const Vec3d middle = (corners[0] + corners[1] + corners[2]) / 3.0,
                 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
-    // Its inner side is inside anyway. Corners are looked at from a little within the triangle, off its
-    // neighbours.
+    // The inner side is always inside. Corners are tested slightly within the triangle, off its neighbours.
     bool buried = true;
     for (const Vec3d& x :
          {middle, corners[0] + (middle - corners[0]) * 0.05, corners[1] + (middle - corners[1]) * 0.05,
@@ -47,11 +46,11 @@ Vec3d childMiddle(const Vec3d& middle, double half, int child) {
 
 struct DistanceOctree::Cube {
   enum State : std::uint8_t { Unknown, Clear, Passed };
-  std::atomic<State> state{Unknown};              // all else is written before it is known, and then no more
-  double distance = 0;                            // m, of the middle; signed where it is clear
-  Vec3d closest{};                                // m, point of the surface that is closest to the middle
-  std::unique_ptr<std::array<Cube, 8>> children;  // of a cube that the surface passes and that is not the
-                                                  // smallest
+  std::atomic<State> state{Unknown};              // written last; the other members are constant from then on
+  double distance = 0;                            // m, at the middle; signed if clear
+  Vec3d closest{};                                // m, surface point closest to the middle
+  std::unique_ptr<std::array<Cube, 8>> children;  // null for the smallest cubes and those that the surface
+                                                  // does not cross
 };
 
 DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all)
@@ -92,7 +91,8 @@ DistanceOctree::Leaf DistanceOctree::leafAt(const Vec3d& x) const {
     const int child = (x.x >= middle.x) | (x.y >= middle.y) << 1 | (x.z >= middle.z) << 2;
     middle = childMiddle(middle, half, child);
     half *= 0.5;
-    bound = length(middle - cube->closest) * (1 + 1e-9) + 2e-9 * half;  // that point is as near
+    bound = length(middle - cube->closest) * (1 + 1e-9) + 2e-9 * half;  // the closest point of the parent
+                                                                        // bounds the distance
     cube = &(*cube->children)[static_cast<std::size_t>(child)];
   }
 }
@@ -117,7 +117,7 @@ double MeshDistance::signedFrom(const ClosestPoint& c, const Vec3d& x, bool insi
   if (gradient) {
     const Vec3d away = x - c.point;
     const Bounds b = surface_->bounds();
-    // On the surface the direction to it is noise: the triangle's own normal serves.
+    // On the surface the direction is noise, so the triangle's normal is used.
     if (d > 1e-9 * length(b.max - b.min)) *gradient = away * ((inside ? -1 : 1) / d);
     else *gradient = dot(c.normal, c.normal) > 0 ? c.normal : Vec3d{0, 0, 1};
   }
@@ -158,9 +158,9 @@ bool MeshDistance::inside(const Vec3d& x) const {
   return surface_->winding(x) > 0.5;
 }
 
-/// The sign changes only where a triangle is between: of two points whose box meets none it is the same.
-/// Where it changes is looked for by halves; which one it is on a stretch without triangles, a place known
-/// from the line before mostly tells.
+/// The sign changes only across a triangle: two points have the same sign if their bounding box touches none.
+/// The change is found by bisection. The sign of a stretch without triangles mostly follows from a known
+/// point of the previous line.
 void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in,
                                KnownSides& known) const {
   if (!report_.closed) return SignedDistance::insideAlong(points, in, known);
@@ -182,7 +182,7 @@ void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uin
     return nearest && !divided(nearest->x, x) ? nearest->in : surface_->winding(x) > 0.5;
   };
   for (std::size_t k = 0; k < n;) {
-    std::size_t same = k, other = n - 1;  // as here; with a triangle between
+    std::size_t same = k, other = n - 1;  // last point of equal sign; point with a triangle in between
     if (!divided(points[k], points[other])) same = other;
     while (other - same > 1) {
       const std::size_t middle = same + (other - same) / 2;
@@ -193,7 +193,7 @@ void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uin
       const Vec3d& middle = points[k + (same - k) / 2];
       here = sideOf(middle);
       known.note(middle, here);
-    } else {  // maybe on a triangle
+    } else {  // the point may lie on a triangle
       here = sideOf(points[k]) && visible().closest(points[k], margin).distance2 > 0;
     }
     for (; k <= same; k++) in[k] = here;

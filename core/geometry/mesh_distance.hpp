@@ -10,26 +10,26 @@
 
 namespace thaw {
 
-/// Cubes that the surface does not pass, with the signed distance at their middle: answers most questions far
-/// from the surface without looking at a triangle, and bounds the rest. A cube is looked at when somebody
-/// asks for a point in it first, so that a rank which samples its part of a body pays for that part; what is
-/// found does not depend on who asks when. Threads may ask at once.
+/// Cubes that the surface does not cross, with the signed distance at their middle. They answer most queries
+/// far from the surface without testing a triangle, and bound the others. A cube is evaluated at the first
+/// query in it, so a rank pays only for its part of a body; the result does not depend on the order of
+/// queries. Queries are safe from several threads.
 class DistanceOctree {
  public:
   struct Leaf {
     Vec3d middle;
     double distance = 0;
     bool clear = false;
-  };  ///< clear: no surface within
-  /// Distances are to `near`, signs from the winding numbers of `all`; both must outlive this.
+  };  ///< clear: the surface does not cross it
+  /// Distances are to `near`, signs are the winding numbers of `all`. Requires: both outlive this.
   DistanceOctree(const TriangleBvh& near, const TriangleBvh& all);
   ~DistanceOctree();
   bool covers(const Vec3d& x) const;
-  Leaf leafAt(const Vec3d& x) const;  ///< of a point that is covered
+  Leaf leafAt(const Vec3d& x) const;  ///< requires covers(x)
 
  private:
   struct Cube;
-  /// Looks at a cube with this middle and half edge; `bound` (m) is a little more than the distance of the
+  /// Evaluates a cube with this middle and half edge. `bound` (m) slightly exceeds the distance of the
   /// middle.
   void look(Cube& cube, const Vec3d& middle, double half, double bound, int depth) const;
   const TriangleBvh &near_, &all_;
@@ -39,10 +39,9 @@ class DistanceOctree {
   double half_ = 0;
 };
 
-/// The mesh is repaired first (mesh_repair.hpp). Distances are to the nearest triangle, holes' patches
-/// included; the sign is that of the winding number less 1/2. Where shells overlap, triangles of one that are
-/// buried in another do not count; those that are so only in part do, and distances inside may be too small
-/// near them.
+/// The mesh is repaired first (mesh_repair.hpp). The distance is to the nearest triangle, patches of holes
+/// included; the sign is that of the winding number minus 1/2. Where shells overlap, triangles buried in
+/// another shell do not count. Partly buried triangles do, so distances inside may be too small near them.
 class MeshDistance final : public SignedDistance {
  public:
   MeshDistance(const TriangleMesh& mesh, std::string name);
@@ -65,9 +64,9 @@ class MeshDistance final : public SignedDistance {
   std::string name_;
   MeshReport report_;
   double area_ = 0;
-  std::vector<Vec3d> corners_;  ///< of the mesh, for extents
+  std::vector<Vec3d> corners_;  ///< corners of the mesh, for extents
   std::unique_ptr<const TriangleBvh> surface_, visible_;
-  std::unique_ptr<const DistanceOctree> octree_;  ///< nullptr: the mesh is not closed
+  std::unique_ptr<const DistanceOctree> octree_;  ///< nullptr: the mesh is open
 };
 
 }  // namespace thaw

@@ -5,7 +5,7 @@
 namespace thaw {
 
 AlignedVector<EdgeSide> edgeSides(const TriangleMesh& mesh) {
-  // by the smaller vertex in one pass, as they are few at each vertex
+  // Bucket by the smaller vertex in one pass: few sides share a vertex.
   std::vector<std::uint32_t> next(mesh.vertices.size() + 1, 0);
   const auto forEachSide = [&](auto&& f) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); t++)

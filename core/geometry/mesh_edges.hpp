@@ -1,4 +1,4 @@
-// Edges of a triangle mesh with the triangles at each, and disjoint sets to group what they join.
+// Edges of a triangle mesh with their triangles, and disjoint sets to group joined elements.
 #pragma once
 #include <cstdint>
 #include <numeric>
@@ -9,14 +9,14 @@
 
 namespace thaw {
 
-/// One side of a triangle. Sides of the same edge (unordered pair of vertices) stand next to each other, by
+/// One side of a triangle. Sides of the same edge (unordered pair of vertices) are adjacent, sorted by
 /// triangle.
 struct EdgeSide {
   std::uint64_t edge = 0;  ///< smaller vertex << 32 | larger vertex
   std::uint32_t triangle = 0;
   std::int8_t sign = 0;  ///< +1: the triangle runs from the smaller to the larger vertex
 };
-/// The indices of the mesh have to be valid.
+/// Requires: the indices of the mesh are valid.
 AlignedVector<EdgeSide> edgeSides(const TriangleMesh& mesh);
 
 /// Calls f(first, last) for the range of sides of each edge.
@@ -29,7 +29,7 @@ template<class F> void forEachEdge(const AlignedVector<EdgeSide>& sides, F&& f) 
   }
 }
 
-/// Disjoint sets of 0..n-1; the smallest member stands for its set.
+/// Disjoint sets of 0..n-1; the smallest member represents its set.
 struct DisjointSets {
   explicit DisjointSets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
   std::uint32_t find(std::uint32_t i) {

@@ -9,7 +9,7 @@ struct BorderEdge {
   std::uint32_t from, to;
 };
 
-/// Edges, in the direction that their triangles lack, that balance the mesh.
+/// Returns the directed edges that balance the mesh.
 std::vector<BorderEdge> lackingEdges(const AlignedVector<EdgeSide>& sides) {
   std::vector<BorderEdge> border;
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
@@ -45,7 +45,7 @@ std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides
   const std::vector<BorderEdge> border = lackingEdges(sides);
   if (border.empty()) return 0;
   const std::size_t vertices = mesh.vertices.size();
-  std::vector<std::uint32_t> next(vertices + 1, 0);  // first edge from each vertex that was not used yet
+  std::vector<std::uint32_t> next(vertices + 1, 0);  // first unused edge of each vertex
   for (const BorderEdge& e : border) next[e.from + 1]++;
   for (std::size_t v = 0; v < vertices; v++) next[v + 1] += next[v];
   const std::vector<std::uint32_t> begin(next);
@@ -53,8 +53,8 @@ std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides
   std::int64_t holes = 0;
   std::vector<std::uint32_t> path;
   for (std::uint32_t start = 0; start < vertices; start++) {
-    // As many border edges leave a vertex as come in, so a walk gets stuck only where it began. Whenever it
-    // meets itself, the part between is a hole of its own.
+    // Equally many border edges leave and enter a vertex, so a walk ends only where it began. Whenever it
+    // crosses itself, the loop in between is a hole of its own.
     while (next[start] < begin[start + 1]) {
       path.assign(1, start);
       placeOnPath[start] = 1;
@@ -70,7 +70,7 @@ std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides
         const std::vector<std::uint32_t> loop(path.begin() + placeOnPath[to] - 1, path.end());
         for (std::size_t k = placeOnPath[to]; k < path.size(); k++) placeOnPath[path[k]] = 0;
         path.resize(placeOnPath[to]);
-        if (loop.size() > 2) {  // back and forth along one edge encloses nothing
+        if (loop.size() > 2) {  // a path back and forth along one edge encloses nothing
           closeLoop(mesh, loop);
           holes++;
         }

@@ -6,9 +6,9 @@
 
 namespace thaw {
 
-/// Adds triangles (and vertices) so that every edge is run through as often one way as the other: follows the
-/// border around each hole and joins it to the middle of its vertices. sides: edgeSides of the mesh as it
-/// comes in. Returns the number of holes.
+/// Closes each hole by triangles between its border and the middle of the border's vertices, so that every
+/// edge is traversed equally often in both directions. sides: edgeSides of the input mesh. Returns the number
+/// of holes.
 std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides);
 
 }  // namespace thaw

@@ -16,9 +16,9 @@
 namespace thaw {
 namespace {
 
-constexpr double weldTolerance = 1e-6;  // of the diagonal
-constexpr double soupFraction = 0.3;    // of the edges open
-constexpr double flat = 1e-9;  // volume over area^(3/2) of something that encloses nothing; 0.094 for a ball
+constexpr double weldTolerance = 1e-6;  // fraction of the diagonal
+constexpr double soupFraction = 0.3;    // fraction of open edges
+constexpr double flat = 1e-9;  // volume over area^(3/2) of a surface that encloses nothing; 0.094 for a ball
 constexpr std::size_t mostContainers = 1000;
 
 double areaOf(const TriangleMesh& m, const std::array<std::uint32_t, 3>& t) {
@@ -54,7 +54,7 @@ std::size_t openEdges(const AlignedVector<EdgeSide>& sides, std::size_t& edges) 
   return open;
 }
 
-/// Step 2. Returns how many triangles were turned; their sides are then as well.
+/// Step 2. Returns the number of flipped triangles; their sides are flipped as well.
 std::int64_t orientPatches(TriangleMesh& m, AlignedVector<EdgeSide>& sides) {
   const std::size_t n = m.triangles.size();
   struct Link {
@@ -66,7 +66,7 @@ std::int64_t orientPatches(TriangleMesh& m, AlignedVector<EdgeSide>& sides) {
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first != 2) return;
     const EdgeSide &a = sides[first], &b = sides[first + 1];
-    const bool opposed = a.sign == b.sign;  // neighbours that agree run through their edge in opposite
+    const bool opposed = a.sign == b.sign;  // consistent neighbours traverse their edge in opposite
                                             // directions
     links[a.triangle][used[a.triangle]++] = {b.triangle, opposed};
     links[b.triangle][used[b.triangle]++] = {a.triangle, opposed};
@@ -137,7 +137,7 @@ std::vector<Shell> findShells(const TriangleMesh& m, const AlignedVector<EdgeSid
   return shells;
 }
 
-/// Does `outer` contain some of the vertices of `inner`, picked evenly, each and all?
+/// Returns true if `outer` contains all of about 16 evenly picked vertices of `inner`.
 bool contains(const TriangleBvh& outer, const TriangleMesh& m, const Shell& inner) {
   const std::size_t step = std::max<std::size_t>(1, inner.triangles.size() / 16);
   for (std::size_t k = 0; k < inner.triangles.size(); k += step)
@@ -145,7 +145,7 @@ bool contains(const TriangleBvh& outer, const TriangleMesh& m, const Shell& inne
   return true;
 }
 
-/// Step 4. Returns how many shells were turned.
+/// Step 4. Returns the number of flipped shells.
 std::int64_t turnShells(TriangleMesh& m, const std::vector<Shell>& shells) {
   std::vector<std::size_t> order(shells.size());  // largest first
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -163,8 +163,7 @@ std::int64_t turnShells(TriangleMesh& m, const std::vector<Shell>& shells) {
     const Shell& outer = shells[order[k]];
     if (decided[order[k]]) continue;
     const bool wrong = outer.volume < 0 && outer.solid();
-    // Whatever is not decided yet and not within a larger one is outermost itself; the ones within it follow
-    // it.
+    // An undecided shell that is not within a larger one is itself outermost; shells within it follow it.
     TriangleMesh part{m.vertices, {}};
     bool built = false;
     std::optional<TriangleBvh> tree;
@@ -262,7 +261,7 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, MeshReport& report) {
   Welded w = weldAndAgree(mesh, report);
   if (w.open == 0) return closeMesh(std::move(w), report);
   report.border = static_cast<std::int64_t>(w.open);
-  report.closed = true;  // nothing asks for its inside
+  report.closed = true;  // the inside is not used
   settleNormals(w.mesh, report);
   return std::move(w.mesh);
 }
@@ -272,7 +271,7 @@ std::string describeRepairs(const std::string& name, const MeshReport& r) {
   const auto say = [&](const std::string& what) { s += (s.empty() ? "mesh '" + name + "': " : ", ") + what; };
   if (r.border > 0)
     say("open (" + std::to_string(r.border) + (r.border == 1 ? " edge" : " edges") +
-        " at its border), and taken as it is");
+        " at its border), kept open");
   if (!r.closed) say("not closed; inside is where the winding number is more than 1/2");
   if (r.holes > 0) {
     char share[32];
@@ -292,8 +291,8 @@ std::string describeRepairs(const std::string& name, const MeshReport& r) {
   if (r.turnedNormals > 0) say(std::to_string(r.turnedNormals) + " normals turned outward");
   if (r.unusedNormals > 0)
     say(std::to_string(r.unusedNormals) + " of its " + std::to_string(r.normals) +
-        " normals are missing, 0 or point to the other side of their triangle: those that follow from the "
-        "triangles are taken there");
+        " normals are missing, 0 or oppose their triangle; the normals of the "
+        "triangles are used there");
   return s;
 }
 

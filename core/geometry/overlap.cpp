@@ -10,7 +10,8 @@
 namespace thaw {
 namespace {
 
-/// Numbers of periods that bring [low, high] to where it meets [from, to]; without a period 0 or none.
+/// Multiples of the period that move [low, high] to an intersection with [from, to]; without a period 0 or
+/// none.
 struct Shifts {
   std::int64_t first, last;
 };
@@ -21,7 +22,7 @@ Shifts shiftsOf(double low, double high, double from, double to, double period) 
           static_cast<std::int64_t>(std::floor((to - low) / period))};
 }
 
-/// The boxes that meet box b of the tree, or one of its images, but b itself; ascending.
+/// Returns the boxes that intersect box b or one of its images, without b itself; ascending.
 std::vector<std::size_t> meeting(const BoxTree& tree, std::size_t b, const Vec3d& period) {
   const Bounds &own = tree.box(b), around = tree.bounds();
   Shifts s[3];
@@ -74,7 +75,8 @@ OverlapCounts OverlapTest::noCounts() const {
   return counts;
 }
 
-/// Is it so for an image of x in the bounds of body b? is(place, moved): moved by a period at least.
+/// Returns true if is(position, moved) holds for an image of x in the bounds of body b; moved: by at least
+/// one period.
 template<class Is> bool OverlapTest::anyImage(std::size_t b, const Vec3d& x, Is&& is) const {
   const Bounds& in = bounds_[b];
   Shifts s[3];
@@ -106,7 +108,7 @@ bool OverlapTest::keeps(std::size_t a, const Vec3d& x, OverlapRule rule, Overlap
 }
 
 std::vector<std::string> describeOverlaps(const OverlapCounts& counts, const std::vector<Body>& bodies) {
-  // of pairs (a < b): samples of a in b, of b in a
+  // For pairs (a < b): samples of a in b, samples of b in a.
   std::map<std::pair<std::size_t, std::size_t>, std::array<std::int64_t, 2>> found;
   for (std::size_t k = 0; k < counts.pair.size(); k++) {
     if (counts.count[k] == 0) continue;

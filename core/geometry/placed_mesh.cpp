@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-/// Knows only how far the mesh reaches, which is all that a placement asks.
+/// Shape with extents only, which is all that a placement needs.
 class MeshReach final : public SignedDistance {
  public:
   explicit MeshReach(const TriangleMesh& mesh) : mesh_(mesh), bounds_(boundsFromExtents(*this)) {}
@@ -28,7 +28,7 @@ class MeshReach final : public SignedDistance {
 PlacedMesh placed(const Shape& s, const MeshLoader& load,
                   TriangleMesh repair(const TriangleMesh&, MeshReport&)) {
   if (!isBuiltin(s.mesh) && !load)
-    throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with", s.where);
+    throw ShapeError("mesh '" + s.mesh + "': no mesh reader is available", s.where);
   PlacedMesh m;
   m.mesh = repair(isBuiltin(s.mesh) ? builtinMesh(s.mesh) : load(s.mesh), m.report);
   m.placement = placeMesh(s, m.mesh);

@@ -1,4 +1,4 @@
-// The surface of a body that is a mesh, in the scene.
+// Meshes of bodies placed in the scene.
 #pragma once
 #include "core/geometry/combined.hpp"
 #include "core/geometry/mesh_repair.hpp"
@@ -7,18 +7,18 @@
 namespace thaw {
 
 struct PlacedMesh {
-  TriangleMesh mesh;  ///< repaired, in the scene; with the colours and normals of its file
+  TriangleMesh mesh;  ///< repaired, in the frame of the scene; with the colours and normals of its file
   MeshReport report;
-  Placement placement;  ///< of the mesh's own frame
+  Placement placement;  ///< placement of the mesh's own frame
 };
 
-/// Of a shape of kind Mesh. Throws ShapeError, or what the loader throws.
+/// Requires a shape of kind Mesh. Throws ShapeError and the errors of the loader.
 PlacedMesh makePlacedMesh(const Shape& shape, const MeshLoader& load);
 
-/// The same of a surface that may be open, and then stays so (repairSurface).
+/// As makePlacedMesh, for a surface that may be open and then stays open (repairSurface).
 PlacedMesh makePlacedSurface(const Shape& shape, const MeshLoader& load);
 
-/// Moves a mesh to where the shape, of any kind, puts it. Throws ShapeError.
+/// Applies the placement of a shape of any kind to a mesh. Throws ShapeError.
 Placement placeMesh(const Shape& shape, TriangleMesh& mesh);
 
 }  // namespace thaw

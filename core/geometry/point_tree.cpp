@@ -38,8 +38,8 @@ std::vector<std::uint32_t> PointTree::nearest(const Vec3d& x, std::size_t count)
   std::vector<double> far2(count);
   const double at[3] = {x.x, x.y, x.z};
   const std::size_t n = tree_->index.knnSearch(at, count, found.data(), far2.data());
-  // all that are as far as the last one, so that ties do not depend on the tree
-  // of which the square is not 0
+  // All points as far as the last one are included, so that ties do not depend on the tree. The added term
+  // keeps the square of a tiny radius above 0.
   std::vector<std::uint32_t> all = within(x, std::sqrt(far2[n - 1]) * (1 + 1e-12) + 1e-150);
   const auto distance2 = [&](std::uint32_t k) { return dot(p[k] - x, p[k] - x); };
   std::stable_sort(all.begin(), all.end(),

@@ -1,5 +1,4 @@
-// Nearest neighbours of scattered points, by a kd-tree (nanoflann): the right tool where points have no
-// common distance, and so no cell.
+// Nearest neighbours of scattered points without a common spacing, from a kd-tree (nanoflann).
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -11,12 +10,12 @@ namespace thaw {
 
 class PointTree {
  public:
-  explicit PointTree(const std::vector<Vec3d>& points);  ///< copies them
+  explicit PointTree(const std::vector<Vec3d>& points);  ///< copies the points
   ~PointTree();
-  /// The `count` nearest points (fewer if there are not so many), nearest first, of equals the lower number
-  /// first: the same on any machine.
+  /// Returns the `count` nearest points (fewer if there are fewer), nearest first, at equal distances the
+  /// lower number first. The result is the same on all machines.
   std::vector<std::uint32_t> nearest(const Vec3d& x, std::size_t count) const;
-  /// All within a radius (m), ascending by number.
+  /// Returns all points within a radius (m), ascending by number.
   std::vector<std::uint32_t> within(const Vec3d& x, double radius) const;
   const std::vector<Vec3d>& points() const;
 

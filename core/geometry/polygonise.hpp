@@ -1,4 +1,4 @@
-// Surface of an implicit function as triangles.
+// Triangulation of an implicit function's zero set.
 #pragma once
 #include <functional>
 
@@ -7,9 +7,9 @@
 
 namespace thaw {
 
-/// Surface value(x) = 0 within the bounds, by marching tetrahedra (Doi and Koide 1991; six tetrahedra a cube
-/// around its diagonal, after Kuhn) on cubes of edge `spacing` (m): closed and outward, without equal
-/// vertices. value < 0 inside; it has to be positive on the border of the bounds.
+/// Returns the surface value(x) = 0 within the bounds: closed, outward, without duplicate vertices. It uses
+/// marching tetrahedra (Doi and Koide 1991; six per cube around its diagonal, after Kuhn) on cubes of edge
+/// `spacing` (m). value < 0 inside. Requires: value > 0 on the border of the bounds.
 TriangleMesh polygonise(const std::function<double(const Vec3d&)>& value, const Bounds& bounds,
                         double spacing);
 

@@ -7,8 +7,8 @@
 namespace thaw {
 namespace {
 
-/// Angular velocity of R = Rz Ry Rx whose angles change at `rates`: each turns about its axis as the later
-/// rotations carry it.
+/// Angular velocity of R = Rz Ry Rx with angles changing at `rates`: each rate acts about its axis, carried
+/// by the later rotations.
 Vec3d angularVelocityOf(const Vec3d& angles, const Vec3d& rates) {
   const Vec3d aboutX = rotationXyz({0, angles.y, angles.z}) * Vec3d{1, 0, 0},
               aboutY = rotationXyz({0, 0, angles.z}) * Vec3d{0, 1, 0};

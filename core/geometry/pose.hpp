@@ -1,4 +1,4 @@
-// Where a moving obstacle is, and how fast.
+// Position and velocity of a moving obstacle.
 #pragma once
 #include <vector>
 
@@ -12,23 +12,24 @@ namespace thaw {
 struct Pose {
   Vec3d move{};                          ///< m
   Vec3d rotate{};                        ///< rad, about x, then y, then z
-  Vec3d velocity{};                      ///< m/s, of the moved origin
+  Vec3d velocity{};                      ///< m/s, at the moved origin
   Vec3d angularVelocity{};               ///< rad/s, about the moved origin, in the axes of the scene
-  Mat3d rotation = identity3<double>();  ///< of the angles
+  Mat3d rotation = identity3<double>();  ///< rotation matrix of `rotate`
   bool moved = false;                    ///< false: the rest pose; positions keep their bits
 };
 
-/// Position and angles are linear between keyframes (times ascending; of equal times the last counts) and
-/// stay before the first and after the last. At a keyframe the velocity is that of the piece that begins
-/// there.
+/// Returns the pose at a time (s). Position and angles are linear between keyframes (times ascending; of
+/// equal times the last counts) and constant before the first and after the last. At a keyframe the velocity
+/// is that of the piece that begins there.
 Pose poseAt(const std::vector<Keyframe>& motion, double time);
 
-/// A pose of given move and angles, at rest.
+/// Returns a static pose with the given move and angles.
 Pose poseOf(const Vec3d& move, const Vec3d& rotate);
 
-Vec3d toRest(const Pose& pose, const Vec3d& x);             ///< point of the scene into the rest frame, m
-Vec3d fromRest(const Pose& pose, const Vec3d& x);           ///< and back
-Vec3d directionFromRest(const Pose& pose, const Vec3d& n);  ///< of a gradient
-Vec3d velocityAt(const Pose& pose, const Vec3d& x);  ///< m/s, of the moving body at a point of the scene
+Vec3d toRest(const Pose& pose, const Vec3d& x);    ///< maps a point of the scene to the rest frame, m
+Vec3d fromRest(const Pose& pose, const Vec3d& x);  ///< inverse of toRest
+Vec3d directionFromRest(const Pose& pose, const Vec3d& n);  ///< maps a gradient to the scene
+Vec3d velocityAt(const Pose& pose, const Vec3d& x);  ///< m/s, velocity of the moving body at a point of the
+                                                     ///< scene
 
 }  // namespace thaw

@@ -51,7 +51,7 @@ double HalfSpaceDistance::distance(const Vec3d& x, Vec3d* gradient) const {
 double HalfSpaceDistance::alongNormal(const Vec3d& direction, const Vec3d& normal, double offset) {
   const double l = length(direction);
   if (l == 0) return 0;
-  // rounding of a rotated direction is forgiven
+  // Tolerates rounding of a rotated direction.
   return length(direction / l - normal) < 1e-12 ? l * offset : never;
 }
 
@@ -77,7 +77,7 @@ double RevolvedDistance::distance(const Vec3d& x, Vec3d* gradient) const {
                                                                // right
     }
     size = std::max({size, std::abs(b.r), std::abs(b.z)});
-    // crossings of the ray from (r, z) outward, away from the axis
+    // Crossings of the ray from (r, z) away from the axis.
     if ((a.z > z) != (b.z > z) && r < a.r + (z - a.z) / ez * er) inside = !inside;
   }
   const double d = std::sqrt(best);

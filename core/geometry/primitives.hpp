@@ -1,4 +1,4 @@
-// Exact signed distances of simple solids, each in its own frame (scene.hpp says which). Sizes in m.
+// Exact signed distances of simple solids, each in its own frame (scene.hpp). Sizes in m.
 #pragma once
 #include <vector>
 
@@ -9,7 +9,7 @@ namespace thaw {
 class BoxDistance final : public SignedDistance {
  public:
   explicit BoxDistance(const Vec3d& size) : half_(0.5 * size) {}
-  /// inside, the nearest face; of equal ones x, y, z in turn
+  /// Gradient inside: towards the nearest face; of equal faces the first of x, y, z.
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return {-half_, half_}; }
   bool convex() const override { return true; }
@@ -33,7 +33,7 @@ class SphereDistance final : public SignedDistance {
 class TorusDistance final : public SignedDistance {
  public:
   TorusDistance(double ring, double tube) : ring_(ring), tube_(tube) {}  ///< ring around z
-  /// on the axis, the ring's +x; on the ring, outward
+  /// Gradient on the axis: from the ring's +x; on the ring: outward.
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return boundsFromExtents(*this); }
   double extent(const Vec3d& direction) const override;
@@ -60,15 +60,15 @@ class HalfSpaceDistance final : public SignedDistance {
   double offset_;  ///< dot(normal, x) on the plane
 };
 
-/// Solid of revolution about z: an outline in the half-plane (distance from the axis, z) of straight pieces,
-/// one behind the other with the solid on their left; it begins and ends on the axis.
+/// Solid of revolution about z. The outline in the half-plane (distance from the axis, z) is a chain of
+/// straight pieces with the solid on their left. It begins and ends on the axis.
 class RevolvedDistance final : public SignedDistance {
  public:
   struct Point {
     double r, z;
   };
   explicit RevolvedDistance(std::vector<Point> outline);
-  /// on the axis, radial means +x; of equally near pieces the first
+  /// Gradient on the axis: radial means +x; of equally near pieces the first counts.
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return boundsFromExtents(*this); }
   double extent(const Vec3d& direction) const override;

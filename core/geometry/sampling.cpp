@@ -11,7 +11,7 @@ namespace thaw {
 namespace {
 
 constexpr double mostPoints = 1099511627776.0;  // 2^40
-constexpr std::size_t pointsAtOnce = 256;       // of a row
+constexpr std::size_t pointsAtOnce = 256;       // points of a row per batch
 
 }  // namespace
 
@@ -28,7 +28,7 @@ SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers 
         1.0, layers == Layers::Fit ? std::floor(size / spacing + 1e-6) : std::ceil(size / spacing - 1e-6));
     points *= n;
     if (!(points < mostPoints))
-      throw ShapeError("a body of this size would need more than 10^12 particles at the scene's spacing");
+      throw ShapeError("a body of this size needs more than 10^12 particles at the scene's spacing");
     l.count[a] = static_cast<std::int64_t>(n);
     l.corner[a] = 0.5 * (b.min[a] + b.max[a]) - 0.5 * n * spacing;
   }
@@ -75,7 +75,7 @@ Vec3d pullInside(const SignedDistance& shape, const Vec3d& x, double margin) {
     Vec3d nextGradient;
     const double nextD = shape.distance(next, &nextGradient);
     if (nextD < d) at = next, d = nextD, gradient = nextGradient;
-    else depth *= 0.5;  // it went through the middle of something thin
+    else depth *= 0.5;  // the step overshot the middle of a thin part
   }
   return at;
 }

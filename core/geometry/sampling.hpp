@@ -1,5 +1,5 @@
-// Particles of a body or an opening: positions that depend on the shape and the spacing only, never on the
-// number of ranks.
+// Sampling of a body or an opening. Positions depend on the shape and the spacing only, never on the number
+// of ranks.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace thaw {
 
-/// How many points a lattice has along a size that is no whole number of spacings: Cover rounds up, such that
-/// the points reach the surface; Fit rounds down, such that none is nearer to the surface than half a
-/// spacing. Liquid fits: it would push off what is there already.
+/// Number of lattice points along a size that is no integer number of spacings. Cover rounds up: points reach
+/// the surface. Fit rounds down: no point is nearer to the surface than half a spacing. Emitted liquid uses
+/// Fit, since Cover would push adjacent liquid away.
 enum class Layers { Cover, Fit };
 
 /// Cubic lattice around the bounding box of a body, centred on it, along the axes of the scene. A box of n
@@ -27,29 +27,29 @@ struct SampleLattice {
   }
 };
 
-/// Rows (along x) that one rank samples: [begin, end) of lattice.rows().
+/// Rows along x that a rank samples: [begin, end) of lattice.rows().
 struct SampleRange {
   std::int64_t begin = 0, end = 0;
 };
 
-/// Throws ShapeError: the bounds are not finite, or the lattice has 2^40 points or more.
+/// Throws ShapeError if the bounds are not finite or the lattice has 2^40 points or more.
 SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers = Layers::Cover);
 
-/// The part of rank `rank` of `ranks`: even shares of the rows, empty for some if there are fewer rows than
-/// ranks.
+/// Returns the rows of one rank: equal shares, empty for some ranks if there are fewer rows than ranks.
 SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks);
 
-/// Places i along a row, ascending, of its points that are inside the shape. The number of such a point is i
-/// + count[0] * row, unique within the body and below 2^40. known: one for all rows of a body.
+/// Returns the indices i, ascending, of the points of a row that are inside the shape. The number of such a
+/// point is i + count[0] * row: unique within the body and below 2^40. known: one object for all rows of a
+/// body.
 std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& lattice,
                                       std::int64_t row, KnownSides& known);
 
-/// Start of a relaxed packing: a lattice point moved by up to `amount` spacings along each axis, at random as
-/// a function of seed and id (unique over all bodies).
+/// Returns a lattice point moved randomly by up to `amount` spacings along each axis, as the start of a
+/// relaxed packing. The offset is a function of seed and id (unique over all bodies).
 Vec3d jittered(const Vec3d& point, double amount, double spacing, std::uint64_t seed, std::uint64_t id);
 
-/// The point moved against the gradient until it is at least `margin` (m) deep, or, where the shape is too
-/// thin for that, as deep as a few steps get it. Points deep enough stay, bit by bit.
+/// Moves a point against the gradient until it is at least `margin` (m) deep. In thinner shapes it gets as
+/// deep as a few steps allow. Points that are deep enough keep their bits.
 Vec3d pullInside(const SignedDistance& shape, const Vec3d& x, double margin);
 
 }  // namespace thaw

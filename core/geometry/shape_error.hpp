@@ -1,4 +1,4 @@
-// What is wrong with a shape or a mesh, and where the scene said so.
+// Errors of shapes and meshes, with their place in the scene.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -7,16 +7,14 @@
 
 namespace thaw {
 
-/// Thrown for shapes and meshes that cannot be used. what() is one sentence that says what was expected,
-/// without the place.
+/// Thrown for unusable shapes and meshes. what() is one sentence with the expected value, without the place.
 struct ShapeError : std::runtime_error {
   explicit ShapeError(const std::string& message, SourcePlace place = {})
       : std::runtime_error(message), where(std::move(place)) {}
-  SourcePlace where;  ///< of the shape in the scene; empty file: not known
+  SourcePlace where;  ///< place of the shape in the scene; empty file: unknown
 };
 
-/// Several problems of a scene, collected so that all are told at once; each line as "file:line:column:
-/// error: text".
+/// Collects problems of a scene and reports them together, one line each: "file:line:column: error: text".
 class SceneProblems {
  public:
   void add(const SourcePlace& where, const std::string& text) {
@@ -25,7 +23,7 @@ class SceneProblems {
       lines_ += where.file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column) + ": ";
     lines_ += "error: " + text;
   }
-  /// Throws ShapeError where there are any.
+  /// Throws ShapeError if there are problems.
   void raise() const {
     if (!lines_.empty()) throw lines();
   }

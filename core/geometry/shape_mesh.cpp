@@ -13,13 +13,13 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 using Outline = std::vector<RevolvedDistance::Point>;
 
-/// How far from where planes are looked at.
+/// Region in which planes are shown.
 struct Ball {
   Vec3d centre{};
   double radius = 0;
 };
 
-/// Steps around a circle whose chords are within `sag` of it.
+/// Returns the number of steps around a circle with chords within `sag` of it.
 int stepsAround(double radius, double sag) {
   constexpr int least = 24, most = 4096;
   const double step = 2 * std::acos(std::clamp(1 - sag / radius, -1.0, 1.0));
@@ -27,7 +27,7 @@ int stepsAround(double radius, double sag) {
       std::clamp(std::ceil(2 * pi / step), static_cast<double>(least), static_cast<double>(most)));
 }
 
-/// n pieces of a circle in the half-plane, from one angle to another, both ends included.
+/// Returns n pieces of a circle in the half-plane between two angles, ends included.
 Outline arc(double middle, double radius, double from, double to, int n) {
   Outline o;
   for (int k = 0; k <= n; k++) {
@@ -72,7 +72,7 @@ TriangleMesh unplaced(const Shape& s, double sag, const Ball& seen, const MeshLo
     case ShapeKind::Sphere: {
       const int n = stepsAround(s.radius, sag), half = (n + 1) / 2;
       Outline o = arc(0, s.radius, -0.5 * pi, 0.5 * pi, half);
-      o.front() = {0, -s.radius}, o.back() = {0, s.radius};  // on the axis, without rounding
+      o.front() = {0, -s.radius}, o.back() = {0, s.radius};  // exactly on the axis
       return revolvedMesh(o, false, n);
     }
     case ShapeKind::Cylinder:
@@ -80,7 +80,7 @@ TriangleMesh unplaced(const Shape& s, double sag, const Ball& seen, const MeshLo
     case ShapeKind::Torus: {
       Outline o = arc(s.radius, s.radius2, 0, 2 * pi, stepsAround(s.radius2, sag));
       o.pop_back();
-      for (RevolvedDistance::Point& p : o) p.r = std::max(p.r, 0.0);  // of one that is thicker than its ring
+      for (RevolvedDistance::Point& p : o) p.r = std::max(p.r, 0.0);  // for a tube thicker than its ring
       return revolvedMesh(o, true, stepsAround(s.radius + s.radius2, sag));
     }
     case ShapeKind::Glass:
@@ -145,7 +145,7 @@ TriangleMesh shapeMesh(const Shape& s, double sag, const MeshLoader& load) {
   const Bounds b = makeSignedDistance(s, load)->bounds();
   const Vec3d size = b.max - b.min;
   if (!std::isfinite(size.x + size.y + size.z))
-    throw std::invalid_argument("a body without end has no surface that could be sampled");
+    throw std::invalid_argument("an infinite body has no surface to sample");
   return placedParts(s, sag, {0.5 * (b.min + b.max), 0.5 * length(size)}, load);
 }
 

@@ -1,4 +1,4 @@
-// The surface of a shape as triangles: of its parts, one by one.
+// Triangulated surfaces of the parts of a shape.
 #pragma once
 #include "core/geometry/primitives.hpp"
 #include "core/geometry/triangle_mesh.hpp"
@@ -6,18 +6,18 @@
 
 namespace thaw {
 
-/// The surfaces of all simple parts of a shape, placed in the scene, outward from the body (those that are
-/// taken away look the other way). What of a part is inside another one, or outside of what is cut out, is
-/// there, too: combined shapes show only some of it. Chords are at most `sag` (m) off curved faces; corners
-/// lie on them. Planes are squares that reach over the body. Of meshes neither colours nor normals are kept.
-/// Throws ShapeError; std::invalid_argument for a body without end.
+/// Returns the surfaces of all simple parts of a shape, placed in the scene, outward from the body;
+/// subtracted parts face the other way. Surface inside another part, or outside of a cut, is included:
+/// combined shapes show only some of it. Chords deviate from curved faces by at most `sag` (m); corners lie
+/// on them. Planes are squares larger than the body. Colours and normals of meshes are dropped. Throws
+/// ShapeError; std::invalid_argument for an infinite body.
 TriangleMesh shapeMesh(const Shape& shape, double sag, const MeshLoader& load);
 
-/// The same shape in its own frame.
+/// Returns the shape in its own frame.
 Shape withoutPlacement(Shape shape);
 
-/// Turns an outline about z in `around` steps: corners on the axis are one vertex. closed: the last point is
-/// joined to the first. The solid is on the left of the outline (RevolvedDistance).
+/// Revolves an outline about z in `around` steps; corners on the axis are one vertex. closed: joins the last
+/// point to the first. The solid is on the left of the outline (RevolvedDistance).
 TriangleMesh revolvedMesh(const std::vector<RevolvedDistance::Point>& outline, bool closed, int around);
 
 }  // namespace thaw

@@ -9,9 +9,9 @@
 namespace thaw {
 namespace {
 
-constexpr int points = 96;  // along an edge
+constexpr int points = 96;  // per edge
 
-/// Where a formula gives it.
+/// Returns the volume if a formula exists.
 std::optional<double> exactVolume(const Shape& s) {
   if (s.fitHeight) return {};
   const double scale3 = s.scale * s.scale * s.scale, pi = std::numbers::pi;
@@ -32,14 +32,14 @@ struct Raster {
   double cellVolume() const { return cell.x * cell.y * cell.z; }
 };
 
-/// Points of this rank's rows that are inside.
+/// Returns the number of inside points in this rank's rows.
 std::int64_t countInside(const SignedDistance& shape, const Raster& r, const Reducer& all) {
   std::int64_t inside = 0;
   const bool gaps = shape.hasGaps();
   for (int row = all.rank(); row < points * points; row += all.size()) {
     const double y = r.box.min.y + (row % points + 0.5) * r.cell.y;
     const double z = r.box.min.z + (row / points + 0.5) * r.cell.z;
-    for (int i = 0; i < points;) {  // the next points, up to the surface, are as this one
+    for (int i = 0; i < points;) {  // all points nearer than the surface are on the same side
       const Vec3d x{r.box.min.x + (i + 0.5) * r.cell.x, y, z};
       const double d = gaps ? 0 : shape.distanceWithin(x, 8 * r.cell.x);
       const double far = std::min(std::abs(d) / r.cell.x * (1 - 1e-9), 1e6);

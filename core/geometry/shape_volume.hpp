@@ -1,4 +1,4 @@
-// The volume of a shape, whatever it is made of.
+// Volumes of shapes.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace thaw {
 
-/// m^3, of each shape: exact for boxes, balls, cylinders and rings, else by 96 points along each edge of the
-/// bounding box, dealt out over the ranks (right to 0.3 %). The same on any number of ranks. 0 for what has
-/// no end. Collective.
+/// Returns the volume of each shape (m^3): exact for boxes, spheres, cylinders and tori, else from 96 points
+/// along each edge of the bounding box (accurate to 0.3 %), distributed over the ranks. The result is the
+/// same on any number of ranks; 0 for infinite shapes. Collective.
 std::vector<double> shapeVolumes(std::span<const Shape* const> shapes, const MeshLoader& load, Reducer& all);
 
 }  // namespace thaw

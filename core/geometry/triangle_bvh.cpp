@@ -9,9 +9,9 @@ namespace {
 
 constexpr int mostBins = 16;
 constexpr std::uint32_t leafSize = 4;
-constexpr std::uint32_t exactRadius = 64;  // triangles of the largest group whose radius is that of its
-                                           // farthest corner
-constexpr int fairDepth = 40;  // below it halves are made by count, so that no input makes the tree deep
+constexpr std::uint32_t exactRadius = 64;  // largest group of triangles whose radius is computed exactly from
+                                           // its corners
+constexpr int fairDepth = 40;  // below it nodes are split by count, which bounds the depth for any input
 
 Vec3d lower(const Vec3d& a, const Vec3d& b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
@@ -36,10 +36,10 @@ struct TriangleBvh::Builder {
   struct Item {
     Box box;
     std::uint32_t triangle = 0;
-  };  // parted themselves, not by their numbers: they lie side by side
+  };  // partitioned by value, so that items of a node are contiguous
   TriangleBvh& tree;
   const TriangleMesh& mesh;
-  AlignedVector<Item> items, second;  // second: of the upper halves, while they are parted
+  AlignedVector<Item> items, second;  // second: scratch space for the upper halves
 
   static Vec3d middleOf(const Item& i) { return 0.5 * (i.box.low + i.box.high); }
   Corners corners(std::uint32_t t) const {
@@ -47,8 +47,8 @@ struct TriangleBvh::Builder {
     return {mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]};
   }
 
-  /// Where to part items[first, last): by the surface area heuristic over bins along the longest axis of the
-  /// middles.
+  /// Returns the split of items[first, last) by the surface area heuristic over bins along the longest axis
+  /// of the middles.
   std::uint32_t part(std::uint32_t first, std::uint32_t last, int depth) {
     Box spread;
     for (std::uint32_t k = first; k < last; k++) spread.add(middleOf(items[k]));
@@ -79,7 +79,7 @@ struct TriangleBvh::Builder {
     return half;
   }
 
-  /// The bin before which to part, 0: none is better than another.
+  /// Returns the bin before which to split; 0: no bin is better.
   template<class BinOf>
   int splitOf(std::uint32_t first, std::uint32_t last, int bins, const BinOf& binOf) const {
     std::array<Box, mostBins> box;
@@ -112,7 +112,7 @@ struct TriangleBvh::Builder {
     return split;
   }
 
-  /// Returns the area.
+  /// Fills a leaf and returns its area.
   double makeLeaf(Node& node, Dipole& dipole, std::uint32_t first, std::uint32_t last) {
     node.first = static_cast<std::uint32_t>(tree.triangles_.size());
     node.count = last - first;
@@ -131,7 +131,7 @@ struct TriangleBvh::Builder {
     return area;
   }
 
-  /// Makes the node of items[first, last) and all below it; returns its area.
+  /// Makes the node of items[first, last) and its subtree; returns its area.
   double make(std::uint32_t first, std::uint32_t last, int depth) {
     const std::size_t self = tree.nodes_.size(), begin = tree.triangles_.size();
     tree.nodes_.emplace_back();
@@ -164,7 +164,7 @@ struct TriangleBvh::Builder {
     return area;
   }
 
-  /// Of the triangles of the tree from `begin` on.
+  /// Squared radius about `centre` of the triangles from `begin` on.
   double radius2Of(std::size_t begin, const Vec3d& centre) const {
     double r2 = 0;
     for (std::size_t k = begin; k < tree.triangles_.size(); k++) {
@@ -174,7 +174,7 @@ struct TriangleBvh::Builder {
     return r2;
   }
 
-  /// No less than that: as far as the corners of the box, or as the balls of the halves.
+  /// Upper bound of the squared radius: from the corners of the box or the spheres of the children.
   static double radius2Above(const Node& node, const Vec3d& centre, const Dipole& l, const Dipole& r) {
     const Vec3d corner = upper(centre - node.low, node.high - centre);
     const double balls = std::max(length(l.centre - centre) + std::sqrt(l.radius2),

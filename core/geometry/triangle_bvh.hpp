@@ -12,22 +12,22 @@ namespace thaw {
 
 struct ClosestPoint {
   Vec3d point{};   ///< m, on the surface
-  Vec3d normal{};  ///< unit normal of the triangle it is on, 0 for a triangle without area
-  double distance2 = std::numeric_limits<double>::infinity();  ///< m^2; infinite: nothing within reach
-  std::uint32_t triangle = 0;                                  ///< number of that triangle in the mesh
+  Vec3d normal{};  ///< unit normal of its triangle; 0 for a degenerate triangle
+  double distance2 = std::numeric_limits<double>::infinity();  ///< m^2; infinite: no point within reach
+  std::uint32_t triangle = 0;                                  ///< its triangle in the mesh
 };
 
 class TriangleBvh {
  public:
-  /// The indices of the mesh have to be valid, the vertices finite.
+  /// Requires: valid indices and finite vertices.
   explicit TriangleBvh(const TriangleMesh& mesh);
-  /// Closest point nearer than `reach` (m). Of points equally near the first in a fixed order.
+  /// Returns the closest point nearer than `reach` (m). Of equally near points the first in a fixed order is
+  /// taken.
   ClosestPoint closest(const Vec3d& x, double reach = std::numeric_limits<double>::infinity()) const;
-  /// How often the surface winds around x: 1 inside and 0 outside a closed, outward surface, within 0.1 by
-  /// the expansion; `accuracy` is the distance in radii of a group of triangles from which it counts as a
-  /// dipole.
+  /// Returns the winding number at x: 1 inside and 0 outside a closed, outward surface, accurate to 0.1. A
+  /// group of triangles counts as a dipole beyond `accuracy` times its radius.
   double winding(const Vec3d& x, double accuracy = 2.0) const;
-  bool meets(const Bounds& box) const;  ///< Does the box of any triangle touch this one?
+  bool meets(const Bounds& box) const;  ///< true if the box of any triangle touches this one
   Bounds bounds() const { return nodes_.empty() ? Bounds{} : Bounds{nodes_[0].low, nodes_[0].high}; }
   std::size_t memory() const;  ///< bytes
 
@@ -43,19 +43,20 @@ class TriangleBvh {
   };
   struct Dipole {
     Vec3d centre, moment;  ///< m, m^2: sum of area times normal
-    double radius2 = 0;    ///< m^2, no vertex is farther from the centre
+    double radius2 = 0;    ///< m^2, upper bound over all vertices
   };
   struct Builder;
   AlignedVector<Node> nodes_;  ///< depth first
   AlignedVector<Dipole> dipoles_;
   AlignedVector<Corners> triangles_;
-  AlignedVector<std::uint32_t> numbers_;  ///< of these in the mesh
+  AlignedVector<std::uint32_t> numbers_;  ///< numbers of these triangles in the mesh
 };
 
-/// Solid angle over 4 pi of a triangle seen from x, positive from behind (Van Oosterom and Strackee 1983).
+/// Returns the solid angle over 4 pi of a triangle seen from x, positive from behind (Van Oosterom and
+/// Strackee 1983).
 double windingOfTriangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x);
 
-/// Closest point of a triangle, which may be without area.
+/// Returns the closest point of a triangle, which may be degenerate.
 Vec3d closestPointOfTriangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x);
 
 }  // namespace thaw

@@ -1,5 +1,4 @@
-// Triangles as a file has them or as code makes them; nothing is promised about them (mesh_repair.hpp makes a
-// solid of them).
+// Triangles from a file or from code, without guarantees (mesh_repair.hpp makes a solid of them).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,13 +14,13 @@ struct TriangleMesh {
   std::vector<Vec3d> vertices;                          // m
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices, counter-clockwise seen from
                                                         // outside
-  std::vector<std::uint32_t> colours{};  // of vertices, red | green << 8 | blue << 16; empty where the file
-                                         // has none
-  std::vector<std::array<Vec3d, 3>> normals{};  // of the corners of triangles, unit ones, or 0 where the file
-                                                // says nothing; empty where it has none
+  std::vector<std::uint32_t> colours{};  // by vertex, red | green << 8 | blue << 16; empty if the file has
+                                         // none
+  std::vector<std::array<Vec3d, 3>> normals{};  // unit normals of triangle corners, 0 where the file has
+                                                // none; empty without normals
 };
 
-/// m^2, of all triangles.
+/// Area of all triangles (m^2).
 inline double areaOf(const TriangleMesh& mesh) {
   double area = 0;
   for (const auto& t : mesh.triangles)
@@ -30,8 +29,8 @@ inline double areaOf(const TriangleMesh& mesh) {
   return area;
 }
 
-/// Reads the mesh of a path; throws a std::exception whose what() names file, place and what was expected
-/// there. io/meshes has the one for files, so that core reads none.
+/// Reads the mesh of a path. Throws a std::exception whose what() names file, place and expected content.
+/// io/meshes implements it for files, so core reads none.
 using MeshLoader = std::function<TriangleMesh(const std::string& path)>;
 
 }  // namespace thaw

@@ -8,7 +8,7 @@ namespace thaw {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr std::size_t deepest = 128;  // levels below fairDepth have halves by count: 40 + 32 are enough
+constexpr std::size_t deepest = 128;  // levels below fairDepth halve by count: 40 + 32 are enough
 
 Vec3d closestOfSegment(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
   const Vec3d e = b - a;
@@ -30,7 +30,7 @@ double squaredDistance(const Vec3d& low, const Vec3d& high, const Vec3d& x) {
 Vec3d closestPointOfTriangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x) {
   const Vec3d n = cross(b - a, c - a);
   const double n2 = dot(n, n);
-  // weights of the corners at the foot of the perpendicular
+  // Weights of the corners at the foot of the perpendicular.
   const double wa = dot(cross(c - b, x - b), n), wb = dot(cross(a - c, x - c), n),
                wc = dot(cross(b - a, x - a), n);
   if (n2 > 0 && wa >= 0 && wb >= 0 && wc >= 0) return x - n * (dot(x - a, n) / n2);
@@ -76,7 +76,7 @@ ClosestPoint TriangleBvh::closest(const Vec3d& x, double reach) const {
     const std::uint32_t left = index + 1, right = node.first;
     const double l = squaredDistance(nodes_[left].low, nodes_[left].high, x),
                  r = squaredDistance(nodes_[right].low, nodes_[right].high, x);
-    const bool leftFirst = l <= r;  // the nearer one is worked on first
+    const bool leftFirst = l <= r;  // the nearer child is visited first
     if (leftFirst ? r < best : l < best) stack[top++] = leftFirst ? std::pair{right, r} : std::pair{left, l};
     if (leftFirst ? l < best : r < best) stack[top++] = leftFirst ? std::pair{left, l} : std::pair{right, r};
   }

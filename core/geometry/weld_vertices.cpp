@@ -13,7 +13,7 @@ namespace {
 using Index = std::uint32_t;
 constexpr Index none = 0xffffffffu;
 
-/// For each vertex the first one equal to it, by a hash table with open addresses.
+/// Returns for each vertex the first equal one, by a hash table with open addressing.
 std::vector<Index> firstEqual(const std::vector<Vec3d>& v) {
   std::vector<Index> first(v.size()), table(std::bit_ceil(2 * v.size() + 1), none);
   const auto bits = [](double c) { return std::bit_cast<std::uint64_t>(c + 0.0); };  // -0 is 0
@@ -27,8 +27,8 @@ std::vector<Index> firstEqual(const std::vector<Vec3d>& v) {
   return first;
 }
 
-/// For each vertex the first one near it, by a hash of cells of twice the tolerance; only looked up, never
-/// walked through.
+/// Returns for each vertex the first one nearby, by a hash of cells of twice the tolerance. The hash is only
+/// looked up, never iterated, so the result is deterministic.
 std::vector<Index> firstNear(const std::vector<Vec3d>& v, double tolerance) {
   std::unordered_map<std::uint64_t, std::vector<Index>> cells;
   std::vector<Index> first(v.size());
@@ -75,7 +75,7 @@ TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance) {
     sorted.push_back(c);
     std::sort(sorted.back().begin(), sorted.back().end());
   }
-  // by the smallest corner in one pass, as they are few at each
+  // Bucket by the smallest corner in one pass: few triangles share it.
   std::vector<Index> order(sorted.size()), end(mesh.vertices.size() + 1, 0);
   for (const auto& t : sorted) end[t[0] + 1]++;
   for (std::size_t v = 1; v < end.size(); v++) end[v] += end[v - 1];

@@ -1,12 +1,12 @@
-// Vertices of a mesh that lie on each other become one.
+// Merging of coincident vertices.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"
 
 namespace thaw {
 
-/// Merges vertices not farther apart than `tolerance` per axis (m; 0: only equal ones) and removes triangles
-/// that have a corner twice, and all but the first of those with the same three corners. Order is kept.
-/// Indices have to be valid, vertices finite.
+/// Merges vertices within `tolerance` per axis (m; 0: only equal ones). Removes triangles with two equal
+/// corners, and all but the first of triangles with the same corners. The order is kept. Requires: valid
+/// indices and finite vertices.
 TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace thaw

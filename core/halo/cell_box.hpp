@@ -1,4 +1,4 @@
-// Boxes of whole cells: what one rank owns, and the parts of it that others need.
+// Boxes of whole cells: the cells of a rank, and the parts of them that other ranks copy.
 #pragma once
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// Cells [min, max) along each axis; empty if max <= min along one.
+/// Cells [min, max) along each axis; empty if max <= min along an axis.
 struct CellBox {
   Vec3i min{}, max{};
   bool contains(const Vec3i& c) const {
@@ -16,7 +16,7 @@ struct CellBox {
   bool empty() const { return max.x <= min.x || max.y <= min.y || max.z <= min.z; }
 };
 
-/// The box and one layer of cells around it.
+/// Returns the box extended by one layer of cells.
 inline CellBox grown(CellBox b) {
   for (int a = 0; a < 3; a++) {
     b.min[a]--;
@@ -25,7 +25,7 @@ inline CellBox grown(CellBox b) {
   return b;
 }
 inline CellBox moved(const CellBox& b, const Vec3i& by) { return {b.min + by, b.max + by}; }
-/// Cells in both boxes.
+/// Returns the cells in both boxes.
 inline CellBox common(const CellBox& a, const CellBox& b) {
   CellBox c;
   for (int k = 0; k < 3; k++) {
@@ -35,8 +35,8 @@ inline CellBox common(const CellBox& a, const CellBox& b) {
   return c;
 }
 
-/// True if the 26 cells around `cell`, itself in the box, are all in the box and no periodic image touches
-/// it.
+/// Returns true if the 26 cells around `cell`, itself in the box, are all in the box and no periodic image
+/// touches it.
 inline bool innerCell(const CellGrid& grid, const CellBox& box, const Vec3i& cell) {
   for (int a = 0; a < 3; a++) {
     const bool low = cell[a] > box.min[a] || (box.min[a] == 0 && !grid.periodic[a]);

@@ -47,7 +47,7 @@ std::vector<ImageLink> imageLinks(const CellGrid& grid, const CellBox& owner, co
     for (s.y = -reach.y; s.y <= reach.y; s.y++)
       for (s.x = -reach.x; s.x <= reach.x; s.x++) {
         if (same && s == Vec3i{}) continue;
-        // the owner's cell c is seen at c + s domains
+        // The owner's cell c appears at c + s domains.
         const CellBox region = common(owner, moved(wanted, -domains(grid, s)));
         if (!region.empty()) links.push_back({region, s});
       }
@@ -86,7 +86,8 @@ void listCopies(const CellGrid& grid, const CellTable& cells, std::span<const st
 void chooseColumns(std::span<AnyColumn* const> columns, std::vector<AnyColumn*>& active) {
   active.clear();
   for (AnyColumn* c : columns) {
-    if (c->rows == Rows::Owned) throw std::logic_error(std::string("ghosts have no field ") + c->name);
+    if (c->rows == Rows::Owned)
+      throw std::logic_error(std::string("ghost rows do not have the field ") + c->name);
     if (c->active) active.push_back(c);
   }
 }

@@ -1,5 +1,4 @@
-// The halos of a single process: nobody to talk to, but periodic images of its own cells. For tests and tools
-// without MPI.
+// Halos of a single process: periodic images of its own cells. For tests and tools without MPI.
 #pragma once
 #include "core/halo/cell_copies.hpp"
 #include "core/halo/halo.hpp"
@@ -37,7 +36,7 @@ class SerialCellHalo : public CellHalo {
   CellBox box_;
   CellCopies images_;
   std::vector<std::uint32_t> boundary_;
-  std::vector<AnyColumn*> columns_;  // of the exchange under way
+  std::vector<AnyColumn*> columns_;  // columns of the exchange in flight
   std::vector<std::byte> packed_;
   GhostCellMerge merge_;
 };

@@ -1,5 +1,5 @@
-// Lists of 64-bit words from rank to rank, where who needs what follows from places and not from who is
-// beside whom.
+// Lists of 64-bit words between arbitrary ranks, for exchanges that follow from positions and not from the
+// neighbourhood of ranks.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace thaw {
 
-/// rank: to whom, or from whom.
+/// rank: destination or source.
 struct WordList {
   int rank = 0;
   std::vector<std::uint64_t> words;
 };
 
-/// A list for each rank that gets something.
+/// One list per destination rank.
 struct WordLists {
   std::vector<WordList> lists;
-  std::vector<int> placeOf;  // of each rank in `lists`, -1: none
+  std::vector<int> placeOf;  // index in `lists` per rank; -1: none
 
   explicit WordLists(int ranks) : placeOf(static_cast<std::size_t>(ranks), -1) {}
   std::vector<std::uint64_t>& to(int rank) {

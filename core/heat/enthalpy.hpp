@@ -4,8 +4,8 @@
 //   0 <= H <= band   melting  T and the fraction f rise linearly with H,
 //                             T over [solidus, liquidus], f over [0, 1]
 //   above            liquid   T = liquidus + (H - band) / c_liquid
-// band = latent heat + mean heat capacity times (liquidus - solidus). Enthalpy cannot step over the latent
-// heat, as an apparent heat capacity can (docs/theory/heat.md).
+// band = latent heat + mean heat capacity times (liquidus - solidus). Enthalpy as the state cannot skip the
+// latent heat, as an apparent heat capacity can (docs/theory/heat.md).
 #pragma once
 #include <algorithm>
 
@@ -17,7 +17,7 @@ struct Thermal {
   double temperature, liquid;
 };  ///< K, 1
 
-/// J/kg taken up between solidus and liquidus.
+/// Enthalpy difference between solidus and liquidus (J/kg).
 inline double meltingBand(const Material& m) {
   return m.latentHeat + 0.5 * (m.heatCapacity.solid + m.heatCapacity.liquid) * (m.liquidus - m.solidus);
 }
@@ -33,7 +33,8 @@ inline Thermal thermalOf(const Material& m, double H) {
   return {m.liquidus + (H - band) / m.heatCapacity.liquid, 1};
 }
 
-/// Inverse; at a single melting temperature (solidus == liquidus) the fraction decides between 0 and 1.
+/// Inverse of thermalOf. At a single melting temperature (solidus == liquidus) fractionAtMelting selects
+/// between 0 and 1.
 inline double enthalpyOf(const Material& m, double T, double fractionAtMelting = 0) {
   if (!m.melts()) return T * m.heatCapacity.at(restFraction(m));
   if (T < m.solidus) return (T - m.solidus) * m.heatCapacity.solid;
@@ -42,24 +43,24 @@ inline double enthalpyOf(const Material& m, double T, double fractionAtMelting =
   return meltingBand(m) * (width > 0 ? (T - m.solidus) / width : std::clamp(fractionAtMelting, 0.0, 1.0));
 }
 
-/// K05's plain model: the temperature is the state, the blend parameter follows it.
+/// K05's plain model: the temperature is the state; the blend parameter follows from it.
 inline double paperFraction(const Material& m, double T) {
   if (!m.melts()) return restFraction(m);
   const double width = m.liquidus - m.solidus;
   return width > 0 ? std::clamp((T - m.solidus) / width, 0.0, 1.0) : T >= m.solidus ? 1 : 0;
 }
 
-/// J/kg that the books hold at a temperature. K05's plain model has no latent heat: c T.
+/// Enthalpy in the energy budget at a temperature (J/kg). K05's plain model has no latent heat: c T.
 inline double bookedEnthalpy(HeatModel model, const Material& m, double T, double fractionAtMelting = 0) {
   return model == HeatModel::Paper ? m.heatCapacity.solid * T : enthalpyOf(m, T, fractionAtMelting);
 }
 
-/// J/(kg K) at a liquid fraction. K05's plain model knows one.
+/// Heat capacity at a liquid fraction (J/(kg K)); constant in K05's plain model.
 inline double heatCapacityOf(HeatModel model, const Material& m, double liquidFraction) {
   return model == HeatModel::Paper ? m.heatCapacity.solid : m.heatCapacity.at(liquidFraction);
 }
 
-/// W/(m K) at a liquid fraction; of K05's plain model dT/dt = k_heat lap T, what makes k_heat the
+/// Conductivity at a liquid fraction (W/(m K)). K05's plain model has dT/dt = k_heat lap T, so k_heat is the
 /// diffusivity.
 inline double conductivityOf(HeatModel model, const Material& m, double liquidFraction) {
   return model == HeatModel::Paper ? m.paperDiffusivity * m.density * m.heatCapacity.solid

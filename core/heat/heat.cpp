@@ -18,26 +18,25 @@ Thermal stateOf(const Scene& s, const Material& m, const Continuum& p, std::size
   return thermalOf(m, p.enthalpy[i]);
 }
 
-/// What a scene without heat says about the temperature of a particle: that of its body or emitter.
+/// Temperature of a particle in a scene without heat: that of its body or emitter.
 double givenTemperature(const Scene& s, std::uint16_t source) {
   return source < s.bodies.size() ? s.bodies[source].temperature
                                   : s.emitters[source - s.bodies.size()].temperature;
 }
 
-/// Convection and radiation as W/(m^2 K) times the difference of temperatures: T1^4 - T2^4 = (T1^2 + T2^2)
-/// (T1 + T2) (T1 - T2).
+/// Convection and radiation as a coefficient (W/(m^2 K)) of the temperature difference: T1^4 - T2^4 = (T1^2 +
+/// T2^2) (T1 + T2) (T1 - T2).
 double surfaceConductance(const Material& m, double T, double ambient) {
   return m.convection + m.emissivity * stefanBoltzmann * (ambient * ambient + T * T) * (ambient + T);
 }
 
-/// J/kg that a particle is to take up in the whole of a tempering that is under way.
+/// Heat that a particle still has to absorb for a thermostat's temperature (J/kg).
 double missingHeat(const Scene& s, const Material& m, const Continuum& p, std::size_t i, double T) {
   return bookedEnthalpy(s.numerics.heat, m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) -
          p.enthalpy[i];
 }
 
-/// Share of what is left of a tempering that falls into the step of length dt (s) that begins at `time`; 0:
-/// it does not act.
+/// Fraction of a thermostat's remaining heat in the step of length dt (s) that begins at `time`; 0: inactive.
 double shareOf(const Tempering& t, double time, double dt) {
   const double from = std::max(time, t.start), end = t.start + t.over, left = end - from;
   if (time + dt <= t.start || from > end) return 0;
@@ -64,7 +63,7 @@ void settlePhase(const Scene& s, const Modules& modules, Continuum& p, std::size
 }
 
 double exposedArea(double exposure, double surfaceExposure) {
-  const double share = exposure / surfaceExposure;  // of what a flat surface has, which depends on the
+  const double share = exposure / surfaceExposure;  // relative to a flat surface, whose value depends on the
                                                     // support
   return share * std::clamp((share - 0.5) / 0.3, 0.0, 1.0);
 }
@@ -89,7 +88,7 @@ void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* deep) {
       const double T = p.temperature[i], conductance = area * surfaceConductance(m, T, s.domain.ambient);
       const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : restFraction(m);
       const double rate = conductance / (p.mass[i] * heatCapacityOf(s.numerics.heat, m, f));
-      // averaged over the step: it cannot overshoot the ambient
+      // Averaged over the step, so it cannot overshoot the ambient temperature.
       flow += conductance * (s.domain.ambient - T) *
               (rate * dt > 1e-8 ? -std::expm1(-rate * dt) / (rate * dt) : 1);
     }
@@ -138,7 +137,7 @@ void updateHeat(World& w, double dt) {
     if (before != p.liquid[i] && p.softening.active)
       w.ledger.phaseJump.add(-p.softening[i] *
                              (static_cast<double>(p.liquid[i]) - static_cast<double>(before)));
-    // a solid that softens lets go of stored energy, one that stiffens gains some
+    // A softening solid releases stored energy, a stiffening one gains some.
     if (before != p.liquid[i] && p.slot.active && p.slot[i] != noSlot) {
       const double was = m.young.at(static_cast<double>(before)),
                    is = m.young.at(static_cast<double>(p.liquid[i]));

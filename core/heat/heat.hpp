@@ -1,4 +1,4 @@
-// Heat of particles: sources, loss from free surfaces, the update of enthalpy, and what melts or freezes.
+// Heat of particles: sources, losses at free surfaces, enthalpy update, melting and freezing.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,35 +8,35 @@
 namespace thaw {
 
 /// Sets temperature, liquid fraction and phase of rows [begin, end) from their enthalpy (from the temperature
-/// in the paper's model), at set-up and for emitted particles: liquid where the fraction is 1 (or the
-/// material cannot be solid), else solid.
+/// in the paper's model), at set-up and for emitted particles. The phase is liquid if the fraction is 1 or
+/// the material cannot be solid, else solid.
 void settlePhase(const Scene& scene, const Modules& modules, Continuum& particles, std::size_t begin,
                  std::size_t end);
 
-/// Adds sources and the loss of free surfaces (convection, radiation by Stefan-Boltzmann) to heatFlow; area =
-/// spacing^2 * exposedArea. What comes in over dt (s) is booked in Ledger::heatIn. Not for rows that are deep
-/// (WallContext::deep).
+/// Adds heat sources and losses at free surfaces (convection, Stefan-Boltzmann radiation) to heatFlow; area =
+/// spacing^2 * exposedArea. The heat gained over dt (s) is recorded in Ledger::heatIn. Rows with skipped sums
+/// (WallContext::deep) are left out.
 void addOuterHeat(World& world, double dt, const std::vector<std::uint8_t>* deep = nullptr);
 
-/// Adds what the scene's temperings bring or take in the step of length dt (s) that begins now; booked in
+/// Adds the heat of the scene's thermostats for the step of length dt (s) that begins now, and records it in
 /// Ledger::heatIn.
 void addTempering(World& world, double dt);
 
-/// Area of a particle's free surface in units of spacing^2, from Continuum::exposure: 1 for particles of a
-/// flat lattice surface, 0 for exposures below half of that, which disorder brings about in the middle of a
-/// liquid (0.4 for jitter of 0.15 spacings at h = 2).
+/// Returns the free-surface area of a particle in units of spacing^2, from its free-surface indicator: 1 for
+/// a flat lattice surface. Below half of the flat value it is 0, since disorder alone gives such values
+/// inside a liquid (0.4 for jitter of 0.15 spacings at h = 2).
 double exposedArea(double exposure, double surfaceExposure);
 
-/// Exposure of the outermost particles of a flat lattice surface.
+/// Free-surface indicator of the outermost particles of a flat lattice surface.
 double latticeSurfaceExposure(const Numerics& numerics);
 
 /// H += dt heatFlow / m, then temperature and liquid fraction. In the paper's model T += dt * (heatFlow / (m
-/// c)) with K05's diffusivity in the place of conductivity (Material::paperDiffusivity, by conductivityOf).
+/// c)), with K05's diffusivity as conductivity (Material::paperDiffusivity, by conductivityOf).
 void updateHeat(World& world, double dt);
 
-/// Rows whose phase changes now, ascending: a solid melts when its fraction reaches 1 (1 - hysteresis), a
-/// liquid freezes when it falls to hysteresis (0 without). Sets phase and justFrozen; counts. Nothing but the
-/// particle's own state decides.
+/// Changes the phase of particles: a solid melts when its fraction reaches 1 (1 - hysteresis), a liquid
+/// freezes when it falls to hysteresis (0 without). Sets phase and justFrozen, and counts changes. Only the
+/// particle's own state matters.
 struct PhaseChanges {
   bool melted = false, frozen = false;
 };

@@ -1,10 +1,9 @@
-// Smoothing kernels in units of the support radius: q = r / h, zero for q >= 1, in 3D. T is double or
-// Lanes<Real>. Each is given q and its square, and what it does not use costs nothing.
+// Smoothing kernels in 3D in units of the support radius: q = r / h, zero for q >= 1. T is double or
+// Lanes<Real>. Each takes q and its square; an unused argument costs nothing.
 //   w(q)       W   = w(q) / h^3
 //   slope(q)   grad W = slope(q) * x_hat_q / h^4 with x in units of h: slope = w'(q) / q, negative
-//   laplace(q) kernel of the Laplacian of a field, sum_j V_j (a_j - a_i) laplace(q) / h^5 (times h^3 / h^3):
-//   see each kernel
-// Include from code of one instruction set only through lanes.hpp's namespace.
+//   laplace(q) kernel of the Laplacian of a field, sum_j V_j (a_j - a_i) laplace(q) / h^5; see each kernel
+// Code for one instruction set includes this only through the namespace of lanes.hpp.
 #pragma once
 #include <cmath>
 
@@ -20,7 +19,7 @@ THAW_INLINE double fma(double a, double b, double c) { return __builtin_fma(a, b
 
 inline constexpr double pi = 3.14159265358979323846;
 
-/// The same of the square alone.
+/// Overloads that take the square alone.
 template<class Kernel> struct OfSquare {
   template<class T> static THAW_INLINE T w(T q2) { return Kernel::w(sqrt(q2), q2); }
   template<class T> static THAW_INLINE T slope(T q2) { return Kernel::slope(sqrt(q2), q2); }
@@ -28,7 +27,7 @@ template<class Kernel> struct OfSquare {
 };
 
 /// Wendland 1995 C2 function, support h: positive Fourier transform, no pairing (docs/validation/stability.md
-/// B6). The default.
+/// B6). The default kernel.
 struct WendlandC2 : OfSquare<WendlandC2> {
   using OfSquare<WendlandC2>::w, OfSquare<WendlandC2>::slope, OfSquare<WendlandC2>::laplace;
   template<class T> static THAW_INLINE T w(T q, T) {
@@ -39,12 +38,12 @@ struct WendlandC2 : OfSquare<WendlandC2> {
     const T u = max(T(1.0) - q, T(0.0));
     return T(-210 / pi) * (u * u * u);
   }
-  /// Brookshaw's form 2 |w'| / q: second derivative from first ones
+  /// Brookshaw's form 2 |w'| / q: second derivative from first derivatives.
   template<class T> static THAW_INLINE T laplace(T q, T q2) { return T(-2.0) * slope(q, q2); }
 };
 
-/// Mueller, Charypar, Gross 2003 (MCG03): poly6 for densities, spiky for gradients, their viscosity kernel
-/// for Laplacians.
+/// Mueller, Charypar, Gross 2003 (MCG03): poly6 for densities, spiky for gradients, the viscosity kernel for
+/// Laplacians.
 struct Mcg03 : OfSquare<Mcg03> {
   using OfSquare<Mcg03>::w, OfSquare<Mcg03>::slope, OfSquare<Mcg03>::laplace;
   template<class T> static THAW_INLINE T w(T, T q2) {

@@ -13,7 +13,7 @@ namespace {
 
 using isa_base::pi;
 
-/// Calls action(d, q2) for every neighbour on the lattice, d in support radii.
+/// Calls action(d, q2) for every neighbour on the lattice; d in support radii.
 template<class Action> void overNeighbours(double support, Action action) {
   const int n = static_cast<int>(support) + 1;
   for (int x = -n; x <= n; x++)
@@ -24,8 +24,8 @@ template<class Action> void overNeighbours(double support, Action action) {
       }
 }
 
-/// Largest eigenvalue of sum_j V block(d) (1 - cos k.d) over wave vectors k of the first octant of the
-/// lattice's Brillouin zone.
+/// Returns the largest eigenvalue of sum_j V block(d) (1 - cos k.d) over wave vectors k of the first octant
+/// of the lattice's Brillouin zone.
 template<class Block> double largestEigenvalue(double support, Block block) {
   const int waves = 6;
   double largest = 0;
@@ -65,9 +65,8 @@ double latticeSum(const Numerics& n) {
 
 namespace {
 
-/// Calls action(k, d, q2, along) for the neighbours of a particle in the lattices that layers come through as
-/// they slide over each other, along their own axes if n = 0 and along their diagonals if n = 1; `shears` of
-/// them.
+/// Calls action(k, d, q2, along) for the neighbours of a particle in `shears` sheared lattices. Layers slide
+/// along their axes if diagonal = 0, along their diagonals if diagonal = 1.
 template<class Action> void overSliding(double support, int diagonal, int shears, Action action) {
   const Eigen::Vector3d along = diagonal ? Eigen::Vector3d(std::sqrt(0.5), std::sqrt(0.5), 0)
                                          : Eigen::Vector3d(1, 0, 0);
@@ -84,10 +83,10 @@ template<class Action> void overSliding(double support, int diagonal, int shears
   }
 }
 
-/// Viscosity, in units of that wanted, that a cubic lattice shows to layers that slide over each other, along
-/// their own axes if n = 0 and along their diagonals if n = 1: the average over the sheared lattices that it
-/// goes through. Whatever flows is sheared, and the lattice at rest is far from what it then is: 1.06 and .89
-/// at rest, .995 and .993 sliding, at h = 2 dx with the continuum's scale.
+/// Returns the effective over the nominal viscosity of sliding layers on a cubic lattice, averaged over the
+/// sheared lattices of a period. Layers slide along their axes if diagonal = 0, along their diagonals if
+/// diagonal = 1. Flow shears the lattice, and the values at rest differ: 1.06 and 0.89 at rest, 0.995 and
+/// 0.993 sliding, at h = 2 dx with the continuum scale.
 double slidingViscosity(const Numerics& n, const ViscousWeight& weight, int diagonal) {
   constexpr int shears = 32;
   double sum = 0;
@@ -126,7 +125,7 @@ double slidingLatticeSum(const Numerics& n) {
 
 namespace {
 
-/// Sums of squares of the kernel's slopes (h^-8, of lattice volumes 1): of one pressure, and the largest of a
+/// Sums of squared kernel slopes (h^-8, unit lattice volumes): for a single pressure, and the largest for a
 /// plane wave of pressures.
 struct PressureResponse {
   double diagonal = 0, largest = 0;

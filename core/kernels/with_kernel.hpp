@@ -1,11 +1,11 @@
-// The kernel of a scene as a type, for code that is compiled once.
+// Dispatch from the kernel of a scene to its type, for code that is compiled once.
 #pragma once
 #include "core/kernels/kernels.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
 
-/// action(kernel) with an object of the kernel's type.
+/// Calls action(kernel) with an object of the kernel's type.
 template<class Action> auto withKernel(KernelKind kind, Action action) {
   switch (kind) {
     case KernelKind::Mcg03: return action(isa_base::Mcg03{});

@@ -41,7 +41,8 @@ std::vector<Vec3d> imagesOf(const World& w, const Vec3d& x) {
   return images;
 }
 
-/// Calls pair(row, leaver, place - leaver's place in h) for liquid particles that stay, leavers ascending.
+/// Calls pair(row, leaver, (position - leaver's position) / h) for remaining liquid particles, leavers
+/// ascending.
 template<class Pair> void eachNearLeaver(const World& w, const StepTools& t, Pair&& pair) {
   const Continuum& p = w.particles;
   std::vector<RowSpan> ranges;

@@ -1,5 +1,5 @@
-// The books of a run: what there is, what came in, what left, what was dissipated, and the residual that no
-// term explains.
+// The ledger of a run: present amounts, inflow, outflow, dissipation, and the residual that no entry
+// explains.
 #pragma once
 #include <cstdint>
 
@@ -16,25 +16,23 @@ struct Balance {
                                                                  // potential: gravity and contacts
 };
 
-/// The same, exact and addable over ranks.
+/// A balance with exact sums, which can be added over ranks.
 struct ExactBalance {
   ExactSum mass, momentum[3], angularMomentum[3], kinetic, elastic, potential, internal;
 };
 
-/// Flows since the start, on this rank only; the sum over ranks counts. In every checkpoint.
+/// Flows since the start, on this rank only; the sum over ranks is meaningful. In every checkpoint.
 struct Ledger {
   ExactBalance entered, left;  ///< emitters, open sides
-  ExactSum dissipated;         ///< J, of particles that left or that changed hands; the rest is in
-                               ///< Continuum::dissipated
-  ExactSum wallWork;           ///< J, done on particles by moving obstacles and by emitters
-  ExactSum wallImpulse[3];     ///< N s, given to particles by obstacles, and by what holds clamped ones
-  ExactSum wallForce[3];       ///< N, of these now: half of the next kick is still to come
-  ExactSum gravityImpulse[3];  ///< N s, of mass that entered, less that of mass that left; initial.mass * g *
-                               ///< time is to be added
-  ExactSum heatIn;             ///< J, through obstacles, sources and surfaces
-  ExactSum phaseJump;    ///< J, elastic energy that melting, freezing, breaking and re-referencing removed (>
-                         ///< 0) or made
-  ExactSum restartJump;  ///< J, stored energy that new coefficients at a restart made (> 0) or took
+  ExactSum dissipated;  ///< J, of particles that left or changed ranks; the rest is in Continuum::dissipated
+  ExactSum wallWork;    ///< J, work on particles by moving obstacles and emitters
+  ExactSum wallImpulse[3];     ///< N s, impulse on particles from obstacles and constraints
+  ExactSum wallForce[3];       ///< N, current force of these; half of the next kick is outstanding
+  ExactSum gravityImpulse[3];  ///< N s, for entered minus left mass; the total adds initial.mass * g * time
+  ExactSum heatIn;             ///< J, heat through obstacles, sources and surfaces
+  ExactSum phaseJump;    ///< J, elastic energy that melting, freezing, fracture and new references removed (>
+                         ///< 0) or created
+  ExactSum restartJump;  ///< J, stored energy that changed coefficients at a restart created (> 0) or removed
   Balance initial;       ///< global, at time 0
 };
 

@@ -64,7 +64,7 @@ struct Unpack {
 
 double mechanical(const Balance& b) { return b.kinetic + b.elastic + b.potential; }
 
-/// J, heat that the differences of temperature in the scene can move.
+/// Heat (J) that temperature differences in the scene can move.
 double movableHeat(const World& w, double mass) {
   const Scene& s = w.scene;
   if (!w.modules.heat) return 0;
@@ -85,16 +85,16 @@ double movableHeat(const World& w, double mass) {
   return highest > lowest ? mass * capacity * (highest - lowest) : 0;
 }
 
-/// J, largest of what the heat of a run has done and can do.
+/// Largest heat (J) that moved or can move.
 double heatScaleOf(const World& w, const LedgerReport& r) {
   const double gained = r.now.internal - r.initial.internal - r.entered.internal + r.left.internal;
   return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(w, r.now.mass)});
 }
 
-/// Energies are sums of terms that cancel. 1e-14 of these is rounding: the energy of all bodies at a strain
-/// of 1, of their fall through the domain, of their motion through it in the scene's time. And 2^-24 of the
-/// heat that moves: as heat, less would not show in the temperatures of a frame, which are in single
-/// precision.
+/// Rounding limit of mechanical energies, which are sums of cancelling terms. It is 1e-14 of the energies of
+/// all bodies at a strain of 1, of their fall through the domain, and of motion through it in the scene's
+/// time. It is also 2^-24 of the heat that moves: less would not show in temperatures of a frame, which are
+/// in single precision.
 double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
   const Scene& s = w.scene;
   const Vec3d size = s.domain.max - s.domain.min;

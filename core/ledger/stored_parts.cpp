@@ -21,8 +21,8 @@ double gravityOf(const World& w, double mass, const Vec3d& place) {
   return -mass * dot(w.scene.domain.gravity, place);
 }
 
-/// The filling of a sleeper is not known, since its sums may have been skipped: all that it stores counts as
-/// contact.
+/// The relative density of sleeping particles is unknown, since their sums may be skipped: all their stored
+/// energy counts as contact.
 void addParticles(const World& w, const StepTools& t, Sums& sums) {
   const Continuum& p = w.particles;
   const RecordContext context{w.scene, w.modules, w.grid, t.liquids};

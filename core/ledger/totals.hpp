@@ -1,5 +1,5 @@
-// The exact sums of a ledger and the counters of a world as lists: what reductions, checkpoints and
-// comparisons walk. A new member needs a line in totals.cpp, where a static_assert asks for it.
+// The exact sums of a ledger and the counters of a world as lists, for reductions, checkpoints and
+// comparisons. A new member needs a line in totals.cpp; a static_assert enforces that.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -37,8 +37,8 @@ struct NamedValue {
 };
 std::vector<NamedValue> valuesOf(Balance& balance);
 
-/// Sums over ranks, exact: the same on any number of ranks, with every digit in [0, 2^32) but the last.
-/// `initial` is global already. Collective.
+/// Returns the exact sums over ranks, the same on any number of ranks, with every digit except the last in
+/// [0, 2^32). `initial` is already global. Collective.
 Ledger globalLedger(const Ledger& mine, Reducer& all);
 Counters globalCounters(const Counters& mine, Reducer& all);
 

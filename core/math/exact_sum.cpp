@@ -9,7 +9,8 @@ namespace thaw {
 namespace {
 
 constexpr int lowest = -1088;                              // exponent of digit 0
-constexpr std::int64_t notFinite = std::int64_t(1) << 40;  // in the last digit, which finite sums leave small
+constexpr std::int64_t notFinite = std::int64_t(1) << 40;  // in the last digit, which stays small for finite
+                                                           // sums
 constexpr std::int64_t digitMask = 0xffffffff;
 
 }  // namespace
@@ -35,7 +36,7 @@ void ExactSum::add(double x) {
 
 void ExactSum::carry() {
   for (std::size_t k = 0; k + 1 < digits; k++) {
-    digit[k + 1] += digit[k] >> 32;  // rounds down, so the rest is not negative
+    digit[k + 1] += digit[k] >> 32;  // rounds down, so the remainder is not negative
     digit[k] &= digitMask;
   }
   pending = 0;
@@ -53,7 +54,7 @@ double ExactSum::value() const {
   int top = digits - 1;
   while (top >= 0 && s.digit[static_cast<std::size_t>(top)] == 0) top--;
   if (top < 0) return 0;
-  // three digits hold more than 64 bits; whatever lies below only decides between ties
+  // Three digits hold more than 64 bits; lower digits only decide ties.
   unsigned __int128 head = 0;
   for (int k = top; k > top - 3; k--)
     head = head << 32 | static_cast<unsigned __int128>(k >= 0 ? s.digit[static_cast<std::size_t>(k)] : 0);
@@ -67,7 +68,7 @@ ExactSum& ExactSum::operator+=(const ExactSum& other) {
   ExactSum o = other;
   o.carry();
   for (std::size_t k = 0; k < digits; k++) digit[k] += o.digit[k];
-  // not finite it stays, but never overflows
+  // A non-finite sum stays non-finite and never overflows.
   if (digit[digits - 1] > notFinite * 1024) digit[digits - 1] = notFinite;
   if (++pending >= (1 << 30)) carry();
   return *this;
@@ -100,13 +101,13 @@ void ExactSum::addProduct(const ExactSum& other, double factor) {
       place = 0;
     }
     const auto at = static_cast<std::size_t>(place / 32);
-    // the product has up to 85 bits, 117 when shifted: four digits
+    // The product has up to 85 bits, 117 after the shift: four digits.
     if (at + 4 >= digits) return add(std::numeric_limits<double>::quiet_NaN());
     product <<= place % 32;
     for (std::size_t j = 0; j < 4; j++)
       digit[at + j] += sign * (static_cast<std::int64_t>(product >> (32 * j)) & digitMask);
   }
-  pending += 5;  // at most five of these products meet in a digit
+  pending += 5;  // at most five of these products overlap in a digit
   if (pending >= (1 << 30)) carry();
 }
 

@@ -1,6 +1,6 @@
-// Sums of doubles without rounding, in integers: the result does not depend on the order of the terms, nor on
-// how they were spread over ranks (a Kulisch accumulator in 32-bit digits; Neal 2015, "Fast exact summation
-// using small and large superaccumulators").
+// Exact sums of doubles in integers. The result is independent of the order of the terms and of their
+// distribution over ranks. Kulisch accumulator in 32-bit digits; Neal 2015, "Fast exact summation using small
+// and large superaccumulators".
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,21 +8,21 @@
 
 namespace thaw {
 
-/// To add sums of many ranks: carry() each, add the digit arrays element by element (any order, up to 2^29
-/// ranks), put them into one ExactSum and ask for its value(). The same terms give the same bits, however
-/// they were spread.
+/// To add the sums of many ranks: carry() each, add the digit arrays element by element (any order, up to
+/// 2^29 ranks), copy them into one ExactSum and take its value(). Equal terms give equal bits for any
+/// distribution.
 struct ExactSum {
   static constexpr int digits = 70;          ///< 32 bits each, from 2^-1088 up: every finite double fits
   std::array<std::int64_t, digits> digit{};  ///< signed; digits of several sums may be added element by
                                              ///< element
   std::int32_t pending = 0;                  ///< adds since the last carry
 
-  void add(double x);    ///< x finite (a non-finite x makes value() NaN)
-  void carry();          ///< brings every digit but the last into [0, 2^32)
-  double value() const;  ///< the sum, rounded once to nearest, ties to even; infinite where that overflows
+  void add(double x);    ///< requires finite x; otherwise value() is NaN
+  void carry();          ///< brings every digit except the last into [0, 2^32)
+  double value() const;  ///< the sum, rounded once to nearest, ties to even; infinite on overflow
   ExactSum& operator+=(const ExactSum& other);
-  /// Adds factor times another sum, exactly (but for bits below 2^-1088): linear, so that sums of many ranks
-  /// can be multiplied before they are added up.
+  /// Adds factor times another sum, exactly except for bits below 2^-1088. The operation is linear, so sums
+  /// of many ranks can be multiplied before they are added.
   void addProduct(const ExactSum& other, double factor);
 };
 

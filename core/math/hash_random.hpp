@@ -1,11 +1,11 @@
-// Random numbers without a stream: a function of what they are for, so that they are the same on any number
-// of ranks, in any order and after a restart.
+// Counter-based random numbers: a pure function of seed, purpose, id and step. They are the same on any
+// number of ranks, in any order and after a restart.
 #pragma once
 #include <cstdint>
 
 namespace thaw {
 
-/// What a random number is for; numbers of different purposes are independent. Values are part of the
+/// Purpose of a random number; numbers of different purposes are independent. The values are part of the
 /// results: append only.
 enum class Purpose : std::uint64_t {
   Jitter = 1,
@@ -32,8 +32,8 @@ inline std::uint64_t mixBits(std::uint64_t x) {
 /// 64 random bits of (seed, purpose, id, step).
 inline std::uint64_t randomBits(std::uint64_t seed, Purpose purpose, std::uint64_t id,
                                 std::uint64_t step = 0) {
-  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15ull;  // 2^64 over the golden ratio: sets arguments of small
-                                                        // numbers apart
+  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15ull;  // 2^64 over the golden ratio; separates arguments
+                                                        // that are small numbers
   std::uint64_t h = mixBits(seed + odd);
   h = mixBits(h + odd * (static_cast<std::uint64_t>(purpose) + 1));
   h = mixBits(h + odd * (id + 1));

@@ -21,13 +21,13 @@ inline Quat unitQuat(const Quat& q) {
   const double l = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   return {q.w / l, q.x / l, q.y / l, q.z / l};
 }
-/// By the angle |r| (rad) about r.
+/// Rotation by the angle |r| (rad) about r.
 inline Quat rotationBy(const Vec3d& r) {
   const double angle2 = dot(r, r), angle = std::sqrt(angle2);
   const double s = angle > 1e-4 ? std::sin(0.5 * angle) / angle : 0.5 - angle2 / 48;
   return unitQuat(Quat{angle > 1e-4 ? std::cos(0.5 * angle) : 1 - angle2 / 8, s * r.x, s * r.y, s * r.z});
 }
-/// The rotation vector (rad) that leads from one orientation to another, by the shorter way.
+/// Rotation vector (rad) from one orientation to another, along the shorter arc.
 inline Vec3d turnBetween(const Quat& from, const Quat& to) {
   Quat q = to * Quat{from.w, -from.x, -from.y, -from.z};
   if (q.w < 0) q = {-q.w, -q.x, -q.y, -q.z};
@@ -39,7 +39,7 @@ inline Vec3d rotated(const Quat& q, const Vec3d& v) {
   const Vec3d u{q.x, q.y, q.z}, t = 2.0 * cross(u, v);
   return v + q.w * t + cross(u, t);
 }
-/// Third column of the rotation matrix: where it turns e_z.
+/// Third column of the rotation matrix: the image of e_z.
 inline Vec3d axisOf(const Quat& q) {
   return {2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)};
 }

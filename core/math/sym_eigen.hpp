@@ -8,10 +8,11 @@ namespace thaw {
 
 struct SymEigen {
   double value[3];
-  Vec3d vector[3];  ///< of unit length
+  Vec3d vector[3];  ///< unit vectors
 };
 
-/// In no particular order. By Jacobi's rotations: each eigenvalue is exact to rounding of the largest one.
+/// Returns the eigenvalues in no particular order. Jacobi rotations: each eigenvalue is exact up to rounding
+/// of the largest one.
 inline SymEigen eigenOf(const Sym3d& s) {
   double a[3][3] = {{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}},
          v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -42,7 +43,7 @@ inline SymEigen eigenOf(const Sym3d& s) {
           {{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {v[0][2], v[1][2], v[2][2]}}};
 }
 
-/// The tensor with these eigenvectors and other eigenvalues.
+/// Returns the tensor with the same eigenvectors and the given eigenvalues.
 inline Sym3d withValues(const SymEigen& e, const double (&value)[3]) {
   Sym3d s;
   for (int k = 0; k < 3; k++) {

@@ -1,5 +1,5 @@
-// Vectors and small matrices of the particle methods. T is double, float or Lanes<Real> (one particle a
-// lane), so that a formula is written once for scalars and for vector code.
+// Vectors of the particle methods. T is double, float or Lanes<Real> (one particle per lane), so a formula is
+// written once for scalar and vector code.
 #pragma once
 #include <cmath>
 

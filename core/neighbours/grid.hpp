@@ -1,6 +1,6 @@
-// The global grid of cells: the same for every run of a scene, whatever the number of ranks. Edge >= support
-// radius. Cells outside the domain (a margin of one) exist for periodic images and for particles pressed into
-// a wall.
+// The global grid of cells: the same for every run of a scene, on any number of ranks. The edge is at least
+// the support radius. A margin of one cell outside the domain holds periodic images and particles pressed
+// into a wall.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -14,7 +14,7 @@ namespace thaw {
 
 struct CellGrid {
   Vec3d origin{};  ///< m, low corner of cell (0, 0, 0)
-  Vec3d edge{};    ///< m, along a periodic axis a whole fraction of the domain
+  Vec3d edge{};    ///< m, along a periodic axis an integer fraction of the domain
   Vec3i cells{};   ///< number of cells along each axis
   bool periodic[3]{};
   Vec3d period{};      ///< m, length of the domain along periodic axes
@@ -23,16 +23,16 @@ struct CellGrid {
 
 inline constexpr int maxCellsPerAxis = (1 << 20);
 
-/// Cell of a place; places outside belong to the nearest cell (walls hold particles in, open sides remove
-/// them). In loops the grid is copied first: then the quotients are found once.
+/// Returns the cell of a position. Positions outside belong to the nearest cell: walls retain particles, open
+/// sides remove them. Loops copy the grid first, so that the quotients are computed once.
 inline Vec3i cellOf(const CellGrid& g, const Vec3d& x) {
   Vec3i c;
-  // towards zero: what is below is 0 anyway
+  // Rounds towards zero: negative values are clamped to 0 anyway.
   for (int a = 0; a < 3; a++)
     c[a] = std::clamp(static_cast<int>((x[a] - g.origin[a]) * (1 / g.edge[a])), 0, g.cells[a] - 1);
   return c;
 }
-/// Key of a cell: z, y, x in 21 bits each, so that keys ascend along x first. One is added, for the images at
+/// Key of a cell: z, y, x in 21 bits each, so keys ascend along x first. An offset of one allows images at
 /// -1.
 inline std::uint64_t cellKey(const Vec3i& c) {
   return static_cast<std::uint64_t>(c.z + 1) << 42 | static_cast<std::uint64_t>(c.y + 1) << 21 |
@@ -43,13 +43,13 @@ inline Vec3i cellOfKey(std::uint64_t key) {
   return {static_cast<int>(key & mask) - 1, static_cast<int>(key >> 21 & mask) - 1,
           static_cast<int>(key >> 42) - 1};
 }
-/// No cell's key. In a migration: a row that stays where it is, because it is about to be dropped.
+/// Not the key of any cell. During a migration it marks a row that is about to be dropped.
 inline constexpr std::uint64_t noCell = ~std::uint64_t{0};
 
-/// Positions for pairs: 32-bit fixed point, 2^24 units a support radius, modulo 2^32. Differences of
-/// neighbours are exact, antisymmetric and independent of where the pair is.
+/// Positions in pair sums: 32-bit fixed point, 2^24 units per support radius, modulo 2^32. Differences of
+/// neighbours are exact, antisymmetric and independent of the location.
 inline constexpr double fixedUnitsPerSupport = 16777216.0;
-/// The nearest integer is in the low bits of the mantissa once this is added (1.5 * 2^52), for all below
+/// Adding this (1.5 * 2^52) puts the nearest integer into the low bits of the mantissa, for magnitudes below
 /// 2^51.
 inline constexpr double fixedPointMagic = 6755399441055744.0;
 inline std::uint32_t fixedPoint(const CellGrid& g, double x, int axis) {
@@ -57,15 +57,14 @@ inline std::uint32_t fixedPoint(const CellGrid& g, double x, int axis) {
       (x - g.origin[axis]) * (fixedUnitsPerSupport / g.support) + fixedPointMagic));
 }
 
-/// The same in 2^14 units a support radius, modulo 2^16: what the search compares.
+/// Coarse position of the search: 2^14 units per support radius, modulo 2^16.
 inline std::uint16_t coarsePlace(std::uint32_t fixed) { return static_cast<std::uint16_t>(fixed >> 10); }
 
-/// Occupied cells, ascending by key: particles [first[c], first[c + 1]) for owned cells; ghost cells name
-/// their own range.
+/// Occupied cells, ascending by key. Cell c has particles [first[c], first[c] + count[c]).
 struct CellTable {
   std::vector<std::uint64_t> key;
   std::vector<std::uint32_t> first, count;
-  std::size_t ownedCells = 0;  ///< not used for order: owned and ghost cells are merged in key order
+  std::size_t ownedCells = 0;  ///< not an order: owned and ghost cells are merged by key
 };
 
 }  // namespace thaw

@@ -1,11 +1,11 @@
-// Who is where, of rows in whatever order.
+// Cells of rows in any order.
 #pragma once
 #include "core/neighbours/grid.hpp"
 
 namespace thaw {
 
-/// The runs of owned rows whose nextCell is the same: the occupied cells of sorted rows; of others a cell may
-/// be there several times, and cells in any order.
+/// Lists the runs of owned rows with equal nextCell: the occupied cells if rows are sorted. Otherwise a cell
+/// may appear several times, and cells are in any order.
 template<class Rows> void listCells(const Rows& rows, CellTable& cells);
 
 }  // namespace thaw

@@ -6,7 +6,7 @@ namespace thaw {
 
 void clearLists(NeighbourLists& lists, std::uint32_t owned, std::uint32_t dummy) {
   const std::size_t groups = owned / 8 + 2;
-  const auto fit = [](auto& v, std::size_t n) {  // the vector itself would double
+  const auto fit = [](auto& v, std::size_t n) {  // exact; the vector itself would double
     makeRoom(v, n);
     v.resize(n);
   };
@@ -20,7 +20,7 @@ void clearLists(NeighbourLists& lists, std::uint32_t owned, std::uint32_t dummy)
 }
 
 void growList(NeighbourLists& lists, std::size_t n) {
-  // what all groups will take if they are like those so far; the vector itself would double
+  // Estimate for all groups from those so far; the vector itself would double.
   const std::size_t all = lists.self.size() / 8, done = lists.groups + 1;
   const std::size_t room = done < all / 8
                                ? 3 * n

@@ -1,6 +1,6 @@
-// Neighbours of every owned particle, in (cell, id) order, interleaved by groups of 8 particles (sliced
-// ELLPACK): entry n of lane l of group g is list[first[g] + 8 n + l]. Lists are padded with the dummy row. An
-// entry is twice a row (ByEntry, core/simd/lanes.hpp).
+// Neighbours of every owned particle in (cell, id) order, interleaved by groups of 8 particles (sliced
+// ELLPACK): entry n of lane l of group g is list[first[g] + 8 n + l]. The dummy row pads the lists. An entry
+// is twice a row (ByEntry, core/simd/lanes.hpp).
 #pragma once
 #include <cstdint>
 
@@ -9,30 +9,30 @@
 namespace thaw {
 
 struct NeighbourLists {
-  AlignedVector<std::uint32_t> self;   ///< 8 rows a group; the dummy row pads the last group of each part
-  AlignedVector<std::uint64_t> first;  ///< a group's place in list
-  AlignedVector<std::uint32_t> count;  ///< neighbours of the group's longest list
-  AlignedVector<std::uint32_t> list;   ///< neighbours, without the particle itself; may hold pairs a little
+  AlignedVector<std::uint32_t> self;   ///< 8 rows per group; the dummy row pads the last group of each part
+  AlignedVector<std::uint64_t> first;  ///< start of a group in list
+  AlignedVector<std::uint32_t> count;  ///< length of the group's longest list
+  AlignedVector<std::uint32_t> list;   ///< neighbours without the particle itself; may contain pairs slightly
                                        ///< beyond the support radius
-  AlignedVector<std::uint8_t> wet;     ///< for each group: there are liquid particles in the cells of its
-                                       ///< neighbours
-  AlignedVector<std::uint16_t> neighbours;  ///< of each owned row, within the support radius
+  AlignedVector<std::uint8_t> wet;     ///< per group: 1 if cells of its neighbours contain liquid
+  AlignedVector<std::uint16_t> neighbours;  ///< number of neighbours of each owned row within the support
+                                            ///< radius
   std::uint32_t dummy = 0;                  ///< row of zero mass behind all rows
-  std::size_t innerGroups = 0;              ///< the first groups need no ghosts
+  std::size_t innerGroups = 0;              ///< the first groups, which need no ghosts
   std::size_t groups = 0;
 
-  /// Row of neighbour n of lane l of group g, or the dummy.
+  /// Row of neighbour n of lane l of group g, or the dummy row.
   std::uint32_t row(std::size_t g, std::size_t n, std::size_t l) const {
     return list[first[g] + 8 * n + l] / 2;
   }
 };
 
-// Out of line, because code compiled for one instruction set must not leave copies of std::vector's functions
-// to the linker.
+// Out of line: code compiled for one instruction set must not emit copies of std::vector functions for the
+// linker.
 
-/// Room for the groups of `owned` particles in two parts; empties the lists.
+/// Reserves groups for `owned` particles in two parts and empties the lists.
 void clearLists(NeighbourLists& lists, std::uint32_t owned, std::uint32_t dummy);
-/// Room for at least n entries in list.
+/// Makes room for at least n entries in list.
 void growList(NeighbourLists& lists, std::size_t n);
 
 }  // namespace thaw

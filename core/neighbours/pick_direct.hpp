@@ -1,6 +1,5 @@
-// Neighbours of one particle straight from the rows around it, without copying these together first: with
-// AVX2, or with AVX-512 and VBMI2 (Ice Lake, Zen 4 and later). Included from code of one instruction set
-// only.
+// Neighbours of one particle read directly from the surrounding rows, without copying candidates. It needs
+// AVX2, or AVX-512 with VBMI2 (Ice Lake, Zen 4 and later). Only code for one instruction set includes this.
 #pragma once
 #include <array>
 
@@ -11,17 +10,17 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Squares of coarse distances, without their low 16 bits, summed over the axes: what is below this is within
-/// the support radius, or up to 0.0006 of it beyond, where kernels are zero.
+/// Bound of the squared coarse distance, summed over the axes without the low 16 bits. Lower values are
+/// within the support radius or up to 0.0006 of it beyond, where kernels are zero.
 constexpr int reach2 = 4097;
 
 #if defined(__AVX512BW__)
 inline bool hasPickDirect() { return __builtin_cpu_supports("avx512vbmi2"); }
 
-/// Lists the entries of the rounds' rows that they keep and that are within the support radius of row `self`;
-/// returns how many. Reads and writes up to 31 more. What is near is packed as bytes (twice the place in the
-/// round), so that a round takes one store where packing of rows takes two; masks and entries come from
-/// memory, as their way through a register needs the port that packing waits for.
+/// Lists the entries of the rounds' rows whose keep bit is set and that are within the support radius of row
+/// `self`; returns their number. It reads and writes up to 31 entries more. Hits are packed as bytes (twice
+/// the index in the round), so a round takes one store instead of two. Masks and entries are loaded from
+/// memory to relieve the port that packing uses.
 __attribute__((target("avx512vbmi2"))) std::uint32_t pickDirect(const SearchInput& in,
                                                                 const SearchRound* rounds,
                                                                 std::uint32_t count, std::uint32_t self,
@@ -58,8 +57,7 @@ __attribute__((target("avx512vbmi2"))) std::uint32_t pickDirect(const SearchInpu
 #elif defined(__AVX2__)
 inline bool hasPickDirect() { return true; }
 
-/// Twice the places of the bits that are set, packed, a byte each: a quarter of the memory that places of 32
-/// bits take.
+/// Table of twice the indices of set bits, packed as bytes: a quarter of the memory of 32-bit indices.
 constexpr std::array<std::uint64_t, 256> makePlaces() {
   std::array<std::uint64_t, 256> places{};
   for (std::uint64_t m = 0; m < 256; m++)
@@ -69,8 +67,8 @@ constexpr std::array<std::uint64_t, 256> makePlaces() {
 }
 inline constexpr std::array<std::uint64_t, 256> packedPlaces = makePlaces();
 
-/// As with AVX-512. Where each eight go is counted from the start of the round, so that no store waits for
-/// the one before.
+/// As with AVX-512. Each store of eight gets its address from the start of the round, so stores do not depend
+/// on each other.
 std::uint32_t pickDirect(const SearchInput& in, const SearchRound* rounds, std::uint32_t count,
                          std::uint32_t self, std::uint32_t* out) {
   const std::uint16_t *const x = in.x, *const y = in.y, *const z = in.z;

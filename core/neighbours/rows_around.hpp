@@ -1,4 +1,4 @@
-// Rows of a table in the cells around one.
+// Rows of a table in the cells around a cell.
 #pragma once
 #include <algorithm>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace thaw {
 
-/// Rows in the 27 cells around a cell, ascending by (cell, id).
+/// Appends the rows in the 27 cells around a cell, ascending by (cell, id).
 inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowSpan>& ranges) {
   ranges.clear();
   const Vec3i c = cellOfKey(key);
@@ -23,8 +23,8 @@ inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowSpa
     }
 }
 
-/// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around, those of a
-/// row in the order (cell, id).
+/// Calls pair(i, j) for each owned row i of one table and each row j of the other in the surrounding cells;
+/// per row in (cell, id) order.
 template<class Pair>
 void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
   std::vector<RowSpan> ranges;

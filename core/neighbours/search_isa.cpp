@@ -1,4 +1,4 @@
-// Compiled once for each instruction set (see core/simd/dispatch.cpp).
+// Compiled once per instruction set (core/simd/dispatch.cpp).
 #include "core/neighbours/pick_direct.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/simd/pack.hpp"
@@ -8,15 +8,14 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// A row of cells along x around a cell: the three keys from `low` on, found by a pointer that only moves
-/// forward.
+/// A row of three cells along x: keys from `low` on, found by a pointer that only advances.
 struct CellRow {
-  std::uint64_t offset = 0;  // of key, two's complement
+  std::uint64_t offset = 0;  // key offset, two's complement
   std::size_t at = 0;
 };
 
-/// Lists the candidates within the support radius of candidate `self`, but not itself; returns how many.
-/// Writes up to 15 more.
+/// Lists the candidates within the support radius of candidate `self`, without itself; returns their number.
+/// It writes up to 15 entries more.
 std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32_t self, std::uint32_t* out) {
   const std::uint16_t *x = b.x.data(), *y = b.y.data(), *z = b.z.data();
   const std::uint32_t* entry = b.entry.data();
@@ -75,8 +74,8 @@ std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32
   return n;
 }
 
-/// Eight entries to a list; past the caches where it is so long that they could not keep it until it is read,
-/// without reading what is written over.
+/// Stores eight entries of a list. past: non-temporal stores, for lists too long to stay in the caches; they
+/// avoid reading the lines first.
 template<bool past> THAW_INLINE void put(std::uint32_t* to, Vec8u v) {
 #if defined(__AVX__)
   if constexpr (past)
@@ -110,8 +109,8 @@ THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::
 
 constexpr std::size_t beyondCaches = std::size_t(64) << 20;  // bytes
 
-/// Interleaves these lists of the window into a group of lists.list; writes up to seven rows of eight behind
-/// it.
+/// Interleaves these lists of the window into a group of lists.list. It writes up to seven rows of eight
+/// behind the group.
 void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, NeighbourLists& lists) {
   std::uint32_t most = 0;
   for (int l = 0; l < filled; l++) most = most < b.length[which[l]] ? b.length[which[l]] : most;
@@ -147,18 +146,16 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, Neighb
   lists.groups++;
 }
 
-/// Makes groups of the lists in the window: wet ones first, and of like length. Which particles share a group
-/// changes no sum.
+/// Groups the lists in the window: groups with liquid first, then by similar length. Grouping changes no sum.
 void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
   constexpr int n = SearchBuffers::window;
   alignas(32) std::int32_t key[n], rank[n];
-  for (int k = 0; k < n; k++)  // keys differ: by the number of the list, at least
+  for (int k = 0; k < n; k++)  // keys are unique through the number of the list
     key[k] = k < b.filled
                  ? (b.wet[k] ? 1 << 30 : 0) |
                        static_cast<std::int32_t>(b.length[k] < 0x3fffff ? b.length[k] : 0x3fffff) << 8 | k
                  : -1 - k;
-  for (int k = 0; k < n; k += 8) {  // the place of each is how many are greater: no branch that depends on
-                                    // lengths
+  for (int k = 0; k < n; k += 8) {  // the rank is the number of greater keys: no branch depends on lengths
     Vec8i mine, place{};
     __builtin_memcpy(&mine, key + k, 32);
     for (int j = 0; j < n; j++) place -= key[j] > mine;
@@ -170,7 +167,7 @@ void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
   b.filled = 0;
 }
 
-/// Copies the rows of a round behind the candidates. Reads and writes up to 31 too many, which the next ones
+/// Appends the rows of a round to the candidates. It reads and writes up to 31 entries more, which later ones
 /// overwrite.
 THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, const SearchRound& round, SearchBuffers& b,
                                         std::uint32_t candidates) {
@@ -185,15 +182,16 @@ THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, const SearchRound
   return candidates + round.count;
 }
 
-/// The rows in the 27 cells around one cell are the rounds of the buffers; and where its own particles are
-/// among them.
+/// Rows in the 27 cells around a cell, held as rounds in the buffers, and the position of the cell's own
+/// particles among them.
 struct Surroundings {
   std::uint32_t rounds, candidates;
-  std::uint32_t ownRound, ownPlace, ownStart;  ///< the round where the cell's own run of rows begins; its
-                                               ///< first particle's place in that run, and among all
+  std::uint32_t ownRound, ownPlace, ownStart;  ///< round where the run with the cell's own rows begins; index
+                                               ///< of its first particle in that run, and among all
+                                               ///< candidates
   std::uint8_t wet;
 };
-/// Adds a run of rows that follow each other in memory.
+/// Adds a run of consecutive rows.
 THAW_INLINE void addRun(SearchBuffers& b, Surroundings& s, std::uint32_t first, std::uint32_t count) {
   s.candidates += count;
   for (; count > 32; first += 32, count -= 32) {
@@ -211,17 +209,18 @@ THAW_INLINE Surroundings findSurroundings(const SearchInput& in, std::size_t c, 
   const std::uint64_t key = keys[c];
   Surroundings s{};
   s.wet = in.liquid == nullptr;
-  const auto ownIsIn = [&](std::size_t d) {  // the run that begins with cell d and is added next
+  const auto ownIsIn = [&](std::size_t d) {  // for the run that starts with cell d and is added next
     s.ownRound = s.rounds;
     s.ownPlace = first[c] - first[d];
     s.ownStart = s.candidates + s.ownPlace;
   };
   for (CellRow& r : rows) {
-    const std::uint64_t low = key + r.offset - 1;  // keys count from 1 on along each axis: never below zero
+    const std::uint64_t low = key + r.offset - 1;  // keys count from 1 along each axis, so this is never
+                                                   // below zero
     std::size_t d = r.at;
     while (d < n && keys[d] < low) d++;
     r.at = d;
-    // three cells in a row: most
+    // The common case: three cells in a row.
     if (d + 2 < n && keys[d + 2] == low + 2 && first[d] + count[d] == first[d + 1] &&
         first[d + 1] + count[d + 1] == first[d + 2]) {
       if (d + 1 == c) ownIsIn(d);
@@ -256,7 +255,7 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
       continue;
     const Surroundings around = findSurroundings(in, c, rows, b);
     if (b.entry.size() < around.candidates + 32) growSearch(b, around.candidates + 32);
-    // many short rounds are quicker to copy together
+    // Many short rounds are faster to copy first.
     const bool direct = canPickDirect && around.rounds <= around.candidates / 32 + 6;
     if (!direct) {
       std::uint32_t candidates = 0;

@@ -41,8 +41,7 @@ template<class Rows> void listCells(const Rows& p, CellTable& cells) {
 
 namespace {
 
-/// Rows that leave their place, and those that get another one. What has departed is told by nextCell from
-/// now on.
+/// Finds the rows that leave their position and the rows with a new one. It marks departed rows in nextCell.
 template<class Rows> void findMovers(Rows& p, const Migration& migration, SortBuffers& b) {
   const std::size_t stayed = p.owned - migration.arrivals;
   b.gone.clear();
@@ -58,14 +57,14 @@ template<class Rows> void findMovers(Rows& p, const Migration& migration, SortBu
     if (next[i] != noCell) b.movers.push_back(static_cast<std::uint32_t>(i));
 }
 
-/// The row of those that keep their place which each of the sorted movers comes before; `stayed` behind all.
-/// Looked for in strides that double from the last mover's on.
+/// Finds for each sorted mover the first kept row behind it, or `stayed`. The search uses doubling strides
+/// from the previous mover.
 template<class Before>
 void findPlaces(SortBuffers& b, std::size_t stayed, const std::uint64_t* next, const std::uint64_t* last,
                 const Before& before) {
   const auto keeps = [&](std::size_t row) { return next[row] == last[row] && next[row] != noCell; };
   b.before.resize(b.movers.size());
-  std::size_t from = 0;  // no row before it is behind the mover
+  std::size_t from = 0;  // all earlier rows precede the mover
   for (std::size_t m = 0; m < b.movers.size(); m++) {
     std::size_t low = from, high = stayed, stride = 1;  // the first row behind the mover is in [low, high]
     const auto firstKept = [&](std::size_t row, std::size_t end) {
@@ -92,7 +91,7 @@ void findPlaces(SortBuffers& b, std::size_t stayed, const std::uint64_t* next, c
   }
 }
 
-/// Runs of rows between those that leave and the places of those that come.
+/// Lists the runs of rows between leaving rows and insertion points.
 void listMoves(SortBuffers& b, std::size_t stayed) {
   RowMoves& moves = b.moves;
   moves.runs.clear();
@@ -116,9 +115,9 @@ void listMoves(SortBuffers& b, std::size_t stayed) {
   moves.rows = to;
 }
 
-/// The old row of each, where many move.
+/// Computes the old row of each row, if many rows move.
 template<class Before> void mergeAll(SortBuffers& b, std::size_t stayed, const Before& before) {
-  b.before.clear();  // here: the rows that keep their order
+  b.before.clear();  // reused: the rows that keep their order
   for (std::size_t row = 0, gone = 0; row < stayed; row++) {
     if (gone < b.gone.size() && b.gone[gone] == row) gone++;
     else b.before.push_back(static_cast<std::uint32_t>(row));
@@ -137,13 +136,12 @@ void shrink(SortBuffers& b) {
 template<class Rows>
 void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& cells,
                 std::span<AnyColumn* const> stale) {
-  constexpr std::size_t shortRun = 8;  // rows between two that move: below it a gather of all columns is
-                                       // faster
+  constexpr std::size_t shortRun = 8;  // mean rows between moves; below it a gather of all columns is faster
   const std::size_t stayed = p.owned - migration.arrivals;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   findMovers(p, migration, b);
-  if (!b.movers.empty() || !b.gone.empty() || stayed != p.owned) {  // the last: what came has departed at
-                                                                    // once
+  if (!b.movers.empty() || !b.gone.empty() || stayed != p.owned) {  // the last condition: arrivals departed
+                                                                    // at once
     const std::uint64_t *next = p.nextCell.data(), *id = p.id.data();
     const auto before = [&](std::uint32_t i, std::uint32_t j) {
       return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j];
@@ -156,7 +154,7 @@ void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& 
     else mergeAll(b, stayed, before);
     for (const std::uint32_t row : b.movers) p.cell[row] = next[row];
     if (few) {
-      if (b.order.capacity() > 0) shrink(b);  // what the sort of all rows took, at the start
+      if (b.order.capacity() > 0) shrink(b);  // buffer of the initial full sort
       listMoves(b, stayed);
       p.rearrange(b.moves, unmoved);
     } else {
@@ -171,7 +169,8 @@ void closeGaps(Continuum& p, const Migration& migration) {
   std::size_t rows = p.owned;
   for (std::size_t k = migration.departed.size(); k-- > 0;) {
     const std::size_t gap = migration.departed[k];
-    if (gap != --rows) {  // from behind: what departed after it has gone already, so that the last row stays
+    if (gap != --rows) {  // processed from the end: later departed rows are gone, so the last row is a kept
+                          // one
       copyRow(p, rows, gap);
       p.cell[gap] = noCell;
     }

@@ -1,4 +1,4 @@
-// Keeps particles in (cell, id) order: the order in which every sum over neighbours is taken.
+// Sorting of particles into (cell, id) order, the order of all neighbour sums.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,19 +9,20 @@
 
 namespace thaw {
 
-/// Buffers of the sort, reused from step to step.
+/// Buffers of the sort, reused in each step.
 struct SortBuffers {
-  std::vector<std::uint32_t> gone;  ///< rows that leave their place, ascending: departed, or in another cell
-                                    ///< now
-  std::vector<std::uint32_t> movers;  ///< rows that get another place: those of them that stay here, and
+  std::vector<std::uint32_t> gone;    ///< rows that leave their position, ascending: departed, or in another
+                                      ///< cell
+  std::vector<std::uint32_t> movers;  ///< rows with a new position: moved rows that stay on this rank, and
                                       ///< arrivals
-  std::vector<std::uint32_t> before;  ///< of each mover: the row that it comes before
-  std::vector<std::uint32_t> order;   ///< where most rows move: old row of each
+  std::vector<std::uint32_t> before;  ///< per mover: the row that it precedes
+  std::vector<std::uint32_t> order;   ///< used if most rows move: old row of each row
   RowMoves moves;
 };
 
-/// The cell keys of rows [begin, end), into particles.nextCell.
+/// Computes the cell keys of rows [begin, end) into particles.nextCell.
 /// Rows: a table with columns id, position, cell and nextCell (Continuum, Surfels, SurfaceParticles,
+/// KindRows).
 /// KindRows).
 template<class Rows>
 void computeCellKeys(const CellGrid& grid, Rows& particles, std::size_t begin, std::size_t end);
@@ -29,17 +30,17 @@ template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& particles)
   computeCellKeys(grid, particles, 0, particles.owned);
 }
 
-/// Sorts the owned rows by (cell, id) and drops the departed ones. Needs nextCell of all owned rows and, of
-/// the rows that were there at the last sort, cell in ascending order. Only the rows that changed their cell
-/// are sorted; the others are merged. Guarantees: cell is what nextCell was, ascending, ids ascending within
-/// a cell; no ghosts; `cells` lists the occupied cells. nextCell is stale from then on, like the columns that
-/// the caller names: nobody reads them before they are written.
+/// Sorts the owned rows by (cell, id) and drops departed rows. Only rows that changed their cell are sorted;
+/// the others are merged. Requires: nextCell of all owned rows, and ascending cell of the rows present at the
+/// last sort. Ensures: cell equals the former nextCell, ascending, with ascending ids within a cell; no
+/// ghosts; `cells` lists the occupied cells. nextCell and the stale columns are undefined until they are
+/// written.
 template<class Rows>
 void sortByCell(Rows& particles, const Migration& migration, SortBuffers& buffers, CellTable& cells,
                 std::span<AnyColumn* const> stale = {});
 
-/// Drops the departed rows where nobody asks for the order: the last ones take their places. What has a new
-/// place, and what has come, has noCell for its last cell, so that the next sort moves it.
+/// Drops the departed rows if the order does not matter: the last rows fill the gaps. Moved and arrived rows
+/// get noCell as their last cell, so the next sort moves them.
 void closeGaps(Continuum& particles, const Migration& migration);
 
 }  // namespace thaw

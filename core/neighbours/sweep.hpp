@@ -1,6 +1,6 @@
-// The only loop over neighbours. A sum (Term) says what it loads of a particle, what a pair adds and what is
-// done at the end; lanes are particles, so vectorisation, rank count and cut of the domain do not change the
-// order in which a particle adds.
+// The only loop over neighbours. A Term defines the data of a particle, the contribution of a pair and the
+// final step. Lanes are particles, so vectorisation, rank count and domain decomposition do not change a
+// particle's summation order.
 #pragma once
 #include "core/fluid/pair_sums.hpp"
 #include "core/simd/lanes.hpp"
@@ -8,8 +8,8 @@
 namespace thaw {
 namespace THAW_ISA {
 
-/// Which groups a sum is over. Wet: in the cells around some of its particles is liquid; what a dry group
-/// adds to a sum that liquids alone have is nothing.
+/// Groups that a sum covers. Wet: cells around the group contain liquid. Dry groups add nothing to sums over
+/// liquid.
 enum class Groups { All, Wet, Dry };
 
 /// Term: Data load(const uint32_t entries[8]) const; struct Sum; pair(own, other, entries, sum) const;
@@ -30,7 +30,8 @@ THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term
       __builtin_prefetch(at + listAhead);
       term.pair(own, term.load(at), at, sum);
     }
-    const typename Term::Sum total = sum;  // read lane by lane, from memory; sum itself stays in registers
+    const typename Term::Sum total = sum;  // read lane by lane from memory, so that sum itself stays in
+                                           // registers
     term.finish(rows, own, total, lists.dummy);
   }
 }

@@ -23,7 +23,7 @@ std::align_val_t alignmentOf(std::size_t bytes) {
 void* allocateAligned(std::size_t bytes) {
   void* block = ::operator new(bytes, alignmentOf(bytes));
 #if defined(__linux__)
-  // a wish: where it is refused nothing changes
+  // This is a hint: a refusal changes nothing.
   if (bytes >= largePage) madvise(block, bytes / largePage * largePage, MADV_HUGEPAGE);
 #endif
   return block;

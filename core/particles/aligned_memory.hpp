@@ -1,4 +1,4 @@
-// Memory of fields, lists and records.
+// Aligned memory of fields, lists and packed pair data.
 #pragma once
 #include <cstddef>
 #include <new>
@@ -7,20 +7,20 @@
 
 namespace thaw {
 
-/// Bytes aligned to a cache line. Blocks of several MB are aligned to large pages and ask for them: with 4 kB
-/// a step over a million particles misses the table of pages so often that it takes a twentieth longer.
+/// Returns memory aligned to a cache line. Blocks of several MB are aligned to large pages and the kernel is
+/// advised to use these: with 4 kB pages, TLB misses cost several percent of a step over a million particles.
 void* allocateAligned(std::size_t bytes);
 void freeAligned(void* block, std::size_t bytes);
-/// Gives freed memory that the library keeps for later back to the system, where it can be: what the start
-/// took is not asked for again.
+/// Returns freed memory that the allocator caches to the system, where the platform supports it. Call it
+/// after set-up: a running simulation does not need that memory again.
 void giveBackFreed();
 
-/// For programs, once at their start: freed blocks of a megabyte go back to the system at once. Left alone,
-/// glibc comes to keep blocks of up to 32 MB for itself once such have been freed, and a million elastic
-/// particles on four ranks held twice what they use. A steady step allocates nothing, so it costs nothing.
+/// Makes freed blocks of at least 1 MB go back to the system at once. Programs call it once at their start.
+/// By default glibc raises its threshold and caches freed blocks of up to 32 MB, which doubles the resident
+/// memory of large runs. A steady step allocates nothing, so the setting costs no time.
 void returnLargeBlocks();
 
-/// Allocator of aligned memory that leaves new elements uninitialised (columns zero them explicitly).
+/// Allocator of aligned memory that leaves new elements uninitialised; columns zero them explicitly.
 template<class T> struct AlignedAllocator {
   using value_type = T;
   AlignedAllocator() = default;

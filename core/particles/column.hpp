@@ -1,6 +1,6 @@
 // One field of a table of particles: a contiguous array with its name, unit and meaning.
-// Sorting, migration, ghosts, checkpoints and output work on AnyColumn, so that a field is declared once, in
-// its table.
+// Sorting, migration, ghost exchange, checkpoints and output work on AnyColumn, so a field is declared once,
+// in its table.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -25,25 +25,25 @@ inline std::size_t bytesOf(Scalar s) {
                                                 : 1;
 }
 
-/// What happens to a field between steps.
+/// Lifetime of a field.
 enum class Keep {
   State,     ///< part of the state: sorted, migrated, in every checkpoint, compared bit by bit
   Local,     ///< sorted with the particles, but valid on this rank only (indices); not migrated, not in a
              ///< checkpoint
-  Transient  ///< computed anew in each step before it is read; only resized
+  Transient  ///< recomputed in each step before it is read; only resized
 };
 
-/// Which rows a field has.
+/// Rows that a field has.
 enum class Rows {
   All,
-  Owned  ///< no ghosts: nobody asks for it there, and it is in no exchange of ghosts
+  Owned  ///< no ghost rows, so the field takes part in no ghost exchange
 };
 
-/// Rows to make room for where there are so many now. What comes and goes does so through faces: of small
-/// tables a sixteenth, of large ones about a layer of particles.
+/// Returns the capacity to reserve for `rows` rows. Rows enter and leave through faces: the head room is a
+/// sixteenth for small tables and about a layer of particles for large ones.
 std::size_t withHeadRoom(std::size_t rows);
-/// Room for so many rows of `each` elements. A rank alone keeps those that it begins with, to the byte; one
-/// whose rows come and go takes head room: no allocation in a steady step.
+/// Reserves memory for `rows` rows of `each` elements. The first allocation is exact, so a serial run uses no
+/// more than it needs; later growth adds head room, so a steady step allocates nothing.
 template<class T> void makeRoom(AlignedVector<T>& v, std::size_t rows, std::size_t each = 1) {
   if (rows * each > v.capacity()) v.reserve((v.capacity() == 0 ? rows : withHeadRoom(rows)) * each);
 }
@@ -88,8 +88,8 @@ template<class S> struct FieldType<Mat3<S>> {
 
 struct Table;
 
-/// New places of the rows of a table, most of which keep their order: runs of those, and single rows that go
-/// elsewhere. Rows in neither are dropped.
+/// New positions of the rows of a table, most of which keep their order: runs of consecutive rows and single
+/// rows. Rows in neither are dropped.
 struct RowMoves {
   struct Run {
     std::uint32_t from, to, count;
@@ -99,7 +99,7 @@ struct RowMoves {
   };
   std::vector<Run> runs;        ///< `from` and `to` ascending
   std::vector<Single> singles;  ///< in any order
-  std::size_t rows = 0;         ///< that there are then: all places below it are taken, once
+  std::size_t rows = 0;         ///< number of rows afterwards; every index below it is a target exactly once
 };
 
 /// A field without its C++ type. Inactive columns hold no memory.
@@ -113,7 +113,7 @@ struct AnyColumn {
   std::size_t elementBytes;
   Rows rows;
   bool active = false;
-  AlignedVector<std::byte> bytes;  ///< of all its rows, elementBytes each
+  AlignedVector<std::byte> bytes;  ///< rows * elementBytes
 
   AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar,
             int components, Rows rows);
@@ -132,14 +132,13 @@ template<class T> struct Column : AnyColumn {
   const T& operator[](std::size_t i) const { return data()[i]; }
 };
 
-/// A field that may live in the memory of another one of rows as wide, which is not asked for while it is
-/// (then it is not active, has no memory and is in no exchange). What is in it is lost when the other one is
-/// written.
+/// A field that may share the memory of a host column with rows of the same width. While it shares, it is not
+/// active, has no memory of its own and takes part in no exchange. Writing the host overwrites its values.
 template<class T> struct GuestColumn : Column<T> {
   using Column<T>::Column;
   void shareWith(AnyColumn& other) {
     if (other.elementBytes != sizeof(T) || other.rows != this->rows)
-      throw std::logic_error("a field shares the memory of another one of like rows only");
+      throw std::logic_error("a guest column needs a host with the same row width and row set");
     host_ = &other;
   }
   bool shares() const { return host_ != nullptr; }
@@ -154,8 +153,8 @@ template<class T> struct GuestColumn : Column<T> {
   AnyColumn* host_ = nullptr;
 };
 
-/// Base of every table of fields. Rows [0, owned) belong to this rank, [owned, owned + ghosts) are copies of
-/// other ranks' rows (or periodic images). Columns register themselves here, in the order of their
+/// Base of every table of fields. Rows [0, owned) belong to this rank; rows [owned, owned + ghosts) are
+/// copies of other ranks' rows or periodic images. Columns register themselves in the order of their
 /// declaration.
 struct Table {
   const char* kind = "";  ///< "continuum", "solid", ...
@@ -168,40 +167,39 @@ struct Table {
 
   std::size_t size() const { return owned + ghosts; }
   std::size_t rowsOf(const AnyColumn& column) const { return column.rows == Rows::Owned ? owned : size(); }
-  /// Sets the number of rows; rows that are kept keep their values, new rows are zero. Never shrinks
-  /// capacity.
+  /// Sets the number of rows. Kept rows keep their values, new rows are zero. Never reduces the capacity.
   void resize(std::size_t owned, std::size_t ghosts);
-  /// Gives back the memory of more rows than there are, where it is more than this part of theirs: those that
-  /// were here before a new partition.
+  /// Frees capacity that exceeds the rows by more than the fraction `part`, such as that left over from an
+  /// earlier partition.
   void shrink(double part = 0.125);
-  /// Switches a field on: allocates zeroed rows.
+  /// Activates a field: allocates zeroed rows.
   void activate(AnyColumn& column);
-  /// Switches a field off and gives back its memory.
+  /// Deactivates a field and frees its memory.
   void deactivate(AnyColumn& column);
-  /// Makes room for so many rows, to the byte: rows that come later need no new memory.
+  /// Reserves memory for exactly `rows` rows, so that later rows need no allocation.
   void reserve(std::size_t rows);
   /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept
-  /// rows; owned = n, ghosts = 0. But of stale ones, which nobody reads before they are written.
+  /// rows; owned = n, ghosts = 0. Stale columns are only resized: they are written before they are read.
   void reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale = {});
-  /// The same by moves, in place: what does not change its row costs nothing, and no second column is needed.
-  /// Stale columns are resized only.
+  /// Reorders rows in place. Rows that keep their index cost nothing, and no second column is needed. Stale
+  /// columns are only resized.
   void rearrange(const RowMoves& moves, std::span<AnyColumn* const> stale);
-  /// Of what rows are reordered by.
+  /// Returns the size of the reorder buffers in bytes.
   std::size_t bufferBytes() const;
   AnyColumn* find(const char* name);
-  /// Bytes of one row in the active State columns, and its packing; used by migration, ghosts and
-  /// checkpoints.
+  /// Returns the bytes of one row in the active State columns. packState and unpackState serve migration,
+  /// ghost exchange and checkpoints.
   std::size_t stateBytes() const;
   void packState(std::size_t row, std::byte* to) const;
   void unpackState(std::size_t row, const std::byte* from);
 
  private:
-  // targets of reorder by elementBytes, swapped with the columns
+  // Targets of reorder by elementBytes; they are swapped with the columns.
   std::vector<std::pair<std::size_t, AlignedVector<std::byte>>> spares_;
-  std::vector<std::byte> singles_;  // one column's, on their way
+  std::vector<std::byte> singles_;  // single rows of one column in flight
 };
 
-/// Some columns of a table, for an exchange; without memory of its own, since a step makes several.
+/// A list of columns for an exchange. It has fixed storage, since a step builds several lists.
 class ColumnList {
  public:
   ColumnList(std::initializer_list<AnyColumn*> columns) {

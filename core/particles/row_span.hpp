@@ -1,4 +1,4 @@
-// Rows of a table that a pass goes over, where it leaves some out.
+// Row ranges for passes that skip parts of a table.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,8 +10,8 @@ struct RowSpan {
   std::uint32_t begin, end;
 };  ///< [begin, end)
 
-/// Appends rows behind those of the list. What lies between is taken along where it is little: going over it
-/// costs less than another range.
+/// Appends rows behind those of the list. Small gaps are included: passing over them costs less than another
+/// range.
 inline void addRows(std::vector<RowSpan>& ranges, std::size_t first, std::size_t count) {
   constexpr std::size_t little = 32;
   const auto begin = static_cast<std::uint32_t>(first), end = static_cast<std::uint32_t>(first + count);

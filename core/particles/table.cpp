@@ -47,9 +47,8 @@ bool contains(std::span<AnyColumn* const> columns, const AnyColumn* c) {
   return std::find(columns.begin(), columns.end(), c) != columns.end();
 }
 
-/// Runs of one column to their places. One that goes up may end where those behind it begin: these go first.
-/// One that goes down, or stays, ends before what is behind it begins, and begins behind what has gone before
-/// it.
+/// Moves runs of one column to their targets. An upward run may end where later runs begin, so later upward
+/// runs move first. A downward run ends before the next run begins and starts after all earlier targets.
 void moveRuns(std::span<const RowMoves::Run> runs, std::byte* column, std::size_t each) {
   const auto move = [&](const RowMoves::Run& r) {
     std::memmove(column + r.to * each, column + r.from * each, r.count * each);
@@ -66,7 +65,8 @@ void moveRuns(std::span<const RowMoves::Run> runs, std::byte* column, std::size_
 }  // namespace
 
 void Table::resize(std::size_t newOwned, std::size_t newGhosts) {
-  assert(newOwned == owned || ghosts == 0);  // ghosts lie behind the owned rows and would be taken for them
+  assert(newOwned == owned || ghosts == 0);  // ghosts lie behind the owned rows and would be mistaken for
+                                             // them
   owned = newOwned;
   ghosts = newGhosts;
   for (AnyColumn* c : columns)
@@ -102,7 +102,7 @@ void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* c
     if (!c->active) continue;
     if (c->keep != Keep::Transient && !contains(stale, c)) {
       const std::size_t need = order.size() * c->elementBytes;
-      // a buffer goes round among columns of one width only, or each would grow to the widest
+      // A buffer is shared by columns of one width only; otherwise each would grow to the widest.
       auto at = std::find_if(spares_.begin(), spares_.end(),
                              [&](const auto& s) { return s.first == c->elementBytes; });
       if (at == spares_.end()) at = spares_.insert(at, {c->elementBytes, {}});

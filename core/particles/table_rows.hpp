@@ -1,4 +1,4 @@
-// Single rows of a table.
+// Operations on single rows of a table.
 #pragma once
 #include <cstring>
 

@@ -11,7 +11,7 @@ std::string numberText(const char* format, double value) {
   return digits;
 }
 
-/// m, what anything can fall: at most the height of the domain.
+/// Largest height of fall (m): at most the height of the domain.
 double largestFall(const Scene& s) {
   const double g = length(s.domain.gravity);
   if (!(g > 0)) return 0;
@@ -31,7 +31,7 @@ FlowSpeed expectedFlow(const Scene& s) {
   const auto see = [&](double v, const std::string& who) {
     if (v > given) given = v, by = who;
   };
-  if (e.start == 0)  // not set up
+  if (e.start == 0)  // before set-up
     for (const Body& b : s.bodies) see(length(b.velocity), "the start of body '" + b.name + "'");
   if (e.emitted == 0)
     for (const Emitter& m : s.emitters) see(m.speed, "emitter '" + m.name + "'");
@@ -40,12 +40,12 @@ FlowSpeed expectedFlow(const Scene& s) {
   see(e.driven, e.drivenBy);
   const double flow = std::sqrt(given * given + 2 * g * fall), column = std::sqrt(g * e.column);
   if (column > flow)
-    return {column, "as the pressure of a column of " + numberText("%.3g m", e.column) +
-                        " that an emitter can fill needs"};
+    return {column, "from the pressure of a column of " + numberText("%.3g m", e.column) +
+                        " that an emitter can fill"};
   const std::string falls = "a fall through " + numberText("%.3g m", fall);
-  if (!(given > 0)) return {flow, flow > 0 ? "of " + falls : "nothing moves"};
+  if (!(given > 0)) return {flow, flow > 0 ? "from " + falls : "nothing moves"};
   by += numberText(" (%.3g m/s)", given);
-  return {flow, "of " + by + (fall > 0 ? " and " + falls : "")};
+  return {flow, "from " + by + (fall > 0 ? " and " + falls : "")};
 }
 
 }  // namespace thaw

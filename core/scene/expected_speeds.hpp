@@ -1,4 +1,4 @@
-// Speeds that a scene leads to, from what it says: what contacts and sound speeds are made for.
+// Speeds to expect in a scene. Contact stiffness and the automatic sound speed follow from them.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// m/s, the fastest shift between two keyframes; 0 without any. Turning is left out.
+/// Fastest translation between two keyframes (m/s); 0 without keyframes. Rotation is ignored.
 inline double fastestMove(const std::vector<Keyframe>& motion) {
   double fastest = 0;
   for (std::size_t k = 1; k < motion.size(); k++)
@@ -18,21 +18,21 @@ inline double fastestMove(const std::vector<Keyframe>& motion) {
   return fastest;
 }
 
-/// A speed (m/s) to expect, and what makes it.
+/// An expected speed (m/s) and its cause.
 struct FlowSpeed {
   double speed = 0;
   std::string why;
 };
 
-/// The speed that the automatic sound speed is made for. A flow of speed v changes the density by v^2 / c^2,
-/// a column of height H by g H / c^2 (Monaghan 1994). v^2 = u^2 + 2 g h: u is the fastest of bodies, emitters
-/// and obstacles, h the largest fall. A column of bodies is no higher than the fall, so v covers it. A column
-/// that an emitter fills may be.
+/// Returns the speed from which the automatic sound speed is derived. A flow of speed v changes the density
+/// by v^2 / c^2, a column of height H by g H / c^2 (Monaghan 1994). v^2 = u^2 + 2 g h: u is the largest speed
+/// of bodies, emitters and obstacles, h the largest fall. A column of bodies is no higher than the fall, so v
+/// covers it. A column that an emitter fills may be higher.
 FlowSpeed expectedFlow(const Scene& scene);
 
-/// m/s, of a fall from rest through the whole domain.
+/// Speed of a fall from rest through the whole domain (m/s).
 inline double fallSpeed(const Domain& d) {
-  double height = 0;  // times gravity
+  double height = 0;  // height times gravity
   for (int a = 0; a < 3; a++) height += std::abs(d.gravity[a]) * (d.max[a] - d.min[a]);
   return std::sqrt(2 * height);
 }

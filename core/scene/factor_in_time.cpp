@@ -20,7 +20,7 @@ double FactorInTime::at(double time) const {
 double FactorInTime::mean(double from, double to) const {
   if (linear(from, to)) return 0.5 * (at(from) + at(to));
   double sum = 0;
-  // of a straight piece what lies between the times
+  // Adds the part of a linear piece between the two times.
   const auto add = [&](double t0, double f0, double t1, double f1) {
     const double begin = std::max(t0, from), end = std::min(t1, to);
     if (!(begin < end)) return;

@@ -1,19 +1,18 @@
-// Factors of coefficients and forces, as the scene gives them over time.
+// Factors of coefficients and forces as functions of time.
 #pragma once
 #include <utility>
 #include <vector>
 
 namespace thaw {
 
-/// A factor that changes in time: (s, 1), linear in between, constant before and after; 1 where empty.
+/// A piecewise linear factor: points (s, 1), constant before the first and after the last; 1 if empty.
 struct FactorInTime {
   std::vector<std::pair<double, double>> points;
   double at(double time) const;
-  double mean(double from, double to) const;   ///< over these times, exactly; needs from < to
-  bool linear(double from, double to) const;   ///< does it change evenly between these times, without a
-                                               ///< corner?
-  double least(double from, double to) const;  ///< over these times, `to` may be infinite
-  double most(double from, double to) const;   ///< of its size, without its sign
+  double mean(double from, double to) const;   ///< exact mean over [from, to]; requires from < to
+  bool linear(double from, double to) const;   ///< true if the factor is linear between these times
+  double least(double from, double to) const;  ///< minimum over these times; `to` may be infinite
+  double most(double from, double to) const;   ///< maximum of the absolute value
 };
 
 }  // namespace thaw

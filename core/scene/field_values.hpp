@@ -1,11 +1,11 @@
-// Values that fields of the start may have. Beyond them energies and heat radiation would not be finite.
+// Bounds of initial values. Beyond them energies and radiative heat would overflow.
 #pragma once
 #include <cmath>
 
 namespace thaw {
 
-inline constexpr double fastestStart = 299792458;  // m/s, of light
-inline constexpr double hottestStart = 1e32;       // K, above which matter is not known
+inline constexpr double fastestStart = 299792458;  // m/s, speed of light
+inline constexpr double hottestStart = 1e32;       // K
 
 /// False for NaN.
 inline bool isStartSpeed(double v) { return std::abs(v) <= fastestStart; }

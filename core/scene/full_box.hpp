@@ -1,13 +1,14 @@
-// Liquid that fills a periodic box: it has no surface anywhere.
+// Test for a liquid that fills a periodic box and so has no surface.
 #pragma once
 #include "core/scene/scene.hpp"
 
 namespace thaw {
 
-/// Whether one box of liquid fills a domain that is periodic along all axes, with nothing else in the scene.
+/// Returns true if one box of liquid fills a domain that is periodic along all axes and the scene has nothing
+/// else.
 bool liquidFillsTheBox(const Scene& scene);
 
-/// True if a material in use has surface tension.
+/// Returns true if a material in use has surface tension.
 bool someSurfaceTension(const Scene& scene);
 
 }  // namespace thaw

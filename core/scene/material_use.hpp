@@ -1,4 +1,4 @@
-// Which materials of a scene some body or emitter has.
+// Test for materials in use.
 #pragma once
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// Has some body or emitter this material (index into Scene::materials)?
+/// Returns true if a body or emitter has this material (index into Scene::materials).
 inline bool inUse(const Scene& s, std::size_t material) {
   const auto has = [&](const auto& source) { return static_cast<std::size_t>(source.material) == material; };
   return std::any_of(s.bodies.begin(), s.bodies.end(), has) ||

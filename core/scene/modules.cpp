@@ -36,7 +36,7 @@ struct Finder {
   }
 };
 
-/// The temperatures differ, or something heats or cools.
+/// Activates heat if temperatures differ or something heats or cools.
 void findHeat(Finder& f) {
   const Scene& s = f.s;
   bool conducts = false;
@@ -46,9 +46,9 @@ void findHeat(Finder& f) {
   const auto seen = [&](double T, const std::string& who) {
     if (std::isnan(first)) first = T;
     else if (T != first && conducts)
-      f.on(f.m.heat, "heat", who + " has another temperature than what is around it");
+      f.on(f.m.heat, "heat", who + " differs in temperature from other bodies");
   };
-  // a field has an effect where heat is conducted, and where it decides about what is solid
+  // A temperature field matters if heat is conducted, or if it decides the phase.
   const auto field = [&](const auto& source, const std::string& who) {
     if (!source.temperatureField) return seen(source.temperature, who);
     if (conducts || s.materials[static_cast<std::size_t>(source.material)].melts())
@@ -75,8 +75,9 @@ void findHeat(Finder& f) {
   }
 }
 
-/// Is everything liquid of one material with constant parameters, with nothing that reads other records than
-/// places and motion? With heat, nothing may ask for volumes after the densities (terms/uniform_forces.hpp).
+/// Returns true if everything is liquid of one material with constant parameters and no pair sum reads data
+/// other than positions and velocities. With heat, no sum may need volumes after the densities
+/// (terms/uniform_forces.hpp).
 bool isUniform(const Scene& s, const Modules& m) {
   const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.tension ||
                      m.kinds();
@@ -99,14 +100,14 @@ Modules modulesOf(const Scene& s) {
     f.on(m.oriented, "oriented particles", namesOf("oriented body", "oriented bodies", s.oriented));
   if (!s.sheets.empty()) f.on(m.sheet, "sheets", namesOf("sheet", "sheets", s.sheets));
   if (!s.sheets.empty() && !(s.bodies.empty() && s.emitters.empty()))
-    f.on(m.neighbours, "neighbour search", "sheets can meet bodies");
+    f.on(m.neighbours, "neighbour search", "sheets can touch bodies");
   std::vector<SheetBody> warmed;
   std::copy_if(s.sheets.begin(), s.sheets.end(), std::back_inserter(warmed),
                [](const SheetBody& b) { return b.conductance > 0; });
   if (!warmed.empty())
     f.on(m.heat, "heat",
-         namesOf("sheet", "sheets", warmed) + (warmed.size() > 1 ? " take" : " takes") + " heat from what " +
-             (warmed.size() > 1 ? "they touch" : "it touches"));
+         namesOf("sheet", "sheets", warmed) + (warmed.size() > 1 ? " exchange" : " exchanges") +
+             " heat with the bodies that " + (warmed.size() > 1 ? "they touch" : "it touches"));
   if (!s.emitters.empty()) f.on(m.emitters, "emitters", namesOf("emitter", "emitters", s.emitters));
 
   std::vector<bool> used(s.materials.size(), false);
@@ -157,33 +158,35 @@ Modules modulesOf(const Scene& s) {
   }
   if (m.solid) {
     if (solidBodies > 1) f.on(m.contact, "contact of solids", "there are several solid bodies");
-    if (m.freezing) f.on(m.contact, "contact of solids", "frozen pieces can meet");
-    if (m.fracture && s.numerics.selfContact) f.on(m.contact, "contact of solids", "pieces can meet");
+    if (m.freezing) f.on(m.contact, "contact of solids", "frozen pieces can touch");
+    if (m.fracture && s.numerics.selfContact) f.on(m.contact, "contact of solids", "pieces can touch");
   }
   if (m.contact)
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid())
         f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
   if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
-  // where solids can meet, their contact binds the step of all, and substeps gain nothing
+  // Contact of solids limits the step of all particles, so substeps gain nothing there.
   m.mostSubsteps = s.numerics.elasticSubsteps > 0                 ? s.numerics.elasticSubsteps
                    : m.solid && m.fluid && !m.contact && !m.sleep ? 4
                                                                   : 1;
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids",
-         s.numerics.elasticSubsteps > 0 ? "numerics.elastic_substeps is " + std::to_string(m.mostSubsteps)
-                                        : "there is liquid, too: up to " + std::to_string(m.mostSubsteps));
+         s.numerics.elasticSubsteps > 0
+             ? "numerics.elastic_substeps is " + std::to_string(m.mostSubsteps)
+             : "the scene also has liquid: up to " + std::to_string(m.mostSubsteps));
   if (m.fluid && s.numerics.solver == PressureSolver::Incompressible)
-    f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver says so");
+    f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver");
   if (m.fluid) f.on(m.neighbours, "neighbour search", "there is liquid");
-  if (m.contact) f.on(m.neighbours, "neighbour search", "solids can meet");
+  if (m.contact) f.on(m.neighbours, "neighbour search", "solids can touch");
   if (m.oriented && (m.fluid || m.solid)) {
-    f.on(m.meeting, "contact of kinds", "there are oriented particles and continuum bodies");
+    f.on(m.meeting, "contact of body types", "the scene has oriented particles and continuum bodies");
     f.on(m.neighbours, "neighbour search", "oriented particles can touch the continuum");
   }
-  if (m.oriented && m.sheet) f.on(m.draping, "contact of sheets and oriented particles", "there are both");
+  if (m.oriented && m.sheet)
+    f.on(m.draping, "contact of sheets and oriented particles", "the scene has both");
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
-  if (m.sleep) f.on(m.neighbours, "neighbour search", "what moves wakes what is around it");
+  if (m.sleep) f.on(m.neighbours, "neighbour search", "moving bodies wake sleeping neighbours");
   m.uniform = isUniform(s, m);
   return f.m;
 }

@@ -1,4 +1,4 @@
-// How obstacles and anchors move.
+// Prescribed motion of obstacles and anchors.
 #pragma once
 #include "core/math/vec3.hpp"
 
@@ -8,6 +8,6 @@ struct Keyframe {
   double time = 0;
   Vec3d move{};
   Vec3d rotate{};
-};  // s, m, rad; linear in between
+};  // s, m, rad; linear between keyframes
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// Quantities of the start as functions of position, which are made by io/scene/expression.hpp.
+// Initial values as functions of position, made by io/scene/expression.hpp.
 #pragma once
 #include <functional>
 #include <string>
@@ -9,17 +9,18 @@
 
 namespace thaw {
 
-/// A scalar field, in SI units, of a position (m) in the frame of the scene.
+/// A scalar field in SI units as a function of position (m) in the scene's frame.
 struct PositionField {
-  std::string text;  // as the scene has it
+  std::string text;  // source text
   std::string key;   // path of its key, for messages
   SourcePlace where;
-  std::function<double(const Vec3d&)> value;  // empty: no field; not to be called by several threads at once
+  std::function<double(const Vec3d&)> value;  // empty: no field; not safe to call from several threads at
+                                              // once
   explicit operator bool() const { return static_cast<bool>(value); }
 };
 
-/// v(x) = component(x) + gradient (x - centre), on top of a uniform velocity. centre: the middle of the
-/// bounding box of a body, or of the opening of an emitter.
+/// v(x) = component(x) + gradient (x - centre), added to a uniform velocity. centre: middle of the bounding
+/// box of a body, or of the opening of an emitter.
 struct VelocityField {
   PositionField component[3];
   Mat3d gradient{};  // 1/s, [i][j]: d v_i / d x_j
@@ -28,10 +29,10 @@ struct VelocityField {
   bool given() const { return linear || component[0] || component[1] || component[2]; }
 };
 
-/// m/s, of a field at x (m); centre: see VelocityField.
+/// Velocity of a field at x (m/s); x and centre (m), see VelocityField.
 Vec3d velocityOf(const VelocityField& field, const Vec3d& centre, const Vec3d& x);
 
-/// The beginning of a sentence on a field with a bad value at x (m).
+/// Returns the start of an error message about a bad field value at x (m).
 std::string badValue(const PositionField& field, double value, const Vec3d& x);
 
 }  // namespace thaw

@@ -7,14 +7,15 @@ void applyQuality(Quality quality, Numerics& n) {
     case Quality::Preview:
       n.elasticPrecision = Precision::Single;
       n.cflElastic = 0.6;
-      n.maxDensityError = 0.03;  // the liquid's sound, and with it the steps, 1.7 times slower
+      n.maxDensityError = 0.03;  // lowers the sound speed, so steps are 1.7 times longer
       break;
-    case Quality::Standard: break;  // what Numerics says
+    case Quality::Standard: break;  // the defaults of Numerics
     case Quality::Reference:
-      n.precision = Precision::Double;  // spurious currents of drops and lost angular momentum are rounding
-      n.density = DensityForm::Continuity;  // a quarter of the error of pressure at rest, .6 of a dam
-                                            // break's; not with emitters (check_scene.cpp)
-      n.cflSound = 0.2;  // with it the books close within 1 % where liquid is poured and splashes (2 % at .4)
+      n.precision = Precision::Double;      // rounding drives spurious currents of drops and loss of angular
+                                            // momentum
+      n.density = DensityForm::Continuity;  // reduces the pressure error at rest to a quarter and that of a
+                                            // dam break to 0.6; not with emitters (check_scene.cpp)
+      n.cflSound = 0.2;  // closes the energy budget within 1 % for pouring and splashing; 0.4 within 2 %
       break;
   }
 }

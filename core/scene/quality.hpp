@@ -1,12 +1,12 @@
-// One word for a set of numerical choices (docs/validation/accuracy.md says what each costs and gives).
+// Presets of numerical choices (docs/validation/accuracy.md gives their cost and accuracy).
 #pragma once
 #include "core/scene/scene.hpp"
 
 namespace thaw {
 
-/// The defaults of Numerics for a quality; keys that the scene gives itself are read afterwards and win.
+/// Sets the defaults of Numerics for a quality. The scene's own keys are read afterwards and take precedence.
 void applyQuality(Quality quality, Numerics& numerics);
-/// The same of a material.
+/// Sets the defaults of Material for a quality.
 void applyQuality(Quality quality, Material& material);
 
 }  // namespace thaw

@@ -1,6 +1,5 @@
-// What a scene file says, in SI units, as plain structs. io/scene reads them from TOML; the table of keys
-// there gives every member its unit, range, default and documentation. Nothing here depends on MPI or on a
-// file format.
+// The scene in SI units, as plain structs. io/scene reads them from TOML; its table of keys gives every
+// member's unit, range, default and documentation. Nothing here depends on MPI or on a file format.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -19,44 +18,48 @@
 
 namespace thaw {
 
-/// A material parameter with its solid and its liquid value; linear in between (K05 3.3).
+/// A material parameter with a solid and a liquid value, interpolated linearly (K05 3.3).
 struct Blend {
   double solid = 0, liquid = 0;
   double at(double liquidFraction) const { return solid + (liquid - solid) * liquidFraction; }
 };
 
-enum class ElasticLaw { Green, NeoHookean, Corotated };  // Green strain with Hooke's law is the papers' law
+enum class ElasticLaw {
+  Green,
+  NeoHookean,
+  Corotated
+};  // Green strain with Hooke's law is the law of the papers
 
 struct Material {
   std::string name;
   SourcePlace where;
   double density = 1000;             // kg/m^3, at rest
-  std::uint32_t colour = 0xdfe6ebu;  // of its surface, red | green << 8 | blue << 16
+  std::uint32_t colour = 0xdfe6ebu;  // colour of its surface, red | green << 8 | blue << 16
   // liquid
   Blend viscosity;                                        // Pa s
-  std::vector<std::pair<double, double>> viscosityTable;  // (K, Pa s), logarithmic in between; replaces
+  std::vector<std::pair<double, double>> viscosityTable;  // (K, Pa s), interpolated logarithmically; replaces
                                                           // viscosity if not empty
-  double surfaceTension = 0;                              // N/m, of the liquid
-  double soundSpeed = 0;  // m/s, of the equation of state; 0: ten times the largest speed expected of the
+  double surfaceTension = 0;                              // N/m
+  double soundSpeed = 0;  // m/s, in the equation of state; 0: ten times the largest expected speed of the
                           // scene
   double xsph = 0;        // 1, velocity smoothing (XSPH)
   double artificialViscosity = 0;  // 1, Monaghan's alpha
   // solid
-  Blend young;              // Pa; solid > 0 makes the material able to be solid
+  Blend young;              // Pa; a solid value > 0 allows the material to be solid
   Blend poisson{0.3, 0.3};  // 1
   ElasticLaw law = ElasticLaw::Green;
   Blend yieldStrain{never, never};  // 1, gamma_yield: yield stress |dev sigma|/2G (OBH02; plasticity.hpp);
                                     // never: not plastic
-  Blend creepRate{never, never};  // 1/s, gamma_creep: decay rate of the excess over the yield stress; never:
-                                  // at once
-  double hardening = 0;           // Pa, d(yield stress)/d(equivalent plastic strain)
+  Blend creepRate{never, never};    // 1/s, gamma_creep: decay rate of the stress above yield; never:
+                                    // instantaneous
+  double hardening = 0;             // Pa, d(yield stress)/d(equivalent plastic strain)
   double maxPlasticStrain = never;  // 1, gamma_max: norm of the logarithmic plastic strain
   double volumeStiffness = 0;       // Pa, k_v of the volume force (MKN04)
   double hourglass = 1.25;  // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015); 1.25 also
-                            // makes up for the error of short waves (elastic.hpp)
-  double breakStretch = never;  // 1, a bond longer than this times its reference length breaks
-  double damping = 0;           // 1/s, rate at which velocity differences between bonded particles decay
-  bool weld = false;            // solids of this material that touch after freezing grow together
+                            // compensates the error of short waves (elastic.hpp)
+  double breakStretch = never;  // 1, stretch above which a bond breaks
+  double damping = 0;           // 1/s, decay rate of velocity differences between bonded particles
+  bool weld = false;            // solids of this material weld where they touch
   double friction = 0.3;        // 1, Coulomb, between separate solids
   double restitution = 0.5;     // 1, of contacts between separate solids
   // heat
@@ -64,13 +67,13 @@ struct Material {
   Blend heatCapacity{1000, 1000};            // J/(kg K)
   double latentHeat = 0;                     // J/kg
   double solidus = never, liquidus = never;  // K; never: does not melt
-  double hysteresis = 0;  // 1, liquid fraction below (liquid: 0 + this is needed to freeze; solid: 1 - this
-                          // to melt)
+  double hysteresis = 0;  // 1, required liquid fraction: liquid freezes below it, solid melts above 1 minus
+                          // it
   double heatSource = 0;  // W/kg
   double emissivity = 0;  // 1, radiation from free surfaces to the ambient
   double convection = 0;  // W/(m^2 K), from free surfaces to the ambient
   double paperDiffusivity = 0;  // m^2/s, k_heat of K05, for heat model "paper"
-  bool liquidAtStart = false;   // only for materials that do not melt: liquid (true) or solid
+  bool liquidAtStart = false;   // only for materials that do not melt: initial phase
   bool melts() const { return solidus < never; }
   bool canBeSolid() const { return young.solid > 0; }
 };
@@ -84,27 +87,27 @@ struct Body {
   Shape shape;
   int material = 0;                // index into Scene::materials
   Vec3d velocity{};                // m/s
-  Vec3d spin{};                    // rad/s, about the body's centre of mass (centre of its bounding box)
+  Vec3d spin{};                    // rad/s, about the centre of the body's bounding box
   double temperature = 293.15;     // K
-  Vec3d temperatureGradient{};     // K/m, added to temperature from the centre of the bounding box
+  Vec3d temperatureGradient{};     // K/m, added to temperature, zero at the centre of the bounding box
   VelocityField velocityField;     // added to velocity and spin
-  PositionField temperatureField;  // K, in place of temperature
+  PositionField temperatureField;  // K, replaces temperature
   Packing packing = Packing::Lattice;
-  std::vector<Shape> clamp;  // particles in one of these at the start are held where they are
+  std::vector<Shape> clamp;  // particles in one of these at the start are fixed in place
 };
 
 struct Emitter {
   std::string name;
   SourcePlace where;
-  bool disc = true;                 // disc of this radius, or box (rectangle) of this size
+  bool disc = true;                 // disc of this radius, else rectangle of this size
   double radius = 0.05;             // m
   double width = 0.1, depth = 0.1;  // m
   Vec3d centre{}, direction{0, 0, -1};
   double speed = 1;                // m/s
   double rate = 0;                 // kg/s; 0: density * area * speed
   double temperature = 293.15;     // K
-  VelocityField velocityField;     // of the opening, added to the flow: nothing along `direction`
-  PositionField temperatureField;  // K, of the opening, in place of temperature
+  VelocityField velocityField;     // over the opening, added to the flow; no component along `direction`
+  PositionField temperatureField;  // K, over the opening, replaces temperature
   int material = 0;
   double start = 0, end = never;  // s
 };
@@ -113,20 +116,20 @@ struct Obstacle {
   std::string name;
   SourcePlace where;
   Shape shape;
-  std::optional<double> temperature;  // K; without one the obstacle is insulating
-  double conductance = never;  // W/(m^2 K) of the contact; never: the surface has the obstacle's temperature
-  double friction = 0.3;       // 1, Coulomb, for solids
-  double restitution = 0.5;    // 1, of solids that hit it
-  bool slip = false;           // liquids slip freely instead of sticking
+  std::optional<double> temperature;  // K; none: the obstacle is insulating
+  double conductance = never;         // W/(m^2 K); never: the surface has the obstacle's temperature
+  double friction = 0.3;              // 1, Coulomb, for solids
+  double restitution = 0.5;           // 1, for solids
+  bool slip = false;                  // liquids slip freely; else they stick
   std::vector<Keyframe> motion;
-  double until = never;  // s, disappears at this time
+  double until = never;  // s, the obstacle disappears at this time
 };
 
-/// Brings particles to a temperature, wherever they are: K05's freezing while pouring.
+/// Drives particles to a temperature anywhere in the domain: K05's freezing while pouring.
 struct Tempering {
   SourcePlace where;
   int material = -1;            // index into Scene::materials; -1: all
-  double start = 0, over = 0;   // s, enthalpy goes there linearly in time; over 0: within one step
+  double start = 0, over = 0;   // s, the enthalpy changes linearly over this time; over 0: within one step
   double temperature = 293.15;  // K
 };
 
@@ -146,8 +149,8 @@ struct Domain {
 
 // ---- numerics ---------------------------------------------------------------------------------------------
 enum class KernelKind { WendlandC2, Mcg03, CubicSpline };
-enum class Precision { Single, Double };      // of pair sums; the state itself is double
-enum class PairForm { Consistent, Printed };  // Printed: K05's sums as the paper has them
+enum class Precision { Single, Double };      // precision of pair sums; the state itself is double
+enum class PairForm { Consistent, Printed };  // Printed: the sums of K05 as printed
 enum class DensityForm { Summation, Continuity, Plain };
 enum class EquationOfState { Linear, Tait };
 enum class PressureSolver { StateEquation, Incompressible };
@@ -158,10 +161,10 @@ enum class HeatModel { Enthalpy, Paper };
 enum class Conduction {
   Normalised,
   Plain
-};  // of the sum over neighbours: with the second moment of the lattice, or of the integral
+};  // normalisation of the sum over neighbours: second moment of the lattice, or of the integral
 enum class OverlapRule { Error, Keep, RemoveLater, RemoveEarlier };
 
-enum class Quality { Preview, Standard, Reference };  // sets of numerical choices (quality.hpp)
+enum class Quality { Preview, Standard, Reference };  // presets of numerical choices (quality.hpp)
 
 struct Numerics {
   double support = 2.0;      // 1, support radius over spacing
@@ -171,45 +174,46 @@ struct Numerics {
   Precision elasticPrecision = Precision::Double;
   PairForm pressure = PairForm::Consistent;
   DensityForm density = DensityForm::Summation;
-  bool correctedGradients = true;  // of the continuity form
-  double densityDiffusion = 0.1;   // 1, of the continuity form, delta of Molteni & Colagrossi 2009
-  double shifting = 0;             // 1, velocity of particles from crowded to empty places, over c h |grad C|
+  bool correctedGradients = true;  // for the continuity form
+  double densityDiffusion = 0.1;   // 1, for the continuity form: delta of Molteni & Colagrossi 2009
+  double shifting = 0;             // 1, shifting velocity towards lower concentration over c h |grad C|
   EquationOfState eos = EquationOfState::Linear;
-  double tensileLimit = 0;  // 1: fraction of negative pressure that is kept (0: clamped at 0)
+  double tensileLimit = 0;  // 1, fraction of negative pressure that is kept (0: clamped at 0)
   PressureSolver solver = PressureSolver::StateEquation;
-  double densityTolerance = 1e-4;  // 1, mean of what the incompressible solver leaves of a step's compression
-  double divergenceTolerance = 1e-3;  // 1, mean rate of compression times the step that it leaves
-  std::int64_t maxIterations = 100;   // of either of its solves
+  double densityTolerance = 1e-4;     // 1, mean residual compression of a step in the incompressible solver
+  double divergenceTolerance = 1e-3;  // 1, mean residual rate of compression times the step
+  std::int64_t maxIterations = 100;   // limit for each of its two solves
   ViscosityForm viscosity = ViscosityForm::Pairwise;
   ViscositySolver viscositySolver = ViscositySolver::Explicit;
-  double viscosityTolerance = 1e-3;        // 1, error of the implicit solver's change of velocity
-  std::int64_t viscosityIterations = 200;  // at most, in a step
+  double viscosityTolerance = 1e-3;        // 1, error of the implicit solver's velocity change
+  std::int64_t viscosityIterations = 200;  // limit per step
   TensionForm tension = TensionForm::SurfaceEnergy;
   HeatModel heat = HeatModel::Enthalpy;
   Conduction conduction = Conduction::Normalised;
   bool selfContact = true;        // pieces of one solid collide with each other
   double maxDensityError = 0.01;  // 1, compression that the automatic sound speed allows
   OverlapRule overlap = OverlapRule::Error;
-  // time step factors (docs/validation/stability.md B10)
-  double fixedStep = 0;    // s; 0: as large as the limits allow
+  // Time step factors (docs/validation/stability.md B10).
+  double fixedStep = 0;    // s; 0: the largest step that the limits allow
   double maxStep = never;  // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25,
          cflAcceleration = 0.25;
-  int elasticSubsteps = 0;  // largest number of substeps of solids in a step; 0: 4 where there is liquid and
-                            // solids cannot meet, else 1
-  // rest (core/sleep/)
-  double sleepSpeed = 0;       // m/s, below which a solid is at rest; 0: nothing sleeps
-  double sleepAfter = 0.05;    // s, of rest until it sleeps
-  double sleepHeating = 0.01;  // K/s, above which it is awake
-  // the watch while running (core/watch/)
-  std::int64_t retryEvery = 100;    // steps between the states kept in memory; 0: none
-  std::int64_t retries = 4;         // for one stretch, each with half the step
-  double watchSpeed = 10;           // 1, times the speed that the scene makes
-  double watchDensity = 2;          // 1, density of a liquid over that at rest
-  double watchStep = 1e-4;          // 1, times the materials' limit; 0: not watched
-  double watchInverted = 0.1;       // 1, share of the solid particles
-  double watchEnergy = 0.5;         // 1, times the scale of the energies
-  double plasticRereference = 0.2;  // 1, norm of plastic strain above which the reference is pushed forward
+  int elasticSubsteps = 0;  // largest number of substeps of solids in a step; 0: 4 if there is liquid and
+                            // solids cannot touch, else 1
+  // Sleep (core/sleep/).
+  double sleepSpeed = 0;       // m/s, speed below which a solid is at rest; 0: nothing sleeps
+  double sleepAfter = 0.05;    // s, rest time before a solid sleeps
+  double sleepHeating = 0.01;  // K/s, heating rate above which a solid is awake
+  // Stability monitor (core/watch/).
+  std::int64_t retryEvery = 100;    // steps between snapshots in memory; 0: none
+  std::int64_t retries = 4;         // largest number of rollbacks for one stretch, each halves the step
+  double watchSpeed = 10;           // 1, speed limit over the expected speed of the scene
+  double watchDensity = 2;          // 1, limit of a liquid's relative density
+  double watchStep = 1e-4;          // 1, smallest step over the materials' limit; 0: not monitored
+  double watchInverted = 0.1;       // 1, limit of the fraction of inverted solid particles
+  double watchEnergy = 0.5;         // 1, limit of the residual over the energy scale
+  double plasticRereference = 0.2;  // 1, norm of plastic strain above which the reference configuration is
+                                    // updated
 };
 
 // ---- surface (K05 section 4) ------------------------------------------------------------------------------
@@ -221,41 +225,38 @@ enum class MergeRule {
   Liquid,
   All,
   None
-};  // which components join where they meet; the others' surfaces are kept apart
+};  // components that merge where they touch; surfaces of the others stay separate
 enum class SurfelSource {
   Automatic,
   Particles
-};  // Automatic: from the mesh or shape of what has one (isSampled)
+};  // Automatic: from the mesh or shape of bodies that have one (isSampled)
 
 struct SurfaceSettings {
   bool on = false;             // the scene has a table [surface]
-  double spacing = 0;          // m, wanted distance of surfels; 0: half the spacing of particles
+  double spacing = 0;          // m, target spacing of surfels; 0: half the spacing of particles
   double support = 3;          // 1, h_ss over the spacing of surfels
   double particleSupport = 2;  // 1, h_ps over the support radius of the particles
   SurfelSource source = SurfelSource::Automatic;
-  // when
-  std::int64_t everySteps = 0;  // steps between updates; 0: only frames and what everyMove says
-  double everyMove = 0.25;      // 1, update when some particle has moved this share of the support radius; 0:
-                                // never for that
-  // the update
-  // 1, weights of the four forces (k of K05)
+  // Times of updates.
+  std::int64_t everySteps = 0;  // steps between updates; 0: only frames and everyMove
+  double everyMove = 0.25;  // 1, update once a particle moved this fraction of the support radius; 0: never
+  // The update. Weights (1) of the four forces (k of K05).
   double implicit = 0.5, attract = 0.05, smooth = 0.4, repel = 0.3;
   SmoothingForm smoothing = SmoothingForm::Sphere;
   double isoLevel = 0.5;         // 1, I of the colour field
   double leastLevel = 0.2;       // 1, I_min of the implicit constraint
   double damping = 1;            // 1, alpha of the integration
-  std::int64_t iterations = 40;  // at most, in an update
-  double stop = 0.01;  // 1, a surfel that moves less than this share of its spacing, with all its neighbours,
-                       // is left alone
-  double adapt = 0;    // 1, finest spacing over the wanted one, where the surface is curved; 0: the same
-                       // everywhere
-  double keepVolume = 1;  // 1, weight of the force that keeps the volume of what is liquid at that of its
-                          // particles; 0: none
+  std::int64_t iterations = 40;  // limit per update
+  double stop = 0.01;  // 1, a surfel stops iterating if it and its neighbours move less than this fraction of
+                       // its spacing
+  double adapt = 0;    // 1, finest spacing on curved surfaces over the target spacing; 0: uniform
+  double keepVolume = 1;  // 1, weight of the force that keeps a liquid component's volume equal to that of
+                          // its particles; 0: none
   MergeRule merge = MergeRule::Liquid;
-  double linkLength = 1.5;  // 1, spacings: particles of one component further apart hold it together no
-                            // longer
-  SourcePlace where;        // of the table
-  std::map<std::string, SourcePlace> places;  // of the keys that the scene has
+  double linkLength = 1.5;  // 1, link radius in spacings: particles of one component are connected up to this
+                            // distance
+  SourcePlace where;        // the table
+  std::map<std::string, SourcePlace> places;  // the keys present in the scene
 };
 
 struct Camera {
@@ -266,37 +267,37 @@ struct Camera {
 
 struct Output {
   double every = 0.04;     // s of simulated time between frames
-  double ledgerEvery = 0;  // s of simulated time between further rows of ledger.csv; 0: only those of frames
+  double ledgerEvery = 0;  // s of simulated time between extra rows of ledger.csv; 0: only at frames
   std::vector<std::string> fields{"velocity", "temperature", "liquid"};
-  SourcePlace fieldsWhere;  // no line: these are not from the scene
+  SourcePlace fieldsWhere;  // no line: the fields are defaults
   double checkpoint = 600;  // s of wall-clock time
   bool piecesByRank = false;
   Camera camera;
-  std::string colour;  // field of the pictures; empty: temperature if the scene has heat, own colours of
-                       // sheets alone, else speed
+  std::string colour;  // field of the pictures; empty: temperature if the scene has heat, sheet colours if
+                       // there are only sheets, else speed
   std::optional<double> colourMin, colourMax;  // SI
   int width = 1280, height = 960;
 };
 
-/// Motion that set-up expects of a scene, for the automatic sound speed (core/setup/expected_motion.hpp).
+/// Expected motion of a scene, for the automatic sound speed; set at set-up (core/setup/expected_motion.hpp).
 struct ExpectedMotion {
   double start = 0;                          // m/s, fastest particle of the bodies at the start
   double emitted = 0;                        // m/s, fastest particle of the emitters
   double driven = 0;                         // m/s, fastest point of the moving obstacles
-  double lift = 0;                           // m, largest rise of a point of an obstacle against gravity
+  double lift = 0;                           // m, largest rise of an obstacle point against gravity
   double column = 0;                         // m, highest column of liquid that emitters can fill
   std::string startBy, emittedBy, drivenBy;  // names
 };
 
 struct Scene {
-  std::string title, file, text;  // text: all that was read, for the record in the output
-  double spacing = 0.01;          // m, distance of particles
+  std::string title, file, text;  // text: all input that was read, for the record in the output
+  double spacing = 0.01;          // m, particle spacing
   double end = 1;                 // s
   Quality quality = Quality::Standard;
   std::uint64_t seed = 1;
-  double fallHeight = never;  // m, how far things can fall; set from the bodies at set-up, for the automatic
+  double fallHeight = never;  // m, largest height of fall; set from the bodies at set-up, for the automatic
                               // sound speed
-  ExpectedMotion expected;    // the same
+  ExpectedMotion expected;    // set with fallHeight
   Domain domain;
   Numerics numerics;
   std::vector<Material> materials;
@@ -310,17 +311,17 @@ struct Scene {
   Output output;
 };
 
-/// Has it particles of the continuum, at the start or later? Else oriented bodies and sheets are all there
-/// is.
+/// Returns true if the scene has continuum particles, at the start or later. Otherwise it has only oriented
+/// bodies and sheets.
 inline bool hasContinuum(const Scene& s) { return !s.bodies.empty() || !s.emitters.empty(); }
 
-/// Wanted distance (m) of an oriented body's particles, or of the vertices of a sheet that is made here: its
-/// own, or the scene's.
+/// Target spacing (m) of an oriented body's particles, or of the vertices of a generated sheet: its own, else
+/// the scene's.
 inline double spacingOf(const Scene& s, const OrientedBody& b) {
   return b.spacing > 0 ? b.spacing : s.spacing;
 }
 inline double spacingOf(const Scene& s, const SheetBody& b) { return b.spacing > 0 ? b.spacing : s.spacing; }
-/// Of surfels.
+/// Target spacing of surfels (m).
 inline double surfelSpacing(const Scene& s) {
   return s.surface.spacing > 0 ? s.surface.spacing : 0.5 * s.spacing;
 }

@@ -1,4 +1,4 @@
-// Shapes as a scene says them, in SI units; and what every part of a scene needs.
+// Shapes of a scene in SI units, and types that all parts of a scene use.
 #pragma once
 #include <limits>
 #include <optional>
@@ -12,14 +12,13 @@ namespace thaw {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Place in a file, for messages about what was read there.
+/// Position in a file, for messages.
 struct SourcePlace {
   std::string file;
   int line = 0, column = 0;
 };
 
-/// What is in the file of a mesh, so that another one under the same name is known from it
-/// (io/run/mesh_marks.hpp).
+/// Fingerprint of a mesh file. It detects a different mesh under the same name (io/run/mesh_marks.hpp).
 struct MeshMark {
   double vertices = 0, triangles = 0, checksum = 0;
 };
@@ -37,27 +36,27 @@ enum class ShapeKind {
   Intersection
 };
 
-/// Shape in its own frame, then scaled, rotated and moved. Signed distance is negative inside.
+/// Shape in its own frame, then scaled, rotated and moved. The signed distance is negative inside.
 struct Shape {
   ShapeKind kind = ShapeKind::Box;
   SourcePlace where;
   Vec3d size{1, 1, 1};   // m, Box: edge lengths, centred on the origin
   double radius = 0.5;   // m, Sphere, Cylinder, Glass (outer), Torus (of the ring)
   double radius2 = 0.1;  // m, Torus (of the tube)
-  double height = 1;  // m, Cylinder, Glass; along z, Cylinder centred, Glass standing on z = 0, open at the
+  double height = 1;  // m, Cylinder, Glass; along z: Cylinder centred, Glass standing on z = 0, open at the
                       // top
   double thickness = 0.01;         // m, Glass: wall and floor
   Vec3d point{}, normal{0, 0, 1};  // HalfSpace: solid on the side against the normal
   std::string mesh;                // Mesh: absolute path
-  MeshMark meshMark;               // Mesh: set where a run begins
+  MeshMark meshMark;               // Mesh: set when a run begins
   std::vector<Shape> parts;        // Union: all; Difference: first minus the others; Intersection
   // placement: x = move + R(axis, angle) * (scale * x_shape); rotations about x, then y, then z
   double scale = 1;
   Vec3d rotate{};                   // rad, about x, y, z
   Vec3d move{};                     // m
-  std::optional<double> fitHeight;  // m: scales so that the rotated shape has this z extent (place.height)
-  std::optional<Vec3d> bottom;      // m: moves so that the centre of the lowest face of the bounding box lies
-                                    // here (place.bottom)
+  std::optional<double> fitHeight;  // m: scales the rotated shape to this z extent (place.height)
+  std::optional<Vec3d> bottom;      // m: moves the centre of the lowest face of the bounding box here
+                                    // (place.bottom)
 };
 
 }  // namespace thaw

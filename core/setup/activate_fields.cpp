@@ -39,16 +39,16 @@ void activateFields(World& w, StepTools& t) {
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.standoff});
   on(m.sleep, {&p.calm, &p.sleep, &p.hold});
-  if (m.sleep)  // of rows that are skipped they stay, so that they move with their rows
+  if (m.sleep)  // values of skipped rows persist and move with their rows
     for (AnyColumn* c : {static_cast<AnyColumn*>(&p.filling), static_cast<AnyColumn*>(&p.exposure)})
       c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});
-  p.nextCell.shareWith(p.dissipation);  // found after the drift and stale after the sort, when that is summed
-                                        // anew until the kick
-  // contacts with sheets and oriented bodies read the last acceleration while forces are summed; of what is
-  // held or sleeps it is not that of the force
+  p.nextCell.shareWith(p.dissipation);  // valid from the drift to the sort; dissipation is then summed anew
+                                        // until the kick
+  // Contacts with sheets and oriented bodies read the last acceleration during force sums. For clamped and
+  // sleeping particles it does not follow from the force.
   if (clamped || m.sheet || m.meeting || m.sleep) on(true, {&p.force});
   else p.force.shareWith(p.acceleration);
   activateKinds(w);

@@ -3,7 +3,7 @@
 
 namespace thaw {
 
-/// Switches on the fields of particles and solids that the scene's modules need, and no others.
+/// Activates the fields of particles and solids that the scene's modules need.
 void activateFields(World& world, StepTools& tools);
 
 }  // namespace thaw

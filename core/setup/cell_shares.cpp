@@ -6,11 +6,11 @@
 namespace thaw {
 namespace {
 
-constexpr int across = 4;  // samples along an edge
+constexpr int across = 4;  // samples per edge
 constexpr double halfDiagonal = 0.8661;
-constexpr double rounding = 1e-6;  // spacings: what is as near as that is the same wherever the body lies
+constexpr double rounding = 1e-6;  // spacings; equal distances are recognised for any position of the body
 
-/// A cell by its place in the lattice.
+/// A cell by its lattice position.
 struct Cell {
   std::int64_t at[3];
 };
@@ -40,8 +40,8 @@ class CellShares {
   };
   const SignedDistance& shape_;
   const SampleLattice& l_;
-  std::unordered_map<std::int64_t, std::vector<Piece>> pieces_;  // of cells that are no particle: whose they
-                                                                 // are
+  std::unordered_map<std::int64_t, std::vector<Piece>> pieces_;  // by cell without particle: owners of its
+                                                                 // parts
 
   std::int64_t numberOf(const Cell& c) const {
     return c.at[0] + l_.count[0] * (c.at[1] + l_.count[1] * c.at[2]);
@@ -52,7 +52,7 @@ class CellShares {
   Vec3d middle(const Cell& c) const { return l_.at(c.at[0], c.at[1], c.at[2]); }
   bool isInside(const Cell& c) const { return shape_.distanceWithin(middle(c), l_.spacing) < 0; }
 
-  /// Of the 26 cells around, those in the lattice: it covers the body.
+  /// Visits those of the 26 surrounding cells that are in the lattice, which covers the body.
   template<class F> void forAround(const Cell& c, const F& f) const {
     for (std::int64_t z = -1; z <= 1; z++)
       for (std::int64_t y = -1; y <= 1; y++)

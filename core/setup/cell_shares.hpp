@@ -1,4 +1,4 @@
-// How much of a body lies around each point of its lattice.
+// Volume fractions of a body around its lattice points.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace thaw {
 
-/// A lattice cell is a particle where its middle is inside the body, so that the particles of a ball are a
-/// staircase. Its share says what of the body is nearest to it: that part of its own cell which is inside,
-/// and what is inside of the cells around whose middles are not. Nearest: of the points inside that are
-/// around such a cell. In 64ths of a cell, for points of the lattice that are inside (i + count[0] * row). 64
-/// for all of a shape with gaps.
+/// Returns the part of a body nearest to each lattice point, in 64ths of a cell. A lattice cell is a particle
+/// if its middle is inside the body, so particles of a ball form a staircase. The part consists of the inside
+/// of its own cell, and of the inside of surrounding cells whose middles are outside, divided among the
+/// nearest points. points: inside points of the lattice (i + count[0] * row). 64 for all points of a shape
+/// with gaps.
 std::vector<std::int32_t> cellShares(const SignedDistance& shape, const SampleLattice& lattice,
                                      const std::vector<std::int64_t>& points);
 
-/// 64ths of a cell of a whole one.
+/// Value of a whole cell (64ths).
 inline constexpr std::int32_t wholeCell = 64;
 
 }  // namespace thaw

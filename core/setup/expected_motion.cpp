@@ -10,7 +10,7 @@ namespace {
 
 bool turnsOrStrains(const Body& b) { return b.velocityField.given() || !(b.spin == Vec3d{}); }
 
-/// `count` of the numbers 0 to points - 1, evenly, both ends among them.
+/// Returns `count` of the numbers 0 to points - 1, evenly spaced, both ends included.
 std::vector<std::int64_t> evenly(std::int64_t points, std::int64_t count) {
   std::vector<std::int64_t> chosen;
   const std::int64_t n = std::min(points, count);
@@ -18,7 +18,7 @@ std::vector<std::int64_t> evenly(std::int64_t points, std::int64_t count) {
   return chosen;
 }
 
-/// m/s, the fastest of some of a body's lattice points, or of its box's corners where none is inside.
+/// Largest speed (m/s) of some lattice points of a body, or of its box's corners if no point is inside.
 double fastestPoint(const Scene& s, const Body& b, const SignedDistance& shape, std::int64_t perAxis) {
   const SampleLattice l = bodyLattice(s, b, shape);
   const Vec3d centre = middleOf(shape);
@@ -41,7 +41,7 @@ double fastestPoint(const Scene& s, const Body& b, const SignedDistance& shape, 
 
 void addBodies(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                ExpectedMotion& m) {
-  constexpr double mostPoints = 1e6;  // of all bodies, tens of milliseconds for simple shapes
+  constexpr double mostPoints = 1e6;  // over all bodies; tens of milliseconds for simple shapes
   const auto bodies = std::count_if(s.bodies.begin(), s.bodies.end(), turnsOrStrains);
   const double each = std::cbrt(mostPoints / static_cast<double>(std::max<std::ptrdiff_t>(1, bodies)));
   const auto perAxis = static_cast<std::int64_t>(std::clamp(each, 3.0, 33.0));
@@ -60,7 +60,7 @@ void addBodies(const Scene& s, const std::vector<std::shared_ptr<const SignedDis
   whole(s.sheets, "sheet");
 }
 
-/// Height (m) of the domain along `up`, and of its lowest corner.
+/// Height (m) of the domain along `up`, and coordinate of its lowest corner.
 struct Heights {
   double size = 0, low = 0;
 };
@@ -73,7 +73,7 @@ Heights heightsOf(const Domain& d, const Vec3d& up) {
   return h;
 }
 
-/// An emitter that does not point down can fill a vessel from below, to the top of the domain if it lasts.
+/// An emitter that does not point down can fill a vessel from below, up to the top of the domain.
 void addEmitters(const Scene& s, const Vec3d& up, const std::vector<EmitterPlan>& plans, ExpectedMotion& m) {
   const Heights domain = heightsOf(s.domain, up);
   for (std::size_t e = 0; e < s.emitters.size(); e++) {
@@ -92,7 +92,7 @@ Vec3d withinDomain(const Domain& d, Vec3d x) {
   return x;
 }
 
-/// Corners of the obstacle's box at rest; the domain's where it has no end.
+/// Corners of the obstacle's box at rest; those of the domain along infinite axes.
 std::vector<Vec3d> cornersOf(const Bounds& b, const Domain& d) {
   std::vector<Vec3d> corners;
   for (int c = 0; c < 8; c++) {
@@ -108,7 +108,7 @@ std::vector<Vec3d> cornersOf(const Bounds& b, const Domain& d) {
 }
 
 void addObstacle(const Wall& wall, const Domain& d, const Vec3d& up, ExpectedMotion& m) {
-  constexpr double angle = 0.2;  // rad, between the poses that are looked at
+  constexpr double angle = 0.2;  // rad, between sampled poses
   constexpr int mostPoses = 200;
   const std::vector<Keyframe>& motion = wall.properties.motion;
   const std::vector<Vec3d> corners = cornersOf(wall.bounds, d);

@@ -1,4 +1,4 @@
-// Speeds and heights that the automatic sound speed depends on: start, emitters, moving obstacles.
+// Speeds and heights for the automatic sound speed: start, emitters, moving obstacles.
 #pragma once
 #include <memory>
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace thaw {
 
-/// The same on any number of ranks, and after a restart. Bodies that spin or have a field are sampled on
-/// their lattice, at no more than 33 points along an axis. Moving obstacles are sampled at the corners of
-/// their bounding box, within the domain.
+/// The same on any number of ranks, and after a restart. Rotating bodies and bodies with fields are sampled
+/// on their lattice, at up to 33 points per axis. Moving obstacles are sampled at the corners of their
+/// bounding box, within the domain.
 ExpectedMotion expectedMotion(const Scene& scene,
                               const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                               const Walls& walls, const std::vector<EmitterPlan>& emitters);

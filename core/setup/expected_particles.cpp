@@ -5,7 +5,7 @@
 namespace thaw {
 namespace {
 
-constexpr double notMuch = 1e6;  // particles, for which no machine is too small
+constexpr double notMuch = 1e6;  // particles, below which no estimate is needed
 constexpr int coarse = 24;       // points along each edge of the bounding box
 
 double insideShare(const SignedDistance& shape, const Bounds& b) {
@@ -43,7 +43,7 @@ double expectedArea(const std::vector<std::shared_ptr<const SignedDistance>>& sh
       continue;
     }
     const Bounds b = shape->bounds();
-    // a margin of one cell, which is outside
+    // One outside cell as a margin.
     const Vec3d size = b.max - b.min, cell = size * (1.0 / (n - 2));
     const auto place = [&](double x, double y, double z) {
       return b.min + Vec3d{(x - 0.5) * cell.x, (y - 0.5) * cell.y, (z - 0.5) * cell.z};
@@ -51,8 +51,8 @@ double expectedArea(const std::vector<std::shared_ptr<const SignedDistance>>& sh
     for (int z = 0; z < n; z++)
       for (int y = 0; y < n; y++)
         for (int x = 0; x < n; x++) in[at({x, y, z})] = shape->inside(place(x, y, z));
-    // A piece of area A and normal n is crossed by |n_a| A / (area of a cell across a) lines along axis a. A
-    // crossing that counts that area over |n_x| + |n_y| + |n_z| gives A.
+    // A piece of area A and normal n is crossed by |n_a| A / (area of a cell across a) lines along axis a.
+    // Counting that area over |n_x| + |n_y| + |n_z| for each crossing gives A.
     for (int z = 0; z < n; z++)
       for (int y = 0; y < n; y++)
         for (int x = 0; x < n; x++)
@@ -64,7 +64,7 @@ double expectedArea(const std::vector<std::shared_ptr<const SignedDistance>>& sh
                                   length(cell), &g);
             const double lines = std::abs(g.x) + std::abs(g.y) + std::abs(g.z),
                          across = cell[(a + 1) % 3] * cell[(a + 2) % 3];
-            sum += across / (lines > 0 ? lines : 1.5);  // 3/2: the mean over all directions
+            sum += across / (lines > 0 ? lines : 1.5);  // 3/2: mean over all directions
           }
   }
   return sum;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double hexagon = 0.86602540378443865;  // area of a particle over the square of the spacing
 constexpr double pi = 3.14159265358979323846;
-// Least bytes of a row: its columns and lists; of a point while a body is made, and of a sample of a surface,
-// of which there are some 21 a particle.
+// Lower bounds of bytes: per row (columns and lists), per point of a body during set-up, and per surface
+// sample, of which a particle has about 21.
 constexpr double orientedRow = 500, pointBytes = 49, sampleBytes = 21 * 56, vertexRow = 500, vertexPlan = 300;
 
 double areaOf(const Shape& shape, const MeshLoader& load) {
@@ -28,7 +28,7 @@ double particlesOf(const OrientedBody& b, double s, const MeshLoader& load) {
     case OrientedSource::Patch: return (scale * b.width / s + 1) * (scale * b.depth / (hexagon * s) + 1);
     case OrientedSource::Disc: return pi * scale * b.radius * scale * b.radius / cell;
     case OrientedSource::Points: return static_cast<double>(b.points.size());
-    case OrientedSource::Control: {  // the square in which the hull of the points is looked for
+    case OrientedSource::Control: {  // the square that is searched for the hull of the points
       double reach = 0;
       for (const Vec3d& x : b.points)
         for (const Vec3d& y : b.points) reach = std::max(reach, length(x - y));
@@ -47,7 +47,7 @@ double verticesOf(const SheetBody& b, double s) {
     case SheetMesh::Head: return 10 * std::pow(along(0.45 * b.height), 2) + 2;
     case SheetMesh::Dome: return 3 * along(b.radius) * (along(b.radius) + 1) + 1;
     case SheetMesh::Forehead: return (along(b.width) + 1) * (along(b.height) + 1);
-    case SheetMesh::File: break;  // it is there
+    case SheetMesh::File: break;  // known already
   }
   return 0;
 }
@@ -62,11 +62,11 @@ std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& loa
     e.ownSpacing = b.spacing > 0;
     try {
       e.rows = particlesOf(b, e.spacing, load);
-    } catch (const std::exception&) {  // its set-up says so, with its place
+    } catch (const std::exception&) {  // its set-up reports the error with its place
     }
     e.bytesEverywhere = e.rows * (pointBytes + (b.source == OrientedSource::Surface ? sampleBytes : 0));
     e.bytesShared = b.thin * e.rows * orientedRow;
-    // as in core/oriented/made_points.cpp
+    // As in core/oriented/made_points.cpp.
     e.spread = b.source == OrientedSource::Control ||
                (b.source == OrientedSource::Surface && (b.thin == 1 || b.shape.kind != ShapeKind::Mesh));
     all.push_back(std::move(e));

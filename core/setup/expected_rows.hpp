@@ -1,4 +1,4 @@
-// How many particles and vertices the further kinds of body will have, before they are made.
+// Estimates of particles and vertices of the further body types before they are made.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,23 +8,23 @@
 
 namespace thaw {
 
-inline constexpr double mostRowsOfKind = 2e9;  ///< of a body: numbers of its points and vertices have 32 bits
-                                               ///< while it is made
+inline constexpr double mostRowsOfKind = 2e9;  ///< per body; its points and vertices have 32-bit numbers
+                                               ///< during set-up
 
 struct ExpectedRows {
   std::string name;  ///< "oriented body 'skin'"
   SourcePlace where;
-  double rows = 0;             ///< particles or vertices, to a third
-  double bytesEverywhere = 0;  ///< least memory (bytes) on each rank: all of them sample the body whole
-  double bytesShared = 0;      ///< of all rows on their owners
-  double spacing = 0;          ///< m, of the body
-  bool ownSpacing = false;     ///< and not the scene's
-  bool spread = false;  ///< its points make room for each other, in passes: some tenths of a millisecond each
+  double rows = 0;                 ///< particles or vertices, accurate to a third
+  double bytesEverywhere = 0;      ///< least memory (bytes) on each rank, as all ranks sample the whole body
+  double bytesShared = 0;          ///< memory (bytes) of all rows on their owners
+  double spacing = 0;              ///< m, spacing of the body
+  bool ownSpacing = false;         ///< true: not the scene's spacing
+  bool spread = false;             ///< its points are relaxed in passes of some tenths of a millisecond each
   const char* word = "particles";  ///< or "vertices"
 };
 
-/// Of every oriented body and sheet of the scene, in 64-bit floating point, so that no spacing overflows. A
-/// body whose shape or mesh cannot be made counts as empty: setting it up says what is wrong.
+/// Returns the estimates for every oriented body and sheet, in 64-bit floating point so that no spacing
+/// overflows. A body whose shape or mesh is unusable counts as empty; its set-up reports the error.
 std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& load);
 
 }  // namespace thaw

@@ -18,10 +18,10 @@ std::string inDigits(double value) {
   return text;
 }
 
-/// What makes a periodic domain too thin; the thinnest slab in spacings where these are known.
+/// Cause of a periodic domain that is too thin, with the thinnest slab in spacings if known.
 std::string slabAdvice(double reach, double spacing) {
   const std::string farthest =
-      "three times the farthest that anything in it reaches (numerics.support; of surfels "
+      "three times the largest interaction range (numerics.support; for surfels "
       "surface.particle_support)";
   return spacing > 0 ? ", " + inDigits(3 * reach / spacing) + " spacings: " + farthest : ", " + farthest;
 }
@@ -31,8 +31,8 @@ std::string slabAdvice(double reach, double spacing) {
 CellGrid makeGrid(const Scene& s, double least) {
   const double reach = std::max({orientedReach(s), sheetReach(s), least});
   double support = s.numerics.support * s.spacing;
-  // cells of the scene's particles, of which there are none, would each hold thousands of a body that is much
-  // finer
+  // Without continuum particles, cells of their support would each hold thousands of particles of a much
+  // finer body.
   if (s.bodies.empty() && s.emitters.empty() && reach > 0 && reach < 0.25 * support) support = reach;
   return makeGrid(s.domain, support, reach, s.spacing);
 }
@@ -48,8 +48,8 @@ CellGrid makeGrid(const Domain& d, double support, double least, double spacing)
       throw std::runtime_error("the domain has no extent along " + axis + ": max must be above min");
     if (extent / cell > maxCellsPerAxis - 8)
       throw std::runtime_error("the domain is " + inDigits(extent / cell) + " support radii long along " +
-                               axis + ", at most " + std::to_string(maxCellsPerAxis) +
-                               " are possible: make the domain smaller or the spacing larger");
+                               axis + "; expected at most " + std::to_string(maxCellsPerAxis) +
+                               ": reduce the domain or increase the spacing");
     g.periodic[a] = d.side[a][0] == Side::Periodic;
     if (g.periodic[a]) {
       g.cells[a] = static_cast<int>(std::floor(extent / cell * (1 + 1e-12)));
@@ -61,7 +61,7 @@ CellGrid makeGrid(const Domain& d, double support, double least, double spacing)
       g.edge[a] = extent / g.cells[a];
       g.origin[a] = d.min[a];
       g.period[a] = extent;
-    } else {  // one cell around, for particles pressed into a wall
+    } else {  // one margin cell, for particles pressed into a wall
       g.edge[a] = cell;
       g.cells[a] = static_cast<int>(std::ceil(extent / cell)) + 2;
       g.origin[a] = d.min[a] - cell;

@@ -4,14 +4,14 @@
 
 namespace thaw {
 
-/// The grid of a scene: cells of one support radius; along a periodic axis the largest whole fraction of the
-/// domain that is not smaller. Throws std::runtime_error with one clear sentence where the domain is too
-/// large for 2^20 cells along an axis, or a periodic side too short for three cells. least: m, edge of cells
-/// at least, for what the scene alone does not tell.
+/// Makes the grid of a scene: cells of one support radius; along a periodic axis the largest integer fraction
+/// of the domain that is not smaller. Throws std::runtime_error with one clear sentence if the domain is too
+/// large for 2^20 cells along an axis, or a periodic side too short for three cells. least: m, lower bound of
+/// the cell edge for ranges that the scene alone does not determine.
 CellGrid makeGrid(const Scene& scene, double least = 0);
 
-/// The same of a domain, with cells of another radius (m); cells are at least as long as `edge` (m).
-/// spacing: m, for messages; 0: not known.
+/// As above for a domain and a support radius (m); cells are at least `edge` (m) long. spacing: m, for
+/// messages; 0: unknown.
 CellGrid makeGrid(const Domain& domain, double support, double edge = 0, double spacing = 0);
 
 }  // namespace thaw

@@ -20,8 +20,8 @@ const char* remedyOf(const Shape& shape) {
   }
 }
 
-/// Relative density that acts of a carried density's start: the drift correction lets an excess of
-/// `tolerated` be.
+/// Initial relative density that takes effect with a carried density: the drift correction tolerates a small
+/// excess.
 double excused(float summed) {
   constexpr double tolerated = 0.03;
   return std::max(1.0, static_cast<double>(summed) - tolerated);
@@ -34,10 +34,10 @@ std::vector<SceneWarning> pressedLiquids(const World& w, const StepTools& t, Red
   const std::size_t bodies = w.scene.bodies.size();
   const double speed = expectedSpeed(w.scene);
   if (!w.modules.fluid || w.modules.incompressible || !(speed > 0) || bodies == 0) return warnings;
-  constexpr double unit = 1e-6, share = 0.1;  // of speed^2; of the speed
+  constexpr double unit = 1e-6, share = 0.1;  // relative to speed^2; relative to the speed
   const Continuum& p = w.particles;
-  std::vector<std::int64_t> sums(2 * bodies, 0);  // particles, their energy of compression per mass: whole
-                                                  // numbers, whose sums have no order
+  std::vector<std::int64_t> sums(2 * bodies, 0);  // number of particles, and their compression energy per
+                                                  // mass, in integers whose sums do not depend on the order
   std::vector<double> densest(bodies, 0);
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.phase[i] != Liquid || p.body[i] >= bodies) continue;

@@ -1,4 +1,4 @@
-// Liquid that starts compressed, and bursts.
+// Warnings about liquid that starts compressed and would burst.
 #pragma once
 #include <vector>
 
@@ -10,9 +10,9 @@ namespace thaw {
 
 struct StepTools;
 
-/// A warning for each body whose liquid holds so much energy of compression at time 0 that it would fly apart
-/// at more than a tenth of the largest speed that the scene makes: its lattice, of whole spacings, is wider
-/// than the space that walls and other bodies leave. After the first evaluation. The same on any number of
+/// Returns a warning for each body whose liquid stores so much compression energy at time 0 that it would
+/// burst at more than a tenth of the largest expected speed: its lattice, of whole spacings, is wider than
+/// the space between walls and other bodies. Call it after the first evaluation. The same on any number of
 /// ranks. Collective.
 std::vector<SceneWarning> pressedLiquids(const World& world, const StepTools& tools, Reducer& all);
 

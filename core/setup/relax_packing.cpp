@@ -15,9 +15,9 @@ namespace thaw {
 namespace {
 
 constexpr int iterations = 30, settlingIterations = 200;
-constexpr double settled = 1e-4;  // of the filling: a pressure of 1e-4 rho c^2
+constexpr double settled = 1e-4;  // excess of relative density: a pressure of 1e-4 rho c^2
 
-/// Sums of grad W over all neighbours, as the pressure force of a liquid whose pressure is 1 everywhere.
+/// Computes sums of grad W over all neighbours, as the pressure force of a liquid with unit pressure.
 void kernelGradients(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
   computeCellKeys(w.grid, p);
@@ -35,7 +35,7 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   sumUnitPressure(w, t);
 }
 
-/// By body: 1 where it is relaxed and no particle of it can feel a wall, which would hold it.
+/// By body: 1 if it is relaxed and none of its particles is within range of a wall, which would constrain it.
 std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::vector<std::uint8_t>& relaxed) {
   std::vector<double> atWall(w.scene.bodies.size(), 0.0);
   for (std::size_t i = 0; i < w.particles.owned; i++) {
@@ -55,10 +55,11 @@ std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::ve
   return free;
 }
 
-/// Liquid that the iterations above leave fills some places up to 3 % too much (and a shape's lattice points
-/// may have a per cent more volume than the shape): let go, with nothing around it, it would take speed from
-/// these pressures, some thousandths of that of sound, and swell for good. Moves it down the slope of the sum
-/// of the squares of what is too much, out of its shape where it has to. Returns the iterations.
+/// Relaxes the density. After the iterations above some places have up to 3 % excess density (and lattice
+/// points of a shape may have a percent more volume than the shape). Released without surroundings, the
+/// liquid would gain some thousandths of the sound speed from these pressures and swell permanently.
+/// Particles move along the negative gradient of the sum of squared excesses, out of their shape if
+/// necessary. Returns the number of iterations.
 int settleLiquids(World& w, Halos& halos, StepTools& t, const std::vector<std::uint8_t>& moves) {
   Continuum& p = w.particles;
   const double dx = w.scene.spacing,
@@ -86,8 +87,8 @@ int settleLiquids(World& w, Halos& halos, StepTools& t, const std::vector<std::u
   return settlingIterations;
 }
 
-/// The image of x, across periodic sides, that is nearest to a body's middle: where the body has it that
-/// reaches over a side.
+/// Returns the image of x across periodic sides nearest to a body's middle, for bodies that reach across a
+/// side.
 Vec3d imageIn(const CellGrid& g, const Vec3d& middle, Vec3d x) {
   for (int a = 0; a < 3; a++)
     if (g.periodic[a]) x[a] -= g.period[a] * std::round((x[a] - middle[a]) / g.period[a]);
@@ -98,7 +99,7 @@ Vec3d imageIn(const CellGrid& g, const Vec3d& middle, Vec3d x) {
 
 int relaxPacking(World& w, Halos halos, StepTools& t,
                  const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
-  // by body; what emitters let out is none
+  // By body; emitted particles belong to none.
   std::vector<std::uint8_t> relaxed(std::numeric_limits<std::uint16_t>::max() + std::size_t{1}, 0);
   for (std::size_t b = 0; b < w.scene.bodies.size(); b++)
     relaxed[b] = w.scene.bodies[b].packing == Packing::Relaxed;
@@ -106,15 +107,14 @@ int relaxPacking(World& w, Halos halos, StepTools& t,
   Continuum& p = w.particles;
   std::vector<Vec3d> middle;
   for (const auto& s : shapes) middle.push_back(0.5 * (s->bounds().min + s->bounds().max));
-  const bool everywhere = liquidFillsTheBox(w.scene);  // then what crosses a side comes back on the other
+  const bool everywhere = liquidFillsTheBox(w.scene);  // particles that cross a side then return on the other
   const double dx = w.scene.spacing, V = dx * dx * dx;
   for (int k = 0; k < iterations; k++) {
     kernelGradients(w, halos, t);
     for (std::size_t i = 0; i < p.owned; i++) {
       const std::size_t body = p.body[i];
       if (!relaxed[body]) continue;
-      // force / V^2 = - 2 sum grad W (1/m^4); times V dx it is the share of a spacing that is missing on one
-      // side
+      // force / V^2 = -2 sum grad W (1/m^4); times V dx it is the fraction of a spacing missing on one side.
       Vec3d move = p.force[i] * (0.25 * dx * dx / V);
       const double length2 = dot(move, move), most = 0.1 * dx;
       if (length2 > most * most) move = move * (most / std::sqrt(length2));

@@ -20,8 +20,8 @@
 namespace thaw {
 namespace {
 
-/// What is wrong with places of samples, on this rank; of the first offender of each kind (by body) the names
-/// are kept, as a number that can be reduced: the maximum of negated numbers, -never where there is none.
+/// Errors of sample positions on this rank. The first offender of each kind (by body) is kept as a number
+/// that can be reduced: a maximum of negated numbers, -never without offenders.
 struct Offenders {
   explicit Offenders(std::size_t bodies) : outside(bodies) {}
   std::vector<Outside> outside;  // by body
@@ -30,10 +30,9 @@ struct Offenders {
 };
 constexpr std::size_t codes = 65536;
 
-/// x: of a sample, brought in where it was beyond a periodic side.
+/// x: position of a sample, wrapped into the domain.
 void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
-  if (o.outside[body].look(w.scene.domain, x))
-    return;  // a walled side is an obstacle as well: once is enough
+  if (o.outside[body].look(w.scene.domain, x)) return;  // a wall side is an obstacle as well: report it once
   for (std::size_t k = 0; k < w.walls.list.size(); k++) {
     if (!holdsSample(w.walls.list[k], x, w.scene.spacing)) continue;
     o.inObstacles++;
@@ -42,16 +41,16 @@ void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
   }
 }
 
-/// How a body is filled: its lattice, its centre, and how far points are moved off the lattice at most,
-/// spacings along each axis.
+/// Parameters for filling a body: its lattice, its centre, and the largest offset of points along each axis,
+/// in spacings.
 struct Filling {
   SampleLattice lattice;
   Vec3d centre;
   double jitter;
 };
 
-/// Rows from `first` on of the table, of these points of body b's lattice. inEach: grows by how many each of
-/// its clamps holds.
+/// Fills the rows from `first` on with these points of body b's lattice. inEach: number of particles in each
+/// clamp, incremented.
 void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const std::int64_t> points,
               std::size_t first, std::vector<std::int64_t>& inEach) {
   const auto& [l, centre, jitter] = filling;
@@ -62,8 +61,8 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
   const double dx = s.spacing;
   std::vector<std::shared_ptr<const SignedDistance>> clamps;
   for (const Shape& c : body.clamp) clamps.push_back(makeSignedDistance(c));
-  const auto inClamp = [&](const SignedDistance& c, Vec3d x) {  // as the body is placed, or where it comes in
-                                                                // at the other side
+  const auto inClamp = [&](const SignedDistance& c, Vec3d x) {  // at the position in the body, or wrapped
+                                                                // into the domain
     return c.inside(x) || (wrapPlace(w.grid, s.domain, x), c.inside(x));
   };
   for (std::size_t i = first; i < first + points.size(); i++) {
@@ -88,22 +87,22 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
   }
 }
 
-/// This rank's rows of one body's lattice; inEach: see fillRows; filled: grows by their 64ths of cells
-/// (cellShares). Returns how many samples the overlap rule took away.
+/// Samples this rank's rows of one body's lattice. inEach: see fillRows; filled: incremented by their 64ths
+/// of cells (cellShares). Returns the number of samples that the overlap rule removed.
 std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all,
                         const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders,
                         std::int64_t& filled, std::vector<std::int64_t>& inEach) {
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const SampleLattice l = bodyLattice(s, s.bodies[b], shape);
-  // where there is no surface anywhere in its cell: relaxation leads back to the lattice from less (benchmark
-  // taylor_green)
+  // Without a surface the jitter covers the whole cell: relaxation of less leads back to the lattice
+  // (benchmark taylor_green).
   const double jitter = s.bodies[b].packing != Packing::Relaxed ? 0 : liquidFillsTheBox(s) ? 0.5 : 0.2;
   const SampleRange range = sampleRange(l, all.rank(), all.size());
   std::int64_t removed = 0;
   constexpr std::int64_t mostAtOnce = 1 << 24;
-  std::vector<std::int64_t> points;  // first all, then their rows at once: columns that grow again and again
-                                     // get new pages of the system each time
+  std::vector<std::int64_t> points;  // points first, then their rows at once: columns that grow repeatedly
+                                     // get new pages each time
   points.reserve(static_cast<std::size_t>(std::min(mostAtOnce, (range.end - range.begin) * l.count[0])));
   KnownSides known;
   for (std::int64_t row = range.begin; row < range.end; row++)
@@ -183,8 +182,8 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   if (const std::int64_t inItself = counts[n + 2]; inItself > 0) {
     const Body& b = s.bodies[static_cast<std::size_t>(-first[1])];
     problems.add(b.where, "body '" + b.name +
-                              "' reaches round the domain into itself: " + std::to_string(inItself) +
-                              " of its particles lie inside its image across a periodic side; make it "
+                              "' overlaps its own image across a periodic side: " + std::to_string(inItself) +
+                              " of its particles lie inside the image; make it "
                               "shorter than the domain along its periodic axes, or the domain longer");
   }
   problems.raise();
@@ -197,15 +196,17 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
             {s.bodies[b].where,
              "body '" + s.bodies[b].name + "': its clamp " +
                  (clamps > 1 ? std::to_string(k + 1) + " of " + std::to_string(clamps) + " " : "") +
-                 "holds none of its particles" + (clamped[b] == 0 ? ": nothing holds it" : "")});
+                 "contains none of its particles" +
+                 (clamped[b] == 0 ? ", and the body is not clamped" : "")});
   }
   for (std::size_t b = 0; b < n; b++)
     if (const std::string narrow = narrowAxes(shapes[b]->bounds(), s.spacing); !narrow.empty())
       report.warnings.push_back(
-          {s.bodies[b].where, "body '" + s.bodies[b].name + "' is narrower than the spacing of " +
-                                  lengthText(s.spacing) + " (" + narrow +
-                                  "): it is one layer of particles there, a spacing thick, and as heavy" +
-                                  sizeHint(s, s.bodies[b].shape, shapes[b]->bounds())});
+          {s.bodies[b].where,
+           "body '" + s.bodies[b].name + "' is narrower than the spacing of " + lengthText(s.spacing) + " (" +
+               narrow +
+               "): it becomes one layer of particles, one spacing thick, with the mass of that layer" +
+               sizeHint(s, s.bodies[b].shape, shapes[b]->bounds())});
   for (std::size_t k = overlaps.count.size(); k-- > 0;)
     if (overlaps.count[k] > 0) report.overlapWhere = s.bodies[overlaps.pair[k].first].where;
   if (report.inObstacles > 0) {

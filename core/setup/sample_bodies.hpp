@@ -1,4 +1,4 @@
-// Particles of the scene's bodies at time 0.
+// Sampling of the scene's bodies at time 0.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,24 +11,23 @@
 
 namespace thaw {
 
-/// What was found while sampling, summed over ranks.
+/// Results of sampling, summed over ranks.
 struct SamplingReport {
   std::vector<std::int64_t> particles;  ///< by body
-  std::vector<std::int64_t> clamped;    ///< of them, by body
-  std::vector<std::string> overlaps;    ///< a sentence for each pair of bodies that overlap, with the counts
-  std::int64_t removed = 0;             ///< samples left out of them, as the scene says
-  std::vector<Outside> outside;         ///< of the domain, by body
+  std::vector<std::int64_t> clamped;    ///< clamped particles, by body
+  std::vector<std::string> overlaps;    ///< one sentence with counts per pair of overlapping bodies
+  std::int64_t removed = 0;             ///< samples removed by the scene's overlap rule
+  std::vector<Outside> outside;         ///< extent outside of the domain, by body
   std::int64_t inObstacles = 0;
   std::string firstObstacle;                ///< names, for the message
-  SourcePlace overlapWhere, obstacleWhere;  ///< of the first body concerned
-  std::vector<SceneWarning> warnings;  ///< of narrow bodies, of oriented bodies and sheets; what was mended
-                                       ///< of meshes
+  SourcePlace overlapWhere, obstacleWhere;  ///< place of the first body with such particles
+  std::vector<SceneWarning> warnings;  ///< about narrow bodies, oriented bodies and sheets, and repairs of
+                                       ///< meshes
 };
 
-/// Appends this rank's share of all bodies' particles: the rows of each body's lattice are dealt out evenly,
-/// so that no rank samples more than its part. Ids are the body's number and the place in its lattice, the
-/// same on any number of ranks. Overlaps are handled as the scene says; OverlapRule::Error is left to the
-/// caller. Collective.
+/// Appends this rank's part of all bodies' particles: the rows of each body's lattice are distributed evenly.
+/// Ids consist of the body's number and the index in its lattice, the same on any number of ranks. Overlaps
+/// follow the scene's rule; the caller handles OverlapRule::Error. Collective.
 SamplingReport sampleBodies(World& world, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                             Reducer& all);
 

@@ -39,7 +39,7 @@
 namespace thaw {
 namespace {
 
-/// Forces and accelerations of now, without a step that led here.
+/// Computes forces and accelerations at the current positions, without a preceding step.
 void evaluateNow(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   evaluate(w, halos, t, 0);
@@ -50,8 +50,8 @@ void evaluateNow(World& w, Halos halos, StepTools& t) {
       if (p.clamped[i]) p.acceleration[i] = {};
 }
 
-/// Adds `sign` times the energy that is stored on this rank, and what symplectic Euler has not given of it
-/// yet, to `to`.
+/// Adds `sign` times the stored energy of this rank, and the part that symplectic Euler has not yet
+/// delivered, to `to`.
 void bookStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
   const ExactBalance here = balanceHere(w);
   to.addProduct(here.elastic, sign);
@@ -59,14 +59,14 @@ void bookStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
   if (w.modules.oriented) bookLag(w, t, sign, w.clock.stepDt, to);
 }
 
-/// What the first sorts took, of all rows.
+/// Frees the buffers of the first sorts, which cover all rows.
 void dropBuffersOfStart(World& w, StepTools& t) {
   w.particles.shrink();
   t.sort = {};
   giveBackFreed();
 }
 
-/// How far anything can fall: from the highest point of bodies and emitters to the lowest end of the domain.
+/// Largest height of fall: from the highest point of bodies and emitters to the lowest end of the domain.
 double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   const double g = length(s.domain.gravity);
   if (g == 0) return 0;
@@ -83,7 +83,7 @@ double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const Sign
   return std::max(0.0, top - low);
 }
 
-/// m, the farthest at which anything feels an obstacle.
+/// Largest distance (m) at which something interacts with an obstacle.
 double reachOfWalls(const World& w) {
   double reach = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
   for (const SheetPlan& plan : w.sheets.plans) reach = std::max(reach, 2 * plan.thickness);
@@ -92,7 +92,7 @@ double reachOfWalls(const World& w) {
   return reach;
 }
 
-/// Notes on the meshes of obstacles, and a warning for those that meet a step at a periodic side.
+/// Adds notes on the meshes of obstacles, and a warning for obstacles with a step at a periodic side.
 void warnOfWalls(const World& w, std::vector<SceneWarning>& warnings) {
   for (const Wall& wall : w.walls.list) {
     if (wall.isImage()) continue;
@@ -101,8 +101,8 @@ void warnOfWalls(const World& w, std::vector<SceneWarning>& warnings) {
     };
     if (const std::string axes = unevenAxes(w.scene.domain, wall, w.grid.support); !axes.empty())
       add(" is as long as the domain, or longer, along the periodic axis " + axes +
-          ", but not the same on both sides: what crosses that side meets a step");
-    std::vector<std::string> notes;  // what was mended of meshes
+          ", but differs at both sides: particles that cross that side hit a step");
+    std::vector<std::string> notes;  // repairs of meshes
     wall.shape->addNotes(notes);
     for (const std::string& note : notes) add(": " + note);
   }
@@ -116,7 +116,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   if (w.modules.surface) prepareSurface(w);
   w.clock.end = w.scene.end;
   w.clock.every = w.scene.output.every;
-  SceneProblems problems;  // unreadable meshes: all of them at once, with their places in the scene
+  SceneProblems problems;  // unreadable meshes, all reported together with their places in the scene
   for (const Obstacle& o : w.scene.obstacles) {
     Wall wall;
     wall.shape = makeSignedDistance(o.shape, load, "obstacle '" + o.name + "'", problems);
@@ -163,7 +163,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   const double cellsInSupport = std::pow(h / w.scene.spacing, 3);
   t.selfExcess = (latticeSum(n) * t.perLatticeSum - 1) * cellsInSupport;
   if (w.modules.incompressible) {
-    double sound = 0;  // in proportion to the speed to expect
+    double sound = 0;  // proportional to the expected speed
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
     t.pressure.full = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.perLatticeSum;
     if (liquidFillsTheBox(w.scene)) t.pressure.full += flowingExcess;
@@ -205,7 +205,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
       report.warnings.push_back({w.scene.emitters[e].where, much});
   for (SceneWarning& thin : thinWalls(w, shapes, report.particles, halos.all))
     report.warnings.push_back(std::move(thin));
-  // a first partition by the number of particles; they are still where they were sampled
+  // First partition, by the number of particles; they are still where they were sampled.
   Continuum& p = w.particles;
   const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load, report.warnings);
   if (w.modules.kinds())
@@ -220,7 +220,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
       report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});
   }
   for (SceneWarning& warning : overlapsOfRegions(w, load)) report.warnings.push_back(std::move(warning));
-  // jitter may reach over a seam by rounding
+  // Jitter may cross a seam by rounding.
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);
   computeCellKeys(w.grid, p);
   Migration all;
@@ -238,12 +238,12 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   t.times.start();
   const double fixed = w.scene.numerics.fixedStep;
-  // until the particles have had their say
+  // Used until particle limits are known.
   w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];
   if (fieldsToCome(w, t))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
-  if (!w.modules.neighbours) {  // they were for the bonds of the start
+  if (!w.modules.neighbours) {  // only needed for the bonds of the start
     w.neighbours = {};
     t.records = {};
     t.search = {};
@@ -252,11 +252,11 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   t.mass = totalMass(w, halos.all);
   const LedgerReport now = reportLedger(w, t, halos.all);
   w.ledger.initial = now.now;
-  // what the emitters let out at time 0 is part of the start, and what relaxation made and took
+  // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
   w.ledger.entered = w.ledger.left = {};
   vote(w, halos, t, {}, {});
   if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
-  const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step books
+  const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step records
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
 }
 
@@ -277,10 +277,10 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   moveWalls(w.walls, w.clock.time);
   t.shapes = {};
   t.sleep = {};
-  w.solids.energyKnown = w.compressionKnown = true;  // they are part of the state
+  w.solids.energyKnown = w.compressionKnown = true;  // part of the state
   if (p.slot.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
-    relinkSolids(w, halos, t, {{}, true});  // slots of the records that were read, where they were read
+    relinkSolids(w, halos, t, {{}, true});  // slots of the records, on the rank that read them
   }
   computeCellKeys(w.grid, p);
   Migration all;
@@ -296,7 +296,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.newPartition = true;
   if (w.modules.kinds())
-    bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
+    bringKindsHome(w, halos, t);  // after the ghosts they equal the state of the last step
   if (w.modules.oriented) readyOriented(w, halos, t);
   t.oriented.time = w.clock.time;
   dropBuffersOfStart(w, t);
@@ -307,7 +307,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   halos.all.maximum({&froze, 1});
   t.frozeAnywhere = froze > 0;
   t.phaseChangedHere = true;
-  // a scene that goes on with a shorter step means the first one too; of the same scene this changes no bit
+  // A resumed scene with a shorter step limit applies it to the first step too; for the same scene no bit
+  // changes.
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
   StepLimits limits = t.fixedLimits;
   if (w.modules.substeps)
@@ -325,7 +326,7 @@ void takeNewCoefficients(World& w, Halos halos, StepTools& t) {
   findStoredEnergy(w, t);
   bookStored(w, t, 1, jump);
   w.ledger.restartJump += jump;
-  t.frozeAnywhere = false;  // who had just frozen has bonds now
+  t.frozeAnywhere = false;  // newly frozen particles have bonds now
   vote(w, halos, t, {}, {});
   if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
 }

@@ -14,7 +14,7 @@ std::string written(const char* format, auto... values) {
   return text;
 }
 
-/// Would the body, times a factor, be some particles wide and have room in the domain?
+/// Returns true if the body times a factor is some particles wide and fits the domain.
 bool fits(const Scene& s, const Vec3d& size, double factor) {
   for (int a = 0; a < 3; a++)
     if (factor * size[a] > s.domain.max[a] - s.domain.min[a]) return false;
@@ -26,7 +26,7 @@ bool fits(const Scene& s, const Vec3d& size, double factor) {
 std::string sizeHint(const Scene& s, const Shape& shape, const Bounds& b) {
   const Vec3d size = b.max - b.min;
   if (size.x < 0 || size.y < 0 || size.z < 0)
-    return "; nothing of its shape is left: what is taken away covers it, or its parts do not meet";
+    return "; its shape is empty: the subtracted parts cover it, or its parts do not intersect";
   std::string hint = written("; it is %.3g x %.3g x %.3g m large", size.x, size.y, size.z);
   if (shape.kind != ShapeKind::Mesh || namesBuiltin(shape.mesh) || fits(s, size, 1)) return hint;
   const struct {
@@ -37,12 +37,12 @@ std::string sizeHint(const Scene& s, const Shape& shape, const Bounds& b) {
     for (const auto& [factor, unit] : units)
       if (fits(s, size, factor))
         return hint +
-               written(": if its file is in %s, say place = { scale = %g }, else place = { height = ... }",
+               written(": if its file is in %s, set place = { scale = %g }, else place = { height = ... }",
                        unit, factor);
   if (!shape.fitHeight && shape.scale != 1 && fits(s, size, 1 / shape.scale))
     return hint + written(": without its place.scale of %g it would be %.3g m high", shape.scale,
                           size.z / shape.scale);
-  return hint + ": place.scale or place.height would make it fit";
+  return hint + ": set place.scale or place.height";
 }
 
 std::string lengthText(double metres) { return written("%g m", metres); }

@@ -1,5 +1,4 @@
-// How large a body is, for messages: a mesh whose file is in other units than metres is the usual reason why
-// it does not fit.
+// Size of a body for messages: a mesh file in units other than metres is the usual cause of a wrong size.
 #pragma once
 #include <string>
 
@@ -7,16 +6,16 @@
 
 namespace thaw {
 
-/// "; it is 250 x 180 x 300 m large", and of a mesh in a file what would make it fit: its units ("place = {
-/// scale = 0.001 }, if its file is in millimetres"), no scale where there is one that makes it smaller than
-/// the spacing, or place.height.
+/// Returns "; it is 250 x 180 x 300 m large", and for a mesh file a remedy: its units ("place = { scale =
+/// 0.001 }, if its file is in millimetres"), removal of a scale that makes it smaller than the spacing, or
+/// place.height.
 std::string sizeHint(const Scene& scene, const Shape& shape, const Bounds& bounds);
 
-/// "0.0041 m"
+/// Returns "0.0041 m".
 std::string lengthText(double metres);
 
-/// Axes along which a body is narrower than the spacing, so that its one layer of particles is thicker than
-/// itself: "0.004 m along z"; "" where there is none.
+/// Returns the axes along which a body is narrower than the spacing, so that its single layer of particles is
+/// thicker than the body: "0.004 m along z"; "" if there are none.
 std::string narrowAxes(const Bounds& bounds, double spacing);
 
 }  // namespace thaw

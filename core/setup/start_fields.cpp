@@ -28,14 +28,14 @@ bool varies(const Body& b, bool relaxed) {
          (!(b.spin == Vec3d{}) || !(b.temperatureGradient == Vec3d{}));
 }
 
-/// Bad values of one body's fields on this rank: how many, and the particle of the lowest id.
+/// Invalid values of one body's fields on this rank: their number, and the particle of the lowest id.
 struct BadValues {
   std::int64_t count[fieldsOfBody]{};
   double firstId[fieldsOfBody] = {never, never, never, never};
   Vec3d place[fieldsOfBody]{};
 };
 
-/// A lattice point and the position of its particle that is nearest to it across periodic sides.
+/// Returns the image of x across periodic sides nearest to its lattice point.
 Vec3d placeInBody(const CellGrid& g, const SampleLattice& l, std::uint64_t number, Vec3d x) {
   const auto point = static_cast<std::int64_t>(number), row = point / l.count[0];
   const Vec3d home = l.at(point % l.count[0], row % l.count[1], row / l.count[1]);
@@ -54,7 +54,7 @@ void look(const Body& b, const Vec3d& x, std::uint64_t number, BadValues& bad) {
   }
 }
 
-/// One sentence on a field that has bad values at `count` particles of all ranks. Collective.
+/// Returns one sentence about a field with invalid values at `count` particles of all ranks. Collective.
 std::string problemOf(const PositionField& f, std::int64_t count, double firstId, const Vec3d& place,
                       Reducer& all) {
   double first = -firstId;
@@ -67,7 +67,7 @@ std::string problemOf(const PositionField& f, std::int64_t count, double firstId
          (count > 1 ? ", a particle (" + std::to_string(count) + " in all)" : ", a particle");
 }
 
-/// Throws where a field of any rank's particles has a bad value. Collective.
+/// Throws if a field has an invalid value at a particle of any rank. Collective.
 void raiseBadValues(const Scene& s, const std::vector<BadValues>& bad, Reducer& all) {
   std::vector<std::int64_t> counts;
   for (const BadValues& b : bad) counts.insert(counts.end(), b.count, b.count + fieldsOfBody);

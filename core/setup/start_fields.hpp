@@ -1,4 +1,4 @@
-// Velocities and temperatures of the start that vary with position: spin, gradients, expressions.
+// Initial velocities and temperatures that depend on position: spin, gradients, expressions.
 #pragma once
 #include <memory>
 #include <vector>
@@ -11,21 +11,20 @@ namespace thaw {
 
 using Shapes = std::vector<std::shared_ptr<const SignedDistance>>;
 
-/// m, of the bounding box.
+/// Middle of the bounding box (m).
 Vec3d middleOf(const SignedDistance& shape);
 
-/// The lattice that a body's particles are sampled on: ids are numbers of its points.
+/// Returns the lattice on which a body's particles are sampled: ids are numbers of its points.
 SampleLattice bodyLattice(const Scene& scene, const Body& body, const SignedDistance& shape);
 
-/// Velocity (m/s) and temperature (K) at the start of what is at x (m). centre: of the body's bounding box.
+/// Initial velocity (m/s) and temperature (K) at x (m). centre: of the body's bounding box.
 Vec3d startVelocity(const Body& body, const Vec3d& centre, const Vec3d& x);
 double startTemperature(const Body& body, const Vec3d& centre, const Vec3d& x);
 
-/// Sets velocity, temperature and phase of this rank's particles of bodies with fields, by their positions
-/// now. Positions across a periodic side count where the body has them. relaxed: only bodies of relaxed
-/// packing, also those that only spin or have a temperature gradient.
-/// Throws ShapeError on all ranks where a field has a value at a particle that it may not have
-/// (core/scene/field_values.hpp). Collective.
+/// Sets velocity, temperature and phase of this rank's particles of bodies with fields, from their current
+/// positions. Positions across a periodic side count unwrapped, as in the body. relaxed: only bodies of
+/// relaxed packing, including those with just a spin or temperature gradient. Throws ShapeError on all ranks
+/// if a field has an invalid value at a particle (core/scene/field_values.hpp). Collective.
 void assignStartFields(World& world, const Shapes& shapes, Reducer& all, bool relaxed);
 
 }  // namespace thaw

@@ -10,15 +10,15 @@
 namespace thaw {
 namespace {
 
-constexpr double mostLookedAt = 20000;  // particles of a body
-constexpr double leastShare = 0.02;     // of them in thin walls: sharp edges are no walls
+constexpr double mostLookedAt = 20000;  // particles per body
+constexpr double leastShare = 0.02;     // fraction in thin walls; sharp edges do not count
 
-/// A number in [0, 1) of an id, which does not follow the lattice.
+/// Hashes an id to a number in [0, 1) that is independent of the lattice.
 double scattered(std::uint64_t number) {
   return static_cast<double>((number * 0x9e3779b97f4a7c15u) >> 32) / 4294967296.0;
 }
 
-/// Is something else than body b liquid, at the start or later?
+/// Returns true if something other than body b is liquid, at the start or later.
 bool othersAreLiquid(const Scene& s, const Modules& m, std::size_t b) {
   const auto liquid = [&](const auto& source) {
     const Material& x = s.materials[static_cast<std::size_t>(source.material)];
@@ -29,7 +29,7 @@ bool othersAreLiquid(const Scene& s, const Modules& m, std::size_t b) {
   return std::any_of(s.emitters.begin(), s.emitters.end(), liquid);
 }
 
-/// The wall at a place inside a shape, along the normal of the nearest surface.
+/// Wall at a position inside a shape, along the normal of the nearest surface.
 struct WallThere {
   const SignedDistance& shape;
   double depth = 0;
@@ -37,13 +37,13 @@ struct WallThere {
   WallThere(const SignedDistance& s, const Vec3d& x, double reach) : shape(s) {
     depth = -s.distanceWithin(x, reach, &normal);
   }
-  /// Does it end within `thickness` (m)?
+  /// Returns true if the wall is thinner than `thickness` (m).
   bool thinner(const Vec3d& x, double thickness) const {
     return depth < thickness && !shape.inside(x - normal * (thickness - depth));
   }
 };
 
-/// m, within a hundredth of `most`, which is too thick.
+/// Returns the thickness (m) within a hundredth of `most`, the upper limit.
 double thicknessAt(const SignedDistance& shape, const Vec3d& x, double most) {
   const WallThere wall(shape, x, most);
   double low = wall.depth, high = most;
@@ -67,8 +67,8 @@ std::vector<SceneWarning> thinWalls(const World& w,
   std::vector<std::uint8_t> wanted(n, 0);
   for (std::size_t b = 0; b < n; b++) wanted[b] = othersAreLiquid(s, w.modules, b);
   const double least = leastWall * s.spacing * (1 - 1e-6);
-  std::vector<std::int64_t> counts(2 * n, 0);  // looked at, thin
-  std::vector<double> first(n, -never);        // the lowest number of a thin one, negated
+  std::vector<std::int64_t> counts(2 * n, 0);  // checked, thin
+  std::vector<double> first(n, -never);        // lowest number of a thin one, negated
   std::vector<Vec3d> place(n);
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::size_t b = p.body[i];
@@ -93,11 +93,12 @@ std::vector<SceneWarning> thinWalls(const World& w,
     all.maximum(at);
     const double thick = thicknessAt(*shapes[b], {at[0], at[1], at[2]}, least);
     char text[300];
-    std::snprintf(text, sizeof text,
-                  "': %.0f %% of it are walls thinner than %g spacings, some %.2g m at (%.4g, %.4g, %.4g): "
-                  "liquid may go through such walls; "
-                  "make the spacing %.2g m or less, or the walls thicker",
-                  100 * share, leastWall, thick, at[0], at[1], at[2], thick / leastWall);
+    std::snprintf(
+        text, sizeof text,
+        "': %.0f %% of it lies in walls thinner than %g spacings, about %.2g m at (%.4g, %.4g, %.4g): "
+        "liquid may pass through them; "
+        "reduce the spacing to %.2g m or less, or thicken the walls",
+        100 * share, leastWall, thick, at[0], at[1], at[2], thick / leastWall);
     warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + text});
   }
   return warnings;

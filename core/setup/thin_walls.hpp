@@ -1,4 +1,4 @@
-// Solid bodies with walls that are too thin to hold liquid.
+// Warnings about solid bodies with walls too thin to hold liquid.
 #pragma once
 #include <memory>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace thaw {
 
-/// spacings, of a wall that holds liquid. A solid pushes a liquid with the liquid's own pressure, and one
-/// layer of particles does not raise it: liquid passes.
+/// Thickness in spacings of a wall that holds liquid. A solid responds with the liquid's own pressure, and
+/// one layer of particles does not raise it, so liquid passes.
 constexpr double leastWall = 2;
 
-/// A warning, with place and thickness, for each body that is solid at the start and has walls thinner than
-/// `leastWall`, where something else is liquid or melts. At most some 20,000 particles of a body are looked
-/// at, chosen by their ids. particles: of each body. The same on any number of ranks. Collective.
+/// Returns a warning, with place and thickness, for each initially solid body with walls thinner than
+/// `leastWall`, if something else is liquid or melts. It checks about 20,000 particles per body at most,
+/// chosen by id. particles: by body. The same on any number of ranks. Collective.
 std::vector<SceneWarning> thinWalls(const World& world,
                                     const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                                     const std::vector<std::int64_t>& particles, Reducer& all);

@@ -1,19 +1,18 @@
-// Which of the sets of kernels that are compiled once for each instruction set (the *_isa.cpp files) is used:
-// chosen at start.
+// Run-time choice between kernel sets compiled for several instruction sets (the *_isa.cpp files).
 #pragma once
 #include <cstring>
 
 namespace thaw {
 
-/// The functions that give the sets; null for what this machine's compiler has no code for.
+/// Functions that return the sets; null where the compiler does not target the instruction set.
 template<class Kernels> struct KernelSets {
   const Kernels& (*base)();
   const Kernels& (*avx2)();
   const Kernels& (*avx512)();
 };
 
-/// That of the name ("base", "avx2", "avx512"), or the best for this processor where the name is empty.
-/// Unknown or unsupported names give nullptr.
+/// Returns the set of that name ("base", "avx2", "avx512"), or the best one for this processor if the name is
+/// empty. Returns nullptr for unknown or unsupported names.
 template<class Kernels> const Kernels* chooseKernels(const KernelSets<Kernels>& sets, const char* name) {
   const bool any = *name == 0;
 #if defined(__x86_64__)
@@ -27,7 +26,7 @@ template<class Kernels> const Kernels* chooseKernels(const KernelSets<Kernels>& 
   return any || std::strcmp(name, "base") == 0 ? &sets.base() : nullptr;
 }
 
-/// Defines `const Kernels* choose(const char* name)` by the functions `give` of all instruction sets.
+/// Defines `const Kernels* choose(const char* name)` from the functions `give` of all instruction sets.
 // clang-format off
 #if defined(__x86_64__)
 #define THAW_CHOOSE(Kernels, give, choose)                 \

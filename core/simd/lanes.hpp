@@ -1,7 +1,7 @@
-// Eight particles at once: Lanes<float> is one 256-bit vector, Lanes<double> two. GCC vector extensions, so
-// that the same code compiles for AVX-512, AVX2 and plain SSE2 and gives the same bits in each: only IEEE
-// operations, no contraction, no reciprocal approximations. Everything here lives in a namespace of the
-// instruction set, because the file is compiled once for each of them and the linker must not mix the copies.
+// Vectors of eight lanes: Lanes<float> is one 256-bit vector, Lanes<double> two. GCC vector extensions
+// compile for AVX-512, AVX2 and SSE2 with the same bits: only IEEE operations, no contraction, no reciprocal
+// approximations. The file is compiled once per instruction set, and each copy has its own namespace so that
+// the linker does not mix them.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -90,8 +90,8 @@ THAW_INLINE bool laneOf(MaskD m, int lane) { return (lane < 4 ? m.lo[lane] : m.h
 #include <immintrin.h>
 namespace thaw {
 namespace THAW_ISA {
-// One instruction each, and what a < b ? a : b gives to the last bit, zeros and NaN included: the compiler
-// makes two of that.
+// One instruction each, equal to a < b ? a : b in every bit, zeros and NaN included. The compiler emits two
+// instructions for the expression.
 THAW_INLINE LanesF max(LanesF a, LanesF b) {
   return LanesF(
       reinterpret_cast<Vec8f>(_mm256_max_ps(reinterpret_cast<__m256>(a.v), reinterpret_cast<__m256>(b.v))));
@@ -159,12 +159,12 @@ THAW_INLINE bool any(MaskF m) {
   return (b[0] | b[1] | b[2] | b[3]) != 0;
 }
 #endif
-/// a b + c, rounded once: the same bits on all instruction sets, where one has no such instruction by way of
-/// the library, which is slow. Written where it is meant; the compiler contracts nothing by itself.
+/// a b + c, rounded once: the same bits on all instruction sets. Without a hardware instruction it is a slow
+/// library call. The compiler contracts nothing by itself.
 THAW_INLINE LanesD fma(LanesD a, LanesD b, LanesD c) {
   return {fma(a.lo, b.lo, c.lo), fma(a.hi, b.hi, c.hi)};
 }
-/// a . b of three components.
+/// Dot product a . b of three components.
 template<class L> THAW_INLINE L dot3(L ax, L ay, L az, L bx, L by, L bz) {
   return fma(az, bz, fma(ay, by, ax * bx));
 }
@@ -174,13 +174,13 @@ THAW_INLINE bool any(MaskD m) {
 }
 
 // ---- four values of eight rows, loaded as records and transposed: no gather instructions ------------------
-/// Record of four values of one particle; a pair sum loads whole records of its neighbours.
+/// Four values of one particle; a pair sum loads whole records of its neighbours.
 template<class Real> struct alignas(4 * sizeof(Real)) Record { Real a, b, c, d; };
 template<class Real> struct Lanes4 { Lanes<Real> a, b, c, d; };
 
 THAW_INLINE Vec8f load2(const Record<float>* low, const Record<float>* high) {
-#if defined(__AVX__)  // the upper half straight from memory: of a shuffle of two registers there is one a
-                      // cycle
+#if defined(__AVX__)  // The upper half comes straight from memory: shuffles of two registers are limited to
+                      // one per cycle.
   return reinterpret_cast<Vec8f>(_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&low->a)),
                                                       *reinterpret_cast<const __m128*>(high), 1));
 #else
@@ -188,8 +188,8 @@ THAW_INLINE Vec8f load2(const Record<float>* low, const Record<float>* high) {
   return __builtin_shufflevector(l, h, 0, 1, 2, 3, 4, 5, 6, 7);
 #endif
 }
-/// Values 0, 1 (low) or 2, 3 (high) of both, in turn, of each half. As integers: two ports of an Intel core
-/// unpack these, one unpacks floats (Sapphire Rapids: .5 and 1 cycle).
+/// Interleaves values 0, 1 (low) or 2, 3 (high) of both, in each half. Integer unpacks use two ports of an
+/// Intel core, float unpacks one (Sapphire Rapids: 0.5 and 1 cycle).
 THAW_INLINE Vec8f unpackLow(Vec8f a, Vec8f b) {
   return reinterpret_cast<Vec8f>(__builtin_shufflevector(
       reinterpret_cast<Vec8i>(a), reinterpret_cast<Vec8i>(b), 0, 8, 1, 9, 4, 12, 5, 13));
@@ -198,14 +198,14 @@ THAW_INLINE Vec8f unpackHigh(Vec8f a, Vec8f b) {
   return reinterpret_cast<Vec8f>(__builtin_shufflevector(
       reinterpret_cast<Vec8i>(a), reinterpret_cast<Vec8i>(b), 2, 10, 3, 11, 6, 14, 7, 15));
 }
-/// The record of a row, where each has `stride` of them and the first is meant.
+/// Address of the first record of a row with `stride` records.
 template<std::size_t stride> struct ByRow {
   template<class R> static THAW_INLINE const R* of(const R* at, std::uint32_t row) {
     return at + stride * row;
   }
 };
-/// The record that an entry of a neighbour list means: entries are twice the row, so that the address of 16
-/// bytes is one operand (eight times the entry), where it took a shift for each.
+/// Address of the record of a neighbour-list entry. Entries are twice the row, so the address of a 16-byte
+/// record is one scaled operand (eight times the entry) without a shift.
 struct ByEntry {
   template<class R> static THAW_INLINE const R* of(const R* at, std::uint32_t entry) {
     return reinterpret_cast<const R*>(reinterpret_cast<const char*>(at) +
@@ -225,7 +225,7 @@ template<class By> THAW_INLINE Lanes4<float> loadBy(const Record<float>* at, con
           LanesF(__builtin_shufflevector(cd01, cd23, 2, 3, 10, 11, 6, 7, 14, 15))};
 }
 THAW_INLINE Vec4d halves(const double* low, const double* high) {
-#if defined(__AVX__)  // as load2
+#if defined(__AVX__)  // as in load2
   return reinterpret_cast<Vec4d>(_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(low)),
                                                       *reinterpret_cast<const __m128d*>(high), 1));
 #else
@@ -250,24 +250,24 @@ template<class By> THAW_INLINE Lanes4<double> loadBy(const Record<double>* at, c
   transpose4<By>(at, rows + 4, r.a.hi, r.b.hi, r.c.hi, r.d.hi);
   return r;
 }
-/// Of eight rows; stride: records of a row; the first of them is loaded.
+/// Loads the first record of eight rows; stride: records per row.
 template<std::size_t stride = 1, class Real>
 THAW_INLINE Lanes4<Real> load(const Record<Real>* at, const std::uint32_t* rows) {
   return loadBy<ByRow<stride>>(at, rows);
 }
-/// Of eight entries of a neighbour list.
+/// Loads the records of eight entries of a neighbour list.
 template<class Real>
 THAW_INLINE Lanes4<Real> loadListed(const Record<Real>* at, const std::uint32_t* entries) {
   return loadBy<ByEntry>(at, entries);
 }
 
-/// The reverse of load: four values of lanes [0, n), as records `stride` records apart.
+/// Inverse of load: stores four values of lanes [0, n) as records at a distance of `stride` records.
 THAW_INLINE void store(const Lanes4<float>& v, int n, int stride, Record<float>* to) {
   const Vec8f ab0 = __builtin_shufflevector(v.a.v, v.b.v, 0, 8, 1, 9, 4, 12, 5, 13),
               ab2 = __builtin_shufflevector(v.a.v, v.b.v, 2, 10, 3, 11, 6, 14, 7, 15);
   const Vec8f cd0 = __builtin_shufflevector(v.c.v, v.d.v, 0, 8, 1, 9, 4, 12, 5, 13),
               cd2 = __builtin_shufflevector(v.c.v, v.d.v, 2, 10, 3, 11, 6, 14, 7, 15);
-  // lanes l and l + 4 in the halves
+  // Lanes l and l + 4 in the two halves.
   const Vec8f rows[4] = {__builtin_shufflevector(ab0, cd0, 0, 1, 8, 9, 4, 5, 12, 13),
                          __builtin_shufflevector(ab0, cd0, 2, 3, 10, 11, 6, 7, 14, 15),
                          __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13),
@@ -284,7 +284,7 @@ THAW_INLINE void store(const Lanes4<double>& v, int n, int stride, Record<double
   for (int l = 0; l < n; l++) to[l * stride] = {v.a[l], v.b[l], v.c[l], v.d[l]};
 }
 
-/// Eight consecutive values.
+/// Loads eight consecutive values.
 THAW_INLINE LanesF loadRow(const float* p) { return LanesF(*reinterpret_cast<const Vec8f*>(p)); }
 THAW_INLINE LanesD loadRow(const double* p) {
   return {*reinterpret_cast<const Vec4d*>(p), *reinterpret_cast<const Vec4d*>(p + 4)};
@@ -294,15 +294,15 @@ THAW_INLINE void toDoubles(LanesD a, double* p) {
   *reinterpret_cast<Vec4d*>(p + 4) = a.hi;
 }
 
-/// What differences of positions count in, in support radii: fixed-point positions (their bits stand in float
-/// records) in 2^-24. A power of two, so that a sum may take it in at its end and has the same bits.
+/// Unit of position differences, in support radii: 2^-24 for fixed-point positions, whose bits are stored in
+/// float records. It is a power of two, so a sum may apply it at the end with the same bits.
 template<class Real> inline constexpr double lengthUnit = sizeof(Real) == 4 ? 1.0 / 16777216 : 1.0;
-/// Difference own - other in lengthUnit: exact before the one rounding to float.
+/// Difference own - other in lengthUnit; exact before the single rounding to float.
 THAW_INLINE LanesF unitDifference(LanesF own, LanesF other) {
   return LanesF(__builtin_convertvector(
       reinterpret_cast<Vec8i>(reinterpret_cast<Vec8u>(own.v) - reinterpret_cast<Vec8u>(other.v)), Vec8f));
 }
-/// In double precision the records hold positions in support radii.
+/// In double precision, records hold positions in support radii.
 THAW_INLINE LanesD unitDifference(LanesD own, LanesD other) { return own - other; }
 /// Difference own - other in support radii.
 THAW_INLINE LanesF positionDifference(LanesF own, LanesF other) {
@@ -310,8 +310,8 @@ THAW_INLINE LanesF positionDifference(LanesF own, LanesF other) {
 }
 THAW_INLINE LanesD positionDifference(LanesD own, LanesD other) { return own - other; }
 
-/// Entries of a list (of neighbours, of bonds) from the one that is read to the one that is asked for: it
-/// streams from memory faster than many a processor foresees, above all a virtual one.
+/// Prefetch distance in entries of a list of neighbours or bonds. Lists stream from memory faster than many
+/// hardware prefetchers follow, above all on virtual machines.
 inline constexpr std::size_t listAhead = 320;
 
 }  // namespace THAW_ISA

@@ -1,4 +1,4 @@
-// Words that are kept, moved together: what a search writes without a branch for each candidate.
+// Compaction of selected words, so that a search writes results without a branch per candidate.
 #pragma once
 #include "core/simd/lanes.hpp"
 
@@ -25,8 +25,8 @@ constexpr PackTable makePackTable() {
 inline constexpr PackTable packTable = makePackTable();
 #endif
 
-/// The words whose bits are set in `kept` (below 256) to out, in their order; returns how many. Writes all of
-/// out[0 ... 7].
+/// Writes the words with set bits in `kept` (below 256) to out in order, and returns their number. It
+/// overwrites all of out[0 ... 7].
 THAW_INLINE std::uint32_t pack8(Vec8u words, std::uint32_t kept, std::uint32_t* out) {
 #if defined(__AVX512VL__)
   _mm256_storeu_si256(
@@ -45,7 +45,7 @@ THAW_INLINE std::uint32_t pack8(Vec8u words, std::uint32_t kept, std::uint32_t* 
   return static_cast<std::uint32_t>(__builtin_popcount(kept));
 }
 
-/// Bit l is set where lane l is.
+/// Returns a mask with bit l set if lane l is set.
 THAW_INLINE std::uint32_t bitsOf(MaskF m) {
 #if defined(__AVX__)
   return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(m.bits)));

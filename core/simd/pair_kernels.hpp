@@ -1,5 +1,5 @@
-// The loops over neighbours, one set for each instruction set; the best one that the processor has is chosen
-// at start. Every set gives the same bits.
+// The pair loops, one set per instruction set. The best set for the processor is chosen at start. Every set
+// gives the same bits.
 #pragma once
 #include <cstdint>
 
@@ -22,14 +22,14 @@ struct PairKernels {
   void (*exposure)(const PairSums&, GroupRange);
   void (*closePairs)(const PairSums&, GroupRange, ClosePairs&);
   void (*viscous)(const PairSums&, const ViscousSums&, GroupRange);
-  // of the incompressible solver (terms/incompressible.hpp)
+  // Incompressible solver (terms/incompressible.hpp).
   void (*compression)(const PairSums&, GroupRange);
   void (*impulse)(const PairSums&, GroupRange);
   void (*response)(const PairSums&, GroupRange);
 };
 
-/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give
-/// nullptr.
+/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
+/// or unsupported names.
 const PairKernels* pairKernels(const char* name = "");
 
 }  // namespace thaw

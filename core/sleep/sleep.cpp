@@ -14,7 +14,7 @@ namespace {
 
 enum : std::uint8_t { Calm = 1, Held = 2, Asleep = 4, Everything = 7 };
 
-/// Bits that all of the cell's particles have.
+/// Returns the bits that all particles of a cell have.
 std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, double after) {
   const std::size_t first = cells.first[c], count = cells.count[c];
   const float* const calm = p.calm.data() + first;
@@ -29,15 +29,16 @@ std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, d
                                    (lightest >= heldBefore ? Held : 0) | (lightest == asleep ? Asleep : 0));
 }
 
-/// Not only held around: bonds bring what is two cells away, in the stress of their other end, and around
-/// what is asleep all is held.
+/// Level 2 around a cell is not enough: bonds carry the stress of their other end from two cells away, and
+/// around a particle at stage 3 all are at stage 2.
 bool isDeep(std::uint8_t around) { return (around & (Calm | Asleep)) == (Calm | Asleep); }
 
-/// The bits that the 27 cells around each have in common. Keys ascend, so nine places move along the table.
+/// Combines the bits of the 27 cells around each cell. Keys ascend, so nine positions advance along the
+/// table.
 void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own,
                 std::vector<std::uint8_t>& around) {
   std::size_t at[9] = {};
-  std::uint64_t low[9];  // the first of three keys along x, from the cell's own
+  std::uint64_t low[9];  // the first of three keys along x, relative to the cell's own
   for (int k = 0; k < 9; k++)
     low[k] = static_cast<std::uint64_t>((k / 3 - 1) * (1ll << 42) + (k % 3 - 1) * (1ll << 21) - 1);
   const std::size_t n = cells.key.size();
@@ -52,8 +53,8 @@ void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own,
   }
 }
 
-/// Are all bonds of the slot so short that their other ends are in the 27 cells around, and is it little
-/// strained? What is inside out, or has weakened, is counted in every step.
+/// Returns true if all bonds of the slot end within the 27 surrounding cells and its strain is small.
+/// Inverted and weakened particles are counted in every step.
 bool mayBeSkipped(const World& w, std::uint32_t slot) {
   const Solids& s = w.solids;
   for (int k = 0; k < w.bonds.capacity; k++) {
@@ -64,7 +65,7 @@ bool mayBeSkipped(const World& w, std::uint32_t slot) {
       if (!(std::abs(d[a]) < w.grid.edge[a])) return false;
     }
   }
-  constexpr double largest = 0.3;  // of |F^T F - 1|
+  constexpr double largest = 0.3;  // limit of |F^T F - 1|
   const Mat3d& f = s.deformation[slot];
   double size2 = 0;
   for (int a = 0; a < 3; a++)
@@ -82,8 +83,8 @@ Unrest unrestOf(const World& w, std::size_t i, const Vec3d& acceleration) {
   const Numerics& n = w.scene.numerics;
   if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.liquid.active && p.liquid[i] > 0))
     return Unrest::NotSolid;
-  // less than half of gravity, or whoever falls freely would be calm with a large sleep_speed, and be held in
-  // the air
+  // The limit is at most half of gravity: otherwise a freely falling particle could be at rest for a large
+  // sleep_speed, and freeze in the air.
   const double slow = n.sleepSpeed, g = length(w.scene.domain.gravity),
                weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
   if (!(dot(p.velocity[i], p.velocity[i]) < slow * slow)) return Unrest::Moves;
@@ -95,7 +96,7 @@ Unrest unrestOf(const World& w, std::size_t i, const Vec3d& acceleration) {
   return Unrest::Warms;
 }
 
-/// N, what balances the particle's weight and the forces known by now.
+/// Force (N) that balances the particle's weight and the forces known so far.
 Vec3d balancing(const World& w, std::size_t i) {
   return -w.particles.force[i] - w.scene.domain.gravity * w.particles.mass[i];
 }
@@ -121,7 +122,7 @@ void beginSleep(World& w, StepTools& t, double dt) {
 
 namespace {
 
-/// SleepWork::cell and around, of the cells that there are.
+/// Computes SleepWork::cell and around for the present cells.
 void lookAtCells(const World& w, SleepWork& s) {
   const std::size_t n = w.cells.key.size();
   s.cell.resize(n);
@@ -173,7 +174,7 @@ void markAllAsleep(World& w, StepTools& t) {
   const Continuum& p = w.particles;
   SleepWork& s = t.sleep;
   const std::size_t n = w.cells.key.size();
-  if (n != s.around.size()) lookAtCells(w, s);  // else there are no ghosts
+  if (n != s.around.size()) lookAtCells(w, s);  // equal sizes: there are no ghosts
   s.deep.assign(p.owned, 0);
   s.skipped.assign(p.owned, 0);
   s.rows.clear();
@@ -194,7 +195,7 @@ void markAllAsleep(World& w, StepTools& t) {
 
 std::span<const RowSpan> awakeRows(const World& w, StepTools& t) {
   const Continuum& p = w.particles;
-  // the last two move, or count, what is held as well
+  // The last two conditions move or count sleeping particles too.
   const bool all = !w.modules.sleep || t.sleep.findAll || p.smoothing.active || p.fastAcceleration.active;
   if (all) t.sleep.rows.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
   return t.sleep.rows;
@@ -245,14 +246,14 @@ void chooseAwakeGroups(World& w, StepTools& t) {
 void noteHolds(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++)
-    // whether a rank looks again or not
+    // Independent of what this rank recomputes.
     if (p.sleep[i] != awake && !t.sleep.deep[i]) p.hold[i] = balancing(w, i);
 }
 
 namespace {
 
-/// What holds those that are deep asleep: its sum is found anew where they lie in other cells than in the
-/// last step. Nobody comes into a cell, or leaves it, while it is deep.
+/// Records the constraint force of deep rows. The sum is recomputed when the set of deep cells changes;
+/// particles never enter or leave a deep cell.
 void bookDeep(World& w, SleepWork& s) {
   if (s.findAll || s.deepCells != s.deepBefore) {
     s.deepHold = {};
@@ -264,7 +265,7 @@ void bookDeep(World& w, SleepWork& s) {
   for (int a = 0; a < 3; a++) w.ledger.wallForce[a] += s.deepHold[static_cast<std::size_t>(a)];
 }
 
-/// The rows of a cell that are deep asleep: as the last step has left them.
+/// Keeps the results of the last step for the deep rows of a cell.
 void keepDeep(World& w, const SleepWork& s, std::size_t first, std::size_t count) {
   Continuum& p = w.particles;
   std::copy_n(s.interaction.data() + first, count, p.interaction.data() + first);
@@ -274,7 +275,7 @@ void keepDeep(World& w, const SleepWork& s, std::size_t first, std::size_t count
   w.counters.asleep += static_cast<std::int64_t>(count);
   for (std::size_t i = first; p.clamped.active && i < first + count; i++) {
     if (!p.clamped[i]) continue;
-    // by the forces that are known, which may be all or none: taken out to the last bit
+    // The known forces may be complete or none: the recorded force is exact in both cases.
     const Vec3d booked = p.force[i] + w.scene.domain.gravity * p.mass[i];
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(booked[a]);
   }
@@ -314,7 +315,7 @@ void settleSleep(World& w, StepTools& t, double dt) {
         for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(-m * v[a]);
         p.velocity[i] = {};
       }
-      if (fixed) continue;  // booked with what is clamped
+      if (fixed) continue;  // recorded with the clamped particles
       for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(hold[a]);
     }
   }

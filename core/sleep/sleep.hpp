@@ -1,22 +1,23 @@
-// Solids at rest sleep: what has been calm for a while, with all that is around it, is held where it is, and
-// its sums over neighbours and bonds are not formed again. Off unless the scene asks for it
-// (numerics.sleep_speed).
+// Sleep of solids at rest. Solids that have been at rest for a while, together with their surroundings, are
+// fixed in place, and their sums over neighbours and bonds are skipped. Off unless the scene sets
+// numerics.sleep_speed.
 //
-// A particle is calm in a step in which it is solid, slower than sleep_speed, accelerates by less than
-// sleep_speed / sleep_after and warms by less than sleep_heating; Continuum::calm is for how long. Where
-// everything in the 27 cells around has been calm for sleep_after, it falls asleep:
-//   1  its velocity is taken (booked as dissipated); place and temperature are held from now on, forces are
-//   still found and can wake it 2  forces were found with everything at its final place and velocity 3  the
-//   same with all in the 27 cells at least at 2: nothing that enters its sums changes any more. If all in the
-//   27 cells are at 3, its cell
-//      is skipped: what a step would find is what is there already, the stress at the other ends of its bonds
-//      included. Passes leave its rows out (awakeRows), what holds it is booked by a sum that is kept, and
-//      where all cells around are skipped, too, nobody asks for its records (rowsToSee).
-// Whatever is not calm wakes all cells around it within a step, which is faster than any wave (a cell is at
-// least a support radius wide). Since what is skipped would give the same bits, who is skipped may depend on
-// the rank (after a migration nothing is known, so all is found anew), while who sleeps, and the force that
-// holds it, follow from State columns alone: in the step in which something two cells away wakes, what is
-// found anew differs.
+// A particle is at rest in a step if it is solid, slower than sleep_speed, accelerates by less than
+// sleep_speed / sleep_after and warms by less than sleep_heating. Continuum::calm is its rest time. If
+// everything in the 27 surrounding cells has a rest time of sleep_after, it falls asleep in three stages:
+//   1  Its velocity is set to 0 (recorded as dissipated); position and temperature are fixed. Forces are
+// still computed and can wake it.
+//   2  Forces were computed with everything at its final position and velocity.
+//   3  All particles in the 27 cells are at least at stage 2: nothing in its sums changes any more.
+// If all particles in the 27 cells are at stage 3, its cell is skipped: all results are those of the last
+// step, including the stress at other ends of its bonds. Passes skip its rows (awakeRows), its constraint
+// force enters the ledger as a cached sum, and if all surrounding cells are skipped too, its records are not
+// packed (rowsToSee).
+// A moving particle wakes all surrounding cells within a step, which is faster than any wave (a cell is at
+// least a support radius wide). Skipped results have the same bits as computed ones, so the skipped cells may
+// depend on the rank (after a migration everything is recomputed). The sleep stage and the constraint force
+// must not: they follow from State columns alone, because when something two cells away wakes, recomputed
+// values differ in that step.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -32,62 +33,63 @@ namespace thaw {
 struct World;
 struct StepTools;
 
-/// values of Continuum::sleep
+/// Values of Continuum::sleep.
 inline constexpr std::uint8_t awake = 0, heldNow = 1, heldBefore = 2, asleep = 3;
 
-/// Of the step; not part of the state.
+/// Sleep data of a step; not part of the state.
 struct SleepWork {
-  bool findAll = true;  ///< what sleeps has not been found on this rank since the start, a restart, or its
+  bool findAll = true;  ///< sleepers have not been computed on this rank since the start, a restart, or their
                         ///< arrival
-  std::vector<std::uint8_t> cell;          ///< by cell: bits of what all its particles are
-  std::vector<std::uint8_t> around;        ///< the same of the 27 cells around
-  std::vector<std::uint8_t> known, quiet;  ///< by cell: it is skipped; all 27 around are
-  std::vector<RowSpan> rows;               ///< owned ones that are not skipped, and little more
-  std::vector<RowSpan> seen;  ///< those in the 27 cells around one that is not skipped, and little more
-  std::vector<std::uint64_t> deepCells, deepBefore;  ///< keys of those with rows that are deep, in this step
-                                                     ///< and in the last
+  std::vector<std::uint8_t> cell;          ///< by cell: bits common to its particles
+  std::vector<std::uint8_t> around;        ///< by cell: bits common to the 27 surrounding cells
+  std::vector<std::uint8_t> known, quiet;  ///< by cell: it is skipped; all 27 surrounding cells are skipped
+  std::vector<RowSpan> rows;               ///< owned rows that are not skipped, with small gaps included
+  std::vector<RowSpan> seen;  ///< owned rows in the 27 cells around cells that are not skipped, with small
+                              ///< gaps included
+  std::vector<std::uint64_t> deepCells, deepBefore;  ///< keys of cells with deep rows, in this step and in
+                                                     ///< the last
   std::array<ExactSum, 3> deepHold;   ///< N, sum of Continuum::hold over the rows of deepBefore
-  std::vector<std::uint8_t> deep;     ///< by owned row: sleeps so that nothing in its sums changes
-  std::vector<std::uint8_t> skipped;  ///< by owned row: deep, and known here
-  std::vector<double> interaction;    ///< J, by owned row, as the last step left it
-  std::vector<std::uint8_t> fresh;    ///< by slot: deformation and flux are of the place where it sleeps
-  std::vector<double> stretch2;       ///< by group of slots: its largest square of a stretch
+  std::vector<std::uint8_t> deep;     ///< by owned row: 1 if it sleeps and nothing in its sums changes
+  std::vector<std::uint8_t> skipped;  ///< by owned row: 1 if deep and already computed on this rank
+  std::vector<double> interaction;    ///< J, by owned row, from the last step
+  std::vector<std::uint8_t> fresh;    ///< by slot: 1 if deformation and flux match the sleeping position
+  std::vector<double> stretch2;       ///< by group of slots: its largest squared stretch
 };
 
-/// After contacts with walls are known, and before rates are cleared and ghosts are sent: keeps
-/// SleepWork::interaction; wakes what a moving wall touches, and everything where a wall vanishes or a
-/// tempering acts in the step that ends now. dt: s, of that step.
+/// Stores SleepWork::interaction. Wakes particles that touch a moving wall, and all particles if a wall
+/// vanishes or a thermostat acts in the step of dt (s) that ends now. Requires: wall contacts of the step;
+/// called before rates are cleared and ghosts are sent.
 void beginSleep(World& world, StepTools& tools, double dt);
 
-/// Nothing sleeps, or has been calm, any more: other coefficients are other forces, and what was found of
-/// sleepers is of the old ones.
+/// Wakes all particles and resets their rest time. Changed coefficients change forces, which makes results of
+/// sleepers invalid.
 void wakeEverything(Continuum& particles);
 
-/// Before ghosts are there: marks inner cells that are skipped in StepTools::inner.
+/// Marks skipped inner cells in StepTools::inner, before ghosts arrive.
 void markAsleep(World& world, StepTools& tools);
-/// With the ghosts: marks all cells that are skipped, and rows in SleepWork.
+/// Marks all skipped cells, and rows in SleepWork, with ghosts present.
 void markAllAsleep(World& world, StepTools& tools);
 
-/// Owned rows that passes over particles have to visit, ascending: all, or those that are not skipped. From
-/// markAllAsleep to the next step's drift.
+/// Returns the owned rows, ascending, that passes over particles have to visit: all, or those not skipped.
+/// Valid from markAllAsleep to the drift of the next step.
 std::span<const RowSpan> awakeRows(const World& world, StepTools& tools);
-/// Owned rows whose places and velocities somebody will read who looks at the 27 cells around him. From
-/// markAsleep on.
+/// Returns the owned rows whose positions and velocities are read by some row in the 27 surrounding cells.
+/// Valid from markAsleep on.
 std::span<const RowSpan> rowsToSee(const World& world, StepTools& tools);
 
-/// Takes the contacts with walls of skipped rows off the list.
+/// Removes wall contacts of skipped rows from the list.
 void dropSkippedContacts(StepTools& tools);
 
-/// Before deformations: which groups of slots are worked on. After a relink, which says which slots changed:
-/// forgetSlots.
+/// chooseAwakeGroups selects the active groups of slots; call it before deformations. forgetChangedSlots
+/// resets the slots that a relink changed; call it after the relink.
 void chooseAwakeGroups(World& world, StepTools& tools);
 void forgetChangedSlots(const World& world, StepTools& tools);
 
-/// Continuum::hold of what is held, before walls act.
+/// Sets Continuum::hold of sleeping particles, before wall forces are added.
 void noteHolds(World& world, const StepTools& tools);
 
-/// When all forces of the step are known: who is calm, falls asleep, wakes. Books what holding takes. dt: s,
-/// of the step.
+/// Updates rest times and sleep stages from all forces of a step of dt (s), and records the energy that
+/// constraints remove.
 void settleSleep(World& world, StepTools& tools, double dt);
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// What keeps particles awake (core/sleep/sleep.hpp): what to look at where too little sleeps.
+// Reasons for which particles stay awake (core/sleep/sleep.hpp), for diagnostics.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -8,12 +8,12 @@ namespace thaw {
 
 struct World;
 
-/// Why a particle is not calm, the first that holds. None: it has not been calm for long enough, or what is
-/// around it is not.
+/// First reason why a particle is not at rest. None: its rest time is too short, or its surroundings are not
+/// at rest.
 enum class Unrest : std::uint8_t { None, NotSolid, Moves, Accelerates, Warms };
 inline constexpr std::size_t unrests = 5;
 
-/// Owned particles that are awake, by Unrest, at the end of a step. Only where particles may sleep.
+/// Counts owned awake particles by Unrest at the end of a step. Requires: Modules::sleep.
 std::array<std::int64_t, unrests> countAwake(const World& world);
 
 }  // namespace thaw

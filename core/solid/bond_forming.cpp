@@ -72,7 +72,7 @@ bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds,
 std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bonds,
                        const NeighbourLists& lists, const BondForming& forming,
                        std::vector<BondRequest>& requests, ListedGroups range) {
-  // a periodic image's shifted position is rounded: only the unshifted ones give both ends the same bits
+  // Shifted positions of periodic images are rounded: only unshifted ones give both ends the same bits.
   const Column<Vec3d>& place = p.home.active ? p.home : p.position;
   const bool frames = forming.rule != BondRule::Start;
   std::int64_t welds = 0;

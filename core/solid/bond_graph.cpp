@@ -37,7 +37,8 @@ void BondGraph::forget(std::uint32_t row) {
 
 void BondGraph::dropBroken(const SolidTables& t) {
   Bonds& b = t.bonds;
-  references_.assign(before_, 0);  // a cut bond may not tell its other end any more: all are counted anew
+  references_.assign(before_, 0);  // a broken bond may have lost its other end, so all references are
+                                   // recounted
   for (std::size_t s = 0; s < owned_; s++) {
     int kept = 0;
     const int used = used_[s];
@@ -58,7 +59,7 @@ void BondGraph::dropBroken(const SolidTables& t) {
 }
 
 void BondGraph::leave(const Bonds& b, std::uint32_t slot) {
-  if (slot >= owned_) throw std::logic_error("rows of the table of solids were added outside of relink");
+  if (slot >= owned_) throw std::logic_error("rows were added to the table of solids outside of relink");
   for (int k = 0; k < used_[slot]; k++) {
     const std::uint32_t n = b.neighbour[b.at(slot, k)];
     if (--references_[n] == 0 && n >= owned_) unnamed_.push_back(n);
@@ -100,12 +101,12 @@ void BondGraph::markOthers(const Bonds& b, std::uint32_t slot) {
 void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std::size_t remotesToCome) {
   Bonds& b = t.bonds;
   if (t.solids.owned != owned_ || t.solids.size() != before_)
-    throw std::logic_error("rows of the table of solids were added or removed outside of relink");
+    throw std::logic_error("rows were added to or removed from the table of solids outside of relink");
   std::sort(leaving_.begin(), leaving_.end());
   fresh_.assign(fresh.begin(), fresh.end());
   newOwned_ = owned_ - leaving_.size() + fresh.size();
   const std::size_t refilled = std::min(leaving_.size(), fresh.size());
-  // the last slots that stay fill the holes that new ones leave
+  // The last remaining slots fill the holes that new slots leave.
   std::size_t hole = refilled;
   for (std::size_t s = newOwned_; s < owned_; s++)
     if (now_[s] != noRow) {
@@ -136,7 +137,7 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std:
   }
   resizeBonds(b, newOwned_, b.capacity);
   used_.resize(groupsOf(newOwned_) * lanes, 0);
-  if (owned_ == 0 || remotesToCome > 0) {  // a start: what grows by doubling takes twice the new memory
+  if (owned_ == 0 || remotesToCome > 0) {  // at a start: growth by doubling would take twice the memory
     const std::size_t rows = std::max(ids_.size() + fresh.size(), owned_ + remotesToCome);
     rowOf_.reserve(rows);
     ids_.reserve(rows);
@@ -150,7 +151,7 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std:
     const std::uint32_t copy = rowOf_.find(id);
     const std::uint32_t row = addRow(id, rank_);
     now_[row] = static_cast<std::uint32_t>(slot);
-    if (copy != noRow) {  // a remote row that is owned now
+    if (copy != noRow) {  // a remote row that is now owned
       aliases_.push_back({copy, row});
       now_[copy] = static_cast<std::uint32_t>(slot);
       turned_[copy] = 1;
@@ -200,12 +201,12 @@ void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord&
   putBond(t.bonds, t.bonds.at(slot, k), other, record);
   used_[slot] = static_cast<std::uint16_t>(k + 1);
   references_[other]++;
-  if (from < owned_) t.solids.changed[slot] = 1;  // new slots get it when their columns are made
+  if (from < owned_) t.solids.changed[slot] = 1;  // new slots are flagged when their columns are created
   mark(slot / lanes);
 }
 
-/// Bonds from pairs[first] on as far as they are of one slot that stays to owned ones that are known and
-/// stay: most of a start. Returns the first that is not.
+/// Appends bonds from pairs[first] on while they connect one remaining slot to known, remaining owned slots:
+/// most bonds of a start. Returns the index of the first other pair.
 std::size_t BondGraph::bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first) {
   const std::uint32_t from = pairs[first].slot, slot = now_[from];
   if (slot == noRow || t.bonds.vectors) return first;
@@ -235,7 +236,7 @@ void BondGraph::placeRemotes() {
     turned_[d] = 1;
   }
   for (const std::uint32_t r : unnamed_) {
-    if (references_[r] > 0 || !alive(r)) continue;  // named again, removed, or owned now
+    if (references_[r] > 0 || !alive(r)) continue;  // referenced again, removed, or now owned
     released_.push_back({ids_[r], owner_[r]});
     forget(r);
   }
@@ -256,7 +257,7 @@ void BondGraph::placeRemotes() {
 
 void findUnslotted(const BondedRows& p, Solids& s, std::vector<std::uint32_t>& unslotted) {
   unslotted.clear();
-  if (s.owned == 0) unslotted.reserve(p.owned);  // a start
+  if (s.owned == 0) unslotted.reserve(p.owned);  // at a start
   std::fill_n(s.particle.data(), s.owned, noParticle);
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::uint32_t slot = p.slot[i];

@@ -1,9 +1,8 @@
-// One rank's part of the graph of bonds: which slot has which id, which rows copy solid particles of other
-// ranks, who names whom. All changes go through an edit, whose cost is that of what changes and not that of
-// the whole table: slots that go are refilled by slots that come or by the last ones, so that few rows get a
-// new number, and only groups of slots that can name one of these rows are walked. How often each row is
-// named is counted: it says when a remote row is of no use any more, and whether the walk has met every bond
-// that it was to change.
+// One rank's part of the bond graph: ids of slots, copies of other ranks' solid particles, and references
+// between rows. All changes go through an edit, whose cost is proportional to the change and not to the
+// table. New slots or the last slots fill the holes of removed ones, so few rows are renumbered, and only
+// groups of slots that can refer to these rows are visited. The reference count of each row shows when a
+// remote row is unused, and whether the visit has found every bond to change.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -23,8 +22,8 @@ struct SolidTables {
   Bonds& bonds;
 };
 
-/// A slot to be: of the owned particle in this row, with the State columns packed in `state` (all zero if
-/// nullptr).
+/// A slot to create for the owned particle in this row. `state` holds its packed State columns; nullptr: all
+/// zero.
 struct NewSlot {
   std::uint32_t particle = 0;
   const std::byte* state = nullptr;
@@ -39,7 +38,7 @@ inline BondRecord bondOf(const BondRequest& q) {
 
 class BondGraph {
  public:
-  /// A remote row that nobody here names any more.
+  /// A remote row without references on this rank.
   struct Released {
     std::uint64_t id;
     int owner;
@@ -47,45 +46,46 @@ class BondGraph {
 
   explicit BondGraph(int rank = 0) : rank_(rank) {}
 
-  // between edits
+  // Between edits.
   std::size_t owned() const { return owned_; }
   std::size_t rows() const { return ids_.size(); }
-  /// Owned slot or remote row of a solid particle; noRow. During an edit: its number as `bond` knows it.
+  /// Returns the owned slot or remote row of a solid particle, else noRow. During an edit: its number as used
+  /// by `bond`.
   std::uint32_t rowOf(std::uint64_t id) const { return rowOf_.find(id); }
   std::uint64_t idOf(std::uint32_t row) const { return ids_[row]; }
   int ownerOf(std::uint32_t row) const { return owner_[row]; }
-  /// A remote row's particle is owned by that rank now, or an owned one is about to go there.
+  /// Sets the owner of a remote row, or the new owner of a departing owned row.
   void setOwner(std::uint32_t row, int rank) { owner_[row] = rank; }
 
-  // An edit, in this order. Rows are called by their number before the edit, new slots by rows() + their
-  // place in the list.
+  // An edit, in this order. Rows keep their numbers from before the edit; new slots are rows() + their index
+  // in the list.
   void begin();
-  /// Bonds that were cut go; the order of the others stays.
+  /// Removes broken bonds; the order of the others stays.
   void dropBroken(const SolidTables& t);
-  /// The slot's particle went to ownerOf(slot); bonds to it stay, unless by finish that is negative: not
-  /// solid any more.
+  /// Removes a slot whose particle moved to rank ownerOf(slot). Bonds to it stay, unless the owner is
+  /// negative at finish: no longer solid.
   void depart(const Bonds& bonds, std::uint32_t slot);
-  /// The slot's particle is not solid any more, on this rank or (removeRemote) where it is owned; bonds to it
-  /// go.
+  /// Removes a particle that is no longer solid, on this rank or (removeRemote) on its owner, with all bonds
+  /// to it.
   void remove(const Bonds& bonds, std::uint32_t slot);
   void removeRemote(std::uint32_t row) { forget(row); }
   bool leaves(std::uint32_t slot) const { return now_[slot] == noRow; }
-  /// Fills the holes and makes the new slots, in the order given. BondedRows::slot follows. Makes room for so
-  /// many remote rows, if more than there are.
+  /// Fills the holes and creates the new slots in the given order; BondedRows::slot is updated. Reserves
+  /// remotesToCome remote rows if that exceeds the present number.
   void place(const SolidTables& t, std::span<const NewSlot> fresh, std::size_t remotesToCome = 0);
-  /// The most bonds that a slot has with those that are asked for; requests of a slot follow each other.
+  /// Returns the largest number of bonds per slot, requests included. Requests of a slot are contiguous.
   std::size_t mostBonds(std::span<const BondRequest> requests) const;
   std::size_t mostBonds(std::span<const BondPair> pairs) const;
-  /// Makes room for so many bonds a slot.
+  /// Reserves this many bonds per slot.
   void reserve(Bonds& bonds, int capacity) const;
-  /// Appends a bond to a slot. The other end is owned here, or has a remote row, or gets one if owner is
-  /// another rank (>= 0); else there is no bond, as there is none to itself or of a slot that leaves. A new
-  /// slot that brings a bond to nobody has lost it, as it would have where it came from: Solids::bared.
-  /// known: the owned slot of the other end, if the caller knows it.
+  /// Appends a bond to a slot. The other end is owned here, has a remote row, or gets one if owner is another
+  /// rank (>= 0). Otherwise no bond is made; nor is one to itself or of a departing slot. A new slot that
+  /// arrives with a bond to a vanished particle has lost that bond: Solids::bared is set. known: owned slot
+  /// of the other end, if available.
   void bond(const SolidTables& t, std::uint32_t slot, const BondRecord& record, int owner,
             std::uint32_t known = noRow);
-  /// The same for many at once, of bonds without vectors; ownerOf(pair) of an end that has no row here, and
-  /// of one that leaves.
+  /// Appends many bonds without vectors. ownerOf(pair) is called for ends without a row here and for
+  /// departing ends.
   template<class OwnerOf>
   void bond(const SolidTables& t, std::span<const BondPair> pairs, OwnerOf&& ownerOf) {
     for (std::size_t i = 0; i < pairs.size();) {
@@ -94,27 +94,27 @@ class BondGraph {
         bond(t, pairs[i].slot, {pairs[i].neighbourId, {}, {}, 0}, ownerOf(pairs[i]), pairs[i].other), i++;
     }
   }
-  /// Renumbers. Afterwards the tables are as BondHalo promises; Solids::changed is set where bonds changed,
-  /// where a slot is new or has moved, and where the other end of a bond became remote or owned.
+  /// Renumbers. Ensures: the tables satisfy BondHalo::relink. Solids::changed is set for slots with changed
+  /// bonds, for new or moved slots, and where the other end of a bond became remote or owned.
   void finish(const SolidTables& t);
 
-  // after an edit
-  /// Row now of a row before the edit; noRow if it is gone.
+  // After an edit.
+  /// Returns the new number of a row from before the edit; noRow if removed.
   std::uint32_t now(std::uint32_t before) const { return now_[before]; }
   bool isRemote(std::uint32_t row) const { return row >= owned_ && row != noRow; }
-  /// Remote rows made in this edit, and those given up (other than by removeRemote or because the particle
-  /// came here).
+  /// Remote rows created in this edit, and remote rows released, other than by removeRemote or by arrival of
+  /// the particle.
   std::span<const std::uint32_t> newRemoteRows() const { return newRemotes_; }
   std::span<const Released> released() const { return released_; }
-  /// Of memory, buffers of edits included.
+  /// Returns the memory in bytes, edit buffers included.
   std::size_t bytes() const;
-  /// Throws std::logic_error unless the graph agrees with the tables. For tests: walks through everything.
+  /// Throws std::logic_error if the graph and the tables disagree. For tests: visits everything.
   void check(const SolidTables& t) const;
 
  private:
   struct Alias {
     std::uint32_t row, stands;
-  };  // bonds that name `row` mean `stands`
+  };  // bonds that refer to `row` mean `stands`
   template<class Asked> std::size_t mostWith(std::span<const Asked> asked) const;
   std::size_t bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first);
   void forget(std::uint32_t row);
@@ -133,26 +133,26 @@ class BondGraph {
   int rank_ = 0;
   std::size_t owned_ = 0;
   IdTable rowOf_;
-  std::vector<std::uint64_t> ids_;         // of all rows
-  std::vector<int> owner_;                 // of all rows
-  std::vector<std::uint32_t> references_;  // of all rows: bonds here that name it
-  std::vector<std::uint16_t> used_;  // of slots and the lanes behind them: places taken by bonds, broken ones
-                                     // included
-  std::vector<std::uint8_t> boundary_;  // of groups: some bond names a remote row
-  // of the edit
-  std::size_t newOwned_ = 0, newRows_ = 0, before_ = 0;  // before_: rows before it
-  std::vector<std::uint32_t> now_;  // new number of each old one; of remote rows made in the edit at the end
-                                    // of it
+  std::vector<std::uint64_t> ids_;         // by row
+  std::vector<int> owner_;                 // by row
+  std::vector<std::uint32_t> references_;  // by row: number of local bonds that refer to it
+  std::vector<std::uint16_t> used_;     // by slot, padding lanes included: number of entries in use, broken
+                                        // bonds included
+  std::vector<std::uint8_t> boundary_;  // by group: 1 if some bond refers to a remote row
+  // State of the current edit.
+  std::size_t newOwned_ = 0, newRows_ = 0, before_ = 0;  // before_: number of rows before it
+  std::vector<std::uint32_t> now_;  // new number of each old row; remote rows made in the edit get theirs at
+                                    // its end
   std::vector<std::uint32_t> leaving_, departed_, movers_, unnamed_, relocated_, newRemotes_;
-  std::vector<std::uint32_t> bereft_;  // new slots, as `bond` knows them, that came with a bond to a particle
-                                       // that is solid no more
+  std::vector<std::uint32_t> bereft_;  // new slots, in the numbering of `bond`, that arrived with a bond to a
+                                       // particle that is no longer solid
   std::vector<Alias> aliases_;
   std::vector<Released> released_;
   std::vector<NewSlot> fresh_;
   std::vector<std::uint32_t> marked_;
   std::vector<std::uint8_t> isMarked_, touched_, isAlias_;
-  std::vector<std::uint8_t> turned_;  // of rows before it: was remote and is owned now, or the reverse
-                                      // (perhaps with the same number)
+  std::vector<std::uint8_t> turned_;  // by old row: it changed between remote and owned, possibly with the
+                                      // same number
   struct Renumbered {
     std::uint32_t to, references;
     std::uint64_t id;
@@ -162,9 +162,9 @@ class BondGraph {
   std::vector<Renumbered> renumbered_;
 };
 
-/// What the particles say of slots since the last edit: Solids::particle is set for all slots that stay;
-/// `unslotted` are rows of solid particles without a slot; BondedRows::slot of particles that became liquid
-/// is noSlot. Needs sorted particles without departed rows.
+/// Compares slots with particles after an edit. Sets Solids::particle of all slots that stay, lists rows of
+/// solid particles without a slot in `unslotted`, and sets BondedRows::slot of melted particles to noSlot.
+/// Requires: sorted particles without departed rows.
 void findUnslotted(const BondedRows& particles, Solids& solids, std::vector<std::uint32_t>& unslotted);
 
 }  // namespace thaw

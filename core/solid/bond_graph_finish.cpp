@@ -1,4 +1,4 @@
-// The end of a relink: rows and bonds go to the places that bond_graph.cpp has given them.
+// The end of a relink: rows and bonds move to the positions that bond_graph.cpp assigned.
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
@@ -92,12 +92,12 @@ void BondGraph::walk(const SolidTables& t) {
       if (boundary_[g]) mark(g);
   for (std::size_t i = 0; i < marked_.size(); i++)
     if (marked_[i] < groups) met += walkGroup(t, marked_[i]);
-  if (met != expected) {  // a bond whose other end does not have it: it may be anywhere
+  if (met != expected) {  // some bond has no counterpart at its other end, so it may be in any group
     isMarked_.resize(std::max(isMarked_.size(), groups), 0);
     for (std::size_t g = 0; g < groups; g++)
       if (!isMarked_[g]) met += walkGroup(t, g);
   }
-  if (met != expected) throw std::logic_error("the bonds of a solid and the count of them disagree");
+  if (met != expected) throw std::logic_error("the bonds of solids disagree with their reference counts");
 }
 
 void BondGraph::renumber() {
@@ -149,7 +149,7 @@ void BondGraph::check(const SolidTables& t) const {
     fail("number of rows");
   if (rowOf_.size() != rows || used_.size() != groups * lanes || boundary_.size() != groups)
     fail("number of ids or groups");
-  if (b.neighbour.size() < groups * lanes * static_cast<std::size_t>(b.capacity)) fail("room for bonds");
+  if (b.neighbour.size() < groups * lanes * static_cast<std::size_t>(b.capacity)) fail("capacity for bonds");
   std::vector<std::uint32_t> references(rows, 0);
   std::vector<std::uint8_t> boundary(groups, 0);
   for (std::size_t r = 0; r < rows; r++) {
@@ -167,13 +167,13 @@ void BondGraph::check(const SolidTables& t) const {
         if (b.neighbour[at] >= owned_) boundary[s / lanes] = 1;
       } else if ((b.vectors && (b.weight[at] != 0 || b.x[at] != 0)) ||
                  (s < owned_ ? b.neighbour[at] != s : b.neighbour[at] >= groups * lanes)) {
-        fail("a place without bond");
+        fail("an unused bond entry");
       }
     }
   if (references != references_) fail("count of references");
   if (boundary != boundary_) fail("boundary groups");
   for (std::size_t r = owned_; r < rows; r++)
-    if (references_[r] == 0) fail("a remote row that nobody names");
+    if (references_[r] == 0) fail("a remote row without references");
 }
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// One place in the arrays of Bonds: copy, clear, fill.
+// Operations on one entry in the arrays of Bonds.
 #pragma once
 #include "core/solid/bond_records.hpp"
 
@@ -9,7 +9,7 @@ inline void copyBond(Bonds& b, std::size_t from, std::size_t to) {
   b.eachReal([&](BondReals& r) { r.set(to, r[from]); });
 }
 
-/// No bond: weight 0 and an end that may be read, `self`.
+/// Clears an entry: weight 0 and the readable end `self`.
 inline void clearBond(Bonds& b, std::size_t at, std::uint32_t self) {
   b.neighbour[at] = self;
   b.eachReal([&](BondReals& r) { r.set(at, 0); });

@@ -8,8 +8,8 @@ namespace thaw {
 
 namespace {
 
-constexpr std::uint64_t endsOnly = std::uint64_t(1) << 63;  // of the number of bonds in a head: of each only
-                                                            // the other end's id follows
+constexpr std::uint64_t endsOnly = std::uint64_t(1) << 63;  // flag in the number of bonds: only ids of the
+                                                            // other ends follow
 
 }  // namespace
 
@@ -49,7 +49,7 @@ std::size_t readRecord(const Solids& s, const std::vector<std::byte>& bytes, std
   std::uint64_t head[2];
   const std::size_t state = s.stateBytes();
   if (bytes.size() - at < sizeof head + state)
-    throw std::runtime_error("the records of solid particles end too early");
+    throw std::runtime_error("the records of solid particles are truncated");
   std::memcpy(head, bytes.data() + at, sizeof head);
   v.id = head[0];
   v.state = bytes.data() + at + sizeof head;
@@ -57,7 +57,7 @@ std::size_t readRecord(const Solids& s, const std::vector<std::byte>& bytes, std
   const std::size_t each = head[1] & endsOnly ? sizeof(std::uint64_t) : sizeof(BondRecord),
                     count = head[1] & ~endsOnly;
   if (count > (bytes.size() - at) / each)
-    throw std::runtime_error("the records of solid particles end too early");
+    throw std::runtime_error("the records of solid particles are truncated");
   v.bonds.assign(count, BondRecord{});
   for (BondRecord& b : v.bonds) {
     std::memcpy(&b, bytes.data() + at, each);

@@ -1,4 +1,4 @@
-// Packs records for the loops over bonds (elastic_isa.cpp) and what these do one lane at a time.
+// Preparation of the bond loops (elastic_isa.cpp), and their scalar parts.
 #include "core/solid/elastic.hpp"
 
 #include "core/solid/elastic_kernels.hpp"
@@ -50,7 +50,7 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   for (int k = 0; k < 3; k++) a.period[k] = single ? work.periods.length[k] / a.unit : work.periods.length[k];
   a.dt = step.dt;
   if (work.minBreakStretch < never) {
-    // a little early, since lengths are rounded to float there: fracture.cpp decides in double
+    // Slightly early, since lengths in the loop are rounded to float; fracture.cpp decides in double.
     a.breakStretch2 = 0.9999 * work.minBreakStretch * work.minBreakStretch;
     a.stretched = work.stretched.data();
   }
@@ -86,7 +86,7 @@ Mat3d laneMatrix(const double m[9][8], int l) {
 
 void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out) {
   const Solids& solids = *a.solids;
-  // most groups are of the material of the group before, and of one alone
+  // Most groups have a single material, that of the previous group.
   bool same = n == 8 && out.material >= 0;
   for (int l = 0; same && l < 8; l++) {
     const std::size_t s = slot0 + static_cast<std::size_t>(l);
@@ -124,8 +124,8 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
     const ElasticConstants& c = out.constants[l];
     out.volume[l] = l < n ? a.volume[s] : 0;
     out.hourglass[l] = c.hourglass * out.volume[l] * a.perTrace[s];
-    // a bond's damping is the mean of both ends'; three, because a bond acts along its direction only; half
-    // of the sum of both ends
+    // A bond's damping is the mean of both ends, hence 0.5. The factor 3 is because a bond acts along its
+    // direction only.
     out.drag[l] = 0.5 * 3 * c.dragDensity * out.volume[l] * a.perWeight[s];
     if (l < n && a.dissipated && !a.keepDissipated) a.dissipated[s] = 0;
   }
@@ -227,7 +227,7 @@ void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds
   }
   for (const SolidPart part : {SolidPart::Inner, SolidPart::Boundary}) {
     ElasticArrays a = arraysOf(work, solids, bonds, ElasticStep{0, true}, part);
-    a.damping = false;  // dissipates nothing here
+    a.damping = false;  // no dissipation here
     kernelsOf(work).forces(a);
   }
 }

@@ -1,18 +1,18 @@
-// The elastic step: displacement gradient by moving least squares over bonds (MKN04), stress, and forces by
-// gather from both ends of each bond. With u_ij = x_ij - X_ij, A_i = sum_j w_ij X_ij X_ij^T:
+// The elastic step: displacement gradient by moving least squares over bonds (MKN04), stress, and forces
+// gathered from both ends of each bond. With u_ij = x_ij - X_ij, A_i = sum_j w_ij X_ij X_ij^T:
 //   grad u_i = (sum_j w_ij u_ij X_ij^T) A_i^-1,  F_i = 1 + grad u_i
 //   energy of i: V_i psi(F_i) + k_i/2 sum_j w_ij |x_ij - F_i X_ij|^2,  k_i = alpha E_i V_i / tr A_i
 // The second term is the hourglass control (Ganzenmueller 2015, "An hourglass control algorithm for
-// Lagrangian smooth particle hydrodynamics") with the whole error vector in place of its length along x_ij.
-// F_i minimises that term, so its derivative through F_i is zero and the forces below are the exact
+// Lagrangian smooth particle hydrodynamics"), with the whole error vector instead of its length along x_ij.
+// F_i minimises that term, so its derivative through F_i is zero. The forces below are thus the exact
 // derivative of the energy, which conserves momentum, angular momentum and energy. With flux_i = V_i P_i
 // A_i^-1 - k_i grad u_i the force on i is
 //   sum_j w_ij [ flux_i X_ij - flux_j X_ji + k_i (x_ij - X_ij) + k_j (x_ij + X_ji) ].
-// The gradient alone is too soft for short waves, by a share (k dx)^2/6 at bonds of up to 2 spacings, and for
-// bending, since at a surface the neighbourhood lies to one side. The penalty is of the same order in dx:
-// with alpha = 1.5 S waves along an axis have no error of second order, and with bonds of 1.7 spacings and
-// alpha = 1.25 bending has next to none (benchmarks/accuracy: p_wave, cantilever). With bonds of 1.5 spacings
-// alpha = 1 does, but what froze unevenly then needs steps half as long.
+// The gradient alone is too soft for short waves, by a fraction (k dx)^2/6 at bonds of up to 2 spacings, and
+// for bending, since neighbourhoods at a surface are one-sided. The penalty is of the same order in dx. With
+// alpha = 1.5, S waves along an axis have no second-order error; with bonds of 1.7 spacings and alpha = 1.25,
+// bending has almost none (benchmarks/accuracy: p_wave, cantilever). Bonds of 1.5 spacings need alpha = 1,
+// but halve the step of unevenly frozen solids.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -32,54 +32,52 @@ namespace thaw {
 struct ElasticKernels;
 struct ReferenceKernels;
 
-/// Inner groups of 8 slots have no bonds to remote rows: their sums need nothing from other ranks.
+/// Inner groups of 8 slots have no bonds to remote rows, so their sums need no data of other ranks.
 enum class SolidPart { Inner, Boundary };
 
-/// What the elastic step keeps between calls beside the tables. Not part of the state: all of it is
-/// recomputed from bonds.
+/// Work data of the elastic step. It is not part of the state: everything follows from the bonds.
 struct ElasticWork {
-  const ElasticKernels* kernels = nullptr;  ///< the loops over bonds; nullptr: the best for this processor
-  const ReferenceKernels* referenceKernels = nullptr;  ///< the same of what is found from bonds alone
-  // of the scene
+  const ElasticKernels* kernels = nullptr;  ///< the bond loops; nullptr: the best for this processor
+  const ReferenceKernels* referenceKernels = nullptr;  ///< loops over bonds for reference data
+  // From the scene.
   std::vector<Material> materials;
   std::vector<ElasticConstants> solidConstants;  ///< by material, liquid fraction 0
   Precision precision = Precision::Single;
-  double support = 0;          ///< m, of bonds
+  double support = 0;          ///< m, upper limit of bond lengths
   double rereference = never;  ///< Numerics::plasticRereference
   Periods periods;
-  double minBreakStretch = never;  ///< the smallest of all materials
-  double touch = 0;  ///< m, distance below which solids without a bond push each other (0: they do not)
+  double minBreakStretch = never;  ///< smallest value over all materials
+  double touch = 0;  ///< m, distance below which unbonded solids repel each other; 0: no repulsion
   bool damping = false, plastic = false, periodic = false;
-  bool energyInSteps = true, deformationInSteps = true;  ///< every evaluation finds Solids::energy and
-                                                         ///< Solids::deformation; else findElasticEnergy
-                                                         ///< (solid_step.hpp), where they are asked for
-  // of the bonds, by refreshReference
-  int capacity = 0;                            ///< of the bonds that the rest is of
-  std::vector<std::uint8_t> remoteGroup;       ///< by group: some bond has a remote end
+  bool energyInSteps = true, deformationInSteps = true;  ///< true: every evaluation computes Solids::energy
+                                                         ///< and Solids::deformation; else findElasticEnergy
+                                                         ///< (solid_step.hpp) does on demand
+  // From the bonds, by refreshReference.
+  int capacity = 0;                            ///< capacity of the bonds described below
+  std::vector<std::uint8_t> remoteGroup;       ///< by group: 1 if some bond has a remote end
   std::vector<std::uint32_t> inner, boundary;  ///< groups of owned slots
-  std::vector<std::uint16_t> bondCount;        ///< by group: bonds of its longest row
-  std::vector<std::uint8_t> ownFrames;  ///< by group: of some bond each end has a reference of its own, X_ji
-                                        ///< != -X_ij (only where bonds have vectors)
+  std::vector<std::uint16_t> bondCount;        ///< by group: number of bonds of its longest row
+  std::vector<std::uint8_t> ownFrames;  ///< by group: 1 if some bond has its own reference at each end, X_ji
+                                        ///< != -X_ij (only if bonds have vectors)
   std::vector<std::uint8_t> rank;       ///< by owned slot: rank of A
-  std::vector<std::uint8_t> singularLanes;    ///< by group: bit l: rank of slot l < 3
-  std::vector<std::uint8_t> flows;            ///< by owned slot, by phase 1: its plastic strain has changed
-                                              ///< (rereference.hpp)
-  std::vector<std::uint8_t> stretched;        ///< by group, by phase 1: some bond may be beyond its limit
+  std::vector<std::uint8_t> singularLanes;  ///< by group: bit l: rank of slot l < 3
+  std::vector<std::uint8_t> flows;  ///< by owned slot, from phase 1: plastic strain changed (rereference.hpp)
+  std::vector<std::uint8_t> stretched;        ///< by group, from phase 1: some bond may exceed its limit
                                               ///< (fracture.hpp)
   AlignedVector<double> perTrace, perWeight;  ///< by owned slot: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
-  AlignedVector<double> grip;  ///< by owned slot, 1/m: how hard the strain of its neighbourhood grips
+  AlignedVector<double> grip;  ///< by owned slot, 1/m: bound of the strain-displacement operator
                                ///< (elasticStepLimit)
-  // where solids sleep (core/sleep/sleep.hpp)
-  bool sleeping = false;  ///< groups are innerAwake and boundaryAwake
+  // Sleep (core/sleep/sleep.hpp).
+  bool sleeping = false;  ///< active groups are innerAwake and boundaryAwake
   std::vector<std::uint32_t> innerAwake, boundaryAwake;
-  std::vector<std::uint8_t> held;     ///< by owned slot: its plastic strain does not change
-  std::vector<double> groupStretch2;  ///< by group: the largest square of a stretch, as last found
-  // velocity and drag by row, where bonds are damped; float or double by precision
+  std::vector<std::uint8_t> held;     ///< by owned slot: plastic strain is fixed
+  std::vector<double> groupStretch2;  ///< by group: largest squared stretch of the last evaluation
+  // Velocity and drag by row, if bonds are damped; float or double by precision.
   AlignedVector<float> motion4;
   AlignedVector<double> motion4d;
 };
 
-/// Calls work(first, last) for owned slots that are worked on: all, or those of groups that are awake.
+/// Calls work(first, last) for the active owned slots: all, or those of awake groups.
 template<class Work> void forEachAwake(const ElasticWork& elastic, const Solids& solids, const Work& work) {
   if (!elastic.sleeping) return work(std::size_t{0}, solids.owned);
   for (const std::vector<std::uint32_t>* groups : {&elastic.innerAwake, &elastic.boundaryAwake})
@@ -88,16 +86,16 @@ template<class Work> void forEachAwake(const ElasticWork& elastic, const Solids&
 }
 
 struct ElasticStep {
-  double dt = 0;            ///< s, for plastic flow and damping; 0: none
-  bool energy = true;       ///< also sum Solids::energy; needs deformation
-  bool deformation = true;  ///< also keep Solids::deformation
+  double dt = 0;            ///< s, for plastic flow and damping; 0: neither
+  bool energy = true;       ///< also compute Solids::energy; needs deformation
+  bool deformation = true;  ///< also store Solids::deformation
 };
 
 struct ElasticResult {
   std::int64_t inverted = 0;  ///< particles with det F <= 0
-  std::int64_t squeezed = 0;  ///< of Green strain without volume stiffness: with a principal stretch below
-                              ///< sqrt(1/3), where the law weakens
-  double maxStretch2 = 1;     ///< upper bound of the square of the principal elastic stretches (|Fe|^2 - 2)
+  std::int64_t squeezed = 0;  ///< particles with Green strain, no volume stiffness and a principal stretch
+                              ///< below sqrt(1/3), where the law weakens
+  double maxStretch2 = 1;     ///< upper bound of the squared principal elastic stretches (|Fe|^2 - 2)
   ElasticResult& operator+=(const ElasticResult& o) {
     inverted += o.inverted;
     squeezed += o.squeezed;
@@ -106,16 +104,16 @@ struct ElasticResult {
   }
 };
 
-/// Switches on the fields of Solids, Bonds and Continuum that the scene's solids need, and fills the
-/// constants of `work`. Once, before the first bond is made.
+/// Activates the fields of Solids, Bonds and Continuum that the scene's solids need, and sets the constants
+/// of `work`. Call it once, before the first bond is made.
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
                          const Scene& scene, const Modules& modules, const CellGrid& grid);
-/// Of these fields those that each step finds anew from places and bonds, two thirds of the bytes: nobody
-/// asks for them before there are bonds.
+/// Returns the fields that each step recomputes from positions and bonds, two thirds of the bytes. They are
+/// unused before bonds exist.
 std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work);
 
-/// Columns that remote rows need: after relink and before refreshReference (what does not change while bonds
-/// stay), before phase 1 (computeDeformationAndStress), and before phase 2 (computeElasticForces). A step is:
+/// Columns that remote rows need: after relink and before refreshReference (data that is constant while bonds
+/// are), before phase 1 (computeDeformationAndStress), and before phase 2 (computeElasticForces). A step is:
 ///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary;
 ///   breakBonds (fracture.hpp); rereference (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish;
 ///   phase 2 Boundary; addSolidForces.
@@ -123,67 +121,66 @@ ColumnList remoteColumnsAfterRelink(Solids& solids);
 ColumnList remoteColumnsBeforeDeformation(Solids& solids);
 ColumnList remoteColumnsBeforeForces(Solids& solids);
 
-/// The reference configuration, where all bonds are of one: the places of now. Before the bonds of the start
-/// are made.
+/// Sets the reference configuration to the current positions, if all bonds share one. Requires: called before
+/// the bonds of the start are made.
 void takeReferences(const Continuum& particles, Solids& solids);
-/// Copies position (and velocity, liquid fraction where they are active) of the owned slots' particles.
+/// Copies position (and velocity and liquid fraction, where active) from the particles of owned slots.
 void copyToSolids(const Continuum& particles, Solids& solids);
-/// Volume at rest (mass over the material's density) of owned slots that have none: of particles that have
-/// just become solid.
+/// Sets the rest volume (mass over the material's density) of owned slots without one: newly solid particles.
 void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart);
-/// Adds the elastic force (and what was dissipated in the step, divided by dt) to the particles of the owned
-/// slots; of groups that sleep nothing.
+/// Adds the elastic force, and the dissipation of the step divided by dt, to the particles of owned slots.
+/// Sleeping groups are skipped.
 void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& particles, double dt);
 
-/// A^-1 of slots with `changed` set (of all slots if all: where bonds were made by hand), and what else
-/// `work` keeps of bonds. After every relink and the exchange of remoteColumnsAfterRelink, which sets
-/// `changed` also where a slot got another number, or a bond's other end became remote or owned. The same
-/// bits whether a slot is recomputed or not. Clears `changed`. Returns how many owned slots have rank < 3.
+/// Updates A^-1 and the other bond data in `work`, for slots with `changed` set, or for all slots if `all`
+/// (for bonds made by hand). Call it after every relink and the exchange of remoteColumnsAfterRelink, which
+/// sets `changed` also for renumbered slots and where a bond's other end became remote or owned. The bits do
+/// not depend on which slots are recomputed. Clears `changed`. Returns the number of owned slots with rank <
+/// 3.
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
 
-/// Phase 1: F, plastic flow, stress and flux of the groups of this part. Inner needs Solids::position of
-/// owned rows and must come before Boundary, which needs it of remote rows too.
+/// Phase 1: F, plastic flow, stress and flux of the groups of this part. Requires: Solids::position of owned
+/// rows; for Boundary also of remote rows, and a previous call for Inner.
 ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, const Bonds& bonds,
                                           const ElasticStep& step, SolidPart part);
 
-/// Phase 1 again for some groups, after their bonds or references changed; no plastic flow,
+/// Repeats phase 1 for some groups after their bonds or references changed, without plastic flow;
 /// Solids::dissipated stays.
 void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step,
                        std::span<const std::uint32_t> groups);
 
-/// Phase 2: Solids::force (overwritten), hourglass energy and damping of the groups of this part. Needs phase
-/// 1 of both parts on this rank; Boundary needs remoteColumnsBeforeForces on remote rows.
+/// Phase 2: Solids::force (overwritten), hourglass energy and damping of the groups of this part. Requires:
+/// phase 1 of both parts on this rank; for Boundary remoteColumnsBeforeForces on remote rows.
 void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
                           SolidPart part);
 
-/// Solids::energy of all owned slots at the current positions of owned and remote rows, without plastic flow;
-/// overwrites deformation and force. Where bonds are made or dropped (freezing, melting) the jump of elastic
-/// energy is the exact sum of energy over owned slots before relink minus that after relink,
-/// refreshReference, an exchange of positions and this.
+/// Computes Solids::energy of all owned slots at the current positions of owned and remote rows, without
+/// plastic flow; overwrites deformation and force. When freezing or melting changes bonds, the jump of
+/// elastic energy is the exact sum over owned slots before relink minus that after relink, refreshReference,
+/// an exchange of positions and this function.
 void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds);
 
-/// Cauchy stress of all owned slots into Solids::stress (activates it), from F of the last phase 1; for
-/// output.
+/// Computes the Cauchy stress of all owned slots into Solids::stress (activated here) from F of the last
+/// phase 1. For output.
 void computeCauchyStress(const ElasticWork& work, Solids& solids);
 
-/// The neighbourhoods that bound the time step: grip of a slot is sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1
-/// X_j|, 1/m, what one metre of its neighbours' displacement makes of strain. The largest frequency of a body
-/// is below sqrt(.45) c_p grip (measured: .21 of the square on a lattice, .25-.35 in disorder, .45 in a
-/// crumpled sheet); a lattice's faces and corners have up to latticeGrip / spacing at bonds of 1.5 spacings
-/// and more.
+/// Bound of the strain-displacement operator of a slot: sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1 X_j|, in 1/m,
+/// the strain per metre of neighbour displacement. The largest frequency of a body is below sqrt(0.45) c_p
+/// times it (measured squares: 0.21 on a lattice, 0.25-0.35 in disorder, 0.45 in a crumpled sheet). Faces and
+/// corners of a lattice have up to latticeGrip / spacing for bonds of at least 1.5 spacings.
 inline constexpr double latticeGrip = 4.75;
-inline constexpr double flatGrip = 1.4;  ///< factor of the grip of rows and sheets: a pair's frequency is c_p
-                                         ///< grip, with nothing below
-/// 1/m, of the owned slots; times the largest stretch of Fp^-1 of each, which plastic flow has added to the
-/// reference.
+inline constexpr double flatGrip = 1.4;  ///< factor for rows and sheets of particles: the frequency of a pair
+                                         ///< is c_p times the bound
+/// Largest bound over the owned slots (1/m), each times the largest stretch of Fp^-1, by which plastic flow
+/// changed the reference.
 double largestGrip(const ElasticWork& work, const Solids& solids);
-/// owned slots whose moment matrix has rank < 3
+/// Returns the number of owned slots whose moment matrix has rank < 3.
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids);
 
-/// Largest stable time step (s) of all materials that can be solid: cflElastic * d / c_p, where d is the
-/// spacing, or latticeGrip / grip where neighbourhoods are less even than on a lattice, with c_p of the
-/// stiffest state, hourglass control, volume force and (Green strain) stiffening by the given square of
-/// stretch included; and of bond damping.
+/// Largest stable time step (s) of all materials that can be solid, and of bond damping: cflElastic * d /
+/// c_p. d is the spacing, or latticeGrip / grip for neighbourhoods less even than a lattice. c_p is that of
+/// the stiffest state, with hourglass control, volume force and, for Green strain, stiffening by the given
+/// squared stretch.
 double elasticStepLimit(const Scene& scene, double maxStretch2 = 1, double grip = 0);
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// What the elastic step needs of a material, at one liquid fraction.
+// Elastic constants of a material at a liquid fraction.
 #pragma once
 #include <cmath>
 
@@ -10,15 +10,15 @@ struct ElasticConstants {
   double lambda = 0, mu = 0;  ///< Pa, Lame's constants
   double volume = 0;          ///< Pa, k_v of the volume force
   double hourglass = 0;       ///< Pa, alpha E
-  double yield = never;       ///< 1, |dev sigma|/2G at which it flows
+  double yield = never;       ///< 1, |dev sigma|/2G at yield
   double creep = 0;           ///< 1/s
-  double hardening = 0;       ///< 1, growth of `yield` with the equivalent plastic strain
+  double hardening = 0;       ///< 1, increase of `yield` with the equivalent plastic strain
   double maxPlastic = never;  ///< 1
   double dragDensity = 0;     ///< kg/(m^3 s), damping * density
   ElasticLaw law = ElasticLaw::Green;
 };
 
-/// Constants of a material with this liquid fraction (K05 3.3).
+/// Returns the constants of a material at this liquid fraction (K05 3.3).
 inline ElasticConstants elasticConstants(const Material& m, double liquidFraction) {
   ElasticConstants c;
   const double young = m.young.at(liquidFraction), nu = m.poisson.at(liquidFraction);
@@ -26,12 +26,12 @@ inline ElasticConstants elasticConstants(const Material& m, double liquidFractio
   c.mu = young / (2 * (1 + nu));
   c.volume = m.volumeStiffness;
   c.hourglass = m.hourglass * young;
-  // an infinite solid or liquid value (not plastic) must not turn into a NaN by blending
+  // Blending must not turn an infinite value (not plastic) into NaN.
   c.yield = m.yieldStrain.solid < never && m.yieldStrain.liquid < never ? m.yieldStrain.at(liquidFraction)
                                                                         : m.yieldStrain.solid;
   c.creep = m.creepRate.solid < never && m.creepRate.liquid < never ? m.creepRate.at(liquidFraction)
                                                                     : m.creepRate.solid;
-  // sigma_eq = sqrt(3/2) 2G yield; the same share of G at any liquid fraction
+  // sigma_eq = sqrt(3/2) 2G yield; the same fraction of G at any liquid fraction
   if (m.hardening > 0) c.hardening = m.hardening * (1 + m.poisson.solid) / (std::sqrt(1.5) * m.young.solid);
   c.maxPlastic = m.maxPlasticStrain;
   c.dragDensity = m.damping * m.density;

@@ -1,4 +1,4 @@
-// The two loops over bonds: a lane is a slot, and sums its bonds one after another in their order.
+// The two bond loops: each lane is a slot and sums its bonds in order.
 #include "core/solid/law_lanes.hpp"
 #include "core/solid/laws/volume.hpp"
 
@@ -7,14 +7,14 @@ namespace THAW_ISA {
 
 namespace {
 
-/// sum += w u (x) X of bonds [at, end); tears: excess becomes the largest (x^2 - stretch2 X^2), > 0 where one
-/// is to break.
+/// Adds w u (x) X of bonds [at, end) to sum. tears: excess becomes the maximum of x^2 - stretch2 X^2, > 0 if
+/// some bond may break.
 template<bool tears, class Real, bool periodic, bool vectors>
 THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, std::size_t at,
                              std::size_t end, const Lanes<Real>& stretch2, Mat3<Lanes<Real>>& sum,
                              Lanes<Real>& excess) {
   const ElasticArrays& a = bonds.a;
-  // in registers, where the matrix would stay in memory
+  // Local rows stay in registers; the matrix itself would stay in memory.
   Vec3<Lanes<Real>> x = sum.row[0], y = sum.row[1], z = sum.row[2];
   for (; at < end; at += 8) {
     const EightBonds<Real> b = bonds(at);
@@ -45,8 +45,8 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
   for (std::size_t gi = 0; gi < a.groupCount; gi++) {
     const std::size_t g = a.groups[gi], s0 = 8 * g, base = g * a.capacity * 8;
     const int n = a.owned - s0 < 8 ? static_cast<int>(a.owned - s0) : 8;
-    // what is written lane by lane and read eight lanes at a time: before the loop, so that nobody waits for
-    // it to arrive
+    // Data written lane by lane and read as vectors is stored before the loop, to avoid store-forwarding
+    // stalls.
     loadLaneConstants(a, s0, n, c);
     for (int l = 0; l < 8; l++) {
       const Sym3d m = l < n ? a.momentInverse[s0 + static_cast<std::size_t>(l)] : Sym3d{};
@@ -76,7 +76,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
 
     const T lambda = fromDoubles<Real>(c.lambda), mu = fromDoubles<Real>(c.mu),
             volume = fromDoubles<Real>(c.volume);
-    // Laws see the elastic part Fe of F = Fe Fp.
+    // Laws take the elastic part Fe of F = Fe Fp.
     Mat3<T> elasticGradient = gradient, fe = f, plasticInverse{};
     if (a.plastic) {
       for (int l = 0; l < 8; l++) {
@@ -92,7 +92,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
     }
     const Sym3<T> green = greenStrain(elasticGradient);
 
-    // Which formula a lane gets depends on its own material only, never on the slots that share its group.
+    // The formula of a lane depends on its own material only, never on the other slots of its group.
     Mat3<T> piola{};
     if (c.anyGreen) {
       piola = greenStress(fe, green, lambda, mu);
@@ -120,9 +120,8 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
     }
     if (a.plastic) piola = piola + piola * transpose(plasticInverse);
 
-    // Green strain alone weakens where it is squeezed to less than sqrt(1/3) in some direction: 3 E + 1 = 3/2
-    // C - 1/2 has an eigenvalue < 0, which its leading minors tell. Not where |E| < 1/3 says that it has
-    // none.
+    // The Green law weakens where some principal stretch is below sqrt(1/3): 3 E + 1 = 3/2 C - 1/2 then has
+    // an eigenvalue < 0, which its leading minors detect. The test is skipped where |E| < 1/3 rules that out.
     const T three(Real(3));
     const auto squared = [](const Sym3<T>& e) {
       return e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + T(Real(2)) * (e.xy * e.xy + e.yz * e.yz + e.xz * e.xz);
@@ -214,21 +213,21 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
         }
       gradient = loadMatrix<Real>(gradU);
     }
-    const bool oneFrame = vectors && a.ownFrames[g] == 0;  // of most groups: the vector back is not read
-    LanesD fx(0.0), fy(0.0), fz(0.0), lost(0.0);  // sums in double: momentum is conserved to its rounding in
-                                                  // single precision, too
+    const bool oneFrame = vectors && a.ownFrames[g] == 0;  // for most groups the reverse vector is not read
+    LanesD fx(0.0), fy(0.0), fz(0.0), lost(0.0);  // sums in double: momentum is conserved to double rounding
+                                                  // in single precision too
     T errors(Real(0));
     for (std::size_t at = base, end = base + std::size_t(a.bondCount[g]) * 8; at < end; at += 8) {
       const std::uint32_t* rows = a.neighbour + at;
       const EightBonds<Real> b = bonds(at);
       const Vec3<T>&ref = b.reference, &u = b.u;
-      // as loadFluxes, whose struct would go to memory
+      // Same as loadFluxes, without a struct that would spill to memory.
       const Lanes4<Real> third = load<4>(bonds.records + 2, rows), fourth = load<4>(bonds.records + 3, rows);
       const T k = b.ends.second.c;
       const Vec3<T> j0{b.ends.second.d, third.a, third.b}, j1{third.c, third.d, fourth.a},
           j2{fourth.b, fourth.c, fourth.d};
       Vec3<T> t;
-      if (oneFrame) {  // what the next branch gives with back = -ref, to the last bit
+      if (oneFrame) {  // equals the next branch for back = -ref, to the last bit
         const Vec3<T> ours = apply<Real>(i.flux, ref),
                       theirs{times3<Real>(j0, ref), times3<Real>(j1, ref), times3<Real>(j2, ref)};
         t = {fma(i.k, u.x, ours.x) + fma(k, u.x, theirs.x), fma(i.k, u.y, ours.y) + fma(k, u.y, theirs.y),
@@ -238,7 +237,7 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
                       v{x.x + back.x, x.y + back.y, x.z + back.z};
         const Vec3<T> ours = apply<Real>(i.flux, ref),
                       theirs{times3<Real>(j0, back), times3<Real>(j1, back), times3<Real>(j2, back)};
-        // (term of i) - (term of j): the other end computes exactly the negative
+        // (term of i) - (term of j): the other end computes the exact negative.
         t = {fma(i.k, u.x, ours.x) - fma(-k, v.x, theirs.x), fma(i.k, u.y, ours.y) - fma(-k, v.y, theirs.y),
              fma(i.k, u.z, ours.z) - fma(-k, v.z, theirs.z)};
       } else {
@@ -269,7 +268,7 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
     for (int l = 0; l < n; l++)
       a.force[s0 + static_cast<std::size_t>(l)] = {scale * out[0][l], scale * out[1][l], scale * out[2][l]};
     if (damping)
-      // half of each bond at each end
+      // Half of each bond's loss at each end.
       for (int l = 0; l < n; l++)
         a.dissipated[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * out[3][l] * a.dt;
     if (energy)

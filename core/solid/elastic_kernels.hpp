@@ -1,6 +1,6 @@
-// The two loops over bonds, one set for each instruction set (elastic_isa.cpp); every set gives the same
-// bits. Only plain pointers here: code compiled for one instruction set must not leave copies of library
-// functions to the linker.
+// The two bond loops, one set per instruction set (elastic_isa.cpp); every set gives the same bits. Only
+// plain pointers here: code compiled for one instruction set must not emit copies of library functions for
+// the linker.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace thaw {
 struct ElasticWork;
 struct Solids;
 
-/// What the loops read and write. Real: float or double by `precision`. Arrays of bonds are interleaved by 8
+/// Input and output of the loops. Real: float or double by `precision`. Bond arrays are interleaved by 8
 /// slots as in Bonds.
 struct ElasticArrays {
   Precision precision = Precision::Single;
@@ -24,72 +24,72 @@ struct ElasticArrays {
   std::size_t groupCount = 0;
   const std::uint16_t* bondCount = nullptr;
   const std::uint8_t* singularLanes = nullptr;
-  const std::uint8_t* ownFrames = nullptr;  ///< by group, as ElasticWork::ownFrames
+  const std::uint8_t* ownFrames = nullptr;  ///< by group, see ElasticWork::ownFrames
   const std::uint32_t* neighbour = nullptr;
-  /// Real; null but where vectors
+  /// Arrays of Real; null unless `vectors`.
   const void *x = nullptr, *y = nullptr, *z = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr,
              *weight = nullptr;
-  void* end = nullptr;           ///< BondEnd<Real> by row; places of float in units of `unit`
-  const void* motion = nullptr;  ///< Real, 4 a row: velocity (m/s), drag
+  void* end = nullptr;           ///< BondEnd<Real> by row; float positions in units of `unit`
+  const void* motion = nullptr;  ///< Real, 4 per row: velocity (m/s), drag
   double unit = 1;               ///< m
-  double perSupport2 = 1;        ///< 1/m^2, of bonds
-  double period[3]{};            ///< in units of places; 0: not periodic
+  double perSupport2 = 1;        ///< 1/m^2, inverse square of the bond support
+  double period[3]{};            ///< in units of positions; 0: not periodic
   double dt = 0;
-  double breakStretch2 = 0;  ///< square of the stretch from which `stretched` is set; 0: no fracture
+  double breakStretch2 = 0;  ///< square of the stretch above which `stretched` is set; 0: no fracture
   std::uint8_t* stretched = nullptr;
   bool keepDissipated = false;  ///< add to dissipated
   bool flow = true;             ///< plastic strain may change
-  // by slot
+  // By slot.
   const Sym3d* momentInverse = nullptr;
   const std::uint8_t* rank = nullptr;
   const double *perTrace = nullptr, *perWeight = nullptr, *volume = nullptr;
   Mat3d* plasticInverse = nullptr;
-  const Mat3d* referenceGradient = nullptr;  ///< null: all are of the first reference
-  double* plasticPath = nullptr;             ///< null: nothing hardens
-  std::uint8_t* flows = nullptr;             ///< set where plastic strain changed; null: not wanted
-  Mat3d* deformation = nullptr;              ///< null: not kept
+  const Mat3d* referenceGradient = nullptr;  ///< null: all slots have the first reference
+  double* plasticPath = nullptr;             ///< null: no hardening
+  std::uint8_t* flows = nullptr;             ///< set where plastic strain changed; null: not needed
+  Mat3d* deformation = nullptr;              ///< null: not stored
   double *energyColumn = nullptr, *dragColumn = nullptr, *dissipated = nullptr;
   Vec3d* force = nullptr;
   const ElasticWork* work = nullptr;
   const Solids* solids = nullptr;
-  const std::uint8_t* held = nullptr;  ///< plastic strain stays; null: of none
-  double* groupStretch2 = nullptr;     ///< by group, as maxStretch2; null: not wanted
-  // results
+  const std::uint8_t* held = nullptr;  ///< plastic strain is fixed; null: nowhere
+  double* groupStretch2 = nullptr;     ///< by group, as maxStretch2; null: not needed
+  // Results.
   std::int64_t inverted = 0, squeezed = 0;
   double maxStretch2 = 1;
 };
 
-/// What differs between the lanes of a group, by lane; from one group to the next what is of the material
-/// stays.
+/// Lane-dependent constants of a group. Data of the material is reused from group to group.
 struct alignas(64) LaneConstants {
-  // hourglass: k, N/m; drag: kg/s
+  // hourglass: k, N/m; drag: kg/s.
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];
   double neoHookean[8], corotated[8];  // 1: that law, else 0
   ElasticConstants constants[8];
   bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated;
-  int material = -1;  // of all lanes, none of them part liquid; -1: of none alone
+  int material = -1;  // common material of all lanes if fully solid; else -1
 };
 
 // Out of line, in elastic.cpp.
 void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out);
 /// completeGradient in place; gradU by [row][column][lane].
 void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]);
-/// stressOfNormal of one lane that is flat, added to its flux (V P A^-1 - k grad u).
+/// Adds stressOfNormal of one flat lane to its flux (V P A^-1 - k grad u).
 struct FlatLane {
   const double (*sum)[8], (*gradU)[8], (*stress)[8];
   double (*flux)[8];
 };
 void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
                       const FlatLane& of);
-/// Plastic flow of one lane: updates Solids::plasticInverse and records the loss; gives Fe - 1 and Fp^-1 - 1.
+/// Plastic flow of one lane: updates Solids::plasticInverse, records the loss, and returns Fe - 1 and Fp^-1 -
+/// 1.
 struct PlasticLanes {
   double elastic[9][8], inverse[9][8];
 };
 void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
               int lane, PlasticLanes& out);
-/// Natural logarithms in place: those of the one library that all instruction sets share.
+/// Takes natural logarithms in place, by the math library that all instruction sets share.
 void takeLogarithms(double values[8]);
-/// Response of one lane by elasticResponse: its stress, and the energy density (Pa) returned.
+/// Computes the stress of one lane by elasticResponse and returns the energy density (Pa).
 double respondLane(const ElasticConstants& c, const double gradU[9][8], int lane, double stress[9][8]);
 
 struct ElasticKernels {
@@ -97,8 +97,8 @@ struct ElasticKernels {
   void (*deformation)(ElasticArrays&);
   void (*forces)(const ElasticArrays&);
 };
-/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give
-/// nullptr.
+/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
+/// or unsupported names.
 const ElasticKernels* elasticKernels(const char* name = "");
 
 }  // namespace thaw

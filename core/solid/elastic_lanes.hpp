@@ -1,5 +1,5 @@
-// What the loops over bonds load: conversions, differences of places, both ends of eight bonds. Included from
-// code of one instruction set only.
+// Loads of the bond loops: conversions, position differences, both ends of eight bonds. Only code for one
+// instruction set includes this.
 #pragma once
 #include "core/simd/wide.hpp"
 #include "core/solid/elastic_kernels.hpp"
@@ -12,14 +12,14 @@ THAW_INLINE void narrow(LanesD a, LanesF& out) {
   const Vec4f lo = __builtin_convertvector(a.lo, Vec4f), hi = __builtin_convertvector(a.hi, Vec4f);
   out = LanesF(__builtin_shufflevector(lo, hi, 0, 1, 2, 3, 4, 5, 6, 7));
 }
-/// Eight doubles, 64-byte aligned.
+/// Loads eight doubles, 64-byte aligned.
 template<class Real> THAW_INLINE Lanes<Real> fromDoubles(const double* p) {
   Lanes<Real> r;
   narrow(loadRow(p), r);
   return r;
 }
 
-/// Differences of places in units of ElasticArrays::unit: exact before one rounding, and antisymmetric.
+/// Position differences in units of ElasticArrays::unit: exact before a single rounding, and antisymmetric.
 template<class Real, bool periodic> struct Places;
 template<bool periodic> struct Places<float, periodic> {
   std::int32_t period[3];
@@ -30,7 +30,7 @@ template<bool periodic> struct Places<float, periodic> {
   }
   static THAW_INLINE Vec8i absolute(Vec8i d) { return d < 0 ? -d : d; }
   THAW_INLINE LanesF one(LanesF from, LanesF to, int axis) const {
-    // wraps around by design
+    // Wraps around by design.
     const Vec8u u = reinterpret_cast<Vec8u>(to.v) - reinterpret_cast<Vec8u>(from.v);
     Vec8i d = reinterpret_cast<Vec8i>(u);
     if constexpr (periodic) {
@@ -55,7 +55,7 @@ template<bool periodic> struct Places<double, periodic> {
     if constexpr (!periodic) return (void)axis, d;
     const LanesD half = LanesD(0.5) * period[axis];
     const LanesD none(0.0);
-    // period 0: not periodic
+    // Period 0: not periodic.
     return select((none < half) & (half < d), d - period[axis],
                   select((none < half) & (d < -half), d + period[axis], d));
   }
@@ -67,7 +67,7 @@ template<bool periodic> struct Places<double, periodic> {
 struct alignas(64) Rows {
   std::uint32_t row[8];
 };
-/// Rows of a group's slots; those behind the last one stand for the first.
+/// Returns the rows of a group's slots; lanes past the last slot repeat the first.
 THAW_INLINE Rows slotsOf(std::size_t first, int n) {
   Rows r;
   for (int l = 0; l < 8; l++)
@@ -83,7 +83,7 @@ template<class Real> THAW_INLINE Lanes<Real> square(const Vec3<Lanes<Real>>& v) 
   return dot3(v.x, v.y, v.z, v.x, v.y, v.z);
 }
 
-/// A BondEnd of eight rows: four records of four values. What is not used of them is not loaded.
+/// BondEnd of eight rows as four records of four values. Unused values are not loaded.
 template<class Real> struct EightEnds {
   using T = Lanes<Real>;
   Lanes4<Real> first, second;
@@ -106,7 +106,7 @@ THAW_INLINE EightFluxes<Real> loadFluxes(const EightEnds<Real>& ends, const Reco
       ends.second.c,
       {{{ends.second.d, third.a, third.b}, {third.c, third.d, fourth.a}, {fourth.b, fourth.c, fourth.d}}}};
 }
-/// Into the rows of n slots from the first of them on; places stay.
+/// Stores fluxes into the rows of n slots starting at the first; positions stay.
 template<class Real>
 THAW_INLINE void storeFluxes(const EightEnds<Real>& ends, const EightFluxes<Real>& f, int n,
                              Record<Real>* to) {
@@ -116,17 +116,17 @@ THAW_INLINE void storeFluxes(const EightEnds<Real>& ends, const EightFluxes<Real
   store({m.row[1].z, m.row[2].x, m.row[2].y, m.row[2].z}, n, 4, to + 3);
 }
 
-/// Eight bonds: reference X_ij, place x_ij now, displacement u_ij = x_ij - X_ij, weight, and what was loaded
-/// of the other ends.
+/// Eight bonds: reference X_ij, current vector x_ij, displacement u_ij = x_ij - X_ij, weight, and the loaded
+/// other ends.
 template<class Real> struct EightBonds {
   Vec3<Lanes<Real>> reference, current, u;
   Lanes<Real> weight;
   EightEnds<Real> ends;
 };
 
-/// Loads the bonds of a group's slots. vectors: they have references and weights of their own, in m; else
-/// these are differences of the ends' references, in units of ElasticArrays::unit, and the weight is (1 -
-/// X^2/h^2)^3: of a place without a bond, whose end is the slot itself, all is 0 but the weight.
+/// Loads the bonds of a group's slots. vectors: references and weights are stored per bond, in m. Otherwise
+/// references are differences of the ends' references in units of ElasticArrays::unit, and the weight is (1 -
+/// X^2/h^2)^3. An unused entry, whose end is the slot itself, then has zeros except for the weight.
 template<class Real, bool periodic, bool vectors> struct BondLoader {
   using T = Lanes<Real>;
   const ElasticArrays& a;
@@ -134,8 +134,8 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
   Places<Real, periodic> difference;
   T unit, perSupport2;
   EightEnds<Real> own;
-  std::size_t ahead;  ///< places from a bond to the one that is asked for: the same of the next group, as
-                      ///< what a group has room for is not read to its end
+  std::size_t ahead;  ///< prefetch distance: the same bond index in the next group, since entries past a
+                      ///< group's longest row are never read
   explicit BondLoader(const ElasticArrays& a)
       : a(a),
         records(static_cast<const Record<Real>*>(a.end)),
@@ -143,7 +143,7 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
         unit(static_cast<Real>(a.unit)),
         perSupport2(static_cast<Real>(a.perSupport2 * scale() * scale())),
         ahead(8 * a.capacity) {}
-  /// m, of the lengths that it gives.
+  /// Unit of the returned lengths (m).
   double scale() const { return vectors || sizeof(Real) == 8 ? 1 : a.unit; }
   THAW_INLINE void begin(const Rows& self) { own = loadEnds(records, self.row); }
   THAW_INLINE EightBonds<Real> operator()(std::size_t at) const {
@@ -156,8 +156,8 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
       Vec3<T> x = difference(own.displacement(), b.ends.displacement());
       if constexpr (sizeof(Real) == 4) x = {x.x * unit, x.y * unit, x.z * unit};
       b.reference = loadVector<Real>(a.x, a.y, a.z, at);
-      b.current = x;  // not X + u, which is rounded where a bond is stretched far: with X_ji = -X_ij both
-                      // ends have the same u, to the last bit
+      b.current = x;  // not X + u, which is rounded for large stretches; with X_ji = -X_ij both ends have the
+                      // same u bit by bit
       b.u = {x.x - b.reference.x, x.y - b.reference.y, x.z - b.reference.z};
       b.weight = loadRow(static_cast<const Real*>(a.weight) + at);
     } else {

@@ -6,7 +6,7 @@ namespace thaw {
 
 namespace {
 
-// Nearest integer modulo 2^32, |x| < 2^51: the low bits of the mantissa after 1.5 * 2^52 is added.
+// Nearest integer modulo 2^32 for |x| < 2^51: the low bits of the mantissa after adding 1.5 * 2^52.
 std::uint32_t fixedPoint(double x) {
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + fixedPointMagic));
 }
@@ -40,7 +40,7 @@ namespace {
 template<bool periodic, bool single>
 void packPlacesOf(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   const double unit = work.support / fixedUnitsPerSupport, scale = fixedUnitsPerSupport / work.support;
-  std::uint32_t units[3];  // of a period, as Places has it
+  std::uint32_t units[3];  // length of a period, as in Places
   for (int a = 0; a < 3; a++)
     units[a] = static_cast<std::uint32_t>(static_cast<std::uint64_t>(work.periods.length[a] / unit + 0.5));
   const auto periodsAway = [&](std::size_t s, int a) {
@@ -71,10 +71,9 @@ void packPlacesIn(const ElasticWork& work, Solids& solids, std::size_t first, st
 
 }  // namespace
 
-/// Displacements are those of the nearest image of the place: of a body that lies across a periodic side and
-/// turns there, some particles cross it one way and some the other, so that x - X of neighbours differ by up
-/// to two periods, of which their difference (Places) takes one. Without references (vectors) they are
-/// places, which differ by one period at most.
+/// Displacements use the nearest image of the position. A rotating body across a periodic side has particles
+/// that crossed it in both directions, so x - X of neighbours may differ by two periods, of which Places
+/// removes one. Without references (vectors) positions are packed, which differ by one period at most.
 void packPlaces(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   if (work.periodic && solids.reference.active) packPlacesIn<true>(work, solids, first, last);
   else packPlacesIn<false>(work, solids, first, last);

@@ -1,4 +1,4 @@
-// The other end of a slot that took a new reference.
+// Bonds whose other end took a new reference.
 #include <algorithm>
 
 #include "core/solid/rereference.hpp"

@@ -16,14 +16,14 @@ bool beyondLimit(const ElasticWork& work, const Solids& solids, const Bonds& bon
                                 work.materials[solids.material[other]].breakStretch);
   if (!(limit < never)) return false;
   const BondVectors v = bondVectors(work, solids, bonds, slot, k);
-  // Ends nearer than the contact distance would at once push each other apart with energy from nowhere: their
-  // bond waits until they part.
+  // Ends within the contact distance would repel each other and gain energy: their bond breaks only after
+  // they separate.
   const double length2 = dot(v.current, v.current);
   return length2 > work.touch * work.touch &&
          length2 > limit * limit * std::max(dot(v.reference, v.reference), dot(v.reverse, v.reverse));
 }
 
-/// J, what the slot's bonds stored where the drift of this step has found their ends.
+/// Stored energy (J) of the slot's bonds at the positions before the drift of this step.
 double energyBeforeDrift(const ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot,
                          double dt) {
   std::vector<std::pair<std::uint32_t, Vec3d>> places{
@@ -61,15 +61,15 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
         bonds.cut(s, k);
       }
       refreshSlot(work, solids, bonds, s);
-      // Where stretched bonds go and compressed ones stay, the strain of what is left can be larger: it is
-      // weakened so that a break never adds energy. Without this one crack sets off the next until all is
+      // If stretched bonds break and compressed ones stay, the remaining strain can be larger. The volume is
+      // then reduced so that a break never adds energy; otherwise one crack triggers the next until all is
       // dust.
       const double after = slotEnergy(work, solids, bonds, s);
       if (after > before) solids.volume[s] *= before / after;
       const double left = after > before ? slotEnergy(work, solids, bonds, s) : after;
       phaseJump.add(before - left);
-      // The half kick that ends this step is of the forces of what is left, where the drift was against those
-      // of what there was: without the difference of their work the books are of first order in dt.
+      // The half kick that ends this step uses the forces of the remaining bonds, while the drift used those
+      // of all bonds. Without the difference of their work the energy balance is of first order in dt.
       phaseJump.add(-0.5 * (stored - (left - energyBeforeDrift(work, solids, bonds, s, step.dt))));
       any = true;
     }

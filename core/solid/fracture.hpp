@@ -1,16 +1,16 @@
-// Bonds break past a stretch limit.
+// Fracture of bonds beyond a stretch limit.
 #pragma once
 #include "core/solid/elastic.hpp"
 
 namespace thaw {
 
 /// Breaks (weight 0) every bond of owned slots whose current length exceeds breakStretch times its reference
-/// length: the smaller limit of both ends' materials, the longer of both ends' reference vectors; not of ends
-/// that are within the contact distance. Both ends decide alike, from the same bits. Call after phase 1 of
-/// both parts; slots that lost bonds have phase 1 repeated. The elastic energy that the broken bonds no
-/// longer hold is added to phaseJump (J), less what the change of forces within the step gives to the kick:
-/// needs Solids::velocity of owned and remote rows. Returns the number of broken bonds, each counted at its
-/// end with the smaller id. Needs remote rows' id and material.
+/// length, and whose ends are outside the contact distance. The limit is the smaller one of both materials,
+/// the reference length the longer one of both ends. Both ends decide alike from the same bits. Call it after
+/// phase 1 of both parts; it repeats phase 1 for slots that lost bonds. phaseJump (J) receives the elastic
+/// energy of the broken bonds, minus the work that the changed forces do in the kick of the step. Requires:
+/// Solids::velocity of owned and remote rows, id and material of remote rows. Returns the number of broken
+/// bonds, counted at the end with the smaller id.
 std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
                         ExactSum& phaseJump);
 

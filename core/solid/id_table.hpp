@@ -1,12 +1,11 @@
-// Ids to numbers: open addressing, one probe in most cases. There is no way to walk through it, so that its
-// order can influence nothing.
+// Hash table from ids to numbers with open addressing. It cannot be iterated, so its order has no influence.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 namespace thaw {
 
-/// Spreads the bits of an id (the finaliser of MurmurHash3).
+/// Mixes the bits of an id (finaliser of MurmurHash3).
 inline std::uint64_t spreadBits(std::uint64_t x) {
   x ^= x >> 33;
   x *= 0xff51afd7ed558ccdull;
@@ -15,7 +14,7 @@ inline std::uint64_t spreadBits(std::uint64_t x) {
   return x ^ (x >> 33);
 }
 
-/// The id ~0 is not allowed: it marks free places.
+/// The id ~0 is reserved: it marks free entries.
 class IdTable {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -24,7 +23,7 @@ class IdTable {
   std::size_t bytes() const {
     return key_.capacity() * sizeof(std::uint64_t) + value_.capacity() * sizeof(std::uint32_t);
   }
-  /// The number of an id; none if it has no number.
+  /// Returns the number of an id, or none.
   std::uint32_t find(std::uint64_t id) const {
     if (size_ == 0) return none;
     for (std::size_t at = home(id);; at = (at + 1) & mask_) {
@@ -32,7 +31,7 @@ class IdTable {
       if (key_[at] == free_) return none;
     }
   }
-  /// Gives the id this number, whether or not it had one.
+  /// Sets the number of an id, new or not.
   void insert(std::uint64_t id, std::uint32_t value) {
     if (2 * (size_ + 1) > key_.size()) grow(key_.empty() ? 64 : 2 * key_.size());
     std::size_t at = home(id);
@@ -41,13 +40,13 @@ class IdTable {
     key_[at] = id;
     value_[at] = value;
   }
-  /// Room for so many ids in all.
+  /// Makes room for this number of ids in total.
   void reserve(std::size_t ids) {
     std::size_t places = 64;
     while (places < 2 * ids) places *= 2;
     if (places > key_.size()) grow(places);
   }
-  /// False if it had no number.
+  /// Removes an id; returns false if it was absent.
   bool erase(std::uint64_t id) {
     if (size_ == 0) return false;
     std::size_t at = home(id);
@@ -55,7 +54,7 @@ class IdTable {
       if (key_[at] == free_) return false;
       at = (at + 1) & mask_;
     }
-    // close the gap: whatever lies behind and would no longer be found moves forward
+    // Close the gap: later entries that would become unreachable move forward.
     for (std::size_t next = (at + 1) & mask_; key_[next] != free_; next = (next + 1) & mask_) {
       if (((next - home(key_[next])) & mask_) < ((next - at) & mask_)) continue;
       key_[at] = key_[next];

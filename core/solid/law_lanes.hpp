@@ -1,5 +1,5 @@
-// Laws of eight slots, in double precision whatever that of the loops is: corotated stress and energy, as F -
-// R of small strains cancels, and the Neo-Hookean energy. Included from code of one instruction set only.
+// Laws of eight slots in double precision: corotated stress and energy, where F - R of small strains cancels,
+// and the Neo-Hookean energy. Only code for one instruction set includes this.
 #pragma once
 #include "core/solid/elastic_lanes.hpp"
 #include "core/solid/laws/corotated.hpp"
@@ -16,11 +16,11 @@ THAW_INLINE Mat3<LanesD> select(MaskD m, const Mat3<LanesD>& a, const Mat3<Lanes
   return r;
 }
 
-/// nearestRotation() of eight F by Newton's iteration. A lane stops where it would alone, so that its bits do
-/// not depend on its group.
+/// nearestRotation() of eight F by Newton's iteration. Each lane stops independently, so its bits do not
+/// depend on its group.
 struct Rotations {
   Mat3<LanesD> r;
-  MaskD found;  ///< not, where the iteration may not be used: nearly singular or inverted
+  MaskD found;  ///< false where the iteration does not apply: nearly singular or inverted F
 };
 THAW_INLINE Rotations nearestRotations(const Mat3<LanesD>& f) {
   const LanesD size = doubleDot(f, f) / LanesD(3.0);
@@ -36,7 +36,7 @@ THAW_INLINE Rotations nearestRotations(const Mat3<LanesD>& f) {
   return out;
 }
 
-/// A group of slots, and what it is asked for.
+/// A group of slots and the requested results.
 struct LawLanes {
   const LaneConstants& c;
   int n;  ///< lanes in use
@@ -48,8 +48,8 @@ THAW_INLINE Mat3<LanesD> plusOne(Mat3<LanesD> f) {
   f.row[2].z += LanesD(1.0);
   return f;
 }
-/// elasticResponse() without the volume force of the lanes with the Neo-Hookean law: energy density (Pa) by
-/// lane. What is at other lanes stays.
+/// Sets the energy density (Pa) of lanes with the Neo-Hookean law, as elasticResponse() without the volume
+/// force. Other lanes stay.
 THAW_INLINE void addNeoHookeanEnergy(const LawLanes& g, const Mat3<LanesD>& gradU, double energy[8]) {
   const Mat3<LanesD> f = plusOne(gradU);
   const LanesD lambda = loadRow(g.c.lambda), mu = loadRow(g.c.mu);
@@ -60,7 +60,7 @@ THAW_INLINE void addNeoHookeanEnergy(const LawLanes& g, const Mat3<LanesD>& grad
   toDoubles(select(loadRow(g.c.neoHookean) > LanesD(0.5), psi, loadRow(energy)), energy);
 }
 
-/// The same of the lanes with the corotated law: stress as [row][column][lane] and, if asked for, energy
+/// As above for lanes with the corotated law: stress as [row][column][lane] and, if requested, energy
 /// density.
 THAW_INLINE void respondCorotated(const LawLanes& g, const Mat3<LanesD>& gradU, double stress[9][8],
                                   double energy[8]) {

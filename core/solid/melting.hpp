@@ -1,17 +1,17 @@
-// Bonds of what has just melted go, and what they held is booked.
+// Removal of bonds of melted particles, with their energy recorded.
 #pragma once
 #include "core/solid/elastic.hpp"
 
 namespace thaw {
 
-/// Solids::melted of owned slots from the phase of their particles; then to be sent along the bonds.
+/// Sets Solids::melted of owned slots from the phase of their particles; the caller then sends it along the
+/// bonds.
 void markMelted(const Continuum& particles, Solids& solids);
 
-/// Drops (weight 0) every bond of owned slots of which an end is marked as melted, so that both ends lose it.
-/// Slots that lose bonds get their energy computed anew at the places of the last force evaluation, and what
-/// it lost is added to phaseJump (J): call at the end of a step, after the liquid fraction was renewed
-/// (Solids::energy is up to date with it) and before anything moves. Returns the number of slots that lost
-/// bonds.
+/// Drops (weight 0) every bond of owned slots with a melted end, so that both ends lose it. The energy of
+/// these slots is recomputed at the positions of the last force evaluation, and the loss is added to
+/// phaseJump (J). Requires: called at the end of a step, after the update of the liquid fraction (with
+/// Solids::energy up to date) and before anything moves. Returns the number of slots that lost bonds.
 std::int64_t dropMeltedBonds(ElasticWork& work, const Continuum& particles, Solids& solids, Bonds& bonds,
                              ExactSum& phaseJump);
 

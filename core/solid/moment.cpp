@@ -24,13 +24,13 @@ Eigen3 eigenOf(const Sym3d& s) {
   return e;
 }
 
-// Turns the unit vector a into the unit vector b by the smallest angle.
+// Smallest rotation of the unit vector a to the unit vector b.
 Mat3d smallestRotation(const Vec3d& a, const Vec3d& b) {
   const Vec3d v = cross(a, b);
   const double c = dot(a, b);
   const Mat3d k{{{0, -v.z, v.y}, {v.z, 0, -v.x}, {-v.y, v.x, 0}}};
   if (c > -0.999999) return identity3<double>() + k + (1 / (1 + c)) * (k * k);
-  // half a turn about any axis across a
+  // Half a turn about any axis perpendicular to a.
   const Vec3d across = normalized(cross(a, std::abs(a.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}));
   return 2.0 * outer(across, across) - identity3<double>();
 }
@@ -43,8 +43,8 @@ MomentInverse invertMoment(const Sym3d& a, double cutoff) {
   const Vec3d r0{a.xx, a.xy, a.xz}, r1{a.xy, a.yy, a.yz}, r2{a.xz, a.yz, a.zz};
   const Vec3d c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
   const double determinant = dot(r0, c0);
-  // with eigenvalues a >= b >= c: det/mean^3 <= 27 (c/a) a^2 b/(a + b)^3 <= 4 c/a, so here c/a is above the
-  // cutoff
+  // With eigenvalues a >= b >= c: det/mean^3 <= 27 (c/a) a^2 b/(a + b)^3 <= 4 c/a, so c/a exceeds the cutoff
+  // here.
   if (determinant > 4 * cutoff * mean * mean * mean) {
     const double d = 1 / determinant;
     return {{c0.x * d, c1.y * d, c2.z * d, 0.5 * (c0.y + c1.x) * d, 0.5 * (c1.z + c2.y) * d,

@@ -16,14 +16,14 @@ Sym3d deviator(Sym3d s) {
   return s;
 }
 
-/// Elastic states that differ in the deviator of the logarithmic strain by a factor r: stretch_k = exp(mean +
-/// r e_k).
+/// Elastic states along which the deviator of the logarithmic strain scales by r: stretch_k = exp(mean + r
+/// e_k).
 struct RadialPath {
   const ElasticConstants& c;
   double mean = 0, e[3]{};  // ln of the stretches at r = 1: mean + e
   double size = 0;          // |e|
   double yield = 0;         // y at r = 1
-  double scale = 0;         // 1/Pa, of the Kirchhoff stress in |dev sigma|/2G
+  double scale = 0;         // 1/Pa, converts Kirchhoff stress to |dev sigma|/2G
 
   Vec3d stretch(double r) const {
     return {std::exp(mean + r * e[0]), std::exp(mean + r * e[1]), std::exp(mean + r * e[2])};
@@ -39,9 +39,10 @@ struct RadialPath {
   double excess(double r) const { return scale * length(stress(r)) - yield - (1 - r) * hardening(); }
 };
 
-/// r in [0, high] with this excess; it is below at r = 0 and above at r = high, where it is `most`.
+/// Returns r in [0, high] with excess `target`. The excess is below it at r = 0 and equals `most` > target at
+/// r = high.
 double returnTo(const RadialPath& path, double target, double high, double most) {
-  // as if the stress grew linearly
+  // Initial slope for linear growth of the stress.
   const double slope = (most + path.yield + (1 - high) * path.hardening()) / high + path.hardening();
   double low = 0, r0 = high, g0 = most - target, r = high - g0 / slope;
   for (int n = 0; n < 60; n++) {
@@ -51,19 +52,20 @@ double returnTo(const RadialPath& path, double target, double high, double most)
     const double change = n == 0 ? g / slope : g * (r - r0) / (g - g0);
     r0 = r, g0 = g;
     r -= change;
-    if (!(std::abs(change) * path.size > 1e-11)) break;  // the error left is that times the change before it
+    if (!(std::abs(change) * path.size > 1e-11))
+      break;  // the remaining error is the product of the last two changes
   }
   return r;
 }
 
-/// Can the stress not be above the yield stress? Then the eigenvalues need not be found. The factor bounds
-/// |dev sigma|/2G over |dev E| for all laws (test Plasticity.WhatIsNotLookedAtIsBelowYield).
+/// Returns true if the stress is certainly below the yield stress, which saves the eigenvalues. The factor
+/// bounds |dev sigma|/2G over |dev E| for all laws (test Plasticity.WhatIsNotLookedAtIsBelowYield).
 bool surelyBelow(const ElasticConstants& c, const Sym3d& strain, double yield) {
   const double size = norm(strain);
   return size < 0.1 && norm(deviator(strain)) * (c.mu + (8 * c.mu + 4 * c.lambda) * size) < yield * c.mu;
 }
 
-/// Keeps the norm of the total plastic strain within gamma_max, or what it was before if that is more.
+/// Limits the norm of the total plastic strain to gamma_max, or to its previous value if that is larger.
 void limitPlasticStrain(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
                         const Mat3d& reference, PlasticFlow& flow) {
   const Sym3d first = plasticStrain(before.inverse, reference),
@@ -104,7 +106,7 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
 
   path.scale = 1 / (2 * c.mu * std::exp(3 * path.mean));
   double high = 1, most = path.excess(1);
-  // a law that weakens under large strain may have passed its yield stress
+  // A law that weakens at large strain may have passed its yield stress.
   if (!(most > 0) && path.size > 1.5 * path.yield) {
     high = 1.5 * path.yield / path.size;
     most = path.excess(high);
@@ -120,7 +122,7 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
   const Mat3d back = full(withValues(axes, turn));
   flow.state.inverse = compose(before.inverse, back);
   flow.state.path = before.path + std::sqrt(2.0 / 3) * (1 - r) * path.size;
-  flow.elastic = elasticGradient(gradU, flow.state.inverse);  // the bits of an evaluation without flow
+  flow.elastic = elasticGradient(gradU, flow.state.inverse);  // same bits as an evaluation without flow
                                                               // (repeatDeformation)
   if (c.maxPlastic < never) limitPlasticStrain(c, gradU, before, referenceGradient, flow);
   return flow.loss > 0 ? flow : none;

@@ -1,4 +1,4 @@
-// What the elastic step keeps of the bonds.
+// Reference data of bonds in the elastic step.
 #include <algorithm>
 
 #include "core/solid/bond_places.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 std::size_t groupsOf(const Solids& solids) { return (solids.owned + lanes - 1) / lanes; }
 
-/// Room for all groups; what is there of slots that stay is kept.
+/// Makes room for all groups; data of existing slots is kept.
 void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
   const std::size_t groups = groupsOf(solids);
   work.bondCount.resize(groups, 0);
@@ -27,8 +27,8 @@ void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
   work.capacity = bonds.capacity;
 }
 
-/// Rows behind the last owned one in its group: bonds of the group's first slot to itself and of weight 0, so
-/// that the vector loops may read them.
+/// Padding lanes of the last group get bonds of weight 0 to the group's first slot, so that vector loops may
+/// read them.
 void padLastGroup(ElasticWork& work, const Solids& solids, Bonds& bonds) {
   for (std::size_t s = solids.owned; s < groupsOf(solids) * lanes; s++) {
     work.rank[s] = 0;
@@ -40,7 +40,7 @@ void padLastGroup(ElasticWork& work, const Solids& solids, Bonds& bonds) {
   }
 }
 
-/// Has some bond of the group two references? Places without a bond have none.
+/// Returns true if some bond of the group has two references. Unused entries have none.
 bool haveOwnFrames(const Bonds& b, std::size_t begin, std::size_t end) {
   if (!b.twoFrames) return false;
   bool own = false;
@@ -53,8 +53,7 @@ bool haveOwnFrames(const Bonds& b, std::size_t begin, std::size_t end) {
   return own;
 }
 
-/// Number of places that the group's bonds take, whether one of them has a remote end, and whether one has
-/// two references.
+/// Updates the group's number of bond entries, and whether some bond has a remote end or two references.
 void lookAtGroup(ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t g) {
   std::size_t last = 0;
   bool remote = false;
@@ -79,7 +78,7 @@ void sortGroups(ElasticWork& work) {
 }  // namespace
 
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all) {
-  all = all || work.capacity != bonds.capacity;  // places move when there is room for more bonds
+  all = all || work.capacity != bonds.capacity;  // entries move when the capacity grows
   resizeWork(work, solids, bonds);
   padLastGroup(work, solids, bonds);
   for (std::size_t g = 0; g < groupsOf(solids); g++) {
@@ -101,7 +100,8 @@ std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, b
     lookAtGroup(work, solids, bonds, g);
   }
   sortGroups(work);
-  packReferences(work, solids, solids.owned, solids.size());  // which of the others are new is not told
+  packReferences(work, solids, solids.owned, solids.size());  // all remote rows, since it is unknown which
+                                                              // are new
   return countSingular(work, solids);
 }
 

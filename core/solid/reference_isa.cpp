@@ -1,5 +1,5 @@
-// A lane is a slot, and sums its bonds one after another in their order, by the operations of refreshSlot and
-// no fused ones. A place without a bond adds zeros: its end is the slot itself, its weight is set to 0.
+// Each lane is a slot and sums its bonds in order, by the same operations as refreshSlot, without fused ones.
+// An unused entry adds zeros: its end is the slot itself, and its weight is set to 0.
 #include "core/simd/lanes.hpp"
 #include "core/solid/reference_kernels.hpp"
 
@@ -8,7 +8,7 @@ namespace THAW_ISA {
 
 namespace {
 
-/// As minimumImage, along one axis; period 0: not periodic.
+/// Same as minimumImage, along one axis; period 0: not periodic.
 THAW_INLINE LanesD nearest(LanesD d, double period) {
   if (!(period > 0)) return d;
   const LanesD half(period / 2), whole(period);

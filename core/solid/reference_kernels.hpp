@@ -1,6 +1,6 @@
-// Moments of eight slots at once, one set of functions for each instruction set (reference_isa.cpp); every
-// set gives the bits of refreshSlot. Where a scene starts all slots ask for theirs. Only plain pointers here,
-// as in elastic_kernels.hpp.
+// Moments of eight slots at once, one set of functions per instruction set (reference_isa.cpp); every set
+// gives the bits of refreshSlot. At the start of a scene all slots need them. Only plain pointers here, as in
+// elastic_kernels.hpp.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -9,18 +9,18 @@
 
 namespace thaw {
 
-/// Bonds that are their other ends (Bonds::vectors is false) and the configuration that they are of.
+/// Bonds without vectors (Bonds::vectors is false) and their common configuration.
 struct ReferenceArrays {
   const std::uint32_t* neighbour = nullptr;  ///< interleaved by 8 slots as in Bonds
   std::size_t capacity = 0;
   const Vec3d* reference = nullptr;  ///< m, by row
-  double support = 0;                ///< m, of bonds
+  double support = 0;                ///< m, upper limit of bond lengths
   double period[3]{};                ///< m; 0: not periodic
-  double* gathered = nullptr;  ///< 4 x 8 x capacity, aligned to 64 bytes: vectors and weights, which the
-                               ///< second function reads again
+  double* gathered = nullptr;  ///< 4 x 8 x capacity, aligned to 64 bytes: vectors and weights that `moments`
+                               ///< stores for `levers`
 };
 
-/// Of the eight slots of a group, by [component][lane], components as in Sym3.
+/// Results for the eight slots of a group by [component][lane], components as in Sym3.
 struct alignas(64) GroupMoments {
   double moment[6][8], weights[8];  ///< A = sum w X X^T (m^2) and sum w, by `moments`
   double inverse[6][8];             ///< A^-1, for `levers`
@@ -28,13 +28,13 @@ struct alignas(64) GroupMoments {
 };
 
 struct ReferenceKernels {
-  const char* name;  ///< as of ElasticKernels
+  const char* name;  ///< see ElasticKernels
   void (*moments)(const ReferenceArrays&, std::size_t group, GroupMoments&);
-  /// after `moments` of the same group
+  /// Requires: `moments` of the same group was called before.
   void (*levers)(const ReferenceArrays&, std::size_t group, GroupMoments&);
 };
-/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give
-/// nullptr.
+/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
+/// or unsupported names.
 const ReferenceKernels* referenceKernels(const char* name = "");
 
 }  // namespace thaw

@@ -11,15 +11,15 @@ namespace thaw {
 
 namespace {
 
-/// Is F far enough from singular to be undone? |F^-1|^2 is 3 at rest; 6 is half the length along one axis, or
-/// 0.71 along all.
+/// Returns true if F is far enough from singular to be inverted. |F^-1|^2 is 3 at rest; 6 is half the length
+/// along one axis, or 0.71 along all.
 bool canFollow(const Mat3d& f) {
   const double j = determinant(f);
   const Mat3d c = cofactor(f);
   return j > 0 && dot(c.row[0], c.row[0]) + dot(c.row[1], c.row[1]) + dot(c.row[2], c.row[2]) < 6 * j * j;
 }
 
-/// Would the bonds of a slot still measure all directions that they measure now?
+/// Returns true if the bonds of a slot would still span the directions that they span now.
 bool keepsRank(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
   Sym3d a{};
   for (int k = 0; k < bonds.capacity; k++) {
@@ -33,7 +33,7 @@ bool keepsRank(const ElasticWork& work, const Solids& solids, const Bonds& bonds
 bool takesReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
   if (!work.flows[slot] || work.rank[slot] == 0) return false;
   const Mat3d gradU = solids.deformation[slot] - identity3<double>();
-  // of a reference just taken Fp^-1 is the elastic stretch, which may be large
+  // After a recent update Fp^-1 is the elastic stretch, which may be large.
   const bool far = norm(plasticMetric(solids.plasticInverse[slot])) > work.rereference &&
                    norm(greenStrain(gradU)) > 0.5 * work.rereference;
   return far && canFollow(solids.deformation[slot]) && keepsRank(work, solids, bonds, slot);

@@ -1,4 +1,4 @@
-// The graph of bonds of a single process: all ends are owned here. For tests and tools without MPI.
+// Bond graph of a single process: all ends are owned here. For tests and tools without MPI.
 #pragma once
 #include <vector>
 
@@ -15,7 +15,7 @@ class SerialBondHalo : public BondHalo {
   void begin(Solids&, std::span<AnyColumn* const>) override {}
   void finish(Solids&) override {}
 
-  /// Records (SolidRecords::bytes) of particles that have no slot yet; the next relink makes slots of them.
+  /// Adds records (SolidRecords::bytes) of particles without a slot; the next relink creates their slots.
   void adopt(std::vector<std::byte> records) { records_.push_back(std::move(records)); }
   const BondGraph& graph() const { return graph_; }
 

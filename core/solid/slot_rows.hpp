@@ -1,4 +1,4 @@
-// Places of bonds, as BondGraph moves them.
+// Entries of bonds, as BondGraph moves them.
 #pragma once
 #include "core/particles/table_rows.hpp"
 #include "core/solid/solids.hpp"
@@ -7,7 +7,7 @@ namespace thaw {
 
 inline std::size_t groupsOf(std::size_t slots) { return (slots + lanes - 1) / lanes; }
 
-/// Places [from, to) of a slot hold no bond.
+/// Clears entries [from, to) of a slot.
 inline void clearPlaces(Bonds& b, std::size_t slot, int from, int to) {
   for (int k = from; k < to; k++) clearBond(b, b.at(slot, k), static_cast<std::uint32_t>(slot));
 }

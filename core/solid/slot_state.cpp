@@ -11,7 +11,7 @@ namespace thaw {
 
 namespace {
 
-/// As referenceBond; in loops over slots, which this is most of.
+/// Inlined implementation of referenceBond for loops over slots, which it dominates.
 inline ReferenceBond lookAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
                                      std::size_t slot, int k) {
   const std::size_t b = bonds.at(slot, k);
@@ -37,8 +37,7 @@ BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bon
 
 namespace {
 
-/// A slot's bonds one behind the other, in their order: each is looked up once, however many sums run over
-/// them.
+/// Gathers a slot's bonds in order, so that each is looked up once for several sums.
 template<class Bond, class Look>
 std::span<const Bond> gatherBonds(const Bonds& bonds, std::size_t slot, Look&& look) {
   thread_local std::vector<Bond> there;
@@ -69,7 +68,7 @@ Mat3d gradientOf(const ElasticWork& work, const Solids& solids, std::size_t slot
 
 namespace {
 
-/// A, the sum of weights and A^-1 of a slot are known.
+/// Stores A^-1 and the data derived from A and the sum of weights of a slot.
 void setMoment(ElasticWork& work, Solids& solids, std::size_t slot, const Sym3d& a, double weights,
                const MomentInverse& m) {
   const std::size_t g = slot / lanes;
@@ -78,8 +77,8 @@ void setMoment(ElasticWork& work, Solids& solids, std::size_t slot, const Sym3d&
   const auto bit = static_cast<std::uint8_t>(1u << slot % lanes);
   work.singularLanes[g] = static_cast<std::uint8_t>(m.rank < 3 ? work.singularLanes[g] | bit
                                                                : work.singularLanes[g] & ~bit);
-  // neighbours beside their line say nothing of a turn about it: a row that is not straight has no hourglass
-  // control, which would hold that turn
+  // Neighbours off the line of a rank-1 slot do not measure rotation about it. A bent row therefore has no
+  // hourglass control, which would resist that rotation.
   const bool bent = m.rank == 1 && trace(a) - 1 / trace(m.inverse) > 1e-9 * trace(a);
   work.perTrace[slot] = trace(a) > 0 && !bent ? 1 / trace(a) : 0;
   work.perWeight[slot] = weights > 0 ? 1 / weights : 0;
@@ -189,7 +188,7 @@ SlotStrain slotStrain(const ElasticWork& work, const Solids& solids, const Bonds
 
 SlotStrain slotStrainAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
                                  std::size_t slot) {
-  // what completes its gradient rounds
+  // The completion of the gradient rounds.
   if (work.rank[slot] < 3) return slotStrain(work, solids, bonds, slot);
   return strainWith(work, solids, slot, Mat3d{} * full(solids.momentInverse[slot]), 0);
 }

@@ -1,12 +1,12 @@
-// One slot at a time, in double: for the rare events (a bond breaks, a reference is renewed) whose energy
-// jump is booked.
+// Evaluation of single slots in double precision, for rare events (fracture, new references) whose energy
+// jump is recorded.
 #pragma once
 #include "core/solid/elastic.hpp"
 #include "core/solid/moment.hpp"
 
 namespace thaw {
 
-/// Reference X_ij (m) and weight of bond k of a slot, whatever bonds hold (Bonds::vectors).
+/// Reference X_ij (m) and weight of bond k of a slot, for both storage forms (Bonds::vectors).
 struct ReferenceBond {
   Vec3d vector;
   double weight;
@@ -14,7 +14,7 @@ struct ReferenceBond {
 ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
                             std::size_t slot, int k);
 
-/// Current x_ij and reference X_ij, X_ji of bond k of a slot, m, and its weight.
+/// Current x_ij, references X_ij and X_ji (m), and weight of bond k of a slot.
 struct BondVectors {
   Vec3d current, reference, reverse;
   double weight;
@@ -22,28 +22,28 @@ struct BondVectors {
 BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot,
                         int k);
 
-/// Recomputes A^-1, rank and what else `work` keeps of one owned slot.
+/// Recomputes A^-1, rank and the other bond data of one owned slot.
 void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot);
-/// The same, to the last bit, of the eight slots of a group, all of them owned, at once; not where bonds have
+/// As refreshSlot, with the same bits, for the eight owned slots of a group at once. Requires: bonds without
 /// vectors. ElasticWork::bondCount stays.
 void refreshGroup(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t group);
 
-/// grad u of one owned slot from the positions in Solids::position, completed where A is singular.
+/// Returns grad u of one owned slot at Solids::position, completed where A is singular.
 Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
 
-/// Stored energy (J) of one owned slot at the positions in Solids::position: law, volume and hourglass.
+/// Returns the stored energy (J) of one owned slot at Solids::position: law, volume and hourglass.
 double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
-/// Both.
+/// Gradient and energy together.
 struct SlotStrain {
   Mat3d gradU;
   double energy;
 };
 SlotStrain slotStrain(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
-/// The same bits without a look at the bonds, where all ends are at their places of the reference
-/// configuration (atReference).
+/// Equals slotStrain bit by bit if all ends are at their reference positions (atReference), without reading
+/// the bonds.
 SlotStrain slotStrainAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
                                  std::size_t slot);
-/// Is every row, remote ones as well, where its reference is? So it is when a scene starts.
+/// Returns true if every row, remote rows included, is at its reference position, as at the start of a scene.
 bool atReference(const Solids& solids);
 
 /// Constants of a slot's material at its liquid fraction.

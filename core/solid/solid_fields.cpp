@@ -1,4 +1,4 @@
-// Which fields the solids of a scene need, and what goes from particles to slots and back.
+// Fields that the solids of a scene need, and transfer between particles and slots.
 #include <algorithm>
 
 #include "core/contact/solid_contact.hpp"
@@ -26,13 +26,13 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
                                     m.maxPlasticStrain > work.rereference);
     hardens = hardens || (modules.plastic && m.hardening > 0);
   }
-  // where a reference is ever taken anew each bond has its own, else all are of the configuration in which
-  // the scene starts
+  // If references are ever renewed, each bond has its own. Otherwise all bonds share the initial
+  // configuration.
   const bool vectors = modules.freezing || modules.welding || rereferences;
   bonds.choose(vectors, vectors, work.precision == Precision::Single);
 
-  // where something melts the energy of what softens is booked in every step; and substeps leave places of
-  // their own behind
+  // Melting records the energy of softening particles in every step, and substeps end at positions of their
+  // own.
   work.energyInSteps = modules.melting || modules.substeps;
   work.deformationInSteps = work.energyInSteps || vectors || modules.sleep;
 

@@ -12,7 +12,7 @@ namespace {
 double plasticStretch(const Mat3d& plasticInverse) {
   const Sym3d m = plasticMetric(plasticInverse);
   const double mean = trace(m) / 3, square = doubleDot(m, m) - 3 * mean * mean;
-  // no eigenvalue is above mean + sqrt(2/3) |deviator|
+  // No eigenvalue exceeds mean + sqrt(2/3) |deviator|.
   return std::sqrt(std::max(1.0, 1 + 2 * (mean + std::sqrt(2.0 / 3 * std::max(0.0, square)))));
 }
 
@@ -27,7 +27,7 @@ double largestPlasticGrip(const ElasticWork& work, const Solids& solids) {
 
 double largestGrip(const ElasticWork& work, const Solids& solids) {
   if (work.plastic) return largestPlasticGrip(work, solids);
-  double grip[8]{};  // eight chains, as one waits for each comparison
+  double grip[8]{};  // eight independent chains, to hide the latency of comparisons
   const double* const of = work.grip.data();
   const std::size_t n = solids.owned;
   for (std::size_t s = 0; s + 8 <= n; s += 8)
@@ -49,7 +49,7 @@ double elasticStepLimit(const Scene& scene, double maxStretch2, double grip) {
     if (!m.canBeSolid()) continue;
     for (const double liquid : {0.0, 0.5, 1.0}) {
       const ElasticConstants c = elasticConstants(m, liquid);
-      // tangent modulus of Green strain under a stretch: (3 stretch^2 - 1)/2 times that at rest
+      // Tangent modulus of Green strain at a stretch: (3 stretch^2 - 1)/2 times that at rest.
       const double stiffening = c.law == ElasticLaw::Green ? std::max(1.0, 1.5 * maxStretch2 - 0.5) : 1.0;
       const double modulus = (c.lambda + 2 * c.mu) * stiffening + c.volume + 0.5 * c.hourglass;
       if (modulus > 0)

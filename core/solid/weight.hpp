@@ -1,4 +1,4 @@
-// Weight of a bond and its vector across periodic sides.
+// Weight of a bond, and bond vectors across periodic sides.
 #pragma once
 #include <limits>
 
@@ -7,16 +7,15 @@
 
 namespace thaw {
 
-/// w = (1 - r^2/h^2)^3, 0 from r = 0.9995 h on; 1. Not normalised: only ratios of weights matter. The bits
-/// are the same for X and -X. A neighbour on a lattice can lie at h to rounding: its weight of some 1e-44
-/// must not be all that a particle has left when the others have melted, since a float cannot hold its
-/// inverse.
+/// w = (1 - r^2/h^2)^3, and 0 for r >= 0.9995 h; 1. Not normalised: only ratios of weights matter. The bits
+/// are equal for X and -X. The cutoff excludes lattice neighbours at h up to rounding: a weight near 1e-44
+/// must not be the only one left after melting, since a float cannot hold its inverse.
 inline double bondWeight(const Vec3d& reference, double support) {
   const double q = 1 - dot(reference, reference) / (support * support);
   return q > 1e-3 ? q * q * q : 0;
 }
 
-/// Lengths of the domain along its periodic axes, m; 0: not periodic.
+/// Lengths of the domain along its periodic axes (m); 0: not periodic.
 struct Periods {
   Vec3d length{};
 };
@@ -26,8 +25,8 @@ inline Periods periodsOf(const CellGrid& grid) {
   return p;
 }
 
-/// The shortest of the periodic images of d. minimumImage(-d) = -minimumImage(d), bit by bit. |d| less than
-/// 3/2 periods.
+/// Returns the shortest periodic image of d; minimumImage(-d) = -minimumImage(d) bit by bit. Requires: |d|
+/// less than 3/2 periods.
 inline Vec3d minimumImage(Vec3d d, const Periods& periods) {
   for (int a = 0; a < 3; a++) {
     const double p = periods.length[a];

@@ -10,7 +10,8 @@ namespace thaw {
 
 namespace {
 
-/// Impulses of walls and of the weight of what entered and left over half a kick, as the particles get them.
+/// Records the impulses of walls, and of the weight of entered and left mass, over half a kick, as applied to
+/// particles.
 void bookImpulses(World& w, double half) {
   Ledger& l = w.ledger;
   for (int a = 0; a < 3; a++) {
@@ -33,15 +34,14 @@ bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   Continuum& p = w.particles;
   const double half = 0.5 * dt;
   bookImpulses(w, half);
-  const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces get half a substep
+  const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces act for half a substep
   const bool smoothed = p.smoothing.active, shifted = w.modules.shifting, substeps = w.clock.substeps > 1;
   const Vec3d g = w.scene.domain.gravity;
   const OpenBox box = openBox(w.scene.domain);
   bool leaves = false;
   for (const RowSpan& range : rows)
     for (std::size_t i = range.begin; i < range.end; i++) {
-      if (shifted)  // against the forces that depend on where particles are: not pressure where the flow
-                    // carries the density
+      if (shifted)  // work against position-dependent forces; not against pressure if the density is carried
         p.dissipated[i] += p.mass[i] * dt * dot(w.modules.continuity ? g : p.acceleration[i], p.smoothing[i]);
       p.velocity[i] += p.acceleration[i] * half;
       if (substeps) {
@@ -90,7 +90,7 @@ bool finishKick(World& w, double dt, std::span<const RowSpan> rows, std::size_t*
       if (lessFast != 0 && !clamped) v += p.fastAcceleration[i] * (lessFast * half);
       p.velocity[i] = v;
       const double speed2 = dot(v, v);
-      if (speed2 > far2) {  // only a fixed step is that long: the limit of speed forbids it
+      if (speed2 > far2) {  // only a fixed step can be that long: the speed limit prevents it
         finite = false;
         *bad = i;
       }

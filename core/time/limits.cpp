@@ -18,7 +18,7 @@ Limit StepLimits::smallest() const {
 
 namespace {
 
-/// Pa, of the liquids of these materials.
+/// Largest stiffness of liquids of these materials (Pa).
 double stiffestLiquid(const Scene& s, const std::vector<LiquidMaterial>& liquids) {
   double stiffest = 0;
   for (std::size_t k = 0; k < s.materials.size(); k++)
@@ -26,7 +26,7 @@ double stiffestLiquid(const Scene& s, const std::vector<LiquidMaterial>& liquids
   return stiffest;
 }
 
-/// Largest diffusivity (m^2/s) that a particle of material m can see. Beside a much better conductor the
+/// Largest effective diffusivity (m^2/s) of a particle of material m. Next to a much better conductor the
 /// harmonic mean is up to twice its own conductivity.
 double largestDiffusivity(const Scene& s, const Material& m) {
   const HeatModel model = s.numerics.heat;
@@ -42,7 +42,7 @@ double largestDiffusivity(const Scene& s, const Material& m) {
   return largest;
 }
 
-/// Viscosity (Pa s) between two particles, as the forces have it (terms/forces.hpp).
+/// Viscosity (Pa s) between two particles, as in the forces (terms/forces.hpp).
 double pairViscosity(const Numerics& n, double a, double b) {
   if (n.viscosity == ViscosityForm::Laplacian) return 0.5 * (a + b);
   return a + b > 0 ? 2 * a * b / (a + b) : 0;
@@ -55,12 +55,12 @@ double largestViscosity(const Material& m) {
   return largest;
 }
 
-/// The viscosity (Pa s) that bounds the step of particles of material k, whose own is mu; what it makes of
-/// their velocity depends on their own mass alone (docs/validation/stability.md B12). Between liquids of the
-/// pairwise form it is their own: beside a thicker one that hardly moves the harmonic mean is up to twice as
-/// large, but the fastest wave among their like, of neighbours that move against each other, is as fast as
-/// that (tests/stability: LightParticlesInAThickLiquid). The printed form's arithmetic mean has no such
-/// bound; solids see liquids alone.
+/// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
+/// velocity change depends on their own mass alone (docs/validation/stability.md B12). Between liquids of the
+/// pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as large,
+/// but the fastest wave among equal particles, with opposite motion of neighbours, is as fast
+/// (tests/stability: LightParticlesInAThickLiquid). The arithmetic mean of the printed form has no such
+/// bound; solids interact with liquids only.
 double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
   const bool liquid = canBeLiquid(s.materials[k]), printed = s.numerics.viscosity == ViscosityForm::Laplacian;
   double pairs = 0;
@@ -83,15 +83,15 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     if (!inUse(s, k)) continue;
     const Material& m = s.materials[k];
-    // Wider sums have no softer lattice: a support of 2 spacings is the longest that counts. A light
-    // particle, liquid or solid, among those of a stiffer liquid swings with their stiffness and its own mass
+    // A wider support does not soften the lattice: supports beyond 2 spacings count as 2. A light particle,
+    // liquid or solid, among those of a stiffer liquid oscillates with their stiffness and its own mass
     // (docs/validation/stability.md B12).
     if (stiffest > 0 && !modules.incompressible) {
       const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0, near = std::sqrt(stiffest / m.density);
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
     }
     if (modules.fluid) {
-      // tables: of the particles there are
+      // Tables are evaluated per particle.
       const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity
                              ? viscosityOfStep(s, k, largestViscosity(m))
                              : 0) +
@@ -99,8 +99,8 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
     }
     if (modules.fluid && canBeLiquid(m)) {
-      // The surface energy is stiff where few particles meet: a drop without viscosity gains 26 % of its
-      // energy in 6 s at .2, .8 % in 3 s at .1.
+      // The surface energy is stiff where few particles interact: an inviscid drop gains 26 % of its energy
+      // in 6 s at 0.2, 0.8 % in 3 s at 0.1.
       const double stiff = modules.surfaceEnergy ? 0.12 : 1;
       if (m.surfaceTension > 0)
         take(Limit::Tension,
@@ -142,8 +142,7 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
     if (m.viscosityTable.empty() || w.modules.implicitViscosity) continue;
-    double mu = 0;  // each particle's own: what lies between two of them on this rank may lie between none on
-                    // another
+    double mu = 0;  // the viscosity of single particles: pairs on this rank may not be pairs on another
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.material[i] == k && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
         mu = std::max(mu, viscosityAt(m, 1, p.temperature.active ? p.temperature[i] : 0));
@@ -176,8 +175,8 @@ double fastAccelerationLimit(const World& w) {
 
 namespace {
 
-/// The double next to it that has 15 digits: 12 * .05 is not .6, and a run that ends there, and later goes
-/// on, is to be the one that did not stop.
+/// Returns the nearest double with 15 decimal digits. 12 * 0.05 is not 0.6, and a run that ends there and
+/// continues must equal one that did not stop.
 double inDecimals(double t) {
   char digits[32];
   const auto written = std::to_chars(digits, digits + sizeof digits, t, std::chars_format::general, 15);
@@ -197,7 +196,7 @@ bool frameDue(const Clock& c) { return c.every > 0 && c.time >= frameTime(c, c.f
 
 namespace {
 
-/// The next time that must be hit: of a frame, or the end.
+/// Returns the next time to hit: of a frame, or the end.
 double target(const Clock& c) {
   if (!(c.every > 0)) return c.end;
   std::int64_t k = std::max(c.frame, static_cast<std::int64_t>(std::min(c.time / c.every, 9e15)));
@@ -205,7 +204,7 @@ double target(const Clock& c) {
   return std::min(c.end, frameTime(c, k));
 }
 
-/// Share of a step by which sums of steps may miss a frame time: of 1e9 steps, in double.
+/// Relative error of a step by which sums of steps may miss a frame time: 1e9 steps in double.
 constexpr double rounding = 1e-6;
 
 }  // namespace
@@ -218,8 +217,8 @@ double clip(const Clock& c, double dt) {
 }
 
 double nextStep(const Clock& c) {
-  constexpr double shortest = 0.95, margin = 0.985;  // of the wanted step: what is still kept; what is taken
-                                                     // where the last one is not
+  constexpr double shortest = 0.95, margin = 0.985;  // fractions of the target step: smallest step that is
+                                                     // kept; step after a change
   if (!(c.dt > 0)) return c.dt;
   if (!(c.stepDt > 0)) return clip(c, c.dt);
   const double same = clip(c, c.stepDt);

@@ -1,5 +1,4 @@
-// Where the wall-clock time of a run goes, by phase. Nested timers do not count twice: an inner one stops the
-// outer one.
+// Wall-clock time of a run by phase. Nested timers do not count twice: an inner timer pauses the outer one.
 #pragma once
 #include <array>
 #include <chrono>
@@ -10,7 +9,7 @@
 
 namespace thaw {
 
-/// Phases of a step and of a run. None: time that no timer covers.
+/// Phases of a step and of a run. None: time without a timer.
 enum class StepPhase : std::size_t {
   Setup,
   Drift,
@@ -55,14 +54,14 @@ inline const char* phaseName(StepPhase phase) {
   return names[static_cast<std::size_t>(phase)];
 }
 
-/// Seconds spent in each phase on this rank, and the phase that is being timed now.
+/// Seconds spent in each phase on this rank, and the current phase.
 struct PhaseTimes {
   using Clock = std::chrono::steady_clock;
   std::array<double, stepPhases> seconds{};
   StepPhase current = StepPhase::None;
   Clock::time_point since{};
-  StepTrace* trace = nullptr;  ///< laps are kept there; null: nowhere
-  bool onCore = false;  ///< by the time that this thread had a core: work is told where ranks share cores
+  StepTrace* trace = nullptr;  ///< records laps; null: off
+  bool onCore = false;  ///< uses the CPU time of this thread, which measures work where ranks share cores
 
   double& operator[](StepPhase phase) { return seconds[static_cast<std::size_t>(phase)]; }
   double operator[](StepPhase phase) const { return seconds[static_cast<std::size_t>(phase)]; }
@@ -79,8 +78,8 @@ struct PhaseTimes {
     return Clock::time_point(std::chrono::seconds(t.tv_sec) + std::chrono::nanoseconds(t.tv_nsec));
   }
 
-  /// For code that reads as a sequence: what follows is not counted before the first lap; lap books the time
-  /// since the last one.
+  /// For sequential code: time before start() is not counted; lap() adds the time since the last lap to a
+  /// phase.
   void start() { since = now(); }
   void lap(StepPhase phase) {
     const auto end = now();
@@ -89,8 +88,8 @@ struct PhaseTimes {
     since = end;
   }
 
-  /// Books the time since the last call to the phase that was current, and makes `next` current. Returns the
-  /// one that was.
+  /// Adds the time since the last call to the current phase and makes `next` current. Returns the former
+  /// phase.
   StepPhase change(StepPhase next) {
     const Clock::time_point end = now();
     const StepPhase before = current;
@@ -101,7 +100,7 @@ struct PhaseTimes {
   }
 };
 
-/// Times its own life as `phase`; the phase that was timed before goes on when it ends.
+/// Times its own scope as `phase`; afterwards the former phase continues.
 class PhaseTimer {
  public:
   PhaseTimer(PhaseTimes& times, StepPhase phase) : times_(times), before_(times.change(phase)) {}

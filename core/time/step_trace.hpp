@@ -1,6 +1,5 @@
-// What a rank did in its last steps: slices of phases, of waiting, and of exchanges under way, for `thaw run
-// --profile`. Of bounded size: the events of the last steps, and at most so many of each. No result depends
-// on it.
+// Trace of a rank's last steps for `thaw run --profile`: phases, waiting, and exchanges in flight. Bounded in
+// size: the last steps, with a limited number of events each. It does not affect results.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -9,17 +8,17 @@
 
 namespace thaw {
 
-/// Step: a whole step. Phase: a lap of PhaseTimes. Wait: the rank can do nothing but wait for others.
-/// Exchange: messages are on their way, while the rank may do something else.
+/// Step: a whole step. Phase: a lap of PhaseTimes. Wait: the rank is blocked. Exchange: messages are in
+/// flight, possibly during other work.
 enum class TraceKind : std::uint8_t { Step, Phase, Wait, Exchange };
 
 struct TraceEvent {
   std::int64_t begin = 0, end = 0;  ///< ns of this process's steady clock
   std::int64_t step = 0;
-  std::int64_t bytes = 0;     ///< sent, of an exchange
-  std::int32_t messages = 0;  ///< sent, of an exchange
+  std::int64_t bytes = 0;     ///< sent, for an exchange
+  std::int32_t messages = 0;  ///< sent, for an exchange
   TraceKind kind = TraceKind::Step;
-  std::uint8_t name = 0;  ///< a StepPhase, or a MessagesFor of messages (parallel/traffic.hpp)
+  std::uint8_t name = 0;  ///< a StepPhase, or a MessagesFor value (parallel/traffic.hpp)
 };
 
 class StepTrace {
@@ -30,7 +29,7 @@ class StepTrace {
   /// Keeps the last `steps` steps (at least 1).
   explicit StepTrace(std::size_t steps) : ring_(steps > 0 ? steps : 1) {}
 
-  /// What follows belongs to this step; the oldest one is forgotten.
+  /// Starts a step; the oldest one is dropped.
   void beginStep(std::int64_t step) {
     step_ = step;
     begun_ = true;
@@ -40,7 +39,7 @@ class StepTrace {
     ring_[at_].events.clear();
   }
 
-  /// Nothing is kept before the first step.
+  /// Adds an event. Events before the first step are ignored.
   void add(TraceKind kind, std::uint8_t name, Clock::time_point begin, Clock::time_point end,
            std::int64_t messages = 0, std::int64_t bytes = 0) {
     if (!begun_) return;
@@ -54,7 +53,7 @@ class StepTrace {
                           static_cast<std::int32_t>(messages), kind, name});
   }
 
-  /// Of the steps that are kept, oldest first; within a step in the order in which they ended.
+  /// Returns the events of the kept steps, oldest first; within a step ordered by end.
   std::vector<TraceEvent> events() const {
     std::vector<TraceEvent> all;
     for (std::size_t k = 1; k <= ring_.size(); k++) {
@@ -63,7 +62,7 @@ class StepTrace {
     }
     return all;
   }
-  /// Events of the kept steps that found no room.
+  /// Number of events of the kept steps that exceeded the limit.
   std::int64_t dropped() const { return dropped_; }
 
   static std::int64_t nanoseconds(Clock::time_point t) {

@@ -1,4 +1,4 @@
-// Who is near a wall: cells first, then the particles of the cells that are.
+// Search for particles near walls: first cells, then the particles of these cells.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -11,8 +11,8 @@ namespace {
 
 Vec3d restPlace(const Wall& w, const Vec3d& x) { return toRest(w.pose, x); }
 
-/// Walls that some particle of the cell can be within h of. Cells at the border of the grid also hold what
-/// lies beyond: no wall is left out for them.
+/// Finds walls within h of some particle of the cell. Cells at the border of the grid also hold particles
+/// beyond it, so no wall is excluded for them.
 void findReachable(const World& w, std::uint64_t key, std::vector<std::uint32_t>& walls) {
   const CellGrid& g = w.grid;
   const Vec3i c = cellOfKey(key);
@@ -35,14 +35,14 @@ void findReachable(const World& w, std::uint64_t key, std::vector<std::uint32_t>
   }
 }
 
-/// Puts a particle that is deep inside back onto the surface, without its velocity into the wall. Books
+/// Moves a particle deep inside a wall back to the surface and removes its velocity into the wall. Records
 /// impulse, work and loss.
 void project(World& w, std::size_t i, const Wall& wall, double depth, const Vec3d& n) {
   Continuum& p = w.particles;
   const double m = p.mass[i];
   const Vec3d moved = n * depth;
   p.position[i] += moved;
-  p.dissipated[i] += m * dot(w.scene.domain.gravity, moved);  // potential energy that it gained
+  p.dissipated[i] += m * dot(w.scene.domain.gravity, moved);  // gain of potential energy
   const Vec3d v = wallVelocity(wall, p.position[i]);
   const double into = dot(p.velocity[i] - v, n);
   if (into < 0) {
@@ -55,7 +55,7 @@ void project(World& w, std::size_t i, const Wall& wall, double depth, const Vec3
   w.counters.wallProjections++;
 }
 
-/// Appends the particle's contacts. May move it out of walls that it is deep in; returns whether it did.
+/// Appends the particle's contacts. May project it out of walls; returns true if it did.
 bool listContacts(World& w, std::size_t i, WallContacts& contacts, bool mayMove) {
   const double h = w.grid.support, deep = 0.5 * w.scene.spacing;
   bool moved = false;
@@ -77,21 +77,22 @@ bool listContacts(World& w, std::size_t i, WallContacts& contacts, bool mayMove)
   return moved;
 }
 
-/// How much two walls overlap beside a particle that sees the fillings a and b of them, per 2 ab: exact for
-/// two planes through the particle at any angle, 0 for opposite ones; g = 1 - 2 angle / pi is 1 for the same
-/// direction, where the overlap is min(a, b).
+/// Overlap of two walls near a particle to which they contribute relative densities a and b, over 2 ab: exact
+/// for two planes through the particle at any angle, 0 for opposite ones. g = 1 - 2 angle / pi is 1 for equal
+/// directions, where the overlap is min(a, b).
 double alignment(const Vec3d& n, const Vec3d& m) {
   return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / 3.14159265358979323846);
 }
 
-/// d overlap(a, b) / da, smooth where min(a, b) has its kink.
+/// d overlap(a, b) / da, smoothed at the kink of min(a, b).
 double overlapSlope(double a, double b, double g) {
   if (g <= 0) return (1 + g) * b;
   return (1 - g) * b + g * b * b / (a * a + b * b + 1e-30);
 }
 
-/// A liquid particle may be closer to a wall than solids rest. Freezing there must not press a spring
-/// together out of nothing: it rests where it froze, and half a spacing away again once it has moved so far.
+/// Updates the contact offset. A liquid particle may be closer to a wall than the rest distance of solids,
+/// and freezing there must not create a compressed spring. It rests where it froze, and at half a spacing
+/// once it has moved that far.
 void trackStandoff(World& w, std::size_t i, double nearest) {
   const Continuum& p = w.particles;
   const auto now = static_cast<float>(std::clamp(nearest / w.scene.spacing, 0.25, 0.5));
@@ -135,7 +136,7 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
     }
     for (std::size_t i = w.cells.first[cell]; i < w.cells.first[cell] + w.cells.count[cell]; i++) {
       const std::size_t before = contacts.list.size();
-      // it was moved: away from, or into, other walls
+      // A projected particle may have moved away from, or into, other walls.
       if (listContacts(w, i, contacts, !(p.clamped.active && p.clamped[i]))) {
         contacts.list.resize(before);
         listContacts(w, i, contacts, false);
@@ -165,7 +166,7 @@ void findSubstepContacts(const World& w, std::vector<WallContact>& contacts) {
 bool followContact(const World& w, WallContact& c) {
   const Wall& wall = w.walls.list[c.wall];
   const Vec3d rest = restPlace(wall, w.particles.position[c.row]);
-  const double reach = 0.5 * w.scene.spacing;  // where solids touch
+  const double reach = 0.5 * w.scene.spacing;  // contact distance of solids
   if (!wall.present || !nearBounds(wall.bounds, rest, reach)) return false;
   c.distance = wall.shape->distance(rest, &c.normal);
   c.normal = directionFromRest(wall.pose, c.normal);
@@ -177,8 +178,8 @@ void addWallFilling(const WallContext& x, double perLatticeSum, WallContacts& co
   const double h = x.world.grid.support;
   const auto& list = contacts.list;
   for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
-    // each wall adds what the walls before it have left of its own; what they added does not overlap, so that
-    // shares of it add up
+    // Each wall adds the part of its contribution that earlier walls do not overlap. Earlier parts are
+    // disjoint, so their overlaps sum up.
     double filling = 0;
     for (end = begin; end < list.size() && list[end].row == list[begin].row; end++) {
       const WallIntegrals t = x.tables(list[end].distance / h);

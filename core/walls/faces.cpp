@@ -9,7 +9,7 @@ namespace {
 /// Cosine between normals above which two faces are the same.
 constexpr double sameDirection = 0.98;
 
-/// The face that is nearest to a point `probe` beside x.
+/// Returns the face nearest to a point `probe` near x.
 Face faceFrom(const SignedDistance& shape, const Vec3d& x, const Vec3d& probe) {
   Face f;
   const double d = shape.distance(probe, &f.normal);
@@ -22,7 +22,7 @@ bool isKnown(const Faces& known, const Face& f) {
                      [&](const Face& k) { return dot(k.normal, f.normal) > sameDirection; });
 }
 
-/// True where the projection of x onto the face lies on the surface. x is lifted out of the other faces
+/// Returns true if the projection of x onto the face lies on the surface. x is lifted out of the other faces
 /// first: below a floor, the projection onto a side wall is inside the wall.
 bool isSurface(const SignedDistance& shape, const Vec3d& x, const Faces& known, const Face& f,
                double spacing) {
@@ -34,7 +34,7 @@ bool isSurface(const SignedDistance& shape, const Vec3d& x, const Faces& known, 
   return std::abs(shape.distanceWithin(lifted - f.normal * height, 2 * tolerance)) < tolerance;
 }
 
-/// Looks for a further face from a point that is `step` away from the known ones.
+/// Searches a further face from a point at distance `step` from the known ones.
 bool addFace(const SignedDistance& shape, const Vec3d& x, const Vec3d& step, Faces& faces, double reach,
              double spacing) {
   const Face f = faceFrom(shape, x, x + step);
@@ -44,14 +44,14 @@ bool addFace(const SignedDistance& shape, const Vec3d& x, const Vec3d& step, Fac
   return true;
 }
 
-/// Unit vector that is perpendicular to n.
+/// Returns a unit vector perpendicular to n.
 Vec3d perpendicular(const Vec3d& n) {
   const Vec3d axis = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
   return normalized(cross(n, axis));
 }
 
-/// Directions that lead away from the known faces, each with a component of 1 along their normals. Between
-/// opposite faces: along them.
+/// Directions away from the known faces, each with a component of 1 along their normals. Between opposite
+/// faces: along them.
 std::size_t awayFrom(const Faces& known, std::array<Vec3d, 4>& direction) {
   constexpr double opposite = -0.9;
   const Vec3d& a = known.face[0].normal;
@@ -79,8 +79,7 @@ Faces facesWithin(const SignedDistance& shape, const Vec3d& x, double reach, dou
   if (!(first.distance < reach)) return faces;
   faces.count = 1;
   if (shape.convex()) return faces;
-  // Beside the known faces, `reach` farther from them, an unknown face is the nearest. In a gap a shorter way
-  // is needed.
+  // At distance `reach` from the known faces, an unknown face is the nearest. A gap needs a shorter distance.
   for (bool found = true; found && faces.count < Faces::most;) {
     found = false;
     std::array<Vec3d, 4> direction;

@@ -1,4 +1,4 @@
-// Faces of a wall near a point: in a concave corner a wall has several, and each supports a liquid.
+// Faces of a wall near a point. A concave corner has several, and each supports a liquid.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -18,9 +18,9 @@ struct Faces {
   std::size_t count = 0;
 };
 
-/// Faces within `reach` (m) of x, the nearest first. Further faces must be plane where x projects onto them,
-/// to within a twentieth of `spacing` (m): curved surfaces and convex edges count as one face. None where the
-/// surface is not within reach.
+/// Returns the faces within `reach` (m) of x, nearest first. Further faces must be plane at the projection of
+/// x, within a twentieth of `spacing` (m): curved surfaces and convex edges count as one face. Empty if the
+/// surface is out of reach.
 Faces facesWithin(const SignedDistance& shape, const Vec3d& x, double reach, double spacing);
 
 }  // namespace thaw

@@ -7,18 +7,18 @@
 namespace thaw {
 namespace {
 
-/// Lengths are equal to within this share of the domain.
+/// Relative tolerance of equal lengths, over the domain.
 constexpr double rounding = 1e-9;
 
 bool isPeriodic(const Domain& d, int a) { return d.side[static_cast<std::size_t>(a)][0] == Side::Periodic; }
 double lengthOf(const Domain& d, int a) { return d.max[a] - d.min[a]; }
 
-/// As long as the domain along this axis, or longer: it has no images there.
+/// Returns true if a wall is at least as long as the domain along an axis, and so has no images along it.
 bool spansDomain(const Domain& d, const Wall& wall, int a) {
   return !(wall.bounds.max[a] - wall.bounds.min[a] < lengthOf(d, a) * (1 - rounding));
 }
 
-/// Bounds of all places of a wall as it moves; where it turns, of its bounding box at any angle about the
+/// Bounds of all positions of a moving wall. For rotating walls, the bounding box at any angle about the
 /// origin.
 Bounds sweptBounds(const Wall& wall) {
   Bounds box = wall.bounds;
@@ -40,7 +40,7 @@ Bounds sweptBounds(const Wall& wall) {
   return {box.min + moves.min, box.max + moves.max};
 }
 
-/// Numbers of periods, first to last, that bring a wall to within `reach` of the domain.
+/// Periods, first to last, that shift a wall to within `reach` of the domain.
 struct Periods {
   int first = 0, last = 0;
 };
@@ -54,7 +54,8 @@ Periods periodsOf(const Domain& d, const Wall& wall, const Bounds& swept, double
 
 }  // namespace
 
-// Where walls meet, filling depends on their order: an image stands where its original does, beside it.
+// The density of walls in contact depends on their order, so an image directly follows its original in the
+// list.
 void addWallImages(const Domain& d, double reach, Walls& walls) {
   std::vector<Wall> all;
   for (Wall& wall : walls.list) {

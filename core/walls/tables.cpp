@@ -14,9 +14,9 @@ struct Plane {
   double w = 0, slope = 0, laplace = 0, drag = 0;
 };
 
-/// Integrals over a plane at distance z: of W, of -dW/dz, of the Laplacian's kernel and of the viscous weight
-/// times x^2/r^2, x along the plane. The first three times s = |r| are polynomials of degree 7 at most, on
-/// either side of 1/2, for which Gauss' rule with five points is exact.
+/// Integrals over a plane at distance z: W, -dW/dz, the Laplacian's kernel, and the viscous weight times
+/// x^2/r^2, x along the plane. The first three times s = |r| are polynomials of degree at most 7 on either
+/// side of 1/2, for which the five-point Gauss rule is exact.
 template<class Kernel> Plane planeAt(double z, double viscousScale) {
   constexpr std::array<double, 5> node{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
                                        0.9061798459386640};
@@ -54,12 +54,12 @@ template<class Kernel> WallIntegrals integralsOf(const Numerics& n, double visco
 }
 
 WallIntegrals rawIntegrals(const Numerics& n, double d) {
-  constexpr double scale = ViscousWeight{}.scale;  // of the continuum: drag is scaled by perShearStress
+  constexpr double scale = ViscousWeight{}.scale;  // continuum scale; perShearStress scales the drag
   return withKernel(n.kernel, [&](auto kernel) { return integralsOf<decltype(kernel)>(n, scale, d); });
 }
 
-/// 1 over the drag on layers half a spacing and whole spacings above a wall, in a linear profile, per mu
-/// du/dz.
+/// Inverse of the total drag on layers half a spacing and whole spacings above a wall, in a linear profile,
+/// per mu du/dz.
 double perShearStress(const Numerics& n) {
   const double spacing = 1 / n.support;
   double stress = 0;
@@ -69,13 +69,13 @@ double perShearStress(const Numerics& n) {
 
 template<class Kernel> double secondMoment(double spacing) {
   double sum = 0;
-  // half of it, from two sides
+  // Half of the moment; the other half comes from the other side.
   for (double z = spacing; z < 1; z += spacing) sum += spacing * planeAt<Kernel>(z, 0).laplace * z * z;
   return sum;
 }
 
-/// 1 over what a sum over layers on both sides makes of the second derivative of a temperature across them; 1
-/// where conduction is plain.
+/// Inverse of the second derivative of a temperature as seen by a sum over layers on both sides; 1 for plain
+/// conduction.
 double perConduction(const Numerics& n) {
   if (conductionScale(n) == 1) return 1;
   return withKernel(n.kernel, [&](auto kernel) { return 1 / secondMoment<decltype(kernel)>(1 / n.support); });

@@ -12,19 +12,19 @@
 namespace thaw {
 namespace {
 
-/// The rate of a decay (1/s) as a step dt may take it: itself up to half of what is there in a step, then
-/// less, so that it never overshoots. The average over the step, (1 - exp(-r dt)) / dt, is too low by r dt /
-/// 2 where the neighbours' pull is not averaged: a tenth, as slip.
+/// Limits a decay rate (1/s) for a step dt: unchanged up to a decay of half in a step, smaller beyond, so
+/// that it never overshoots. The average over the step, (1 - exp(-r dt)) / dt, is too low by r dt / 2, since
+/// the neighbours' forces are not averaged: a tenth, in effect slip.
 double overStep(double r, double dt) {
   const double share = r * dt;
   return share > 0.5 ? (1 - 0.5 * std::exp(1 - 2 * share)) / dt : r;
 }
 
-/// What walls do to one particle.
+/// Forces of walls on one particle.
 struct WallAction {
-  Vec3d force{};      ///< N, all of it
-  Vec3d resisting{};  ///< N, the part that takes mechanical energy away: drag, dashpot, friction
-  double lost = 0;    ///< W, by resisting; at the half step's velocity
+  Vec3d force{};      ///< N, total
+  Vec3d resisting{};  ///< N, dissipative part: drag, dashpot, friction
+  double lost = 0;    ///< W, loss by resisting at the half-step velocity
   void resist(const Vec3d& f, const Vec3d& u) {
     force += f;
     resisting += f;
@@ -32,21 +32,20 @@ struct WallAction {
   }
 };
 
-/// The particle at hand, relative to one wall.
+/// A particle relative to one wall.
 struct Meeting {
   const WallContact& contact;
   const Obstacle& wall;
   const Material& material;
   std::size_t row;
-  double liquid;   ///< fraction
-  double volume;   ///< m^3, at rest
+  double liquid;   ///< liquid fraction
+  double volume;   ///< m^3, rest volume
   Vec3d velocity;  ///< m/s, relative to the wall
 };
 
-/// Force (N) along the normal: the wall's share of the hydrostatic pressure gradient.
-/// The wall's push uses the particle's own pressure; behind the wall the pressure rises by the liquid's
-/// weight. The share is the wall's part of the particle's moment. 0 without positive pressure, as in falling
-/// drops.
+/// Force (N) along the normal: the wall's part of the hydrostatic pressure gradient. The wall's push uses the
+/// particle's own pressure, but behind the wall the pressure rises by the liquid's weight. The part is that
+/// of the wall in the particle's moment. 0 without positive pressure, as in falling drops.
 double hydrostaticWallForce(const World& w, const Meeting& at, double pressure, double momentShare) {
   constexpr double depth = 0.25;  // spacings of pressure head; the force fades below it
   const double weight = at.material.density * dot(w.scene.domain.gravity, at.contact.normal);
@@ -55,7 +54,7 @@ double hydrostaticWallForce(const World& w, const Meeting& at, double pressure, 
   return -weight * at.volume * momentShare * at.contact.share * (pressure / (pressure + full));
 }
 
-/// Pressure of a liquid, the slope of its energy of compression (tables.hpp), and drag.
+/// Adds the pressure of a liquid, the gradient of its compression energy (tables.hpp), and drag.
 void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeSum, WallAction& act,
                      double& stiffest) {
   const World& w = x.world;
@@ -72,7 +71,7 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
                             ? 0.5 * pressure / filling
                             : perLatticeSum * pressure / (filling * filling);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
-    // it has no potential: its work is dissipation
+    // This force has no potential: its work is dissipation.
     if (w.modules.continuity)
       act.resist(n * hydrostaticWallForce(w, at, pressure, perLatticeSum * t.momentShare), at.velocity);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed *
@@ -86,22 +85,22 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   act.resist(tangential * -rate, at.velocity);
 }
 
-/// A spring with dashpot (Cundall & Strack 1979) and Coulomb friction: of solids from half a spacing on; of
-/// liquids, which pressure holds away, as the last resort from a quarter on.
+/// Adds a spring with dashpot (Cundall & Strack 1979) and Coulomb friction: for solids within half a spacing;
+/// for liquids, which pressure supports, only within a quarter.
 void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, WallAction& act) {
   const double dx = x.world.scene.spacing, f = at.liquid, m = p.mass[at.row];
   const double rest = p.standoff.active ? static_cast<double>(p.standoff[at.row]) : 0.5;
   const double gap = dx * (rest + f * (0.25 - rest)) - at.contact.distance;
   if (gap <= 0) return;
   const Vec3d& n = at.contact.normal;
-  // of an incompressible liquid the solver sees to it (stopAtWalls): the spring of the state equation is too
-  // stiff for its steps
+  // The incompressible solver stops liquids at walls (stopAtWalls); the spring of the state equation is too
+  // stiff for its steps.
   const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[at.row]].stiffness;
   const double k = (at.material.young.at(f) + f * liquid) * dx;
   if (k <= 0) return;
   const double restitution = f < 1 ? std::min(at.wall.restitution, at.material.restitution) : 0.2;
   const double un = dot(at.velocity, n), spring = k * gap;
-  // a contact never pulls
+  // A contact never pulls.
   const double dash = std::max(-2 * dashpotRatio(restitution) * std::sqrt(k * m) * un, -spring);
   act.force += n * spring;
   act.resist(n * dash, at.velocity);
@@ -113,16 +112,15 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;
-  // Below the speed at which friction would stop it within the step (or the spring's time) it is a drag: it
-  // never turns the motion round.
+  // Below the speed at which friction would stop the sliding within the step (or the spring's period), it
+  // acts as a drag, so that it never reverses the motion.
   const double stick = std::min(std::sqrt(k * m), 0.5 * m / x.span);
   const double rub = (1 - f) * std::min(at.wall.friction * (spring + dash) / slip, stick);
   act.resist(tangential * -rub, at.velocity);
 }
 
-/// m/s, what is between the velocity that forces are found with and the one by which they change energy: half
-/// a kick lies on either side of now (at the start only after it). With drag the pressure solver books it,
-/// but for what substeps add.
+/// Velocity difference (m/s) between the force evaluation and the energy change: half a kick lies on either
+/// side of now (at the start only after it). With drag the pressure solver records it, except for substeps.
 Vec3d halfKick(const WallContext& x, std::size_t i, bool substeps) {
   const Continuum& p = x.world.particles;
   if ((p.clamped.active && p.clamped[i]) || (p.sleep.active && p.sleep[i] != awake)) return {};
@@ -171,7 +169,7 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
     }
     const Material& m = w.scene.materials[p.material[i]];
     const bool substeps = p.fastAcceleration.active && p.slot[i] != noSlot;
-    WallAction act, often;  // often: its part in every substep
+    WallAction act, often;  // often: the part that acts in every substep
     for (; c < list.size() && list[c].row == i; c++) {
       const Wall& wall = w.walls.list[list[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;

@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-/// The plane of a side of the domain.
+/// Plane of a side of the domain.
 class SidePlane : public SignedDistance {
  public:
   SidePlane(int axis, double place, double sign) : axis_(axis), place_(place), sign_(sign) {}

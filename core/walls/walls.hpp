@@ -1,5 +1,4 @@
-// Obstacles and the domain's walls as the step sees them: signed distances, moving, of a temperature or
-// insulating.
+// Obstacles and domain walls at run time: signed distances, moving, with a temperature or insulating.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -14,17 +13,17 @@
 namespace thaw {
 
 struct Wall {
-  std::shared_ptr<const SignedDistance> shape;  ///< at rest pose
-  Obstacle properties;             ///< of the scene; domain sides have a name like "domain z low"
-  Bounds bounds;                   ///< of the rest pose
-  Pose pose;                       ///< now
+  std::shared_ptr<const SignedDistance> shape;  ///< in the rest pose
+  Obstacle properties;             ///< from the scene; domain sides have names like "domain z low"
+  Bounds bounds;                   ///< in the rest pose
+  Pose pose;                       ///< current pose
   bool present = true;             ///< false after properties.until
-  Vec3d shift{};                   ///< m, whole periods of the domain; of images across periodic sides
-  std::size_t imageOf = original;  ///< place in the list of the wall that this is an image of
+  Vec3d shift{};                   ///< m, whole periods of the domain, for images across periodic sides
+  std::size_t imageOf = original;  ///< index in the list of the original wall
 
   static constexpr std::size_t original = ~std::size_t{0};
   bool isImage() const { return imageOf != original; }
-  /// k: own place in the list
+  /// k: index of this wall in the list.
   std::size_t originalAt(std::size_t k) const { return isImage() ? imageOf : k; }
 };
 
@@ -32,46 +31,47 @@ struct Walls {
   std::vector<Wall> list;
 };
 
-/// Adds a half-space for each side of the domain that is a wall: insulating, liquids stick, friction 0.3.
+/// Adds a half-space for each wall side of the domain: insulating, no slip for liquids, friction 0.3.
 void addDomainWalls(const Domain& domain, Walls& walls);
 
-/// Puts images of the obstacles in the list behind them, across the periodic sides of the domain: all that
-/// come within `reach` (m) of it as they move. A shape as long as the domain, or without end, has none along
-/// that axis. Call it once, when the list is complete.
+/// Inserts images of the obstacles across periodic sides behind each original: all images that come within
+/// `reach` (m) of the domain as they move. Shapes at least as long as the domain have none along that axis.
+/// Call it once, on the complete list.
 void addWallImages(const Domain& domain, double reach, Walls& walls);
 
-/// Axes ("x", "xy", ...) along which a shape that is as long as the domain, and so has no images, is not the
-/// same within `reach` (m) of both periodic sides.
+/// Returns the axes ("x", "xy", ...) along which a shape as long as the domain, and so without images,
+/// differs within `reach` (m) of both periodic sides.
 std::string unevenAxes(const Domain& domain, const Wall& wall, double reach);
 
-/// Poses at a time (s), linear between keyframes; obstacles whose time is over are no longer present.
+/// Sets poses at a time (s), linear between keyframes; expired obstacles are no longer present.
 void moveWalls(Walls& walls, double time);
 
-/// Velocity (m/s) of the wall at a place.
+/// Velocity (m/s) of the wall at a position.
 Vec3d wallVelocity(const Wall& wall, const Vec3d& x);
 
-/// Does a present wall hold a place by more than a quarter of a spacing (m)? What is sampled there cannot
-/// begin.
+/// Returns true if a present wall contains a position deeper than a quarter of a spacing (m); samples there
+/// are invalid.
 bool holdsSample(const Wall& wall, const Vec3d& x, double spacing);
 
-/// A particle near a wall. The shares leave out what another wall has filled already, at corners and where
-/// walls coincide.
+/// Contact of a particle with a wall. The shares exclude what another wall already contributes, at corners
+/// and where walls coincide.
 struct WallContact {
   std::uint32_t row, wall;
   double distance;       ///< m, negative inside the wall
   Vec3d normal;          ///< out of the wall
-  double share = 1;      ///< 1, of pressure and drag
-  double heatShare = 1;  ///< 1, of heat: only walls with a temperature share it
+  double share = 1;      ///< 1, factor of pressure and drag
+  double heatShare = 1;  ///< 1, factor of heat; only walls with a temperature count
 };
 
 /// Contacts of owned particles within a support radius, by row and then by wall: the order of sums. Reused in
-/// every step.
+/// each step.
 struct WallContacts {
   std::vector<WallContact> list;
-  std::vector<std::uint32_t> reachable;  ///< walls that can be within reach of the cell at hand
-  std::vector<double> added;             ///< filling that each wall of the particle at hand has added
-  ExactSum fast[3];     ///< N, of Ledger::wallForce that what takes substeps feels in each of them
-  double stiffest = 0;  ///< 1/s, largest sound speed times slope of the filling by a wall: bounds the step
+  std::vector<std::uint32_t> reachable;  ///< walls within reach of the current cell
+  std::vector<double> added;             ///< relative density added by each wall of the current particle
+  ExactSum fast[3];                      ///< N, part of Ledger::wallForce that acts in every substep
+  double stiffest = 0;  ///< 1/s, largest sound speed times derivative of the relative density by a wall;
+                        ///< limits the step
 };
 
 }  // namespace thaw

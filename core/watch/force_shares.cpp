@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// The force on `row` of what `add` sums up.
+/// Force on `row` summed by `add`.
 template<class Add> Vec3d forceOf(Continuum& p, std::size_t row, Add add) {
   std::fill_n(p.force.data(), p.owned, Vec3d{});
   add();
@@ -31,7 +31,7 @@ ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
     f.elastic = length(w.solids.force[p.slot[i]]);
     rest -= w.solids.force[p.slot[i]];
   }
-  // as they were when forces were found
+  // Velocities at the force evaluation.
   for (std::size_t k = 0; k < p.owned; k++) p.velocity[k] -= p.acceleration[k] * (0.5 * dt);
   const auto take = [&](double& share, const Vec3d& part) {
     share = length(part);
@@ -44,7 +44,7 @@ ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
   const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
   take(f.walls, forceOf(p, i, [&] { addWallForces(walls, t.perLatticeSum, t.wallContacts); }));
   if (w.modules.fluid) {
-    std::fill_n(p.velocity.data(), p.size(), Vec3d{});  // then nothing resists
+    std::fill_n(p.velocity.data(), p.size(), Vec3d{});  // removes resistance
     packRecords({w.scene, w.modules, w.grid, t.liquids}, p, 0, p.size(), t.records);
     if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
     take(f.pressure, forceOf(p, i, [&] {

@@ -21,8 +21,8 @@ void setRows(Table& to, std::size_t owned, std::size_t ghosts) {
   to.ghosts = ghosts;
 }
 
-/// State columns of `from`'s first rows, into the columns of the same names. Both tables list the same
-/// columns in the same order.
+/// Copies the State columns of the first rows of `from` into the columns of the same names. Both tables list
+/// the same columns in the same order.
 void copyState(const Table& from, Table& to, std::size_t owned, std::size_t ghosts) {
   const std::size_t n = owned + ghosts;
   setRows(to, owned, ghosts);
@@ -60,7 +60,7 @@ void copyKinds(const World& from, World& to) {
 
 void keepState(const World& w, GoodState& good) {
   if (!w.solids.energyKnown || !w.compressionKnown)
-    throw std::logic_error("stored energies are to be found before a state is kept");
+    throw std::logic_error("stored energies must be computed before a snapshot");
   World& kept = good.world;
   packState(w.particles, good.particles);
   setRows(kept.particles, w.particles.owned, 0);
@@ -68,7 +68,7 @@ void keepState(const World& w, GoodState& good) {
     kept.particles.activate(kept.particles.slot);
     std::copy_n(w.particles.slot.data(), w.particles.owned, kept.particles.slot.data());
   }
-  // remote rows: bonds name them, and they have an id
+  // Remote rows are kept because bonds refer to them by id.
   copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts);
   kept.bonds = w.bonds;
   copySurface(w.surface, kept.surface);
@@ -85,7 +85,7 @@ void emptyWorld(World& w, StepTools& t) {
   w.cells = {};
   emptySurface(w.surface);
   emptyKinds(w);
-  t.elastic.capacity = 0;  // everything that is derived from bonds is computed anew
+  t.elastic.capacity = 0;  // everything derived from bonds is recomputed
   t.requests.clear();
   t.leaving.clear();
   t.bondsAtStart = t.emitFirst = t.phaseChangedHere = t.frozeAnywhere = t.meltedAnywhere = false;

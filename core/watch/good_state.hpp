@@ -1,4 +1,4 @@
-// The last good state, in memory: what a checkpoint holds, as this rank has it.
+// Snapshot: the data of a checkpoint in memory, for this rank.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -9,22 +9,22 @@
 namespace thaw {
 
 struct GoodState {
-  World world;            ///< only what keepState fills; of the particles no more than their number and slots
-  PackedTable particles;  ///< their State columns: most of what a fluid keeps
+  World world;            ///< only the parts that keepState fills; of particles just their number and slots
+  PackedTable particles;  ///< State columns of particles: most of the memory for a fluid
 };
 
-/// Keeps the State columns of particles (and their slots) and solids, bonds, the surface, clock, ledger,
-/// counters and watch: enough for a checkpoint. Needs a world between two steps. Memory is reused from one
-/// time to the next.
+/// Stores the State columns of particles (and their slots) and solids, bonds, surface, clock, ledger,
+/// counters and monitor state: enough for a checkpoint. Requires: a world between two steps. Memory is
+/// reused.
 void keepState(const World& world, GoodState& kept);
 
-/// Empties particles, solids, bonds and surface, and what tools keep of them, so that a state can be brought
-/// in as after a restart: with new halos.
+/// Empties particles, solids, bonds and surface, and their data in tools, so that a state can be restored as
+/// after a restart, with new halos.
 void emptyWorld(World& world, StepTools& tools);
 
-/// Takes over what keepState has kept, into a world that emptyWorld has emptied. Returns records of the
-/// solids, for the new BondHalo; then resumeWorld (core/setup/setup.hpp), and resumeSurface where there is
-/// one, make it ready. From there on the same bits as from the state itself.
+/// Restores a snapshot into a world that emptyWorld has emptied. Returns records of the solids for the new
+/// BondHalo. Then call resumeWorld (core/setup/setup.hpp), and resumeSurface if there is a surface. The run
+/// continues with the same bits as from the state itself.
 std::vector<std::byte> bringBack(const GoodState& kept, World& world);
 
 }  // namespace thaw

@@ -7,11 +7,11 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t slack = sizeof(std::uint64_t);  // a word is stored and read whole, whatever of it
-                                                      // counts
+constexpr std::size_t slack = sizeof(std::uint64_t);  // words are stored and read whole, whatever part of
+                                                      // them is used
 
-/// How the words of one component are kept in a block: bytes [low, low + width) of each, all others as in
-/// `common`.
+/// Storage of the words of one component in a block: bytes [low, low + width) of each; the others are equal
+/// to those of `common`.
 struct WordShape {
   std::uint64_t common;
   std::uint8_t low, width;
@@ -34,8 +34,8 @@ template<class Word> WordShape shapeOf(const std::byte* from, std::size_t stride
 template<class Word>
 void packWords(const std::byte* from, std::size_t stride, std::size_t rows, const WordShape& s,
                std::byte* to) {
-  for (std::size_t r = 0; r < rows; r++, to += s.width) {  // each overwrites what the one before it wrote too
-                                                           // much
+  for (std::size_t r = 0; r < rows; r++, to += s.width) {  // each word overwrites the excess of the one
+                                                           // before
     Word word;
     std::memcpy(&word, from + r * stride, sizeof word);
     const std::uint64_t kept = std::uint64_t{word} >> (8 * s.low);
@@ -82,7 +82,7 @@ template<class Word> void packColumn(const AnyColumn& c, std::size_t rows, Packe
       bytes += shapeBytes + shapes.back().width * rowsOf(b);
     }
   }
-  if (bytes + slack > p.bytes.capacity()) {  // what was there goes first: never both
+  if (bytes + slack > p.bytes.capacity()) {  // the old memory is freed first, so that both never coexist
     p.bytes = {};
     p.bytes.reserve(bytes + bytes / 64 + slack);
   }

@@ -8,9 +8,8 @@
 namespace thaw {
 namespace {
 
-constexpr double inside = 0.7;       // of the kernel
-constexpr double inObstacle = 0.25;  // spacings: surfaces without thickness lie as deep in it as its spring
-                                     // lets them
+constexpr double inside = 0.7;       // fraction of the kernel
+constexpr double inObstacle = 0.25;  // spacings; thin surfaces penetrate as deep as the contact spring allows
 
 }  // namespace
 
@@ -18,7 +17,7 @@ std::vector<Sunken> findSunken(World& w, Halos halos) {
   const std::size_t bodies = w.scene.bodies.size();
   Continuum& p = w.particles;
   const Oriented& o = w.oriented.rows;
-  halos.cells.beginRefresh(p, ColumnList{&p.phase});  // what has melted or frozen since
+  halos.cells.beginRefresh(p, ColumnList{&p.phase});  // the phase may have changed since
   halos.cells.finishRefresh(p);
   const double s = w.scene.spacing;
   std::vector<std::int64_t> count(w.scene.oriented.size() * bodies, 0);

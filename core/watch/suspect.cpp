@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-/// How much a particle is what the alarm is about; the largest is the suspect.
+/// Returns the quantity by which a particle is judged for this failure; the largest wins.
 double guilt(const World& w, Alarm alarm, Limit limitedBy, std::size_t i) {
   const Continuum& p = w.particles;
   const bool solid = p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned;
@@ -44,7 +44,7 @@ Suspect findSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& all) 
   }
   s.value = most;
   all.maximum({&s.value, 1});
-  // ids have up to 56 bits, a double 53: the upper half first, then the lower one
+  // Ids have up to 56 bits, a double 53: compare the upper half first, then the lower half.
   s.here = s.here && most == s.value;
   for (const int shift : {32, 0}) {
     const double half = s.here ? -static_cast<double>(p.id[s.row] >> shift & 0xffffffffu) : -never;

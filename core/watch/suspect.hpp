@@ -1,5 +1,5 @@
-// The particle that an alarm is about: the fastest, the densest, ... of all ranks, and of equals the one with
-// the lowest id.
+// The particle behind a failure: the fastest, the densest, ... of all ranks, and of equals the one with the
+// lowest id.
 #pragma once
 #include "core/watch/watch.hpp"
 
@@ -7,11 +7,11 @@ namespace thaw {
 
 struct Suspect {
   bool here = false;    ///< this rank owns it
-  std::size_t row = 0;  ///< there
-  double value = 0;     ///< what the alarm is about: m/s, filling, det F, J/kg; of all ranks
+  std::size_t row = 0;  ///< its row on that rank
+  double value = 0;     ///< value that caused the failure: m/s, relative density, det F, J/kg; over all ranks
 };
 
-/// Collective; the same particle on any number of ranks. Nobody's where there is no particle at all.
+/// Collective; the same particle on any number of ranks. No rank has it if there are no particles.
 Suspect findSuspect(const World& world, Alarm alarm, Limit limitedBy, Reducer& all);
 
 }  // namespace thaw

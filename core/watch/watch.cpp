@@ -13,15 +13,15 @@ constexpr std::int64_t longestPatience = 64, mostHalvings = 60;
 
 bool recovers(const Material& m) { return m.law != ElasticLaw::Green || m.volumeStiffness > 0; }
 
-/// The step (s) that the clock wants, without halvings; half of no limit would be none.
+/// Returns the step (s) of the clock without halvings; half of an unlimited step would be unlimited.
 double fullStep(const Clock& c, double factor) {
   return c.dt < never ? c.dt / factor : longestUnlimitedStep(c);
 }
 
-/// Halvings in force after one more failure.
+/// Returns the number of active halvings after one more failure.
 std::int64_t moreHalvings(const WatchState& failed, const Clock& c) {
   std::int64_t h = std::min(failed.halvings + 1, mostHalvings);
-  // where frames cut the step, halving what was to be cut would change nothing
+  // If frames shorten the step, halving a longer one would change nothing.
   while (c.every > 0 && h < mostHalvings && std::ldexp(failed.fullStep, 1 - static_cast<int>(h)) > c.every)
     h++;
   return h;
@@ -33,7 +33,7 @@ WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vecto
                         const StepLimits& materials) {
   const Numerics& n = s.numerics;
   WatchBounds b;
-  double given = 0, fastest = 0, slowest = never;  // of bodies that spin; of waves
+  double given = 0, fastest = 0, slowest = never;  // speeds of rotating bodies; speeds of waves
   for (const Body& body : s.bodies)
     given = std::max(given, length(body.velocity) + length(body.spin) * length(s.domain.max - s.domain.min));
   const auto wave = [&](double c) {
@@ -50,8 +50,8 @@ WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vecto
   if (n.watchSpeed < never) b.speed = n.watchSpeed * (b.expected + 0.1 * fastest);
   b.filling = n.watchDensity;
   double longest = *std::min_element(materials.value.begin(), materials.value.end());
-  // what moves at the expected speed needs a step too: with nothing but heat in the materials' limits it is
-  // by far the shorter one
+  // The step also depends on the expected speed: if the materials limit only heat, that is by far the shorter
+  // one.
   if (longest < never && b.expected > 0)
     longest = std::min(longest, supportsPerStep * n.support * s.spacing / b.expected);
   b.step = longest < never ? n.watchStep * longest : n.watchStep * 1e-5 * s.end;
@@ -62,7 +62,7 @@ WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vecto
 
 double largestFilling(const World& w) {
   const Continuum& p = w.particles;
-  constexpr std::size_t lanes = 16;  // one after another they would wait for each other
+  constexpr std::size_t lanes = 16;  // independent chains, to hide latency
   float most[lanes] = {};
   const auto see = [&](std::size_t i, std::size_t l) {
     const float f = p.phase[i] == Liquid ? p.filling[i] : 0.0f;
@@ -90,7 +90,7 @@ Alarm checkBooks(const World& w, const WatchBounds& b, const LedgerReport& books
       !(books.energyResidual - w.watch.residual <=
         b.energy * std::max({w.watch.scale, std::abs(books.wallWork), expected, books.energyRounding})))
     return Alarm::Energy;
-  // what grows slowly is never half of anything from one good state to the next
+  // Slow growth is never half of anything between snapshots.
   const double largest = std::max(
       {w.watch.largest, books.energyScale, 0.01 * expected, books.energyRounding});
   if (b.energy < never && books.energyResidual > b.energy * largest &&
@@ -123,7 +123,7 @@ void acceptState(World& w, const LedgerReport& books) {
   if (++s.calm < s.patience || w.clock.time < s.passed) return;
   s.calm = 0;
   if (s.halvings == 0) {
-    s.patience /= 2;  // a failure of long ago does not make the next one last longer
+    s.patience /= 2;  // an old failure must not prolong the next one
     return;
   }
   s.halvings--;

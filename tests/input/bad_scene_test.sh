@@ -17,9 +17,9 @@ rejects "a run of months" "^warning: that is more than a month: are the end \(1e
 
 # B27: particles outside of the domain
 rejects "body outside" "body 'block': 125 of its 125 particles lie outside of the domain, up to 8.54 m beyond its side z = 0.5 m; enlarge" 2 run "$good" --set 'body.block.place.move=[0, 0, 9]'
-rejects "body round the domain" "body 'block' reaches round the domain into itself: 20 of its particles lie inside its image" 2 run "$good" --set 'domain.sides.x=periodic' --set 'body.block.box.size=[1.04, 0.1, 0.02]'
+rejects "body round the domain" "body 'block' overlaps its own image across a periodic side: 20 of its particles lie inside the image" 2 run "$good" --set 'domain.sides.x=periodic' --set 'body.block.box.size=[1.04, 0.1, 0.02]'
 accepts "obstacle across a periodic side" check "$(scene cut 's/^plane = .*/box = { size = [0.4, 0.4, 0.1] }\nplace = { move = [0.4, 0, 0] }/')" --set 'domain.sides.x=periodic'
-rejects "obstacle that meets a step at a periodic side" "^warning: .*/tilt.toml:[0-9:]+ obstacle 'floor' is as long as the domain, or longer, along the periodic axis x, but not the same on both sides" 0 check "$(scene tilt 's/normal = .*/normal = [0.1, 0, 1] }/')" --set 'domain.sides.x=periodic'
+rejects "obstacle that meets a step at a periodic side" "^warning: .*/tilt.toml:[0-9:]+ obstacle 'floor' is as long as the domain, or longer, along the periodic axis x, but differs at both sides" 0 check "$(scene tilt 's/normal = .*/normal = [0.1, 0, 1] }/')" --set 'domain.sides.x=periodic'
 rejects "body over a side that is not periodic" "body 'block': [0-9]+ of its 125 particles lie outside of the domain, up to 0.04 m beyond its side x = 0.5 m; enlarge" 2 run "$good" --set 'domain.sides.y=periodic' --set 'body.block.place.move=[0.5, 0, 0.2]'
 rejects "body half outside" "body 'block': [0-9]+ of its 125 particles lie outside of the domain, up to 0.04 m beyond its side x = 0.5 m and 0.09 m beyond its side y = -0.5 m; enlarge" 2 check "$good" --set 'body.block.place.move=[0.5, -0.55, 0.2]'
 

@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-/// The solver at work: the world's parts under short names.
+/// Short names for the parts of the world that the solver uses.
 struct Solver {
   World& w;
   Halos& halos;
@@ -34,7 +34,7 @@ void resize(Solver& s) {
   }
 }
 
-/// Viscosity and liquid fraction of all rows, which stay while the system is solved.
+/// Packs viscosity and liquid fraction of all rows, which are constant during the solve.
 template<class Real> void packParameters(Solver& s) {
   struct Four {
     Real a, b, c, d;
@@ -59,7 +59,7 @@ void packVelocities(Solver& s, std::size_t begin, std::size_t end) {
   }
 }
 
-/// product = L times the velocities in viscousSearch, which ghosts get on the way.
+/// product = L times the velocities in viscousSearch, which are sent to ghosts on the way.
 void applyPairs(Solver& s, ViscousPass pass) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
@@ -77,7 +77,7 @@ void applyPairs(Solver& s, ViscousPass pass) {
   packVelocities(s, 0, p.owned);
   std::fill_n(k.product.begin(), p.owned, Vec3d{});
   if (pass == ViscousPass::Start) std::fill_n(k.block.begin(), p.owned, Sym3d{});
-  // of the velocities before and after the kick
+  // Mean velocities before and after the kick.
   const auto packMiddle = [&](std::size_t begin, std::size_t end) {
     if (pass != ViscousPass::Force) return;
     for (std::size_t i = begin; i < end; i++) {
@@ -112,7 +112,7 @@ Sym3d inverse(const Sym3d& a) {
           d * xy, d * (a.xy * a.xz - a.xx * a.yz), d * xz};
 }
 
-/// Exact sums over all ranks' particles: any number of ranks gives the same bits.
+/// Exact sums over the particles of all ranks: the same bits on any number of ranks.
 template<std::size_t n> std::array<double, n> sumOver(Solver& s, std::array<ExactSum, n>& sum) {
   std::array<std::int64_t, n * ExactSum::digits> digit;
   for (std::size_t k = 0; k < n; k++) {
@@ -132,15 +132,14 @@ template<std::size_t n> std::array<double, n> sumOver(Solver& s, std::array<Exac
   return value;
 }
 
-/// What decides about the next iteration.
+/// Convergence state of the iteration.
 struct Progress {
   double steepness = 0;  ///< r . P^-1 r
-  double excess = 0;     ///< |error|^2 less what is tolerated, kg m^2/s^2; at most 0 when done
+  double excess = 0;     ///< |error|^2 minus the tolerance, kg m^2/s^2; converged if at most 0
 };
 
-/// Preconditions the residual. The error M^-1 r of the velocities is small enough beside their change by
-/// viscosity, u - goal; a millionth of the goal stands in where viscosity has nothing to do (a body that
-/// moves as a whole).
+/// Preconditions the residual. The error M^-1 r of the velocities is compared with their change by viscosity,
+/// u - goal. A millionth of the goal is added for bodies in rigid motion, where viscosity changes nothing.
 Progress assess(Solver& s) {
   ViscousWork& k = s.work;
   const double tolerance2 = s.w.scene.numerics.viscosityTolerance * s.w.scene.numerics.viscosityTolerance;
@@ -156,7 +155,7 @@ Progress assess(Solver& s) {
   return {v[0], v[1]};
 }
 
-/// The velocities to start from, the first residual and the preconditioner.
+/// Sets the initial velocities, the first residual and the preconditioner.
 void begin(Solver& s) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
@@ -184,7 +183,7 @@ void begin(Solver& s) {
 }
 
 /// Conjugate gradients (Hestenes & Stiefel 1952), preconditioned by the particles' own 3x3 blocks. Returns
-/// whether it got there.
+/// true on convergence.
 bool iterate(Solver& s) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
@@ -212,9 +211,9 @@ bool iterate(Solver& s) {
   return !(now.excess > 0);
 }
 
-/// Forces of the velocities found, and the books. The kick ends where these forces lead, not where the
-/// iteration stopped: what they take is that of the pairs at the middle of the kick to the solution, and the
-/// rest of the kick is the residual's.
+/// Adds the forces for the solution and records their energies. The kick ends where these forces lead, not at
+/// the last iterate: the pairs dissipate at the midpoint of the kick to the solution, and the residual
+/// accounts for the rest.
 void addForces(Solver& s) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
@@ -234,7 +233,7 @@ void addForces(Solver& s) {
     const Vec3d f = -k.product[i];
     const double m = p.mass[i];
     p.force[i] += f;
-    if (s.known(i)) {  // what holds it balances this, too
+    if (s.known(i)) {  // the constraint balances this force too
       for (int a = 0; a < 3; a++) l.wallForce[a].add(-f[a]);
       if (p.clamped[i] == driven) l.wallWork.add(-dot(f, p.velocity[i]) * s.at.dt);
       p.viscousAcceleration[i] = {};

@@ -1,23 +1,23 @@
-// The iterates of the pressure solver in the records that pair sums read (core/fluid/records.hpp).
+// Iterates of the pressure solver in the records of pair sums (core/fluid/records.hpp).
 #pragma once
 #include "core/fluid/records.hpp"
 
 namespace thaw {
 
-/// 1/m (1/kg) of rows [0, rows) into state.c, 0 of those that are held or driven: in the place of the
-/// temperature, which is done with.
+/// Packs 1/m (1/kg) of rows [0, rows) into state.c, 0 for clamped and driven particles. It replaces the
+/// temperature, which is no longer needed.
 void packMobility(const RecordContext& context, const Continuum& particles, std::size_t rows,
                   PairRecords& records);
 
-/// Continuum::trialPressure of rows [begin, end) into state.a.
+/// Packs Continuum::trialPressure of rows [begin, end) into state.a.
 void packTrialPressure(const RecordContext& context, const Continuum& particles, std::size_t begin,
                        std::size_t end, PairRecords& records);
 
-/// Continuum::trialVelocity of rows [begin, end) into motion.
+/// Packs Continuum::trialVelocity of rows [begin, end) into motion.
 void packTrialVelocity(const RecordContext& context, const Continuum& particles, std::size_t begin,
                        std::size_t end, PairRecords& records);
 
-/// Liquid fraction of a row as the sums of this step took it.
+/// Returns the liquid fraction of a row as used by the sums of this step.
 float packedFraction(const RecordContext& context, const PairRecords& records, std::size_t row);
 
 }  // namespace thaw

@@ -8,16 +8,16 @@
 namespace thaw {
 namespace {
 
-/// What a solve is to reach: no predicted compression e = (filling - full) + dt d(filling)/dt. Of a
-/// compression that is there a share only is undone in a step: all of it at once throws the surface of a deep
-/// liquid off, with error * depth / dt. The tolerance is of the same share.
+/// Goal of a solve: no predicted compression e = (relative density - target) + dt d(relative density)/dt.
+/// Only a fraction of an existing compression is corrected per step: a full correction would eject the
+/// surface of a deep liquid at error * depth / dt. The tolerance scales with the fraction.
 struct Goal {
   double dt;         ///< s
-  double tolerance;  ///< 1, mean of what is left
-  double share;      ///< 1, of a compression that is there; divergence: 0
+  double tolerance;  ///< 1, mean residual
+  double share;      ///< 1, corrected fraction of an existing compression; divergence solve: 0
 };
 
-/// Exact over ranks, as integers: how much is left, of how many, and whether the last move went uphill.
+/// Exact over ranks, as integers: residual, number of particles, and whether the last move went uphill.
 struct Progress {
   std::int64_t left = 0, liquids = 0, along = 0;
   static constexpr double leftUnit = 1.0 / (1 << 30), alongUnit = 1.0 / (1ll << 50);
@@ -36,8 +36,8 @@ struct Progress {
   }
 };
 
-/// A Jacobi step of every pressure, cut at 0, into `stepped`; what is left before it, and whether it goes
-/// along with the step before.
+/// One Jacobi step of every pressure, clamped at 0, into `stepped`. Returns the residual before the step and
+/// its alignment with the previous move.
 Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float>& stepped) {
   const Continuum& p = x.world.particles;
   const PressureWork& work = x.tools.pressure;
@@ -50,10 +50,10 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
                  k = static_cast<double>(p.trialPressure[i]);
     double filled = static_cast<double>(p.filling[i]) - work.full;
     if (mayPull)
-      filled = std::max(filled, 0.0);  // what pulls keeps gaps from growing; to close those of a free surface
+      filled = std::max(filled, 0.0);  // tension keeps gaps from growing; closing those of a free surface
                                        // would tear it apart
-    // half-molten: as a spring beside the constraint, so soft that a lone particle's pressure is the liquid
-    // fraction of a liquid's
+    // Half-molten particles get a spring beside the constraint. Its stiffness gives a single particle the
+    // pressure of a liquid times its liquid fraction.
     const double e = (filled > 0 ? goal.share * filled : filled) + goal.dt * work.rate[i] -
                      (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;
@@ -65,7 +65,8 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
   return progress;
 }
 
-/// From trialPressure on: pressures, impulses and trialVelocity. Returns the iterations.
+/// Solves for pressures, impulses and trialVelocity from the initial trialPressure. Returns the number of
+/// iterations.
 std::int64_t solve(const PressureSystem& x, const Goal& goal) {
   World& w = x.world;
   Continuum& p = w.particles;
@@ -97,8 +98,7 @@ std::int64_t solve(const PressureSystem& x, const Goal& goal) {
   }
 }
 
-/// Impulses and work that walls, and what holds or drives particles, gave in a solve. `book` takes an impulse
-/// (N s).
+/// Records impulses and work of walls, clamps and drives in a solve. `book` takes an impulse (N s).
 template<class Book> void bookReactions(const PressureSystem& x, Book book) {
   World& w = x.world;
   Continuum& p = w.particles;
@@ -107,16 +107,16 @@ template<class Book> void bookReactions(const PressureSystem& x, Book book) {
     const double done = dot(impulse, velocity);
     if (done == 0) return;
     w.ledger.wallWork.add(done);
-    p.dissipated[i] += done;  // the velocities' change takes it away again
+    p.dissipated[i] += done;  // compensated by the velocity change
   };
   for (const WallSlope& wall : x.tools.pressure.walls) {
-    if (p.clamped.active && p.clamped[wall.row]) continue;  // what holds it has to bear this too
+    if (p.clamped.active && p.clamped[wall.row]) continue;  // its constraint has to bear this too
     const double V = p.mass[wall.row] / w.scene.materials[p.material[wall.row]].density;
     give(wall.row, wall.slope * (-V * static_cast<double>(p.trialPressure[wall.row])), wall.velocity);
   }
   if (!p.clamped.active) return;
-  for (const WallSlope& wall : x.tools.pressure.walls) {  // of the pairs only: a wall's impulse on what is
-                                                          // held goes from one holder to the other
+  for (const WallSlope& wall : x.tools.pressure.walls) {  // pairs only: the impulse of a wall on a clamped
+                                                          // particle acts between two constraints
     const double V = p.mass[wall.row] / w.scene.materials[p.material[wall.row]].density;
     if (p.clamped[wall.row])
       x.tools.pressure.impulse[wall.row] += wall.slope * (V * static_cast<double>(p.trialPressure[wall.row]));
@@ -125,7 +125,7 @@ template<class Book> void bookReactions(const PressureSystem& x, Book book) {
     if (p.clamped[i]) give(i, -x.tools.pressure.impulse[i], p.clamped[i] == driven ? p.velocity[i] : Vec3d{});
 }
 
-/// Liquid that pressure does not hold away from a wall, a lone drop, stops a quarter of a spacing from it.
+/// Stops liquid without supporting pressure, such as a single drop, a quarter of a spacing from a wall.
 /// Changes trialVelocity.
 template<class Book> void stopAtWalls(const PressureSystem& x, double dt, Book book) {
   World& w = x.world;
@@ -146,8 +146,8 @@ template<class Book> void stopAtWalls(const PressureSystem& x, double dt, Book b
   }
 }
 
-/// From the pressure of the last step. What has frozen since has none: whether pairs of solids are listed
-/// depends on who shares their group, and so on the ranks.
+/// Starts from the pressure of the last step. Newly frozen particles have none: pairs of solids are listed
+/// depending on the group, and so on the ranks.
 void setTrial(Continuum& p, const PressureWork& work, const Column<float>& pressure, double dt) {
   for (std::size_t i = 0; i < p.owned; i++)
     p.trialPressure[i] = work.response[i] > 0 ? static_cast<float>(static_cast<double>(pressure[i]) * dt) : 0;
@@ -158,9 +158,9 @@ void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
     pressure[i] = static_cast<float>(static_cast<double>(p.trialPressure[i]) / dt);
 }
 
-/// What resists was booked at the velocity of the drift, v. It works in the half kick behind, at v + a dt/4
-/// on the mean, and in the one that comes, at v + a dt/2 + change by pressure + a next/4: at steps that are
-/// near the viscous limit that is a good part of it.
+/// Corrects the dissipation of resistive forces, which was recorded at the drift velocity v. The force acts
+/// in the past half kick at mean velocity v + a dt/4, and in the next one at v + a dt/2 + pressure change + a
+/// next/4. The difference is significant for steps near the viscous limit.
 void bookResistance(World& w, const std::vector<Vec3d>& before, double dt, double next) {
   Continuum& p = w.particles;
   const double both = (dt + next) * (dt + next) / 8, half = 0.5 * next;
@@ -170,13 +170,13 @@ void bookResistance(World& w, const std::vector<Vec3d>& before, double dt, doubl
           p.drag[i], (p.velocity[i] + p.pressureKick[i] - before[i]) * half + p.acceleration[i] * both);
 }
 
-/// Changes velocity by `change`; what the kinetic energy loses is dissipated.
+/// Changes the velocity by `change`; the loss of kinetic energy is dissipated.
 void change(Continuum& p, std::size_t i, const Vec3d& change) {
   p.dissipated[i] -= p.mass[i] * dot(change, p.velocity[i] + change * 0.5);
   p.velocity[i] += change;
 }
 
-/// Velocities without compression.
+/// Divergence solve: removes compression rates from the velocities.
 void stopCompression(const PressureSystem& x, double dt, double next, double share) {
   World& w = x.world;
   Continuum& p = w.particles;
@@ -190,7 +190,7 @@ void stopCompression(const PressureSystem& x, double dt, double next, double sha
   for (std::size_t i = 0; i < p.owned; i++) change(p, i, p.trialVelocity[i] - p.velocity[i]);
 }
 
-/// The kick with which the next drift ends at full fillings.
+/// Density solve: finds the kick with which the next drift ends at the target density.
 void keepVolume(const PressureSystem& x, double next, double share) {
   World& w = x.world;
   Continuum& p = w.particles;
@@ -200,7 +200,7 @@ void keepVolume(const PressureSystem& x, double next, double share) {
   setTrial(p, work, p.holding, next);
   w.lastIterations.density = solve(x, {next, share * w.scene.numerics.densityTolerance, share});
   keepTrial(p, p.holding, next);
-  const auto book = [&](const Vec3d& impulse) {  // with the next half kick
+  const auto book = [&](const Vec3d& impulse) {  // applied in the next half kick
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(impulse[a] / half);
   };
   bookReactions(x, book);
@@ -218,7 +218,7 @@ void addPressureKick(World& w) {
 void findPressure(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const PressureSystem system{w, halos, t};
-  // the scene is over, and nothing limits a step
+  // At the end of the scene no limit on the step exists.
   const double planned = nextStep(w.clock), next = std::isfinite(planned) ? planned : dt;
   std::vector<Vec3d>& before = t.pressure.arrived;
   before.assign(p.velocity.data(), p.velocity.data() + p.owned);

@@ -18,7 +18,7 @@ PairSums sumsOf(const PressureSystem& x) {
   return s;
 }
 
-/// A sum that reads a column of ghosts: particles inside are summed while it is on its way.
+/// Evaluates a sum that reads a ghost column; inner particles are summed during the exchange.
 void sumWith(const PressureSystem& x, AnyColumn& column, Pack pack, Sweep sweep) {
   World& w = x.world;
   StepTools& t = x.tools;
@@ -39,7 +39,7 @@ double volumeOf(const World& w, std::size_t i) {
   return w.particles.mass[i] / w.scene.materials[w.particles.material[i]].density;
 }
 
-/// Slopes of the filling by walls, of all that is or can be liquid.
+/// Gradients of the relative density due to walls, for all particles that are or can be liquid.
 void findWallSlopes(const PressureSystem& x) {
   const World& w = x.world;
   PressureWork& work = x.tools.pressure;

@@ -1,25 +1,25 @@
-// The matrix of the pressure problem, by its products: what pressures do to velocities, and velocities to the
-// filling.
+// The matrix of the pressure problem as products: from pressures to velocities, and from velocities to
+// density rates.
 #pragma once
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// What a pass over the system needs.
+/// Context of the products.
 struct PressureSystem {
   World& world;
   Halos halos;
   StepTools& tools;
 };
 
-/// PressureWork::walls, fraction and response, of the places as they are.
+/// Computes PressureWork::walls, fraction and response for the current positions.
 void prepareSystem(const PressureSystem& system);
 
-/// PressureWork::impulse (N s) of Continuum::trialPressure, and trialVelocity = start + impulse / m (held and
-/// driven ones keep theirs). Collective.
+/// Computes PressureWork::impulse (N s) from Continuum::trialPressure, and trialVelocity = start + impulse /
+/// m; clamped and driven particles keep theirs. Collective.
 void applyPressures(const PressureSystem& system);
 
-/// PressureWork::rate (1/s) of the filling with trialVelocity. Collective.
+/// Computes PressureWork::rate (1/s) of the relative density for trialVelocity. Collective.
 void rateOfFilling(const PressureSystem& system);
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// What the incompressible pressure solver works with; nothing of it is part of the state.
+// Work arrays of the incompressible pressure solver. They are not part of the state.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,33 +7,32 @@
 
 namespace thaw {
 
-/// A wall as the filling of a liquid particle sees it.
+/// Contribution of a wall to the relative density of a liquid particle.
 struct WallSlope {
   std::uint32_t row;
-  Vec3d slope;     ///< 1/m, of the filling by the particle's place: towards the wall
+  Vec3d slope;     ///< 1/m, gradient with respect to the particle's position: towards the wall
   Vec3d velocity;  ///< m/s, of the wall
 };
 
-/// What liquid in motion without a free surface fills beside what sliding layers do: it cannot make room for
-/// itself, and with less it jams. Vortices of Re 100, 50 spacings long, keep .0016 of their energy without
-/// it, .50 with .005, .65 with .01, .70 with .02 and .69 with .03.
+/// Extra target density for flow without a free surface, which cannot expand and jams without it. Vortices of
+/// Re 100, 50 spacings long, keep 0.0016 of their energy without it, 0.50 with 0.005, 0.65 with 0.01, 0.70
+/// with 0.02 and 0.69 with 0.03.
 inline constexpr double flowingExcess = 0.02;
 
 struct PressureWork {
-  double full = 1;  ///< filling from which on liquid resists: that of layers that slide over each other,
-                    ///< which fill a little more than at rest
-  double relaxation = 0;         ///< share of a Jacobi step that does not overshoot on the lattice
-  double mendingTime = 0;        ///< s, in which a compression is undone: that of the fastest expected over a
-                                 ///< spacing
+  double full = 1;         ///< target relative density: that of sliding layers, slightly above rest
+  double relaxation = 0;   ///< fraction of a Jacobi step that does not overshoot on the lattice
+  double mendingTime = 0;  ///< s, correction time of a compression: one spacing over the largest expected
+                           ///< speed
   std::vector<WallSlope> walls;  ///< by row
-  std::vector<double> response;  ///< 1/(Pa s^2), of the rate of a particle's filling to its own pressure over
-                                 ///< the step, by its liquid fraction; 0: no liquid
-  std::vector<float> fraction;   ///< liquid
-  std::vector<float> before, stepped;  ///< Pa s, after the last step and after this one, without momentum
+  std::vector<double> response;  ///< 1/(Pa s^2), response of a particle's density rate to its own pressure
+                                 ///< over the step, times liquid fraction; 0: no liquid
+  std::vector<float> fraction;   ///< liquid fraction
+  std::vector<float> before, stepped;  ///< Pa s, after the previous and the current step, without momentum
   std::vector<Vec3d> start;            ///< m/s, velocities before the solve
-  std::vector<Vec3d> arrived;          ///< m/s, velocities before both
+  std::vector<Vec3d> arrived;          ///< m/s, velocities before both solves
   std::vector<Vec3d> impulse;          ///< N s
-  std::vector<double> rate;            ///< 1/s, of the filling
+  std::vector<double> rate;            ///< 1/s, rate of the relative density
 };
 
 }  // namespace thaw

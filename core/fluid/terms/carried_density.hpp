@@ -1,4 +1,4 @@
-// Density that the flow carries along, and how crowded a place is. One term of the pair sums (term.hpp).
+// Continuity density and concentration gradient. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/liquid_materials.hpp"
 #include "core/fluid/terms/term.hpp"
@@ -13,8 +13,8 @@ enum class Carry { Nothing, Density, Corrected };
 /// Carry::Density: also its rate, sum V0_j (u_i - u_j).grad W. The adjoint is the pressure force of Forces,
 /// so pairs conserve energy (Bonet & Lok 1999).
 /// Carry::Corrected: instead the sums for the corrected rate (core/fluid/carried_density.cpp).
-/// Both: density diffusion (Molteni & Colagrossi 2009, eq. 11) less its hydrostatic part
-/// (Fourtakas 2019, eq. 10).
+/// Both: density diffusion (Molteni & Colagrossi 2009, eq. 11) minus its hydrostatic part (Fourtakas 2019,
+/// eq. 10).
 /// Gradients are those at mid-step: pressure work then equals the loss of compression energy to second order.
 /// Mixed: several liquids, or solids that carry the density of adjacent liquid (Crespo et al. 2007).
 /// The diffusing quantity is then the pressure over a common stiffness.
@@ -27,7 +27,7 @@ struct CarriedDensity {
   const PairSums* in;
   double scale;
   L weight[3];  ///< h g; not Mixed: over c^2
-  L half;       ///< s/m, half of the step that led here over h
+  L half;       ///< s/m, half of the last step over h
   struct Data {
     Lanes4<Real> place, motion, state;
   };

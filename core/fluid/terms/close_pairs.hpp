@@ -1,4 +1,4 @@
-// Which solids touch. One term of the pair sums (term.hpp).
+// Detection of touching solids. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 
@@ -6,8 +6,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Pairs of solid particles closer than the contact distance: rare, so they are listed and worked on one by
-/// one, and which of two close ones are solid is asked of the few.
+/// Pairs of solid particles within the contact distance. They are rare, so they are listed for scalar code,
+/// and the phase is checked for close pairs only.
 template<class Real> struct Close {
   using L = Lanes<Real>;
   const Record<Real>*place, *surface;

@@ -1,4 +1,4 @@
-// Surface tension of K05's colour field. One term of the pair sums (term.hpp).
+// Surface tension by K05's colour field. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 
@@ -6,8 +6,9 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Surface tension of the colour field as printed in K05 / MCG03: -k lap(c) n / |n| where |n| is above a
-/// threshold. Does not obey Laplace's law under refinement (docs/theory/surface_tension.md): a named choice.
+/// Colour-field surface tension as printed in K05 / MCG03: -k lap(c) n / |n| where |n| exceeds a threshold.
+/// It violates Laplace's law under refinement (docs/theory/surface_tension.md), and is an explicit option
+/// only.
 template<class Real> struct ColourField {
   using L = Lanes<Real>;
   const Record<Real>*place, *surface, *state;
@@ -25,7 +26,7 @@ template<class Real> struct ColourField {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
             dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz, u = max(L(1.0) - q2, L(0.0));
-    const L c = L(-945 / (32 * pi)) * j.place.d * u;  // poly6 by differentiation
+    const L c = L(-945 / (32 * pi)) * j.place.d * u;  // derivative of poly6
     s.x += c * u * dx;
     s.y += c * u * dy;
     s.z += c * u * dz;
@@ -38,7 +39,7 @@ template<class Real> struct ColourField {
                      root = static_cast<double>(i.surface.a[l]);
         const Vec3d n{static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
         const double size = __builtin_sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-        if (size < 0.3) continue;  // |n| h: inside, noise (docs/validation/stability.md B24)
+        if (size < 0.3) continue;  // |n| h: noise inside the liquid (docs/validation/stability.md B24)
         const double laplacian = static_cast<double>(s.laplacian[l]) -
                                  945 / (32 * pi) * 3 * static_cast<double>(i.place.d[l]);
         const double k = -root * root * laplacian / (h * h) * V / size;

@@ -1,4 +1,4 @@
-// Heat alone. One term of the pair sums (term.hpp).
+// Heat conduction only. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 
@@ -6,8 +6,7 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// What Forces (forces.hpp) gives, to the last bit, of groups without liquid around: two solids exchange heat
-/// and nothing else.
+/// Equals Forces (forces.hpp) bit by bit for groups without liquid nearby, where solids exchange only heat.
 template<class Real, class Kernel> struct Conduction {
   using L = Lanes<Real>;
   const Record<Real>*place, *state;

@@ -6,10 +6,9 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Filling (SPH density over rest density): delta_i = sum_j V0_j W_ij / (its value on the lattice), the
-/// particle included, less PairSums::selfExcess: then it is 1 on the lattice and grows with compression there
-/// as the density does, which at h = 2 dx the plain sum does by .95 only (as Dehnen & Aly 2012 eq. 18 correct
-/// it; .95 also on bcc and fcc).
+/// Relative density: delta_i = sum_j V0_j W_ij / (its value on the lattice), self included, minus
+/// PairSums::selfExcess. It is 1 on the lattice and grows with compression like the density; at h = 2 dx the
+/// plain sum has 0.95 of that slope (correction as in Dehnen & Aly 2012 eq. 18; 0.95 also on bcc and fcc).
 template<class Real, class Kernel> struct Density {
   using L = Lanes<Real>;
   const Record<Real>* place;
@@ -18,7 +17,7 @@ template<class Real, class Kernel> struct Density {
   double scale, selfExcess;
   using Data = Lanes4<Real>;
   static constexpr double unit = lengthUnit<Real>;
-  /// the closest other one's r^2, in unit^2
+  /// closest: r^2 of the closest neighbour, in unit^2.
   struct Sum {
     L filling = L(0.0), closest = L(1 / (unit * unit));
   };

@@ -1,4 +1,4 @@
-// How much of the surface a particle has. One term of the pair sums (term.hpp).
+// Free-surface indicator. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 
@@ -6,8 +6,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Share of a particle in the free surface: |grad c| times a length such that a column of particles below a
-/// flat surface adds up to 1.
+/// Free-surface indicator of a particle: |grad c| times a length such that a column of particles below a flat
+/// surface sums to 1.
 template<class Real, class Kernel> struct Exposure {
   using L = Lanes<Real>;
   const Record<Real>* place;

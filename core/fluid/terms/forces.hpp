@@ -1,4 +1,4 @@
-// Pressure, viscosity, heat: what every liquid has. One term of the pair sums (term.hpp).
+// Pressure, viscosity and heat conduction of liquids. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 #include "core/fluid/viscous_weight.hpp"
@@ -7,15 +7,15 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Pressure (variational: Monaghan 2005 eq. 3.3 with filling for density; or as printed in K05), viscosity
-/// (Monaghan's pair along r, 2005 eq. 8.9 without its artificial scaling, or MCG03 eq. 13) and heat
-/// conduction (Cleary & Monaghan 1999 eq. 36). A solid particle pushes back with the pressure of a liquid
-/// neighbour and no more (Akinci 2012): the force is the slope of the liquid's energy of compression, so that
-/// nothing is gained or lost between the two. It drags on it; two solids do not see each other. Without
-/// Viscous, viscosity is implicit (viscous_operator.hpp). Carried: pressure is a tensor, p / filling^2 times
-/// the gradient correction, the inverse moment (Bonet & Lok 1999). The force is the adjoint of the corrected
-/// divergence: pairs conserve momentum and energy. It is not central. The pressure of a solid beside liquid
-/// acts only between that solid and liquids.
+/// Pressure: variational (Monaghan 2005 eq. 3.3 with relative density), or as printed in K05. Viscosity:
+/// Monaghan's pair form along r (2005 eq. 8.9 without its artificial scaling), or MCG03 eq. 13; implicit
+/// without Viscous (viscous_operator.hpp). Heat conduction: Cleary & Monaghan 1999 eq. 36.
+/// A solid particle responds with the pressure of its liquid neighbour (Akinci 2012): the force is the
+/// gradient of the liquid's compression energy, so the pair conserves energy. It also has viscous drag. Two
+/// solids do not interact.
+/// Carried: pressure is a tensor, p / (relative density)^2 times the gradient correction, the inverse moment
+/// (Bonet & Lok 1999). The force is the adjoint of the corrected divergence, so pairs conserve momentum and
+/// energy. It is not central. The pressure of a solid near liquid acts only between that solid and liquids.
 template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false>
 struct Forces {
   using L = Lanes<Real>;
@@ -42,16 +42,15 @@ struct Forces {
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by
-    // finish
+    // Positions are in lengthUnit; viscousScale and finish contain the remaining factors.
     const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b),
             dz = unitDifference(i.place.c, j.place.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
     const L VV = i.place.d * j.place.d;
     const L slope = Kernel::slope(q, q2);
     const L fi = i.state.b, fj = j.state.b;
-    // Every factor below is the same for j, or of the other sign, to the last bit: summed in double
-    // precision, no momentum is lost to rounding.
+    // Every factor below is equal for j, or of opposite sign, bit by bit. Summed in double precision, no
+    // momentum is lost to rounding.
     const L strength = pressureScale * VV * slope,
             pressure = Carried ? L(0.0) : strength * (i.state.a + j.state.a);
     const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
@@ -88,7 +87,7 @@ struct Forces {
       s.lost = fma(mu, approach, s.lost);
     }
     if constexpr (Heat) {
-      // summed in double precision so that no heat is lost to rounding
+      // Summed in double precision so that no heat is lost to rounding.
       s.heat += wide(conducted(VV, i.state, j.state, Kernel::laplace(q, q2)));
     }
   }

@@ -1,6 +1,6 @@
-// The sums of the incompressible pressure solver (core/fluid/incompressible/): a constraint's slope applied
-// to velocities, its transpose applied to pressures, and the diagonal of their product. Three terms of the
-// pair sums (term.hpp).
+// Sums of the incompressible pressure solver (core/fluid/incompressible/): the constraint gradient applied to
+// velocities, its transpose applied to pressures, and the diagonal of their product. Three terms of the pair
+// sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 
@@ -8,7 +8,7 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Rate of the filling: d delta_i / dt = s sum_j V_j (v_i - v_j) . grad W_ij (1/s).
+/// Rate of the relative density: d delta_i / dt = s sum_j V_j (v_i - v_j) . grad W_ij (1/s).
 template<class Real, class Kernel> struct Compression {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion;
@@ -36,7 +36,7 @@ template<class Real, class Kernel> struct Compression {
   }
 };
 
-/// Impulse of the pressures (N s): -s V_i sum_j V_j (k_i + k_j) grad W_ij, the same and opposite for j.
+/// Impulse of the pressures (N s): -s V_i sum_j V_j (k_i + k_j) grad W_ij; equal and opposite for j.
 template<class Real, class Kernel> struct Impulse {
   using L = Lanes<Real>;
   const Record<Real>*place, *state;
@@ -69,8 +69,8 @@ template<class Real, class Kernel> struct Impulse {
   }
 };
 
-/// What the diagonal is made of: slope of the filling by the particle's own place (1/m), and sum_j |slope by
-/// j's place|^2 / m_j (1/(m^2 kg)); 1/m_j is state.c.
+/// Parts of the diagonal: gradient of the relative density by the particle's own position (1/m), and sum_j
+/// |gradient by j's position|^2 / m_j (1/(m^2 kg)); 1/m_j is state.c.
 template<class Real, class Kernel> struct Response {
   using L = Lanes<Real>;
   const Record<Real>*place, *state;

@@ -1,4 +1,4 @@
-// XSPH. One term of the pair sums (term.hpp).
+// XSPH velocity correction. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 
@@ -6,7 +6,7 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// XSPH (Monaghan 1989): velocity of the flow around a liquid particle, less its own, times epsilon.
+/// XSPH (Monaghan 1989): mean velocity of the surrounding flow minus that of the particle, times epsilon.
 template<class Real, class Kernel> struct Smoothing {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *surface;

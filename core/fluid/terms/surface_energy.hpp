@@ -1,5 +1,5 @@
-// Surface tension from an energy of the surface (surface_energy.hpp): what a particle sees of the surface,
-// and the forces. Terms of the pair sums (term.hpp).
+// Surface tension from a surface energy (surface_energy.hpp): gradient and colour of a particle, and forces.
+// Terms of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/surface_kernel.hpp"
 #include "core/fluid/terms/term.hpp"
@@ -8,7 +8,7 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// h sum V grad W and sum V W of the others.
+/// h sum V grad W and sum V W over the neighbours.
 template<class Real> struct SurfaceSeen {
   using L = Lanes<Real>;
   const Record<Real>* place;
@@ -37,8 +37,8 @@ template<class Real> struct SurfaceSeen {
   }
 };
 
-/// -V_i sum V_j (H (u_i - u_j) + (s_i + s_j) grad W), H the Hessian of W, u and s the slopes of the energy by
-/// gradient and cover. Every factor is the same for j, or of the other sign, to the last bit: summed in
+/// -V_i sum V_j (H (u_i - u_j) + (s_i + s_j) grad W), H the Hessian of W, u and s the derivatives of the
+/// energy by gradient and colour. Every factor is equal for j, or of opposite sign, bit by bit. Summed in
 /// double precision, no momentum is lost to rounding.
 template<class Real> struct SurfaceForces {
   using L = Lanes<Real>;

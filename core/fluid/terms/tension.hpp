@@ -1,4 +1,4 @@
-// Surface tension between pairs. One term of the pair sums (term.hpp).
+// Surface tension as pair cohesion. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/cohesion.hpp"
 #include "core/fluid/terms/term.hpp"
@@ -7,12 +7,11 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Surface tension (cohesion.hpp).
 template<class Real> struct Tension {
   using L = Lanes<Real>;
   const Record<Real>*place, *surface;
   const PairSums* in;
-  double scale;  // 8 / (pi moment4), and units in finish
+  double scale;  // 8 / (pi moment4), with units applied in finish
   struct Data {
     Lanes4<Real> place, surface;
   };

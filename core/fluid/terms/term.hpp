@@ -1,7 +1,7 @@
-// What a term of the pair sums is: `load` of a group of eight rows, `pair` of own row and neighbour in each
-// lane, and `finish`, which writes the sums of eight rows. The loop is sweep(). Compiled once for each
-// instruction set. d: position difference own - other in support radii; V: volumes in h^3; lengths come back
-// with the factors in finish.
+// Interface of a pair-sum term: `load` for a group of eight rows, `pair` for own row and neighbour in each
+// lane, and `finish`, which writes the sums of eight rows. The loop is sweep(). Compiled once per instruction
+// set. d: position difference own - other in support radii; V: volumes in h^3; finish restores the units of
+// length.
 #pragma once
 #include "core/kernels/kernels.hpp"
 #include "core/neighbours/sweep.hpp"
@@ -12,8 +12,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Heat that i gets from j, with the harmonic mean of their conductivities (Cleary & Monaghan 1999 eq. 36);
-/// VV: both volumes' product. For j the same but for its sign, to the last bit.
+/// Heat flow from j to i with the harmonic mean of the conductivities (Cleary & Monaghan 1999 eq. 36); VV:
+/// product of both volumes. For j it is the exact negative.
 template<class Real>
 THAW_INLINE Lanes<Real> conducted(Lanes<Real> VV, const Lanes4<Real>& i, const Lanes4<Real>& j,
                                   Lanes<Real> laplace) {

@@ -1,5 +1,5 @@
-// Pressure, viscosity, heat and artificial viscosity of one liquid whose parameters are the same everywhere:
-// two records a neighbour, not three, and no means to take. One term of the pair sums (term.hpp).
+// Pressure, viscosity, heat and artificial viscosity of one liquid with constant parameters: two records per
+// neighbour instead of three, and no pair means. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 #include "core/fluid/viscous_weight.hpp"
@@ -8,12 +8,12 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// To the last bit what Forces (forces.hpp) with the pairwise viscosity gives where all particles are liquid
-/// of one material (Modules::uniform), and to rounding what Artificial (artificial_viscosity.hpp) adds.
-/// motion.d is the pressure term; with heat it is the temperature, and place.d the pressure term: the volume
-/// of all particles is the same, and the dummy is known by its temperature.
-/// Carried: place.d, motion.d and tensor hold the pressure tensor (forces.hpp); motion.d identifies the
-/// dummy.
+/// Where all particles are liquid of one material (Modules::uniform), equals Forces (forces.hpp) with
+/// pairwise viscosity bit by bit, and Artificial (artificial_viscosity.hpp) to rounding.
+/// motion.d is the pressure term. With heat it is the temperature, and place.d is the pressure term: all
+/// particles have the same volume, and the temperature identifies the dummy row.
+/// Carried: place.d, motion.d and tensor hold the pressure tensor (forces.hpp); motion.d identifies the dummy
+/// row.
 template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false> struct UniformForces {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *tensor;
@@ -38,8 +38,7 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by
-    // finish
+    // Positions are in lengthUnit; viscousScale and finish contain the remaining factors.
     const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b),
             dz = unitDifference(i.place.c, j.place.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
@@ -80,8 +79,7 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
-      if (rows[l] != dummy) {  // the first that a step finds: set, not added, so that nothing has to be
-                               // cleared
+      if (rows[l] != dummy) {  // the first sum of a step: assigned, so that nothing needs clearing
         Vec3d f{unit * s.x[l], unit * s.y[l], unit * s.z[l]};
         double dissipation = 0.5 * in->support * static_cast<double>(s.lost[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] = heatScale * s.heat[l];

@@ -8,8 +8,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Eight viscosities and liquid fractions from the last value of a ViscousRecord, two floats in the place of
-/// a double.
+/// Extracts eight viscosities and liquid fractions from the last value of a ViscousRecord: two floats in the
+/// space of a double.
 THAW_INLINE void splitFloats(LanesD both, LanesF& first, LanesF& second) {
   const Vec8f lo = reinterpret_cast<Vec8f>(both.lo), hi = reinterpret_cast<Vec8f>(both.hi);
   first = LanesF(__builtin_shufflevector(lo, hi, 0, 2, 4, 6, 8, 10, 12, 14));
@@ -24,10 +24,10 @@ template<> struct Widened<double> {
 };
 
 /// sum_j c_ij (u_ij . x_ij) x_ij: minus the pairwise viscous force of forces.hpp. The factor c_ij and the
-/// difference of places have the precision of the scene and the same bits, but for a sign, at both ends;
-/// velocities and sums are double whatever the scene says. So the operator is symmetric and momentum is kept
-/// to the rounding of doubles; and u_ij is not lost where viscosity makes it tiny beside u. Start also sums
-/// the particle's own 3x3 block; Force also sums what the force takes from `motion`.
+/// position difference have the precision of the scene and, up to sign, the same bits at both ends.
+/// Velocities and sums are always double. So the operator is symmetric, momentum is conserved to double
+/// rounding, and a tiny u_ij is resolved beside a large u. Start also sums the particle's own 3x3 block;
+/// Force also sums the dissipation at `middle`.
 template<class Real, ViscousPass pass> struct ViscousOperator {
   using L = Lanes<Real>;
   static constexpr bool blocks = pass == ViscousPass::Start, lost = pass == ViscousPass::Force;
@@ -35,7 +35,7 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
   const Record<double>*velocity, *middle;
   const ViscousSums* out;
   double scale;
-  L weight;  ///< of viscosity (viscous_weight.hpp)
+  L weight;  ///< weight of viscosity (viscous_weight.hpp)
   struct Data {
     Lanes4<Real> place;
     Lanes4<double> velocity, middle;

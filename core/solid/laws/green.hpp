@@ -1,12 +1,12 @@
-// Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). Exact under rotation; softens in
-// compression below 0.577 of the length and does not feel inversion, against which the volume force helps
+// Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). It is exact under rotation, softens in
+// compression below 0.577 of the length and does not resist inversion, which the volume force does
 // (docs/validation/stability.md B4, B5).
 #pragma once
 #include "core/math/mat3.hpp"
 
 namespace thaw {
 
-/// eps = (F^T F - 1)/2 of F = 1 + grad u, from grad u, so that small strains do not cancel.
+/// eps = (F^T F - 1)/2 of F = 1 + grad u, computed from grad u to avoid cancellation at small strains.
 template<class T> [[gnu::always_inline]] inline Sym3<T> greenStrain(const Mat3<T>& gradU) {
   const Vec3<T>&a = gradU.row[0], &b = gradU.row[1], &c = gradU.row[2];
   const T h(0.5);
@@ -37,7 +37,7 @@ template<class T> T greenEnergy(const Sym3<T>& strain, const T& lambda, const T&
 template<class T> Mat3<T> greenStress(const Mat3<T>& f, const Sym3<T>& strain, const T& lambda, const T& mu) {
   return times(f, hooke(strain, lambda, mu));
 }
-/// Principal Kirchhoff stresses of these principal stretches, Pa: t (lambda tr(e) + 2 mu e) with t =
+/// Principal Kirchhoff stresses (Pa) for these principal stretches: t (lambda tr(e) + 2 mu e) with t =
 /// stretch^2, e = (t - 1)/2.
 inline Vec3d greenPrincipal(const Vec3d& stretch, double lambda, double mu) {
   const Vec3d t{stretch.x * stretch.x, stretch.y * stretch.y, stretch.z * stretch.z};

@@ -10,7 +10,7 @@ template<class T> Mat3<T> cofactor(const Mat3<T>& f) {
   return {{cross(f.row[1], f.row[2]), cross(f.row[2], f.row[0]), cross(f.row[0], f.row[1])}};
 }
 
-/// The energy's own constants, from Lame's, so that small strains follow Hooke's law (Smith 2018,
+/// Constants of the energy from Lame's constants, so that small strains follow Hooke's law (Smith 2018,
 /// section 3.4).
 template<class T> struct NeoHookeanConstants {
   T lambda, mu;
@@ -18,12 +18,12 @@ template<class T> struct NeoHookeanConstants {
       : lambda(lameLambda + T(5.0 / 6.0) * lameMu), mu(T(4.0 / 3.0) * lameMu) {}
 };
 
-/// What the energy takes the logarithm of.
+/// Argument of the logarithm in the energy.
 template<class T> T neoHookeanLogged(const Mat3<T>& f) {
   return T(0.25) * (dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]) + T(1.0));
 }
-/// psi = mu/2 (|F|^2 - 3) + lambda/2 (J - 1)^2 - 3/4 mu (J - 1) - mu/2 ln((|F|^2 + 1)/4): eq. 14 less its
-/// value at rest, Pa. `logarithm` is that of neoHookeanLogged().
+/// psi = mu/2 (|F|^2 - 3) + lambda/2 (J - 1)^2 - 3/4 mu (J - 1) - mu/2 ln((|F|^2 + 1)/4), Pa: eq. 14 minus
+/// its value at rest. `logarithm` is ln of neoHookeanLogged().
 template<class T>
 T neoHookeanEnergy(const Mat3<T>& f, const T& lameLambda, const T& lameMu, const T& logarithm) {
   const NeoHookeanConstants<T> k(lameLambda, lameMu);
@@ -43,7 +43,7 @@ template<class T> Mat3<T> neoHookeanStress(const Mat3<T>& f, const T& lameLambda
   const T a = k.mu * (T(1.0) - T(1.0) / (square + T(1.0))), b = k.lambda * (j - T(1.0)) - T(0.75) * k.mu;
   return a * f + b * c;
 }
-/// Principal Kirchhoff stresses of these principal stretches, Pa.
+/// Principal Kirchhoff stresses (Pa) for these principal stretches.
 inline Vec3d neoHookeanPrincipal(const Vec3d& stretch, double lameLambda, double lameMu) {
   const NeoHookeanConstants<double> k(lameLambda, lameMu);
   const Vec3d t{stretch.x * stretch.x, stretch.y * stretch.y, stretch.z * stretch.z};

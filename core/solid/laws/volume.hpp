@@ -4,7 +4,7 @@
 
 namespace thaw {
 
-/// Pa.
+/// Energy density (Pa).
 template<class T> T volumeEnergy(const Mat3<T>& f, const T& stiffness) {
   const T j = determinant(f) - T(1.0);
   return T(0.5) * stiffness * j * j;

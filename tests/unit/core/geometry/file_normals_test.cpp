@@ -88,10 +88,9 @@ TEST(FileNormals, ThatSayNothingFollowFromTheTrianglesAndAreTold) {
   EXPECT_EQ(m.normals[9][2], Vec3d{});
   EXPECT_EQ(r.unusedNormals, 2);
   EXPECT_EQ(r.normals, 3 * static_cast<std::int64_t>(odd.triangles.size()));
-  EXPECT_NE(
-      describeRepairs("x", r).find(", 2 of its " + std::to_string(r.normals) +
-                                   " normals are missing, 0 or point to the other side of their triangle"),
-      std::string::npos)
+  EXPECT_NE(describeRepairs("x", r).find(", 2 of its " + std::to_string(r.normals) +
+                                         " normals are missing, 0 or oppose their triangle"),
+            std::string::npos)
       << describeRepairs("x", r);
   TriangleMesh plain = m;
   plain.normals.clear();

@@ -77,7 +77,7 @@ TEST(OpenMesh, FlatOnesAndSingleQuadsHaveNoVolumeAndNeedNone) {
   const MadePoints m = pointsOf(quad(0.2));
   EXPECT_NEAR(static_cast<double>(m.places.size()), 115, 10);
   for (const Vec3d& n : m.normals) EXPECT_EQ(n, (Vec3d{0, 0, 1}));
-  EXPECT_EQ(m.notes, std::vector<std::string>{"mesh 'm': open (4 edges at its border), and taken as it is"});
+  EXPECT_EQ(m.notes, std::vector<std::string>{"mesh 'm': open (4 edges at its border), kept open"});
   OrientedBody few = ofMesh("m");
   few.thin = 0.3;
   EXPECT_EQ(pointsOf(quad(0.2), few).notes, m.notes);
@@ -87,14 +87,13 @@ TEST(OpenMesh, WhatIsMendedIsTold) {
   TriangleMesh m = quad(0.1);
   m.vertices.push_back({0.05, 0.05, 0.1});
   m.triangles.push_back({2, 0, 4});  // at the diagonal of the quad
-  EXPECT_EQ(
-      pointsOf(m).notes,
-      std::vector<std::string>{
-          "mesh 'm': open (6 edges at its border), and taken as it is, 1 edge has more than two triangles"});
+  EXPECT_EQ(pointsOf(m).notes,
+            std::vector<std::string>{
+                "mesh 'm': open (6 edges at its border), kept open, 1 edge has more than two triangles"});
   m = quad(0.1);
   std::swap(m.triangles[1][0], m.triangles[1][1]);
   EXPECT_EQ(pointsOf(m).notes,
-            std::vector<std::string>{"mesh 'm': open (4 edges at its border), and taken as it is, 1 triangle "
+            std::vector<std::string>{"mesh 'm': open (4 edges at its border), kept open, 1 triangle "
                                      "turned to agree with their neighbours"});
 }
 

@@ -212,7 +212,7 @@ TEST(ExpectedSpeed, CountsTheFastestParticleOfSpinsAndFields) {
   Scene s = waterBox({0.5, 0, 0});
   s.bodies[0].spin = {0, 0, 5};
   EXPECT_NEAR(speedOf(s), 5 * 0.45 * std::sqrt(2), 1e-9);
-  EXPECT_NE(whyOf(s).find("10 times 3.18 m/s, of the start of body 'box' (3.18 m/s)"), std::string::npos)
+  EXPECT_NE(whyOf(s).find("10 times 3.18 m/s, from the start of body 'box' (3.18 m/s)"), std::string::npos)
       << whyOf(s);
   s.bodies[0].spin = {};
   s.bodies[0].velocityField.linear = true;
@@ -272,7 +272,7 @@ TEST(ExpectedSpeed, TensionCountsWhereItIsFaster) {
   s.materials[0].surfaceTension = 5000;
   Simulation run(s);
   EXPECT_NEAR(run.tools.liquids[0].soundSpeed, 10 * std::sqrt(2 * 5000 / (1000 * 0.1)), 1e-9);
-  EXPECT_NE(whyOf(s).find("of surface tension at one spacing"), std::string::npos) << whyOf(s);
+  EXPECT_NE(whyOf(s).find("from surface tension at one spacing"), std::string::npos) << whyOf(s);
 }
 
 }  // namespace thaw::test

@@ -44,8 +44,8 @@ std::string warningOf(const Scene& s) {
 TEST(ThinWalls, OfLessThanTwoSpacingsAreReportedWithTheirPlace) {
   const std::string one = warningOf(glassOfWater(1));
   EXPECT_EQ(one.find("glass.toml body 'glass': "), 0u) << one;
-  EXPECT_NE(one.find("some 0.01 m at ("), std::string::npos) << one;
-  EXPECT_NE(one.find("make the spacing 0.005 m or less"), std::string::npos) << one;
+  EXPECT_NE(one.find("about 0.01 m at ("), std::string::npos) << one;
+  EXPECT_NE(one.find("reduce the spacing to 0.005 m or less"), std::string::npos) << one;
   EXPECT_NE(warningOf(glassOfWater(1.5)), "");
   EXPECT_EQ(warningOf(glassOfWater(2.1)), "");
 }
