@@ -32,7 +32,7 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 /// Write the closed meshes of components to one file, with normals and colours at the vertices. PLY is
 /// binary: each face has its component's index in the list (0, 1, ...), lines are edges, and ids are split in
 /// halves (id_high, id_low: PLY has no 64-bit type). OBJ has an object `component_LABEL` for each, and lines
-/// as `l`. The line of a mesh that is cut ends with ", which goes round ..." (cutNote; else empty).
+/// as `l`. The line of a mesh that is cut ends with ", which extends through ..." (cutNote; else empty).
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 std::string cutNote(const ComponentMesh& mesh);

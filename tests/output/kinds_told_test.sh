@@ -41,7 +41,7 @@ expectMessage "warning: .*oriented body 'net': no particle is in this field as i
 "$thaw" render "$work/net" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that is not there"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that is not there"
 "$thaw" render "$work/net" --what surface >"$work/log" 2>&1; expectExit 3 "no surface"
-expectMessage "no frames of a surface in this folder, only of particles, sheets or oriented particles: a scene has a surface if it has a table .surface." "no surface"
+expectMessage "no surface frames in this folder, only frames of particles, sheets or oriented particles; a scene has a surface with a table .surface." "no surface"
 
 cat >"$work/leaf.toml" <<'END'
 spacing = 0.05
