@@ -11,7 +11,7 @@ std::string h5Reason() {
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, &reason);
   H5Eclear2(H5E_DEFAULT);
   if (reason.empty()) return {};
-  // of "file write failed: time = ..., errno = 28, error message = 'No space left on device', ..." only the
+  // from "file write failed: time = ..., errno = 28, error message = 'No space left on device', ..." only the
   // system's message is kept
   const std::string key = "error message = '";
   if (const std::size_t at = reason.find(key); at != std::string::npos) {
