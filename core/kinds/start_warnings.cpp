@@ -12,8 +12,8 @@ namespace thaw {
 namespace {
 
 constexpr double thickest = 3;  // in units of the vertex spacing
-constexpr double deep = 0.5;    // of the thickness: static contacts are pressed in by less
-// Of the point contact distance: where surfaces cross, few points are nearer than half of it.
+constexpr double deep = 0.5;    // fraction of the thickness: static contacts are pressed in by less
+// Fraction of the point contact distance: where surfaces cross, few points are nearer than half of it.
 constexpr double close = 0.6;
 
 /// Names of a body and its rows, and its contact.

@@ -8,9 +8,9 @@
 namespace thaw {
 namespace {
 
-constexpr double touching = 0.55;    // of the sum of the spacings
+constexpr double touching = 0.55;    // factor of the sum of the spacings
 constexpr double restitution = 0.3;  // restitution of the spring; the barrier is elastic
-constexpr double leastRoom = 0.1;    // of the reach, for lattices with wider gaps
+constexpr double leastRoom = 0.1;    // fraction of the reach, for lattices with wider gaps
 // In units of spacing: depth of the barrier for a surface without thickness.
 constexpr double leastKeep = 0.25;
 // In units of attract stiffness spacing: 1.5 times the largest bond force of Lennard-Jones 12-6.

@@ -14,7 +14,7 @@
 namespace thaw {
 namespace {
 
-constexpr double restForce = 1e-9;  // of stiffness times spacing
+constexpr double restForce = 1e-9;  // in units of stiffness times spacing
 constexpr int patience = 5;
 
 struct Sums {

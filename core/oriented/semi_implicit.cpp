@@ -10,7 +10,7 @@ namespace thaw {
 namespace {
 
 constexpr int mostIterations = 100;
-constexpr double tolerance = 1e-8;  // of the residual's norm
+constexpr double tolerance = 1e-8;  // relative norm of the residual
 
 /// Sum of dot products, the same on any number of ranks.
 double product(Reducer& all, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,

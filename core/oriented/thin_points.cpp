@@ -12,7 +12,7 @@
 namespace thaw {
 namespace {
 
-// Of the mean nearest distance of even points: largest distance of a surface position from them.
+// Factor of the mean nearest distance of even points: largest distance of a surface position from them.
 constexpr double evenReach = 0.95;
 constexpr double chosenByError = 0.33;  // fraction of the kept points
 constexpr int rounds = 4;

@@ -7,10 +7,11 @@
 namespace thaw {
 namespace {
 
-// Of the predicted motion of the fastest vertex, which may accelerate before the next rebuild.
+// Factor of the predicted motion of the fastest vertex, which may accelerate before the next rebuild.
 constexpr double spare = 1.3;
-constexpr double slow = 0.01;  // of the largest thickness, at least
-// Of the largest thickness; less than the gap between neighbours of a flat sheet and their contact distance.
+constexpr double slow = 0.01;  // fraction of the largest thickness, at least
+// Fraction of the largest thickness; less than the gap between neighbours of a flat sheet and their contact
+// distance.
 constexpr double margin = 0.3;
 
 /// Vertex, edge or triangle with all its vertices on this rank.

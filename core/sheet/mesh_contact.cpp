@@ -16,7 +16,7 @@ constexpr double moreTriangles = 5, moreEdges = 16;  // for a reach of one mean 
 // Pairs come into reach within a step: the bound of stiffness is scaled by this, which halves the energy
 // error of contact.
 constexpr double ahead = 2;
-constexpr double deepest = 0.1;  // of the reach: closer pairs do not shorten the step further
+constexpr double deepest = 0.1;  // fraction of the reach: closer pairs do not shorten the step further
 
 struct MeshContact {
   World& w;

@@ -28,7 +28,7 @@ struct WrapSurface {
   std::vector<Listed> listed;  ///< cells of this rank's blocks with the owners of their rows; ascending by
                                ///< key
   std::vector<WrapPart> near;  ///< cells near this rank's vertices; ascending by key
-  bool any = false;            ///< whether the body exists; the same on all ranks
+  bool any = false;            ///< true if the body exists; the same on all ranks
 };
 
 /// Finds the surface. cells: the body's on this rank, ascending by key. places: this rank's vertices. `near`

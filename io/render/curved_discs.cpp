@@ -10,11 +10,11 @@ namespace thaw {
 
 namespace {
 
-constexpr float around = 1.7f;    // of a disc's radius: range of neighbours for its curvature
+constexpr float around = 1.7f;    // in disc radii: range of neighbours for its curvature
 constexpr float sameFace = 0.2f;  // least cosine of a neighbour's normal, for the curvature
 // The same for the surface: other normals belong to the other side of a thin sheet.
 constexpr float oneSheet = -0.3f;
-constexpr float sharpness = 0.48f;  // of a disc's radius: width of the weights
+constexpr float sharpness = 0.48f;  // in disc radii: width of the weights
 constexpr float uneven = 0.12f;     // fraction of the squared turn of normals that a curvature may leave
                                     // unexplained
 constexpr std::size_t fewest = 4;

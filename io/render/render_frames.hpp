@@ -18,9 +18,9 @@ namespace thaw {
 struct FrameView {
   double time = 0;               ///< s
   std::vector<Vec3f> positions;  ///< m
-  std::vector<float> values;     ///< of the requested field (length of a vector, Frobenius norm of a tensor);
-                                 ///< empty if there is none
-  std::string unit;              ///< unit of the values
+  std::vector<float> values;     ///< values of the requested field (length of a vector, Frobenius norm of a
+                              ///< tensor); empty if there is none
+  std::string unit;  ///< unit of the values
   // for surfels only, else empty
   std::vector<Vec3f> normals;  ///< unit, outward
   std::vector<float> radii;    ///< m
@@ -47,8 +47,8 @@ struct FrameJob {
   std::optional<Camera> camera;  ///< empty: fitted to the particles of all frames
   int width = 1280, height = 960, samples = 2;
   float spacing = 0;       ///< m
-  PeriodicSides periodic;  ///< of the domain: surfaces across them are unwrapped
-  float radius = 0;        ///< of the spheres in spacings, of surfels' discs in their radii; 0: default
+  PeriodicSides periodic;  ///< sides of the domain: surfaces across them are unwrapped
+  float radius = 0;        ///< radius of spheres in spacings, or surfels' discs in their radii; 0: default
   Walls walls;             ///< at their rest poses: planes become floors, other obstacles glass
   int threads = 0;         ///< 0: one per core
 };

@@ -18,7 +18,7 @@ namespace thaw {
 namespace {
 
 constexpr Rgb plain{188, 193, 200};
-// Of the drawn radius: small gaps are invisible in shadows, but rims at edges are not.
+// Fraction of the drawn radius: small gaps are invisible in shadows, but rims at edges are not.
 constexpr float castingDiscs = 0.7f;
 
 bool finite(const Vec3f& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
@@ -131,7 +131,7 @@ constexpr float flatEnough = 2.5f;  // samples: largest gap between a disc's rim
 struct SplatDiscs {
   std::vector<Vec3f> positions, normals;
   std::vector<float> radii;
-  std::vector<std::uint32_t> components, of;  // of: index of the surfel
+  std::vector<std::uint32_t> components, of;  // `of` is the index of the surfel
   std::vector<float> whole;                   // radii of the surfels, enlarged at edges
   std::vector<std::array<DiscPart::Share, 4>> mix;
   Discs discs() const { return {positions, radii, normals}; }

@@ -12,7 +12,7 @@ struct DepthBuffer {
   static constexpr std::uint32_t none = ~0u;
   int width = 0, height = 0;         ///< samples
   std::vector<float> depth;          ///< m along the view; infinite for background
-  std::vector<std::uint32_t> index;  ///< of the sphere, or none
+  std::vector<std::uint32_t> index;  ///< sphere, or none
 };
 
 /// Draws all spheres as seen in `view`, whose pixels are the samples. The first of equally near ones wins;
