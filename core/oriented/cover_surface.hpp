@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// Returns points on a surface, about a spacing apart: lattice points near it are projected, thinned in a
+/// Returns points on a surface, about a spacing apart: lattice points near it are projected, selected in a
 /// hashed order, and moved apart along it. Throws std::invalid_argument if the surface is infinite or too
 /// large for its spacing.
 MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed);

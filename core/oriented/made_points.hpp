@@ -12,7 +12,7 @@ struct MadePoints {
   std::vector<Vec3d> places, normals;
   std::vector<std::uint8_t> held;  ///< Oriented::flags of given points and control points
   std::vector<std::string> notes;  ///< repairs of meshes, a sentence each
-  double reach = 0;  ///< m, for thinned points the largest distance of a surface position from them, else 0
+  double reach = 0;  ///< m, after thinning the largest distance of a surface position from the points, else 0
 };
 
 inline void addPoint(MadePoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t held = 0) {

@@ -87,7 +87,7 @@ struct SheetBodies {
   double hardest = 0;   ///< m/s^2, largest acceleration of these by loads
   double blows = 0;     ///< 1/s, largest rate of contact over the step that impacts allow it, on this rank
                         ///< (blowRate in touch.hpp)
-  double closing = 0;   ///< 1/s, largest closing speed over distance of touching vertices, triangles and
+  double closing = 0;   ///< 1/s, largest approach speed over distance of touching vertices, triangles and
                         ///< edges, on this rank
   std::shared_ptr<MeshSearch> search;  ///< current contact search (mesh_pairs.hpp), kept to reuse memory; not
                                        ///< part of the state

@@ -15,7 +15,7 @@ namespace {
 
 using Corner = BandGrid::Corner;
 
-/// Largest cube edge over a component's size, so drops of a few surfels are round.
+/// Largest cube edge over a component's size, so drops of a few surfels stay spherical.
 constexpr double mostOfSize = 0.15;
 
 /// Surfels of a mesh: an unwrapped component, and near images where it is cut at periodic sides.

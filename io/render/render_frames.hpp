@@ -19,8 +19,8 @@ struct FrameView {
   double time = 0;               ///< s
   std::vector<Vec3f> positions;  ///< m
   std::vector<float> values;     ///< values of the requested field (length of a vector, Frobenius norm of a
-                              ///< tensor); empty if there is none
-  std::string unit;  ///< unit of the values
+                                 ///< tensor); empty if there is none
+  std::string unit;              ///< unit of the values
   // for surfels only, else empty
   std::vector<Vec3f> normals;  ///< unit, outward
   std::vector<float> radii;    ///< m
