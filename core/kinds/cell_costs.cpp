@@ -12,15 +12,15 @@ struct CellCost {
   double cost;
 };
 
-/// Of owned rows alone, whatever ghost cells were merged into `cells`. costOf(c): what the rows of cell c
-/// cost.
+/// Appends the cost of cells with owned rows, also if ghost cells are merged into `cells`. costOf(c): cost of
+/// the rows of cell c.
 template<class CostOf>
 void addCells(const Table& rows, const CellTable& cells, CostOf costOf, std::vector<CellCost>& list) {
   for (std::size_t c = 0; c < cells.key.size(); c++)
     if (cells.first[c] < rows.owned) list.push_back({cells.key[c], costOf(c)});
 }
 
-/// What sleeps costs about a tenth.
+/// Sleeping particles cost about a tenth.
 double costOfParticle(const Continuum& p, std::size_t i, const RowCosts& costs) {
   return (p.sleep.active && p.sleep[i] == asleep ? 0.1 : 1) *
          (p.phase[i] == Solid ? costs.solid : costs.liquid);

@@ -1,4 +1,4 @@
-// What the cells of a rank cost, rows of all kinds together: what the partition is cut by.
+// Cost of a rank's cells over all body types, for the domain decomposition.
 #pragma once
 #include <array>
 #include <vector>
@@ -8,11 +8,11 @@
 namespace thaw {
 
 struct CellCosts {
-  CellTable cells;           ///< owned, ascending by key; only keys and their number are filled in
-  std::vector<double> cost;  ///< beside cells.key
+  CellTable cells;           ///< owned cells, ascending by key; only keys and their number are set
+  std::vector<double> cost;  ///< parallel to cells.key
 };
 
-/// Cost of one row, in any unit, > 0: of a liquid and of a solid particle of the continuum, and of each kind.
+/// Cost of a row in any unit, > 0: of liquid and solid continuum particles, and of each body type.
 struct RowCosts {
   double liquid = 1, solid = 1;
   std::array<double, kindCount> kind;
@@ -20,7 +20,7 @@ struct RowCosts {
 };
 CellCosts costOfCells(const World& world, const RowCosts& costs);
 
-/// Every row costs the same.
+/// Returns the number of rows per cell as the cost.
 inline CellCosts countCells(const World& world) { return costOfCells(world, {}); }
 
 }  // namespace thaw

@@ -1,12 +1,12 @@
-// Rows of the further kinds in the ledger.
+// Ledger entries for rows of oriented and sheet bodies.
 #pragma once
 #include "core/ledger/ledger.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
 
-/// Adds row i of a kind (core/kinds/kinds.hpp) to a balance: mass, momentum, kinetic energy, that of rotation
-/// too, gravity's potential, and KindRows::energy as elastic energy.
+/// Adds row i of a body type (core/kinds/kinds.hpp) to a balance: mass, momentum, kinetic energy with
+/// rotation, gravitational potential, and KindRows::energy as elastic energy.
 void addKindRow(const World& world, std::size_t kind, std::size_t i, ExactBalance& balance);
 
 }  // namespace thaw

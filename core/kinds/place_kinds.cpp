@@ -15,7 +15,8 @@ namespace thaw {
 
 namespace {
 
-/// Migrates and sorts one kind; rows in `leaving` (ascending, with noCell as their next cell) go.
+/// Migrates and sorts one body type; rows in `leaving` (ascending, with noCell as their next cell) are
+/// dropped.
 void placeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, KindRows& r, CellTable& cells) {
   const std::size_t before = r.owned;
   Migration m = halos.kinds[kind]->migrate(r, {r.nextCell.data(), r.owned});
@@ -41,7 +42,7 @@ void bringKindsHome(World& w, Halos halos, StepTools& t, double dt) {
       if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0)
         w.ledger.entered.potential.add(r.mass[i] * more);
     computeCellKeys(w.grid, r);
-    // oriented rows go in evaluateOriented, which knows the energy of their pairs with those that stay
+    // evaluateOriented removes oriented rows, after it has the energy of their pairs
     t.leaving.clear();
     if (kind != orientedKind) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
     if (kind == sheetKind) closeLeavers(w, t.leaving, dt);
@@ -59,8 +60,8 @@ void placeOriented(World& w, Halos halos, StepTools& t) {
   Oriented& o = w.oriented.rows;
   if (o.ghosts > 0) o.resize(o.owned, 0);
   computeCellKeys(w.grid, static_cast<KindRows&>(o));
-  // born here since the last sort: rows behind, without a cell; sortByCell takes them for arrivals by their
-  // number
+  // rows born since the last sort are at the end, without a cell; their number makes sortByCell treat them as
+  // arrivals
   std::size_t fresh = 0;
   while (fresh < o.owned && o.cell[o.owned - 1 - fresh] == 0) fresh++;
   std::vector<std::uint32_t> dead;

@@ -1,31 +1,31 @@
-// Brings the rows of the further kinds to the ranks that own their cells: which rank owns which cell is the
-// continuum's business.
+// Redistribution of the rows of body types to the ranks that own their cells; the continuum defines cell
+// ownership.
 #pragma once
 #include "core/kinds/start_warnings.hpp"
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// Wraps positions at periodic sides, books and drops what left through open ones, migrates and sorts by
-/// (cell, id); ghosts are dropped. dt (s): of the step that led here. Collective.
+/// Wraps positions at periodic sides, records and drops rows that left through open ones, migrates, and sorts
+/// by (cell, id). Ghosts are dropped. dt (s): length of the last step. Collective.
 void bringKindsHome(World& world, Halos halos, StepTools& tools, double dt = 0);
 
-/// The same of oriented particles after births (appended, with cell 0) and deaths (mass 0): nothing is
-/// wrapped or booked. Collective.
+/// Redistributes oriented particles after births (appended, with cell 0) and deaths (mass 0), without
+/// wrapping or ledger entries. Collective.
 void placeOriented(World& world, Halos halos, StepTools& tools);
 
-/// Activates the columns of the kinds that the scene has.
+/// Activates the columns of the scene's body types.
 void activateKinds(World& world);
 
-/// Appends this rank's share of the rows of all kinds at time 0. Returns the places of the particles of each
-/// oriented body, on all ranks. Throws as sampleBodies does. Collective.
+/// Appends this rank's rows of all body types at time 0. Returns the positions of each oriented body's
+/// particles, on all ranks. Throws as sampleBodies does. Collective.
 std::vector<std::vector<Vec3d>> sampleKinds(World& world, Halos halos, StepTools& tools,
                                             const MeshLoader& load, std::vector<SceneWarning>& warnings);
 
-/// Are all places and velocities of this rank's rows finite numbers?
+/// Returns whether all positions and velocities of this rank's rows are finite.
 bool finiteKinds(const World& world);
 
-/// Empties all kinds.
+/// Removes all rows of the body types.
 void emptyKinds(World& world);
 
 }  // namespace thaw

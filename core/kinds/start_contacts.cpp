@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-constexpr double within = 1 - 1e-9;  // of a reach: what is put just there is not in it
+constexpr double within = 1 - 1e-9;  // factor of the reach: exact contact distance does not count
 
 struct Meetings {
   const World& w;
@@ -20,15 +20,16 @@ struct Meetings {
 
   std::string name(std::size_t sheet) const { return "sheet '" + w.scene.sheets[sheet].name + "'"; }
 
-  /// Of all ranks; `what`: "12 of its 81 vertices" or the like.
+  /// Appends a warning; `what`: "12 of its 81 vertices" or the like.
   void tell(std::size_t sheet, const std::string& what, double reach, const std::string& other) {
     char text[80];
-    std::snprintf(text, sizeof text, " begin within the reach of its contact, %.3g m, with ", reach);
+    std::snprintf(text, sizeof text, " start within its contact distance, %.3g m, of ", reach);
     warnings.push_back({w.scene.sheets[sheet].where,
-                        name(sheet) + ": " + what + text + other + ": they will be pushed apart"});
+                        name(sheet) + ": " + what + text + other + ": contact will push them apart"});
   }
 
-  /// Vertices of a sheet for which `is(place, clamped)`, and all of it.
+  /// Returns the number of a sheet's vertices for which `is(place, clamped)`, and their total, over all
+  /// ranks.
   template<class Is> std::pair<std::int64_t, std::int64_t> count(std::size_t sheet, Is&& is) {
     const Sheets& s = w.sheets.rows;
     std::int64_t n[2] = {0, 0};
@@ -87,7 +88,7 @@ struct Meetings {
     }
   }
 
-  /// Each pair once: its vertices of the later sheet, or, where none is near, those of the earlier one.
+  /// Each pair once: vertices of the later sheet, or of the earlier one if none is near.
   void sheets(std::size_t sheet, const std::vector<std::unique_ptr<TriangleBvh>>& faces) {
     for (std::size_t k = 0; k < sheet; k++) {
       if (told.count({name(sheet), name(k)})) continue;

@@ -1,4 +1,4 @@
-// What a sheet touches before the first step.
+// Warnings about contacts of sheets before the first step.
 #pragma once
 #include <set>
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace thaw {
 
-/// Of a sheet and what it meets, by name: those that a graver warning tells of already.
+/// Pairs of a sheet and another object, by name, with a more severe warning.
 using ToldPairs = std::set<std::pair<std::string, std::string>>;
 
-/// A sentence for each pair of a sheet and an obstacle, body, oriented body or another sheet that begin
-/// within the reach of their contact: they are pushed apart. `oriented`: the places of all particles of each
-/// oriented body. The same on any number of ranks. Collective.
+/// Appends a warning for each sheet that starts within contact distance of an obstacle, body, oriented body
+/// or other sheet. `oriented`: positions of each oriented body's particles. The same on any number of ranks.
+/// Collective.
 void warnOfStartContacts(const World& world, const std::vector<std::vector<Vec3d>>& oriented,
                          const ToldPairs& told, Reducer& all, std::vector<SceneWarning>& warnings);
 

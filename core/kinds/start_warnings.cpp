@@ -11,26 +11,26 @@
 namespace thaw {
 namespace {
 
-constexpr double thickest = 3;  // distances of vertices
-constexpr double deep = 0.5;    // of a thickness: contacts that are held are pressed in by less
-constexpr double close = 0.6;   // of the distance of contact of points: where surfaces cross hardly any two
-                                // are nearer than half of it
+constexpr double thickest = 3;  // in units of the vertex spacing
+constexpr double deep = 0.5;    // fraction of the thickness: static contacts are pressed in by less
+// Fraction of the point contact distance: where surfaces cross, few points are nearer than half of it.
+constexpr double close = 0.6;
 
-/// One body of a further kind: how its rows and their contact are called.
+/// Names of a body and its rows, and its contact.
 struct Who {
   SourcePlace where;
   std::string name;
   const char* rows;
-  double thickness;     // m, distance at which an obstacle touches it
-  std::string drawnTo;  // what wrap draws it to, out of it as well as onto it
+  double thickness;     // m, contact distance to an obstacle
+  std::string drawnTo;  // target of its wrap, which pulls rows out as well as on
 };
 
 std::string counted(std::int64_t n, std::int64_t all, const Who& who) {
   return who.name + ": " + std::to_string(n) + " of its " + std::to_string(all) + " " + who.rows;
 }
 
-/// Rows of each body for which `is(row, k)`, for each k of a list, over all ranks: [body][k], and at the end
-/// how many rows the body has.
+/// Counts rows of each body for which `is(row, k)`, for each k of a list, over all ranks: [body][k], then the
+/// total of rows.
 template<class Is>
 std::vector<std::vector<std::int64_t>> countRows(const KindRows& rows, std::size_t bodies, std::size_t things,
                                                  Reducer& all, Is&& is) {
@@ -63,17 +63,17 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
     for (std::size_t k = 0; k < w.walls.list.size(); k++)
       if (w.walls.list[k].isImage()) counts[w.walls.list[k].imageOf] += std::exchange(counts[k], 0);
 
-  // a cloth through a ball is held by it for good: contact pushes what is inside to whatever side is near
+  // a cloth through a ball stays there: contact pushes vertices to the nearest side
   const auto tellInside = [&](const Who& who, const std::string& text, const Body& body) {
     if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature))
-      warnings.push_back({who.where, text + ", whose liquid is pushed off them"});
+      warnings.push_back({who.where, text + "; contact will push its liquid away"});
     else if (who.drawnTo == body.name) return;
     else if (w.scene.numerics.overlap == OverlapRule::Keep)
-      warnings.push_back({who.where, text + ", where they stay caught"});
+      warnings.push_back({who.where, text + ", where they stay trapped"});
     else
       problems.add(
           who.where,
-          text + ", where they would stay caught; move them apart, or set numerics.overlap to \"keep\"");
+          text + ", where they would stay trapped; move them apart, or set numerics.overlap to \"keep\"");
   };
   for (std::size_t b = 0; b < whose.size(); b++) {
     const std::int64_t n = inBodies[b].back();
@@ -81,30 +81,29 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
       if (inBodies[b][k] > 0) {
         const std::string body = "body '" + w.scene.bodies[k].name + "'";
         told.insert({whose[b].name, body});
-        tellInside(whose[b], counted(inBodies[b][k], n, whose[b]) + " begin inside " + body,
+        tellInside(whose[b], counted(inBodies[b][k], n, whose[b]) + " start inside " + body,
                    w.scene.bodies[k]);
       }
     for (std::size_t k = 0; k < w.walls.list.size(); k++) {
       if (inWalls[b][k] == 0) continue;
       const std::string wall = "obstacle '" + w.walls.list[k].properties.name + "'";
       told.insert({whose[b].name, wall});
-      warnings.push_back(
-          {whose[b].where, counted(inWalls[b][k], n, whose[b]) +
-                               " begin deeper than half of its thickness in the contact with " + wall +
-                               ": pushing them out adds energy"});
+      warnings.push_back({whose[b].where, counted(inWalls[b][k], n, whose[b]) +
+                                              " start deeper than half of its thickness in contact with " +
+                                              wall + ": contact adds energy"});
     }
   }
 }
 
-/// A sheet or oriented body as another one meets it.
+/// Sheet or oriented body as a contact partner.
 struct Other {
-  const std::vector<Vec3d>* places;  // of all its rows
+  const std::vector<Vec3d>* places;  // positions of all its rows
   std::string name;
-  double width;  // m: two are in contact at the mean of their widths
+  double width;  // m: two bodies touch at the mean of their widths
 };
 
-/// Rows of each body that begin deep in the contact with one of `others` before it in the list. first: of the
-/// body's place in the list.
+/// Warns about rows that start deep in contact with an earlier body of `others`. first: index of the first
+/// body of `whose` there.
 void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std::vector<Other>& others,
                   std::size_t first, Reducer& all, std::vector<SceneWarning>& warnings, ToldPairs& told) {
   if (first + whose.size() < 2) return;
@@ -120,10 +119,9 @@ void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std
     for (std::size_t k = 0; k < first + b; k++)
       if (counts[b][k] > 0) {
         told.insert({whose[b].name, others[k].name});
-        warnings.push_back(
-            {whose[b].where, counted(counts[b][k], counts[b].back(), whose[b]) + " begin nearer to " +
-                                 others[k].name +
-                                 " than 0.6 of the distance of contact: pushing them apart adds energy"});
+        warnings.push_back({whose[b].where, counted(counts[b][k], counts[b].back(), whose[b]) +
+                                                " start nearer to " + others[k].name +
+                                                " than 0.6 of the contact distance: contact adds energy"});
       }
 }
 
@@ -170,13 +168,13 @@ std::vector<SceneWarning> kindStartWarnings(const World& w,
       warnings.push_back(
           {whose[n].where,
            whose[n].name + ": " + std::to_string(out.triangles) +
-               " triangles of its mesh (without area, or there twice) and " + std::to_string(out.vertices) +
-               " vertices (of no triangle) are left out: the numbers of the others are not the file's"});
+               " triangles of its mesh (degenerate or duplicate) and " + std::to_string(out.vertices) +
+               " vertices (without a triangle) are dropped: vertex numbers differ from the file's"});
     const double spacing = w.sheets.plans[n].spacing;
     if (char text[240]; whose[n].thickness > thickest * spacing) {
       std::snprintf(text, sizeof text,
-                    ": its thickness, %g m, is more than three times the distance of its vertices, %g m: "
-                    "contact is slow, and keeps it far from all that it touches",
+                    ": its thickness, %g m, is more than three times its vertex spacing, %g m: "
+                    "contact is slow, and keeps it far from other bodies",
                     whose[n].thickness, spacing);
       warnings.push_back({whose[n].where, whose[n].name + text});
     }

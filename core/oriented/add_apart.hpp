@@ -1,4 +1,4 @@
-// Of many samples of a surface those that lie apart, in a random order.
+// Selection of surface samples that keep a minimum distance, in random order (Poisson discs).
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -10,10 +10,10 @@ namespace thaw {
 struct SurfaceSample {
   std::uint64_t rank;
   Vec3d place, normal;
-};  ///< rank: its turn; m
+};  ///< rank: place in the random order; lengths in m
 
-/// Adds samples in the order of their ranks, each unless a point that faces the same way (thin bodies have
-/// two sides) is nearer than `apart` (m), those of before among them.
+/// Adds samples in the order of their ranks. A sample is skipped if a point, old or new, is nearer than
+/// `apart` (m) and faces the same way: thin bodies have two sides.
 void addApart(std::vector<SurfaceSample>& samples, double apart, MadePoints& points);
 
 }  // namespace thaw

@@ -10,9 +10,11 @@
 namespace thaw {
 namespace {
 
-constexpr double below = 0.4;  // of the kernel: a tenth of a spacing over a flat surface, or less than a
-                               // third under an edge; contact holds at .1, fine surfaces at up to .33
-constexpr double unit = 1.0 / (1 << 30);  // shares are added up as whole numbers, in any order
+// Kernel fraction of a solid that blocks a site: 0.1 spacings over a flat surface, less than 0.33 under an
+// edge.
+// Contact holds particles at 0.1, and fine surfaces at up to 0.33.
+constexpr double below = 0.4;
+constexpr double unit = 1.0 / (1 << 30);  // integer unit of the sums, which makes them independent of order
 
 bool inObstacle(const World& w, const BirthPlace& b) {
   const double reach = std::max(b.apart, 1e-3 * w.scene.spacing);
@@ -23,7 +25,7 @@ bool inObstacle(const World& w, const BirthPlace& b) {
   });
 }
 
-/// The places of all ranks, those of lower ranks first; `mine`: number of this rank's first one.
+/// Returns the sites of all ranks in rank order; `mine` is the index of this rank's first one.
 std::vector<Vec3d> gather(const std::vector<BirthPlace>& places, Reducer& all, std::size_t& mine) {
   std::vector<std::int64_t> counts(static_cast<std::size_t>(all.size()), 0);
   counts[static_cast<std::size_t>(all.rank())] = static_cast<std::int64_t>(places.size());
@@ -46,7 +48,7 @@ std::vector<Vec3d> gather(const std::vector<BirthPlace>& places, Reducer& all, s
   return gathered;
 }
 
-/// Calls use(image) for a place and its images across periodic sides that are nearer than `reach`.
+/// Calls use(image) for a position and its periodic images within `reach` of the domain.
 template<class Use>
 void eachImage(const CellGrid& g, const Domain& d, const Vec3d& x, double reach, Use&& use) {
   int low[3]{}, high[3]{};
@@ -57,7 +59,7 @@ void eachImage(const CellGrid& g, const Domain& d, const Vec3d& x, double reach,
       for (int i = low[0]; i <= high[0]; i++) use(x + Vec3d{i * g.period.x, j * g.period.y, k * g.period.z});
 }
 
-/// Adds what this rank's particles of each solid body fill around a place, in units.
+/// Adds the kernel fractions that this rank's particles of each solid body fill at a position, in units.
 void addShares(const World& w, const Vec3d& place, std::int64_t* shares) {
   const Continuum& p = w.particles;
   const double s = w.scene.spacing;

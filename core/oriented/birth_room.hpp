@@ -1,20 +1,20 @@
-// Where no particle of a surface is made: in obstacles, and in solids.
+// Sites where no surface particle may be made: inside obstacles and inside solids.
 #pragma once
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// A place at which a particle of an oriented body is to be made.
+/// Candidate position of a new particle of an oriented body.
 struct BirthPlace {
   std::size_t body = 0;
   Vec3d place{};
-  double apart = 0;  ///< m, from obstacles, at least
+  double apart = 0;  ///< m, least distance from obstacles
 };
 
-/// For each of this rank's places: is it in an obstacle, or too near to one, or below the surface of a
-/// continuum body that is solid there? The places of all ranks go round, since particles of bodies are where
-/// their own cells are (while surfaces relax before the start, not even there): so the answer is the same on
-/// any number of ranks. Needs walls as they are now and the cells of owned particles. Collective.
+/// Returns for each site of this rank whether it is blocked: by an obstacle nearer than `apart`, or by a
+/// continuum body that is solid there. Rows may lie outside of their rank's cells while surfaces relax, so
+/// all ranks test the sites of all ranks; the result does not depend on their number. Requires: current
+/// walls, and cells of the owned particles. Collective.
 std::vector<char> takenPlaces(const World& world, const std::vector<BirthPlace>& places, Reducer& all);
 
 }  // namespace thaw

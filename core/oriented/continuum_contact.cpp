@@ -7,10 +7,9 @@
 namespace thaw {
 namespace {
 
-/// Of an oriented particle on one of the continuum; false where they do not touch and will not at the end of
-/// the next step. Who is born within reach has the spring alone until it has come out: places of births are
-/// found among the surface's own particles, and the barrier goes by the mass of the body's, which would throw
-/// a light newborn out of the scene.
+/// Contact of an oriented particle with a continuum particle. Returns false if they do not touch before the
+/// end of the next step. A particle born within reach has the spring alone until it is free: the barrier
+/// scales with the body's mass and would eject a light newborn.
 struct Pairs {
   const World& w;
   const StepTools& t;
@@ -24,7 +23,8 @@ struct Pairs {
     const Continuum& p = w.particles;
     const OrientedContact& contact = t.oriented.contacts[o.body[oriented]];
     const Vec3d d = p.position[particle] - o.position[oriented];
-    const double r2 = dot(d, d), most = 2 * contact.reach;  // a step goes a tenth of a spacing
+    const double r2 = dot(d, d), most = 2 * contact.reach;  // no particle moves farther than 0.1 spacings in
+                                                            // a step
     if (!(r2 < most * most) || !(r2 > 0)) return false;
     const double r = std::sqrt(r2), depth = contact.reach - r;
     const Vec3d n = d / r, u = p.velocity[particle] - o.velocity[oriented];
@@ -55,7 +55,7 @@ void meetContinuum(World& w, StepTools& t, double dt) {
     if (!pairs.meet(j, i, m)) return;
     p.force[i] += c.force;
     p.interaction[i] += 0.5 * c.energy;
-    // half a kick of the last force stands for that of this one
+    // includes half of the kick of this force, approximated by the last acceleration
     p.dissipation[i] -= dot(c.resisting, p.velocity[i] + p.acceleration[i] * (0.5 * dt));
     stiff[i] += c.slope;
   });
@@ -79,7 +79,7 @@ void meetContinuum(World& w, StepTools& t, double dt) {
   });
   for (std::size_t j = 0; j < o.owned; j++)
     if (out[j]) o.flags[j] = static_cast<std::uint8_t>(o.flags[j] & ~emerging);
-  noteStiffest(o);  // held over a step: no integrator is stable beyond what an explicit one is
+  noteStiffest(o);  // the force is constant over a step, so explicit limits apply to all integrators
 }
 
 }  // namespace thaw

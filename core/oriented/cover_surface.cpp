@@ -14,8 +14,8 @@
 namespace thaw {
 namespace {
 
-constexpr int mostAlong = 1 << 20;  // points of the lattice along an axis: bins of their samples have 21 bits
-                                    // (add_apart.cpp)
+// Most lattice points along an axis: bins of samples have 21 bits (add_apart.cpp).
+constexpr int mostAlong = 1 << 20;
 
 Vec3i latticeOf(const Vec3d& size, double fine) {
   Vec3i count;
@@ -23,15 +23,14 @@ Vec3i latticeOf(const Vec3d& size, double fine) {
     const double points = std::ceil(size[a] / fine) + 3;
     if (!(points < mostAlong))
       throw std::invalid_argument(
-          "its spacing is too small for its size: it may be 300000 spacings long at most");
+          "its spacing is too small for its size; expected at most 300000 spacings along each axis");
     count[a] = static_cast<int>(points);
   }
   return count;
 }
 
-/// Calls use(i, j, k) for all points of a lattice [low, high) but for those that are certainly not within
-/// `fine` of the surface: blocks of points are cut in half as long as the distance of their middle does not
-/// rule them out.
+/// Calls use(i, j, k) for the lattice points in [low, high) that may lie within `fine` of the surface. Blocks
+/// are halved until the distance of their centre excludes them.
 template<class At, class Use>
 void eachNearSurface(const SignedDistance& shape, double fine, const Vec3i& low, const Vec3i& high,
                      const At& at, const Use& use) {
@@ -60,7 +59,8 @@ MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64
   const Bounds box = shape.bounds();
   const Vec3d size = box.max - box.min;
   if (!std::isfinite(size.x + size.y + size.z))
-    throw std::invalid_argument("a surface without end cannot be covered with particles");
+    throw std::invalid_argument(
+        "an infinite surface cannot be sampled with particles; expected a bounded shape");
   const Vec3i count = latticeOf(size, fine);
   std::vector<SurfaceSample> samples;
   const auto at = [&](int i, int j, int k) {

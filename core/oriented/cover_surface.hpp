@@ -1,4 +1,4 @@
-// Particles all over a surface.
+// Sampling of a whole surface with particles.
 #pragma once
 #include "core/geometry/signed_distance.hpp"
 #include "core/geometry/triangle_mesh.hpp"
@@ -6,13 +6,13 @@
 
 namespace thaw {
 
-/// Points on a surface, about a spacing apart: projected samples of a fine lattice in an order that is a
-/// hash, then moved apart along it. Only the parts of the lattice that may be near the surface are looked at.
-/// Throws std::invalid_argument: the surface has no end, or is too long for its spacing.
+/// Returns points on a surface, about a spacing apart: lattice points near it are projected, selected in a
+/// hashed order, and moved apart along it. Throws std::invalid_argument if the surface is infinite or too
+/// large for its spacing.
 MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed);
 
-/// The same on the triangles of a mesh, which may be open: as many as a hexagonal lattice has on its area,
-/// and up to its border. Normals are those of the mesh.
+/// Returns the same for the triangles of a mesh, which may be open. Points reach its border, and their
+/// density is that of a hexagonal lattice. Normals are those of the mesh.
 MadePoints coverMesh(const TriangleMesh& mesh, double spacing, std::uint64_t seed);
 
 }  // namespace thaw

@@ -12,7 +12,7 @@ double factorAt(const OrientedField& f, double time) {
   return time < f.from || time >= f.until ? 0 : f.inTime.at(time);
 }
 
-/// The mean from one time to another.
+/// Mean factor between two times.
 double meanFactor(const OrientedField& f, double from, double to) {
   const double begin = std::max(from, f.from), end = std::min(to, f.until);
   if (!(begin < end)) return 0;
@@ -20,7 +20,7 @@ double meanFactor(const OrientedField& f, double from, double to) {
   return begin == from && end == to ? mean : mean * ((end - begin) / (to - from));
 }
 
-/// Is it on between two times, and changes evenly?
+/// Returns whether the field is on between two times and changes linearly.
 bool linear(const OrientedField& f, double from, double to) {
   return f.from <= from && f.until >= to && f.inTime.linear(from, to);
 }
@@ -36,7 +36,7 @@ double factorNow(const World& w, const OrientedWork& work, const OrientedField& 
   return meanFactor(f, from, to);
 }
 
-/// Is a place where the field acts?
+/// Returns whether the field acts at a position.
 bool meets(const OrientedField& f, const SignedDistance* region, const Vec3d& x) {
   if (region && !region->inside(x)) return false;
   return f.pull == 0 || length(f.push) > 0 || f.pressure != 0 || length(f.point - x) < f.radius;
@@ -59,7 +59,7 @@ FieldForce fieldForce(const World& w, const OrientedWork& work, std::size_t i) {
     pressure += factor * f.pressure;
     if (f.pull == 0) continue;
     const Vec3d d = f.point - o.position[i];
-    // u (1 - u^2)^2 where it is largest
+    // 0.286 is the largest value of u (1 - u^2)^2
     const double left = 1 - dot(d, d) / (f.radius * f.radius),
                  steepest = factor * f.pull / (0.28621670111997308 * f.radius);
     if (!(left > 0)) continue;

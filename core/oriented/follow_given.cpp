@@ -5,15 +5,15 @@
 namespace thaw {
 namespace {
 
-constexpr double lost = 0.8;    // spacings
-constexpr double strength = 4;  // of the spring, over the body's stiffness
+constexpr double lost = 0.8;    // spacings, largest distance from the interpolated surface
+constexpr double strength = 4;  // ratio of the spring constant to the body's stiffness
 
 bool follows(const World& w, const StepTools& t, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   return !t.oriented.given[o.body[i]].points.empty() && !(o.flags[i] & heldPlace);
 }
 
-/// Where the given surface is nearest; false where it is further off than what belongs to it may be.
+/// Finds the nearest position on the interpolated surface; false if it is farther than `lost` spacings.
 bool placeOnGiven(const World& w, const StepTools& t, std::size_t i, Vec3d& place, Vec3d& normal) {
   const Oriented& o = w.oriented.rows;
   place = o.position[i], normal = axisOf(o.orientation[i]);

@@ -1,20 +1,19 @@
-// While a surface is rebuilt between given points (3D interpolation), what holds its particles on the surface
-// that the points suggest.
+// Forces that hold particles on the interpolated surface while it is rebuilt from given points (ST92).
 #pragma once
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// Finds the place (Oriented::home) and orientation (homeTurn) on that surface of all free rows of bodies
-/// with given points. Where there is none, or it is more than `lost` spacings away, the row is marked as dead
-/// (mass 0), and booked as left; returns how many of this rank's are.
+/// Projects the free rows of bodies with given points onto the interpolated surface and stores position
+/// (Oriented::home) and orientation (homeTurn). A row without a projection within `lost` spacings is removed:
+/// its mass becomes 0 and the ledger records it as left. Returns the number of removed rows of this rank.
 std::int64_t findPlacesOnGiven(World& world, const StepTools& tools);
 
-/// Is a row of a body with given points, that is not held, so far off that surface, or where there is none?
+/// Returns whether a free row of a body with given points has no projection within `lost` spacings.
 bool strayed(const World& world, const StepTools& tools, std::size_t row);
 
-/// Adds to force and torque of all these rows a spring toward the plane there, along its normal alone, and
-/// one that turns the normal.
+/// Adds a spring toward the stored tangent plane, along its normal, and one that turns the normal of these
+/// rows.
 void followGiven(const World& world, const StepTools& tools, std::vector<Vec3d>& force,
                  std::vector<Vec3d>& torque);
 

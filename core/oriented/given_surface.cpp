@@ -10,13 +10,13 @@ namespace thaw {
 namespace {
 
 constexpr std::size_t around = 12;
-constexpr std::size_t ofPiece = 24, blended = 6;  // points of a piece of the surface through given points,
-                                                  // and pieces that meet at a place
+// Points of a piece of the interpolant, and pieces that are blended at a position.
+constexpr std::size_t ofPiece = 24, blended = 6;
 
 struct Plane {
   Vec3d centre, axis[3];
   double spread[3];
-};  // axes by falling spread
+};  // axes in order of decreasing spread
 
 Plane planeOf(const std::vector<Vec3d>& points, const std::vector<std::uint32_t>& which) {
   Plane p{};
@@ -50,7 +50,7 @@ void readyGiven(GivenPoints& g) {
   for (std::size_t i = 0; i < g.points.size(); i++) {
     std::vector<Vec3d> points, normals;
     for (const std::uint32_t k : g.tree->nearest(g.points[i], ofPiece)) {
-      if (!points.empty() && length(g.points[k] - g.points[i]) < 1e-6 * g.apart) continue;  // the same again
+      if (!points.empty() && length(g.points[k] - g.points[i]) < 1e-6 * g.apart) continue;  // duplicate point
       points.push_back(g.points[k]);
       normals.push_back(g.normals[k]);
     }
@@ -68,7 +68,7 @@ std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points) {
     near[i] = tree.nearest(points[i], around + 1);
     normals[i] = planeOf(points, near[i]).axis[2];
   }
-  // Prim's algorithm over the graph of neighbours, made symmetric; every part begins at its highest point
+  // Prim's algorithm over the symmetric neighbour graph; each component starts at its highest point
   std::vector<std::vector<std::uint32_t>> both(n);
   for (std::size_t i = 0; i < n; i++)
     for (const std::uint32_t k : near[i])
@@ -111,7 +111,7 @@ bool projectOnGiven(const GivenPoints& g, Vec3d& place, Vec3d& normal) {
   for (int pass = 0; pass < 4; pass++) {
     const std::vector<std::uint32_t> near = g.tree->nearest(place, blended + 1);
     if (near.empty() || length(g.points[near[0]] - place) > g.reach * g.apart) return false;
-    // pieces fade out at the distance of the first point that is left out
+    // pieces fade to zero at the distance of the first excluded point
     const double radius = length(g.points[near.back()] - place) * (near.size() > blended ? 1 : 2);
     double all = 0, value = 0;
     Vec3d gradient{};
@@ -130,7 +130,7 @@ bool projectOnGiven(const GivenPoints& g, Vec3d& place, Vec3d& normal) {
     place = place - std::clamp(value / steep2 * all, -g.apart, g.apart) / all * gradient;
   }
   for (const std::uint32_t k : g.tree->nearest(place, blended + 1))
-    // else it is nobody's
+    // a normal that opposes all near points is an artefact
     if (dot(g.normals[k], normal) > 0) return length(g.points[k] - place) < g.reach * g.apart;
   return false;
 }
@@ -157,10 +157,12 @@ Vec3d ThinPlate::normal(double px, double py) const {
 ThinPlate thinPlate(const std::vector<Vec3d>& points) {
   std::vector<std::uint32_t> all(points.size());
   for (std::size_t k = 0; k < all.size(); k++) all[k] = static_cast<std::uint32_t>(k);
-  if (points.size() < 3) throw std::invalid_argument("a surface through control points needs three of them");
+  if (points.size() < 3)
+    throw std::invalid_argument(
+        "a surface through control points has too few of them; expected at least three");
   const Plane plane = planeOf(points, all);
   if (!(plane.spread[1] > 1e-9 * plane.spread[0]))
-    throw std::invalid_argument("the control points of a surface lie on a line");
+    throw std::invalid_argument("the control points of a surface lie on a line; expected three that do not");
   ThinPlate t;
   t.origin = plane.centre;
   t.u = plane.axis[0];

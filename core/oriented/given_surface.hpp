@@ -1,5 +1,4 @@
-// Points that a surface is to go through: their normals, and the smooth surface that they suggest (3D
-// interpolation, ST92).
+// Interpolated surface of given points, and normals of points without any (ST92).
 #pragma once
 #include <memory>
 #include <vector>
@@ -9,38 +8,37 @@
 
 namespace thaw {
 
-/// The same on all ranks.
+/// Given points and their local interpolants; the same on all ranks.
 struct GivenPoints {
   std::vector<Vec3d> points, normals;
   std::shared_ptr<const PointTree> tree;
-  std::vector<HermitePiece> pieces;  ///< of each point; without points where there is none
-  double apart = 0;                  ///< m, mean distance to the nearest other one
-  double reach = 2.5;                ///< 1, of it: how far from all points there is still a surface
+  std::vector<HermitePiece> pieces;  ///< one per point; empty where the system is singular
+  double apart = 0;                  ///< m, mean distance to the nearest neighbour
+  double reach = 2.5;  ///< in units of `apart`: largest distance from the points at which the surface exists
 };
 
-/// Makes tree, distance and pieces.
+/// Builds tree, mean distance and pieces.
 void readyGiven(GivenPoints& given);
 
-/// Unit normals of points without any: of the plane of the 12 nearest, turned the same way along a minimal
-/// spanning tree of neighbours whose normals differ least, from the highest point (its normal up) on (Hoppe
-/// et al. 1992); docs/validation/stability.md B17.
+/// Returns unit normals of points without any. Each is the normal of the plane of the 12 nearest points. A
+/// minimal spanning tree over differences of normals orients them, from the highest point (normal up) on
+/// (Hoppe et al. 1992); docs/validation/stability.md B17.
 std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points);
 
-/// Moves a place onto the surface through the points around, and gives the normal there. False where there is
-/// no point within reach, or the points suggest no surface.
+/// Moves a position onto the interpolated surface and returns the normal there. False if no point is within
+/// reach or the interpolant has no surface.
 bool projectOnGiven(const GivenPoints& given, Vec3d& place, Vec3d& normal);
 
-/// Heights of a thin plate through points (Duchon 1977): height(x, y) of the plane that fits best; see
-/// sampleControl.
+/// Thin plate through points (Duchon 1977): height over the plane of best fit; see sampleControl.
 struct ThinPlate {
   Vec3d origin{}, u{}, v{}, n{};
-  std::vector<double> x, y, weight;  ///< of the points in the plane
+  std::vector<double> x, y, weight;  ///< m, coordinates of the points in the plane, and spline weights
   double constant = 0, perX = 0, perY = 0;
   double height(double px, double py) const;
   Vec3d at(double px, double py) const { return origin + px * u + py * v + height(px, py) * n; }
   Vec3d normal(double px, double py) const;
 };
-/// Needs at least three points not on a line, else std::invalid_argument.
+/// Throws std::invalid_argument for fewer than three points or collinear ones.
 ThinPlate thinPlate(const std::vector<Vec3d>& points);
 
 }  // namespace thaw

@@ -7,7 +7,8 @@
 namespace thaw {
 namespace {
 
-Quat turnOf(const Mat3d& m) {  // of a rotation matrix (Shepperd 1978)
+// Rotation matrix to quaternion (Shepperd 1978).
+Quat turnOf(const Mat3d& m) {
   const double trace = m.row[0].x + m.row[1].y + m.row[2].z;
   if (trace > 0)
     return unitQuat(

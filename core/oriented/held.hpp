@@ -1,14 +1,14 @@
-// Anchors: what holds particles in place or in orientation, and moves them.
+// Anchors: kinematic constraints of position or orientation.
 #pragma once
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// Number of the anchor of what is held for ever where it is.
+/// Anchor index of rows that stay fixed in place forever.
 inline constexpr std::uint16_t noAnchor = 0xffff;
 
-/// Puts what is held where its anchor has it at a time (s), dt after the last; its velocity and spin are what
-/// led there. Lets go what is over.
+/// Moves fixed rows to where their anchors are at a time (s), dt after the last call, and sets their velocity
+/// and spin. Releases rows of anchors that have ended.
 void moveHeld(World& world, double time, double dt);
 
 }  // namespace thaw

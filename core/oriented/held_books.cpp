@@ -17,8 +17,8 @@ HeldBefore rememberHeld(const World& w, double dt) {
 
 void bookHeld(World& w, const HeldBefore& b, const OrientedWork& t, double weight) {
   const Oriented& o = w.oriented.rows;
-  // forces act over half of the way before and half of the way after them (trapezoids); the implicit ones
-  // change in proportion to the way of the step
+  // a force acts over half of the displacement before it and half of that after it (trapezoidal rule);
+  // implicit forces vary linearly over the step
   const bool implicit = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit;
   const auto wayOf = [&](const Vec3d& now, const Vec3d& rateBefore) {
     return implicit ? now : 0.5 * (now + w.clock.stepDt * rateBefore);
@@ -33,7 +33,7 @@ void bookHeld(World& w, const HeldBefore& b, const OrientedWork& t, double weigh
                   impulse = o.mass[i] * (o.velocity[i] - b.velocity[i]) - b.dt * (t.acting[i] + weightForce);
       for (int a = 0; a < 3; a++)
         if (impulse[a] != 0) w.ledger.wallImpulse[a].add(impulse[a]);
-      // more than it is: its impulse is that of two half steps
+      // external is scaled by `weight`: its impulse covers halves of two steps
       const Vec3d contact = o.external.active ? (1 - 1 / weight) * o.external[i] : Vec3d{};
       work += 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(b.velocity[i], b.velocity[i])) -
               dot(pullOf(t.acting[i], o.force[i]) + weightForce - contact,

@@ -1,21 +1,21 @@
-// What anchors give and take, for the books.
+// Impulse and work of anchors, for the ledger.
 #pragma once
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// Held rows before a step of dt (s); then the step, then moveHeld, then bookHeld.
+/// State before a step of dt (s), for bookHeld: call rememberHeld, the step, moveHeld, bookHeld.
 struct HeldBefore {
   double dt;
   std::vector<Vec3d> velocity, place, spin;
   std::vector<Quat> turn;
-  std::vector<std::uint8_t> flags;  ///< an anchor may let go at the end of the step that it still held
+  std::vector<std::uint8_t> flags;  ///< flags before the step, since an anchor may release rows at its end
 };
 HeldBefore rememberHeld(const World& world, double dt);
 
-/// Impulse and work of the anchors into the ledger: change of momentum and energy less what the other forces
-/// and torques of the step (OrientedWork::acting, actingTorque) do. Needs the forces of the step,
-/// Oriented::external among them with the weight of the step (`weight`: see stepOriented).
+/// Records impulse and work of the anchors in the ledger: the change of momentum and energy, less those of
+/// all other forces and torques (OrientedWork::acting, actingTorque). Requires: the forces of the step, with
+/// Oriented::external scaled by `weight` (see stepOriented).
 void bookHeld(World& world, const HeldBefore& before, const OrientedWork& work, double weight);
 
 }  // namespace thaw

@@ -1,6 +1,6 @@
-// A smooth surface through points with normals: f = 0 on it, and its gradient there is the normal (Hermite
-// interpolation by radial functions, Wendland 2005, Macedo, Gois & Velho 2011, with r^3), in pieces around
-// each point that are blended (partition of unity, Ohtake et al. 2003).
+// Hermite interpolation of points with normals by radial functions r^3 (Wendland 2005; Macedo, Gois & Velho
+// 2011): f = 0 on the surface, and its gradient there is the normal. Pieces around each point are blended by
+// a partition of unity (Ohtake et al. 2003).
 #pragma once
 #include <vector>
 
@@ -8,22 +8,22 @@
 
 namespace thaw {
 
-/// One piece: of the points around one of them.
+/// Interpolant of the points near one of them.
 struct HermitePiece {
   Vec3d centre{};
-  double scale = 1;            ///< m, what lengths are divided by
-  std::vector<Vec3d> points;   ///< 1, from the centre
-  std::vector<double> weight;  ///< of each point one of r^3 and three of its gradient
+  double scale = 1;            ///< m, unit of lengths
+  std::vector<Vec3d> points;   ///< 1, relative to the centre
+  std::vector<double> weight;  ///< four per point: one of r^3, three of its gradient
 };
 
-/// f (m, about the distance) and its gradient at a place.
+/// Value f (m, about the signed distance) and gradient.
 struct HermiteValue {
   double value;
   Vec3d gradient;
 };
 
-/// Through points with these unit normals; `scale` about their distance (m). Empty (no points) where the
-/// system has no solution.
+/// Fits a piece to points with unit normals; `scale` is about their spacing (m). Returns a piece without
+/// points if the system is singular.
 HermitePiece hermitePiece(const Vec3d& centre, double scale, const std::vector<Vec3d>& points,
                           const std::vector<Vec3d>& normals);
 

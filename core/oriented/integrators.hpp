@@ -1,24 +1,24 @@
-// The three ways of carrying oriented particles over a step. Each needs forces at the places now, and leaves
-// the places (and ghosts' as they were). Each books what obstacles, fields and damping give in its own
-// quadrature, and leaves the mean force and torque of all rows, held ones too, in OrientedWork::acting and
-// actingTorque.
+// The three integrators of oriented particles. Each requires forces at the current positions and updates the
+// owned rows; ghosts keep their old values. Each records the work of obstacles, fields and damping in its own
+// quadrature. OrientedWork::acting and actingTorque get the mean force and torque of all rows, fixed ones
+// included.
 #pragma once
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// v += a dt, then x += v dt and the same of rotations. Damping is exact, in the middle of the kick:
-/// velocities decay by exp(-c dt). What the scheme gains or loses as the step grows or shrinks is booked as
-/// dissipated, the work of pressure and push as theirs.
+/// Symplectic Euler: v += a dt, then x += v dt, and the same for rotations. Damping is exact, exp(-c dt), in
+/// the middle of the kick. The scheme's energy error for a changing step is recorded as dissipation; the work
+/// of pressure and push is recorded as external work.
 void stepSymplectic(World& world, StepTools& tools, double dt);
 
-/// Runge-Kutta of fourth order, of quaternions too. Obstacles stand where they are at the beginning of the
-/// step; contact with the continuum is held. Collective.
+/// Runge-Kutta of fourth order, for quaternions too. Obstacles keep their pose at the start of the step, and
+/// contact forces with the continuum are constant. Collective.
 void stepRungeKutta(World& world, Halos halos, StepTools& tools, double dt);
 
-/// Backward Euler, linearised: (M (1 + c dt) + dt^2 K) v = M v + dt f with the positive part K of the pairs'
-/// stiffness (Gauss-Newton, weights held), by conjugate gradients. Stable far beyond the explicit steps; what
-/// it loses is booked as dissipated. Collective.
+/// Linearised backward Euler: (M (1 + c dt) + dt^2 K) v = M v + dt f, solved by conjugate gradients (HS52). K
+/// is the positive part of the pair stiffness (Gauss-Newton with fixed weights). Stable far beyond explicit
+/// steps; its numerical loss is recorded as dissipation. Collective.
 void stepSemiImplicit(World& world, Halos halos, StepTools& tools, double dt);
 
 }  // namespace thaw

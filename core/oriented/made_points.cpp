@@ -21,10 +21,11 @@ namespace thaw {
 namespace {
 
 constexpr double rowHeight = 0.86602540378443865;
-constexpr double heldAround = 2.2;  // spacings: of a control point, two rings of particles. A bent surface
-                                    // pulls one, or one and its neighbours, out of itself
+// Spacings around a control point that are fixed with it: two rings of particles. A bent surface would pull
+// one ring out of itself.
+constexpr double heldAround = 2.2;
 
-/// Hexagonal lattice over a rectangle around the origin, of points that `wanted` takes: use(x, y).
+/// Calls use(x, y) for a hexagonal lattice over a rectangle around the origin.
 template<class Use> void eachOfLattice(double width, double depth, double spacing, Use&& use) {
   const auto rows = static_cast<std::int64_t>(std::floor(depth / (rowHeight * spacing) + 1e-9)),
              columns = static_cast<std::int64_t>(std::floor(width / spacing + 1e-9));
@@ -37,7 +38,7 @@ template<class Use> void eachOfLattice(double width, double depth, double spacin
     }
 }
 
-/// Of a patch or disc in its own plane: use(x, y).
+/// Calls use(x, y) for the lattice of a patch or disc in its own plane.
 template<class Use> void eachOfFlat(const OrientedBody& b, double spacing, Use&& use) {
   const bool disc = b.source == OrientedSource::Disc;
   const double scale = b.shape.scale, radius = scale * b.radius, width = disc ? 2 * radius : scale * b.width,
@@ -57,7 +58,7 @@ MadePoints flatPatch(const OrientedBody& b, double spacing) {
   return m;
 }
 
-// of points around: some direction has all on one side
+// Returns whether (px, py) lies in the convex hull of the points, to within 5 degrees.
 bool inHull(const std::vector<double>& x, const std::vector<double>& y, double px, double py) {
   for (int k = 0; k < 72; k++) {
     const double c = std::cos(k * 0.0872664625997165), s = std::sin(k * 0.0872664625997165),
@@ -69,11 +70,10 @@ bool inHull(const std::vector<double>& x, const std::vector<double>& y, double p
   return true;
 }
 
-/// A thin plate through the points, over their hull: the points themselves, and places of the plate in a
-/// random order, none nearer than .75 spacings to one that is there, which then make room for each other. (A
-/// lattice that is lifted onto the plate is stretched where that is steep, and tears there.) What is near to
-/// a control point is held with it, place and normal: the rest of the plate, whose potentials would have it
-/// flat, hangs from there.
+/// Samples a thin plate over the hull of its points: the points, then positions in random order at least 0.75
+/// spacings apart, which are then moved apart. A lattice lifted onto the plate would be stretched, and tear,
+/// where the plate is steep. Particles near a control point are fixed with it, position and normal; the
+/// potentials would flatten the plate otherwise.
 MadePoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t seed) {
   const ThinPlate plate = thinPlate(b.points);
   MadePoints m;
@@ -101,7 +101,7 @@ MadePoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t see
   return m;
 }
 
-/// A parabola in y = 0, particles a spacing apart along it.
+/// Samples a parabola in y = 0, with particles a spacing apart along it.
 MadePoints curve(const OrientedBody& b, double spacing) {
   MadePoints m;
   const Vec3d chord = b.to - b.from, up{-chord.z / length(chord), 0, chord.x / length(chord)};
@@ -130,8 +130,8 @@ void noteRepairs(const Shape& shape, const MeshReport& report, MadePoints& m) {
     m.notes.push_back(std::move(text));
 }
 
-/// The mesh of a shape, if it is one and open; that of another, or of one that cannot be used, is asked for
-/// its distance, which says what is wrong.
+/// Returns the mesh of an open mesh shape. For others the result is empty, and their signed distance reports
+/// errors.
 std::optional<PlacedMesh> openMesh(const Shape& shape, const MeshLoader& load) {
   if (shape.kind != ShapeKind::Mesh) return {};
   try {
@@ -198,7 +198,7 @@ MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed,
     m.notes = std::move(notes);
   }
   if (m.places.empty())
-    throw std::invalid_argument("it has no particle: it is too small for its spacing, or empty");
+    throw std::invalid_argument("it has no particle; expected a body larger than its spacing");
   return m;
 }
 

@@ -12,11 +12,10 @@
 namespace thaw {
 namespace {
 
-using Side = std::uint64_t;  // a directed edge
+using Side = std::uint64_t;  // directed edge
 Side sideOf(std::uint32_t from, std::uint32_t to) { return static_cast<Side>(from) << 32 | to; }
 
-/// Directed sides of triangles that are in the surface. Each at most once: that is all a manifold needs along
-/// its edges.
+/// Directed edges of the accepted triangles. A manifold has each at most once.
 struct Sides {
   std::unordered_set<Side> taken;
   bool has(std::uint32_t a, std::uint32_t b) const { return taken.contains(sideOf(a, b)); }
@@ -29,7 +28,7 @@ struct Sides {
   }
 };
 
-/// Square of the radius of the circle through the corners, over that of the spacing; 0 for a line.
+/// Returns the squared circumradius over the squared spacing; `never` for collinear corners.
 double roundness(const OrientedPoints& p, const Corners& t) {
   const Vec3d u = p.positions[t[1]] - p.positions[t[0]], v = p.positions[t[2]] - p.positions[t[0]], w = v - u,
               n = cross(u, v);
@@ -38,14 +37,14 @@ double roundness(const OrientedPoints& p, const Corners& t) {
                    : never;
 }
 
-/// Does it face as its particles do?
+/// Returns whether the triangle faces like its particles.
 bool facesAlike(const OrientedPoints& p, const Corners& t) {
   const Vec3d n = cross(p.positions[t[1]] - p.positions[t[0]], p.positions[t[2]] - p.positions[t[0]]);
   return dot(n, p.normals[t[0]] + p.normals[t[1]] + p.normals[t[2]]) > 0;
 }
 
-/// Border sides of the surface, seen from the hole: of each particle where they lead. More than one only
-/// where the surface meets itself in that particle.
+/// Border edges seen from the hole: successors of each particle. Several only where the surface touches
+/// itself at that particle.
 using Borders = std::map<std::uint32_t, std::vector<std::uint32_t>>;
 Borders bordersOf(const Sides& sides) {
   Borders next;
@@ -57,7 +56,7 @@ Borders bordersOf(const Sides& sides) {
   return next;
 }
 
-/// Of several ways on from `at`, having come from `from`, the first one clockwise: the hole is to the left.
+/// Returns the first successor clockwise at `at`, coming from `from`: the hole lies to the left.
 std::uint32_t wayOn(const OrientedPoints& p, const std::vector<std::uint32_t>& ways, std::uint32_t from,
                     std::uint32_t at) {
   if (ways.size() == 1) return ways[0];
@@ -74,9 +73,9 @@ std::uint32_t wayOn(const OrientedPoints& p, const std::vector<std::uint32_t>& w
   return best;
 }
 
-/// Is it a hole, and not the rim around a small patch? It faces as its particles do, or, in a sharp fold,
-/// these look much the same way and belong to a large surface (`patch`: number of triangles of theirs). The
-/// end of a narrow tube, whose normals look all ways, is left to chance.
+/// Returns whether the loop is a hole, not the rim of a small patch. A hole faces like its particles. In a
+/// sharp fold the particles' normals agree instead and their surface is large (`patch`: its number of
+/// triangles). The end of a narrow tube has mixed normals and is undecided.
 bool isHole(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, std::size_t patch) {
   Vec3d area{}, normal{};
   for (std::size_t k = 0; k < hole.size(); k++) {
@@ -89,7 +88,7 @@ bool isHole(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, std
          (patch > 6 * hole.size() && length(normal) > 0.5 * static_cast<double>(hole.size()));
 }
 
-/// Triangles of the connected part that each particle belongs to.
+/// Returns for each particle the number of triangles of its connected surface.
 std::vector<std::size_t> sizesOfParts(std::size_t particles, const std::vector<Corners>& triangles) {
   DisjointSets sets(particles);
   for (const Corners& t : triangles) sets.join(t[0], t[1]), sets.join(t[1], t[2]);
@@ -99,8 +98,8 @@ std::vector<std::size_t> sizesOfParts(std::size_t particles, const std::vector<C
   return sizes;
 }
 
-/// Cuts ears off a hole until nothing is left; facing: only such as face as their particles do. False where a
-/// last ear would not do.
+/// Clips ears off a hole until it is closed; facing: only ears that face like their particles. Returns false
+/// if it stays open.
 bool closeHole(const OrientedPoints& p, std::vector<std::uint32_t> hole, const Sides& sides, bool facing,
                std::vector<Corners>& made) {
   made.clear();
@@ -111,7 +110,7 @@ bool closeHole(const OrientedPoints& p, std::vector<std::uint32_t> hole, const S
     for (std::size_t k = 0; k < hole.size(); k++) {
       const Corners t{hole[k], hole[(k + 1) % hole.size()], hole[(k + 2) % hole.size()]};
       const bool last = hole.size() == 3;
-      // its third side must be free on both sides, or, of the last one, be that of the hole
+      // the third edge must be free in both directions; that of the last ear is the hole's own
       if ((facing && !facesAlike(p, t)) || !sides.takes(t) || !fresh.takes(t) ||
           (!last && (sides.has(t[0], t[2]) || fresh.has(t[0], t[2]))))
         continue;
@@ -133,7 +132,7 @@ void addAll(const std::vector<Corners>& made, Sides& sides, std::vector<Corners>
   }
 }
 
-/// The way round a hole from one of its border sides; empty where it has too many sides, or one too long (in
+/// Traces a hole from one of its border edges. Returns it empty if it has too many edges, or one too long (in
 /// spacings).
 std::vector<std::uint32_t> holeFrom(const OrientedPoints& p, const Borders& next, std::uint32_t start,
                                     std::uint32_t first, std::size_t mostSides, double longest) {
@@ -152,8 +151,7 @@ std::vector<std::uint32_t> holeFrom(const OrientedPoints& p, const Borders& next
   return hole;
 }
 
-/// A hole that cannot be closed, since triangles between its own corners take the sides that are needed:
-/// without these it may.
+/// Removes the triangles between the hole's own vertices, which block its edges, and closes the holes anew.
 void closeAnew(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, Sides& sides,
                std::vector<Corners>& triangles) {
   const auto inside = [&](const Corners& t) {
@@ -215,10 +213,10 @@ void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::si
   std::vector<std::vector<std::uint32_t>> open;
   for (const auto& [start, ways] : next)
     for (const std::uint32_t first : ways) {
-      if (sides.has(start, first)) continue;  // filled by now
+      if (sides.has(start, first)) continue;  // filled already
       const std::vector<std::uint32_t> hole = holeFrom(p, next, start, first, mostSides, longest);
       if (hole.size() < 3 || !isHole(p, hole, part[start])) continue;
-      // in a sharp fold no ear may face alike
+      // in a sharp fold ears may not face like their particles
       if (closeHole(p, hole, sides, true, made) || closeHole(p, hole, sides, false, made))
         addAll(made, sides, triangles);
       else if (std::none_of(open.begin(), open.end(), [&](const auto& other) {

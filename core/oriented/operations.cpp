@@ -11,16 +11,17 @@
 namespace thaw {
 namespace {
 
-constexpr double weldApart = 0.75;  // spacings: rows of a lattice are .87 apart; nearer, Lennard-Jones would
-                                    // throw a weld apart again
+// Spacings between welded particles: rows of a lattice are 0.87 apart, and closer ones would be thrown apart
+// by Lennard-Jones.
+constexpr double weldApart = 0.75;
 
-/// Nearest point of a piece of a line: its share 0 to 1, not clamped.
+/// Parameter of the nearest point on the line through a and b, 0 to 1 between them, not clamped.
 double shareAlong(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
   const double l2 = dot(b - a, b - a);
   return l2 > 0 ? dot(x - a, b - a) / l2 : 0;
 }
 
-/// Pairs of neighbours of two groups, counted from the first; cuts are left aside.
+/// Counts pairs of neighbours of two groups from the first; cuts are ignored.
 std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_t group,
                      std::uint32_t other) {
   std::int64_t n = 0;
@@ -30,8 +31,8 @@ std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_
   return n;
 }
 
-/// Where rims that are welded overlap: particles of `other` that are nearer to one of `group` than rows of a
-/// lattice would be, and are not held.
+/// Returns particles of `other` on overlapping rims of a weld: free ones nearer to one of `group` than
+/// `apart` (m).
 std::vector<std::uint32_t> crowdedOut(const World& w, const OrientedLists& lists, std::uint32_t group,
                                       std::uint32_t other, double apart) {
   const Oriented& o = w.oriented.rows;
@@ -62,8 +63,7 @@ double distanceToPath(const std::vector<Vec3d>& path, const Vec3d& x) {
 int sideOfCut(const OrientedEvent& cut, const SignedDistance* region, double reach, const Vec3d& x) {
   if (cut.tool == CutTool::Plane) return dot(x - cut.point, cut.normal) > 0 ? 1 : 2;
   if (cut.tool == CutTool::Box) return region->inside(x) ? 1 : 2;
-  // a stroke: its path drawn along its direction; only what is beside a piece of the path is cut, not what
-  // lies beyond its ends
+  // a stroke is its path swept along its direction; it does not cut beyond the ends of the path
   const Vec3d down = normalized(cut.direction);
   const auto flat = [&](const Vec3d& p) { return p - dot(p, down) * down; };
   const Vec3d place = flat(x);
@@ -114,8 +114,9 @@ void operate(World& w, Halos halos, StepTools& t, double from, double to) {
                         e.kind == OrientedEventKind::Smooth;
     const auto region = shaped ? makeSignedDistance(e.region) : nullptr;
     const PairPotential& p = t.oriented.potentials[due.body];
-    std::int64_t met[2] = {0, 0};  // of a cut on its two sides; of all else in the first: particles, or pairs
-                                   // that a weld joins
+    // Affected particles: for a cut on its two sides, else in the first entry; for a weld the pairs that it
+    // joins.
+    std::int64_t met[2] = {0, 0};
     const std::uint32_t group = static_cast<std::uint32_t>(due.body),
                         other = static_cast<std::uint32_t>(e.otherIndex);
     std::vector<std::uint32_t> dead;
@@ -145,7 +146,7 @@ void operate(World& w, Halos halos, StepTools& t, double from, double to) {
     }
     for (const std::uint32_t i : dead) letGo(w, i, from > -never ? to - from : 0);
     w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
-    // the next event sees what this one has left, on all ranks
+    // the next event requires current rows on all ranks
     if (e.kind == OrientedEventKind::Weld && &due != &list.back()) readyAgain(w, halos, t);
     halos.all.sum(met);
     if (met[0] == 0 || (e.kind == OrientedEventKind::Cut && met[1] == 0))

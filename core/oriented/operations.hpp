@@ -1,4 +1,4 @@
-// What the scene does to oriented bodies at a time: weld, cut, crease, smooth (ST92).
+// Timed events of oriented bodies: weld, cut, crease, smooth (ST92).
 #pragma once
 #include "core/step.hpp"
 
@@ -9,27 +9,28 @@ struct EventDue {
   std::size_t body, event;
 };
 
-/// The events of (from, to] (s) in the order in which they are done: by time, then as in the scene.
+/// Returns the events in (from, to] (s) in order of execution: by time, then as in the scene.
 std::vector<EventDue> eventsBetween(const Scene& scene, double from, double to);
 
-/// Does an event lie in (from, to]?
+/// Returns whether an event lies in (from, to].
 bool operationDue(const Scene& scene, double from, double to);
 
-/// Does the events of (from, to] (s) to the owned rows, in the order of time and then of the scene. The same
-/// on any number of ranks: each looks at the row's own place, group and normal alone.
+/// Applies the events in (from, to] (s) to the owned rows, in order. Each row is changed by its own position,
+/// group and normal alone, so the result does not depend on the number of ranks.
 void operate(World& world, Halos halos, StepTools& tools, double from, double to);
 
-/// Number of a cut among the cuts of all bodies: its two bits in Oriented::cutSides. At most 32.
+/// Returns the number of a cut among all cuts, at most 32: its two bits in Oriented::cutSides.
 int cutNumber(const Scene& scene, std::size_t body, std::size_t event);
 inline constexpr int mostCuts = 32;
 
-/// Side of a place at a cut: 0 not at it, 1 or 2. reach: m, of the pair forces.
+/// Returns the side of a position at a cut: 0 away from it, 1 or 2. reach: m, of the pair forces.
 int sideOfCut(const OrientedEvent& cut, const SignedDistance* region, double reach, const Vec3d& x);
 
-/// Distance (m) of a place from a line through points.
+/// Distance (m) of a position from a polyline.
 double distanceToPath(const std::vector<Vec3d>& path, const Vec3d& x);
 
-/// Brings rows home, with ghosts and lists, after flags, groups or rows have changed. Collective.
+/// Redistributes rows and rebuilds ghosts and neighbour lists, after flags, groups or rows have changed.
+/// Collective.
 void readyAgain(World& world, Halos halos, StepTools& tools);
 
 }  // namespace thaw

@@ -11,15 +11,15 @@
 namespace thaw {
 namespace {
 
-constexpr double reachOfContact = 0.9;  // spacings between particles of different surfaces
+constexpr double reachOfContact = 0.9;  // spacings at which particles of different surfaces touch
 
 struct WallPush {
   Vec3d force{}, velocity{};
   double energy = 0, loss = 0, stiffness = 0, slope = 0;
 };
 
-/// Of one obstacle on row i: a spring and a barrier that begin `thickness` spacings before the surface, and
-/// friction (Coulomb, viscous below the speed at which that is larger).
+/// Returns the contact of one obstacle with row i: a spring and a barrier from `thickness` spacings on, and
+/// friction (Coulomb, viscous at low slip speed).
 WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedBody& body = w.scene.oriented[o.body[i]];
@@ -40,7 +40,7 @@ WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_
   push.velocity = wallVelocity(wall, o.position[i]);
   push.energy = at.energy;
   const Vec3d slip = o.velocity[i] - push.velocity, along = slip - dot(slip, n) * n;
-  // where the next step ends
+  // slope at the end of the next step
   push.slope = pushAt(contact, std::min(contact.room * (1 - 1e-9),
                                         depth + std::clamp(-1.1 * nextStep(w.clock) * dot(slip, n), 0.0,
                                                            0.1 * p.spacing)))
@@ -55,8 +55,8 @@ WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_
   return push;
 }
 
-/// B17: two particles that look in opposite directions have no torque and would stay so. A small one in a
-/// direction that both know.
+/// Returns a small torque along a random direction shared by both particles. Antiparallel normals have no
+/// torque otherwise (docs/validation/stability.md B17).
 Vec3d kickApart(const World& w, const PairPotential& p, std::uint64_t a, std::uint64_t b, const Vec3d& n) {
   const double angle = 6.283185307179586 *
                        randomUniform(w.scene.seed, Purpose::OrientedKick, std::min(a, b), std::max(a, b));

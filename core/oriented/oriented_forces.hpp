@@ -1,40 +1,40 @@
-// Who acts on whom among oriented particles, and the forces that follow.
+// Interaction rules of oriented particles and their forces.
 #pragma once
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// Do two rows belong to the same surface, with no cut between them?
+/// Returns whether two rows belong to the same surface without a cut between them.
 inline bool sameSurface(const Oriented& o, std::size_t i, std::size_t j) {
   constexpr std::uint64_t first = 0x5555555555555555ull;
   const std::uint64_t a = o.cutSides[i], b = o.cutSides[j];
   return o.group[i] == o.group[j] && ((a & first & (b >> 1)) | ((a >> 1) & first & b)) == 0;
 }
 
-/// The constants of a pair: of the body with the lower number, so that both ends take the same.
+/// Returns the potential of a pair: that of the body with the lower number, so both ends use the same.
 inline const PairPotential& potentialOf(const OrientedWork& work, const Oriented& o, std::size_t i,
                                         std::size_t j) {
   return work.potentials[std::min(o.body[i], o.body[j])];
 }
 
-/// Copies of the rows around this rank's, and the neighbours of each owned one within a tenth more than the
-/// support radius. Needs rows at home, without ghosts. Collective.
+/// Updates ghosts and builds the neighbour lists of owned rows, with 1.1 support radii. Requires:
+/// redistributed rows without ghosts. Collective.
 void readyOriented(World& world, Halos halos, StepTools& tools);
 
-/// Normals of all owned rows from their orientations.
+/// Computes the normals of owned rows from their orientations.
 void findNormals(Oriented& rows);
 
-/// Sends places and normals of the same ghosts again. Collective.
+/// Updates positions and normals of the existing ghosts. Collective.
 void refreshPlaces(World& world, Halos halos);
 
-/// Force, torque, energy and stiffness of all owned rows, of pairs, obstacles and fields, these as they are
-/// at OrientedWork::time; Oriented::external is added. Books nothing. Needs ghosts whose places and normals
-/// are up to date.
+/// Computes force, torque, energy and stiffness of owned rows from pairs, obstacles, and fields at
+/// OrientedWork::time, and adds Oriented::external. Records no work. Requires: current positions and normals
+/// of ghosts.
 void addUpForces(World& world, StepTools& tools);
 
-/// What obstacles do in a step of dt (s): impulse, work and loss by friction, of the forces at the rows'
-/// places now, into the ledger; the same of fields (fields.hpp), but for their work, which the symplectic and
-/// the semi-implicit step book, as they know by what velocity they move.
+/// Records impulse, work and friction loss of obstacles in a step of dt (s), from forces at the current
+/// positions, and those of fields (fields.hpp). The symplectic and semi-implicit integrators record the work
+/// of fields, since they determine the velocity.
 void bookObstacles(World& world, const StepTools& tools, double dt);
 
 }  // namespace thaw

@@ -12,7 +12,7 @@ double power(double x, int n) {
   return result;
 }
 
-/// exp(-(r^2 - h^2)/(2 a^2) - h^2/(2 b^2)) with the height h = n . r, and what its derivatives need.
+/// Weight exp(-(r^2 - h^2)/(2 a^2) - h^2/(2 b^2)) with height h = n . r, and its derivatives.
 struct Weight {
   double value, perPlace, perHeight;
 };  // d psi = psi (perPlace r . dr + perHeight h dh)
@@ -47,17 +47,17 @@ PairResult pairForces(const PairPotential& p, const Vec3d& r, const Vec3d& ni, c
   const Ramp inside = smoothRamp((p.reach - length) / (p.reach - p.fade));
   const RadialPart radial = radialPart(p, length);
   double energy = p.attract * radial.energy;
-  // dE/dr, dE/dn_i: before fade, face and scale
+  // dE/dr and dE/dn_i before the factors fade, face and scale
   Vec3d byPlace = (p.attract * radial.slope / length) * r, byNormal{};
   double stiff = p.attract * std::max(std::abs(radial.curvature), std::abs(radial.slope) / length), turn = 0;
   if (kind.oriented) {
     const double s2 = 1 / (p.spacing * p.spacing);
     const double hi = dot(ni, r), hj = dot(nj, r), both = hi + hj;
     const Weight wi = weightOf(p, r2, hi), wj = weightOf(p, r2, hj);
-    // |n_i - n_j|^2, of unit normals
+    // |n_i - n_j|^2 for unit normals
     const double mean = 0.5 * (wi.value + wj.value), apart = 2 - 2 * cosine;
     const double rest = p.normal * apart + p.circle * both * both * s2;
-    // what psi_i and psi_j multiply
+    // factors of psi_i and psi_j
     const double ei = p.plane * hi * hi * s2 + 0.5 * rest, ej = p.plane * hj * hj * s2 + 0.5 * rest;
     energy += ei * wi.value + ej * wj.value;
     const double byHi = 2 * p.plane * hi * s2 * wi.value + ei * wi.value * wi.perHeight * hi +
@@ -88,7 +88,7 @@ LatticeEnergy hexagonalEnergy(const PairPotential& p, double spacing) {
   const int most = static_cast<int>(p.reach / (0.86 * spacing)) + 1;
   for (int i = -most; i <= most; i++)
     for (int k = -most; k <= most; k++) {
-      // the lattice's quadratic form
+      // squared distance in the lattice, over spacing^2
       const double far = std::sqrt(static_cast<double>(i * i + i * k + k * k)), r = far * spacing;
       if (far == 0 || r >= p.reach) continue;
       const RadialPart radial = radialPart(p, r);
@@ -118,9 +118,9 @@ PairPotential pairPotential(const OrientedBody& body, double spacing) {
   p.core = body.core * spacing;
   p.well = spacing;
   if (body.source == OrientedSource::Curve || !(p.attract > 0)) return p;
-  // where the lattice's slope changes its sign: bisection, in whatever order of the machine the same
-  double low = 0.8 * spacing, high = 1.6 * spacing;  // too small a well: the lattice is pulled together,
-                                                     // slope > 0
+  // bisection for the zero of the lattice's slope; fixed iterations give the same bits on all ranks
+  // A well that is too small contracts the lattice: slope > 0.
+  double low = 0.8 * spacing, high = 1.6 * spacing;
   for (int k = 0; k < 100; k++) {
     p.well = 0.5 * (low + high);
     (hexagonalEnergy(p, spacing).slope > 0 ? low : high) = p.well;

@@ -8,15 +8,15 @@
 namespace thaw {
 namespace {
 
-constexpr double touching = 0.55;    // of the sum of the spacings
-constexpr double restitution = 0.3;  // of the spring; the barrier gives all back
-constexpr double leastRoom = 0.1;    // of the reach, where one lattice's gaps are as wide as that
-constexpr double leastKeep = 0.25;   // of the spacing, where a surface keeps no distance from obstacles: so
-                                     // far in it is held
-constexpr double bondPull = 4;  // of attract stiffness spacing: one and a half times the largest force of a
-                                // bond of Lennard-Jones 12-6
+constexpr double touching = 0.55;    // factor of the sum of the spacings
+constexpr double restitution = 0.3;  // restitution of the spring; the barrier is elastic
+constexpr double leastRoom = 0.1;    // fraction of the reach, for lattices with wider gaps
+// In units of spacing: depth of the barrier for a surface without thickness.
+constexpr double leastKeep = 0.25;
+// In units of attract stiffness spacing: 1.5 times the largest bond force of Lennard-Jones 12-6.
+constexpr double bondPull = 4;
 
-/// m/s, of all surfaces, falls left out.
+/// Largest speed (m/s) of all surfaces, without falls.
 double surfaceSpeed(const Scene& s) {
   double surface = 0;
   for (const OrientedBody& b : s.oriented) {
@@ -26,7 +26,7 @@ double surfaceSpeed(const Scene& s) {
   return surface;
 }
 
-/// The speed (m/s) at which a surface and the continuum may meet.
+/// Largest speed (m/s) of contact between a surface and the continuum.
 double meetingSpeed(const Scene& s) {
   const double surface = surfaceSpeed(s);
   double other = 0;
@@ -36,7 +36,7 @@ double meetingSpeed(const Scene& s) {
   return surface + other + fallSpeed(s.domain);
 }
 
-/// m/s, of what the material is, or becomes.
+/// Speed of sound (m/s) of a material in its solid and liquid states.
 double soundOf(const Material& m, const LiquidMaterial& liquid) {
   const double solid = m.canBeSolid() ? std::sqrt(std::max(m.young.solid, m.young.liquid) / m.density) : 0;
   return std::max(solid, canBeLiquid(m) ? liquid.soundSpeed : 0);
@@ -51,7 +51,7 @@ std::vector<OrientedContact> planOrientedContact(const Scene& s, std::span<const
     const double own = spacingOf(s, b);
     OrientedContact c;
     c.reach = touching * (own + s.spacing);
-    // the middle of three of a hexagonal lattice, and of four of a square one
+    // gap centres of a hexagonal triangle and of a square
     c.room = std::max(leastRoom * c.reach,
                       c.reach - std::max(own / std::sqrt(3.0), s.spacing / std::sqrt(2.0)));
     c.spring = b.contact * b.stiffness;

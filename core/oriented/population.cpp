@@ -16,26 +16,29 @@ namespace thaw {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double clearance = 0.86;   // spacings around the place of a birth that must be free: closer,
-                                     // Lennard-Jones would throw it out
-constexpr double widestGap = 2.9;    // spacings: what is further apart has another particle to look at first,
-                                     // or is a border
-constexpr double emptyShare = 0.45;  // of a gap's width: the radius around its middle with nobody in it
-                                     // (Gabriel's test, a little short of the ends)
-constexpr double steepest = 0.7;     // sine of the angle between the gap and the surface at its ends: what
-                                     // hovers over a surface makes no gap with it
-constexpr double column = 2;  // spacings above and below a gap in which nobody stands who could come back
-                              // into it
-constexpr double ring = 1.5;  // spacings around a birth in which a lattice at rest has six
+// Spacings around a birth that must be free: Lennard-Jones would eject a closer particle.
+constexpr double clearance = 0.86;
+// Spacings, widest gap: wider ones have other particles between, or are borders.
+constexpr double widestGap = 2.9;
+// Empty radius around a gap's middle over its width (Gabriel's test, slightly short of the ends).
+constexpr double emptyShare = 0.45;
+// Sine of the largest angle between the gap and the surface at its ends: a particle above a surface forms no
+// gap with it.
+constexpr double steepest = 0.7;
+// Spacings above and below a gap that must be free, so that no particle can return into it.
+constexpr double column = 2;
+constexpr double ring = 1.5;  // spacings around a birth, in which a lattice at rest has six neighbours
 constexpr int mostInRing = 6;
-constexpr int leastInRing = 3;  // around an end of a gap: with fewer it is a stray, not the edge of a surface
-constexpr double burst = 0.5;   // kinetic energy of the ends' relative motion, over the depth of
-                                // Lennard-Jones' well: above, they fly apart
-constexpr double beside = 1.65;        // spacings within which neighbours count for an open border
-constexpr double openAngle = 1.95;     // rad between neighbours from which there is room for one more: 60
-                                       // degrees in a hexagonal lattice
-constexpr double fromObstacles = 0.5;  // of a thickness, at a border: what lies on an obstacle is pressed in
-                                       // by less, if it is not drawn into it, as a gap over one may be
+constexpr int leastInRing = 3;  // least neighbours of a gap's end; with fewer it is a stray particle, not a
+                                // surface edge
+// Kinetic energy of the ends' relative motion over the depth of Lennard-Jones' well: above, they separate.
+constexpr double burst = 0.5;
+constexpr double beside = 1.65;  // spacings, range of neighbours for an open border
+// Angle (rad) between neighbours with room for one more; it is 60 degrees in a hexagonal lattice.
+constexpr double openAngle = 1.95;
+// Fraction of the thickness, for births at borders. A surface on an obstacle is pressed in by less, unless
+// bonds pull it in, as at a gap.
+constexpr double fromObstacles = 0.5;
 constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
 
 struct Offer {
@@ -43,8 +46,8 @@ struct Offer {
   Vec3d place{}, normal{};
 };
 
-/// Can the place be taken? Neighbours of i of the same surface are looked at, whatever they look like from
-/// there.
+/// Returns whether no neighbour of i on the same surface lies within a radius of a position, whatever its
+/// normal.
 bool isFree(const Oriented& o, const OrientedLists& l, std::size_t i, const Vec3d& place, double radius) {
   for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
     const Vec3d d = o.position[l.list[k]] - place;
@@ -58,10 +61,9 @@ bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::
   return sameSurface(o, i, j) && (!p.facing || dot(o.normal[i], o.normal[j]) > 0);
 }
 
-/// Is the offered place a gap of width `far` between i and j: one where the surface is stretched or torn? A
-/// surface at rest, or one that shakes, has none: in the gap's sphere, or over or under it, there is
-/// somebody, or the ring around is full, or a birth would cost more than the energy of a bond. What flies
-/// apart is no surface.
+/// Returns whether the candidate lies in a gap of width `far` between i and j, where the surface is stretched
+/// or torn. Surfaces at rest or in vibration have none: the gap's sphere or column is occupied, the ring is
+/// full, or a birth costs more than a bond. Particles that fly apart are no surface.
 bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j,
            const Offer& at, int leastBeside, bool planar) {
   const Vec3d r = o.position[j] - o.position[i], apart = o.velocity[j] - o.velocity[i];
@@ -75,7 +77,7 @@ bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, st
                ring2 = ring * ring * p.spacing * p.spacing;
   const Vec3d back = o.position[i] - at.place;
   if (dot(back, back) < clearance * clearance * p.spacing * p.spacing) return false;
-  int around = 1, beside = 0;  // of the place, i among them; of i
+  int around = 1, beside = 0;  // neighbours of the position, i included; neighbours of i
   double energy = pairForces(p, back, at.normal, o.normal[i]).energy;
   for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
     const std::uint32_t q = l.list[k];
@@ -92,14 +94,14 @@ bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, st
   return beside >= leastBeside && around <= mostInRing && (energy < p.attract * p.scale || p.attract == 0);
 }
 
-/// Half way on the arc to the neighbour across the widest gap between the two: the lower rank of a pair
-/// offers.
+/// Returns the candidate half way on the arc to the neighbour across the widest gap. The particle of lower id
+/// makes it.
 Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, const PairPotential& p,
                  std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
   Offer best;
-  // points that are given may stand alone, ends of a line have one beside them
+  // given points may be isolated, and ends of a line have one neighbour
   const int leastBeside = body.planar || !t.oriented.given[o.body[i]].points.empty() ? 0 : leastInRing;
   double widest = body.gap * p.spacing;
   for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
@@ -109,7 +111,7 @@ Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, c
     if (!isNeighbour(o, p, i, j) || o.id[i] > o.id[j] || far <= widest || far > widestGap * p.spacing)
       continue;
     const Vec3d n = normalized(o.normal[i] + o.normal[j]);
-    // the arc's middle
+    // middle of the arc
     const Offer offer{true, o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n, n};
     if (!isGap(o, l, p, i, j, offer, leastBeside, body.planar)) continue;
     widest = far;
@@ -118,8 +120,8 @@ Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, c
   return best;
 }
 
-/// A spacing away, 60 degrees from the neighbour before the widest angle without one; on the arc that the
-/// neighbours' normals say.
+/// Returns a candidate a spacing away in the widest angle without neighbours, 60 degrees from the nearest
+/// one, on the arc of the neighbours' normals.
 Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
@@ -127,7 +129,7 @@ Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, 
               u = normalized(cross(n, e)), v = cross(n, u);
   std::array<double, 64> angle;
   std::size_t count = 0;
-  double bend = 0, weight = 0;  // mean curvature: of the normals' change along the way
+  double bend = 0, weight = 0;  // mean curvature, from the change of normals along r
   for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
     const std::uint32_t j = l.list[k];
     const Vec3d r = o.position[j] - o.position[i];
@@ -150,7 +152,7 @@ Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, 
   }
   if (widest < openAngle) return {};
   const Vec3d way = std::cos(at) * u + std::sin(at) * v;
-  // rad, of the normal over a spacing
+  // rad, turn of the normal over a spacing
   const double turn = std::clamp(weight > 0 ? bend / weight * p.spacing : 0, -0.7, 0.7);
   Offer offer{true, o.position[i] + p.spacing * (std::cos(0.5 * turn) * way - std::sin(0.5 * turn) * n),
               std::cos(turn) * n + std::sin(turn) * way};
@@ -160,18 +162,17 @@ Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, 
   return offer;
 }
 
-/// The weight of what entered and left is booked by halves of kicks (core/time/integrate.cpp), but oriented
-/// particles get theirs at once, at the beginning of a step: who is born in the midst of one has got nothing
-/// of it, and who dies all.
+/// Corrects the impulse of gravity for rows that enter or leave. The ledger assumes half kicks
+/// (core/time/integrate.cpp), but oriented particles get gravity at the start of a step: a newborn has none
+/// of it, a removed particle all.
 void bookWeight(World& w, std::size_t i, double time) {
   for (int a = 0; a < 3; a++)
     if (const double impulse = w.oriented.rows.mass[i] * w.scene.domain.gravity[a] * time; impulse != 0)
       w.ledger.gravityImpulse[a].add(impulse);
 }
 
-/// Of a body that would have more than `most` after these births: the largest rank of an offer that stands
-/// (ranks are numbers of 63 bits), so that no more than its room are born on all ranks together. Of other
-/// bodies no limit.
+/// Returns for each body the largest candidate rank (63 bits) for which its size stays within `most` on all
+/// ranks together; no limit for bodies with room.
 std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int64_t>& members,
                                       const std::vector<std::uint32_t>& parents, Reducer& all) {
   const Oriented& o = w.oriented.rows;
@@ -227,7 +228,7 @@ void letGo(World& w, std::size_t i, double dt) {
   addKindRow(w, orientedKind, i, w.ledger.left);
   w.ledger.dissipated.add(o.dissipated[i]);
   bookWeight(w, i, 0.5 * dt);
-  o.mass[i] = 0;  // placeOriented drops it
+  o.mass[i] = 0;  // dropped by placeOriented
 }
 
 bool populationDue(const World& w, double dt) {
@@ -245,7 +246,7 @@ bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
   std::vector<std::int64_t> members(w.scene.oriented.size(), 0);
   for (std::size_t i = 0; i < o.owned; i++) members[o.body[i]]++;
   halos.all.sum(members);
-  // searching for rows that a ghost does not have is no use: all that decides is among what ghosts carry
+  // all criteria use columns that ghosts carry
   std::vector<Offer> offers(o.owned);
   std::vector<std::uint32_t> parents, dead;
   std::vector<BirthPlace> places;

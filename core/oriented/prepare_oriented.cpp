@@ -25,10 +25,10 @@ void keepGiven(const MadePoints& m, GivenPoints& g) {
   if (m.reach > 0) g.reach = m.reach / g.apart;
 }
 
-constexpr double samePlace = 0.1;  // spacings: nearer, particles of two bodies push each other apart out of
-                                   // nothing, or not at all
+// Spacings: particles of two bodies at nearly one position repel strongly, or not at all.
+constexpr double samePlace = 0.1;
 
-/// Bodies that stand in each other, and points that are given twice. All ranks look at all places.
+/// Adds problems for bodies that share positions and for duplicate points. All ranks test all positions.
 void refuseSharedPlaces(const Scene& s, const std::vector<std::vector<Vec3d>>& places,
                         SceneProblems& problems) {
   for (std::size_t b = 0; b < places.size(); b++) {
@@ -41,7 +41,7 @@ void refuseSharedPlaces(const Scene& s, const std::vector<std::vector<Vec3d>>& p
       if (twice > 0)
         problems.add(body.where,
                      "oriented body '" + body.name + "': " + std::to_string(twice) +
-                         " of its points are at the place of another one; expected each place once");
+                         " of its points are duplicates of another point; expected distinct points");
     }
     for (std::size_t other = b + 1; other < places.size(); other++) {
       const double near = samePlace * std::min(spacingOf(s, body), spacingOf(s, s.oriented[other]));
@@ -50,7 +50,7 @@ void refuseSharedPlaces(const Scene& s, const std::vector<std::vector<Vec3d>>& p
       if (count > 0)
         problems.add(s.oriented[other].where, "oriented body '" + s.oriented[other].name +
                                                   "': " + std::to_string(count) +
-                                                  " of its particles are at places of '" + body.name +
+                                                  " of its particles are at positions of '" + body.name +
                                                   "'; move them apart, or set numerics.overlap to \"keep\"");
     }
   }
@@ -92,7 +92,7 @@ void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
     if (!interpolates(s.oriented[b])) continue;
     try {
       keepGiven(makePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), work.given[b]);
-    } catch (const std::invalid_argument&) {  // sampling says what is wrong
+    } catch (const std::invalid_argument&) {  // sampleOriented reports the error
     } catch (const std::runtime_error&) {}
   }
 }
@@ -116,7 +116,7 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
     } catch (const ShapeError& e) {
       problems.add(e.where.line > 0 ? e.where : body.where, "oriented body '" + body.name + "': " + e.what());
       continue;
-    } catch (const std::runtime_error& e) {  // a mesh that cannot be read
+    } catch (const std::runtime_error& e) {  // mesh that cannot be read
       problems.add(body.where, "oriented body '" + body.name + "': " + e.what());
       continue;
     }
@@ -127,10 +127,10 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
     };
     tell(body.where, "oriented body '" + body.name + "'", made.notes);
     if (body.growth != OrientedGrowth::None && made.places.size() > static_cast<std::size_t>(body.most))
-      problems.add(body.where, "oriented body '" + body.name + "': it begins with " +
-                                   std::to_string(made.places.size()) +
-                                   " particles and is to grow to `most` = " + std::to_string(body.most) +
-                                   "; expected at least as many");
+      problems.add(body.where, "oriented body '" + body.name + "': it starts with " +
+                                   std::to_string(made.places.size()) + " particles and `most` is " +
+                                   std::to_string(body.most) +
+                                   "; expected `most` to be at least the initial number");
     std::vector<std::shared_ptr<const SignedDistance>> regions;
     for (const OrientedAnchor& a : body.anchors) {
       const std::string whose = "oriented body '" + body.name + "': an anchor";
@@ -146,7 +146,7 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
       outside.look(w.scene.domain, x);
       std::uint8_t flags = made.held[k];
       std::uint16_t anchor = noAnchor;
-      for (std::size_t a = regions.size(); a-- > 0;)  // the first that has it
+      for (std::size_t a = regions.size(); a-- > 0;)  // the first anchor that contains it
         if (regions[a] && regions[a]->inside(x)) {
           holds[a]++;
           anchor = static_cast<std::uint16_t>(a);
@@ -176,8 +176,8 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
     }
     for (std::size_t a = 0; a < holds.size(); a++)
       if (regions[a] && holds[a] == 0)
-        problems.add(body.anchors[a].where,
-                     "oriented body '" + body.name + "': there is no particle in this anchor");
+        problems.add(body.anchors[a].where, "oriented body '" + body.name +
+                                                "': no particle lies in this anchor; expected at least one");
     if (outside.count > 0)
       problems.add(body.where,
                    "oriented body '" + body.name + "': " +

@@ -1,4 +1,4 @@
-// Oriented bodies of a scene, made ready.
+// Preparation of a scene's oriented bodies.
 #pragma once
 #include "core/geometry/signed_distance.hpp"
 #include "core/kinds/start_warnings.hpp"
@@ -6,26 +6,24 @@
 
 namespace thaw {
 
-/// Radius (m) within which the scene's oriented particles act on each other or on anything else, and a tenth:
-/// cells are at least as long.
+/// Returns 1.1 times the largest radius (m) of interaction of oriented particles: the least length of cells.
 double orientedReach(const Scene& scene);
 
 void activateOriented(World& world);
 
-/// Constants of the potentials, the area of a particle (OrientedBody::cellShare), and points that bodies are
-/// to go through. Throws ShapeError.
+/// Computes the potentials, the area per particle (OrientedBody::cellShare), and the given points of bodies.
+/// Throws ShapeError.
 void prepareOriented(Scene& scene, OrientedWork& work, const MeshLoader& load);
 
-/// Appends this rank's share of the particles, held ones with their anchors, and what was mended of meshes to
-/// `warnings`. Returns the places of all particles of each body, the same on all ranks. Throws ShapeError.
-/// Collective.
+/// Appends this rank's particles with their anchors, and repairs of meshes to `warnings`. Returns the
+/// positions of all particles of each body, the same on all ranks. Throws ShapeError. Collective.
 std::vector<std::vector<Vec3d>> sampleOriented(World& world, Halos halos, const MeshLoader& load,
                                                std::vector<SceneWarning>& warnings);
 
-/// Moves all bodies that ask for it to rest (FIRE: Bitzek et al. 2006), growing where they grow, until no
-/// force is above 1e-9 stiffness times spacing, for OrientedBody::relax iterations, until it gets nowhere
-/// (core/oriented/relax_progress.hpp), or until OrientedWork::stopRelaxing says so on some rank. Velocities
-/// are then those of the scene. Returns the iterations done. Collective.
+/// Relaxes the bodies that request it (FIRE: Bitzek et al. 2006), with growth. Stops when no force exceeds
+/// 1e-9 stiffness times spacing, after OrientedBody::relax iterations, when progress stalls
+/// (core/oriented/relax_progress.hpp), or when OrientedWork::stopRelaxing returns true on a rank. Ensures:
+/// velocities are those of the scene. Returns the number of iterations. Collective.
 std::int64_t relaxOriented(World& world, Halos halos, StepTools& tools);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // FIRE (Bitzek, Koskinen, Gaehler, Moseler, Gumbsch 2006): dynamics whose velocity is turned toward the
-// force, and stopped where it goes uphill.
+// force, and reset when the power is negative.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@
 namespace thaw {
 namespace {
 
-constexpr double restForce = 1e-9;  // of stiffness times spacing
+constexpr double restForce = 1e-9;  // in units of stiffness times spacing
 constexpr int patience = 5;
 
 struct Sums {
@@ -63,7 +63,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
   int good = 0;
   std::int64_t done = 0;
   const std::int64_t stepBefore = w.clock.step;
-  std::int64_t calm = 0;  // looks at the population in a row that changed nothing
+  std::int64_t calm = 0;  // consecutive checks of the population without a change
   const auto countRows = [&] {
     t.oriented.relaxing = static_cast<std::int64_t>(o.owned);
     halos.all.sum({&t.oriented.relaxing, 1});
@@ -73,7 +73,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
   for (; done < most; done++) {
     bringKindsHome(w, halos, t);
     readyOriented(w, halos, t);
-    w.clock.step = done;  // births are hashed from it
+    w.clock.step = done;  // hashes of births use the step
     if (grows && done % 10 == 0) {
       std::int64_t lost = given ? findPlacesOnGiven(w, t) : 0;
       halos.all.sum({&lost, 1});
@@ -87,7 +87,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     addUpForces(w, t);
     force.assign(o.owned, {});
     torque.assign(o.owned, {});
-    double worst[3] = {0, 0, 0};  // largest force, largest stiffness, and whether someone wants to stop
+    double worst[3] = {0, 0, 0};  // largest force, largest stiffness, stop request
     for (std::size_t i = 0; i < o.owned; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
       if (!(o.flags[i] & heldPlace) && iterationsOf(body) > 0) force[i] = o.force[i] + o.mass[i] * g;
@@ -106,8 +106,8 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     t.oriented.unrest = worst[0];
     t.oriented.atRest = (worst[0] < restForce && (!grows || calm >= 3)) || !(worst[1] > 0);
     t.oriented.relaxStopped = !t.oriented.atRest && worst[2] > 0;
-    // who comes and who goes may disturb the others without end; of a population that stays as it is the
-    // force goes to 0 in the end, however slowly
+    // births and deaths may disturb the surface forever; with a constant population the force converges,
+    // however slowly
     t.oriented.gotNowhere = grows && !t.oriented.atRest && !t.oriented.relaxStopped &&
                             !getsAnywhere(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
     if (t.oriented.atRest || t.oriented.relaxStopped || t.oriented.gotNowhere) break;
@@ -128,7 +128,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
       alpha = 0.1;
       good = 0;
     }
-    // the bound of the stiffness is a generous one: FIRE finds out how much longer steps may be
+    // the bound of the stiffness is conservative: FIRE adapts the step to it
     dt = std::max(share, 0.05) * 0.5 / std::sqrt(worst[1]);
     for (std::size_t i = 0; i < o.owned; i++) {
       const double s0 = t.oriented.potentials[o.body[i]].spacing;

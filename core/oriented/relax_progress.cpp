@@ -5,8 +5,8 @@
 namespace thaw {
 namespace {
 
-constexpr double less = 0.9, more = 1.02;        // force and particles, over those at the last gain
-constexpr double fewest = 1000, perLength = 20;  // iterations; and per particle along the surface
+constexpr double less = 0.9, more = 1.02;        // ratios of force and particles to those at the last gain
+constexpr double fewest = 1000, perLength = 20;  // iterations; iterations per particle along the surface
 
 }  // namespace
 
@@ -15,7 +15,7 @@ std::int64_t relaxPatience(std::int64_t particles) {
 }
 
 bool getsAnywhere(RelaxProgress& p, std::int64_t done, double force, std::int64_t particles) {
-  // what was at rest was so with less
+  // a larger surface starts with a new force
   if (static_cast<double>(particles) > more * static_cast<double>(p.most)) {
     p = {force, particles, done};
   } else if (force < less * p.least) {

@@ -10,9 +10,9 @@ namespace thaw {
 namespace {
 
 constexpr int mostIterations = 100;
-constexpr double tolerance = 1e-8;  // of the residual's norm
+constexpr double tolerance = 1e-8;  // relative norm of the residual
 
-/// The same on any number of ranks: exact sums of pairs of products.
+/// Sum of dot products, the same on any number of ranks.
 double product(Reducer& all, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
                const std::vector<Vec3d>& c, const std::vector<Vec3d>& d) {
   ExactSum sum;
@@ -23,7 +23,7 @@ double product(Reducer& all, const std::vector<Vec3d>& a, const std::vector<Vec3
   return sum.value();
 }
 
-/// K u of a pair, on its first particle: the squares of the pair's energy, linearised, with positive weights.
+/// Adds K u of a pair on its first particle: squared terms of the energy, linearised, with positive weights.
 void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool oriented, const Vec3d (&v)[2],
              const Vec3d (&spin)[2], Vec3d& force, Vec3d& torque) {
   const double r2 = dot(r, r), far = std::sqrt(r2);
@@ -40,10 +40,10 @@ void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool o
   for (int k = 0; k < 2; k++) {
     const double h = dot(n[k], r);
     psi[k] = std::exp(-0.5 * ((r2 - h * h) * across + h * h * deep));
-    rate[k] = dot(n[k], apart) + dot(spin[k], cross(n[k], r));  // of n_k . r
+    rate[k] = dot(n[k], apart) + dot(spin[k], cross(n[k], r));  // rate of n_k . r
   }
   const Vec3d lever = cross(n[0], r);
-  // weight g^2, g = byNormals . r; own: n_0 is in g
+  // term weight g^2 with g = byNormals . r; own is 1 if n_0 occurs in g
   const auto square = [&](double weight, double change, const Vec3d& byNormals, double own) {
     force += (-2 * weight * change) * byNormals;
     torque += (2 * weight * change * own) * lever;
@@ -56,7 +56,7 @@ void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool o
   torque += (2 * share * p.normal * mean) * cross(n[0], bend);
 }
 
-/// image = K u of all owned rows, u in Oriented::search and searchSpin. Collective.
+/// Computes image = K u of owned rows with u in Oriented::search and searchSpin. Collective.
 void multiply(World& w, Halos halos, StepTools& t) {
   Oriented& o = w.oriented.rows;
   OrientedWork& work = t.oriented;
@@ -93,7 +93,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
     v->assign(n, {});
   const auto free = [&](std::size_t i, std::uint8_t flag) { return (o.flags[i] & flag) == 0; };
   const auto bodyOf = [&](std::size_t i) -> const OrientedBody& { return w.scene.oriented[o.body[i]]; };
-  // A u of the search, from its image K u
+  // A u of the search vector, from its image K u
   const auto finish = [&](std::size_t i) {
     work.image[i] = free(i, heldPlace)
                         ? (o.mass[i] * (1 + bodyOf(i).damping * dt)) * o.search[i] + (dt * dt) * work.image[i]
@@ -121,7 +121,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
     work.along[i] = work.rest[i];
     work.alongSpin[i] = work.restSpin[i];
   }
-  // preconditioned by nothing: masses are alike, and inertia is mass times a square of the spacing
+  // no preconditioner: masses are similar, and inertia is mass times spacing^2
   double rest2 = product(halos.all, work.rest, work.rest, work.restSpin, work.restSpin);
   const double enough = tolerance * tolerance * rest2;
   work.solves++;
@@ -147,7 +147,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
     }
     rest2 = now;
   }
-  // what damping takes, and what the scheme does: (dv M dv + dt^2 v K v) / 2
+  // dissipation by damping and by the scheme: (dv M dv + dt^2 v K v) / 2
   for (std::size_t i = 0; i < n; i++) {
     o.search[i] = work.velocity[i];
     o.searchSpin[i] = work.spin[i];
@@ -159,8 +159,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
     work.acting[i] = o.force[i] - dt * work.image[i];
     work.actingTorque[i] = o.torque[i] - dt * work.imageSpin[i];
     if (free(i, heldPlace)) {
-      // of the solution's forces, which are those of pairs: what the solver has left over would be momentum
-      // from nowhere
+      // uses the pair forces of the solution, which conserve momentum; the residual of the solver does not
       const Vec3d solved = work.velocity[i],
                   v = o.velocity[i] + dt * (work.acting[i] / o.mass[i] + g - body.damping * solved),
                   dv = v - o.velocity[i];
@@ -169,7 +168,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
       for (int a = 0; a < 3; a++)
         if (const double lost = -dt * body.damping * o.mass[i] * solved[a]; lost != 0)
           w.ledger.wallImpulse[a].add(lost);
-      // at the places of before: they have not moved yet
+      // at the old positions, before they move
       if (const double given = dt * dot(fieldForce(w, t.oriented, i).force, v); given != 0)
         w.ledger.wallWork.add(given);
       o.velocity[i] = v;

@@ -1,11 +1,11 @@
-// How much of a solid is around a place.
+// Kernel fraction that a solid fills at a position.
 #pragma once
 
 namespace thaw {
 
-/// 1, what a particle of a solid at a distance of r (m) fills of the kernel around a place, of bodies with
-/// spacing s (m): a cubic spline of a support of two spacings. Over all places of a lattice the sum is 1 to 1
-/// %, .5 on a flat surface half a spacing off the outermost particles, and some .7 at these.
+/// Returns the kernel fraction (1) of a solid particle at distance r (m) in a body of spacing s (m): a cubic
+/// spline with a support of two spacings. Over a lattice it sums to 1 within 1 %. On a flat surface half a
+/// spacing off the outermost particles the sum is 0.5, at these about 0.7.
 inline double solidShare(double r, double s) {
   const double q = r / s, far = 2 - q;
   if (!(q < 2)) return 0;

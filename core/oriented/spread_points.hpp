@@ -1,13 +1,13 @@
-// Points of a surface make room for each other along it.
+// Relaxation of sampled points along their surface.
 #pragma once
 #include "core/geometry/point_tree.hpp"
 #include "core/oriented/made_points.hpp"
 
 namespace thaw {
 
-/// Free points push each other, and held ones push them, apart along the surface, within `range`: all at once
-/// from their last places, so that their order does not matter. project(place, normal) brings a place back
-/// onto the surface and finds its normal.
+/// Moves free points apart along the surface, by repulsion within `range` from free and fixed ones. All move
+/// at once, so order does not matter. project(place, normal) projects a position onto the surface and sets
+/// its normal.
 template<class Project> void spreadOut(double range, MadePoints& m, const Project& project) {
   constexpr int passes = 60;
   for (int pass = 0; pass < passes; pass++) {

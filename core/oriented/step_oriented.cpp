@@ -17,22 +17,21 @@
 namespace thaw {
 namespace {
 
-constexpr double perObstacle = 0.5;  // of a step for the barrier of obstacles, a radian twice
+constexpr double perObstacle = 0.5;  // rad, phase per step at obstacle barriers
 
-constexpr double perContact = 0.25;  // of a step for contacts, whose force grows with the cube of the depth:
-                                     // twice as long a surface that is pressed on a body gains 1 % of its
-                                     // energy
+// Phase (rad) per step of contacts, whose force grows with the cube of depth. Twice the value gains 1 % of
+// the energy of a pressed surface.
+constexpr double perContact = 0.25;
 
-/// Adds the rows' energy to what changes without work: `sign` 1 before the change, -1 after it.
+/// Records the rows' energy as changed without work: `sign` 1 before the change, -1 after it.
 void bookEnergy(World& w, const StepTools& t, double sign, double dt) {
   const Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * o.energy[i]);
   bookLag(w, t, sign, dt, w.ledger.phaseJump);
 }
 
-/// The force of contacts with other kinds is held over a step, and its impulse is that of half of the step
-/// that led here and half of the one of dt (s) to come: what the other ends of the pairs, which move by
-/// leap-frog, have got and will get of the same force. Returns the weight of the force that this makes.
+/// Scales the contact forces with other body types to half of the last and half of the next step of dt (s).
+/// The other ends integrate the same force by leap-frog and get that impulse. Returns the scale.
 double weighContacts(World& w, double dt) {
   Oriented& o = w.oriented.rows;
   const double weight = 0.5 * (w.clock.stepDt + dt) / dt;
@@ -44,10 +43,10 @@ double weighContacts(World& w, double dt) {
   return weight;
 }
 
-/// What contacts with other kinds take, and what the integrator makes of their force E. It acts over half of
-/// the way before it and half of the way after it (s v and d v', of the steps s and d); its impulse E (s +
-/// d)/2 has the work E (s + d)/2 . (v + v')/2, or, where the scheme's own loss has been booked as if all
-/// worked at the new velocity, . v'.
+/// Records dissipation of contacts with other body types, and the error of the integrator for their force E.
+/// E acts over half of the displacement before it and half of that after it (s v and d v' for steps s and d).
+/// Its impulse E (s + d)/2 does the work E (s + d)/2 . (v + v')/2; if the scheme's loss assumes the new
+/// velocity, it is E (s + d)/2 . v'.
 void bookContacts(World& w, const HeldBefore& before, double weight) {
   Oriented& o = w.oriented.rows;
   if (!o.external.active) return;
@@ -62,7 +61,7 @@ void bookContacts(World& w, const HeldBefore& before, double weight) {
   }
 }
 
-/// Has a row of any rank come through an open side? Collective, where there is one.
+/// Returns whether a row of any rank has crossed an open side. Collective, if the domain has one.
 bool anyLeaves(const World& w, Reducer& all) {
   if (!hasOpenSide(w.scene.domain)) return false;
   const Oriented& o = w.oriented.rows;
@@ -83,8 +82,8 @@ void letGoOutside(World& w, double dt) {
     }
 }
 
-/// Has a free row come further from its place of before than what it acts on? Before any of them can leave
-/// the domain unseen.
+/// Returns whether a free row moved farther than its interaction radius; tested before it can leave the
+/// domain.
 bool goesTooFar(const World& w, const std::vector<Vec3d>& before) {
   const Oriented& o = w.oriented.rows;
   const double reach = orientedReach(w.scene), reach2 = reach * reach;
@@ -100,9 +99,9 @@ bool goesTooFar(const World& w, const std::vector<Vec3d>& before) {
 void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
   const HeldBefore held = rememberHeld(w, dt);
   const double weight = weighContacts(w, dt);
-  t.oriented.time = w.clock.time;  // of the forces that the step begins with
+  t.oriented.time = w.clock.time;  // time of the forces at the start of the step
   takeMeanFields(w, t.oriented, dt);
-  // one integrator for all bodies: pairs may be of two
+  // one integrator for all, since pairs may join two bodies
   const OrientedIntegrator how = w.scene.oriented.front().integrator;
   if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, t, dt);
   else if (how == OrientedIntegrator::SemiImplicit) stepSemiImplicit(w, halos, t, dt);
@@ -143,7 +142,7 @@ void bookLag(const World& w, const StepTools& t, double sign, double dt, ExactSu
 
 void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
-  const double now = w.clock.time + dt;  // a step's clock still shows its beginning here
+  const double now = w.clock.time + dt;  // the clock still shows the beginning of the step
   t.oriented.time = now;
   t.oriented.over = 0;
   t.oriented.born.clear();
@@ -175,7 +174,7 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
     addUpForces(w, t);
   }
   if (o.external.active) {
-    // contacts with other kinds follow in this evaluation; the forces so far held those of the last one
+    // the forces include contacts of the last evaluation; those of this one are added later
     for (std::size_t i = 0; i < o.owned; i++) {
       o.force[i] -= o.external[i];
       o.external[i] = o.resisting[i] = {};
@@ -194,12 +193,13 @@ void bookBornContacts(World& w, const StepTools& t) {
 double orientedStepLimit(const World& w, const StepTools& t) {
   const Oriented& o = w.oriented.rows;
   if (w.scene.oriented.empty()) return never;
-  const OrientedIntegrator how = w.scene.oriented.front().integrator;  // for all, as in the step
+  const OrientedIntegrator how = w.scene.oriented.front().integrator;  // one integrator for all, as in
+                                                                       // stepOriented
   const double stable = how == OrientedIntegrator::SymplecticEuler ? 2
                         : how == OrientedIntegrator::RungeKutta    ? 2.8
                                                                    : 20;
   double dt = t.oriented.fastest2 > 0 ? perContact / std::sqrt(t.oriented.fastest2) : never;
-  // explicit in all integrators
+  // obstacles are explicit in all integrators
   if (t.oriented.atObstacles2 > 0) dt = std::min(dt, perObstacle / std::sqrt(t.oriented.atObstacles2));
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];

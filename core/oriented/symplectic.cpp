@@ -14,16 +14,16 @@ void stepSymplectic(World& w, StepTools& t, double dt) {
   const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
-    // What the energies of the places see of a force is half of the way before it and half of the way after
-    // it. The kick gives F . (v + v') dt' / 2, where the way before was v dt: the difference is what the
-    // scheme makes of a step that changes.
+    // a force's work covers half of the displacement before it and half of that after it; the kick gives F .
+    // (v + v') dt' / 2, but the displacement before was v dt: the difference is the scheme's error for a
+    // changing step
     const double change = 0.5 * (dt - w.clock.stepDt);
     if (!(o.flags[i] & heldPlace)) {
-      // (contacts with other kinds have the impulse of both halves already)
+      // contacts with other body types have the impulse of both halves already
       const Vec3d before = o.velocity[i], field = fieldForce(w, t.oriented, i).force,
                   contact = o.external.active ? o.external[i] : Vec3d{};
       o.dissipated[i] -= change * dot(o.force[i] - field - contact + o.mass[i] * g, before);
-      // damping between two half kicks: what it takes is then what the forces give, where both balance
+      // damping between two half kicks dissipates just the work of the forces in a steady state
       const Vec3d kick = (0.5 * dt) * (o.force[i] / o.mass[i] + g);
       Vec3d v = o.velocity[i] + kick;
       const double kept = std::exp(-body.damping * dt);

@@ -12,13 +12,13 @@
 namespace thaw {
 namespace {
 
-constexpr double evenReach = 0.95;  // of the mean distance to the nearest: of even points there is one this
-                                    // near to any place
-constexpr double chosenByError = 0.33;  // share of the kept points
+// Factor of the mean nearest distance of even points: largest distance of a surface position from them.
+constexpr double evenReach = 0.95;
+constexpr double chosenByError = 0.33;  // fraction of the kept points
 constexpr int rounds = 4;
 
-/// Of points in the order of a hash those that have none kept within a distance (Poisson discs), for which
-/// their number is right; ascending.
+/// Returns about `wanted` points in ascending order: Poisson discs in hashed order, with a radius found by
+/// bisection.
 std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, std::size_t wanted,
                                   std::uint64_t seed) {
   std::vector<std::uint32_t> order(m.places.size());
@@ -27,7 +27,7 @@ std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, st
   for (std::size_t k = 0; k < order.size(); k++)
     rank.push_back(randomBits(seed, Purpose::OrientedSample, k, 1));
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
-  // with those that are kept already
+  // kept: points selected before
   const auto keptAt = [&](double apart, std::vector<std::uint32_t> kept) {
     std::vector<std::uint8_t> covered(m.places.size(), 0);
     const auto cover = [&](std::uint32_t k) {
@@ -53,8 +53,7 @@ std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, st
     (these.size() > wanted ? low : high) = apart;
     if (these.size() <= wanted) kept = these;
   }
-  // of a lattice there are as many as of the next wider one or far too many: the rest are the first that come
-  // between those
+  // a lattice allows only certain counts: fill up with the first points of the next smaller radius
   if (kept.size() < wanted) kept = keptAt(low, std::move(kept));
   if (kept.size() > wanted) kept.resize(wanted);
   std::sort(kept.begin(), kept.end());
@@ -93,7 +92,7 @@ MadePoints thinned(const MadePoints& m, double share, std::uint64_t seed) {
     std::sort(far.begin(), far.end(), [](const auto& a, const auto& b) {
       return a.first != b.first ? a.first > b.first : a.second < b.second;
     });
-    // what is near to a new one waits until its surface is known
+    // points near a new one are skipped until the next round
     std::vector<std::uint8_t> waits(m.places.size(), 0);
     std::size_t more = (wanted - kept.size() + static_cast<std::size_t>(round) - 1) /
                        static_cast<std::size_t>(round);

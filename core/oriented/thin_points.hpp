@@ -1,12 +1,11 @@
-// A few of many points, from which the surface can be rebuilt (3D interpolation).
+// Thinning of points from which the surface can be rebuilt by interpolation (ST92).
 #pragma once
 #include "core/oriented/made_points.hpp"
 
 namespace thaw {
 
-/// Keeps a share of the points, held: most of them evenly, the others where the surface through those that
-/// are kept already is farthest from the points (the greedy choice of centres of Carr et al. 2001, section
-/// 4), a few at a time.
+/// Returns a fraction of the points, fixed: most spread evenly, the others where the interpolant of the kept
+/// ones is farthest from the points (greedy centres: Carr et al. 2001, section 4), in a few rounds.
 MadePoints thinned(const MadePoints& points, double share, std::uint64_t seed);
 
 }  // namespace thaw

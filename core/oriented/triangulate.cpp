@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t mostSides = 14;           // of a hole that is filled
+constexpr std::size_t mostSides = 14;           // edges of a hole that is filled
 constexpr double longest = 2.0, widest = 1.25;  // spacings: edge of a triangle, radius of its sphere
 
 bool sameSurface(const OrientedPoints& p, std::uint32_t i, std::uint32_t j) {
@@ -63,9 +63,9 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const OrientedPoints& p) {
       }
     }
   }
-  // each by itself; where the surface is bent sharply they overlap, or leave a place out
+  // independent triangles overlap, or leave gaps, where the surface is bent sharply
   triangles = keepManifold(p, std::move(triangles));
-  fillHoles(p, triangles, mostSides, 2 * widest + 1e-9);  // no side of a triangle is longer than its circle
+  fillHoles(p, triangles, mostSides, 2 * widest + 1e-9);  // no edge is longer than the circle's diameter
   for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   std::sort(triangles.begin(), triangles.end());
   return triangles;

@@ -6,16 +6,15 @@
 
 namespace thaw {
 
-/// An event that names a body which is part of another one by then: no particle is of that body, so it would
-/// do nothing.
+/// Event on a body that an earlier weld has made part of another one: it would affect no particle.
 struct EventOfWelded {
   std::size_t body, event;              ///< the event
-  std::size_t named, into;              ///< the body that it names, and the one that this is part of
-  const OrientedEvent* weld = nullptr;  ///< by which it has become so
+  std::size_t named, into;              ///< body it names, and body that contains this one
+  const OrientedEvent* weld = nullptr;  ///< weld that joined them
 };
 
-/// All of them, in the order in which events are done. What is in the list joins nothing; nor do welds that
-/// name no body, or their own, which are refused elsewhere.
+/// Returns these events in order of execution. Events in the list join nothing. Welds without a body, or with
+/// their own, are refused elsewhere.
 std::vector<EventOfWelded> eventsOfWelded(const Scene& scene);
 
 }  // namespace thaw

@@ -8,8 +8,8 @@
 namespace thaw {
 namespace {
 
-constexpr double finest = 0.125;  // radii between touches
-constexpr double most = 4096;     // touches of a piece of the way
+constexpr double finest = 0.125;  // radii between samples
+constexpr double most = 4096;     // samples per piece of the path
 
 /// Falls from 1 to 0 with zero slope at both ends.
 double falloff(double r2, double radius) {
@@ -21,7 +21,7 @@ double falloff(double r2, double radius) {
 
 std::vector<BrushTouch> brushStroke(const SheetBrush& b, double time, double dt) {
   const double from = time - 0.5 * dt, to = time + 0.5 * dt;
-  std::vector<double> ends{from};  // pieces of constant velocity and slope of the factor
+  std::vector<double> ends{from};  // pieces of constant velocity and factor slope
   for (const Keyframe& k : b.motion)
     if (k.time > from && k.time < to) ends.push_back(k.time);
   for (const auto& [when, factor] : b.inTime.points)
@@ -39,7 +39,7 @@ std::vector<BrushTouch> brushStroke(const SheetBrush& b, double time, double dt)
   for (std::size_t k = 0; k + 1 < ends.size(); k++) {
     const double over = ends[k + 1] - ends[k];
     if (!(over > 0)) continue;
-    // just inside the piece: of equal times of keyframes the last counts
+    // just inside the piece: the last of keyframes with equal times counts
     const double way = length(centreAt(ends[k] + 0.999999 * over) - centreAt(ends[k]));
     const auto touches = static_cast<int>(std::clamp(std::ceil(way / (finest * b.radius)), 1.0, most));
     for (int q = 0; q < touches; q++) {

@@ -1,5 +1,4 @@
-// Where a brush presses over a step: it acts along its way, also where that is longer than its radius, and
-// through all of its schedule.
+// Pressure of a brush averaged over a step, along its path and its schedule.
 #pragma once
 #include <vector>
 
@@ -7,18 +6,18 @@
 
 namespace thaw {
 
-/// Of a brush at one place of its way: what share of its pressure acts there.
+/// Sample of a brush on its path, and its fraction of the pressure.
 struct BrushTouch {
   Vec3d centre{};
   double share = 0;
 };
 
-/// What stands for a brush in forces at `time` (s) of steps of dt (s): its mean over dt around that time, so
-/// that the steps of a run leave nothing of its way out. One touch, the brush as it is at `time`, where over
-/// dt it stands still and its factor is linear, or where dt is 0.
+/// Returns samples of a brush whose mean is its pressure over dt (s) around `time` (s). Successive steps
+/// cover the whole path. It is one sample at `time` if dt is 0, or if the brush is at rest and its factor
+/// constant.
 std::vector<BrushTouch> brushStroke(const SheetBrush& brush, double time, double dt);
 
-/// Pa, at a place.
+/// Returns the pressure (Pa) at a position.
 Vec3d brushPressure(const SheetBrush& brush, const std::vector<BrushTouch>& stroke, const Vec3d& place);
 
 }  // namespace thaw

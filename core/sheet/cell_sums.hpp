@@ -1,12 +1,12 @@
-// Exact sums over vertices at the price of plain ones: plain within a cell, in the order of ids, and exact
-// over cells. Cells are the same on any number of ranks, and so are these sums.
+// Exact sums over vertices at low cost: floating-point sums within a cell in id order, exact sums over cells.
+// Cells do not depend on the number of ranks, so these sums do not either.
 #pragma once
 #include "core/math/exact_sum.hpp"
 #include "core/neighbours/grid.hpp"
 
 namespace thaw {
 
-/// value(i) of all owned rows, sorted by cell as `cells` says. Row ranges of ghost cells are left out.
+/// Adds value(i) of owned rows, sorted by cell as in `cells`. Ghost cells are skipped.
 template<class Value>
 void addByCell(const CellTable& cells, std::size_t owned, ExactSum& sum, Value&& value) {
   for (std::size_t c = 0; c < cells.key.size(); c++) {
@@ -16,7 +16,7 @@ void addByCell(const CellTable& cells, std::size_t owned, ExactSum& sum, Value&&
     if (part != 0) sum.add(part);
   }
 }
-/// The same of vectors.
+/// Adds vector values in the same way.
 template<class Value>
 void addByCell3(const CellTable& cells, std::size_t owned, ExactSum (&sum)[3], Value&& value) {
   for (std::size_t c = 0; c < cells.key.size(); c++) {

@@ -8,11 +8,11 @@
 namespace thaw {
 namespace {
 
-constexpr double growth = 1.1;  // of a step over the one before at most (core/step.cpp)
-constexpr double partOfChange = 0.04, leastOfChange = 0.001;  // of a change from nothing to the largest
-                                                              // factor, in a step: the second where that is
-                                                              // already shorter than a swing asks for
-constexpr double partOfSwing = 0.25;                          // rad
+constexpr double growth = 1.1;  // largest ratio of successive steps (core/step.cpp)
+// Fractions of a change from zero to the largest factor, per step. The second is the lower limit where an
+// oscillation would need shorter steps.
+constexpr double partOfChange = 0.04, leastOfChange = 0.001;
+constexpr double partOfSwing = 0.25;  // rad, phase of an oscillation per step
 
 double limitOf(const FactorInTime& f, double now, double rate) {
   double limit = never;
@@ -52,7 +52,7 @@ double changeLimit(const SheetBody& b, double now, double swing, double of) {
 }
 
 void findFactors(World& w, double dt) {
-  const double time = w.clock.time + dt, until = time + growth * w.clock.dt;  // of the next step
+  const double time = w.clock.time + dt, until = time + growth * w.clock.dt;  // end of the next step
   w.sheets.factors.resize(w.scene.sheets.size());
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++)
     for (std::size_t f = 0; f < sheetFactors; f++) {

@@ -12,9 +12,8 @@ using Real = long double;
 /// (e^x - 1) / x
 Real meanExponential(Real x) { return x == 0 ? 1 : std::expm1(x) / x; }
 
-/// With a = c t / 2m and w2 = K t^2 / m both below 1: power series in t of the three responses. h_n are the
-/// complete symmetric polynomials of the two roots, so that the roots are not needed and the double root is
-/// no special case.
+/// Power series in t of the three responses, for a = c t / 2m and w2 = K t^2 / m both below 1. h_n are the
+/// complete symmetric polynomials of the two roots, so the double root is no special case.
 ExactStep byseries(const SpringLaw& law, Real t, Real a, Real w2) {
   Real before = 0, h = 1, factorial = 1, hold = 0, yield = 0;
   for (int n = 0; n < 30; n++) {
@@ -30,7 +29,7 @@ ExactStep byseries(const SpringLaw& law, Real t, Real a, Real w2) {
           static_cast<double>(yield * t * t / m), static_cast<double>(t * hold / m)};
 }
 
-/// Two real roots, the double one included; m may be 0. e^slow and e^fast are the decays of the two solutions
+/// Two real roots, also the double one; m may be 0. e^slow and e^fast are the decays of the two solutions
 /// over the step.
 ExactStep overdamped(const SpringLaw& law, Real t) {
   const Real m = law.mass, c = law.damping, k = law.stiffness;
@@ -52,7 +51,7 @@ ExactStep underdamped(const SpringLaw& law, Real t, Real a, Real w2) {
   const Real sinc = s > 0 ? std::sin(s) / s : 1;
   const Real hold = decay * sinc, keep = decay * (std::cos(s) - a * sinc);
   Real yield = (1 - keep - 2 * a * hold) / w2;
-  if (a == 0) {  // 1 - cos without its cancellation
+  if (a == 0) {  // 1 - cos without cancellation
     const Real half = std::sin(s / 2);
     yield = 2 * half * half / w2;
   }
@@ -64,12 +63,12 @@ ExactStep underdamped(const SpringLaw& law, Real t, Real a, Real w2) {
 
 ExactStep exactStep(const SpringLaw& law, double dt) {
   if (!(law.mass >= 0 && law.damping >= 0 && law.stiffness >= 0 && dt >= 0))
-    throw std::invalid_argument("mass, damping, stiffness and step must not be negative");
+    throw std::invalid_argument("mass, damping, stiffness and step must be 0 or positive");
   const Real m = law.mass, c = law.damping, k = law.stiffness, t = dt;
   if (m == 0 && c == 0) {
     if (k == 0)
       throw std::invalid_argument(
-          "a sheet without mass, damping and stiffness does not move in any way that could be computed");
+          "a sheet's mass, damping and stiffness are all 0; expected at least one above 0");
     return {0, 0, dt > 0 ? 1 / law.stiffness : 0, 0};
   }
   if (dt == 0) return m > 0 ? ExactStep{0, 1, 0, 0} : ExactStep{0, 0, 0, 1 / law.damping};
@@ -90,8 +89,8 @@ SplitPush splitPush(const SpringLaw& law, const ExactStep& x, double dt) {
     const double before = x.keep * (x.yield / x.hold);
     return {before, x.push - before};
   }
-  return {x.push - x.yield / dt, x.yield / dt};  // as if the force grew linearly; beyond a quarter of a swing
-                                                 // stableSlope is 0
+  // Weights of a force that grows linearly; beyond a quarter of an oscillation stableSlope is 0.
+  return {x.push - x.yield / dt, x.yield / dt};
 }
 
 double stableSlope(const SpringLaw& law, double dt) {
@@ -110,8 +109,7 @@ double stableSlope(const SpringLaw& law, double dt) {
 double stableStep(const SpringLaw& law, double kappa) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (!(kappa > 0)) return infinite;
-  // a step that is surely stable, then doubled until it is not, then halved between: 50 halvings, far below
-  // any accuracy of kappa
+  // doubles a stable step until it is unstable, then bisects 50 times, far beyond the accuracy of kappa
   double low = law.mass > 0      ? std::sqrt(law.mass / (kappa + law.stiffness))
                : law.damping > 0 ? law.damping / (kappa + law.stiffness)
                                  : 0;

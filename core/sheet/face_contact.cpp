@@ -14,17 +14,17 @@
 namespace thaw {
 namespace {
 
-constexpr double coarser = 0.75;  // spacings of particles between vertices
+constexpr double coarser = 0.75;  // particle spacings between vertices
 
-/// A triangle near a cell, its corners as rows and places.
+/// Triangle near a cell, with rows and positions of its corners.
 struct Face {
   std::uint32_t number;
   std::array<std::uint32_t, 3> row;
   std::array<Vec3d, 3> x;
-  Vec3d low, high;  ///< of what touches it
+  Vec3d low, high;  ///< bounds of its contact region
 };
 
-/// One sheet against all particles.
+/// Contact of one sheet with all particles.
 struct FaceContact {
   World& w;
   const SheetVelocities& now;
@@ -46,8 +46,8 @@ struct FaceContact {
   std::vector<RowSpan> ranges;
   std::vector<Face> faces;
 
-  /// The triangles that a particle of this cell can touch: those whose corners are all beside it and beside
-  /// each other, so that the owner of each sees all.
+  /// Finds the triangles within reach of particles in this cell. All corners lie in cells adjacent to it and
+  /// to each other, so the owner of each finds the same.
   void facesNear(std::uint64_t key) {
     faces.clear();
     const Sheets& s = w.sheets.rows;
@@ -74,7 +74,7 @@ struct FaceContact {
       }
   }
 
-  /// Friction (N) on the three corners of a face and the particle j.
+  /// Returns the friction (N) on the three corners of a face and on particle j.
   std::array<Vec3d, 4> rubFace(std::size_t j, const Face& f, const Vec3d& shares, const Vec3d& off,
                                const Vec3d& n, const Vec3d& v, const TouchLaw& law, double normal) const {
     if (!(law.friction > 0)) return {};
@@ -93,17 +93,17 @@ struct FaceContact {
     return rub(turningOf(place, mass), velocity, share, off, n, v, law, normal);
   }
 
-  /// What a face and a particle at x have with each other; false where they are not within reach.
+  /// Contact geometry of a face and a particle.
   struct Near {
     const Face* face;
-    Vec3d shares, off;  ///< of the corners in the nearest point; m, from the particle to it
-    double depth;       ///< parts of the reach
+    Vec3d shares, off;  ///< barycentric coordinates of the nearest point; m, from the particle to it
+    double depth;       ///< fraction of the reach
     Vec3d n;
   };
   bool near(const Face& f, const Vec3d& x, Near& found) const {
     if (x.x < f.low.x || x.y < f.low.y || x.z < f.low.z || x.x > f.high.x || x.y > f.high.y || x.z > f.high.z)
       return false;
-    // places of corners from the particle, so that the bits are those of differences
+    // corners relative to the particle, so the bits are those of differences
     const Vec3d a = f.x[0] - x, b = f.x[1] - x, c = f.x[2] - x, u = sharesOfNearest(a, b, c, {}),
                 d = u.x * a + u.y * b + u.z * c;
     const double r = length(d), depth = 1 - r / plan.faceReach;
@@ -155,7 +155,7 @@ struct FaceContact {
                  particleBarrier(plan, p.material[j], p.mass[j]),
                  plan.faceReach};
     const double depth = all.depth() * plan.faceReach;
-    const Touch t = touchOf(law, depth, {1, 0, 0}, {approach, 0, 0});  // along the slope of the depth
+    const Touch t = touchOf(law, depth, {1, 0, 0}, {approach, 0, 0});  // along the gradient of the depth
     const double push = t.force.x, dash = t.resisting.x,
                  slope = t.slope * steep + all.bend() * push / plan.faceReach;
     law.friction = (1 - liquid) * std::max(body.friction, material.friction);
@@ -167,7 +167,7 @@ struct FaceContact {
     double conducts = 0;  // W/K
     if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {
       const double flow = body.conductance * w.scene.spacing * w.scene.spacing;
-      // of twice as many as lie side by side
+      // twice the number of particles side by side, for stability
       const double rate = 2 * (body.conductance / body.heatCapacity +
                                flow / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));
       conducts = flow * (averaged(rate, now.span) / rate);
@@ -201,8 +201,8 @@ struct FaceContact {
     w.sheets.stiffestParticle = std::max(w.sheets.stiffestParticle, stiffest);
   }
 
-  /// To the corners their shares of what the particle's owner has found: forces by the triangles' parts of
-  /// the slope of the depth, energy and heat by those of its eighth power.
+  /// Adds the corners' fractions of the particle's contact: forces by the triangles' parts of the depth
+  /// gradient, energy and heat by those of its eighth power.
   void pushCorners(std::uint32_t j) {
     const Continuum& p = w.particles;
     Sheets& s = w.sheets.rows;
@@ -224,8 +224,8 @@ struct FaceContact {
         s.resisting[i] += n.n * (share * push.y / s.area[i]);
         slope[i] += share * push.z;
         s.energy[i] += 0.5 * share * n.depth * numbers.x;
-        // each corner by its own temperature: dealt out by shares of what goes over, a corner that stays cold
-        // would have the others get hotter than all that heats them
+        // each corner uses its own temperature; fractions of the total heat could heat warm corners above the
+        // heat source
         if (s.heatFlow.active) s.heatFlow[i] += share * n.depth * numbers.y * (numbers.z - s.temperature[i]);
       }
     }

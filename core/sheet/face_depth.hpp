@@ -1,4 +1,4 @@
-// How deep a particle is in a sheet of triangles: one smooth number of all of those within reach.
+// Depth of a particle in the triangles within reach, as one smooth number.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -7,22 +7,21 @@
 
 namespace thaw {
 
-/// The depth (sum of d_i^8)^(1/8) of all triangles within reach, at depths d_i = reach - distance in parts of
-/// the reach; n_i from the particle to the nearest point of each.
+/// Depth (sum of d_i^8)^(1/8) over all triangles within reach, with d_i = reach - distance in fractions of
+/// the reach, and n_i from the particle to the nearest point of each.
 ///
-/// The depth in the nearest one would do on a flat sheet. Where a sheet sags under what lies on it another
-/// one becomes the nearest within a step, the force turns at once, and a step of any length has that wrong by
-/// a part of itself: a rubber cube on a net made 93 % of its energy anew. This one has a slope everywhere. It
-/// is the depth in the nearest one away from edges, 1.09 times that over an edge and 1.25 times that over a
-/// corner of six triangles, and as much stiffer squared; with the power 4 (1.19, 1.57) water on a coarse
-/// cloth wants shorter steps.
+/// The depth in the nearest triangle has no continuous gradient: on a sagging sheet the nearest triangle
+/// changes within a step, the force turns abruptly, and energy is gained at any step size. This depth is
+/// smooth. It equals the nearest one away from edges, and is 1.09 times it over an edge and 1.25 times over a
+/// vertex of six triangles; the stiffness grows with the square. The power 4 (1.19, 1.57) would need shorter
+/// steps.
 struct FaceDepth {
-  double sum = 0;     ///< of d_i^8
-  double pushes = 0;  ///< of d_i^7
-  double bends = 0;   ///< of d_i^6
-  Vec3d slopes{};     ///< of d_i^7 n_i
+  double sum = 0;     ///< sum of d_i^8
+  double pushes = 0;  ///< sum of d_i^7
+  double bends = 0;   ///< sum of d_i^6
+  Vec3d slopes{};     ///< sum of d_i^7 n_i
 
-  /// d^7: a triangle's part of the slope but for a factor of all.
+  /// d^7, a triangle's part of the gradient up to a common factor.
   static double push(double d) {
     const double d2 = d * d;
     return d2 * d2 * d2 * d;
@@ -37,8 +36,8 @@ struct FaceDepth {
   double depth() const { return std::sqrt(std::sqrt(std::sqrt(sum))); }
   double perPush() const { return depth() / sum; }
   Vec3d slope() const { return slopes * perPush(); }
-  /// How much the slope bends, over the depth: times E'(depth) it stands beside E'' (slope)^2 in a bound of
-  /// the force's slope. 0 where all triangles face the same way.
+  /// Bound of the gradient's change, over the depth: times E'(depth) it adds to E'' (gradient)^2 in a bound
+  /// of the force's slope. 0 if all triangles face the same way.
   double bend() const {
     const double d = depth();
     return 7 / d * std::max(0.0, bends * d * d / sum - dot(slope(), slope()));

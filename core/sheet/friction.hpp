@@ -1,7 +1,7 @@
-// Friction between nearest points that are apart, of a sheet's vertices with each other or with a particle.
-// Two opposite forces there would be a torque out of nothing: the four bodies take it back as a rigid body,
-// and what they turn as one is no sliding. So angular momentum is kept, and the power is friction times
-// sliding: never a gain.
+// Friction between nearest points at a distance, of a sheet's vertices with each other or with a particle.
+// Two opposite forces at a distance are a torque. The four points take it back as a rigid body, and their
+// rigid rotation is not sliding. So angular momentum is conserved, and the power, friction times sliding, is
+// never a gain.
 #pragma once
 #include <array>
 
@@ -10,16 +10,17 @@
 
 namespace thaw {
 
-/// Four points of mass as a rigid body, about their centre of mass.
+/// Four point masses as a rigid body about their centre of mass.
 struct Turning {
   std::array<Vec3d, 4> lever;  ///< m
   std::array<double, 4> mass;  ///< kg
-  Mat3d inverse;               ///< 1/(kg m^2), of the inertia
-  bool there = false;          ///< not of what is in a line
+  Mat3d inverse;               ///< 1/(kg m^2), inverse inertia
+  bool there = false;          ///< false for collinear points
 };
 
 inline Turning turningOf(const std::array<Vec3d, 4>& place, const std::array<double, 4>& mass) {
-  constexpr double inLine = 1e-12;  // of the inertia of points that are: they cannot take a torque
+  constexpr double inLine = 1e-12;  // relative determinant below which points are collinear and take no
+                                    // torque
   Turning t;
   t.mass = mass;
   double all = 0;
@@ -43,9 +44,9 @@ inline Turning turningOf(const std::array<Vec3d, 4>& place, const std::array<dou
   return t;
 }
 
-/// Forces (N) on the four. share: of the nearest points, negative for the second body, in all 0; apart (m):
-/// from the second's nearest point to the first's, along n; v (m/s): how fast that changes; normal (N): what
-/// presses them together.
+/// Returns the friction forces (N) on the four points. share: barycentric weights of the nearest points,
+/// negative for the second body, with sum 0; apart (m): from the second's nearest point to the first's, along
+/// n; v (m/s): its rate; normal (N): contact force.
 inline std::array<Vec3d, 4> rub(const Turning& t, const std::array<Vec3d, 4>& velocity,
                                 const std::array<double, 4>& share, const Vec3d& apart, const Vec3d& n,
                                 const Vec3d& v, const TouchLaw& law, double normal) {

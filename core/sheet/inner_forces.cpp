@@ -48,7 +48,7 @@ std::vector<BondRequest> edgeRequests(const SheetBodies& b) {
 }
 
 int searchTriangle(const Bonds& b, std::size_t slot, double next) {
-  for (int other = 0; other < b.capacity; other++)  // some neighbour has left the domain
+  for (int other = 0; other < b.capacity; other++)  // a neighbour has left the domain
     if (b.weight[b.at(slot, other)] == next) return other;
   return -1;
 }
@@ -73,8 +73,7 @@ Vec3d facingOf(const SheetEdges& e, std::size_t slot) {
 
 namespace {
 
-/// The bonds of a slot: springs, and the area vector of its triangles, as facingOf has it, from one look at
-/// its neighbours.
+/// Adds the springs of a slot and sets its area vector (as facingOf), in one pass over its neighbours.
 void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
@@ -82,7 +81,7 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   const SheetBody& body = w.scene.sheets[s.body[i]];
   const Bonds& bonds = b.edges.bonds;
   const bool limited = body.stretchLimit < never;
-  std::vector<SheetFactor> kinds;  // where some change in time
+  std::vector<SheetFactor> kinds;  // empty if none changes in time
   if (springs && s.changing.active)
     kinds = springKinds(b.plans[s.body[i]], static_cast<std::uint32_t>(s.id[i] & ((1ull << 40) - 1)));
   const FactorsNow& factors = b.factors[s.body[i]];
@@ -115,7 +114,7 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
       }
       slope += body.rigid * later;
     }
-    energy += 0.25 * stiffness * squares;  // the other end has the other half
+    energy += 0.25 * stiffness * squares;  // the other half belongs to the other end
     if (!kinds.empty()) changingOf(s, i, kind) += 0.25 * bonds.y[at] * squares;
     if (l > 0) force += d * (pull / l);
   }
@@ -136,7 +135,7 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   s.facing[i] = sum / 6.0;
 }
 
-/// Pressure that a change of volume makes in each part, after all ranks have told their share of the volumes.
+/// Adds the pressure from volume changes of each part, after a reduction of the volumes.
 void addPressure(World& w, Reducer& all) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
@@ -144,7 +143,7 @@ void addPressure(World& w, Reducer& all) {
   for (std::uint32_t p = 0; p < b.parts.size(); p++)
     if (b.parts[p].stiffness > 0) parts.push_back(p);
   if (parts.empty()) return;
-  // volume, and of the gradient its square per area: how stiff the pressure is
+  // volume, and gradient squared per area: the stiffness of the pressure
   std::vector<ExactSum> sums(2 * parts.size());
   for (std::size_t k = 0; k < parts.size(); k++) {
     const Vec3d origin = b.parts[parts[k]].origin;
@@ -171,7 +170,7 @@ void addPressure(World& w, Reducer& all) {
       turning(b.parts.size(), 0), slope(b.parts.size(), 0);
   for (std::size_t k = 0; k < parts.size(); k++) {
     SheetPart& p = b.parts[parts[k]];
-    if (digits[counts + k] < p.vertices) {  // some have left the domain: what is open holds no volume
+    if (digits[counts + k] < p.vertices) {  // some vertices have left: an open part holds no volume
       p.now = 0;
       continue;
     }
@@ -192,7 +191,7 @@ void addPressure(World& w, Reducer& all) {
     s.load[i] += s.facing[i] * (pressure[p] / s.area[i]);
     s.energy[i] += share[p] * s.area[i];
     if (s.changing.active) changingOf(s, i, SheetFactor::Volume) += whole[p] * s.area[i];
-    // the area vector turns with the neighbours: each third of a triangle's edge per vertex
+    // the area vector turns with the neighbours: a third of a triangle's edge per vertex
     const double turn = 2 * turning[p] / std::sqrt(s.area[i]);
     b.slope[i] += slope[p] + turn;
   }

@@ -1,30 +1,28 @@
-// Forces among the vertices of a sheet: edges as springs, bending, the volume of a closed mesh (DS
-// section 3.1).
+// Internal forces of a sheet: edge springs, bending, and the volume of a closed mesh (DS section 3.1).
 #pragma once
 #include "core/step.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
 
-/// Columns of Solids that edges need.
+/// Activates the columns of Solids that edges need.
 void activateEdges(SheetEdges& edges);
 
-/// The table of vertices as bonds see it, now.
+/// Returns the vertices as endpoints of bonds.
 inline BondedRows vertexRows(Sheets& s) { return {s.owned, s.id.data(), s.slot.data(), s.body.data()}; }
 
-/// As at the start: no ends and no bonds.
+/// Removes all ends and bonds, as at the start.
 void emptyEdges(SheetBodies& sheets);
 
-/// Before vertices migrate. At the start, and after a restart, no vertex has a slot yet. left: some vertex
-/// has left the domain.
+/// Clears slots before vertices migrate, if none are assigned yet: at the start and after a restart. left:
+/// some vertex has left the domain.
 void forgetSlotsAtStart(SheetBodies& sheets, bool left);
 
-/// The bonds that the plans say, of all slots of this rank: in the order of rings, then the vertices across
-/// edges. Requests for Relink.
+/// Returns the bonds of the plans for all slots of this rank: rings in order, then the vertices across edges.
 std::vector<BondRequest> edgeRequests(const SheetBodies& sheets);
 
-/// Place in a slot's bonds of the neighbour with which bond k closes a triangle; -1 where there is none (or
-/// it has left the domain). the same where some neighbour has left
+/// Returns the index in a slot's bonds of the neighbour that closes a triangle with bond k, or -1 without
+/// one. searchTriangle does the same if some neighbour has left the domain.
 int searchTriangle(const Bonds& bonds, std::size_t slot, double next);
 inline int triangleWith(const Bonds& b, std::size_t slot, int k) {
   const double next = b.z[b.at(slot, k)];
@@ -33,20 +31,20 @@ inline int triangleWith(const Bonds& b, std::size_t slot, int k) {
   return guess < b.capacity && b.weight[b.at(slot, guess)] == next ? guess : searchTriangle(b, slot, next);
 }
 
-/// Vectors from a slot's vertex to the other ends: Solids::position has to be up to date on both.
+/// Returns the vector from a slot's vertex to the other end. Requires: current Solids::position at both.
 inline Vec3d edgeVector(const SheetEdges& e, std::size_t slot, int k) {
   return e.ends.position[e.bonds.neighbour[e.bonds.at(slot, k)]] - e.ends.position[slot];
 }
 
-/// Positions of vertices to the ends of edges, remote ones too. Collective.
+/// Copies positions of vertices to the ends of edges, remote ones too. Collective.
 void sendEnds(SheetBodies& sheets, BondHalo& edges);
 
-/// Area vector of a slot's vertex, m^2: of a third of its triangles. Of a closed sheet also the gradient of
-/// its volume.
+/// Returns the area vector (m^2) of a slot's vertex, a third of its triangles'. For a closed sheet it is the
+/// gradient of the volume.
 Vec3d facingOf(const SheetEdges& e, std::size_t slot);
 
-/// Adds to Sheets::load and energy, writes Sheets::facing; SheetPart::now where volume matters;
-/// SheetBodies::slope. Collective.
+/// Adds to Sheets::load and energy and to SheetBodies::slope; sets Sheets::facing, and SheetPart::now where
+/// volume is stiff. Collective.
 void addInnerForces(World& world, Halos halos);
 
 }  // namespace thaw

@@ -7,22 +7,23 @@
 namespace thaw {
 namespace {
 
-constexpr double spare = 1.3;   // of the way that the fastest vertex comes within the time ahead: it may get
-                                // faster before lists are made anew
-constexpr double slow = 0.01;   // of the greatest thickness, at least
-constexpr double margin = 0.3;  // of the greatest thickness: less than lies between neighbours of a flat
-                                // sheet and their reach
+// Factor of the predicted motion of the fastest vertex, which may accelerate before the next rebuild.
+constexpr double spare = 1.3;
+constexpr double slow = 0.01;  // fraction of the largest thickness, at least
+// Fraction of the largest thickness; less than the gap between neighbours of a flat sheet and their contact
+// distance.
+constexpr double margin = 0.3;
 
-/// A vertex, an edge or a triangle that is here whole.
+/// Vertex, edge or triangle with all its vertices on this rank.
 template<std::size_t n> struct Element {
   std::uint32_t number;
   std::array<std::uint32_t, n> row;
 };
 
-/// Elements of one kind, all and those that the list does not know yet.
+/// Elements of one type: all, and those that are not listed yet.
 template<std::size_t n> struct Elements {
   std::vector<Element<n>> all, fresh;
-  std::vector<std::uint8_t> isFresh;  // beside all
+  std::vector<std::uint8_t> isFresh;  // parallel to `all`
   BinnedBoxes allBoxes, freshBoxes;
   void add(const Element<n>& e, bool isNew) {
     all.push_back(e);
@@ -49,7 +50,7 @@ struct Listing {
   const World& w;
   const MeshRows& m;
   MeshCandidates& list;
-  double beyond;  // m, of the reach: what is no further is listed
+  double beyond;  // m, listing distance beyond contact
   Elements<1> vertices;
   Elements<2> edges;
   Elements<3> triangles;
@@ -120,7 +121,7 @@ struct Listing {
     add(a.number, b.number, {a.row[0], a.row[1], b.row[0], b.row[1]}, list.edges, edgeAndEdge);
   }
 
-  /// All pairs with a fresh element in them.
+  /// Lists all pairs with at least one fresh element.
   void findPairs() {
     double reach = 0;
     for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
@@ -144,7 +145,7 @@ struct Listing {
   }
 };
 
-/// Once each: a vertex that went and came again was listed twice.
+/// Sorts and removes duplicates, which arise when a vertex leaves and returns.
 void sortOnce(std::vector<MeshCandidate>& list) {
   std::sort(list.begin(), list.end(),
             [](const MeshCandidate& a, const MeshCandidate& b) { return a.order < b.order; });
@@ -182,7 +183,7 @@ void findMeshCandidates(const World& w, const MeshRows& m, const MeshMotion& mot
     all = all || (m.wasHere[v] && dot(d, d) > 0.25 * room * room);
   }
   if (!all && !some) return;
-  // those listed before may be half of the room away already, and may come back as far on the other side
+  // listed pairs may have moved half of the margin, and may return as far on the other side
   Listing listing{w, m, c, all ? room : 1.5 * room, {}, {}, {}};
   if (all) {
     c.room = std::max(spare * comes, slow * thickest);

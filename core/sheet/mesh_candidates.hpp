@@ -1,6 +1,6 @@
-// Pairs of vertices, triangles and edges of sheets that may come to touch before long: a list with a margin,
-// made anew when something has used that up, and added to when vertices come to this rank. What touches is
-// asked of each pair in every step: no bit depends on when lists were made.
+// Pairs of vertices, triangles and edges of sheets that may soon touch: a list with a margin, rebuilt when
+// motion has used it up, and extended when vertices arrive. Contact is tested for each pair in each step, so
+// results do not depend on when lists are built.
 #pragma once
 #include "core/sheet/mesh_rows.hpp"
 #include "core/sheet/near_boxes.hpp"
@@ -11,37 +11,36 @@ namespace thaw {
 struct World;
 
 struct MeshCandidate {
-  std::uint64_t order;  ///< number of the vertex and the triangle, or of both edges, in all meshes
+  std::uint64_t order;                  ///< vertex and triangle number, or both edge numbers, over all meshes
   std::array<std::uint32_t, 4> vertex;  ///< numbers of the vertex and the corners, or of both ends of each
                                         ///< edge
-  double reach;                         ///< m, at which they begin to touch
-  bool comes;  ///< it may be seen to come: not of what lies beside each other at rest, which is always near
+  double reach;                         ///< m, contact distance
+  bool comes;  ///< approach is predicted; false for neighbours at rest, which are always near
 };
 
-/// How the vertices move, on this rank.
+/// Motion of the vertices on this rank.
 struct MeshMotion {
-  Vec3d mean{};      ///< m/s: what is common to all costs no new search
-  double dt = 0;     ///< s, since the last time
-  double ahead = 0;  ///< s: pairs that come into reach within it are to be listed, too
+  Vec3d mean{};      ///< m/s, common motion, which needs no new search
+  double dt = 0;     ///< s, since the last call
+  double ahead = 0;  ///< s, time ahead for which pairs are listed
 };
 
 struct MeshCandidates {
-  std::vector<MeshCandidate> faces, edges;  ///< ascending by order
-  Vec3d shift{};                            ///< m, that all are taken to have moved by since the start
-  std::vector<Vec3d> listed;  ///< m, place of each vertex without the shift when pairs were last sought for
-                              ///< it
-  double room = 0;  ///< m, for what each vertex may come beside the mean within MeshMotion::ahead, in these
-                    ///< pairs: one for all, as single ones get faster in every step
+  std::vector<MeshCandidate> faces, edges;  ///< in ascending order
+  Vec3d shift{};                            ///< m, common displacement since the start
+  std::vector<Vec3d> listed;  ///< m, position of each vertex without the shift at its last search
+  /// m, for each vertex's motion besides the mean within MeshMotion::ahead. One value for all, since single
+  /// vertices get faster in every step.
+  double room = 0;
 };
 
-/// m, of the sheets; what comes further within MeshMotion::ahead is not looked for.
+/// Returns the largest thickness (m), the limit of motion within MeshMotion::ahead.
 double thickestSheet(const World& world);
 
-/// Part of the distance at rest within which the parts of one sheet touch, where that is less than the
-/// thickness.
+/// Ratio of contact distance to rest distance within one sheet, where it is less than the thickness.
 inline constexpr double nearAtRest = 0.5;
 
-/// Brings the lists up to date. Needs Sheets::moving, of ghosts too.
+/// Updates the lists. Requires: Sheets::moving, of ghosts too.
 void findMeshCandidates(const World& world, const MeshRows& rows, const MeshMotion& motion,
                         MeshCandidates& candidates);
 

@@ -9,13 +9,14 @@
 namespace thaw {
 namespace {
 
-// Where layers lie on each other a vertex is within reach of several triangles, and an edge of more edges
-// still, the more the further they reach: together they are to be about as stiff as one contact. What reaches
-// less far than edges are long meets few, and each has to hold alone.
-constexpr double moreTriangles = 5, moreEdges = 16;  // for a reach of the mean length of edges
-constexpr double ahead = 2;      // pairs come into reach within a step: what bounds it is taken for so much
-                                 // stiffer, which halves what contact costs the books
-constexpr double deepest = 0.1;  // of the reach: what is nearer does not shorten the step further
+// Where layers lie on each other a vertex is within reach of several triangles, and an edge of more edges;
+// the number grows with the reach. Together they should be about as stiff as one contact. A reach shorter
+// than the edges meets few, and each must bear the load alone.
+constexpr double moreTriangles = 5, moreEdges = 16;  // for a reach of one mean edge length
+// Pairs come into reach within a step: the bound of stiffness is scaled by this, which halves the energy
+// error of contact.
+constexpr double ahead = 2;
+constexpr double deepest = 0.1;  // fraction of the reach: closer pairs do not shorten the step further
 
 struct MeshContact {
   World& w;
@@ -25,7 +26,8 @@ struct MeshContact {
 
   double massOf(std::uint32_t i) const { return w.sheets.laws[s.law[i]].contactMass * s.area[i]; }
 
-  /// The law between two bodies of these masses (kg), one of so many pairs more for a reach of an edge.
+  /// Returns the law between bodies of these masses (kg); `more` is the number of extra pairs for a reach of
+  /// one edge.
   TouchLaw lawOf(const MeshPair& p, double first, double second, double more) const {
     const std::size_t a = s.body[p.row[0]], b = s.body[p.row[3]];
     const SheetBody &x = w.scene.sheets[a], &y = w.scene.sheets[b];
@@ -42,7 +44,7 @@ struct MeshContact {
     return v;
   }
 
-  /// Friction of a pair to its vertices.
+  /// Adds friction of a pair to its vertices.
   void rubPair(const MeshPair& p, const TouchLaw& law, double normal, const Vec3d& n, const Vec3d& v) {
     if (!(law.friction > 0)) return;
     std::array<Vec3d, 4> place, velocity;
@@ -63,7 +65,7 @@ struct MeshContact {
     }
   }
 
-  /// Of a pair that touches: force, energy, losses and slope to its vertices by their shares.
+  /// Adds force, energy, dissipation and slope of a touching pair to its vertices by weight.
   Touch touch(const MeshPair& p, const TouchLaw& law) {
     const Vec3d n = p.apart / p.distance, v = relativeVelocity(p);
     TouchLaw smooth = law;
@@ -99,7 +101,7 @@ struct MeshContact {
                          0.5 * (massOf(p.row[2]) + massOf(p.row[3])), moreEdges);
     law.mass *= crossed;
     const Touch t = touch(p, law);
-    // the energy per sin^2 turns both edges towards being parallel
+    // energy per sin^2 exerts a torque that turns the edges parallel
     const double whole = t.energy / crossed, depth = p.reach - p.distance, least = std::min(la, lb);
     const Vec3d ofA = (2 * whole * cosine / la) * (b / lb - cosine * (a / la)),
                 ofB = (2 * whole * cosine / lb) * (a / la - cosine * (b / lb));

@@ -6,9 +6,9 @@
 namespace thaw {
 namespace {
 
-/// Of the candidates those that touch; and how fast (1/s, over their reach) those come that will within
-/// `ahead` (s) and are no further (m) from it than what candidates have room for. pairOf: what they are,
-/// vertex and triangle or two edges.
+/// Selects the candidates that touch. Returns the largest approach rate (1/s, over reach) of candidates that
+/// will touch within `ahead` (s), with motion limited to `farthest` (m). pairOf makes the pair of a vertex
+/// and a triangle, or of two edges.
 template<class PairOf>
 double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>& candidates, double ahead,
             double farthest, std::vector<MeshPair>& found, PairOf&& pairOf) {
@@ -25,7 +25,7 @@ double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>
     if (!all || !ours) continue;
     MeshPair p = pairOf(s.position, rows);
     if (!(p.distance > 0)) continue;
-    double rate = 0;  // m/s, of approach
+    double rate = 0;  // m/s, rate of approach
     if (p.distance >= c.reach) {
       if (!c.comes) continue;
       for (std::size_t k = 0; k < 4; k++) rate -= p.share[k] * dot(s.moving[rows[k]], p.apart) / p.distance;
@@ -41,7 +41,7 @@ double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>
 
 }  // namespace
 
-// places from the first of four, so that the bits are those of differences
+// positions relative to the first of four, so the bits are those of differences
 MeshPair vertexAndTriangle(const Column<Vec3d>& x, const std::array<std::uint32_t, 4>& rows) {
   const Vec3d a = x[rows[1]] - x[rows[0]], b = x[rows[2]] - x[rows[0]], c = x[rows[3]] - x[rows[0]],
               u = sharesOfNearest(a, b, c, {}), d = -(u.x * a + u.y * b + u.z * c);

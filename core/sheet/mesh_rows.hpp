@@ -1,5 +1,4 @@
-// Where the vertices of the sheets' meshes are on this rank: contact by triangles and edges wants rows by the
-// numbers that the plans have.
+// Local rows of mesh vertices by their numbers in the plans, for mesh contact.
 #pragma once
 #include <cstdlib>
 #include <span>
@@ -13,34 +12,34 @@ struct Sheets;
 
 inline constexpr std::uint32_t notHere = 0xffffffffu;
 
-/// Vertices are numbered through all sheets: sheet n begins with number first[n].
+/// Vertices are numbered through all sheets: sheet n starts at first[n].
 struct MeshRows {
   std::vector<std::uint32_t> first;     ///< sheets + 1
-  std::vector<std::uint32_t> rowOf;     ///< of each vertex, ghosts too; notHere where it is not here
-  std::vector<std::uint32_t> numberOf;  ///< of each row
-  std::vector<Vec3i> cell;              ///< of each row
-  std::vector<std::uint32_t> before;    ///< numbers that had rows at the evaluation before
-  std::vector<std::uint8_t> wasHere;    ///< of each vertex, at the evaluation before
+  std::vector<std::uint32_t> rowOf;     ///< per vertex, ghosts too; notHere if absent
+  std::vector<std::uint32_t> numberOf;  ///< per row
+  std::vector<Vec3i> cell;              ///< per row
+  std::vector<std::uint32_t> before;    ///< numbers with rows in the previous evaluation
+  std::vector<std::uint8_t> wasHere;    ///< per vertex, in the previous evaluation
 };
 
 inline std::uint32_t vertexOf(std::uint64_t id) {
   return static_cast<std::uint32_t>(id & ((1ull << 40) - 1));
 }
 
-/// Needs ghosts with their ids. Takes as long as there are rows here, not as long as the mesh is.
+/// Updates the tables. The cost grows with the local rows, not with the mesh. Requires: ghosts with ids.
 void findMeshRows(const Sheets& rows, const CellTable& cells, const std::vector<SheetPlan>& plans,
                   MeshRows& found);
 
-/// Is the one cell the other, or beside it?
+/// Returns whether the cells are equal or adjacent.
 inline bool beside(const Vec3i& a, const Vec3i& b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 && std::abs(a.z - b.z) <= 1;
 }
 
-/// Are these rows each in the cell of each other, or beside it? Then the owner of each sees all of them; what
-/// is not so acts on nobody, on any number of ranks.
+/// Returns whether all rows lie in equal or adjacent cells. Then each owner sees all of them. Other
+/// combinations are ignored, on any number of ranks.
 bool allBeside(const MeshRows& m, std::span<const std::uint32_t> rows);
 
-/// Rows of a triangle of a mesh, with notHere where a corner is not here.
+/// Returns the rows of a triangle's corners, notHere where absent.
 inline std::array<std::uint32_t, 3> rowsOfTriangle(const MeshRows& m, const SheetPlan& plan,
                                                    std::size_t sheet, std::uint32_t triangle) {
   const auto& v = plan.mesh.triangles[triangle];

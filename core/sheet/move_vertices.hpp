@@ -1,5 +1,5 @@
-// The vertex update: one linear map of place and velocity for all vertices of a law, as fast as memory gives
-// and takes them.
+// Vertex update: one linear map of position and velocity for all vertices of a law, bound by memory
+// bandwidth.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// A law over a step, as the update wants it.
+/// Coefficients of a law for one step.
 struct VertexMap {
   double hold, keep, yield, push;  ///< ExactStep
   double stiffness;                ///< N/m^3
@@ -20,14 +20,14 @@ VertexMap vertexMap(const SpringLaw& law, double dt);
 struct VertexArrays {
   Vec3d* position;
   Vec3d* velocity;
-  const Vec3d* rest;         ///< of the spring, plastic flow included
+  const Vec3d* rest;         ///< rest position of the spring, plastic flow included
   const Vec3d* load;         ///< N/m^2
-  const std::uint16_t* law;  ///< index into maps; may be null where there is one map
+  const std::uint16_t* law;  ///< index into maps; may be null with one map
 };
 
-/// Place of all, and velocity but for `after` times the load after the step: x += hold v + yield r, v = keep
-/// v - push K z + before f, where z = x - rest, r = f - K z. Each vertex by itself: any order, any bits of a
-/// vector unit give the same.
+/// Updates positions, and velocities up to the load after the step: x += hold v + yield r, v = keep v - push
+/// K z + before f, where z = x - rest, r = f - K z. Vertices are independent, so order and vectorisation do
+/// not change bits.
 void moveVertices(std::span<const VertexMap> maps, const VertexArrays& a, std::size_t begin, std::size_t end);
 
 }  // namespace thaw

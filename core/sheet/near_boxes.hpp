@@ -1,5 +1,5 @@
-// Pairs of boxes that overlap, from bins of their middles. What is found does not depend on the bins; in
-// which order, does.
+// Pairs of overlapping boxes, found by bins of their centres. The set of pairs does not depend on the bins;
+// their order does.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ struct Box {
   }
 };
 
-/// Around all corners, and further by a margin (m).
+/// Returns the box around all corners, enlarged by a margin (m).
 template<std::size_t n> Box boxAround(const std::array<Vec3d, n>& corners, double margin) {
   Box b{corners[0], corners[0]};
   for (const Vec3d& x : corners) b.take(x);
@@ -27,17 +27,17 @@ template<std::size_t n> Box boxAround(const std::array<Vec3d, n>& corners, doubl
   return b;
 }
 
-/// Boxes sorted by the bin of their middles; their sides in single precision, rounded outward, axis by axis,
-/// so that several are compared at once.
+/// Boxes sorted by the bin of their centres. Sides are single precision, rounded outward, stored by axis for
+/// vectorisation.
 struct BinnedBoxes {
   CellTable bins;
   std::vector<float> low[3], high[3];
-  std::vector<std::uint32_t> number;  ///< of each, in the list that was given
+  std::vector<std::uint32_t> number;  ///< index of each in the input list
   std::vector<std::pair<std::uint64_t, std::uint32_t>> room;
 };
 
-/// Cubes of the edge of the largest box, from the lowest corner: boxes that overlap, of this list or no
-/// larger, are in the same or in neighbouring ones.
+/// Cubic bins with the edge of the largest box, from the lowest corner. Overlapping boxes of this list, or
+/// smaller ones, lie in equal or adjacent bins.
 struct BoxBins {
   Vec3d origin;
   double edge;
@@ -45,11 +45,11 @@ struct BoxBins {
 BoxBins binsFor(const std::vector<Box>& boxes);
 void binBoxes(const std::vector<Box>& boxes, const BoxBins& bins, BinnedBoxes& binned);
 
-/// hit[k]: does box i of a overlap with box rows.begin + k of b?
+/// Sets hit[k] if box i of a overlaps box rows.begin + k of b.
 void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowSpan& rows,
               std::int32_t* hit);
 
-/// Calls use(number in a, number in b) for all pairs that overlap, and for some that only nearly do.
+/// Calls use(index in a, index in b) for all pairs that overlap, and for some that nearly do.
 template<class Use> void eachNearPair(const BinnedBoxes& a, const BinnedBoxes& b, Use&& use) {
   std::vector<RowSpan> ranges;
   std::vector<std::int32_t> hit;

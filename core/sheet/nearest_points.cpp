@@ -31,7 +31,7 @@ Vec3d sharesOfNearest(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3
     return {0, 1 - t, t};
   }
   const double all = va + vb + vc;
-  if (!(all > 0)) return {1, 0, 0};  // without area
+  if (!(all > 0)) return {1, 0, 0};  // no area
   const double v = vb / all, q = vc / all;
   return {1 - v - q, v, q};
 }

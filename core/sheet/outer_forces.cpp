@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Pressure on the side that the wind blows at: density (v . n)^2, along the normal; of the relative
+/// Returns the wind pressure on the upwind side, density (v . n)^2 along the normal, with the relative
 /// velocity.
 Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& facing, double area) {
   const double size = length(facing);
@@ -26,7 +26,7 @@ const Wall* wallNamed(const World& w, const std::string& name) {
   return nullptr;
 }
 
-/// Force per area of all walls; work and impulse to the ledger.
+/// Returns the force per area of all walls; records work and impulse.
 Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impulse) {
   SheetBodies& sheets = w.sheets;
   Sheets& s = sheets.rows;
@@ -57,7 +57,7 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
     s.resisting[i] += touch.resisting;
     if (!wall.properties.motion.empty()) {
       w.ledger.wallWork.add(dot(touch.force, u) * s.area[i] * now.dt);
-      // kickSheets books the loss at a wall that stands
+      // kickSheets records the dissipation at a fixed wall
       s.dissipated[i] += dot(touch.resisting, u) * s.area[i] * now.dt;
     }
     sheets.slope[i] += touch.slope;
@@ -89,7 +89,7 @@ void clearLoads(World& w) {
 void addOuterForces(World& w, const SheetVelocities& now) {
   SheetBodies& sheets = w.sheets;
   Sheets& s = sheets.rows;
-  const double time = w.clock.time + now.dt;  // of these forces
+  const double time = w.clock.time + now.dt;  // time of these forces
   bool walls = false;
   for (const Wall& wall : w.walls.list) walls = walls || wall.present;
   if (!walls && !s.outside.active) return;
@@ -104,7 +104,7 @@ void addOuterForces(World& w, const SheetVelocities& now) {
     pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)],
                       b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo),
                       {}});
-    // that of addBodyWrap, or what it was to be wrapped round has gone
+    // addBodyWrap handles bodies; a removed target exerts no wrap
     if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;
     for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brushStroke(brush, time, now.dt));
   }

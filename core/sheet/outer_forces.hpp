@@ -1,41 +1,40 @@
-// Forces on a sheet from outside: weight, wind, wrap, brushes, obstacles (DS section 3.1); and the books of
-// what holds it.
+// External forces on a sheet: weight, wind, wrap, brushes, obstacles (DS section 3.1); and the ledger entries
+// of constraints.
 #pragma once
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// Velocities (m/s) at the time of the forces, of owned vertices.
+/// Velocities (m/s) of owned vertices at the time of the forces.
 struct SheetVelocities {
   std::vector<Vec3d> velocity;
-  double span = 0;  ///< s, of the step at hand: friction stops nothing earlier
-  double dt = 0;    ///< s, of the step that ends now; 0 at the start, when nothing is booked
+  double span = 0;  ///< s, current step: friction stops nothing earlier
+  double dt = 0;    ///< s, step that ends now; 0 at the start, where nothing is recorded
 };
 
-/// Sheets::load to the weight; energy, outside, heatFlow to nothing.
+/// Sets Sheets::load to the weight, and energy, outside and heatFlow to 0.
 void clearLoads(World& world);
 
-/// Adds wind, wrap, brushes and the contact with obstacles: spring, dashpot and Coulomb friction within the
-/// thickness of a surface.
+/// Adds wind, wrap, brushes and obstacle contact: spring, dashpot and Coulomb friction within the thickness
+/// of a surface.
 void addOuterForces(World& world, const SheetVelocities& now);
 
-/// Part of the difference of velocities that the air's drag may take away in a step: it acts by the velocity
-/// of before the step.
+/// Largest fraction of the relative velocity that air drag removes in a step; drag uses the velocity before
+/// the step.
 inline constexpr double dragInAStep = 0.2;
 
-/// 1/s, how fast the air takes vertices along, 2 rho |u_n| area / mass, the largest of this rank; with the
-/// speed that they have when a step ends in which they are taken along by dragInAStep. Needs all loads.
+/// Returns the largest drag rate (1/s) of this rank, 2 rho |u_n| area / mass, with the speed at the end of a
+/// step limited by dragInAStep. Requires: all loads.
 double fastestDrag(const World& world, const SheetVelocities& now);
 
-/// Adds the energy of the springs to the places of rest, as stiff as they are at this time (s).
+/// Adds the energy of the springs to rest positions, with the stiffness at this time (s).
 void addRestEnergy(World& world, double time);
 
-/// Momentum that springs to the places of rest, damping and clamps have given: before the step sign -1, after
-/// it 1.
+/// Records the impulse of rest springs, damping and clamps: call with sign -1 before the step and 1 after it.
 void bookHolding(World& world, double sign, double dt);
 
-/// Half of the work of what pushes from outside over the step, by the forces of now: before vertices have
-/// moved on to other ranks, and after the forces at the new places are known.
+/// Records half of the external work of a step with the current forces. Call before vertices migrate, and
+/// after the forces at the new positions are known.
 void bookOutsideWork(World& world);
 
 }  // namespace thaw

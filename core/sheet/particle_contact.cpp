@@ -5,8 +5,8 @@
 namespace thaw {
 namespace {
 
-constexpr double asLiquid = 1;  // rate over c/s; at a half light vertices tremble a little less between
-                                // particles
+// Ratio of the rate to c/s. Half of it would reduce vibration of light vertices slightly.
+constexpr double asLiquid = 1;
 
 }  // namespace
 

@@ -1,5 +1,4 @@
-// What holds heavy particles of the continuum off a light sheet, where the scene does not say how stiff
-// contact is.
+// Contact stiffness between heavy continuum particles and a light sheet, if the scene gives none.
 #pragma once
 #include <span>
 
@@ -8,15 +7,14 @@
 
 namespace thaw {
 
-/// Fills SheetPlan::particleRate. Contact's spring turns round a light vertex, as its mass asks; a particle
-/// is often much heavier and would go on through. So beside the spring there is a barrier (TouchLaw) that
-/// stops it: one that comes at the scene's speeds, within the distance of contact; for one of a liquid as
-/// stiff as the liquid itself, m (c/s)^2 for a spacing s and speed of sound c, so that the liquid's pressure
-/// does not press through.
+/// Sets SheetPlan::particleRate. The contact spring is sized for a light vertex; a heavier particle would
+/// pass through. A barrier (TouchLaw) beside the spring stops it within the contact distance at the scene's
+/// speeds. For a liquid it is at least as stiff as the liquid, m (c/s)^2 for spacing s and sound speed c, so
+/// pressure does not push particles through.
 void planParticleContact(const Scene& scene, std::span<const LiquidMaterial> liquids,
                          std::vector<SheetPlan>& plans);
 
-/// N/m, TouchLaw::barrier of a particle of this material and mass (kg).
+/// Returns TouchLaw::barrier (N/m) for a particle of this material and mass (kg).
 inline double particleBarrier(const SheetPlan& plan, std::size_t material, double mass) {
   return mass * plan.particleRate[material] * plan.particleRate[material];
 }

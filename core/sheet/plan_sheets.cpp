@@ -24,8 +24,7 @@ double largestFactor(const SheetBody& b, SheetFactor f, double from) {
 
 namespace {
 
-/// The speed (m/s) with which a vertex may meet anything: its own, of a fall through the domain, of
-/// obstacles.
+/// Returns the largest contact speed (m/s) of a vertex: its own, of a fall through the domain, of obstacles.
 double speedOf(const Scene& s, const SheetBody& b) {
   double fastest = length(b.velocity) + length(b.wind);
   for (const Obstacle& o : s.obstacles)
@@ -35,8 +34,8 @@ double speedOf(const Scene& s, const SheetBody& b) {
   return fastest + fallSpeed(s.domain);
 }
 
-/// How fast contact has to turn a vertex round, so that it goes no deeper than half of the thickness at the
-/// scene's speeds and a tenth under the scene's pressures.
+/// Returns the contact rate for which a vertex penetrates at most half of the thickness at the scene's speeds
+/// and a tenth under its pressures.
 double contactRateOf(const Scene& s, const SheetBody& b, double thickness) {
   const auto most = [&](SheetFactor f) {
     return std::abs(b.*sheetCoefficients[placeOf(f)].value) * largestFactor(b, f);
@@ -49,10 +48,10 @@ double contactRateOf(const Scene& s, const SheetBody& b, double thickness) {
                    2 * std::sqrt(most(SheetFactor::Stiffness) / mass), 1.0});
 }
 
-/// Of a spring between two vertices.
+/// Mean factor of a spring's two vertices.
 struct SpringFactors {
   const std::vector<SheetLaw>& laws;
-  const std::vector<std::uint16_t>& law;  // of each vertex
+  const std::vector<std::uint16_t>& law;  // per vertex
   double operator()(SheetFactor f, std::uint32_t a, std::uint32_t b) const {
     return 0.5 * (laws[law[a]].factor[placeOf(f)] + laws[law[b]].factor[placeOf(f)]);
   }
@@ -68,7 +67,7 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, cons
     for (std::uint32_t k = t.first[a]; k < t.first[a + 1]; k++)
       if (t.ring[k].to == c) area = t.ring[k].area;
     const double span = length(x[beyond] - x[across]), edge = length(x[c] - x[a]);
-    const bool second = span < 1.2 * edge;  // the second diagonal of a square
+    const bool second = span < 1.2 * edge;  // second diagonal of a square
     const SheetFactor kind = second ? edgeKind(b, x[beyond] - x[across]) : SheetFactor::Bending;
     const double stiffness = (second ? edgeStiffness(b, x[beyond] - x[across], area)
                                      : b.bending * area / (span * span)) *
@@ -80,12 +79,12 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, cons
   std::sort(all.begin(), all.end(), [](const SheetHinge& p, const SheetHinge& q) {
     return p.from != q.from ? p.from < q.from : p.to < q.to;
   });
-  // two edges of a very coarse mesh may have the same vertices across: one bond
+  // two edges of a very coarse mesh may share the vertices across: keep one bond
   all.erase(
       std::unique(all.begin(), all.end(),
                   [](const SheetHinge& p, const SheetHinge& q) { return p.from == q.from && p.to == q.to; }),
       all.end());
-  std::erase_if(all, [&](const SheetHinge& h) {  // nor a second one beside an edge
+  std::erase_if(all, [&](const SheetHinge& h) {  // no hinge parallel to an edge
     for (std::uint32_t k = t.first[h.from]; k < t.first[h.from + 1]; k++)
       if (t.ring[k].to == h.to) return true;
     return false;
@@ -93,8 +92,8 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, cons
   return all;
 }
 
-/// Contact by triangles begins where spheres of the particles' spacing touch a sheet that is as thick as
-/// that, unless the scene gives its thickness.
+/// Sets contact by triangles: spheres of the particles' spacing against a sheet as thick as that, unless the
+/// scene gives its thickness.
 void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   const double thickness = b.thickness > 0 ? b.thickness : 0.8 * s.spacing;
   plan.faceReach = 0.5 * (thickness + s.spacing);
@@ -104,12 +103,12 @@ void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   plan.faceArea = area / static_cast<double>(plan.topology.area.size());
 }
 
-/// kg/m^2: what has no mass turns round as fast by its damping or its spring.
+/// Contact mass (kg/m^2); without mass it is equivalent to damping or stiffness at this rate.
 double contactMassOf(const SpringLaw& l, double rate) {
   return l.mass > 0 ? l.mass : l.damping > 0 ? l.damping / rate : l.stiffness / (rate * rate);
 }
 
-/// Triangles by their first corners.
+/// Lists triangles by their first corners.
 void listFaces(SheetPlan& plan) {
   plan.faceFirst.assign(plan.mesh.vertices.size() + 1, 0);
   for (const auto& t : plan.mesh.triangles) plan.faceFirst[t[0] + 1]++;
@@ -131,7 +130,8 @@ SheetLaw lawOf(std::size_t sheet, const SheetBody& b, const SheetRegion& r) {
 
 void checkLaw(const SheetLaw& l, const SourcePlace& where) {
   if (l.law.mass == 0 && l.law.damping == 0 && l.law.stiffness == 0)
-    throw ShapeError("a sheet needs mass, damping or stiffness: all three are 0", where);
+    throw ShapeError("mass, damping and stiffness of a sheet are all 0; expected at least one above 0",
+                     where);
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ double sheetThickness(const Scene& s, const SheetBody& b) {
 double expectedSheetSpeed(const Scene& s) {
   double most = 0;
   for (const SheetBody& b : s.sheets) {
-    // of a pressure that pushes over a length
+    // speed from a pressure over a distance
     const auto pushed = [&](double pressure, double over) {
       return b.mass > 0 ? std::sqrt(2 * pressure * over / b.mass) : b.damping > 0 ? pressure / b.damping : 0;
     };
@@ -160,7 +160,7 @@ double sheetReach(const Scene& s) {
   for (const SheetBody& b : s.sheets) {
     const double own = sheetThickness(s, b);
     reach = std::max({reach, own, own + (b.pull > 0 ? b.pullReach : 0), 0.5 * (own + s.spacing)});
-    // where vertices look for nobody around, cells are what sums are taken over: some vertices each
+    // without neighbour search cells only partition sums: some vertices each
     if (!hasContinuum(s) && s.oriented.empty() && !sheetsMeet(s))
       reach = std::max(reach, 4 * spacingOf(s, b));
   }
@@ -219,7 +219,8 @@ TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& loa
       break;
     case SheetMesh::File: {
       if (!load && !isBuiltin(b.shape.mesh))
-        throw ShapeError("mesh '" + b.shape.mesh + "': nothing was given to read it with", b.where);
+        throw ShapeError(
+            "mesh '" + b.shape.mesh + "': no mesh loader was given; expected one for a mesh file", b.where);
       const TriangleMesh file = isBuiltin(b.shape.mesh) ? builtinMesh(b.shape.mesh) : load(b.shape.mesh);
       m = weldVertices(file, 0);
       if (leftOut) *leftOut = leftOutOf(file, m);
@@ -234,7 +235,8 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
   SceneProblems problems;
   for (const auto& axis : s.domain.side)
     if (axis[0] == Side::Periodic && !s.sheets.empty())
-      problems.add(s.sheets[0].where, "sheets need a domain without periodic sides");
+      problems.add(s.sheets[0].where,
+                   "sheets with periodic sides are not supported; expected open sides or walls");
   for (std::size_t n = 0; n < s.sheets.size(); n++) {
     const SheetBody& b = s.sheets[n];
     try {
@@ -254,14 +256,15 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
         for (std::size_t v = 0; v < plan.law.size(); v++)
           if (shape->inside(plan.mesh.vertices[v]))
             plan.law[v] = static_cast<std::uint16_t>(all.laws.size()), has = true;
-        if (!has) throw ShapeError("there is no vertex in this region at the start", r.where);
+        if (!has)
+          throw ShapeError("no vertex lies in this region at the start; expected at least one", r.where);
         all.laws.push_back(law);
       }
       const SpringFactors factor{all.laws, plan.law};
       double edges = 0;
       for (std::uint32_t v = 0; v + 1 < t.first.size(); v++)
         for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) {
-          // both ends find the same bits
+          // both ends compute the same bits
           const std::uint32_t a = std::min(v, t.ring[k].to), c = std::max(v, t.ring[k].to);
           const Vec3d d = plan.mesh.vertices[c] - plan.mesh.vertices[a];
           edges += length(d);
@@ -305,8 +308,9 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       if (b.volumeStiffness > 0)
         for (std::size_t c = 0; c < t.closed.size(); c++)
           if (!(t.volume[c] > 0))
-            throw ShapeError(t.closed[c] ? "volume_stiffness needs a mesh whose triangles face outward"
-                                         : "volume_stiffness needs a closed mesh, and this one has a border",
+            throw ShapeError(t.closed[c]
+                                 ? "volume_stiffness: the mesh's triangles face inward; expected outward"
+                                 : "volume_stiffness: the mesh has a border; expected a closed mesh",
                              b.where);
       plan.hinges = hingesOf(b, plan, factor);
       plan.touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() ||
@@ -316,7 +320,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       all.plans.push_back(std::move(plan));
     } catch (const ShapeError& e) {
       problems.add(e.where.line > 0 ? e.where : b.where, "sheet '" + b.name + "': " + e.what());
-    } catch (const std::runtime_error& e) {  // a mesh that cannot be read
+    } catch (const std::runtime_error& e) {  // mesh that cannot be read
       problems.add(b.where, "sheet '" + b.name + "': " + e.what());
     }
   }

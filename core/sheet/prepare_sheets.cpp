@@ -67,8 +67,9 @@ void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
     for (std::size_t c = 0; c < clamps.size(); c++)
       if (clamps[c] && std::none_of(plan.mesh.vertices.begin(), plan.mesh.vertices.end(),
                                     [&](const Vec3d& x) { return clamps[c]->inside(x); }))
-        problems.add(b.clamp[c].where,
-                     "sheet '" + b.name + "': there is no vertex in this clamp at the start");
+        problems.add(
+            b.clamp[c].where,
+            "sheet '" + b.name + "': no vertex lies in this clamp at the start; expected at least one");
     std::size_t i = s.owned;
     s.resize(i + end - begin, 0);
     for (std::size_t v = begin; v < end; v++, i++) {

@@ -1,16 +1,16 @@
-// Sheets of a scene, made ready.
+// Preparation of a scene's sheets.
 #pragma once
 #include "core/step.hpp"
 
 namespace thaw {
 
-/// Meshes and coefficients of the scene's sheets, into the world; every rank does it. Throws ShapeError with
+/// Stores meshes and coefficients of the scene's sheets in the world, on every rank. Throws ShapeError with
 /// all problems.
 void prepareSheets(World& world, const MeshLoader& load);
 
 void activateSheets(World& world);
 
-/// Appends this rank's share of the vertices. Not collective.
+/// Appends this rank's vertices. Not collective.
 void sampleSheets(World& world, Halos halos, const MeshLoader& load);
 
 }  // namespace thaw

@@ -5,7 +5,7 @@
 namespace thaw {
 namespace {
 
-/// The coefficients of which a region has a factor, and a later one has none: "warp, damping".
+/// Coefficients with a factor in the earlier region and none in the later one: "warp, damping".
 std::string lostFactors(const SheetRegion& earlier, const SheetRegion& later) {
   std::string lost;
   for (std::size_t f = 0; f < sheetFactors; f++)
@@ -36,8 +36,8 @@ std::vector<SceneWarning> overlapsOfRegions(const World& w, const MeshLoader& lo
                               "sheet '" + b.name + "': " + std::to_string(shared) +
                                   " vertices of its region " + std::to_string(earlier) + " are in region " +
                                   std::to_string(later) +
-                                  " as well, and the later one's factors hold there: " + lost +
-                                  " of the earlier one is lost, unless the later one says it again"});
+                                  " as well; the factors of the later region apply there, and " + lost +
+                                  " of the earlier one is ignored; set it in the later region too"});
       }
   }
   return warnings;

@@ -18,19 +18,20 @@ namespace {
 
 double pairMass(double a, double b) { return a * b / (a + b); }
 
-double massOf(const World& w, std::size_t i) {  // that contact goes by
+// Contact mass (kg).
+double massOf(const World& w, std::size_t i) {
   const Sheets& s = w.sheets.rows;
   return w.sheets.laws[s.law[i]].contactMass * s.area[i];
 }
 
-/// N/m, push or pull of a vertex at a factor in time of 1.
+/// Repulsion or attraction (N/m) of a vertex at a time factor of 1.
 double ownOf(const World& w, SheetFactor f, std::size_t i) {
   const Sheets& s = w.sheets.rows;
   return w.scene.sheets[s.body[i]].*sheetCoefficients[placeOf(f)].value *
          w.sheets.laws[s.law[i]].factor[placeOf(f)];
 }
 
-/// Half of each end's, as it is now; of the largest until the end of the next step for the slope.
+/// Sum of half of both ends' stiffness: now, and the largest until the end of the next step for the slope.
 struct PairSpring {
   double own, stiffness, later;
 };
@@ -43,7 +44,7 @@ PairSpring pairSpring(const World& w, SheetFactor f, std::size_t i, std::size_t 
   return {own, own * p.now[k] + other * q.now[k], own * p.most[k] + other * q.most[k]};
 }
 
-/// Pushes and pulls by distance.
+/// Adds repulsion and attraction by distance.
 void pushVertices(World& w) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
@@ -55,7 +56,7 @@ void pushVertices(World& w) {
   }
   eachNear(b.cells, s.owned, b.cells, [&](std::size_t i, std::size_t j) {
     if (i == j) return;
-    // the same difference at both ends but for its sign
+    // the same difference at both ends up to its sign
     const Vec3d d = s.position[i] - s.position[j];
     const double r2 = dot(d, d);
     if (!(r2 < reach2) || !(r2 > 0)) return;
@@ -94,7 +95,7 @@ void pushVertices(World& w) {
   for (std::size_t i = 0; i < s.owned; i++) b.slope[i] += 2 * slope[i] / s.area[i];
 }
 
-/// A vertex and a particle of the continuum.
+/// Contact of a vertex and a continuum particle.
 struct Meeting {
   Touch touch;
   double heat = 0;  ///< W, to the vertex
@@ -117,7 +118,7 @@ struct Particles {
     const double r = std::sqrt(r2), liquid = p.liquid.active        ? static_cast<double>(p.liquid[j])
                                              : p.phase[j] == Liquid ? 1
                                                                     : 0;
-    // of the particle that this vertex has to hold
+    // fraction of the particle that this vertex supports
     const double mass = pairMass(massOf(w, i), p.mass[j]),
                  part = std::min(1.0, s.area[i] / (w.scene.spacing * w.scene.spacing));
     m.touch = touchOf({plan.contactRate, mass, std::min(b.restitution, material.restitution),
@@ -127,7 +128,7 @@ struct Particles {
     m.heat = 0;
     if (heat && b.conductance > 0) {
       const double area = std::min(s.area[i], w.scene.spacing * w.scene.spacing), flow = b.conductance * area;
-      // of up to eight pairs
+      // stable for up to eight pairs
       const double rate = 8 * flow *
                           (1 / (s.area[i] * b.heatCapacity) +
                            1 / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));
@@ -158,8 +159,8 @@ void meetParticles(World& w, const SheetVelocities& now) {
     if (!pair.meet(i, j, m)) return;
     p.force[j] -= m.touch.force;
     p.interaction[j] += 0.5 * m.touch.energy;
-    // - resisting * velocity of either end: what both lose together; half a kick of the last force stands for
-    // that of this one
+    // dissipation of both ends; includes half of the kick of this force, approximated by the last
+    // acceleration
     p.dissipation[j] += dot(m.touch.resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
     if (pair.heat) {
       p.heatFlow[j] -= m.heat;
@@ -170,8 +171,8 @@ void meetParticles(World& w, const SheetVelocities& now) {
   for (const double x : stiff) b.stiffestParticle = std::max(b.stiffestParticle, x);
 }
 
-/// Vertices and oriented particles: as with those of the continuum, but for heat. What oriented particles
-/// feel is held over their next step.
+/// Adds contact of vertices and oriented particles, as with the continuum, without heat. The force on
+/// oriented particles is constant over their next step.
 void meetOriented(World& w, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
@@ -234,7 +235,7 @@ void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   Sheets& s = b.rows;
   const bool meshes = meshesTouch(w.scene), pushes = pushOrPull(w.scene),
              continuum = sheetsMeetContinuum(w.scene), oriented = w.modules.draping;
-  bool points = false, faces = false;  // of contact with the continuum
+  bool points = false, faces = false;  // types of contact with the continuum
   for (const SheetPlan& p : b.plans) (p.byFaces ? faces : points) = true;
   if (!meshes && !pushes && !continuum && !oriented) return;
   std::copy(now.velocity.begin(), now.velocity.end(), s.moving.data());

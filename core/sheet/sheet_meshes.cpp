@@ -41,14 +41,13 @@ struct Icosahedron {
   }
 };
 
-/// Unit sphere with n parts an edge: 10 n^2 + 2 vertices, those of corners first, then of edges, then of
-/// faces.
+/// Unit sphere with n parts an edge: 10 n^2 + 2 vertices, corners first, then edges, then faces.
 TriangleMesh unitSphere(std::uint32_t n) {
   const Icosahedron ico;
   TriangleMesh m;
   for (const Vec3d& c : ico.corner) m.vertices.push_back(c);
   std::uint32_t edgeFirst[12][12] = {};
-  // evenly by angle along an edge: triangles differ less in size than with parts of the straight edge
+  // equal angles along an edge give more even triangles than equal lengths
   const double angle = std::acos(dot(ico.corner[0], ico.corner[11]));
   const auto along = [&](const Vec3d& a, const Vec3d& b, double t) {
     return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
@@ -68,7 +67,7 @@ TriangleMesh unitSphere(std::uint32_t n) {
   };
   for (const auto& f : ico.face) {
     const auto inside = static_cast<std::uint32_t>(m.vertices.size());
-    // row j runs parallel to the edge 0-1 from the edge 0-2 to the edge 1-2, with n - j parts
+    // row j runs parallel to edge 0-1 from edge 0-2 to edge 1-2, with n - j parts
     const auto at = [&](std::uint32_t i, std::uint32_t j) {
       if (j == 0) return onEdge(f[0], f[1], i);
       if (i == 0) return onEdge(f[0], f[2], j);
@@ -77,7 +76,7 @@ TriangleMesh unitSphere(std::uint32_t n) {
     };
     for (std::uint32_t j = 1; j + 1 < n; j++)
       for (std::uint32_t i = 1; i + j < n; i++) {
-        // the mean of three ways to divide by angle, one for each side
+        // mean of the three angular divisions, one per side
         const std::uint32_t k = n - i - j;
         const auto between = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t step,
                                  std::uint32_t of) {
@@ -99,7 +98,7 @@ TriangleMesh unitSphere(std::uint32_t n) {
 }
 
 // ---- the head ----
-// Parts of a sculpture as distances, blended; lengths in heights of the head, middle at the origin.
+// Signed distances of a sculpture's parts, blended; lengths in heights of the head, centre at the origin.
 double blend(double a, double b, double k) {
   const double h = std::max(k - std::abs(a - b), 0.0) / k;
   return std::min(a, b) - 0.25 * k * h * h;
@@ -152,7 +151,7 @@ TriangleMesh sphereSheet(double radius, double spacing) {
 TriangleMesh headSheet(double height, double spacing) {
   TriangleMesh m = unitSphere(parts(0.45 * height, spacing));
   for (Vec3d& x : m.vertices) {
-    double in = 0, out = 1;  // along the ray, the outermost crossing
+    double in = 0, out = 1;  // outermost crossing along the ray
     while (out > 0.1 && headValue(out * x) > 0) out -= 1.0 / 256;
     in = out;
     out += 1.0 / 256;
@@ -203,7 +202,7 @@ TriangleMesh foreheadSheet(double radius, double width, double height, double sp
       const double t = std::clamp((0.5 - std::abs(s)) / over, 0.0, 1.0);
       return t * t * (3 - 2 * t);
     };
-    // furrows bend up over the brows and down between them, and none is like the other
+    // furrows bend up over the brows and down between them, with irregular phase
     const double bent = v + 0.05 * std::cos(2 * pi * 2 * u) + 0.012 * std::sin(2 * pi * (3.3 * u + 1.7 * v));
     const double wave = 0.5 + 0.5 * std::cos(2 * pi * wrinkles * bent + 0.6 * std::sin(2 * pi * u));
     const double rise = wrinkles > 0 ? depth * fade(u, 0.22) * fade(v, 0.15) * wave * wave *

@@ -16,7 +16,7 @@
 namespace thaw {
 namespace {
 
-/// Coefficients of a law over the step that begins now: those of its middle.
+/// Returns a law's coefficients at the middle of the step that begins now.
 SpringLaw lawNow(const World& w, const SheetLaw& l, double dt) {
   const SheetBody& b = w.scene.sheets[l.sheet];
   const double time = w.clock.time + 0.5 * dt;
@@ -24,7 +24,7 @@ SpringLaw lawNow(const World& w, const SheetLaw& l, double dt) {
           l.law.stiffness * b.factorAt(SheetFactor::Stiffness, time)};
 }
 
-/// The one of the least stable next step: damping falls, and stiffness grows.
+/// Returns the law of the least stable next step: least damping and largest stiffness.
 SpringLaw lawToCome(const World& w, const SheetLaw& l) {
   const SheetBody& b = w.scene.sheets[l.sheet];
   const double until = w.clock.time + 1.1 * w.clock.dt;
@@ -32,7 +32,7 @@ SpringLaw lawToCome(const World& w, const SheetLaw& l) {
           l.law.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(w.clock.time, until)};
 }
 
-/// Work of a change of the springs to the places of rest, from one time (s) to another, at the places of now.
+/// Records the work of changing rest springs between two times (s), at the current positions.
 void bookRestChange(World& w, double from, double to) {
   std::vector<double> half;
   bool any = false;
@@ -63,9 +63,9 @@ Vec3d restOf(const World& w, std::size_t i) {
   return s.rest[i] + s.flow[i];
 }
 
-/// What goes beyond the elastic limit: plasticity times it moves the place of rest, and by the rest of it the
-/// limit grows. Then the vertex is at the limit, and the same deformation in more steps comes to the same;
-/// let go, it keeps plasticity times the excess.
+/// Applies plastic flow beyond the elastic limit: plasticity times the excess moves the rest position, and
+/// the remainder raises the limit. The vertex is then at the limit, so the result does not depend on the
+/// number of steps.
 void yieldPlastic(World& w, double time) {
   Sheets& s = w.sheets.rows;
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -83,25 +83,24 @@ void yieldPlastic(World& w, double time) {
   }
 }
 
-/// The load whose work over the way is in what damping takes. Of what has no mass dashpots and friction are
-/// left out, as this is all that it loses: its velocity follows their force at once, to and fro from step to
-/// step, and force times velocity would say nothing of their work.
+/// Returns the load whose work enters the dissipation by damping. Dashpots and friction are excluded for
+/// vertices without mass: their velocity follows these forces at once and alternates from step to step, so
+/// force times velocity is not their work.
 Vec3d workingLoad(const Sheets& s, std::size_t i, const SpringLaw& law) {
   return s.resisting.active && !(law.mass > 0) ? s.load[i] - s.resisting[i] : s.load[i];
 }
 
-/// Dashpots and friction over half of a step, by the way (m) of that half: each acts for half of the step
-/// that ends with it and for half of the next one, and what is booked before it has acted is missing for a
-/// step.
+/// Records dissipation of dashpots and friction over half of a step, with the displacement (m) of that half.
+/// A force acts half in the step that ends with it and half in the next, so it must not be recorded earlier.
 void bookResisting(Sheets& s, std::size_t i, const SpringLaw& law, const Vec3d& way) {
   if (s.resisting.active && law.mass > 0) s.dissipated[i] -= s.area[i] * dot(s.resisting[i], way);
 }
 
-/// What a vertex loses, at the end of a step: dashpots and friction; and with damping what is missing of the
-/// energy and of the work of the load.
+/// Records a vertex's dissipation at the end of a step: dashpots and friction, and with damping the
+/// difference of energy and work of the load.
 void bookKick(Sheets& s, std::size_t i, const SpringLaw& law, double dt) {
   const Vec3d& v = s.velocity[i];
-  // damping takes what is missing of the work over the same way
+  // damping is the missing work over the same displacement
   bookResisting(s, i, law, law.damping > 0 ? 0.5 * s.moved[i] : 0.5 * dt * v);
   if (law.damping > 0)
     s.dissipated[i] += s.area[i] *
@@ -117,7 +116,7 @@ void moveSheets(World& w, double dt) {
   for (const SpringLaw& l : laws) maps.push_back(vertexMap(l, dt));
   bookHolding(w, -1, dt);
   const double begin = w.clock.time, middle = begin + 0.5 * dt, end = begin + dt;
-  bookRestChange(w, begin, middle);  // over the step they are those of its middle
+  bookRestChange(w, begin, middle);  // over the step coefficients are those of its middle
   bookChanging(w, begin, end);
   const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active && !s.resisting.active;
   if (simple) {
@@ -138,8 +137,7 @@ void moveSheets(World& w, double dt) {
     bookResisting(s, i, law, law.damping > 0 ? 0.5 * moved : 0.5 * dt * v);
     if (!s.moved.active) continue;
     s.moved[i] = moved;
-    // what drag takes over the step is what is missing of the energy and of the work of the load; kickSheets
-    // knows the rest
+    // drag over the step is the missing energy and work of the load; kickSheets records the second half
     if (law.damping > 0)
       s.dissipated[i] += s.area[i] *
                          (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) +
@@ -152,8 +150,8 @@ void moveSheets(World& w, double dt) {
 
 void kickSheets(World& w, double dt) {
   Sheets& s = w.sheets.rows;
-  const std::vector<SpringLaw> laws = lawsNow(w, dt);  // of the step that ends now: the clock still shows its
-                                                       // beginning
+  // Laws of the step that ends now: the clock still shows its beginning.
+  const std::vector<SpringLaw> laws = lawsNow(w, dt);
   std::vector<double> after;
   for (const SpringLaw& l : laws) after.push_back(vertexMap(l, dt).after);
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -210,8 +208,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   b.stiffest.assign(b.laws.size(), 0);
   b.slope.assign(s.owned, 0);
   b.fastest2 = b.hardest = b.stiffestParticle = b.closing = b.blows = 0;
-  // contacts want the velocity of now: what is missing is the push of the force after the step, for which
-  // that before stands
+  // contacts need the current velocity: the load before the step approximates the load after it
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++)
     after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
@@ -251,15 +248,15 @@ double sheetStepLimit(const World& w) {
   double limit = never;
   for (std::size_t l = 0; l < b.stiffest.size(); l++) {
     if (!(b.stiffest[l] > 0)) continue;
-    // rounded up to one of 32 values an octave: equal on all ranks that are about as stiff, and the step does
-    // not waver
+    // rounded up to one of 32 values an octave, so ranks of similar stiffness agree and the step does not
+    // fluctuate
     int e = 0;
     const double part = std::frexp(b.stiffest[l], &e), kappa = std::ldexp(std::ceil(part * 64) / 64, e);
     limit = std::min(limit, 2 * w.scene.numerics.cflElastic * stableStep(lawToCome(w, b.laws[l]), kappa));
   }
   for (std::size_t l = 0; l < b.laws.size(); l++) {
     const SpringLaw& law = b.laws[l].law;
-    // kappa is a bound, of some four times what most swing with
+    // kappa is a bound, about four times the typical squared frequency
     const double kappa = l < b.stiffest.size() ? b.stiffest[l] : 0,
                  of = law.mass > 0      ? 0.5 * std::sqrt(kappa / law.mass)
                       : law.damping > 0 ? kappa / law.damping
@@ -274,11 +271,11 @@ double sheetStepLimit(const World& w) {
                      4 * w.scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
   }
   if (b.fastestDrag > 0) limit = std::min(limit, dragInAStep / b.fastestDrag);
-  // nothing passes through anything in a step
+  // nothing may pass through anything in a step
   if (b.fastest2 > 0 || b.hardest > 0) {
     double thin = never;
     for (const SheetPlan& p : b.plans)
-      // both of two sheets may come
+      // both of two sheets may approach
       if (p.touches)
         thin = std::min(
             {thin, (meshesTouch(w.scene) ? 0.5 : 1) * p.thickness, p.byFaces ? p.faceReach : never});

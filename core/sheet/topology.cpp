@@ -17,15 +17,15 @@ std::string corners(std::uint64_t edge) {
 void checkEdges(const AlignedVector<EdgeSide>& sides) {
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first > 2)
-      throw ShapeError("a sheet's edge may have two triangles, but the one between " +
+      throw ShapeError("an edge of a sheet may have at most two triangles; the edge between " +
                        corners(sides[first].edge) + " has " + std::to_string(last - first));
     if (last - first == 2 && sides[first].sign == sides[first + 1].sign)
-      throw ShapeError("the triangles of a sheet have to face the same side, but those at the edge between " +
+      throw ShapeError("adjacent triangles of a sheet must face the same side; those at the edge between " +
                        corners(sides[first].edge) + " do not");
   });
 }
 
-/// One triangle at a vertex: it goes from neighbour `from` to neighbour `to`, counter-clockwise.
+/// One triangle at a vertex, counter-clockwise from neighbour `from` to neighbour `to`.
 struct Corner {
   std::uint32_t from, to;
   double area;
@@ -43,8 +43,8 @@ void addFans(std::vector<Corner>& corners, std::vector<RingEdge>& ring) {
   for (const Corner& c : corners)
     if (const std::size_t next = startingAt(c.to); next < corners.size()) entered[next] = 1;
   const std::size_t begin = ring.size();
-  for (const bool open : {true, false})  // fans with borders first, each from its first border; then the
-                                         // rings, from their smallest neighbour
+  // Open fans first, each from its first border; then closed rings, from their smallest neighbour.
+  for (const bool open : {true, false})
     for (std::size_t k = 0; k < corners.size(); k++) {
       if (used[k] || (open && entered[k])) continue;
       const std::size_t fan = ring.size();
@@ -59,7 +59,7 @@ void addFans(std::vector<Corner>& corners, std::vector<RingEdge>& ring) {
         at = startingAt(to);
         if (at == corners.size()) ring.push_back({to, false, 0, before});
       }
-      if (at < corners.size()) {  // round: the last closes with the first
+      if (at < corners.size()) {  // closed ring: the last triangle joins the first
         ring.back().next = static_cast<std::uint16_t>(fan - begin);
         ring[fan].area += before;
       }
@@ -71,7 +71,7 @@ void addFans(std::vector<Corner>& corners, std::vector<RingEdge>& ring) {
 SheetTopology sheetTopology(const TriangleMesh& mesh) {
   SheetTopology t;
   const std::size_t n = mesh.vertices.size();
-  if (mesh.triangles.empty()) throw ShapeError("a sheet's mesh needs triangles");
+  if (mesh.triangles.empty()) throw ShapeError("a sheet's mesh has no triangles; expected at least one");
   t.area.assign(n, 0);
   std::vector<std::uint32_t> first(n + 1, 0);
   std::vector<double> areas;

@@ -11,9 +11,9 @@
 namespace thaw {
 namespace {
 
-constexpr double blunt = 0.2;  // of sum w r: least that a direction is divided by
+constexpr double blunt = 0.2;  // least denominator of a direction, over sum w r
 
-/// The rows of a body on this rank, of whatever kind, and what the wrap wants of them.
+/// Rows of a body of any type on this rank.
 struct Wrapped {
   World& w;
   WrapTarget target;
@@ -37,7 +37,7 @@ struct Wrapped {
            : target.kind == WrapKind::Oriented ? w.oriented.rows.position[j]
                                                : w.sheets.rows.position[j];
   }
-  /// By which it shares in what its cell feels: its mass, or of a vertex, which may have none, its area.
+  /// Weight of a row in its cell: its mass, or the area of a vertex, which may be massless.
   double share(std::size_t j) const {
     return target.kind == WrapKind::Continuum  ? w.particles.mass[j]
            : target.kind == WrapKind::Oriented ? w.oriented.rows.mass[j]
@@ -48,14 +48,14 @@ struct Wrapped {
     if (target.kind == WrapKind::Continuum) {
       Continuum& p = w.particles;
       p.force[j] += force;
-      // half a kick of the last force stands for that of this one
+      // includes half of the kick of this force, approximated by the last acceleration
       if (dt > 0) w.ledger.wallWork.add(dt * dot(force, p.velocity[j] + p.acceleration[j] * (0.5 * dt)));
     } else if (target.kind == WrapKind::Oriented) {
       Oriented& o = w.oriented.rows;
       if (w.scene.oriented[target.index].planar) force.y = 0;
       o.force[j] += force;
       o.external[j] += force;
-      o.resisting[j] += force;  // no energy stands for it: its work is booked as what it takes
+      o.resisting[j] += force;  // wrap has no stored energy: its work is recorded as dissipation
     } else {
       Sheets& s = w.sheets.rows;
       s.load[j] += force / s.area[j];
@@ -64,7 +64,7 @@ struct Wrapped {
   }
 };
 
-/// Its cells on this rank, ascending by key.
+/// Returns its cells on this rank, ascending by key.
 std::vector<WrapPart> cellsOf(const Wrapped& body) {
   std::vector<WrapPart> parts;
   const CellTable& t = body.cells();
@@ -83,17 +83,17 @@ std::vector<WrapPart> cellsOf(const Wrapped& body) {
   return parts;
 }
 
-/// One sheet and the body that it is wrapped round.
+/// Wrap forces of one sheet on its target body.
 struct Wrap {
   World& w;
   std::size_t sheet;
   const std::vector<WrapPart>& parts;
   const PointTree& tree;
-  double unit;  // N, of which all forces are multiples
+  double unit;  // N, unit of all forces
   double twoCells;
-  std::vector<std::int64_t>& pulls;  // of each part, three units each
+  std::vector<std::int64_t>& pulls;  // per cell, three units each
 
-  /// In units, on vertex i of the force `size` (N).
+  /// Returns the force of size `size` (N) on vertex i, in units.
   Vec3<std::int64_t> draw(std::size_t i, double size) {
     const Vec3d x = w.sheets.rows.position[i];
     const double reach = length(parts[tree.nearest(x, 1)[0]].middle - x) + twoCells;
@@ -139,14 +139,14 @@ void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
     if (s.body[i] == n) places.push_back(s.position[i]);
   const std::vector<WrapPart> cells = cellsOf(wrapped);
   const WrapSurface surface = findWrapSurface(halos.all, w.grid, cells, places, 2 * cell);
-  if (!surface.any) return;  // what it was to be wrapped round has gone
+  if (!surface.any) return;  // the target body is gone
   const std::vector<WrapPart>& parts = surface.near;
   std::vector<Vec3d> middles;
   for (const WrapPart& p : parts) middles.push_back(p.middle);
   const PointTree tree(middles);
   double area = 0;
   for (const double a : b.plans[n].topology.area) area += a;
-  // all terms together have room in 62 bits
+  // the sum of all terms fits into 62 bits
   const double unit = std::ldexp(
       std::exp2(
           std::ceil(std::log2(area * std::abs(body.wrap) * largestFactor(body, SheetFactor::Wrap) / blunt))),
@@ -156,7 +156,8 @@ void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
   for (std::size_t i = 0; i < s.owned; i++) {
     if (s.body[i] != n) continue;
     const double pressure = body.wrap * b.laws[s.law[i]].factor[f];
-    b.slope[i] += 2 / blunt * std::abs(pressure) * factors.most[f] / cell;  // a direction turns within a cell
+    b.slope[i] += 2 / blunt * std::abs(pressure) * factors.most[f] / cell;  // the direction turns within a
+                                                                            // cell
     if (pressure * factors.now[f] == 0) continue;
     const Vec3<std::int64_t> units = wrap.draw(i, pressure * factors.now[f] * s.area[i]);
     const Vec3d load = (unit / s.area[i]) * Vec3d{static_cast<double>(units.x), static_cast<double>(units.y),

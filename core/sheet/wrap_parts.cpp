@@ -32,7 +32,8 @@ WrapPart partAt(const std::vector<std::uint64_t>& words, std::size_t k) {
 
 const auto byKey = [](const auto& a, const auto& b) { return a.key < b.key; };
 
-/// Cells to who has their block, and, without a share, to who has the block beside it.
+/// Returns messages with cells for the owners of their blocks, and, without a share, for the owners of
+/// adjacent blocks.
 std::vector<WordList> tellBlocks(const std::vector<WrapPart>& cells, int ranks) {
   WordLists out(ranks);
   for (const WrapPart& p : cells) {
@@ -50,13 +51,13 @@ std::vector<WordList> tellBlocks(const std::vector<WrapPart>& cells, int ranks) 
   return std::move(out.lists);
 }
 
-/// Of what was told those on the surface.
+/// Returns the received cells that lie on the surface.
 std::vector<WrapSurface::Listed> surfaceOf(const std::vector<WordList>& told) {
   std::vector<WrapSurface::Listed> known;
   for (const WordList& l : told)
     for (std::size_t k = 0; k < l.words.size(); k += wordsOfPart)
       known.push_back({partAt(l.words, k), l.rank});
-  // what is here as a neighbour of several blocks, or beside its own: the one with a share first
+  // a cell may arrive for several blocks: the entry with a share sorts first
   std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) {
     return a.part.key != b.part.key ? a.part.key < b.part.key : a.part.share > b.part.share;
   });
@@ -84,13 +85,13 @@ std::vector<WrapSurface::Listed> surfaceOf(const std::vector<WordList>& told) {
   return surface;
 }
 
-/// Around the points of a block.
+/// Bounding box of a block's points.
 struct Block {
   std::uint64_t key;
   Box box;
 };
 
-/// places[k] in blocks by key(k).
+/// Groups places[k] into blocks by key(k).
 template<class Key, class Place> std::vector<Block> blocksOf(std::size_t n, Key&& key, Place&& place) {
   std::map<std::uint64_t, Box> boxes;
   for (std::size_t k = 0; k < n; k++) {
@@ -116,7 +117,7 @@ std::vector<Block> gatherBlocks(Reducer& all, const std::vector<Block>& mine) {
   return blocks;
 }
 
-/// m, least and most between points of two boxes.
+/// Least and largest distance (m) between points of two boxes.
 double leastApart(const Box& a, const Box& b) {
   Vec3d d;
   for (int k = 0; k < 3; k++) d[k] = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
@@ -128,12 +129,12 @@ double mostApart(const Box& a, const Box& b) {
   return length(d);
 }
 
-/// Blocks in which a vertex in one of these boxes may have a part of the surface that draws it.
+/// Returns the blocks whose surface cells may attract a vertex in one of these boxes.
 std::vector<std::uint64_t> blocksNear(const std::vector<Block>& vertices, const std::vector<Block>& surface,
                                       double beyond) {
   std::vector<std::uint8_t> wanted(surface.size(), 0);
   for (const Block& v : vertices) {
-    double nearest = HUGE_VAL;  // no vertex of the box has its nearest part further off
+    double nearest = HUGE_VAL;  // upper bound of the distance to the nearest cell, for vertices of the box
     for (const Block& b : surface) nearest = std::min(nearest, mostApart(v.box, b.box));
     for (std::size_t k = 0; k < surface.size(); k++)
       if (leastApart(v.box, surface[k].box) <= (nearest + beyond) * (1 + 1e-12)) wanted[k] = 1;

@@ -22,15 +22,13 @@ WrapTarget wrapTarget(const Scene& s, std::size_t sheet) {
   const SheetBody& b = s.sheets[sheet];
   if (b.wrapTo.empty()) return {};
   const std::vector<WrapTarget> found = wrapTargets(s, b.wrapTo);
-  if (found.empty()) throw ShapeError("wrap_to: there is no obstacle or body '" + b.wrapTo + "'", b.where);
+  if (found.empty()) throw ShapeError("wrap_to: unknown obstacle or body '" + b.wrapTo + "'", b.where);
   if (found.size() > 1)
-    throw ShapeError("wrap_to: '" + b.wrapTo +
-                         "' is the name of two things in this scene; expected another name for one of them",
+    throw ShapeError("wrap_to: '" + b.wrapTo + "' names several objects of the scene; expected a unique name",
                      b.where);
   if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(sheet)})
     throw ShapeError(
-        "wrap_to: a sheet is not wrapped round itself; without wrap_to it is drawn against its own normals",
-        b.where);
+        "wrap_to: a sheet cannot wrap around itself; omit wrap_to to wrap against its own normals", b.where);
   return found[0];
 }
 

@@ -1,4 +1,4 @@
-// What a sheet is wrapped round: an obstacle, or a body of any kind (DS section 3.1).
+// Target of a sheet's shrink-wrap: an obstacle, or a body of any type (DS section 3.1).
 #pragma once
 #include <optional>
 #include <string>
@@ -11,17 +11,17 @@ namespace thaw {
 enum class WrapKind : std::uint8_t { Normal, Obstacle, Continuum, Oriented, Sheet };
 
 /// index: into the scene's obstacles, its bodies and then emitters, its oriented bodies, its sheets. Normal:
-/// the sheet is drawn against its own normals.
+/// the wrap acts against the sheet's own normals.
 struct WrapTarget {
   WrapKind kind = WrapKind::Normal;
   std::uint16_t index = 0;
   bool operator==(const WrapTarget&) const = default;
 };
 
-/// All that a name of wrap_to may mean: none, or several of different kinds.
+/// Returns all targets that a name of wrap_to may mean, none or several.
 std::vector<WrapTarget> wrapTargets(const Scene& scene, const std::string& name);
 
-/// That of a sheet. Throws ShapeError where its name means nothing, two things, or the sheet itself.
+/// Returns the target of a sheet. Throws ShapeError if its name is unknown, ambiguous, or the sheet itself.
 WrapTarget wrapTarget(const Scene& scene, std::size_t sheet);
 
 }  // namespace thaw

@@ -45,7 +45,7 @@ std::string textAt(Element e, const std::byte* at) {
 
 bool floating(Element e) { return e == Element::F64 || e == Element::F32; }
 
-/// |a - b|; infinite where one is NaN and the other is not.
+/// |a - b|; infinite if exactly one is NaN.
 double distance(double a, double b) {
   if (std::isnan(a) || std::isnan(b))
     return std::isnan(a) && std::isnan(b) ? 0 : std::numeric_limits<double>::infinity();
@@ -85,8 +85,8 @@ struct ColumnPair {
            within(numberAt(column.shape.element, x), numberAt(column.shape.element, y), allowed);
   }
 
-  /// Compares a row of each; adds to `d` what differs. which: of the bonds of the id, for the text. True if
-  /// they are the same.
+  /// Compares a row of each and adds differences to `d`. which: bond of the id, for the text. Returns true if
+  /// they are equal.
   bool row(std::uint64_t rowA, std::uint64_t rowB, std::uint64_t id, const std::string& which,
            FieldDifference& d) const {
     bool equal = true;
@@ -114,7 +114,7 @@ struct Match {
   std::uint64_t id, a, b;
 };
 
-/// Ids that one file has and the other has not.
+/// Ids in only one of the files.
 struct Unmatched {
   std::uint64_t count = 0, first = 0, row = 0;
   void add(std::uint64_t id, std::uint64_t at) {
@@ -122,7 +122,7 @@ struct Unmatched {
   }
 };
 
-/// Where the first one is: ids of surfels that were born say nothing to people.
+/// Returns the position of the first one; ids of born surfels are hashes without meaning to users.
 std::string placeOf(const Snapshot& file, const SnapshotTable& t, const Unmatched& u) {
   const auto at = std::find_if(t.columns.begin(), t.columns.end(), [](const SnapshotColumn& c) {
     return c.name == "position" && c.shape.components == 3;
@@ -159,11 +159,11 @@ std::vector<Match> matchIds(const Snapshot& fileA, const SnapshotTable& a, const
   if (onlyB.count > 0)
     result.general.push_back(fmt::format("{}: {} ids are in B only, the first {}{}", a.title, onlyB.count,
                                          onlyB.first, placeOf(fileB, b, onlyB)));
-  if (twice > 0) result.general.push_back(fmt::format("{}: {} ids are there more than once", a.title, twice));
+  if (twice > 0) result.general.push_back(fmt::format("{}: {} ids are duplicates", a.title, twice));
   return both;
 }
 
-/// Calls use(column of A, column of B) for those in both, of the same type; reports the others.
+/// Calls use(column of A, column of B) for columns in both with the same type; reports the others.
 template<class Use>
 void eachColumn(const std::string& title, const std::vector<SnapshotColumn>& a,
                 const std::vector<SnapshotColumn>& b, Comparison& result, Use&& use) {
@@ -185,7 +185,7 @@ void eachColumn(const std::string& title, const std::vector<SnapshotColumn>& a,
 
 void compareBonds(const Snapshot& a, const SnapshotTable& ta, const Snapshot& b, const SnapshotTable& tb,
                   const std::vector<Match>& both, const CompareRule& rule, Comparison& result) {
-  std::vector<Match> same;  // with as many bonds in both
+  std::vector<Match> same;  // with the same number of bonds in both
   FieldDifference count{ta.title, "number of bonds", "1", 0, 0, {}, 0, 0, both.size()};
   for (const Match& m : both) {
     const std::uint64_t na = ta.firstBond[m.a + 1] - ta.firstBond[m.a],
@@ -218,7 +218,7 @@ void compareBonds(const Snapshot& a, const SnapshotTable& ta, const Snapshot& b,
 }
 
 void compareNumbers(const Snapshot& a, const Snapshot& b, const CompareRule& rule, Comparison& result) {
-  std::map<std::string, double> scale;  // of all numbers with a unit
+  std::map<std::string, double> scale;  // largest value by unit
   for (const Snapshot* s : {&a, &b})
     for (const SnapshotNumber& n : s->numbers)
       if (std::isfinite(n.value)) scale[n.unit] = std::max(scale[n.unit], std::abs(n.value));
@@ -249,8 +249,8 @@ void compareNumbers(const Snapshot& a, const Snapshot& b, const CompareRule& rul
 
 constexpr std::size_t mostOfAKind = 4;
 
-/// By the first word, in the order of the first of each kind: two scenes that have little in common differ in
-/// hundreds of marks.
+/// Adds the first lines of each group, by first word, in order of appearance: dissimilar scenes differ in
+/// hundreds of values.
 void addFewOfEachKind(const std::vector<std::string>& all, std::vector<std::string>& lines) {
   const auto kindOf = [](const std::string& line) { return line.substr(0, line.find_first_of(".: ") + 1); };
   std::map<std::string, std::size_t> told;
@@ -258,7 +258,7 @@ void addFewOfEachKind(const std::vector<std::string>& all, std::vector<std::stri
     if (told[kindOf(line)]++ < mostOfAKind) lines.push_back(line);
   for (const auto& [kind, count] : told)
     if (count > mostOfAKind)
-      lines.push_back(fmt::format("... and {} more of {} (--all tells them)", count - mostOfAKind,
+      lines.push_back(fmt::format("... and {} more of {} (--all lists them)", count - mostOfAKind,
                                   kind.substr(0, kind.size() - 1)));
 }
 
@@ -279,7 +279,7 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
       continue;
     }
     const std::vector<Match> both = matchIds(a, ta, b, *tb, result);
-    // the first that has any
+    // first table with common ids
     if (result.rows == 0 && (&ta == a.tables.data() || !both.empty()))
       result.rows = both.size(), result.title = ta.title;
     else if (ta.title == "surfels" || ta.title == kindNames[orientedKind] || ta.title == kindNames[sheetKind])

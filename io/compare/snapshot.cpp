@@ -34,7 +34,7 @@ SnapshotTable tableOf(const H5File& file, const std::string& title, const std::s
                          file.hasAttribute(path, "units") ? file.text(path, "units") : std::string(),
                          file.shape(path)});
     if (t.columns.back().shape.rows != t.ids.size())
-      throw IoError(file.path(), "is damaged: " + path + " has another number of rows than there are ids");
+      throw IoError(file.path(), "is damaged: " + path + " does not have one row per id");
   }
   return t;
 }
@@ -83,7 +83,7 @@ void openCheckpoint(Snapshot& s) {
     if (const std::string group = std::string("/") + kind; s.file.has(group + "/id"))
       s.tables.push_back(tableOf(s.file, kind, group, {}));
   if (!s.file.has("/solids/id")) return;
-  // whether A^-1 of a slot is to be computed anew depends on what migrated, and changes no bit of it
+  // "changed" marks slots whose A^-1 is recomputed after migration; it affects no bits
   SnapshotTable solids = tableOf(s.file, "solids", "/solids", {"changed"});
   solids.firstBond = readRows<std::uint64_t>(s.file, "/order/first_bond", Element::U64);
   solids.firstBond.push_back(h.bonds);
@@ -94,8 +94,7 @@ void openCheckpoint(Snapshot& s) {
     const std::string path = "/bonds/" + name;
     solids.bonds.push_back({"bond " + name, path, s.file.text(path, "units"), s.file.shape(path)});
     if (solids.bonds.back().shape.rows != h.bonds)
-      throw IoError(s.file.path(),
-                    "is damaged: " + path + " has another number of rows than there are bonds");
+      throw IoError(s.file.path(), "is damaged: " + path + " does not have one row per bond");
   }
   s.tables.push_back(std::move(solids));
 }
@@ -109,7 +108,7 @@ std::string snapshotPath(const std::string& path) {
   const std::vector<CheckpointHeader> found = findCheckpoints(path, &problems);
   if (!found.empty()) return found[0].path;
   throw IoError(path, problems.empty() ? "this folder has no checkpoint"
-                                       : "no checkpoint of this folder can be read: " + problems[0]);
+                                       : "no checkpoint in this folder is readable: " + problems[0]);
 }
 
 Snapshot openSnapshot(const std::string& path) {

@@ -1,5 +1,5 @@
-// A frame or checkpoint as comparison sees it: numbers, and tables of columns whose rows have an id. Columns
-// are read one at a time.
+// Frame or checkpoint for comparison: numbers, and tables of columns whose rows have ids. Columns are read
+// one at a time.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace thaw {
 
-/// A number that is not of a particle: time, counters, ledger.
+/// Number of the whole state: time, counters, ledger.
 struct SnapshotNumber {
   std::string name, unit;
-  bool whole = false;  ///< an integer: `integer` counts
+  bool whole = false;  ///< an integer: use `integer`
   double value = 0;
   std::int64_t integer = 0;
-  std::vector<std::int64_t> digits;  ///< of an exact sum; empty otherwise
+  std::vector<std::int64_t> digits;  ///< digits of an exact sum; else empty
 };
 
 struct SnapshotColumn {
@@ -28,8 +28,8 @@ struct SnapshotTable {
   std::string title;  ///< "particles", "solids", "surfels", "components", "events", "oriented", "sheet"
   std::vector<std::uint64_t> ids, order;
   std::vector<SnapshotColumn> columns;
-  std::vector<std::uint64_t> firstBond;  ///< of each row and one more; empty where the table has no bonds
-  std::vector<SnapshotColumn> bonds;     ///< one row a bond
+  std::vector<std::uint64_t> firstBond;  ///< per row, plus the end; empty without bonds
+  std::vector<SnapshotColumn> bonds;     ///< one row per bond
 };
 
 struct Snapshot {
@@ -40,11 +40,11 @@ struct Snapshot {
 };
 
 /// Opens a frame, a checkpoint, or the last checkpoint of a run's folder. Fields that depend on the number of
-/// ranks ("rank", bookkeeping) are left out. IoError if there is none, or it is damaged.
+/// ranks ("rank", bookkeeping) are omitted. Throws IoError if there is none, or it is damaged.
 Snapshot openSnapshot(const std::string& path);
 
-/// The file that `path` stands for: itself, or the last checkpoint of a run's folder. IoError if the folder
-/// has none that can be read.
+/// Returns `path`, or the last checkpoint of a run's folder. Throws IoError if the folder has none that can
+/// be read.
 std::string snapshotPath(const std::string& path);
 
 }  // namespace thaw

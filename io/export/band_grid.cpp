@@ -49,8 +49,8 @@ std::int32_t BandGrid::at(const Corner& c) const {
 }
 
 void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
-  // Nodes of a set: single corners of kept blocks, and whole blocks that are not kept (named by their first
-  // corner).
+  // Nodes of a set: single corners of stored blocks, and whole blocks that are not stored (named by their
+  // first corner).
   struct Node {
     Corner corner;
     bool block;
@@ -58,7 +58,7 @@ void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
   std::vector<Node> set;
   std::int64_t votes = 0;
   bool border = false;
-  // Takes a corner into the set as `mark`, once; slots vote.
+  // Adds a corner to the set as `mark`, once; slots count for the majority.
   const auto reach = [&](const Corner& c, std::int32_t mark) {
     for (std::size_t a = 0; a < 3; a++)
       if (c[a] < first_[a] || c[a] > last_[a]) {
@@ -103,7 +103,7 @@ void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
     votes = 0, border = false;
     reach(first, outside);
     for (std::size_t k = 0; k < set.size(); k++) {
-      const Node n = set[k];  // the list grows
+      const Node n = set[k];  // copy: the list grows
       spread(n, outside);
     }
     if (border || votes <= 0) return;
@@ -114,7 +114,7 @@ void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
             .slot[within(n.corner)] = inside;
     }
   };
-  // Every set lies beside a slot, or fills a grid without any.
+  // Every set is adjacent to a slot, or fills a grid without slots.
   for (std::size_t s = 0; s < corners_.size(); s++)
     for (int a = 0; a < 3; a++)
       for (const int step : {-1, 1}) {

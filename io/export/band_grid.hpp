@@ -1,4 +1,4 @@
-// Corners of cubes near a surface, in blocks of 8 x 8 x 8 of which only those near the surface are kept.
+// Sparse grid of cube corners: blocks of 8 x 8 x 8, of which only those near the surface are stored.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -16,9 +16,9 @@ class BandGrid {
   static constexpr std::int32_t outside = -1, inside = -2, open = -3;
   using Corner = std::array<std::int64_t, 3>;
 
-  /// Corners 0 .. count - 1 along each axis, `spacing` (m) apart. Along axes that are `cut` the first and the
-  /// last one are beyond a plane through the next ones where the body ends, though its surface does not: they
-  /// are outside, and nothing is known of them.
+  /// Makes corners 0 .. count - 1 along each axis, `spacing` (m) apart. Along `cut` axes the first and last
+  /// corner lie beyond the cut planes, where the body ends but not its surface. They are outside and have no
+  /// values.
   BandGrid(const Vec3d& origin, const Vec3d& spacing, const Corner& count,
            const std::array<bool, 3>& cut = {});
 
@@ -29,7 +29,7 @@ class BandGrid {
   double spacing() const { return std::max({spacing_.x, spacing_.y, spacing_.z}); }
   const Corner& count() const { return count_; }
   bool cut(int axis) const { return first_[static_cast<std::size_t>(axis)] > 0; }
-  /// The axes along which a corner is beyond a cut, or on one, as bits.
+  /// Returns the axes, as bits, along which a corner lies beyond a cut. onCut: on a cut plane.
   int beyond(const Corner& c) const {
     return bits([&](std::size_t a) { return c[a] < first_[a] || c[a] > last_[a]; });
   }
@@ -40,18 +40,18 @@ class BandGrid {
     return static_cast<std::uint64_t>(c[0] + count_[0] * (c[1] + count_[1] * c[2]));
   }
 
-  /// Corners nearer than `reach` (m) to a place, within the grid and not beyond a cut: f(corner).
+  /// Calls f(corner) for corners within `reach` (m) of a position, in the grid and not beyond a cut.
   template<class F> void forCornersNear(const Vec3d& x, double reach, F f) const;
 
-  /// The slot of a corner, made if it has none: slots count from 0 in the order in which they were made.
+  /// Returns the slot of a corner, and creates it if needed: slots count from 0 in order of creation.
   std::int32_t makeSlot(const Corner& c);
-  /// The slot, or outside, inside, open (of corners without one; settled by settle).
+  /// Returns the slot, or outside, inside, open (a corner without slot before settle).
   std::int32_t at(const Corner& c) const;
   std::size_t slots() const { return corners_.size(); }
   const Corner& corner(std::size_t slot) const { return corners_[slot]; }
 
-  /// Decides which corners without a slot are inside: each connected set of them by what most of the slots
-  /// beside it are (isInside, one a slot); those that reach the border, where it is no cut, are outside.
+  /// Classifies corners without a slot, by connected set: each is inside if most adjacent slots are
+  /// (isInside, one per slot). Sets that reach a border without a cut are outside.
   void settle(const std::vector<std::uint8_t>& isInside);
 
  private:
@@ -69,8 +69,8 @@ class BandGrid {
 
   Vec3d origin_, spacing_;
   Corner count_, blocks_, first_, last_;  // corners first_ to last_ are not beyond a cut
-  std::vector<std::int32_t> table_;  // of all blocks: one that is kept, or outside, inside, open for all its
-                                     // corners
+  std::vector<std::int32_t> table_;  // per block: index of a stored block, or outside, inside, open for all
+                                     // its corners
   std::vector<Block> kept_;
   std::vector<Corner> corners_;
 };

@@ -31,7 +31,7 @@ struct BandMarcher {
     return {low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2)};
   }
 
-  /// Where the surface crosses an edge, as a share of it: the values at its ends are far from straight lines
+  /// Returns the crossing of the surface along an edge, 0 to 1. It iterates, since values are not linear
   /// where the surface is curved.
   double zeroOn(const Vec3d& p, const Vec3d& along, double from, double to, PlaneHeight& here) {
     double low = 0, high = 1, t = crossing(from, to);
@@ -60,7 +60,7 @@ struct BandMarcher {
     out.held.push_back(static_cast<std::uint8_t>(held));
   }
 
-  /// The vertex of a cap at a corner that is inside, whatever edge leads from it beyond the cut.
+  /// Returns the vertex of a cap at an inside corner, the same for all edges that lead beyond the cut.
   std::uint32_t onCap(const Corner& c, std::int32_t slot) {
     const auto [number, fresh] = numberOf(c, 7);
     if (!fresh) return number;
@@ -83,7 +83,7 @@ struct BandMarcher {
     const Vec3d p = grid.place(from), along = grid.place(to) - p;
     PlaneHeight here;
     const double t = zeroOn(p, along, value[e.from], value[e.to], here);
-    // Of an end without a value the other's counts; one of them has one.
+    // An end without a value uses the other one's; one of them has one.
     const std::int32_t a = slot[e.from] >= 0 ? slot[e.from] : slot[e.to],
                        b = slot[e.to] >= 0 ? slot[e.to] : a;
     const float u = static_cast<float>(t);
@@ -95,8 +95,7 @@ struct BandMarcher {
     return number;
   }
 
-  /// own: the slot that looks at the cube, which is done from the first of its corners with one; -1: a cube
-  /// without any.
+  /// own: first slot among the cube's corners, by which it is marched once; -1: cube without slots.
   void marchCube(const Corner& low, std::int32_t own) {
     std::int32_t slot[8];
     double value[8];
@@ -122,7 +121,7 @@ struct BandMarcher {
                     });
   }
 
-  /// Cubes beyond a cut, where what is inside may be far from all surfels.
+  /// Cubes beyond a cut, where the inside may be far from all surfels.
   void marchCaps() {
     for (std::size_t axis = 0; axis < 3; axis++) {
       if (!grid.cut(static_cast<int>(axis))) continue;
@@ -135,7 +134,7 @@ struct BandMarcher {
           for (std::int64_t i = 0; i + 1 < grid.count()[u]; i++) {
             Corner low;
             low[axis] = layer, low[u] = i, low[v] = j;
-            bool before = false;  // done for another axis
+            bool before = false;  // marched for another axis
             for (std::size_t a = 0; a < axis; a++) before = before || isCap(low, a);
             if (!before) marchCube(low, -1);
           }
@@ -166,7 +165,7 @@ void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing) {
   TriangleMesh& mesh = m.mesh;
   DisjointSets sets(mesh.vertices.size());
   for (const auto& t : mesh.triangles) sets.join(t[0], t[1]), sets.join(t[1], t[2]);
-  std::vector<double> volume(mesh.vertices.size(), 0.0);  // of the shell whose smallest vertex it is
+  std::vector<double> volume(mesh.vertices.size(), 0.0);  // signed volume of the shell, at its root vertex
   const Vec3d from = mesh.vertices.empty() ? Vec3d{} : mesh.vertices[0];
   for (const auto& t : mesh.triangles)
     volume[sets.find(t[0])] += dot(mesh.vertices[t[0]] - from,
@@ -174,7 +173,7 @@ void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing) {
                                6;
   std::vector<double> area(volume.size(), 0.0), onDiscs(volume.size(), 0.0);
   for (const auto& t : mesh.triangles) {
-    if (band.held[t[0]] & band.held[t[1]] & band.held[t[2]]) continue;  // of a cut
+    if (band.held[t[0]] & band.held[t[1]] & band.held[t[2]]) continue;  // on a cut
     const std::uint32_t shell = sets.find(t[0]);
     const double size = length(
         cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));

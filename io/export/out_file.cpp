@@ -33,7 +33,7 @@ void OutFile::bytes(const void* data, std::size_t count) {
 
 void OutFile::finish() {
   if (std::fflush(file_.get()) != 0) fail();
-  const bool closed = std::fclose(file_.release()) == 0;  // a full disk may show only here
+  const bool closed = std::fclose(file_.release()) == 0;  // a full disk may appear only here
   std::error_code error;
   if (closed) std::filesystem::rename(part_, path_, error);
   if (closed && !error) return;

@@ -1,5 +1,4 @@
-// A file that is written piece by piece under a temporary name beside its own, and is there, whole, in the
-// end, or not at all.
+// File written under a temporary name and renamed at the end, so it is either complete or absent.
 #pragma once
 #include <cstdio>
 #include <filesystem>
@@ -11,9 +10,9 @@ namespace thaw {
 
 class OutFile {
  public:
-  /// Throws IoError naming the file and the cause; so do all others.
+  /// Throws IoError with file and cause; so do all other functions.
   explicit OutFile(std::filesystem::path path);
-  ~OutFile();  ///< removes what was written unless finish() was called
+  ~OutFile();  ///< removes the temporary file unless finish() was called
   OutFile(const OutFile&) = delete;
   OutFile& operator=(const OutFile&) = delete;
   void text(std::string_view s) { bytes(s.data(), s.size()); }

@@ -1,13 +1,13 @@
-// Meshes whose facets do not cut off what bulges between their corners.
+// Vertex offsets that keep the volume of coarse meshes.
 #pragma once
 #include "io/export/march_band.hpp"
 
 namespace thaw {
 
-/// Moves the vertices, which lie on a smooth surface with these normals, along them by the mean height of the
-/// surface over the triangles around, so that facets straddle the surface and the volume is its own to second
-/// order: over an edge d between normals n and m the surface bulges by d . (m - n) / 8 in the middle, over a
-/// triangle by the mean of its three. No vertex moves farther than `most` (m), nor off a cut; caps are flat.
+/// Moves vertices on a smooth surface along their normals by its mean height over adjacent triangles. Facets
+/// then lie on both sides of it, and the volume is correct to second order. Over an edge d between normals n
+/// and m the surface rises by d . (m - n) / 8 in the middle, over a triangle by the mean of its three edges.
+/// No vertex moves farther than `most` (m), nor off a cut; caps stay flat.
 void straddle(MarchedBand& band, double most);
 
 }  // namespace thaw

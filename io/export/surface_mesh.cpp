@@ -15,16 +15,15 @@ namespace {
 
 using Corner = BandGrid::Corner;
 
-/// Cubes of a component are no longer than this share of its size: drops of a few surfels are round.
+/// Largest cube edge over a component's size, so drops of a few surfels stay spherical.
 constexpr double mostOfSize = 0.15;
 
-/// Surfels that make a mesh: those of a component in one piece, and where it is cut at periodic sides the
-/// images that are near them.
+/// Surfels of a mesh: an unwrapped component, and near images where it is cut at periodic sides.
 struct Patch {
-  SurfaceFrame frame;               // positions, normals, radii and colours alone
+  SurfaceFrame frame;               // positions, normals, radii and colours only
   std::vector<std::uint32_t> rows;  // all of them
   PeriodicSides sides;
-  std::array<bool, 3> cut{};  // along which axes
+  std::array<bool, 3> cut{};  // per axis
   Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   double radius = 0;  // m, mean
   Vec3f meanColour{};
@@ -61,7 +60,7 @@ BandGrid gridAround(const Patch& p, double spacing) {
       edge[a] = p.sides.period[a] / cubes;
       origin[a] = p.sides.min[a] - edge[a];
       n = cubes + 3;
-    } else {  // two cubes beyond all that surfels reach: the border is outside
+    } else {  // two cubes beyond the reach of all surfels, so the border is outside
       const double margin = reach + 2 * spacing;
       edge[a] = spacing;
       origin[a] = p.low[a] - margin;
@@ -70,7 +69,7 @@ BandGrid gridAround(const Patch& p, double spacing) {
     blocks *= std::ceil(n / BandGrid::side);
     if (!(n < 1e6) || !(blocks < 1e9))
       throw std::runtime_error(
-          "a component is too far spread for a mesh at the spacing of its surfels: remove surfels that flew "
+          "a component extends too far for a mesh at the spacing of its surfels: remove surfels that moved "
           "away, or raise --cell");
     count[k] = static_cast<std::int64_t>(n);
   }
@@ -110,7 +109,7 @@ void addPlanes(const Patch& p, const BandGrid& grid, BandField& field) {
       const std::size_t slot = static_cast<std::size_t>(grid.at(c));
       if (dot(n, p.frame.normals[field.nearest[slot]]) < planeAgreement) return;
       const Vec3d d = grid.place(c) - x;
-      // Relative to the nearest one: far from the surface the weights do not vanish.
+      // relative to the nearest one, so weights do not vanish far from the surface
       const float w = std::exp(
           std::max(-60.0f, (field.nearest2[slot] - static_cast<float>(dot(d, d))) * over));
       field.weight[slot] += w;
@@ -122,7 +121,7 @@ void addPlanes(const Patch& p, const BandGrid& grid, BandField& field) {
     });
   }
   for (std::size_t s = 0; s < slots; s++) {
-    const float over = 1 / field.weight[s];  // the nearest one agrees with itself: 1 at least
+    const float over = 1 / field.weight[s];  // the nearest surfel has weight 1, so the sum is at least 1
     const float l = std::sqrt(dot(field.normal[s], field.normal[s]));
     const float along = l > 0 ? dot(field.normal[s], field.offset[s]) / l : field.value[s];
     field.value[s] = 0.5f * over * (field.value[s] + along);
@@ -155,7 +154,7 @@ Patch patchOf(const SurfaceFrame& frame, const ComponentRows& component, const s
   return p;
 }
 
-/// The same with the images of surfels that reach corners on the other side of a cut.
+/// Adds the images of surfels that reach corners on the other side of a cut.
 Patch withImages(Patch p, double spacing) {
   for (int a = 0; a < 3; a++) {
     if (!p.cut[static_cast<std::size_t>(a)]) continue;

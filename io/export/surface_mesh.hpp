@@ -1,4 +1,4 @@
-// Closed triangle meshes of the components of a surface.
+// Closed triangle meshes of surface components.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,34 +10,34 @@
 
 namespace thaw {
 
-/// Triangles around one component. Every edge has two triangles that run along it in opposite directions.
+/// Triangles around one component. Every edge has two triangles with opposite directions.
 struct ComponentMesh {
   std::uint64_t component = 0;
   TriangleMesh mesh;
-  std::vector<Vec3f> colours;      ///< one a vertex, sRGB 0 to 255, of the surfels around
-  std::vector<Vec3f> normals;      ///< one a vertex, unit, outward
-  std::vector<std::uint64_t> ids;  ///< one a vertex, of its row; empty for meshes that are made around others
-  std::vector<std::array<std::uint32_t, 2>> lines;  ///< vertices of a curve that are joined
-  double asked = 0, edge = 0;  ///< m, of the cubes that were asked for, and that it is made with
-  std::array<bool, 3> cut{};  ///< by axis: it goes round the periodic sides there, and ends at them with flat
+  std::vector<Vec3f> colours;      ///< per vertex, sRGB 0 to 255, from nearby surfels
+  std::vector<Vec3f> normals;      ///< per vertex, unit, outward
+  std::vector<std::uint64_t> ids;  ///< per vertex, of its row; empty for meshes around surfels
+  std::vector<std::array<std::uint32_t, 2>> lines;  ///< joined vertices of a curve
+  double asked = 0, edge = 0;                       ///< m, requested and used edge of cubes
+  std::array<bool, 3> cut{};  ///< per axis: it extends through the periodic sides and ends there with flat
                               ///< caps
 };
 
-/// Surfels of each component, ascending by its label; within one, in the order of the frame.
+/// Surfels of each component, ascending by label; in frame order within one.
 struct ComponentRows {
   std::uint64_t component = 0;
   std::vector<std::uint32_t> rows;
 };
 std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame);
 
-/// The zero set of the weighted mean of the surfels' signed plane distances (after Kolluri 2005, "Provably
-/// good moving least squares"), corrected for curvature by the mean normal, over those near a place whose
-/// normals agree with the nearest one's, by marching tetrahedra on cubes of edge `cell` times the mean
-/// radius, or .15 of its size where that is less, half of that and again where a component is too small to
-/// show. Vertices lie on the zero set but for what makes facets straddle it (straddle.hpp). `colours`: one a
-/// surfel of the frame, copied to the vertices. Empty if the component encloses nothing at an eighth of it.
-/// Memory follows the number of surfels, not the size of the box around them. Across periodic sides the mesh
-/// is in one piece (whole_component.hpp); a component that goes round ends at them.
+/// Returns the zero set of the weighted mean of signed plane distances (Kolluri 2005), corrected for
+/// curvature by the mean normal, over near surfels whose normals agree with the nearest one's. Marching
+/// tetrahedra use cubes of edge `cell` times the mean radius, at most 0.15 of the component's size, and
+/// halved up to three times if a component yields no triangle. Vertices lie on the zero set up to the offset
+/// of straddle.hpp. `colours`: one per surfel of the frame, copied to vertices. Returns no triangles if the
+/// component encloses nothing at an eighth of the edge. Memory scales with the number of surfels. Across
+/// periodic sides the mesh is unwrapped (whole_component.hpp); a component that joins its own image is cut
+/// there.
 ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& component,
                               const std::vector<Rgb>& colours, const PeriodicSides& sides = {},
                               double cell = 1);

@@ -22,12 +22,12 @@ Vec3d shiftOf(const PeriodicSides& sides, const Image& n) {
 
 Vec3d vectorOf(const Vec3f& v) { return {v.x, v.y, v.z}; }
 
-/// Rows that are joined, each with its image beside that of its parent.
+/// Disjoint sets of rows, each with its image relative to its parent's.
 struct JoinedRows {
   explicit JoinedRows(std::size_t n) : parent(n), image(n, Image{}) {
     std::iota(parent.begin(), parent.end(), 0u);
   }
-  /// The row that stands for all that are joined to i; image[i] is then beside it.
+  /// Returns the root of i's set; image[i] is then relative to it.
   std::uint32_t find(std::uint32_t i) {
     std::uint32_t root = i;
     Image total{};
@@ -41,10 +41,10 @@ struct JoinedRows {
     }
     return root;
   }
-  /// Joins i with the image n of j. Where they are already joined by another image of j, the body goes round.
+  /// Joins i with image n of j. If another image of j is joined already, the body joins its own image.
   void join(std::uint32_t i, std::uint32_t j, const Image& n, std::array<bool, 3>& round) {
     const std::uint32_t a = find(i), b = find(j);
-    const Image beside = image[i] + n - image[j];  // of b, beside a
+    const Image beside = image[i] + n - image[j];  // image of b relative to a
     if (a != b) {
       parent[b] = a, image[b] = beside;
       return;
@@ -86,10 +86,10 @@ struct Finder {
   const SurfaceFrame& frame;
   const std::vector<std::uint32_t>& rows;
   const PeriodicSides& sides;
-  std::vector<Vec3d> at;  // m, in the domain
+  std::vector<Vec3d> at;  // m, wrapped into the domain
   JoinedRows joined;
   std::array<bool, 3> round{};
-  bool crosses = false;  // something is joined across a side
+  bool crosses = false;  // some pair is joined across a side
 
   Vec3d normal(std::uint32_t i) const { return vectorOf(frame.normals[rows[i]]); }
   double radius(std::uint32_t i) const { return frame.radii[rows[i]]; }
@@ -107,7 +107,7 @@ struct Finder {
       });
   }
 
-  /// Parts by their rows, the largest first.
+  /// Returns the sets of rows, largest first.
   std::vector<std::vector<std::uint32_t>> parts() {
     std::vector<std::vector<std::uint32_t>> of(rows.size());
     for (std::uint32_t i = 0; i < rows.size(); i++) of[joined.find(i)].push_back(i);
@@ -122,7 +122,7 @@ struct Finder {
     Image image;
   };
 
-  /// Joins parts at their nearest pairs with what is inside between them, nearest first.
+  /// Joins sets at their nearest pairs across the inside, nearest first.
   void joinParts() {
     double size = 0, reach = 0;
     for (int a = 0; a < 3; a++)
@@ -133,7 +133,7 @@ struct Finder {
       if (all.size() < 2) return;
       const Images near(at, sides, std::min(reach, size));
       std::vector<Pair> pairs;
-      for (std::size_t part = 1; part < all.size(); part++)  // of the largest one all others look for it
+      for (std::size_t part = 1; part < all.size(); part++)  // all sets but the largest search
         for (const std::uint32_t i : all[part]) {
           Pair best{reach * reach, i, i, {}};
           forRowsWithin(near.bins, at[i], reach, [&](std::uint32_t k, double d2) {
@@ -160,7 +160,7 @@ struct Finder {
   }
 };
 
-/// Do the discs close round a hollow, and not round a body?
+/// Returns whether the discs enclose a hollow rather than a body.
 bool isHollow(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows,
               const std::vector<Vec3d>& places) {
   Vec3d middle{}, open{};

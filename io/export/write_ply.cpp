@@ -26,8 +26,7 @@ std::uint8_t byteOf(float c) {
 
 void checkCount(const std::filesystem::path& file, std::uint64_t vertices) {
   if (vertices > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
-    throw IoError(file.string(),
-                  "cannot be written: it would have more than 2^31 vertices, which the format cannot number");
+    throw IoError(file.string(), "cannot be written: PLY allows at most 2^31 vertices, and it has more");
 }
 
 constexpr const char* vertexProperties =
@@ -41,8 +40,9 @@ std::string cutNote(const ComponentMesh& mesh) {
   std::string axes;
   for (std::size_t a = 0; a < 3; a++)
     if (mesh.cut[a]) axes += (axes.empty() ? "" : ", ") + std::string(1, static_cast<char>('x' + a));
-  return axes.empty() ? ""
-                      : ", which goes round the periodic sides along " + axes + ", is cut there and capped";
+  return axes.empty()
+             ? ""
+             : ", which extends through the periodic sides along " + axes + ", is cut there and capped";
 }
 
 void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame,

@@ -12,8 +12,7 @@ namespace thaw {
 
 namespace {
 
-/// Arrays of the file: their element first, their bytes, each behind its length, in the order of the
-/// elements.
+/// Appended arrays: XML elements first, then the binary blocks in the same order, each after its length.
 struct Appended {
   std::string xml;
   std::uint64_t offset = 0;
@@ -58,7 +57,7 @@ const char* typeOf(Element e) {
   }
 }
 
-/// As it is in the frame: identifiers keep all their bits.
+/// Adds a column with its type in the frame, so ids keep all bits.
 void addColumn(Appended& a, const FrameColumn& c) {
   if (const char* type = typeOf(c.element))
     a.add(
@@ -70,7 +69,7 @@ struct CellCounts {
   std::uint64_t vertices = 0, lines = 0, polygons = 0;
 };
 
-/// PolyData of points, with these cells.
+/// Writes PolyData of points with these cells.
 void writePolyData(const std::filesystem::path& file, double time, std::uint64_t points,
                    const CellCounts& cells, const Appended& a) {
   OutFile out(file);
@@ -121,7 +120,7 @@ void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 
 namespace {
 
-/// Cells of the same number of points.
+/// Cells with the same number of points.
 struct Cells {
   std::vector<std::int64_t> connectivity, offsets;
   template<class List> explicit Cells(const List& list) {

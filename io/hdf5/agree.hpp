@@ -1,5 +1,5 @@
-// Errors that one rank meets are errors of all: nobody may go on to a collective call that the others will
-// not reach.
+// Collective error handling: an error on one rank becomes an error on all, so that no rank enters a
+// collective call alone.
 #pragma once
 #include <mpi.h>
 
@@ -12,11 +12,11 @@ namespace thaw {
 /// Collective.
 void agree(MPI_Comm comm, const std::string& problem);
 
-/// Runs `work` (on this rank; it may throw anything), then agrees. `work` must not call collective functions
-/// after a place where it may throw on some ranks only. Collective.
+/// Runs `work` on each rank, then calls agree. `work` must not call collective functions after code that may
+/// throw on some ranks only. Collective.
 void agreeOn(MPI_Comm comm, const std::function<void()>& work);
 
-/// The same for work of rank 0 alone.
+/// Does the same with work of rank 0 alone.
 void onFirstRank(MPI_Comm comm, const std::function<void()>& work);
 
 }  // namespace thaw

@@ -15,7 +15,7 @@ namespace thaw {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "words of the trailer are written as they are in memory");
+              "words of the trailer are little-endian, as in memory");
 
 constexpr std::uint64_t magic = 0x316b6377616874ull;  // "thawck1"
 constexpr std::uint64_t fixedWords = 5, wordBytes = 8;
@@ -38,7 +38,7 @@ struct File {
 
   std::uint64_t bytes() const {
     struct stat about {};
-    if (::fstat(fd, &about) != 0) fail("cannot be looked at");
+    if (::fstat(fd, &about) != 0) fail("its size cannot be read");
     return static_cast<std::uint64_t>(about.st_size);
   }
   void read(std::uint64_t at, std::uint64_t count, void* to) const {
@@ -47,7 +47,7 @@ struct File {
       const ssize_t got = ::pread(fd, next, count, static_cast<off_t>(at));
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) fail("cannot be read");
-      if (got == 0) damaged("it is shorter than it was");
+      if (got == 0) damaged("it is shorter than expected");
       next += got, at += static_cast<std::uint64_t>(got), count -= static_cast<std::uint64_t>(got);
     }
   }
@@ -62,7 +62,7 @@ struct File {
   }
 };
 
-/// Of bytes [0, end) outside of the ranges, which ascend: a sum over pieces of what is at which place.
+/// Checksum of the bytes [0, end) outside of the ascending ranges, as a sum over pieces with their positions.
 std::uint64_t checksumBetween(const File& file, const std::vector<ByteRange>& rows, std::uint64_t end) {
   constexpr std::uint64_t piece = 1 << 20;
   std::vector<std::byte> bytes;
@@ -80,11 +80,11 @@ std::uint64_t checksumBetween(const File& file, const std::vector<ByteRange>& ro
   return sum;
 }
 
-/// The end that HDF5's superblock gives, of versions 0 to 3 without a user block; 0 where there is no such
+/// Returns the end in HDF5's superblock (versions 0 to 3 without a user block), or 0 without such a
 /// superblock.
 std::uint64_t endOfHdf5(const File& file, std::uint64_t size) {
   constexpr unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
-  constexpr std::size_t places[] = {40, 44, 28, 28};  // of the address, by version
+  constexpr std::size_t places[] = {40, 44, 28, 28};  // byte of the address, by version
   unsigned char head[64];
   if (size < sizeof head) return 0;
   file.read(0, sizeof head, head);
@@ -97,7 +97,7 @@ std::uint64_t endOfHdf5(const File& file, std::uint64_t size) {
 }
 
 std::uint64_t checksumWords(const std::vector<std::uint64_t>& words) {
-  return checksumRows(words.data(), {0, words.size() - 2}, wordBytes);  // without itself and the magic
+  return checksumRows(words.data(), {0, words.size() - 2}, wordBytes);  // excludes itself and the magic
 }
 
 }  // namespace
@@ -127,9 +127,9 @@ bool checkTrailer(const std::string& path) {
     return false;
   }
   const std::uint64_t ranges = words[0], end = words[1], checksum = words[2];
-  const std::uint64_t before = size - fixedWords * wordBytes;  // the fixed words
+  const std::uint64_t before = size - fixedWords * wordBytes;  // size without the fixed words
   if (ranges > before / (2 * wordBytes) || end != before - ranges * 2 * wordBytes)
-    file.damaged("its trailer does not fit its length");
+    file.damaged("its trailer does not match its length");
   words.insert(words.begin(), 2 * ranges, 0);
   file.read(end, 2 * ranges * wordBytes, words.data());
   if (checksumWords(words) != words[words.size() - 2]) file.damaged("the checksum of its trailer is wrong");
@@ -141,7 +141,8 @@ bool checkTrailer(const std::string& path) {
       file.damaged("row ranges of its trailer lie outside the file");
     at = rows[k].first + rows[k].count;
   }
-  if (checksumBetween(file, rows, end) != checksum) file.damaged("the checksum of all but its rows is wrong");
+  if (checksumBetween(file, rows, end) != checksum)
+    file.damaged("the checksum of the bytes outside of its rows is wrong");
   return true;
 }
 

@@ -1,4 +1,4 @@
-// Types of elements as HDF5 has them. Private to io/hdf5.
+// Element types in HDF5. Private to io/hdf5.
 #pragma once
 #include <hdf5.h>
 

@@ -28,7 +28,7 @@ H5Handle textType(std::size_t length, H5T_cset_t characters) {
   return type;
 }
 
-/// Locks are of no use here (files appear by rename) and fail on some cluster file systems.
+/// Locks are unnecessary (files appear by rename) and fail on some cluster file systems.
 H5Handle accessList() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -73,7 +73,7 @@ H5File H5File::openToFill(const std::string& path, MPI_Comm comm) {
   const H5Handle access = accessList();
   int size = 1;
   MPI_Comm_size(comm, &size);
-  // alone, the serial driver does: it is faster and needs no MPI-IO
+  // one rank uses the serial driver: it is faster and needs no MPI-IO
   if (access.valid() && size > 1 && H5Pset_fapl_mpio(access.id(), comm, MPI_INFO_NULL) < 0)
     throw IoError(path, "cannot use MPI-IO" + h5Reason());
   const hid_t id = access.valid() ? H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()) : -1;
@@ -89,15 +89,15 @@ H5File::H5File(H5File&& other) noexcept
 H5File::~H5File() {
   try {
     close();
-  } catch (...) {  // whoever needs to know has called close
+  } catch (...) {  // callers that handle errors have called close
   }
 }
 
 void H5File::close() {
   const hid_t id = id_;
   id_ = -1;
-  // HDF5 1.10 frees a file whose last write fails in closing, but keeps its identifier, and falls over it
-  // when the library ends. So what can fail is done before, and a file for which it does fail is left open.
+  // HDF5 1.10 frees a file whose last write fails on close but keeps its identifier, and crashes at exit; so
+  // flush first, and leave the file open if that fails
   if (id >= 0 && alone_ && H5Fflush(id, H5F_SCOPE_GLOBAL) < 0) fail("write the file to its end");
   if (id >= 0 && H5Fclose(id) < 0) fail("write the file to its end");
 }
@@ -136,7 +136,7 @@ void H5File::write(const std::string& name, const RowRange& range, const void* d
   hsize_t extent[H5S_MAX_RANK] = {};
   const int rank = space.valid() ? H5Sget_simple_extent_ndims(space.id()) : -1;
   if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space.id(), extent, nullptr) < 0)
-    fail("see the shape of dataset " + name);
+    fail("read the shape of dataset " + name);
   // in pieces below 1 GiB: MPI-IO counts bytes in 32 bits
   const hsize_t row = H5Tget_size(type.id()) * (rank == 2 ? extent[1] : 1),
                 piece = std::max<hsize_t>(1, (hsize_t(1) << 30) / row);

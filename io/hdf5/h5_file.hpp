@@ -1,6 +1,5 @@
-// A thin RAII wrapper over the HDF5 C API: files of contiguous datasets, text and numbers. Every return code
-// is checked; failures are thrown as IoError with the path, what was tried and what HDF5 says about it.
-// HDF5's own printing of errors is off.
+// RAII wrapper of the HDF5 C API: files of contiguous datasets, texts and numbers. Every return code is
+// checked. Failures throw IoError with path, operation and HDF5's reason. HDF5's own error output is off.
 #pragma once
 #include <mpi.h>
 
@@ -13,14 +12,14 @@
 
 namespace thaw {
 
-/// Types of elements in files. Other: something that thaw does not write.
+/// Element types in files. Other: types that thaw does not write.
 enum class Element { F64, F32, U64, U32, U16, U8, I64, I32, Other };
 Element elementOf(Scalar scalar);
 std::size_t bytesOf(Element element);  ///< 0 for Other
 const char* nameOf(Element element);   ///< "float64", "uint8", ...
 
-/// rows x components elements; components 0: one-dimensional (as 1 component, but of rank 1). Row: bytes of
-/// one row.
+/// Shape of a dataset of rows x components elements; components 0 is one-dimensional, with one component.
+/// rowBytes: size of a row.
 struct DatasetShape {
   Element element = Element::F64;
   std::uint64_t rows = 0;
@@ -35,40 +34,40 @@ struct RowRange {
   std::uint64_t first = 0, count = 0;
 };
 
-/// MustBe: a file without trailer is refused.
+/// MustBe: a file without trailer is an error.
 enum class Trailer { MayBe, MustBe };
 
 class H5File {
  public:
-  /// A new file, for this process alone; one that is there is replaced.
+  /// Creates a file for this process alone, and replaces an existing one.
   static H5File create(const std::string& path);
-  /// An existing file, for this process alone, to add to.
+  /// Opens an existing file for this process alone, to append.
   static H5File openToAdd(const std::string& path);
-  /// An existing file, for this process alone, to read. One with a trailer (file_trailer.hpp) is compared
-  /// with it before HDF5 opens it.
+  /// Opens an existing file for this process alone, to read. Checks its trailer (file_trailer.hpp), if any,
+  /// before HDF5 opens it.
   static H5File openToRead(const std::string& path, Trailer trailer = Trailer::MayBe);
-  /// An existing file, to fill its datasets from all ranks of comm (MPI-IO). Collective; so is close.
+  /// Opens an existing file on all ranks of comm (MPI-IO), to fill its datasets. Collective; so is close.
   static H5File openToFill(const std::string& path, MPI_Comm comm);
 
   H5File(H5File&& other) noexcept;
   H5File(const H5File&) = delete;
   H5File& operator=(const H5File&) = delete;
   ~H5File();
-  /// Writes out what is buffered, and closes. Only this tells whether all of it could be written.
+  /// Writes buffers and closes. Only this reports whether all data were written.
   void close();
-  /// Writes out what is buffered, to the disk itself. Collective where the file is.
+  /// Writes buffers to the disk. Collective for files opened by all ranks.
   void flush();
   const std::string& path() const { return path_; }
 
   // ---- writing. Objects are named by their path in the file: "/VTKHDF/Points"
   void createGroup(const std::string& name);
-  /// Contiguous, its place in the file taken at once, not filled.
+  /// Creates a contiguous dataset; its space is allocated at once and not filled.
   void createDataset(const std::string& name, const DatasetShape& shape);
-  /// A whole small dataset.
+  /// Writes a whole small dataset.
   void writeAll(const std::string& name, const DatasetShape& shape, const void* data);
-  /// Rows of a dataset that is there; independent of other ranks. data may be null if range.count is 0.
+  /// Writes rows of an existing dataset, independently of other ranks. data may be null if range.count is 0.
   void write(const std::string& name, const RowRange& range, const void* data);
-  /// A text of any length as a scalar dataset of fixed length (UTF-8).
+  /// Writes a text as a scalar dataset of fixed length (UTF-8).
   void writeText(const std::string& name, const std::string& text);
   /// fixed length, ASCII
   void setText(const std::string& object, const std::string& attribute, const std::string& text);
@@ -80,19 +79,19 @@ class H5File {
   void setNumber(const std::string& object, const std::string& attribute, double value);
 
   // ---- reading ----
-  // Missing items and items of another type are an IoError; sizes are checked against the file's before use.
+  // Missing items and items of another type throw IoError; sizes are checked against the file's before use.
   bool has(const std::string& name) const;
   bool hasAttribute(const std::string& object, const std::string& attribute) const;
   std::vector<std::string> children(const std::string& group) const;     ///< names, ascending
   std::vector<std::string> attributes(const std::string& object) const;  ///< names, ascending
   DatasetShape shape(const std::string& name) const;
-  /// Byte of the file at which the rows of a contiguous dataset begin; it has some.
+  /// Returns the file offset of the rows of a contiguous dataset, which must not be empty.
   std::uint64_t offset(const std::string& name) const;
-  /// Converts to `as` where the file's type is another one.
+  /// Reads rows and converts them to `as` if the file's type differs.
   void read(const std::string& name, const RowRange& range, Element as, void* data) const;
   std::string readText(const std::string& name) const;
   std::string text(const std::string& object, const std::string& attribute) const;
-  /// the first, of an array
+  /// returns the first element of an array
   std::int64_t integer(const std::string& object, const std::string& attribute) const;
   std::vector<std::int64_t> integers(const std::string& object, const std::string& attribute) const;
   double number(const std::string& object, const std::string& attribute) const;
@@ -105,15 +104,15 @@ class H5File {
   bool alone_ = true;     // not opened together with other ranks
 };
 
-/// Rows [0, shape.rows) of a dataset as T, which must have the size of a row of elements `as`.
+/// Returns the rows [0, shape.rows) of a dataset as T, which must have the size of a row of elements `as`.
 template<class T> std::vector<T> readRows(const H5File& file, const std::string& name, Element as) {
   std::vector<T> values(file.shape(name).rows);
   if (!values.empty()) file.read(name, {0, values.size()}, as, values.data());
   return values;
 }
 
-/// To be called before MPI_Init: has Open MPI write files by ROMIO, which reports a full disk where its own
-/// layer hangs or says nothing. A choice of the user's own (OMPI_MCA_io) stays.
+/// Selects ROMIO for Open MPI's file output: it reports a full disk, where Open MPI's own layer hangs or is
+/// silent. A setting of the user (OMPI_MCA_io) is kept. Call before MPI_Init.
 void useRomio();
 
 }  // namespace thaw

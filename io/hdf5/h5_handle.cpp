@@ -11,8 +11,8 @@ std::string h5Reason() {
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, &reason);
   H5Eclear2(H5E_DEFAULT);
   if (reason.empty()) return {};
-  // "file write failed: time = ..., errno = 28, error message = 'No space left on device', ...": what the
-  // system says is enough
+  // from "file write failed: time = ..., errno = 28, error message = 'No space left on device', ..." only the
+  // system's message is kept
   const std::string key = "error message = '";
   if (const std::size_t at = reason.find(key); at != std::string::npos) {
     const std::size_t from = at + key.size(), end = reason.find('\'', from);

@@ -1,5 +1,4 @@
-// An identifier of the HDF5 library that is given back at the end, and the library's reason for its last
-// failure. Private to io/hdf5.
+// HDF5 identifier that is released at scope exit, and HDF5's reason of the last failure. Private to io/hdf5.
 #pragma once
 #include <hdf5.h>
 
@@ -27,8 +26,7 @@ class H5Handle {
   Close close_ = nullptr;
 };
 
-/// ": reason" from HDF5's stack of errors (its innermost entry, where the cause is), or nothing; empties the
-/// stack.
+/// Returns ": reason" from the innermost entry of HDF5's error stack, or nothing; clears the stack.
 std::string h5Reason();
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// What H5File reads: names, shapes, rows, texts, numbers.
+// H5File: reading names, shapes, rows, texts and numbers.
 #include <hdf5.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace thaw {
 
 bool H5File::has(const std::string& name) const {
-  // each part of the path in turn, as H5Lexists wants it
+  // H5Lexists requires each part of the path in turn
   for (std::size_t at = name.find('/', 1);; at = name.find('/', at + 1)) {
     if (H5Lexists(id_, name.substr(0, at).c_str(), H5P_DEFAULT) <= 0) return false;
     if (at == std::string::npos) return true;
@@ -58,11 +58,11 @@ DatasetShape H5File::shape(const std::string& name) const {
   const int rank = space.valid() ? H5Sget_simple_extent_ndims(space.id()) : -1;
   hsize_t extent[H5S_MAX_RANK] = {};
   if (!type.valid() || rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space.id(), extent, nullptr) < 0)
-    fail("see rows and columns in dataset " + name);
+    fail("read the rows and columns of dataset " + name);
   const DatasetShape s{elementOfType(type.id()), extent[0],
                        rank == 2 ? static_cast<int>(std::min<hsize_t>(extent[1], 1 << 20)) : 0};
-  // a damaged size must not become a huge allocation: what is said to be there has to fit into the file
-  // (compressed: a thousandfold)
+  // a damaged size must not cause a huge allocation: the data must fit into the file (if compressed, a
+  // thousandfold)
   std::error_code error;
   const std::uint64_t there = std::filesystem::file_size(path_, error);
   const haddr_t offset = H5Dget_offset(set.id());
@@ -79,7 +79,7 @@ DatasetShape H5File::shape(const std::string& name) const {
 std::uint64_t H5File::offset(const std::string& name) const {
   const H5Handle set(has(name) ? H5Dopen2(id_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   const haddr_t at = set.valid() ? H5Dget_offset(set.id()) : HADDR_UNDEF;
-  if (at == HADDR_UNDEF) fail("find the place of dataset " + name);
+  if (at == HADDR_UNDEF) fail("find the offset of dataset " + name);
   return at;
 }
 
@@ -87,7 +87,7 @@ void H5File::read(const std::string& name, const RowRange& range, Element as, vo
   if (range.count == 0) return;
   const DatasetShape s = shape(name);
   if (s.element == Element::Other)
-    throw IoError(path_, "dataset " + name + " is not of numbers that thaw reads");
+    throw IoError(path_, "dataset " + name + " has an element type that thaw does not read");
   if (range.first > s.rows || range.count > s.rows - range.first)
     throw IoError(path_, "dataset " + name + " has " + std::to_string(s.rows) + " rows; " +
                              std::to_string(range.first + range.count) + " are needed");
@@ -103,11 +103,10 @@ void H5File::read(const std::string& name, const RowRange& range, Element as, vo
 
 namespace {
 
-/// Groups and datasets below the depth at which names are cut would need no limit; attributes do: HDF5 keeps
-/// them in 64 KiB.
+/// Limit (bytes) of texts; HDF5 itself limits attributes to 64 KiB.
 constexpr std::uint64_t largestText = std::uint64_t(1) << 30;
 
-/// Reads a text that `read` copies from a dataset or an attribute.
+/// Reads a fixed-length text that `read` copies from a dataset or attribute.
 template<class Read>
 std::string fixedText(hid_t type, Read&& read, const std::string& path, const std::string& what) {
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)

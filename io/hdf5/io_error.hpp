@@ -1,4 +1,4 @@
-// What every failure of reading or writing a file is thrown as. The program ends with exit code 3.
+// Exception of all failures to read or write a file. The program exits with code 3.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -7,12 +7,12 @@ namespace thaw {
 
 inline constexpr int exitInputOutput = 3;
 
-/// "path: what failed, and why".
+/// Message "path: problem and reason".
 class IoError : public std::runtime_error {
  public:
   IoError(const std::string& path, const std::string& problem)
       : std::runtime_error(path + ": " + problem), path_(path) {}
-  /// An error that another rank met: `message` is that of its IoError.
+  /// An error of another rank, with the message of its IoError.
   explicit IoError(const std::string& message) : std::runtime_error(message) {}
   const std::string& path() const { return path_; }
 

@@ -28,7 +28,7 @@ std::uint64_t mix(std::uint64_t x) {  // finalizer of splitmix64 (Steele, Lea, F
   return x ^ x >> 31;
 }
 
-/// A file descriptor that is closed at the end.
+/// File descriptor that is closed at scope exit.
 struct Descriptor {
   int fd;
   ~Descriptor() {
@@ -36,9 +36,8 @@ struct Descriptor {
   }
 };
 
-/// Takes `bytes` of room from the disk now, so that a full disk shows here and neither while HDF5 writes
-/// metadata nor in some rank's write. File systems that cannot do this are left alone; there the writes
-/// themselves fail.
+/// Allocates `bytes` on the disk, so that a full disk is reported here rather than in HDF5's metadata or a
+/// rank's write. File systems without fallocate are skipped; there the writes themselves fail.
 void reserve(const std::string& path, std::uint64_t bytes) {
   const Descriptor file{::open(path.c_str(), O_WRONLY)};
   if (file.fd < 0) throw IoError(path, std::string("cannot be opened again: ") + std::strerror(errno));
@@ -47,7 +46,7 @@ void reserve(const std::string& path, std::uint64_t bytes) {
     throw IoError(path, "cannot write " + std::to_string(bytes) + " bytes: " + std::strerror(errno));
 }
 
-/// Gives back what was reserved beyond the end of the file.
+/// Releases space reserved beyond the end of the file.
 void trim(const std::string& path) {
   const Descriptor file{::open(path.c_str(), O_WRONLY)};
   struct stat about {};
@@ -78,23 +77,22 @@ void layOut(const std::string& part, const ParallelFileContent& content,
   trim(part);
 }
 
-/// Rank 0: everything is there with its size. H5File::shape compares sizes and places with the file's length.
-/// Returns where the rows are.
+/// Checks on rank 0 that all datasets exist with their sizes, also against the file's length (H5File::shape).
+/// Returns the byte ranges of rows.
 std::vector<ByteRange> verifyLayout(const std::string& part, const ParallelFileContent& content) {
   const H5File file = H5File::openToRead(part);
   std::vector<ByteRange> rows;
   for (const SpreadDataset& d : content.datasets) {
     const DatasetShape s = file.shape(d.name);
     if (s.element != d.shape.element || s.rows != d.shape.rows || s.components != d.shape.components)
-      throw IoError(part, "was not written as it should be: " + d.name + " has another size");
+      throw IoError(part, "was not written correctly: " + d.name + " has a wrong size");
     if (s.rows > 0) rows.push_back({file.offset(d.name), s.rows * s.rowBytes()});
   }
   return rows;
 }
 
-/// This rank's rows piece by piece: use(range of this rank's rows, bytes). `made` is memory for pieces that
-/// are made, one for all datasets: the system clears fresh pages, which took as long as writing them. A piece
-/// is short enough to stay in a cache.
+/// Calls use(range of this rank's rows, bytes) piece by piece. `made` is the buffer of generated pieces,
+/// shared by all datasets, since fresh pages cost as much as writing. A piece fits into a cache.
 template<class Use> void eachPiece(const SpreadDataset& d, std::vector<std::byte>& made, Use&& use) {
   const std::size_t row = d.shape.rowBytes();
   const std::uint64_t piece = std::max<std::uint64_t>(1, (std::uint64_t(2) << 20) / row);
@@ -110,7 +108,7 @@ template<class Use> void eachPiece(const SpreadDataset& d, std::vector<std::byte
   }
 }
 
-/// This rank's rows, as the file has them now, against memory.
+/// Compares this rank's rows in the file with memory.
 void verifyRows(const std::string& part, const ParallelFileContent& content) {
   const H5File file = H5File::openToRead(part);
   std::vector<std::byte> back, made;
@@ -120,7 +118,7 @@ void verifyRows(const std::string& part, const ParallelFileContent& content) {
       if (back.size() < size) back.resize(size);
       file.read(d.name, {d.mine.first + local.first, local.count}, d.shape.element, back.data());
       if (std::memcmp(back.data(), bytes, size) != 0)
-        throw IoError(part, "reading back gives other bytes than were written to " + d.name);
+        throw IoError(part, "bytes read back differ from those written to " + d.name);
     });
 }
 
@@ -139,8 +137,7 @@ Spread spreadRows(MPI_Comm comm, std::uint64_t count) {
 
 namespace {
 
-/// fixed: bytes of a row, known to the compiler, or 0. A row's words follow from each other; rows do not, and
-/// several are under way at once.
+/// fixed: bytes of a row at compile time, or 0. Rows are independent, so several are hashed at once.
 template<std::size_t fixed>
 std::uint64_t sumRows(const std::byte* at, const RowRange& range, std::size_t rowBytes) {
   const std::size_t bytes = fixed > 0 ? fixed : rowBytes;
@@ -195,7 +192,7 @@ void requireFreeSpace(const std::string& path, std::uint64_t bytes) {
 void renameFile(const std::string& from, const std::string& to, bool sync) {
   if (sync) syncPath(from, O_RDONLY);
   if (std::rename(from.c_str(), to.c_str()) != 0)
-    throw IoError(to, std::string("cannot be renamed to, from ") + from + ": " + std::strerror(errno));
+    throw IoError(to, std::string("cannot be replaced by ") + from + ": " + std::strerror(errno));
   if (sync) syncPath(folderOf(to), O_RDONLY | O_DIRECTORY);
 }
 
@@ -220,7 +217,7 @@ void writeParallelFile(const std::string& path, MPI_Comm comm, const ParallelFil
   try {
     std::vector<std::uint64_t> checksums(content.datasets.size());
     std::vector<std::byte> made;
-    std::uint64_t bytes = (1 << 18) + content.smallBytes;  // of everything that is not a spread dataset
+    std::uint64_t bytes = (1 << 18) + content.smallBytes;  // bytes besides the distributed datasets
     for (std::size_t k = 0; k < content.datasets.size(); k++) {
       const SpreadDataset& d = content.datasets[k];
       bytes += d.shape.rows * d.shape.rowBytes() + 1024;
@@ -237,8 +234,7 @@ void writeParallelFile(const std::string& path, MPI_Comm comm, const ParallelFil
       layOut(part, content, checksums, bytes);
     });
     {
-      // opening is collective and fails on all ranks or on none; the writes between opening and closing are
-      // not collective
+      // opening is collective and fails on all ranks or none; the writes before closing are independent
       std::vector<H5File> file;
       agreeOn(comm, [&] { file.push_back(H5File::openToFill(part, comm)); });
       std::string problem;

@@ -1,4 +1,4 @@
-// Numbers of a binary file, of both byte orders, never read past its end.
+// Cursor over numbers of a binary file, in either byte order, with bounds checks.
 #pragma once
 #include <bit>
 #include <cmath>
@@ -29,11 +29,10 @@ class ByteCursor {
   }
   void need(std::uint64_t n) const {
     if (n > left())
-      fail("the file ends after " + std::to_string(left()) + " of " + std::to_string(n) +
-           " bytes that are expected here");
+      fail("the file ends after " + std::to_string(left()) + " of " + std::to_string(n) + " expected bytes");
   }
 
-  /// Every value of these types is a double.
+  /// Reads a number; all these types fit into a double.
   double number(ScalarType type, bool bigEndian) {
     const std::size_t size = sizeOf(type);
     need(size);
@@ -53,7 +52,7 @@ class ByteCursor {
     }
     return 0;
   }
-  /// what: "a coordinate", for the message.
+  /// Reads a finite number; what: "a coordinate", for the message.
   double finite(ScalarType type, bool bigEndian, const char* what = "a coordinate") {
     const std::size_t begin = at_;
     const double x = number(type, bigEndian);

@@ -47,7 +47,7 @@ PlyProperty readProperty(TextCursor& text) {
     p.list = true;
     p.countType = scalarType(text);
     if (p.countType == ScalarType::Float32 || p.countType == ScalarType::Float64)
-      text.fail("the length of a list has to be an integer type");
+      text.fail("expected an integer type for the length of a list");
   }
   p.type = scalarType(text);
   p.name = std::string(text.wordOnLine());
@@ -74,7 +74,7 @@ PlyHeader readPlyHeader(TextCursor& text) {
     } else if (word == "element") {
       h.elements.push_back(readElement(text));
     } else if (word == "property") {
-      if (h.elements.empty()) text.fail("a property before the first element");
+      if (h.elements.empty()) text.fail("expected an element before the first property");
       h.elements.back().properties.push_back(readProperty(text));
     } else if (word != "comment" && word != "obj_info" && !word.empty()) {
       text.fail("expected 'format', 'element', 'property', 'comment' or 'end_header', found " +

@@ -14,14 +14,14 @@ enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 struct PlyProperty {
   std::string name;
   bool list = false;
-  ScalarType countType = ScalarType::UInt8;  ///< of lists
+  ScalarType countType = ScalarType::UInt8;  ///< for lists
   ScalarType type = ScalarType::Float32;
 };
 
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
-  std::int64_t line = 0;  ///< of the header
+  std::int64_t line = 0;  ///< line of the header
   std::vector<PlyProperty> properties;
 };
 
@@ -30,7 +30,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads from the line 'ply' to 'end_header'; the cursor then stands behind it. Throws MeshError.
+/// Reads from the line 'ply' to 'end_header' and leaves the cursor behind it. Throws MeshError.
 PlyHeader readPlyHeader(TextCursor& text);
 
 }  // namespace thaw

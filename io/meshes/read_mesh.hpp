@@ -8,18 +8,18 @@
 
 namespace thaw {
 
-/// What is wrong with a mesh file: "FILE:LINE: ..." or "FILE: byte N: ..." and what was expected there.
+/// Error of a mesh file: "FILE:LINE: ..." or "FILE: byte N: ..." with what was expected there.
 struct MeshError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a mesh; what kind of file it is, its content tells. Polygons become fans of triangles; lengths are
-/// taken as m. Coordinates are finite and indices valid afterwards, and there is at least one triangle;
-/// whether the mesh is closed is not looked at (core/geometry/mesh_repair.hpp). Does not depend on the
-/// locale. Allocates no more than a small multiple of the file's size. Throws MeshError.
+/// Reads a mesh; the content determines the format. Polygons become triangle fans; lengths are in m. Ensures:
+/// finite coordinates, valid indices, at least one triangle. The mesh may be open
+/// (core/geometry/mesh_repair.hpp). Independent of the locale. Memory is a small multiple of the file's size.
+/// Throws MeshError.
 TriangleMesh readMesh(const std::string& path);
 
-/// The same from the content of a file; `file` is for messages.
+/// Parses the content of a file; `file` is for messages.
 TriangleMesh parseMesh(std::string_view content, const std::string& file);
 
 TriangleMesh parseObj(std::string_view content, const std::string& file);

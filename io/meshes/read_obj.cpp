@@ -1,5 +1,5 @@
-// Wavefront OBJ: vertices (with colours where they have any), normals and faces; texture coordinates, groups,
-// materials, lines and points are passed over.
+// Wavefront OBJ: vertices (with colours, if any), normals and faces. Texture coordinates, groups, materials,
+// lines and points are ignored.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,16 +15,16 @@ constexpr std::int64_t mostVertices = 0xfffffff0;
 struct ObjReader {
   TextCursor text;
   TriangleMesh mesh;
-  /// Largest index of a list, 1-based, and its line: faces may come before what they name.
+  /// Largest index of a list, 1-based, and its line: faces may precede the elements they reference.
   struct Largest {
     std::int64_t index = 0, line = 0;
   };
   Largest largest, largestNormal;
   std::vector<Vec3d> normals;
-  std::vector<std::uint32_t> polygon, polygonNormals;   // of the face that is read; 0: none, else 1-based
-  std::vector<std::array<std::uint32_t, 3>> normalsOf;  // of all triangles
+  std::vector<std::uint32_t> polygon, polygonNormals;   // current face; 0: no normal, else 1-based
+  std::vector<std::array<std::uint32_t, 3>> normalsOf;  // per triangle
 
-  /// Next word of the statement, which goes on in the next line after a backslash.
+  /// Returns the next word of the statement, which continues on the next line after a backslash.
   std::string_view word() {
     std::string_view w = text.wordOnLine();
     while (w == "\\") {
@@ -43,8 +43,8 @@ struct ObjReader {
     colour();
   }
 
-  /// Behind the coordinates many programs write red, green, blue from 0 to 1; a single number there is a
-  /// weight. Vertices without are white.
+  /// Reads the optional red, green, blue (0 to 1) after the coordinates; a single number is a weight.
+  /// Vertices without colours are white.
   void colour() {
     double c[3];
     for (double& part : c) {
@@ -67,7 +67,7 @@ struct ObjReader {
     normals.push_back(unitNormal(n));
   }
 
-  /// An index of a list of `count` so far, 1-based; kind: "vertex" or "normal".
+  /// Returns an index into a list of `had` elements so far, 1-based; kind: "vertex" or "normal".
   std::uint32_t index(std::string_view w, const std::string& kind, std::size_t had, Largest& most) const {
     const std::string what = "a " + kind + " index (v, v/vt, v/vt/vn or v//vn)";
     std::int64_t n = text.integer(w, what.c_str());

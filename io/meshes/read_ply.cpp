@@ -1,5 +1,5 @@
-// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face', and where
-// they are there nx, ny, nz and red, green, blue; everything else is passed over.
+// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face', and nx, ny,
+// nz and red, green, blue if present; everything else is ignored.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace thaw {
 namespace {
 
-/// Values one after another, of either kind of file.
+/// Sequential values of an ascii or binary file.
 class PlyValues {
  public:
   PlyValues(std::string_view content, const std::string& file, const TextCursor& behindHeader,
@@ -26,19 +26,19 @@ class PlyValues {
     if (format_ != PlyFormat::Ascii) return bytes_.number(type, format_ == PlyFormat::BigEndian);
     return text_.number(text_.word(), "a number");
   }
-  /// A finite number; what: "a coordinate", for the message.
+  /// Reads a finite number; what: "a coordinate", for the message.
   double finite(ScalarType type, const char* what) {
     return format_ != PlyFormat::Ascii ? bytes_.finite(type, format_ == PlyFormat::BigEndian, what)
                                        : text_.number(text_.word(), what);
   }
-  /// Length of a list, with room for its values in what is left of the file.
+  /// Reads the length of a list, and checks that its values fit into the rest of the file.
   std::uint64_t length(const PlyProperty& p) {
     const double n = number(p.countType);
     if (n < 0 || n != std::floor(n)) fail("expected the length of a list, found " + std::to_string(n));
     if (n * (format_ == PlyFormat::Ascii ? 2.0 : static_cast<double>(sizeOf(p.type))) >
         static_cast<double>(left()) + 1)
       fail("a list of " + std::to_string(static_cast<std::uint64_t>(n)) +
-           " values, for which the rest of the file is too short");
+           " values does not fit into the rest of the file");
     return static_cast<std::uint64_t>(n);
   }
   void skip(const PlyProperty& p) {
@@ -68,25 +68,25 @@ struct PlyReader {
   const TextCursor& header;
   PlyFormat format;
   TriangleMesh mesh;
-  std::uint64_t vertices = 0;  // as the header says; faces may come first
+  std::uint64_t vertices = 0;  // from the header; faces may come first
   std::vector<std::uint32_t> polygon;
-  std::vector<Vec3d> normals;  // of vertices
+  std::vector<Vec3d> normals;  // per vertex
 
-  /// Reserves what the file can hold, not what the header promises.
+  /// Reserves memory for elements, after a check that they fit into the file.
   template<class T> void reserve(std::vector<T>& v, const PlyElement& e) const {
     std::size_t least = 0;
     for (const PlyProperty& p : e.properties)
       least += format == PlyFormat::Ascii ? 2 : p.list ? sizeOf(p.countType) : sizeOf(p.type);
     if (e.count > values.left() / std::max<std::size_t>(least, 1) + 1)
       header.failAt(e.line, "the header says " + std::to_string(e.count) + " of element '" + e.name +
-                                "', for which the file is too short");
+                                "', which do not fit into the file");
     v.reserve(static_cast<std::size_t>(e.count));
   }
 
-  /// Which of three parts each property is: 0, 1, 2 by its name, else -1.
+  /// Index (0, 1, 2) of each property among three names, else -1.
   struct Parts {
     std::vector<int> of;
-    bool all = false;  ///< each part is there, once
+    bool all = false;  ///< each name occurs exactly once
   };
   static Parts partsOf(const PlyElement& e, const std::array<const char*, 3>& names,
                        const std::string& prefix = "") {
@@ -102,7 +102,7 @@ struct PlyReader {
     return p;
   }
 
-  /// Bytes as they are, floating point numbers from 0 to 1, wider integers by their largest value.
+  /// Converts a colour to a byte: floating-point values from 0 to 1, 16-bit integers by their range.
   static std::uint32_t colourByte(double value, ScalarType type) {
     if (type == ScalarType::Float32 || type == ScalarType::Float64) value *= 255;
     else if (type == ScalarType::UInt16) value /= 257;
@@ -170,7 +170,7 @@ struct PlyReader {
 
   void skipElement(const PlyElement& e) {
     if (e.properties.empty()) return;
-    for (std::uint64_t n = 0; n < e.count; n++)  // every turn reads something, so it ends with the file
+    for (std::uint64_t n = 0; n < e.count; n++)  // every iteration reads something, so it ends with the file
       for (const PlyProperty& p : e.properties) values.skip(p);
   }
 };

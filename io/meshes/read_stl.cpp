@@ -1,4 +1,4 @@
-// STL, ascii and binary. Corners are written out for every triangle there; equal ones are merged.
+// STL, ascii and binary. Every triangle has its own corners; equal ones are merged.
 #include <cmath>
 #include <cstring>
 
@@ -33,12 +33,12 @@ TriangleMesh parseAsciiStl(std::string_view content, const std::string& file) {
   };
   for (std::string_view w = text.word(); !w.empty(); w = text.word()) {
     if (w != "solid") text.fail("expected 'solid', found " + TextCursor::shown(w));
-    text.restOfLine();  // its name
+    text.restOfLine();  // name of the solid
     for (w = text.word(); w != "endsolid"; w = text.word()) {
       if (w != "facet") text.fail("expected 'facet' or 'endsolid', found " + TextCursor::shown(w));
       expect("normal");
       for (int a = 0; a < 3; a++)
-        // what it says is not used and often wrong
+        // the normal is ignored; it is often wrong
         if (text.word().empty()) text.fail("expected a normal, found the end");
       expect("outer");
       expect("loop");

@@ -1,4 +1,4 @@
-// Words and numbers of a text file, with the line for messages.
+// Cursor over the words and numbers of a text file, with line numbers for messages.
 #pragma once
 #include <charconv>
 #include <cmath>
@@ -10,23 +10,23 @@
 
 namespace thaw {
 
-/// Walks over the words of a text. Nothing here asks the locale.
+/// Iterates over the words of a text, independently of the locale.
 class TextCursor {
  public:
   TextCursor(std::string_view text, std::string file, std::int64_t firstLine = 1)
       : text_(text), file_(std::move(file)), line_(firstLine) {}
 
-  /// Next word on any line; empty at the end of the text.
+  /// Returns the next word on any line; empty at the end of the text.
   std::string_view word() {
     while (at_ < text_.size() && isSpace(text_[at_])) step();
     return wordHere();
   }
-  /// Next word of this line; empty at its end.
+  /// Returns the next word of this line; empty at its end.
   std::string_view wordOnLine() {
     while (at_ < text_.size() && isSpace(text_[at_]) && text_[at_] != '\n') step();
     return wordHere();
   }
-  /// What is left of this line, without its end, and on to the next one.
+  /// Returns the rest of this line without its end, and moves to the next line.
   std::string_view restOfLine() {
     const std::size_t begin = at_;
     while (at_ < text_.size() && text_[at_] != '\n') at_++;
@@ -39,7 +39,7 @@ class TextCursor {
   std::size_t offset() const { return at_; }
   std::int64_t line() const { return line_; }
 
-  /// A finite number out of a word; what: "a coordinate", for the message.
+  /// Converts a word to a finite number; what: "a coordinate", for the message.
   double number(std::string_view word, const char* what) const {
     double x = 0;
     std::string_view digits = word;
@@ -66,7 +66,7 @@ class TextCursor {
     throw MeshError(file_ + ":" + std::to_string(line) + ": " + message);
   }
 
-  /// A word for a message: quoted, cut, without bytes that upset a terminal.
+  /// Formats a word for a message: quoted, shortened, with unprintable bytes replaced.
   static std::string shown(std::string_view word) {
     if (word.empty()) return "the end";
     std::string s = "'";
@@ -84,7 +84,7 @@ class TextCursor {
     while (at_ < text_.size() && !isSpace(text_[at_])) at_++;
     return text_.substr(begin, at_ - begin);
   }
-  /// 1e-400 is 0; 1e400 is not a number we can have.
+  /// Underflow such as 1e-400 is 0; overflow such as 1e400 is an error.
   double outOfRange(std::string_view digits, const char* what) const {
     const std::size_t e = digits.find_first_of("eE");
     if (e != std::string_view::npos && e + 1 < digits.size() && digits[e + 1] == '-') return 0;

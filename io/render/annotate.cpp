@@ -14,7 +14,7 @@ namespace {
 
 constexpr Rgb ink{44, 48, 56};
 
-/// As short as tells the ticks apart; powers of ten for very large and small numbers.
+/// Shortest label that distinguishes the ticks; powers of ten for very large and small numbers.
 std::string label(double value, double step, double largest) {
   if (value == 0) return "0";
   if (largest >= 1e5 || largest < 1e-3) {
@@ -46,7 +46,7 @@ Ticks ticksBetween(double min, double max, int most) {
 }
 
 void drawColourBar(Image& image, const ColourScale& scale) {
-  const double unit = image.height / 960.0;  // everything grows with the picture
+  const double unit = image.height / 960.0;  // all sizes scale with the picture
   const double text = std::max(8.0, 15 * unit);
   const int top = static_cast<int>(0.16 * image.height), tall = static_cast<int>(0.5 * image.height),
             wide = std::max(6, static_cast<int>(20 * unit));
@@ -59,7 +59,7 @@ void drawColourBar(Image& image, const ColourScale& scale) {
   for (int y = -1; y <= tall; y++)
     for (int x = -1; x <= wide; x++) {
       const bool edge = y < 0 || x < 0 || y == tall || x == wide;
-      // where there is no range, the one colour that everything has
+      // without a range, the one colour of all values
       const double value = scale.max > scale.min
                                ? scale.min + (1 - (y + 0.5) / tall) * (scale.max - scale.min)
                                : scale.min;
@@ -88,11 +88,12 @@ void drawCaption(Image& image, const std::string& title, const std::string& time
 
 Image contactSheet(std::span<const Image> pictures, int columns, std::span<const std::string> labels) {
   if (pictures.empty() || columns < 1 || labels.size() != pictures.size())
-    throw std::invalid_argument("a contact sheet needs pictures, a label for each, and a column");
+    throw std::invalid_argument(
+        "expected at least one picture, one column, and a label per picture for a contact sheet");
   const int width = pictures[0].width, height = pictures[0].height;
   for (const Image& p : pictures)
     if (p.width != width || p.height != height)
-      throw std::invalid_argument("the pictures of a contact sheet differ in size");
+      throw std::invalid_argument("expected pictures of the same size for a contact sheet");
   const int across = std::min(columns, static_cast<int>(pictures.size())),
             down = (static_cast<int>(pictures.size()) + across - 1) / across;
   const int space = std::max(4, width / 40);

@@ -1,4 +1,4 @@
-// What is written into a picture: the colour bar and a caption.
+// Annotations of pictures: colour bar and caption.
 #pragma once
 #include <span>
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace thaw {
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) within [min, max], at most about `most` of them, and
-/// how to write them.
+/// Round numbers (steps of 1, 2 or 5 times a power of ten) within [min, max], at most about `most` of them,
+/// with labels.
 struct Ticks {
   std::vector<double> values;
   std::vector<std::string> labels;
 };
 Ticks ticksBetween(double min, double max, int most);
 
-/// A vertical bar of the scale's colours at the right edge, with title, unit and tick numbers.
+/// Draws a vertical bar of the scale's colours at the right edge, with title, unit and tick labels.
 void drawColourBar(Image& image, const ColourScale& scale);
 
-/// One line in the upper left corner: a title, of which there is as much as has room, and the time behind it.
+/// Draws one line in the upper left corner: the title, shortened to fit, then the time.
 void drawCaption(Image& image, const std::string& title, const std::string& time);
 
-/// Pictures of one size in rows of `columns`, each with its label below, on a light ground. Throws
-/// std::invalid_argument if sizes differ or labels are not as many as the pictures.
+/// Returns pictures of one size in rows of `columns`, each with its label below, on a light background.
+/// Throws std::invalid_argument if sizes differ or the number of labels is wrong.
 Image contactSheet(std::span<const Image> pictures, int columns, std::span<const std::string> labels);
 
 }  // namespace thaw

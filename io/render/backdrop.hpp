@@ -1,4 +1,4 @@
-// What stands behind the bodies of a picture: the sky, and floors with the shadow on them.
+// Background of a picture: sky, and floors with shadows.
 #pragma once
 #include <limits>
 #include <vector>
@@ -10,17 +10,17 @@ namespace thaw {
 
 class Backdrop {
  public:
-  /// Floors that are seen from their front; `stage` as of RenderStyle, the box of what is drawn if that is
-  /// empty.
+  /// Keeps the floors that face the camera. `stage` as in RenderStyle; if that is empty, the box of the drawn
+  /// objects.
   Backdrop(const RenderStyle& style, const View& view, const ViewBox& stage, const Lights& lights,
            const Discs& casters);
 
-  /// Depth of the nearest floor in front of `depth` along a ray (of depth 1), and which; null: none.
+  /// Returns the nearest floor in front of `depth` along a ray (of depth 1) and sets `depth`; null: none.
   const FloorLight* floorBefore(const Vec3f& ray, float& depth) const;
   Light floorShade(const FloorLight& floor, const Vec3f& ray, float depth) const;
   Light sky(const Vec3f& ray) const;
-  /// Light of the floor below a point over that of an open one: what comes from below to a surface there. 1
-  /// where there is no floor.
+  /// Returns the light of the floor below a point over that of an unshadowed floor, for reflection from
+  /// below; 1 without a floor.
   float bounce(const Vec3f& point) const;
   const std::vector<FloorLight>& floors() const { return floors_; }
 

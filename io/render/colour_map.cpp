@@ -14,8 +14,7 @@ struct Lch {
   double at, lightness, chroma, hue;
 };  // hue in degrees
 
-/// Oklab lightness, chroma and hue to sRGB (B. Ottosson 2020, "A perceptual color space for image
-/// processing"). False outside the gamut.
+/// Converts Oklab lightness, chroma and hue to sRGB (OT20). Returns false outside the gamut.
 bool toSrgb(double lightness, double chroma, double hue, Rgb& out) {
   const double h = hue * std::numbers::pi / 180, a = chroma * std::cos(h), b = chroma * std::sin(h);
   const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
@@ -36,8 +35,7 @@ bool toSrgb(double lightness, double chroma, double hue, Rgb& out) {
   return inside;
 }
 
-/// Through the given points, linear in lightness, chroma and hue; chroma gives way where the screen cannot
-/// show it.
+/// Interpolates the points linearly in lightness, chroma and hue; chroma is reduced to stay in the gamut.
 Palette through(std::span<const Lch> points) {
   Palette palette;
   for (std::size_t i = 0; i < palette.size(); i++) {
@@ -53,7 +51,7 @@ Palette through(std::span<const Lch> points) {
   return palette;
 }
 
-// The dark end is not black: shading has to stay visible on it.
+// The dark end is not black, so shading stays visible on it.
 constexpr Lch ember[] = {{0, 0.44, 0.15, 285},
                          {0.25, 0.55, 0.20, 325},
                          {0.5, 0.66, 0.21, 383},
@@ -72,8 +70,7 @@ ColourMap colourMapNamed(std::string_view name) {
   if (name == "ember") return ColourMap::Ember;
   if (name == "sea") return ColourMap::Sea;
   if (name == "grey") return ColourMap::Grey;
-  throw std::invalid_argument("there is no colour map '" + std::string(name) +
-                              "'; there are ember, sea and grey");
+  throw std::invalid_argument("unknown colour map '" + std::string(name) + "'; expected ember, sea or grey");
 }
 
 Palette paletteOf(ColourMap map) {

@@ -1,5 +1,4 @@
-// Colours of numbers: maps whose lightness rises evenly with the number, so that equal steps look equal, in
-// grey as well.
+// Colour maps of uniformly increasing lightness, so equal steps look equal, also in greyscale.
 #pragma once
 #include <array>
 #include <string>
@@ -15,21 +14,22 @@ enum class ColourMap {
   Grey
 };  ///< violet-red-orange-yellow; violet-blue-green-yellow; dark to light
 
-/// The map of this name ("ember", "sea", "grey"); throws std::invalid_argument with the names there are.
+/// Returns the map of this name ("ember", "sea", "grey"). Throws std::invalid_argument with the available
+/// names.
 ColourMap colourMapNamed(std::string_view name);
 
 /// 256 colours from the lowest to the highest number.
 using Palette = std::array<Rgb, 256>;
 Palette paletteOf(ColourMap map);
 
-/// How numbers become colours, the same for all pictures of a run.
+/// Mapping of numbers to colours, the same for all pictures of a run.
 struct ColourScale {
   double min = 0, max = 1;  ///< in `unit`; numbers outside get the colour of the nearer end
   ColourMap map = ColourMap::Ember;
   std::string title, unit;  ///< "temperature", "K"
 };
 
-/// Index into a palette; not-a-number gives 0.
+/// Returns an index into a palette; 0 for not-a-number.
 int paletteIndex(const ColourScale& scale, double value);
 
 }  // namespace thaw

@@ -10,17 +10,18 @@ namespace thaw {
 
 namespace {
 
-constexpr float around = 1.7f;      // of a disc's radius: neighbours that say how it bends
-constexpr float sameFace = 0.2f;    // least cosine of a neighbour's normal, for the curvature
-constexpr float oneSheet = -0.3f;   // and for the surface: what looks away more is the other side of a thin
-                                    // sheet
-constexpr float sharpness = 0.48f;  // of a disc's radius: width of the weights
-constexpr float uneven = 0.12f;  // of the square of how normals turn: what a curvature may leave unexplained
+constexpr float around = 1.7f;    // in disc radii: range of neighbours for its curvature
+constexpr float sameFace = 0.2f;  // least cosine of a neighbour's normal, for the curvature
+// The same for the surface: other normals belong to the other side of a thin sheet.
+constexpr float oneSheet = -0.3f;
+constexpr float sharpness = 0.48f;  // in disc radii: width of the weights
+constexpr float uneven = 0.12f;     // fraction of the squared turn of normals that a curvature may leave
+                                    // unexplained
 constexpr std::size_t fewest = 4;
-constexpr float flatFace = 0.995f, sharp = 0.5f;  // cosines: of one flat face; of another one beyond a sharp
-                                                  // edge
-/// A disc of radius 1 is covered by 1 + 3 k (k + 1) discs on a hexagonal lattice of this spacing; each covers
-/// .6 of it.
+// Cosines: of one flat face, and of another one beyond a sharp edge.
+constexpr float flatFace = 0.995f, sharp = 0.5f;
+/// Spacing of the hexagonal lattice on which 1 + 3 k (k + 1) discs cover a disc of radius 1; a part's radius
+/// is `partOf` times the spacing.
 constexpr float ringSpacing[4] = {0, 0.81f, 0.476f, 0.34f};
 constexpr float partOf = 0.62f;
 
@@ -29,8 +30,8 @@ Vec3f anyAcross(const Vec3f& n) {
   return a / std::sqrt(dot(a, a));
 }
 
-/// sine: about, of the angle by which the normals around a disc turn within its radius. 0 beside a sharp edge
-/// between flat faces, which stays one: discs are cut there (disc_clips.hpp).
+/// sine: about that of the turn of normals within a disc's radius. 0 at a sharp edge between flat faces,
+/// where discs are clipped instead (disc_clips.hpp).
 struct Turn {
   float sine = 0;
   bool edge = false;
@@ -56,9 +57,9 @@ Turn turnOf(const Discs& discs, std::span<const std::uint32_t> components, std::
   return {std::sqrt(most), false};
 }
 
-/// Moves a part of disc i onto the surface between the discs around, where the mean of their planes and of
-/// the plane across the mean normal vanishes (exact on spheres; edges become round by a third of a spacing),
-/// and turns it so. False where there is none near.
+/// Projects a part of disc i onto the surface between nearby discs and sets its normal. The surface is where
+/// the mean of their planes and of the plane across the mean normal vanishes: exact on spheres, and edges are
+/// rounded by a third of a spacing. Returns false without discs nearby.
 bool ontoDiscs(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i,
                std::span<const std::uint32_t> near, DiscPart& part) {
   const Vec3f start = part.position;
@@ -143,8 +144,8 @@ DiscCurvature curvatureOf(const Discs& discs, std::span<const std::uint32_t> com
                     m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                     m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   const float size = static_cast<float>(count);
-  if (!(det > 1e-3f * size * size * size / 27)) return c;  // they lie on one side, or in a line
-  const auto solve = [&](int k) {                          // Cramer
+  if (!(det > 1e-3f * size * size * size / 27)) return c;  // neighbours lie on one side, or are collinear
+  const auto solve = [&](int k) {                          // Cramer's rule
     float a[3][3];
     for (int r = 0; r < 3; r++)
       for (int l = 0; l < 3; l++) a[r][l] = l == k ? right[r] : m[r][l];
@@ -172,8 +173,8 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
   if (!(largest > 0)) return parts;
   std::vector<float> radii;
   for (std::size_t i = 0; i < count; i++) radii.push_back(discs.radius(i));
-  const std::size_t typical = count * 9 / 10;  // discs of very different sizes: the bins follow the typical
-                                               // ones
+  // Bins follow the 90th percentile, since radii may vary widely.
+  const std::size_t typical = count * 9 / 10;
   std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(typical), radii.end());
   std::vector<Vec3d> places;
   for (const Vec3f& p : discs.positions) places.push_back({p.x, p.y, p.z});
@@ -185,7 +186,7 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
     const Vec3f x = discs.positions[i], n = discs.normals[i];
     const float r = discs.radius(i);
     const auto whole = [&](bool edge = false) { parts.push_back({x, n, r, i, edge, {{{i, 1}}}}); };
-    if (!(0.5f * r > most)) return whole();  // even at a right angle
+    if (!(0.5f * r > most)) return whole();  // flat enough even for a turn of a right angle
     near.clear();
     const double far2 = static_cast<double>(around * around * r * r);
     for (std::size_t k = 0; k < beside.count; k++)
@@ -207,7 +208,7 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
         const float a = away > 0 ? step * (static_cast<float>(column) + 0.5f * static_cast<float>(row)) / away
                                  : 1,
                     b = away > 0 ? step * 0.8660254f * static_cast<float>(row) / away : 0;
-        // along a circle of the curvature in this direction, by the way over the surface; then onto it
+        // along an arc of the curvature in this direction, by length on the surface; then projected
         const float bend = a * a * c.uu + 2 * a * b * c.uv + b * b * c.vv;
         const float angle = std::clamp(bend * away, -1.6f, 1.6f),
                     flat = std::abs(angle) > 1e-4f ? std::sin(angle) / angle * away : away;

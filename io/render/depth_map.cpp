@@ -29,7 +29,7 @@ void drawSphere(DepthMap& map, const Discs& discs, std::size_t i) {
   }
 }
 
-/// Of a disc that leans, the depth of each cell is that of its plane there.
+/// Draws a tilted disc; the depth of each cell is that of its plane.
 void drawDisc(DepthMap& map, const Discs& discs, std::size_t i) {
   const float scale = 1 / map.cell;
   const Vec3f &p = discs.positions[i], &n = discs.normals[i];
@@ -67,7 +67,7 @@ float DepthMap::visible(const Vec3f& point, float bias, int taps) const {
     return 1;
   const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
   const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-  // A box of bilinear samples: inner cells count fully, the two ends of each row and column by the fraction.
+  // A box of bilinear samples: inner cells count fully, both ends of each row and column by their fraction.
   float lit = 0;
   for (int j = -taps; j <= taps + 1; j++) {
     const float wy = j == -taps ? 1 - fy : j == taps + 1 ? fy : 1;

@@ -10,20 +10,19 @@ namespace thaw {
 
 namespace {
 
-constexpr float alike = 0.96f;  // cosine: normals nearer than 16 degrees are of one smooth face
+constexpr float alike = 0.96f;  // cosine: normals within 16 degrees belong to one smooth face
 
-/// How far a cut goes around the neighbour, in its radii. Where the surface is only curved the cut may not go
-/// farther than the neighbour itself, or a gap would open between it and the next one; an edge goes on in a
-/// straight line.
+/// Returns the extent of a clip around the neighbour, in its radii. On a curved surface it ends with the
+/// neighbour, or a gap would open to the next disc; along a straight edge it extends farther.
 float reachOf(float cosine) { return 2.2f - 1.4f * ramp(0.3f, 0.75f, cosine); }
-/// What may stand out beyond the neighbour's plane, in radii: faces that meet leave no gap.
+/// Returns the allowed protrusion beyond the neighbour's plane, in radii, so that faces meet without a gap.
 float slackOf(float cosine) { return 0.015f + 0.12f * ramp(0.2f, 0.6f, cosine); }
 float square(float x) { return x * x; }
 
 struct Candidate {
   float away;
   DiscClip clip;
-};  // away: from the centre to the cut, along the disc
+};  // away: from the centre to the clip, along the disc
 
 }  // namespace
 
@@ -35,7 +34,7 @@ DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted,
   float edge = 0;
   for (std::size_t i = 0; i < count; i++) edge = std::max(edge, discs.radius(i));
   if (!(edge > 0)) return clips;
-  // Discs of very different sizes: the bins follow the typical ones.
+  // Bins follow the 90th percentile, since radii may vary widely.
   std::vector<float> radii;
   for (std::size_t i = 0; i < count; i++) radii.push_back(discs.radius(i));
   std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count * 9 / 10), radii.end());
@@ -53,9 +52,9 @@ DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted,
       if (!components.empty() && components[i] != components[j]) return;
       const float larger = 2 * std::max(r, discs.radius(j));
       if (dot(d, d) > larger * larger) return;
-      const float behind = -dot(d, discs.normals[j]);  // how far the centre lies behind the neighbour's plane
+      const float behind = -dot(d, discs.normals[j]);  // distance of the centre behind the neighbour's plane
       if (behind < 0 || dot(d, n) < -0.05f * r)
-        return;  // a valley, or a saddle: what sticks out is hidden below, or closes a gap
+        return;  // valley or saddle: a protruding rim is hidden below, or closes a gap
       const float away = behind / std::sqrt(1 - cosine * cosine);
       if (away < r)
         found.push_back({away,
@@ -64,7 +63,7 @@ DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted,
     });
     std::sort(found.begin(), found.end(),
               [](const Candidate& a, const Candidate& b) { return a.away < b.away; });
-    // The nearest cut, then those that add a face of their own.
+    // The nearest clip, then those with a different face.
     for (const Candidate& c : found) {
       const std::size_t have = clips.list.size() - clips.first[i];
       if (have == DiscClips::most) break;

@@ -1,4 +1,4 @@
-// Where discs have to end: at the planes of neighbours beyond a crease, so that no rim stands out of an edge.
+// Clips of discs at the planes of neighbours beyond a crease, so no rim protrudes from an edge.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// The part of a disc that lies in front of a neighbour's plane is not drawn as far as that neighbour's own
-/// disc goes: dot(q, normal) > reach and |q - other| < radius, with q and other (the neighbour) from the
+/// Clip of a disc: the part in front of a neighbour's plane and within that neighbour's disc is not drawn,
+/// that is dot(q, normal) > reach and |q - other| < radius. q and other (the neighbour) are relative to the
 /// disc's centre.
 struct DiscClip {
   Vec3f normal;
@@ -17,15 +17,15 @@ struct DiscClip {
   float radius2 = 0;
 };
 
-/// Clips of each disc, at most `most` a disc.
+/// Clips of each disc, at most `most` per disc.
 struct DiscClips {
   static constexpr std::size_t most = 8;
-  std::vector<std::uint32_t> first;  ///< of a disc; discs + 1
+  std::vector<std::uint32_t> first;  ///< per disc; discs + 1
   std::vector<DiscClip> list;
 };
 
-/// For discs with `wanted` not 0, over neighbours of the same component (all, if those are empty) nearer than
-/// twice the larger radius.
+/// Finds clips for discs with `wanted` not 0, from neighbours nearer than twice the larger radius in the same
+/// component (in all, if `components` is empty).
 DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted,
                     std::span<const std::uint32_t> components);
 

@@ -35,7 +35,7 @@ std::vector<fs::path> filesNamedFrames(const fs::path& folder) {
   return found;
 }
 
-/// Length of a vector, Frobenius norm of a symmetric tensor (XX YY ZZ XY YZ XZ).
+/// Returns the length of a vector, or the Frobenius norm of a symmetric tensor (XX YY ZZ XY YZ XZ).
 float lengthOfRow(const FrameColumn& column, std::size_t row) {
   if (column.components == 1) return static_cast<float>(column.value(row, 0));
   double sum = 0;
@@ -50,7 +50,7 @@ float lengthOfRow(const FrameColumn& column, std::size_t row) {
 
 namespace {
 
-/// What stands before the number in the name of a frame: "melt_surface" of melt_surface_000120.hdf.
+/// Returns the name of a frame without its number: "melt_surface" for melt_surface_000120.hdf.
 std::string stemOf(const fs::path& frame) {
   const std::string stem = frame.stem().string();
   const std::size_t digits = stem.find_last_not_of("0123456789");
@@ -62,14 +62,13 @@ std::string stemOf(const fs::path& frame) {
 bool ofSurface(const fs::path& frame) {
   const std::string stem = stemOf(frame);
   if (!stem.ends_with("_surface"))
-    return false;  // the name is looked at first: a file that is damaged is found out where it is read
+    return false;  // the name is tested first; a damaged file is reported when it is read
   try {
     return isSurfaceFrame(readFrameInfo(frame.string()));
   } catch (const IoError&) { return true; }
 }
 
-/// What a file's points are called where they are of a kind that is drawn with others: "sheet" of
-/// melt_sheet_000120.hdf; else nothing.
+/// Returns the body type of a frame that is drawn with others, "sheet" for melt_sheet_000120.hdf; else "".
 std::string kindOfFrame(const fs::path& frame) {
   const std::string stem = stemOf(frame);
   for (const std::string kind : {"sheet", "oriented"}) {
@@ -80,7 +79,7 @@ std::string kindOfFrame(const fs::path& frame) {
   return {};
 }
 
-/// The frame of the same number of a scene's other kind; empty if there is none.
+/// Returns the frame of the same number for another body type; empty without one.
 fs::path companionOf(const fs::path& frame, const std::string& kind) {
   std::string scene = stemOf(frame);
   const std::string stem = frame.stem().string(), number = stem.substr(scene.size()),
@@ -95,14 +94,14 @@ struct FolderFrames {
   std::vector<std::string> particleIndices, surfaceIndices;
 };
 
-/// What one folder holds of both kinds.
+/// Returns the frames of particles and surfaces in a folder.
 FolderFrames framesIn(const fs::path& folder) {
   FolderFrames found;
   for (const std::string& index : findSeries(folder.string())) {
-    // drawn with the frame beside
+    // drawn with the associated frame
     if (index.ends_with("_oriented.hdf.series") || index.ends_with("_sheet.hdf.series")) continue;
     const std::vector<fs::path> frames = framesOfIndex(index);
-    // drawn with those of the particles
+    // drawn with the particles' frames
     if (!frames.empty() && !kindOfFrame(frames.back()).empty()) continue;
     const bool surface = frames.empty() ? fs::path(index).filename().string().ends_with("_surface.hdf.series")
                                         : ofSurface(frames.back());
@@ -110,11 +109,11 @@ FolderFrames framesIn(const fs::path& folder) {
     std::vector<fs::path>& list = surface ? found.surface : found.particles;
     list.insert(list.end(), frames.begin(), frames.end());
   }
-  // drawn with the frame beside
+  // drawn with the associated frame
   const auto ofKind = [](const std::string& stem) {
     return stem.ends_with("_oriented") || stem.ends_with("_sheet");
   };
-  std::vector<std::pair<std::string, bool>> known;  // stems, and whether they are of surfaces
+  std::vector<std::pair<std::string, bool>> known;  // stems, and whether their frames are surfaces
   for (const fs::path& file : filesNamedFrames(folder)) {
     const std::string stem = stemOf(file);
     if (ofKind(stem)) continue;
@@ -156,17 +155,17 @@ std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
     if (!frames.empty()) return frames;
     particles = particles || !found.particles.empty();
   }
-  if (!particles)  // a scene without continuum
+  if (!particles)  // scene without continuum
     for (const FrameKind other : {FrameKind::Sheet, FrameKind::Oriented}) try {
         const std::vector<fs::path> frames = findFrames(path, other);
         if (kind != FrameKind::Surface) return frames;
         particles = true;
-      } catch (const IoError&) {  // the message below
+      } catch (const IoError&) {  // reported below
       }
   if (kind == FrameKind::Surface && particles)
     throw IoError(path.string(),
-                  "there are no frames of a surface in this folder, only of particles, sheets or oriented "
-                  "particles: a scene has a surface if it has a table [surface]");
+                  "there are no surface frames in this folder, only frames of particles, sheets or oriented "
+                  "particles; a scene has a surface with a table [surface]");
   throw IoError(path.string(), "there are no frames (.hdf) in this folder");
 }
 
@@ -198,7 +197,7 @@ std::vector<Vec3f> inSinglePrecision(const std::vector<Vec3d>& positions) {
   return out;
 }
 
-/// Values of a column; IoError where there is none.
+/// Sets the values from a column; throws IoError without one.
 void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame, const std::string& field,
                const std::string& more) {
   if (!column) {
@@ -211,7 +210,7 @@ void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame
   for (std::size_t i = 0; i < view.values.size(); i++) view.values[i] = lengthOfRow(*column, i);
 }
 
-/// Components that cross periodic sides, each in one piece: cut by the sides they would show their insides.
+/// Unwraps components across periodic sides, which would show their insides at the sides.
 void makeWhole(SurfaceFrame& frame, const PeriodicSides& sides) {
   if (!sides.any()) return;
   for (const ComponentRows& c : rowsByComponent(frame)) {
@@ -220,7 +219,8 @@ void makeWhole(SurfaceFrame& frame, const PeriodicSides& sides) {
   }
 }
 
-/// Not alone: beside sheets, of which the field may be; the surface then has its own colours.
+/// Reads surfels. alone: without sheets; with sheets the field may belong to them, and the surface keeps its
+/// own colours.
 FrameView surfaceView(const fs::path& file, const std::string& field, const PeriodicSides& sides,
                       bool alone) {
   const std::string name = field == "speed" ? "velocity" : field == "glow" ? "temperature" : field;
@@ -267,7 +267,7 @@ void addSheets(const fs::path& file, const std::string& field, FrameView& view) 
   addMeshFaces({positions, data.triangles, values, colours}, view);
 }
 
-/// Makes room in a view of surfels for discs that have all that discs can have.
+/// Extends the arrays of a view of surfels, so that discs with all attributes can be added.
 void fillUp(FrameView& view) {
   const std::size_t n = view.positions.size();
   view.values.resize(n, std::numeric_limits<float>::quiet_NaN());
@@ -275,7 +275,7 @@ void fillUp(FrameView& view) {
   view.components.resize(n, 0);
 }
 
-/// How surfels of several kinds are painted: by values where one has them, else in their own colours.
+/// Returns the paint for several body types: values if any exist, else own colours.
 SurfelPaint paintOf(const FrameView& view, const std::string& field) {
   if (field == "glow") return SurfelPaint::Glow;
   for (const float v : view.values)
@@ -327,7 +327,7 @@ FrameView readWholeView(const fs::path& frame, const std::string& field, Oriente
     addOriented(view, frame, look);
     return view;
   }
-  // of a scene without particles there is no field to colour with
+  // a scene without particles has no field to colour by
   FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string(),
                                  sides);
   if (const fs::path oriented = companionOf(frame, "oriented"); !oriented.empty())

@@ -9,7 +9,7 @@ namespace {
 
 Vec3d toDouble(const Vec3f& a) { return {a.x, a.y, a.z}; }
 
-/// Enters and leaves the box, in multiples of the direction; false if the ray misses it.
+/// Clips the ray to the box, in multiples of the direction; false if the ray misses it.
 bool clipToBox(const Vec3d& origin, const Vec3d& direction, const Bounds& box, double& from, double& to) {
   for (int a = 0; a < 3; a++) {
     double t0 = (box.min[a] - origin[a]) / direction[a], t1 = (box.max[a] - origin[a]) / direction[a];
@@ -21,7 +21,7 @@ bool clipToBox(const Vec3d& origin, const Vec3d& direction, const Bounds& box, d
   return from < to;
 }
 
-/// How much of the light is lost on the way, 0 to 1, and how bright what replaces it is.
+/// Opacity of glass along a ray, 0 to 1, and brightness of its reflection.
 struct Veil {
   double alpha = 0, bright = 0;
 };
@@ -30,8 +30,7 @@ struct Ray {
   Vec3d origin, direction;
 };  // unit direction
 
-/// Normal at the surface that the ray crosses between two places along it: found by halving, as beside an
-/// edge the normal jumps.
+/// Returns the normal at the surface between two points of a ray, by bisection, since it jumps at edges.
 Vec3d normalWhereCrossed(const SignedDistance& shape, const Ray& ray, double from, double to) {
   const bool inside = shape.distance(ray.origin + from * ray.direction) < 0;
   for (int n = 0; n < 8; n++) {
@@ -43,8 +42,8 @@ Vec3d normalWhereCrossed(const SignedDistance& shape, const Ray& ray, double fro
   return gradient;
 }
 
-/// Walks through all surfaces between `from` and `to` (m along the ray): more is mirrored where they are seen
-/// edge on (Schlick 1994). `up` is where the light comes from, `step` (m) how thin a wall may be to be
+/// Marches through all surfaces between `from` and `to` (m along the ray); reflection grows at grazing angles
+/// (Schlick 1994). `up` is the direction of light; `step` (m) is the thickness below which walls may be
 /// missed.
 Veil walk(const SignedDistance& shape, const Ray& ray, double from, double to, const Vec3d& up, double step) {
   Veil veil;

@@ -1,12 +1,11 @@
-// Clear solid things over a picture: their surfaces found by walking along the view rays through signed
-// distances.
+// Glass obstacles over a picture, found by ray marching through signed distances.
 #pragma once
 #include "io/render/render.hpp"
 #include "io/render/splat.hpp"
 
 namespace thaw {
 
-/// Mixes the glasses of the style into the picture, before what lies nearer..
+/// Draws the glasses of the style over the picture, in front of farther objects.
 void drawGlasses(Image& image, const RenderStyle& style, const View& view, const DepthBuffer& buffer);
 
 }  // namespace thaw

@@ -17,7 +17,8 @@ void mix(Image& image, int x, int y, Rgb colour, double alpha) {
 
 namespace {
 
-/// Source cells [first, last] of target cell i, with the weights of the two ends, when n cells shrink to m.
+/// Source cells [first, last] of target cell i for a reduction from n to m cells, with the weights of both
+/// ends.
 struct Span {
   int first, last;
   double firstWeight, lastWeight;

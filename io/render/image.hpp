@@ -1,4 +1,4 @@
-// Pictures in memory and as PNG files.
+// Images in memory and as PNG files.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -22,18 +22,16 @@ struct Image {
   const Rgb& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
-/// Mixes colour into one pixel, alpha in [0, 1]; outside of the picture nothing happens.
+/// Blends a colour into one pixel, alpha in [0, 1]; pixels outside of the picture are ignored.
 void mix(Image& image, int x, int y, Rgb colour, double alpha);
 
-/// The picture scaled down by averaging areas, to width x height (both at most those of the picture, else
-/// they are clamped).
+/// Returns the picture scaled down by area averaging to width x height, both clamped to the picture's size.
 Image scaledDown(const Image& image, int width, int height);
 
-/// Copies `part` into `image` with its upper left corner at (x, y); what sticks out is cut off.
+/// Copies `part` into `image` with its upper left corner at (x, y), clipped to the image.
 void paste(Image& image, const Image& part, int x, int y);
 
-/// Writes a PNG file under a temporary name beside `path`, then renames. Throws std::runtime_error naming the
-/// file and the cause.
+/// Writes a PNG file under a temporary name, then renames it. Throws std::runtime_error with file and cause.
 void writePng(const Image& image, const std::filesystem::path& path);
 
 }  // namespace thaw

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr float golden = 2.39996323f;
-constexpr Rgb held{200, 60, 60};  // what is held is red
+constexpr Rgb held{200, 60, 60};  // fixed particles are red
 
 Rgb paintOf(const OrientedFrame& f, std::size_t i) {
   return {f.colours[i][0], f.colours[i][1], f.colours[i][2]};
@@ -24,7 +24,7 @@ Rgb darker(Rgb c, double share) {
   return {part(c.r), part(c.g), part(c.b)};
 }
 
-/// Points on a unit sphere, evenly.
+/// Returns evenly distributed points on the unit sphere.
 Vec3f onSphere(int k, int n) {
   const float z = 1 - (2 * static_cast<float>(k) + 1) / static_cast<float>(n),
               r = std::sqrt(std::max(0.0f, 1 - z * z)), a = golden * static_cast<float>(k);
@@ -52,7 +52,7 @@ void addMesh(FrameView& view, const OrientedFrame& f,
              std::span<const std::array<std::uint32_t, 3>> triangles) {
   for (const auto& t : triangles) {
     const Vec3d x[3] = {f.positions[t[0]], f.positions[t[1]], f.positions[t[2]]};
-    // along a crease the particles' normals are between those of the sides: there a triangle shows its own
+    // normals at a crease average both sides: the triangle uses its own normal there
     const bool folded = ((f.flags[t[0]] | f.flags[t[1]] | f.flags[t[2]]) & 1) != 0;
     const Vec3d flat = normalized(cross(x[1] - x[0], x[2] - x[0]));
     const Rgb colour = paintOf(f, t[0]);
@@ -63,7 +63,7 @@ void addMesh(FrameView& view, const OrientedFrame& f,
   }
 }
 
-/// What no triangle shows: curves, points far apart, particles that got loose. A ball and the normal each.
+/// Draws particles without a triangle (curves, isolated points, detached particles) as a ball with a normal.
 void addAlone(FrameView& view, const OrientedFrame& f,
               std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<bool> shown(f.positions.size());
@@ -87,7 +87,7 @@ OrientedLook orientedLookNamed(const std::string& name) {
   if (name == "wire") return OrientedLook::Wire;
   if (name == "discs") return OrientedLook::Discs;
   if (name == "axes") return OrientedLook::Axes;
-  throw std::invalid_argument("oriented particles are drawn as mesh, wire, discs or axes, not as " + name);
+  throw std::invalid_argument("expected mesh, wire, discs or axes for oriented particles, found " + name);
 }
 
 void addDisc(FrameView& view, const Vec3f& place, const Vec3f& normal, float radius, Rgb colour,

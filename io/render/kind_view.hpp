@@ -1,5 +1,5 @@
-// The further kinds of body in a picture: drawn with small discs, so that they share light, shadow and depth
-// with particles and surfels.
+// Oriented particles and continuum spheres as small discs, so they share light, shadow and depth with
+// surfels.
 #pragma once
 #include <filesystem>
 
@@ -7,17 +7,15 @@
 
 namespace thaw {
 
-/// How oriented particles are drawn (ST92): a shaded triangulation, its wireframe, a disc for each, or its
-/// three axes.
+/// Styles of oriented particles (ST92): shaded triangulation, wireframe, a disc each, or three axes each.
 enum class OrientedLook { Mesh, Wire, Discs, Axes };
-OrientedLook orientedLookNamed(const std::string& name);  ///< std::invalid_argument where there is none
+OrientedLook orientedLookNamed(const std::string& name);  ///< throws std::invalid_argument for an unknown
+                                                          ///< name
 
-/// Turns a view of particles into one of surfels: every sphere (radius m) becomes discs on it. Values go
-/// along.
+/// Turns a view of particles into one of surfels: every sphere (radius m) becomes discs with its value.
 void spheresToDiscs(FrameView& view, float radius);
 
-/// Adds discs to a view of surfels: from each side, as an open surface has two. value NaN: it shows its own
-/// colour.
+/// Adds discs to a view of surfels; twoSided for open surfaces. Value NaN: own colour.
 void addDisc(FrameView& view, const Vec3f& place, const Vec3f& normal, float radius, Rgb colour,
              std::uint32_t component, bool twoSided);
 void addBall(FrameView& view, const Vec3f& place, float radius, Rgb colour, std::uint32_t component);
@@ -25,7 +23,7 @@ void addBall(FrameView& view, const Vec3f& place, float radius, Rgb colour, std:
 /// Adds a frame of oriented particles.
 void addOriented(FrameView& view, const std::filesystem::path& frame, OrientedLook look);
 
-/// The same, to a view of what else there is.
+/// Adds it to a view of other body types.
 void addKindBeside(FrameView& view, const std::filesystem::path& oriented, OrientedLook look, float spacing);
 
 }  // namespace thaw

@@ -27,11 +27,11 @@ Vec3f sunDirection(const View& view) {
 }
 
 std::vector<Vec3f> sunDisc(const Vec3f& toSun, int count) {
-  constexpr float sunRadius = 0.07f;  // rad; some ten times the real one: a hazy day
+  constexpr float sunRadius = 0.07f;  // rad, about ten times the real one, as in haze
   const Vec3f u = unit(cross(toSun, std::abs(toSun.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0})),
               v = cross(toSun, u);
   std::vector<Vec3f> directions;
-  for (int k = 0; k < count; k++) {  // Vogel's spiral: even over the disc
+  for (int k = 0; k < count; k++) {  // Vogel's spiral: uniform over the disc
     const float r = sunRadius * std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count));
     const float angle = static_cast<float>(k * std::numbers::pi * (3 - std::sqrt(5.0)));
     directions.push_back(unit(toSun + (r * std::cos(angle)) * u + (r * std::sin(angle)) * v));
@@ -40,7 +40,7 @@ std::vector<Vec3f> sunDisc(const Vec3f& toSun, int count) {
 }
 
 std::vector<Vec3f> skyDome(int count) {
-  // Fibonacci's spiral: even over the half sphere, from nearly level to nearly straight up.
+  // Fibonacci's spiral: uniform over the hemisphere, from nearly horizontal to nearly vertical.
   std::vector<Vec3f> directions;
   for (int k = 0; k < count; k++) {
     const float z = 0.06f + 0.93f * (static_cast<float>(k) + 0.5f) / static_cast<float>(count),
@@ -68,7 +68,7 @@ float skyLight(const Lights& lights, const Vec3f& point, const Vec3f& normal) {
   float light = 0, full = 0, open = 0;
   const Vec3f from = point + (0.5f * lights.radius) * normal;
   for (const DepthMap& map : lights.sky) {
-    const float facing = dot(normal, map.toLight) + 0.15f;  // a little round the edge, as a sky is
+    const float facing = dot(normal, map.toLight) + 0.15f;  // slightly beyond the horizon, as for a sky
     full += map.toLight.z + 0.15f;
     if (facing <= 0) continue;
     const float visible = map.visible(from, 1.4f * lights.radius, 0);
@@ -87,19 +87,19 @@ float sunLight(const Lights& lights, const Vec3f& point, const Vec3f& normal, in
 
 namespace {
 
-/// A grid on a floor that outlines are drawn into.
+/// Grid on a floor for shadow outlines.
 struct FloorGrid {
   Vec3f origin, normal, u, v;
   float reach = 1;
   int side = 1;
   std::vector<std::uint8_t> dark;
 
-  /// Marks where the casters stand between the floor and a light far away. Discs turned away from it are left
-  /// out.
+  /// Marks cells in the shadow of the casters for a distant light. Discs with normals away from it are
+  /// skipped.
   void drawShadows(const Discs& casters, const Vec3f& toLight) {
     std::fill(dark.begin(), dark.end(), 0);
     const float scale = 0.5f * static_cast<float>(side) / reach, up = dot(normal, toLight);
-    // What a place moves its shadow by along u and v.
+    // Shift of the shadow along u and v per displacement.
     const Vec3f shiftU = u - (dot(toLight, u) / up) * normal, shiftV = v - (dot(toLight, v) / up) * normal;
     for (std::size_t i = 0; i < casters.positions.size(); i++) {
       const Vec3f n = casters.normals.empty() ? toLight : casters.normals[i];
@@ -117,13 +117,14 @@ struct FloorGrid {
     }
   }
 
-  /// Place and half size of a shadow, radius of the disc and height of its centre above the floor, in cells.
+  /// Position and half size of a shadow, radius of the disc and height of its centre above the floor, in
+  /// cells.
   struct Outline {
     float x, y, halfX, halfY, r, height;
   };
 
-  /// The shadow of one disc: its points q from the centre are those that the cells see along the light. What
-  /// is below the floor casts none.
+  /// Draws the shadow of one disc: points q relative to its centre that project to the cells. Parts below the
+  /// floor cast none.
   void drawOutline(const Outline& o, const Vec3f& n, const Vec3f& toLight, float facing) {
     const auto [x, y, halfX, halfY, r, height] = o;
     const float most = static_cast<float>(side);
@@ -148,7 +149,7 @@ struct FloorGrid {
   }
 };
 
-/// Mean of each cell and its eight neighbours, over and over.
+/// Averages each cell with its eight neighbours, repeatedly.
 void blur(std::vector<float>& field, int side, int times) {
   std::vector<float> other(field.size());
   for (int pass = 0; pass < 2 * times; pass++) {
@@ -174,7 +175,7 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
   origin_ = centre - dot(centre - toFloat(floor.point), normal_) * normal_;
   u_ = unit(cross(normal_, std::abs(normal_.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0}));
   v_ = cross(normal_, u_);
-  // What is high above the floor throws its shadow far aside.
+  // The table extends farther for high objects, whose shadows fall far aside.
   const float height = std::max(0.0f, dot(centre - origin_, normal_)),
               up = std::max(0.2f, dot(normal_, lights.sun.toLight));
   reach_ += std::min(height * std::sqrt(std::max(0.0f, 1 - up * up)) / up, 2 * reach);
@@ -185,7 +186,7 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
                  reach_,
                  side_,
                  std::vector<std::uint8_t>(static_cast<std::size_t>(side_) * side_)};
-  // Light that is taken away, direction by direction, and less and less toward the border.
+  // Blocked light by direction, faded out toward the border.
   std::vector<float> sun(grid.dark.size()), sky(grid.dark.size());
   const float sunFacing = std::max(0.0f, dot(normal_, lights.sun.toLight));
   float full = 0;

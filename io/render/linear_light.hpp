@@ -1,4 +1,4 @@
-// Light as linear red, green and blue, and the sRGB bytes of pictures.
+// Light as linear red, green and blue, and conversion to sRGB bytes.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -51,7 +51,7 @@ class Encoder {
   std::array<std::uint8_t, 8192> table_;
 };
 
-/// 0 below `from`, 1 above `to`, smooth between.
+/// Smooth step: 0 below `from`, 1 above `to`.
 inline float ramp(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
   return t * t * (3 - 2 * t);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float noValue = std::numeric_limits<float>::quiet_NaN();
 
-/// Two rows: the side of the normal, then the other.
+/// Adds two rows: the side of the normal, then the other.
 void addCorner(FrameView& v, const FaceCorner& c, float radius, float value) {
   for (int side = 0; side < 2; side++) {
     v.positions.push_back(c.place);
@@ -32,8 +32,8 @@ float distance(const Vec3f& a, const Vec3f& b) { return std::sqrt(dot(a - b, a -
 
 void addMeshFaces(const DrawnMesh& m, FrameView& view) {
   std::vector<Vec3f> normals(m.positions.size());
-  std::vector<float> radii(m.positions.size(), 0);  // a share of the longest edge: how far from the surface
-                                                    // light is looked for
+  // Fraction of the longest edge: offset from the surface for light queries.
+  std::vector<float> radii(m.positions.size(), 0);
   for (const auto& t : m.triangles) {
     const Vec3f face = cross(m.positions[t[1]] - m.positions[t[0]], m.positions[t[2]] - m.positions[t[0]]);
     for (int k = 0; k < 3; k++) {

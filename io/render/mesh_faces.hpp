@@ -1,5 +1,5 @@
 // Triangles in a view of surfels: sheets and triangulated oriented bodies share light, shadow and depth with
-// surfels, and have no gaps at folds.
+// surfels, without gaps at folds.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace thaw {
 
-/// What a mesh brings: one element a vertex; values may be empty (then the colours show).
+/// Mesh data, one element per vertex; values may be empty (then colours are used).
 struct DrawnMesh {
   std::span<const Vec3f> positions;  ///< m
   std::span<const std::array<std::uint32_t, 3>> triangles;
@@ -18,17 +18,16 @@ struct DrawnMesh {
   std::span<const Rgb> colours;
 };
 
-/// Adds both sides of a mesh, with normals that turn smoothly from vertex to vertex.
+/// Adds both sides of a mesh with interpolated vertex normals.
 void addMeshFaces(const DrawnMesh& mesh, FrameView& view);
 
-/// A corner of a triangle as it is lit.
+/// Corner of a triangle with its shading data.
 struct FaceCorner {
   Vec3f place, normal;
-  Rgb colour, back;  ///< of the side of the normal, and of the other
+  Rgb colour, back;  ///< colours of the side of the normal and of the other side
 };
 
-/// Adds both sides of one triangle with corners of its own, whose normals need not be those of its
-/// neighbours.
+/// Adds both sides of one triangle with its own corner normals, independent of its neighbours.
 void addFace(const std::array<FaceCorner, 3>& corners, FrameView& view);
 
 }  // namespace thaw

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Options after the input. Players want even sizes and this order of colours.
+/// Options after the input. Players require even sizes and this pixel format.
 std::vector<std::string> encoding() {
   return {"-c:v",      "libx264",   "-crf", "18",
           "-pix_fmt",  "yuv420p",   "-vf",  "pad=ceil(iw/2)*2:ceil(ih/2)*2",
@@ -39,7 +39,7 @@ struct Descriptor {
   }
 };
 
-/// Writes all of it; false if the reader has gone.
+/// Writes all bytes; false if the reader has closed.
 bool writeAll(int to, const std::string& bytes) {
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t n = ::write(to, bytes.data() + done, bytes.size() - done);
@@ -58,7 +58,7 @@ std::string contentOf(const fs::path& path) {
   return text.str();
 }
 
-/// Runs ffmpeg with the pictures at its input; its exit code, and what it said on stderr.
+/// Runs ffmpeg with the pictures at its input; returns its exit code and the text of stderr.
 int encode(const std::vector<fs::path>& pictures, const fs::path& part, double rate, std::string& said) {
   std::vector<std::string> words{"ffmpeg",     "-y",   "-v",  "error",      "-f",
                                  "image2pipe", "-c:v", "png", "-framerate", fmt::format("{:g}", rate),
@@ -84,7 +84,7 @@ int encode(const std::vector<fs::path>& pictures, const fs::path& part, double r
   if (failed) throw IoError(part.string(), std::string("ffmpeg cannot be started: ") + std::strerror(failed));
   inRead.close(), errWrite.close();
 
-  auto* const before = std::signal(SIGPIPE, SIG_IGN);  // it may end before it has read all
+  auto* const before = std::signal(SIGPIPE, SIG_IGN);  // ffmpeg may exit before it has read all
   std::string problem;
   try {
     for (const fs::path& picture : pictures)

@@ -1,4 +1,4 @@
-// A film from pictures, by ffmpeg where it is installed.
+// Movies from pictures, by ffmpeg if installed.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -6,16 +6,15 @@
 
 namespace thaw {
 
-/// Is a program of this name on the search path?
+/// Returns whether a program of this name is on the search path.
 bool isInstalled(const std::string& program);
 
-/// The command that makes the film by hand: `ffmpeg ...`.
+/// Returns the ffmpeg command that makes the movie by hand.
 std::string movieCommand(const std::vector<std::filesystem::path>& pictures,
                          const std::filesystem::path& file, double rate);
 
-/// Encodes PNG pictures, in their order, as H.264 in an MP4 file that browsers and players show: `rate`
-/// pictures a second. The file is there, whole, afterwards, or an IoError names it with the cause and nothing
-/// changed.
+/// Encodes PNG pictures in order as H.264 in an MP4 file, at `rate` pictures a second. On failure it throws
+/// IoError with file and cause, and leaves files unchanged.
 void makeMovie(const std::vector<std::filesystem::path>& pictures, const std::filesystem::path& file,
                double rate);
 

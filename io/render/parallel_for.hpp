@@ -1,4 +1,4 @@
-// A few threads that take numbered work in order.
+// Parallel loop over numbered work on a few threads.
 #pragma once
 #include <atomic>
 #include <exception>

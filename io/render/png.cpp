@@ -18,15 +18,15 @@ struct CloseFile {
   void operator()(std::FILE* f) const { std::fclose(f); }
 };
 
-/// libpng reports errors through here and expects no return: it may not be left by an exception, so jump back
-/// (png.h).
+/// libpng reports errors here and expects no return. Exceptions must not pass through C code, so it uses
+/// longjmp (png.h).
 void keepMessage(png_structp png, png_const_charp message) {
   *static_cast<std::string*>(png_get_error_ptr(png)) = message;
   png_longjmp(png, 1);
 }
 void ignoreWarning(png_structp, png_const_charp) {}
 
-/// False with a message when something failed. Nothing in here may have a destructor that the jump would
+/// Returns false with a message on failure. Local objects must not have destructors, which longjmp would
 /// skip.
 bool encode(const Image& image, std::FILE* file, std::string& message) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keepMessage, ignoreWarning);
@@ -41,8 +41,8 @@ bool encode(const Image& image, std::FILE* file, std::string& message) {
     return false;
   }
   png_init_io(png, file);
-  png_set_compression_level(png, 4);  // a third of the time of the default 6, and files only some percent
-                                      // larger
+  // Compression takes a third of the time of the default 6; files are slightly larger.
+  png_set_compression_level(png, 4);
   png_set_IHDR(png, info, image.width, image.height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -59,7 +59,7 @@ bool encode(const Image& image, std::FILE* file, std::string& message) {
 void writePng(const Image& image, const std::filesystem::path& path) {
   static_assert(sizeof(Rgb) == 3);
   if (image.width < 1 || image.height < 1)
-    throw std::runtime_error(path.string() + ": cannot write a picture without pixels");
+    throw std::runtime_error(path.string() + ": expected at least one pixel to write");
   std::filesystem::path part = path;
   part += ".part";
   const auto failed = [&](const std::string& cause) {
@@ -70,7 +70,7 @@ void writePng(const Image& image, const std::filesystem::path& path) {
   std::string message;
   errno = 0;
   bool good = encode(image, file.get(), message);
-  if (good && std::fclose(file.release()) != 0) good = false;  // a full disk may show only here
+  if (good && std::fclose(file.release()) != 0) good = false;  // a full disk may appear only here
   std::error_code error;
   if (!good) {
     const std::string cause = errno ? std::strerror(errno) : message;

@@ -20,7 +20,7 @@ Vec3f unit(const Vec3f& a) { return a / std::sqrt(dot(a, a)); }
 
 constexpr Rgb plain{176, 182, 190};
 
-/// Copies of what is finite, for all particles or only some.
+/// Copies of finite particles, all or some.
 struct Particles {
   std::vector<Vec3f> positions;
   std::vector<float> radii;
@@ -43,9 +43,9 @@ Particles finiteOnes(const RenderInput& in, const ColourScale& scale) {
   return p;
 }
 
-/// What only particles that show need: the surface's normal there and the light of the sky.
+/// Shading data of visible particles: surface normal and sky light.
 struct Visible {
-  std::vector<std::uint32_t> place;  ///< of a particle in the lists below
+  std::vector<std::uint32_t> place;  ///< index of a particle in the lists below
   std::vector<SurfaceNormal> normals;
   std::vector<float> sky;
 };
@@ -88,8 +88,8 @@ class Shader {
     for (std::size_t i = 0; i < palette.size(); i++) colours_[i] = toLinear(coloured ? palette[i] : plain);
   }
 
-  /// Light that reaches the camera through a point of the depth buffer's picture, from sphere `index` at
-  /// `depth` or from behind all of them.
+  /// Returns the light to the camera through a point of the picture, from sphere `index` at `depth` or from
+  /// behind all spheres.
   Light operator()(float x, float y, std::uint32_t index, float depth) const {
     const Vec3f ray = view_.ray(x, y);
     float floorDepth = depth;
@@ -129,13 +129,13 @@ class Shader {
 
 void check(const RenderInput& input, const RenderStyle& style) {
   if (style.width < 1 || style.height < 1 || style.width > 16384 || style.height > 16384)
-    throw std::invalid_argument("a picture is 1 to 16384 pixels wide and high");
+    throw std::invalid_argument("expected a picture 1 to 16384 pixels wide and high");
   if (style.samples < 1 || style.samples > 4)
-    throw std::invalid_argument("a picture has 1 to 4 samples a pixel and axis");
+    throw std::invalid_argument("expected 1 to 4 samples per pixel and axis");
   if (!input.values.empty() && input.values.size() != input.positions.size())
-    throw std::invalid_argument("values to draw differ in number from the positions");
+    throw std::invalid_argument("expected as many values as positions to draw");
   if (input.radii.size() != 1 && input.radii.size() != input.positions.size())
-    throw std::invalid_argument("radii to draw are neither one nor as many as the positions");
+    throw std::invalid_argument("expected one radius, or as many as positions to draw");
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ Image render(const RenderInput& input, const RenderStyle& style) {
           empty = empty &&
                   buffer.index[corner + static_cast<std::size_t>(j) * buffer.width + i] == DepthBuffer::none;
       Light sum{};
-      if (empty) {  // floor and sky are smooth: one sample will do
+      if (empty) {  // floor and sky are smooth: one sample is enough
         sum = shade(static_cast<float>(s) * (static_cast<float>(x) + 0.5f),
                     static_cast<float>(s) * (static_cast<float>(y) + 0.5f), DepthBuffer::none,
                     std::numeric_limits<float>::infinity());

@@ -1,5 +1,5 @@
-// Draws particles as shaded spheres with a depth buffer, a shadow of the sun, and light from the sky.
-// Deterministic; one thread.
+// Rendering of particles as shaded spheres with a depth buffer, sun shadow, and sky light. Deterministic; one
+// thread.
 #pragma once
 #include <memory>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace thaw {
 
-/// What is drawn. All spans have one element a particle, but radii may have one for all and values may be
+/// Particles to draw. Spans have one element per particle; radii may have one for all, and values may be
 /// empty (then all are grey).
 struct RenderInput {
   std::span<const Vec3f> positions;  ///< m
@@ -21,13 +21,12 @@ struct RenderInput {
   std::span<const float> radii;      ///< m
 };
 
-/// A plane of the scene, drawn as a floor with the shadow on it, where its front (the side of the normal) is
-/// seen.
+/// Plane of the scene, drawn as a floor with shadow if its front (the side of the normal) faces the camera.
 struct FloorHint {
   Vec3d point{}, normal{0, 0, 1};  ///< m; unit vector
 };
 
-/// A solid thing drawn as if of clear glass.
+/// Solid object drawn as clear glass.
 struct GlassHint {
   std::shared_ptr<const SignedDistance> shape;
   Mat3d turn = identity3<double>();  ///< pose: x = move + turn x_shape
@@ -36,17 +35,17 @@ struct GlassHint {
 
 struct RenderStyle {
   int width = 1280, height = 960;  ///< pixels
-  int samples = 2;                 ///< samples a pixel along each axis, 1 to 4
-  Camera camera;                   ///< as it is: fitting is the caller's business (fittedCamera)
+  int samples = 2;                 ///< samples per pixel along each axis, 1 to 4
+  Camera camera;                   ///< used as it is; fit it with fittedCamera
   ColourScale colours;
-  float spacing = 0;  ///< m, distance of particles, for normals of the surface; 0: from the radii
+  float spacing = 0;  ///< m, particle spacing for surface normals; 0: from the radii
   std::vector<FloorHint> floors;
   std::vector<GlassHint> glasses;
-  ViewBox stage;  ///< m, what the camera is about: floors fade away from it; empty: the particles
+  ViewBox stage;  ///< m, region of interest: floors fade away from it; empty: the particles
 };
 
-/// The picture, without text. Particles with a position that is not finite are left out.
-/// Throws std::invalid_argument if the sizes of the spans or of the picture make no sense.
+/// Draws the picture without text. Particles with non-finite positions are skipped. Throws
+/// std::invalid_argument for invalid sizes of spans or picture.
 Image render(const RenderInput& input, const RenderStyle& style);
 
 }  // namespace thaw

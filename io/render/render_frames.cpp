@@ -18,17 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is common to all pictures, from a first reading of all frames.
+/// Properties common to all pictures, from a first pass over the frames.
 struct Survey {
   ViewBox box;
   double min = 1e300, max = -1e300;
   std::string unit;
   double lastTime = 0;
-  double spacing = 0;  ///< m, guessed; only where none is given
+  double spacing = 0;  ///< m, estimated; used only if none is given
 };
 
-/// Median distance to the nearest neighbour of some of the particles: for frames that do not say how far
-/// apart they are.
+/// Estimates the spacing by the median nearest distance of some particles, for frames without it.
 double guessSpacing(const std::vector<Vec3f>& positions, const ViewBox& box) {
   const Vec3d size = box.max - box.min;
   const double edge = std::cbrt(std::max(1e-18, size.x * size.y * size.z) /
@@ -61,7 +60,7 @@ Survey survey(const FrameJob& job, const ReadFrame& read) {
   return s;
 }
 
-/// The plane that a wall is, if it is one: infinite and everywhere of one normal.
+/// Returns the plane of a wall, if it is infinite and has the same normal everywhere.
 std::optional<FloorHint> planeOf(const Wall& wall) {
   const Bounds box = wall.shape->bounds();
   if (std::isfinite(length(box.max - box.min))) return std::nullopt;
@@ -75,13 +74,13 @@ std::optional<FloorHint> planeOf(const Wall& wall) {
                    directionFromRest(wall.pose, normal)};
 }
 
-/// As many digits as tell frames apart.
+/// Formats the time with enough digits to distinguish frames.
 std::string timeLabel(double time, double last) {
   const int digits = last > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(last))), 1, 9) : 3;
   return fmt::format("{:.{}f} s", time, digits);
 }
 
-/// Frames that are on the sheet: the first, the last, and evenly between.
+/// Returns the frames on the sheet: the first, the last, and evenly between.
 std::vector<std::size_t> sheetFrames(std::size_t count, int cells) {
   std::vector<std::size_t> chosen;
   const std::size_t n = std::min(count, static_cast<std::size_t>(std::max(1, cells)));
@@ -90,7 +89,7 @@ std::vector<std::size_t> sheetFrames(std::size_t count, int cells) {
   return chosen;
 }
 
-/// The sheet, with the one colour bar of all pictures to the right.
+/// Returns the sheet with the common colour bar at the right.
 Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> labels, int columns,
                    const ColourScale* colours) {
   const Image sheet = contactSheet(cells, columns, labels);
@@ -148,7 +147,7 @@ ViewBox boxOfMost(const std::vector<Vec3f>& positions) {
 }
 
 std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
-  if (job.frames.empty()) throw std::runtime_error("there are no frames to make pictures of");
+  if (job.frames.empty()) throw std::runtime_error("expected at least one frame to make pictures of");
   const Survey common = survey(job, read);
   RenderStyle style;
   style.width = job.width;

@@ -1,5 +1,4 @@
-// Pictures of many frames: the same camera and the same range of colours for all of them, several frames at
-// once, and a contact sheet.
+// Pictures of many frames with one camera and colour range, several frames in parallel, and a contact sheet.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,54 +14,54 @@
 
 namespace thaw {
 
-/// What a picture needs of a frame.
+/// Data of a frame for its picture.
 struct FrameView {
   double time = 0;               ///< s
   std::vector<Vec3f> positions;  ///< m
-  std::vector<float> values;     ///< of the field asked for (length of a vector, Frobenius norm of a tensor);
-                                 ///< empty if there is none
-  std::string unit;              ///< of the values
-  // of surfels only; else empty
+  std::vector<float> values;     ///< values of the requested field (length of a vector, Frobenius norm of a
+                                 ///< tensor); empty if there is none
+  std::string unit;              ///< unit of the values
+  // for surfels only, else empty
   std::vector<Vec3f> normals;  ///< unit, outward
   std::vector<float> radii;    ///< m
-  std::vector<Rgb> colours;    ///< of the surface
+  std::vector<Rgb> colours;    ///< surface colours
   std::vector<std::uint32_t> components;
-  std::vector<std::array<std::uint32_t, 3>> faces;  ///< triangles between rows, seen from where these turn
-                                                    ///< counterclockwise; such rows are no discs
+  /// Triangles between rows, counter-clockwise seen from the front; these rows are no discs.
+  std::vector<std::array<std::uint32_t, 3>> faces;
   SurfelPaint paint = SurfelPaint::Plain;
 };
 
-/// Reads a frame's positions and one field; an empty name asks for positions alone. Throws std::runtime_error
-/// naming the file and the cause. Only called by one thread at a time: HDF5 is not thread-safe.
+/// Reads a frame's positions and one field; an empty name selects positions only. Throws std::runtime_error
+/// with file and cause. Call from one thread at a time: HDF5 is not thread-safe.
 using ReadFrame = std::function<FrameView(const std::filesystem::path& file, const std::string& field)>;
 
 struct FrameJob {
-  std::vector<std::filesystem::path> frames;  ///< in the order of time
-  std::filesystem::path out;       ///< folder of the pictures, is made; a frame `a.hdf` gives `a.png`
-  std::filesystem::path sheet;     ///< file of the contact sheet; empty: none
-  int columns = 4, cells = 12;     ///< of the sheet: at most so many pictures, evenly spread over the frames
-  std::string title;               ///< in each picture before the time
-  std::string field;               ///< that colours; empty: all grey
-  std::optional<double> min, max;  ///< of the colours; without: the range over all frames
+  std::vector<std::filesystem::path> frames;  ///< in order of time
+  std::filesystem::path out;    ///< folder of the pictures, created if missing; frame `a.hdf` becomes `a.png`
+  std::filesystem::path sheet;  ///< file of the contact sheet; empty: none
+  int columns = 4, cells = 12;  ///< for the sheet: largest number of pictures, evenly spread over the frames
+  std::string title;            ///< in each picture before the time
+  std::string field;            ///< field for colours; empty: all grey
+  std::optional<double> min, max;  ///< range of colours; empty: the range over all frames
   ColourMap map = ColourMap::Ember;
-  std::optional<Camera> camera;  ///< without: fitted to the particles of all frames
+  std::optional<Camera> camera;  ///< empty: fitted to the particles of all frames
   int width = 1280, height = 960, samples = 2;
   float spacing = 0;       ///< m
-  PeriodicSides periodic;  ///< of the domain: surfaces that cross them are drawn in one piece
-  float radius = 0;  ///< of the spheres, in spacings; of surfels' discs, in their radii; 0: what looks well
-  Walls walls;       ///< at their rest poses: planes become floors, other things glass
-  int threads = 0;   ///< 0: one a core
+  PeriodicSides periodic;  ///< sides of the domain: surfaces across them are unwrapped
+  float radius = 0;        ///< radius of spheres in spacings, or surfels' discs in their radii; 0: default
+  Walls walls;             ///< at their rest poses: planes become floors, other obstacles glass
+  int threads = 0;         ///< 0: one per core
 };
 
-/// Pictures written, in the order of the frames, the contact sheet last if there is one.
+/// Returns the written pictures in frame order, then the contact sheet, if any.
 std::vector<std::filesystem::path> renderFrames(const FrameJob& job, const ReadFrame& read);
 
-/// Adds what is there of the walls at a time (s). Planes that lean by more than 70 degrees are left out: they
+/// Adds the walls that are present at a time (s). Planes steeper than 70 degrees are skipped, since they
 /// would hide the scene.
 void addWalls(const Walls& walls, double time, RenderStyle& style);
 
-/// A camera range that stays: what is outside of the middle 99.8 % of all particles (drops that flew away)
-/// does not move the camera.
+/// Returns a stable box for the camera: the middle 99.8 % of particles on each axis, without drops that flew
+/// away.
 ViewBox boxOfMost(const std::vector<Vec3f>& positions);
 
 }  // namespace thaw

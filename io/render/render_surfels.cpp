@@ -18,19 +18,19 @@ namespace thaw {
 namespace {
 
 constexpr Rgb plain{188, 193, 200};
-constexpr float castingDiscs = 0.7f;  // of the drawn radius: in shadows a small gap does not show, but a rim
-                                      // at an edge does
+// Fraction of the drawn radius: small gaps are invisible in shadows, but rims at edges are not.
+constexpr float castingDiscs = 0.7f;
 
 bool finite(const Vec3f& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
-/// Copies of what can be drawn.
+/// Copies of valid surfels.
 struct DrawnSurfels {
   std::vector<Vec3f> positions, normals;
   std::vector<float> radii;
   std::vector<Light> colours;
   std::vector<std::uint32_t> components;
   std::vector<std::array<std::uint32_t, 3>> faces;
-  std::vector<std::uint8_t> corner;  // of a face: no disc of its own; empty without faces
+  std::vector<std::uint8_t> corner;  // corner of a face: no disc of its own; empty without faces
   bool isDisc(std::size_t i) const { return corner.empty() || !corner[i]; }
   Discs discs() const { return {positions, radii, normals}; }
 };
@@ -96,7 +96,7 @@ DrawnSurfels drawable(const SurfelInput& in, const RenderStyle& style, const Sur
   return s;
 }
 
-/// What throws shadows: discs, somewhat smaller than they are drawn, and one over each face.
+/// Shadow casters: discs, smaller than drawn, and one over each face.
 struct Casters {
   std::vector<Vec3f> positions, normals;
   std::vector<float> radii;
@@ -122,18 +122,17 @@ Casters castersOf(const DrawnSurfels& s) {
   return all;
 }
 
-/// Of its radius, how far a disc on a flat face goes beside a sharp edge, where it is cut: surfels keep their
-/// distance across the edge, too, so that a corner of a face may be 1.63 of their spacing from the nearest
-/// one of its own.
+/// Radius factor of discs on a flat face at a sharp edge, where they are clipped. Surfels keep their distance
+/// across the edge too, so a corner of a face may be 1.63 spacings from its nearest surfel.
 constexpr float toCorner = 1.4f;
-constexpr float flatEnough = 2.5f;  // samples: how far a disc may be off the surface at its rim
+constexpr float flatEnough = 2.5f;  // samples: largest gap between a disc's rim and the surface
 
-/// What is splatted: surfels, those that bend so much that it shows as several discs each.
+/// Discs to splat: surfels, divided where curvature would be visible.
 struct SplatDiscs {
   std::vector<Vec3f> positions, normals;
   std::vector<float> radii;
-  std::vector<std::uint32_t> components, of;  // of: the surfel
-  std::vector<float> whole;                   // radii of the surfels, those at edges as far as they go
+  std::vector<std::uint32_t> components, of;  // `of` is the index of the surfel
+  std::vector<float> whole;                   // radii of the surfels, enlarged at edges
   std::vector<std::array<DiscPart::Share, 4>> mix;
   Discs discs() const { return {positions, radii, normals}; }
 };
@@ -142,7 +141,7 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
     if (!s.isDisc(i)) return std::numeric_limits<float>::infinity();
     const Vec3f ray = s.positions[i] - view.origin;
     const float depth = dot(ray, view.forward), away = dot(ray, s.normals[i]);
-    // looks away from the camera
+    // faces away from the camera
     if (!(depth > 0) || away > 0.5f * std::sqrt(dot(ray, ray))) return std::numeric_limits<float>::infinity();
     return flatEnough * depth / view.focal;
   });
@@ -161,7 +160,7 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
   return out;
 }
 
-/// Discs that are drawn whole end at edges; parts lie on the surface and need no cuts.
+/// Returns clips for undivided discs, which end at edges; parts lie on the surface and need none.
 DiscClips clipsOfWholes(const DrawnSurfels& s, const SplatDiscs& parts, std::span<const std::uint8_t> seen) {
   std::vector<std::uint8_t> wanted(s.positions.size(), 0);
   const auto whole = [&](std::size_t k) { return parts.radii[k] == parts.whole[parts.of[k]]; };
@@ -200,21 +199,21 @@ std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std
 
 void check(const SurfelInput& in, const RenderStyle& style, const SurfelStyle& how) {
   if (style.width < 1 || style.height < 1 || style.width > 16384 || style.height > 16384)
-    throw std::invalid_argument("a picture is 1 to 16384 pixels wide and high");
+    throw std::invalid_argument("expected a picture 1 to 16384 pixels wide and high");
   if (style.samples < 1 || style.samples > 4)
-    throw std::invalid_argument("a picture has 1 to 4 samples a pixel and axis");
+    throw std::invalid_argument("expected 1 to 4 samples per pixel and axis");
   const std::size_t n = in.positions.size();
   if (in.normals.size() != n || in.radii.size() != n)
-    throw std::invalid_argument("normals or radii to draw differ in number from the positions");
+    throw std::invalid_argument("expected as many normals and radii as positions to draw");
   const bool values = how.paint == SurfelPaint::Values || how.paint == SurfelPaint::Glow,
              colours = how.paint == SurfelPaint::Surface || how.paint == SurfelPaint::Glow;
   if ((values || !in.values.empty()) && in.values.size() != n)
-    throw std::invalid_argument("values to draw differ in number from the positions");
+    throw std::invalid_argument("expected as many values as positions to draw");
   if ((colours || !in.colours.empty()) && in.colours.size() != n)
-    throw std::invalid_argument("colours to draw differ in number from the positions");
+    throw std::invalid_argument("expected as many colours as positions to draw");
   if (!in.components.empty() && in.components.size() != n)
-    throw std::invalid_argument("components to draw differ in number from the positions");
-  if (!(how.discs > 0)) throw std::invalid_argument("discs to draw have no size");
+    throw std::invalid_argument("expected as many components as positions to draw");
+  if (!(how.discs > 0)) throw std::invalid_argument("expected a disc size above 0");
 }
 
 }  // namespace
@@ -263,8 +262,8 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
     buffer.depth.assign(static_cast<std::size_t>(width) * height, std::numeric_limits<float>::infinity());
   const float part = 1 / static_cast<float>(s * s);
   const Vec3f toSun = lights.lights.sun.toLight;
-  // Samples of a pixel lie in one tile: SurfelTile::side is a multiple of 1, 2 and 4; with 3, tiles are drawn
-  // into a picture of sums.
+  // Samples of a pixel lie in one tile, since SurfelTile::side is a multiple of 1, 2 and 4. With 3, tiles are
+  // accumulated into a picture of sums.
   std::vector<Light> sums(s == 3 ? image.pixels.size() : 0);
   const auto behind = [&](float x, float y, float depth) {
     const Vec3f ray = view.ray(x, y);
@@ -305,7 +304,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
                 empty = empty && !(tile.depth[static_cast<std::size_t>(y + j) * tile.width + x + i] <
                                    std::numeric_limits<float>::infinity());
             Light sum{};
-            if (empty) {  // floor and sky are smooth: one sample will do
+            if (empty) {  // floor and sky are smooth: one sample is enough
               const float middle = 0.5f * static_cast<float>(s);
               sum = behind(static_cast<float>(tile.x + x) + middle, static_cast<float>(tile.y + y) + middle,
                            std::numeric_limits<float>::infinity());

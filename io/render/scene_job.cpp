@@ -54,8 +54,7 @@ Scene sceneOfText(const std::string& text, const std::string& name) {
       files.texts[path] += line + "\n";
     }
   }
-  if (files.main.empty())
-    throw SceneErrors({"the text of the scene does not hold a file called '" + name + "'"});
+  if (files.main.empty()) throw SceneErrors({"the scene text has no file named '" + name + "'"});
   return readScene(files, overrides);
 }
 

@@ -1,4 +1,4 @@
-// What a scene says about its pictures, and the scene that a frame was made from.
+// Picture settings of a scene, and the scene of a frame.
 #pragma once
 #include <string>
 
@@ -7,12 +7,12 @@
 
 namespace thaw {
 
-/// Title, field and range of the colours, camera (unless it is to be fitted), size, spacing and walls of the
-/// scene's pictures. Throws what makeSignedDistance throws for shapes that cannot be used.
+/// Returns title, field and range of colours, camera (unless fitted), size, spacing and walls of the scene's
+/// pictures. Throws like makeSignedDistance for invalid shapes.
 FrameJob jobOfScene(const Scene& scene);
 
-/// The scene from the text that its run keeps in frames (Scene::text: all files, then the overrides) and the
-/// stem of the scene file's name. Throws SceneErrors, also if the text is not of that kind.
+/// Parses the scene from the text that its run stores in frames (Scene::text: all files, then the overrides)
+/// and the stem of the scene file's name. Throws SceneErrors, also for other text.
 Scene sceneOfText(const std::string& text, const std::string& name);
 
 }  // namespace thaw

@@ -18,8 +18,8 @@ DepthBuffer splatSpheres(const Discs& spheres, const View& view, int width, int 
     float x, y;
     const float z = view.project(spheres.positions[i], x, y);
     if (!(z > near + radius)) continue;
-    const float r = std::max(view.focal * radius / z, 0.75f);  // in samples; never so small that it falls
-                                                               // between them
+    // In samples; at least so large that it cannot fall between them.
+    const float r = std::max(view.focal * radius / z, 0.75f);
     if (!(x > -r && y > -r && x < w + r && y < h + r)) continue;
     const float over = 1 / (r * r);
     const int y0 = static_cast<int>(std::max(0.0f, std::ceil(y - r - 0.5f))),

@@ -1,4 +1,4 @@
-// The depth buffer: which sphere each sample of the picture shows.
+// Depth buffer: the visible sphere at each sample of the picture.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,12 +11,12 @@ namespace thaw {
 struct DepthBuffer {
   static constexpr std::uint32_t none = ~0u;
   int width = 0, height = 0;         ///< samples
-  std::vector<float> depth;          ///< m along the view; infinite where nothing is
-  std::vector<std::uint32_t> index;  ///< of the sphere, or none
+  std::vector<float> depth;          ///< m along the view; infinite for background
+  std::vector<std::uint32_t> index;  ///< sphere, or none
 };
 
-/// Draws all spheres (of equally near ones the first wins) as seen in `view`, whose pixels are the samples.
-/// Nothing nearer than `near` is drawn.
+/// Draws all spheres as seen in `view`, whose pixels are the samples. The first of equally near ones wins;
+/// nothing nearer than `near` is drawn.
 DepthBuffer splatSpheres(const Discs& spheres, const View& view, int width, int height, float near);
 
 }  // namespace thaw

@@ -6,10 +6,10 @@
 namespace thaw {
 namespace {
 
-constexpr float rounding = 1e-3f;  // of a triangle: no gap between two at their common edge
+constexpr float rounding = 1e-3f;  // tolerance in barycentric coordinates: no gap at a common edge
 
-/// Mean of the corners' light; a normal that smoothing has turned away from the camera, at a fold, is turned
-/// back to its rim.
+/// Interpolates the corners' shades. A smoothed normal at a fold that faces away from the camera is turned to
+/// its horizon.
 SurfelShade mixed(const CameraFaces::Face& f, std::span<const SurfelShade> shades,
                   const std::array<float, 3>& share, const Vec3f& ray) {
   SurfelShade s{{}, {}, {}, 0};

@@ -11,8 +11,8 @@ namespace thaw {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::infinity();
-constexpr float leastRadius = 0.75f;  // samples: a disc shows at least so far around its centre, however
-                                      // small or edge on it is
+// Samples: least drawn radius of a disc, for small or edge-on ones.
+constexpr float leastRadius = 0.75f;
 
 /// Samples that a disc may cover.
 struct Box {
@@ -22,13 +22,13 @@ struct Box {
 struct Range {
   float low, high;
 };
-/// Of centre +- half over a depth between near and far.
+/// Returns the range of centre +- half over depths between nearest and farthest.
 Range projected(float centre, float half, float nearest, float farthest) {
   const float a = centre - half, b = centre + half;
   return {a / (a < 0 ? nearest : farthest), b / (b > 0 ? nearest : farthest)};
 }
 
-/// In the camera's axes: right, up, forward.
+/// Disc in camera axes: right, up, forward.
 struct CameraDisc {
   Vec3f centre, normal;
   float radius;
@@ -45,7 +45,7 @@ CameraDisc cameraDisc(const Discs& discs, const View& view, std::size_t i) {
   return d;
 }
 
-/// False if it is not in the picture.
+/// Computes the box of a disc; false if it is outside of the picture.
 bool boxOf(const CameraDisc& d, const View& view, int width, int height, float near, Box& box) {
   const auto half = [&](float n) { return d.radius * std::sqrt(std::max(0.0f, 1 - n * n)); };
   box = {0, -1, 0, -1};
@@ -72,8 +72,8 @@ bool cut(const DiscClip& c, const Vec3f& q) {
   return dot(d, d) < c.radius2;
 }
 
-/// One disc over the samples of a tile: hit(sample, depth, whether it is drawn there or cut off) for each
-/// that it covers.
+/// Calls hit(sample, depth, kept) for each sample of a tile that a disc covers; kept is false where it is
+/// clipped.
 template<class Hit>
 void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View& view, const Box& box,
                 const SurfelTile& tile, Hit hit) {
@@ -102,10 +102,10 @@ void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View
   }
 }
 
-/// Samples without a disc that a cut one would cover, amid samples with one: gaps that the cuts of several
-/// discs left between them. What stands out of an edge is open to a side at least.
+/// Returns samples without a disc that a clipped one would cover, amid samples with one: gaps between clips
+/// of several discs. A rim that protrudes from an edge is open to at least one side.
 std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>& depthCut) {
-  constexpr int reach = 3;  // samples: a wider gap is one of the surface
+  constexpr int reach = 3;  // samples: wider gaps belong to the surface
   std::vector<std::size_t> gaps;
   for (int y = 0; y < tile.height; y++)
     for (int x = 0; x < tile.width; x++) {
@@ -125,8 +125,7 @@ std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>
   return gaps;
 }
 
-/// The sphere around a disc over the samples of a tile: add(sample, weight) where the point that is seen lies
-/// in it.
+/// Calls add(sample, weight) for each sample of a tile whose visible point lies in the sphere around a disc.
 template<class Add>
 void forSphere(const CameraDisc& d, const View& view, const Box& box, const SurfelTile& tile, Add add) {
   const float over = 1 / view.focal, r2 = d.radius * d.radius, overR2 = 1 / r2;
@@ -227,7 +226,7 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
     const auto clipsOf = [&](std::uint32_t k) {
       return std::span<const DiscClip>(clips.data() + firstClip[k], firstClip[k + 1] - firstClip[k]);
     };
-    // Who is in front.
+    // First pass: the front disc.
     std::vector<std::uint32_t> front(samples, 0), frontCut(samples, 0);
     std::vector<float> depthCut(samples, none);
     for (std::uint32_t k : here)
@@ -236,7 +235,7 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
         if (depth < nearest) nearest = depth, (drawn ? front : frontCut)[s] = k;
       });
     for (const std::size_t s : gapsOf(tile, depthCut)) tile.depth[s] = depthCut[s], front[s] = frontCut[s];
-    // The mean of all surfels of the same face and body around the point that is seen.
+    // Second pass: the mean of all surfels of the same face and body around the visible point.
     tile.shade.assign(samples, {{}, {}, {}, 0});
     std::vector<std::uint8_t> ofFace(samples, 0);
     drawFaces(scene.faces, facesHere, scene.corners, view, tile, ofFace);

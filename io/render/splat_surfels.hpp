@@ -1,4 +1,4 @@
-// The two passes of splatting: which surfel is in front at each sample, and the mean of those around it.
+// Splatting in two passes: the front surfel at each sample, then the mean of those around it.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,26 +12,26 @@
 
 namespace thaw {
 
-/// What surfels carry into the picture, and what a sample gets: the weighted mean.
+/// Shading attributes of surfels, and their weighted mean at a sample.
 struct SurfelShade {
   Vec3f normal;
-  Light fromSky;  ///< light of the sky that leaves the surface
-  Light ofSun;    ///< colour that the sun would show where it shines straight on
-  float sun = 1;  ///< part of the sun that is seen
+  Light fromSky;  ///< sky light reflected by the surface
+  Light ofSun;    ///< colour at normal incidence of the sun
+  float sun = 1;  ///< visible fraction of the sun
 };
 
 struct CameraFaces;
 
 struct SurfelScene {
-  Discs discs;  ///< as they are drawn
+  Discs discs;  ///< as drawn
   const DiscClips& clips;
   std::span<const SurfelShade> shades;
   std::span<const std::uint32_t> components;  ///< may be empty
   const CameraFaces& faces;
-  std::span<const SurfelShade> corners;  ///< light of the faces' corners
+  std::span<const SurfelShade> corners;  ///< shades of the faces' corners
 };
 
-/// A square of samples; depth infinite where there is no surface. Row by row.
+/// Square of samples, row by row; depth is infinite without a surface.
 struct SurfelTile {
   static constexpr int side = 64;
   int x = 0, y = 0, width = 0, height = 0;  ///< samples
@@ -39,12 +39,12 @@ struct SurfelTile {
   std::vector<SurfelShade> shade;
 };
 
-/// Sets `seen` for discs that face the camera and lie in the picture.
+/// Returns 1 for discs that face the camera and lie in the picture.
 std::vector<std::uint8_t> facingDiscs(const Discs& discs, const View& view, int width, int height,
                                       float near);
 
-/// Draws discs with `seen` on width x height samples, tile by tile; `take` gets each tile, from several
-/// threads at once where asked for.
+/// Draws discs with `seen` on width x height samples, tile by tile. Calls take(tile), from `threads` threads
+/// in parallel.
 void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, const View& view, int width,
                   int height, int threads, const std::function<void(const SurfelTile&)>& take);
 

@@ -66,7 +66,7 @@ std::vector<SurfaceNormal> surfaceNormals(std::span<const Vec3f> positions,
     });
     const float length = std::sqrt(dot(sum, sum));
     if (length <= 0) continue;
-    // A flat surface moves the weighted centre by about 0.2 of the range.
+    // A flat surface shifts the weighted centre by about 0.2 of the range.
     const float crowd = ramp(3, 12, static_cast<float>(count));
     out[k] = {sum / length, crowd * ramp(0.02f, 0.09f, length / (total * bins.edge))};
   }

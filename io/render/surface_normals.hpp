@@ -1,5 +1,5 @@
-// Directions out of the body at particles near its surface, from where the neighbours lie: shades a lattice
-// of spheres as one surface.
+// Outward directions at particles near the surface, from neighbour positions: they shade a lattice of spheres
+// as one surface.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -26,15 +26,15 @@ struct CellBins {
   }
 };
 
-/// Cell of a bin along an axis. Far away all is one cell: the conversion to int has to be defined
-/// (not-a-number goes there as well).
+/// Returns the cell along an axis. Far positions and not-a-number share one cell, since conversion to int
+/// must be defined.
 inline int cellAlong(float x, float edge) {
   const float c = std::floor(x / edge);
   return c > -1e9f && c < 1e9f ? static_cast<int>(c) : 1'000'000'000;
 }
 
-/// Calls f(j, offset, weight) for all particles j nearer to p than the edge, p itself included; each once.
-/// Offset: p less that of j.
+/// Calls f(j, offset, weight) for all particles j nearer to p than the edge, p included, each once. offset: p
+/// - x_j.
 template<class F>
 void forNeighbours(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& p, F f) {
   const int cx = cellAlong(p.x, bins.edge), cy = cellAlong(p.y, bins.edge), cz = cellAlong(p.z, bins.edge);
@@ -58,22 +58,21 @@ void forNeighbours(std::span<const Vec3f> positions, const CellBins& bins, const
 
 CellBins binParticles(std::span<const Vec3f> positions, float edge);
 
-/// Distance (m) to the nearest other particle within the bins' edge; infinite if there is none.
+/// Returns the distance (m) to the nearest other particle within the bins' edge; infinite if there is none.
 float nearestNeighbour(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& from);
 
-/// Normal of the surface and how much of a surface there is: 0 inside a body or for a lone particle, 1 at a
-/// clear surface.
+/// Surface normal, and strength of the surface: 0 inside a body or for a lone particle, 1 at a clear surface.
 struct SurfaceNormal {
   Vec3f normal;
   float strength = 0;
 };
 
-/// At the particles `which`, over neighbours nearer than the bins' edge.
+/// Computes normals at the particles `which`, over neighbours nearer than the bins' edge.
 std::vector<SurfaceNormal> surfaceNormals(std::span<const Vec3f> positions,
                                           std::span<const std::uint32_t> which, const CellBins& bins);
 
-/// Averages values and normals of `which` over each other where they look alike, over the bins' edge.
-/// Particles not in `which` do not count.
+/// Values and normals of `which`, averaged over neighbours with similar normals within the bins' edge.
+/// Particles not in `which` are ignored.
 struct Smoothed {
   std::vector<SurfaceNormal> normals;
   std::vector<float> values;

@@ -42,7 +42,7 @@ float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f&
   float light = 0, full = 0, open = 0;
   const Vec3f from = point + (0.5f * radius) * normal;
   for (const DepthMap& map : lights.lights.sky) {
-    const float facing = dot(normal, map.toLight) + 0.15f;  // a little round the edge, as a sky is
+    const float facing = dot(normal, map.toLight) + 0.15f;  // slightly beyond the horizon, as for a sky
     full += map.toLight.z + 0.15f;
     if (facing <= 0) continue;
     const float visible = map.visible(from, 0.9f * radius, 0);
@@ -61,7 +61,7 @@ Light surfaceLight(const SurfelShade& s, const Vec3f& ray, const Vec3f& toSun) {
   float shine = half * half;  // half^48
   shine *= shine * shine;
   shine *= shine, shine *= shine, shine *= shine;
-  // more is mirrored where seen edge on
+  // reflection grows at grazing angles
   const float edge = 1 - std::max(0.0f, dot(s.normal, back)), rim = 0.05f * edge * edge * edge * edge;
   const float white = (facing > 0 ? 0.10f * s.sun * shine : 0.0f) + rim;
   return s.fromSky + facing * s.ofSun + Light{white, white, white};

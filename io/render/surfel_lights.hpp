@@ -1,4 +1,4 @@
-// What light reaches surfels: a sun with a disc, a sky with a dome, both seen past what casts shadows.
+// Light on surfels: a sun disc and a sky dome, with shadows of casters.
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// The sun's disc and the sky, as seen by surfels.
+/// Samples of the sun's disc and the sky.
 struct SurfelLights {
   Lights lights;  // its sun has a direction only
   std::vector<DepthMap> sun;
@@ -15,15 +15,15 @@ struct SurfelLights {
 
 SurfelLights makeSurfelLights(const Discs& casters, const View& view, int threads);
 
-/// Part of the sun's disc that a surfel sees: soft at the edge of a shadow by as much as what casts it is
-/// away.
+/// Returns the visible fraction of the sun's disc at a surfel; penumbras widen with the distance of the
+/// caster.
 float sunSeen(const SurfelLights& lights, const Vec3f& point, const Vec3f& normal, float radius);
 
-/// Light of the sky on a surfel, and what the floor throws back.
+/// Returns the sky's light on a surfel, with reflection by the floor.
 float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f& point, const Vec3f& normal,
               float radius);
 
-/// The surface of a sample as the camera sees it.
+/// Returns the light of a surface sample towards the camera.
 Light surfaceLight(const SurfelShade& shade, const Vec3f& ray, const Vec3f& toSun);
 
 }  // namespace thaw

@@ -11,7 +11,7 @@ namespace thaw {
 namespace {
 
 constexpr int columns = 5, rows = 9;           // seven rows above the baseline, two below
-using Glyph = std::array<std::uint8_t, rows>;  // a row each, bit 4 is the leftmost dot
+using Glyph = std::array<std::uint8_t, rows>;  // one byte per row, bit 4 is the leftmost dot
 
 constexpr std::array<Glyph, 95> glyphs{{
     {},                                                      // space
@@ -117,8 +117,7 @@ bool dot(const Glyph& g, int column, int row) {
          ((g[static_cast<std::size_t>(row)] >> (columns - 1 - column)) & 1);
 }
 
-/// First column used and number of columns; digits are all equally wide, so that a running clock does not
-/// shake.
+/// First used column and number of columns; digits have equal widths, so a running time does not shift.
 struct Extent {
   int first, width;
 };
@@ -134,7 +133,7 @@ Extent extentOf(char c) {
 }
 constexpr double gap = 1.0;  // dots between letters
 
-/// Calls f with every character, one '?' for a UTF-8 sequence.
+/// Calls f for every character, with one '?' for a UTF-8 sequence.
 template<class F> void forCharacters(std::string_view text, F f) {
   for (char c : text)
     if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) f(static_cast<unsigned char>(c) < 128 ? c : '?');
@@ -144,7 +143,7 @@ struct Stroke {
   double x0, y0, x1, y1;
 };
 
-/// Dots of a glyph joined to their neighbours: along rows and columns, and diagonally where no dot fills the
+/// Joins dots of a glyph to their neighbours: along rows and columns, and diagonally where no dot fills the
 /// corner.
 std::vector<Stroke> strokesOf(const Glyph& g) {
   std::vector<Stroke> strokes;
@@ -197,7 +196,7 @@ std::string fittedText(std::string_view text, double height, double width) {
   const std::string more = "...";
   const double room = width - textWidth(more, height);
   double dots = 0;
-  std::size_t end = 0;  // of what has room
+  std::size_t end = 0;  // end of the part that fits
   for (std::size_t k = 0; k < text.size(); k++) {
     if ((static_cast<unsigned char>(text[k]) & 0xC0) == 0x80) continue;  // within a character
     if (dots * height / 6 > room) break;

@@ -1,5 +1,4 @@
-// Text in pictures, with a font of its own: 5x7 dots whose neighbours are joined by round strokes, so that it
-// is smooth at any size.
+// Text in pictures with a built-in font: 5x7 dots joined by round strokes, smooth at any size.
 #pragma once
 #include <string>
 #include <string_view>
@@ -16,12 +15,11 @@ struct TextStyle {
   Align align = Align::Left;
 };
 
-/// Width of the text in pixels. Printable ASCII; any other character (a UTF-8 sequence counts as one) shows
-/// as '?'.
+/// Returns the width of the text in pixels. Characters other than printable ASCII (a UTF-8 sequence counts as
+/// one) show as '?'.
 double textWidth(std::string_view text, double height);
 
-/// The text where it is no wider than this (pixels), else as much of its beginning as has room with "..."
-/// behind it; "" where there is none.
+/// Returns the text if it fits into `width` (pixels), else its beginning with "..."; "" if nothing fits.
 std::string fittedText(std::string_view text, double height, double width);
 
 /// Draws one line of text with its baseline's left end, centre or right end at (x, y), in pixels from the

@@ -49,7 +49,7 @@ Camera fittedCamera(const ViewBox& bounds, double aspect) {
   camera.fieldOfView = 0.5;
   camera.at = bounds.empty() ? Vec3d{} : bounds.centre();
   const Axes axes = axesOf({-0.45, 1, -0.38});
-  // Each corner c demands |x| <= tan_x (d + z) and |y| <= tan_y (d + z), with x, y, z along the camera's
+  // Each corner c requires |x| <= tan_x (d + z) and |y| <= tan_y (d + z), with x, y, z along the camera's
   // axes.
   const double margin = 0.92, tanY = margin * std::tan(0.5 * camera.fieldOfView), tanX = tanY * aspect;
   double distance = 0;

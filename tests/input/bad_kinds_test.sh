@@ -157,23 +157,23 @@ grid = { width = 0.4, depth = 0.4 }"
 warns "a sheet that is clamped" "clamped.toml:6:1: sheet 'sheet 0': all of its [0-9]+ vertices are clamped" clamped "$cloth
 [[sheet.clamp]]
 sphere = { radius = 0.6 }"
-warns "a thick sheet" "thick.toml:6:1: sheet 'sheet 0': its thickness, 0.2 m, is more than three times the distance of its vertices, 0.056" thick "$cloth
+warns "a thick sheet" "thick.toml:6:1: sheet 'sheet 0': its thickness, 0.2 m, is more than three times its vertex spacing, 0.056" thick "$cloth
 thickness = 0.2"
-warns "a sheet in an obstacle" "wall.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin deeper than half of its thickness in the contact with obstacle 'ball'" wall "$cloth
+warns "a sheet in an obstacle" "wall.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start deeper than half of its thickness in contact with obstacle 'ball'" wall "$cloth
 [[obstacle]]
 name = 'ball'
 sphere = { radius = 0.05 }"
-warns "a sheet that touches a floor" "floor.toml:6:1: sheet 'sheet 0': 81 of its 81 vertices begin within the reach of its contact, 0.04 m, with obstacle 'floor': they will be pushed apart" floor "$cloth
+warns "a sheet that touches a floor" "floor.toml:6:1: sheet 'sheet 0': 81 of its 81 vertices start within its contact distance, 0.04 m, of obstacle 'floor': contact will push them apart" floor "$cloth
 thickness = 0.04
 [[obstacle]]
 name = 'floor'
 plane = { point = [0, 0, -0.03], normal = [0, 0, 1] }"
-warns "a sheet that touches another" "near.toml:9:1: sheet 'sheet 1': [0-9]+ of its 81 vertices begin within the reach of its contact, 0.04 m, with sheet 'sheet 0': they will be pushed apart" near "$cloth
+warns "a sheet that touches another" "near.toml:9:1: sheet 'sheet 1': [0-9]+ of its 81 vertices start within its contact distance, 0.04 m, of sheet 'sheet 0': contact will push them apart" near "$cloth
 thickness = 0.04
 $cloth
 thickness = 0.04
 place = { move = [0.02, 0.02, 0.03] }"
-warns "a sheet that touches a body" "lies.toml:6:1: sheet 'sheet 0': [0-9]+ particles begin within the reach of its contact, [0-9.]+ m, with body 'cube': they will be pushed apart" lies "$cloth
+warns "a sheet that touches a body" "lies.toml:6:1: sheet 'sheet 0': [0-9]+ particles start within its contact distance, [0-9.]+ m, of body 'cube': contact will push them apart" lies "$cloth
 [material.jelly]
 young = '20 kPa'
 [[body]]
@@ -181,7 +181,7 @@ name = 'cube'
 material = 'jelly'
 box = { size = [0.1, 0.1, 0.1] }
 place = { move = [0, 0, -0.06] }"
-warns "a sheet that touches a surface" "rests.toml:8:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin within the reach of its contact, [0-9.]+ m, with oriented body 'oriented 0': they will be pushed apart" rests "$plate
+warns "a sheet that touches a surface" "rests.toml:8:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start within its contact distance, [0-9.]+ m, of oriented body 'oriented 0': contact will push them apart" rests "$plate
 $cloth
 place = { move = [0, 0, 0.035] }"
 lump="$cloth
@@ -193,19 +193,19 @@ heat_capacity = 1000
 name = 'lump'
 material = 'jelly'
 box = { size = [0.1, 0.1, 0.1] }"
-rejects "a sheet in a body" "body.toml:6:1: error: sheet 'sheet 0': [0-9]+ of its 81 vertices begin inside body 'lump', where they would stay caught; move them apart, or set numerics.overlap" 2 check "$(kinds body <<<"$lump")"
-warns "a sheet in a body that is to be" "kept.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin inside body 'lump', where they stay caught" kept "$lump
+rejects "a sheet in a body" "body.toml:6:1: error: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump', where they would stay trapped; move them apart, or set numerics.overlap" 2 check "$(kinds body <<<"$lump")"
+warns "a sheet in a body that is to be" "kept.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump', where they stay trapped" kept "$lump
 [numerics]
 overlap = 'keep'"
-warns "a sheet in a liquid" "bath.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin inside body 'lump', whose liquid is pushed off them" bath "$lump
+warns "a sheet in a liquid" "bath.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump'; contact will push its liquid away" bath "$lump
 temperature = 400"
-warns "a sheet in another" "sheets.toml:8:1: sheet 'sheet 1': 81 of its 81 vertices begin nearer to sheet 'sheet 0' than 0.6 of the distance of contact" sheets "$cloth
+warns "a sheet in another" "sheets.toml:8:1: sheet 'sheet 1': 81 of its 81 vertices start nearer to sheet 'sheet 0' than 0.6 of the contact distance" sheets "$cloth
 $cloth
 place = { move = [0.01, 0, 0.005] }"
-warns "a sheet in a surface" "film.toml:8:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin nearer to oriented body 'oriented 0' than" film "$plate
+warns "a sheet in a surface" "film.toml:8:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start nearer to oriented body 'oriented 0' than" film "$plate
 $cloth
 place = { rotate_x = 0.3 }"
-warns "a surface in another" "films.toml:8:1: oriented body 'oriented 1': [0-9]+ of its [0-9]+ particles begin nearer to oriented body 'oriented 0' than" films "$plate
+warns "a surface in another" "films.toml:8:1: oriented body 'oriented 1': [0-9]+ of its [0-9]+ particles start nearer to oriented body 'oriented 0' than" films "$plate
 $plate
 place = { move = [0, 0, 0.012] }"
 rejects "a sheet's mesh that is missing" "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost <<<"[[sheet]]
@@ -219,7 +219,7 @@ rejects "a clamp's mesh that is missing" "lost4.toml:9:8: error: sheet 'sheet 0'
 [[sheet.clamp]]
 mesh = 'nowhere.obj'")"
 rejects "the mesh of a body's clamp" "lost5.toml:[0-9]+:8: error: .*nowhere.obj" 2 check "$(scene lost5 '/^place/a [[body.clamp]]\nmesh = "nowhere.obj"')"
-rejects "more particles than most" "most.toml:6:1: error: oriented body 'oriented 0': it begins with [0-9]+ particles and is to grow to .most. = 20; expected at least as many" 2 check "$(kinds most <<<"$plate
+rejects "more particles than most" "most.toml:6:1: error: oriented body 'oriented 0': it starts with [0-9]+ particles and .most. is 20; expected .most. to be at least the initial number" 2 check "$(kinds most <<<"$plate
 growth = 'gaps'
 most = 20")"
 

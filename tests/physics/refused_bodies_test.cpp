@@ -19,14 +19,14 @@ TEST(Oriented, BodiesAtOnePlaceAndPointsThatAreGivenTwiceAreRefused) {
   Scene s = patchScene(0);
   s.oriented.push_back(s.oriented[0]);
   s.oriented[1].name = "second";
-  EXPECT_NE(problemOf(s).find("oriented body 'second': 132 of its particles are at places of 'patch'"),
+  EXPECT_NE(problemOf(s).find("oriented body 'second': 132 of its particles are at positions of 'patch'"),
             std::string::npos)
       << problemOf(s);
   s.oriented[1].shape.move = {0, 0, 0.03};
   EXPECT_EQ(problemOf(s), "");
   s.oriented[0].source = OrientedSource::Points;
   s.oriented[0].points = {{0, 0, 0}, {0.05, 0, 0}, {0, 0.05, 0}, {0, 0, 0}};
-  EXPECT_NE(problemOf(s).find("2 of its points are at the place of another one"), std::string::npos)
+  EXPECT_NE(problemOf(s).find("2 of its points are duplicates of another point"), std::string::npos)
       << problemOf(s);
 }
 
@@ -37,10 +37,10 @@ TEST(Sheets, WhatIsOutsideAndRegionsWithNothingInThemAreRefused) {
   EXPECT_EQ(problemOf(s), "");
   Shape far = test::boxOf({0.8, 0.8, 0.8}, {0.9, 0.9, 0.9});
   s.sheets[0].clamp.push_back(far);
-  EXPECT_NE(problemOf(s).find("there is no vertex in this clamp"), std::string::npos) << problemOf(s);
+  EXPECT_NE(problemOf(s).find("no vertex lies in this clamp"), std::string::npos) << problemOf(s);
   s.sheets[0].clamp.clear();
   s.sheets[0].regions.emplace_back().shape = far;
-  EXPECT_NE(problemOf(s).find("there is no vertex in this region"), std::string::npos) << problemOf(s);
+  EXPECT_NE(problemOf(s).find("no vertex lies in this region"), std::string::npos) << problemOf(s);
   s.sheets[0].regions.clear();
   s.sheets[0].shape.move = {1, 0, 0};
   EXPECT_NE(

@@ -18,7 +18,7 @@ TEST(Describe, TellsAFewOfEachKindAndCountsTheRest) {
   EXPECT_EQ(lines[2], c.general[1]);
   EXPECT_EQ(lines[5], c.general[4]);
   EXPECT_EQ(lines[9], "ledger k3: A 0, B 1");
-  EXPECT_EQ(lines[10], "... and 56 more of coefficient (--all tells them)");
+  EXPECT_EQ(lines[10], "... and 56 more of coefficient (--all lists them)");
   EXPECT_EQ(describe(c, true).size(), 1 + c.general.size());
 }
 

@@ -149,10 +149,11 @@ TEST_F(Export, ReadsItsFrames) {
 TEST_F(Export, TheSurfaceIsDrawnWhereThereIsOne) {
   const fs::path particles = particleFrame(1);
   EXPECT_EQ(findFrames(folder), std::vector<fs::path>{particles});
-  EXPECT_NE(errorOf([&] {
-              findFrames(folder, FrameKind::Surface);
-            }).find("no frames of a surface in this folder, only of particles, sheets or oriented particles"),
-            std::string::npos);
+  EXPECT_NE(
+      errorOf([&] {
+        findFrames(folder, FrameKind::Surface);
+      }).find("no surface frames in this folder, only frames of particles, sheets or oriented particles"),
+      std::string::npos);
   const fs::path surface = surfaceFrame(1);
   EXPECT_EQ(findFrames(folder), std::vector<fs::path>{surface});
   EXPECT_EQ(findFrames(folder, FrameKind::Particles), std::vector<fs::path>{particles});

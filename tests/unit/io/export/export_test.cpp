@@ -60,10 +60,12 @@ TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrTold) {
         s.add({rod.positions[i].x, rod.positions[i].y, rod.positions[i].z},
               {rod.normals[i].x, rod.normals[i].y, rod.normals[i].z}, 0.05, 3);
   });
-  EXPECT_NE(said.find("component 3, which goes round the periodic sides along x, is cut there and capped"),
-            std::string::npos)
+  EXPECT_NE(
+      said.find("component 3, which extends through the periodic sides along x, is cut there and capped"),
+      std::string::npos)
       << said;
-  EXPECT_NE(contentOf(folder / "rod.ply").find("comment component 3, which goes round"), std::string::npos);
+  EXPECT_NE(contentOf(folder / "rod.ply").find("comment component 3, which extends through"),
+            std::string::npos);
   EXPECT_NEAR(volumeOf(readMesh((folder / "rod.ply").string())), 0.12, 0.01 * 0.12);
 }
 

@@ -229,7 +229,7 @@ TEST(ReadMesh, brokenPly) {
   EXPECT_SAYS(message("ply\nformat ascii 1.0\nelement vertex"), "m.obj:3: ");
   EXPECT_SAYS(message("ply\nformat weird 1.0\nend_header\n"), "m.obj:2: expected the format");
   EXPECT_SAYS(message("ply\nelement vertex 1\nproperty float x\nend_header\n0"), "no line 'format'");
-  EXPECT_SAYS(message("ply\nformat ascii 1.0\nproperty float x\n"), "m.obj:3: a property before");
+  EXPECT_SAYS(message("ply\nformat ascii 1.0\nproperty float x\n"), "m.obj:3: expected an element before");
   EXPECT_SAYS(message("ply\nformat ascii 1.0\nelement vertex -3\n"), "m.obj:3: ");
   EXPECT_SAYS(message("ply\nformat ascii 1.0\nelement vertex 99999999999999999999\n"), "m.obj:3: ");
   EXPECT_SAYS(message("ply\nformat ascii 1.0\nelement vertex 3\nproperty list float int x\n"), "integer");
@@ -243,7 +243,7 @@ TEST(ReadMesh, brokenPly) {
   EXPECT_SAYS(message(good + "3 0 1 0.5\n"), "below 3");
   EXPECT_SAYS(message(good + "3 0 1\n"), "found the end");
   EXPECT_SAYS(message(good + "2 0 1\n"), "2 corners");
-  EXPECT_SAYS(message(good + "200000 0 1\n"), "too short");
+  EXPECT_SAYS(message(good + "200000 0 1\n"), "does not fit into the rest of the file");
   EXPECT_SAYS(message(good), "");
   EXPECT_SAYS(message("ply\nformat ascii 1.0\n" + head + face + "0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n"),
               "m.obj:10: ");
@@ -259,7 +259,7 @@ TEST(ReadMesh, brokenPly) {
     EXPECT_SAYS(
         message(begin + "element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n" +
                 face + "0 0 0\n"),
-        "too short");
+        "do not fit into the file");
     EXPECT_NE(
         message(begin +
                 "element vertex 9000000000000000000\nproperty float x\nproperty float y\nproperty float z\n" +
