@@ -13,7 +13,7 @@ rejects "huge step" 'fixed_step: must not be longer than the simulated time' 2 c
 rejects "no step" 'max_step: must be > 0' 2 check "$good" --set numerics.max_step=0
 rejects "a frame never" 'every: must be > 0 s, got 0' 2 run "$good" --set output.every=0
 rejects "endless frames" 'more than ten million frames' 2 run "$good" --set output.every=1e-12
-rejects "a run of months" "^warning: that is more than a month: are the end \(1e\+10 s\)" 0 check "$good" --set end=1e10 --set output.every=1e5
+rejects "a run of months" "^warning: the run takes more than a month: check the end \(1e\+10 s\)" 0 check "$good" --set end=1e10 --set output.every=1e5
 
 # B27: particles outside of the domain
 rejects "body outside" "body 'block': 125 of its 125 particles lie outside of the domain, up to 8.54 m beyond its side z = 0.5 m; enlarge" 2 run "$good" --set 'body.block.place.move=[0, 0, 9]'

@@ -21,6 +21,6 @@ for ranks in 1 2 3 4 7; do
   [ "$ranks" = 1 ] || same "$work/1" "$work/$ranks" "1 and $ranks ranks"
 done
 launch 2 relax "$work/ball.toml" --out "$work/relaxed" >"$work/log" 2>&1; expectExit 0 "relax"
-expectMessage '^done .*relaxation got no nearer to rest, and ended after [0-9]* iterations' "relax"
+expectMessage '^done .*relaxation made no further progress after [0-9]* iterations' "relax"
 launch 2 run "$work/ball.toml" --restart --steps 2 --out "$work/relaxed" >"$work/log" 2>&1; expectExit 0 "restart of it"
 finish
