@@ -32,8 +32,8 @@ double residentNow() {
 // Core seconds per surfel and update of melt, from an hour of keiser/melting_fast. For scenes without surfels
 // at the start.
 constexpr double secondsPerSurfel = 2e-5;
-constexpr double bytesPerSurfel = 2800;  // from scenes/melt, work lists included. For few surfels, whose
-                                         // measured memory is mostly fixed
+constexpr double bytesPerSurfel = 2800;  // measured with scenes/melt, work lists included; used for few
+                                         // surfels, whose memory is mostly fixed
 constexpr std::int64_t few = 500;
 
 /// Turns everything that can be liquid into liquid and moves it as between two updates. Displacements are up

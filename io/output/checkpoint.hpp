@@ -70,11 +70,11 @@ struct CheckpointHeader {
 struct CheckpointSlice {
   CheckpointHeader header;               ///< the same on all ranks
   Continuum particles;                   ///< State columns that the file has are active
-  Solids solids;                         ///< the same; rows in the order of their particles
+  Solids solids;                         ///< active columns as above; rows in the order of their particles
   std::vector<std::uint32_t> bondCount;  ///< bonds per solid
   std::vector<BondRecord> bonds;         ///< in the order of solids
   Surfels surfels;                       ///< surfels [r S/P, (r+1) S/P)
-  Oriented oriented;                     ///< the same; unsorted
+  Oriented oriented;                     ///< active columns as above; unsorted
   Sheets sheets;
   KindRows& kind(std::size_t k) { return k == orientedKind ? static_cast<KindRows&>(oriented) : sheets; }
   const KindRows& kind(std::size_t k) const {

@@ -220,7 +220,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
   });
   MPI_Allreduce(MPI_IN_PLACE, read.data(), static_cast<int>(read.size()), MPI_UINT64_T, MPI_SUM, comm);
   for (std::size_t k = 0; k < read.size(); k++)
-    // the same on all ranks
+    // The sums are the same on all ranks.
     if (read[k] != stored[k]) throw IoError(path, "is damaged: the checksum of " + names[k] + " is wrong");
   return slice;
 }

@@ -155,8 +155,8 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
       halveStep(w, watch, clock.time);
       forgetFrames(r);
       const std::string line = fmt::format(
-          "failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what,
-          w.clock.step, w.clock.time, std::int64_t(1) << w.watch.halvings);
+          "failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step,
+          w.clock.time, std::int64_t(1) << w.watch.halvings);
       r.say("warning: " + line);
       if (r.summary.warnings.size() < mostLines) r.summary.warnings.push_back(line);
       r.firstStep -= clock.step - w.clock.step;  // counts the steps that were done

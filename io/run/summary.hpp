@@ -22,7 +22,7 @@ struct RunSummary {
   int ranks = 1;
   LedgerReport ledger;
   Clock clock;
-  Counters counters;                         ///< of all ranks
+  Counters counters;                         ///< sums over ranks
   std::int64_t stepsHere = 0;                ///< steps of this process, without those before a restart
   double wall = 0;                           ///< s
   double particleSteps = 0;                  ///< sum over ranks, by this process

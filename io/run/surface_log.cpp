@@ -47,7 +47,7 @@ std::string eventLogPath(const std::string& out) { return out + "/events.csv"; }
 void beginComponentLog(const std::string& out) { replaceTextFile(componentLogPath(out), head); }
 
 void addToComponentLog(const std::string& out, const World& w) {
-  std::string lines;  // in as many digits as make numbers unique
+  std::string lines;  // numbers have as many digits as make them unique
   for (const SurfaceComponent& c : w.surface.components)
     lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", w.clock.frame, w.clock.step,
                          w.clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume,
