@@ -265,7 +265,7 @@ int checkAll(const CheckOptions& o) {
   const auto rangeText = [&](double before) {
     return durationText(before + updating[0]) + (range ? " to " + durationText(before + updating[1]) : "");
   };
-  std::printf("\nmemory a rank: %s with %d rank%s (%.0f bytes a particle%s)\n",
+  std::printf("\nmemory per rank: %s with %d rank%s (%.0f bytes per particle%s)\n",
               bytesText(ofParticles + ofSurface).c_str(), ranks, ranks == 1 ? "" : "s",
               memory * comm.size() / particles,
               two ? (", and " + bytesText(ofSurface) + " for the surface").c_str() : "");

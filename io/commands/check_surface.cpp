@@ -151,7 +151,7 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
                   "particles on them within {:g} m (about {:.0f})",
                   spacing_, set.support * spacing_, 1.15 * pi * set.support * set.support, s.particleSupport,
                   2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
-      fmt::format("memory a rank: {} with {} rank{} ({:.0f} bytes a surfel, work lists included)",
+      fmt::format("memory per rank: {} with {} rank{} ({:.0f} bytes per surfel, work lists included)",
                   bytesText(f.bytes / ranks), ranks, ranks == 1 ? "" : "s",
                   f.bytes / std::max(1.0, f.surfelsTogether)),
       fmt::format(

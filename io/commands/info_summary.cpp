@@ -118,7 +118,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
     addContents(s, lines);
     lines.push_back(
         named("performance",
-              fmt::format("{:.4g} s on {} rank{}, {:.3g} M particle-steps/s, imbalance {:.2f}, {} a rank",
+              fmt::format("{:.4g} s on {} rank{}, {:.3g} M particle-steps/s, imbalance {:.2f}, {} per rank",
                           numberOf(s, "wall_s"), s.value("ranks", 1), s.value("ranks", 1) == 1 ? "" : "s",
                           numberOf(s, "particle_steps_per_second") / 1e6, numberOf(s, "imbalance"),
                           bytesText(numberOf(s, "peak_memory_bytes")))));

@@ -85,7 +85,7 @@ std::string MarkWords::key(const std::string& mark) const {
 std::string MarkWords::unit(const std::string& key) const {
   if (isName(key)) return " (place in the list)";
   const std::string last = lastOf(key);
-  if (last.starts_with("mesh_")) return last == "mesh_checksum" ? " (of what is in the mesh's file)" : "";
+  if (last.starts_with("mesh_")) return last == "mesh_checksum" ? " (checksum of the mesh's file)" : "";
   if (last.ends_with("_expression")) return " (checksum of the text)";
   return wordsOf(key) || last == "material" || (last == "other" && ofEvent(key)) ? "" : " (SI)";
 }

@@ -85,7 +85,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (n.sleepSpeed > 0) {
     const auto refuse = [&](bool is, const char* what) {
       if (is)
-        errors.push_back({x.start, std::string("numerics.sleep_speed does not go together with ") + what +
+        errors.push_back({x.start, std::string("numerics.sleep_speed cannot be combined with ") + what +
                                        ": leave one of them out"});
     };
     refuse(n.elasticSubsteps > 1, "numerics.elastic_substeps above 1");

@@ -26,7 +26,7 @@ void readSections(TableReader& top, SceneReading& x) {
   top.text("title", s.title, "one line for pictures and listings, which show about 100 characters of it");
   if (s.title.find_first_of("\n\r") != std::string::npos)
     top.fail("title", "expected one line, got a text of several");
-  top.number("spacing", s.spacing, "m", positive(), "distance of particles: the one resolution knob");
+  top.number("spacing", s.spacing, "m", positive(), "distance of particles, which sets the resolution");
   top.number("end", s.end, "s", notNegative(), "simulated time");
   top.choice("quality", s.quality, {"preview", "standard", "reference"},
              "defaults of [numerics]: fast (summed densities: stretched liquid falls apart), balanced, or "

@@ -119,7 +119,8 @@ void readInner(TableReader& r, SheetBody& b) {
            "stiffness of springs between the vertices on both sides of each edge");
   r.number("stretch_limit", b.stretchLimit, "", orNever(atLeast(1)),
            "length over rest length beyond which springs are nearly rigid");
-  r.number("rigid", b.rigid, "", notNegative(), "factor of their stiffness beyond it; it shortens the step");
+  r.number("rigid", b.rigid, "", notNegative(),
+           "additional stiffness beyond stretch_limit, over that of the springs; it shortens the step");
   r.number("volume_stiffness", b.volumeStiffness, "Pa", notNegative(),
            "pressure of a closed mesh per relative change of its volume");
   r.number("push", b.push, "N/m", notNegative(), "repulsion between vertices closer than the thickness");

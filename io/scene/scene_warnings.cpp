@@ -118,16 +118,15 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
     for (const OrientedField& f : b.fields)
       if (f.from >= s.end)
         lines.push_back(
-            fmt::format("{}: oriented body '{}': this field begins at {:g} s, after the end of the scene at "
-                        "{:g} s, and has no effect",
+            fmt::format("{}: oriented body '{}': this field begins at {:g} s, but the scene ends at {:g} s: "
+                        "it has no effect",
                         at(f.where), b.name, f.from, s.end));
   for (const OrientedBody& b : s.oriented)
     for (const OrientedEvent& e : b.events)
       if (e.time > s.end)
-        lines.push_back(
-            fmt::format("{}: oriented body '{}': this event at {:g} s is after the end of the scene at {:g} "
-                        "s and has no effect",
-                        at(e.where), b.name, e.time, s.end));
+        lines.push_back(fmt::format(
+            "{}: oriented body '{}': this event is at {:g} s, but the scene ends at {:g} s: it has no effect",
+            at(e.where), b.name, e.time, s.end));
   if (s.output.fieldsWhere.line > 0 && !hasContinuum(s)) {
     std::string names;
     for (const std::string& name : s.output.fields) names += (names.empty() ? "" : ", ") + name;

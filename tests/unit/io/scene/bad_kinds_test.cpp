@@ -185,8 +185,8 @@ TEST(OrientedFields, ThatBeginAtTheEndAreWarnedOf) {
   const std::string field = "[[oriented.field]]\npush = [1, 0, 0]\nfrom = ";
   EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "0.9\n"))).empty());
   EXPECT_EQ(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "1\n"))),
-            std::vector<std::string>{"s.toml:9:1: oriented body 'a': this field begins at 1 s, after the end "
-                                     "of the scene at 1 s, and has no effect"});
+            std::vector<std::string>{"s.toml:9:1: oriented body 'a': this field begins at 1 s, but the scene "
+                                     "ends at 1 s: it has no effect"});
 }
 
 TEST(Planar, IsForCurves) {
@@ -206,9 +206,9 @@ TEST(BadKinds, WhatHasNoEffectIsAWarning) {
                                  "}\n[output]\nfields = [\"liquid\"]\n"));
   const std::vector<std::string> lines = sceneWarnings(s);
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0],
-            "s.toml:9:1: oriented body 'a': this event at 3 s is after the end of the scene at 1 s and has "
-            "no effect");
+  EXPECT_EQ(
+      lines[0],
+      "s.toml:9:1: oriented body 'a': this event is at 3 s, but the scene ends at 1 s: it has no effect");
   EXPECT_EQ(lines[1].rfind("s.toml:14:10: output.fields (liquid) apply to bodies and emitters", 0), 0u);
   EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + cloth))).empty());
 }
