@@ -20,8 +20,8 @@
 
 namespace {
 
-/// Says once, not once a rank, what is wrong with the command line: all ranks see the same one. MPI's end
-/// keeps another rank from ending the job before the first has said it.
+/// Prints a command-line error once, on rank 0. The end of the MPI session keeps other ranks from ending the
+/// job before that.
 void sayOnce(CLI::App& app, const CLI::ParseError& e, int* argc, char*** argv) {
   thaw::MpiSession mpi(argc, argv);
   int rank = 0;
@@ -29,8 +29,8 @@ void sayOnce(CLI::App& app, const CLI::ParseError& e, int* argc, char*** argv) {
   if (rank == 0) app.exit(e);
 }
 
-/// The arguments but the program's name, from the last to the first, as CLI11 takes them. It takes -.5 for an
-/// option: with a zero before the point it is a number.
+/// Returns the arguments without the program name, last first, as CLI11 expects. Writes "-.5" as "-0.5",
+/// since CLI11 takes the former for an option.
 std::vector<std::string> reversedArguments(int argc, char** argv) {
   std::vector<std::string> all;
   for (int a = argc; a-- > 1;) {
@@ -41,7 +41,7 @@ std::vector<std::string> reversedArguments(int argc, char** argv) {
   return all;
 }
 
-/// CLI11 would only say that a command is missing.
+/// Refuses an unknown command with the list of commands. CLI11 only reports a missing command.
 void checkCommand(const CLI::App& app, const std::string& given) {
   std::string names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -51,7 +51,7 @@ void checkCommand(const CLI::App& app, const std::string& given) {
   throw CLI::ValidationError(given, "there is no such command; expected one of " + names);
 }
 
-/// What other commands take as --ranks: CLI11 would only say that it was not expected.
+/// Refuses rank options of run and relax, and names mpirun. CLI11 only reports an unexpected argument.
 void checkRanks(int argc, char** argv) {
   const std::string command = argv[1];
   if (command != "run" && command != "relax") return;
@@ -60,7 +60,7 @@ void checkRanks(int argc, char** argv) {
       throw CLI::ValidationError(text, "ranks are started by mpirun: mpirun -n 4 thaw " + command + " SCENE");
 }
 
-/// CLI11 would take a key=value without its --set for the scene.
+/// Refuses a key=value without its --set. CLI11 takes it for the scene.
 void checkSettings(int argc, char** argv) {
   for (int a = 2; a < argc; a++) {
     const std::string text = argv[a], before = argv[a - 1];
@@ -71,7 +71,7 @@ void checkSettings(int argc, char** argv) {
   }
 }
 
-/// CLI11's own exit codes for wrong usage are all 2 here.
+/// Parses the command line. Returns false when the program ends now, with `code`: 2 for every usage error.
 bool parsed(CLI::App& app, int argc, char** argv, int& code) {
   try {
     if (argc > 1 && argv[1][0] != '-')
@@ -100,18 +100,18 @@ int main(int argc, char** argv) {
   ExportOptions exportOptions;
   CompareArguments compare;
   InfoArguments info;
-  CLI::App* runApp = app.add_subcommand("run", "simulate a scene; under mpirun on several ranks");
+  CLI::App* runApp = app.add_subcommand("run", "simulate a scene; mpirun starts it on several ranks");
   addRunOptions(*runApp, run);
   RunOptions relax;
   relax.relax = 100000;
   relax.steps = 0;
-  CLI::App* relaxApp = app.add_subcommand("relax", "move the oriented bodies of a scene to rest");
+  CLI::App* relaxApp = app.add_subcommand("relax", "relax the oriented bodies of a scene");
   addRelaxOptions(*relaxApp, relax);
-  CLI::App* checkApp = app.add_subcommand("check", "say what would be simulated");
+  CLI::App* checkApp = app.add_subcommand("check", "check a scene and report what would be simulated");
   addCheckOptions(*checkApp, check);
-  CLI::App* renderApp = app.add_subcommand("render", "make pictures of a frame or of a run");
+  CLI::App* renderApp = app.add_subcommand("render", "render pictures of a frame or a run");
   addRenderOptions(*renderApp, render);
-  CLI::App* exportApp = app.add_subcommand("export", "write the frames of a surface for other programs");
+  CLI::App* exportApp = app.add_subcommand("export", "export frames for other programs");
   addExportOptions(*exportApp, exportOptions);
   CLI::App* compareApp = addCompareCommand(app, compare);
   CLI::App* infoApp = addInfoCommand(app, info);

@@ -1,12 +1,12 @@
-// Which thaw this is: in frames, checkpoints, summaries and --version.
+// Version of the program, for frames, checkpoints, summaries and --version.
 #pragma once
 
 namespace thaw {
 
-/// Version number, as "0.1.0".
+/// Returns the version number, such as "0.1.0".
 const char* versionNumber();
-/// Commit the program was built from, with "+" behind it if files differed from the commit; "unknown" outside
-/// a git checkout.
+/// Returns the commit of the source, with "+" behind it if files differed, or "unknown" outside a git
+/// checkout.
 const char* versionCommit();
 
 }  // namespace thaw

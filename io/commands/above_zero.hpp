@@ -1,4 +1,4 @@
-// Options that take a number above zero: the library's own check prints a range of 309 digits.
+// The check of options for numbers above zero. The check of CLI11 prints a range of 309 digits.
 #pragma once
 #include <fmt/format.h>
 

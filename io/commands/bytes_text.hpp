@@ -1,4 +1,4 @@
-// Amounts of memory as people read them.
+// Amounts of memory as text.
 #pragma once
 #include <fmt/format.h>
 

@@ -35,7 +35,7 @@
 namespace thaw {
 namespace {
 
-/// A line for each oriented body and each sheet.
+/// Returns a line for each oriented body and each sheet. Collective.
 std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
   std::vector<std::string> lines;
   const auto count = [&](const KindRows& rows, const auto& bodies, const char* line) {
@@ -52,8 +52,8 @@ std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
 
 constexpr std::size_t mostBodyLines = 100;
 
-/// What a body of the continuum is made of; where its particles are by more than a hundredth lighter or
-/// heavier than its shape, by how much.
+/// Returns a line with particles, material and mass of a continuum body. Adds the error of the mass against
+/// the shape if it is above 1 %.
 std::string lineOfBody(const World& w, const SamplingReport& sampled, std::size_t b, double volume) {
   const Body& body = w.scene.bodies[b];
   const Material& m = w.scene.materials[static_cast<std::size_t>(body.material)];
@@ -64,13 +64,13 @@ std::string lineOfBody(const World& w, const SamplingReport& sampled, std::size_
   if (!body.clamp.empty()) line += fmt::format(", {} of them clamped", sampled.clamped[b]);
   if (std::abs(ratio - 1) > 0.01 && sampled.removed == 0)
     line += fmt::format(
-        "; its shape holds {:.4g} kg: the particles are {:.1f} % too {} (a finer spacing, or a density times "
-        "{:.4g}, makes up for it)",
+        "; its shape has {:.4g} kg: the particles are {:.1f} % too {} (use a finer spacing, or multiply the "
+        "density by {:.4g})",
         shape, 100 * std::abs(ratio - 1), ratio > 1 ? "heavy" : "light", 1 / ratio);
   return line;
 }
 
-/// A line for each continuum body; of many, of the first ones, and one of all others together. Collective.
+/// Returns a line for each of the first mostBodyLines continuum bodies, and one for all others. Collective.
 std::vector<std::string> linesOfBodies(const World& w, const SamplingReport& sampled, Reducer& all) {
   const std::vector<Body>& bodies = w.scene.bodies;
   const std::size_t shown = std::min(bodies.size(), mostBodyLines);
@@ -92,21 +92,20 @@ std::vector<std::string> linesOfBodies(const World& w, const SamplingReport& sam
   return lines;
 }
 
-/// Leaves relaxation before the start out of a check: it may take minutes, or hours. Returns what to say of
-/// it.
+/// Disables relaxation before the start, which may take hours. Returns a note for the report, or "".
 std::string leaveOutRelaxation(Scene& s) {
   std::int64_t most = 0;
   for (OrientedBody& b : s.oriented) most = std::max(most, std::exchange(b.relax, 0));
   return most == 0 ? ""
                    : fmt::format(
-                         "oriented bodies are relaxed before the start, {} iterations at most: not done "
-                         "here; numbers, step and time are those before it",
+                         "a run relaxes the oriented bodies before the start, in {} iterations at most; this "
+                         "check does not: counts, time step and run time are those before relaxation",
                          most);
 }
 
 constexpr double longestSensibleRun = 30 * 86400.0;  // s
 
-/// What the emitters let out until the end of the scene.
+/// Returns the number of particles that the emitters release until the end of the scene.
 double emittedAtEnd(const Scene& s, const StepTools& t) {
   double n = 0;
   for (std::size_t e = 0; e < s.emitters.size(); e++)
@@ -115,7 +114,7 @@ double emittedAtEnd(const Scene& s, const StepTools& t) {
   return n;
 }
 
-/// Suggestions for the scene, with what became of those that were tried. Collective.
+/// Returns suggestions for the scene with the results of their trials. Collective.
 std::vector<std::string> triedAdvice(const Communicator& comm, const CheckOptions& o, const World& w,
                                      double particles) {
   const std::vector<Suggestion> all = frontierAdvice(w.scene, w.modules);
@@ -131,15 +130,15 @@ std::vector<std::string> triedAdvice(const Communicator& comm, const CheckOption
     else untried.push_back(one.line + ", not tried");
   }
   if (!lines.empty())
-    lines.push_back(fmt::format("these were tried on this scene for {} steps: a longer run may still fail",
-                                trials.steps()));
+    lines.push_back(
+        fmt::format("tried on this scene for {} steps; a longer run may still fail", trials.steps()));
   lines.insert(lines.end(), failed.begin(), failed.end());
   lines.insert(lines.end(), untried.begin(), untried.end());
-  if (!untried.empty()) lines.push_back("not tried: the scene is too large to be run here");
+  if (!untried.empty()) lines.push_back("not tried: the scene is too large for a trial");
   return lines;
 }
 
-/// The sound speed of each liquid, and what sets it.
+/// Returns a line with the sound speed of each liquid and its reason.
 std::vector<std::string> soundLines(const World& w, const StepTools& t) {
   std::vector<std::string> lines;
   for (std::size_t k = 0; w.modules.fluid && k < w.scene.materials.size(); k++)
@@ -168,12 +167,12 @@ int checkAll(const CheckOptions& o) {
   });
   const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
-  const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // of the start
+  const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // at the start
   const std::vector<OrientedWork::Field> idleFields = t.oriented.idleFields;
-  // before the steps below, which may make some
+  // Emission and growth in the steps below change these counts.
   const std::vector<std::string> ofKinds = linesOfKinds(w, all), ofBodies = linesOfBodies(w, sampled, all);
   SurfaceTrial surface(comm, w, meshLoader());
-  // a few steps, to measure
+  // Time a few steps.
   const auto start = std::chrono::steady_clock::now();
   int steps = 0;
   const double dt = w.clock.dt;
@@ -195,7 +194,7 @@ int checkAll(const CheckOptions& o) {
                        std::max(0.0, emittedAtEnd(w.scene, t) - static_cast<double>(w.counters.emitted));
   double memory = totalBytes(memoryOf(w, t));
   all.maximum({&memory, 1});
-  surface.update();  // the last: it leaves a world of melt
+  surface.update();  // last, since it melts the world
   const SurfaceTrial::Forecast onSurface = surface.forecast(needed, total);
   const int ranks = o.ranks > 0 ? o.ranks : comm.size();
   const std::vector<std::string> surfaceLines = surface.lines(onSurface, ranks);
@@ -239,25 +238,25 @@ int checkAll(const CheckOptions& o) {
     std::printf("\ntime step %.3g s at the start, limited by %s%s\n", dt, limitedBy.c_str(),
                 substeps.c_str());
   else
-    std::printf("\ntime step: nothing limits it at the start; a step goes to the next frame, %g s\n",
+    std::printf("\ntime step: no limit at the start; each step ends at the next frame, %g s\n",
                 longestUnlimitedStep(w.clock));
   const auto ofMaterials = [](double limit) { return limit < never; };
-  // of sheets and oriented bodies nothing
+  // Sheets and oriented bodies have no fixed limit.
   if (std::any_of(t.fixedLimits.value.begin(), t.fixedLimits.value.end(), ofMaterials))
-    std::printf("by the materials alone\n");
+    std::printf("limits by the materials alone\n");
   for (std::size_t k = 0; k < limitNames.size(); k++)
     if (ofMaterials(t.fixedLimits.value[k]))
       std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
   for (const std::string& line : soundLines(w, t)) std::printf("%s\n", line.c_str());
   if (!advice.empty())
-    std::printf(o.settings ? "\nsettings on the frontier of error against time, in cases like this scene, "
-                             "not tried on it (docs/validation/accuracy.md)\n"
-                           : "\nsettings that paid in cases like this scene, one at a time (all: --settings; "
+    std::printf(o.settings ? "\nsettings on the frontier of error against time in similar cases, not tried "
+                             "on this scene (docs/validation/accuracy.md)\n"
+                           : "\nrecommended settings from similar cases, one at a time (all: --settings; "
                              "docs/validation/accuracy.md)\n");
   for (const std::string& line : advice) std::printf("  %s\n", line.c_str());
   if (!surfaceLines.empty()) std::printf("\nsurface\n");
   for (const std::string& line : surfaceLines) std::printf("  %s\n", line.c_str());
-  // what emitters add
+  // Emitted particles raise memory and run time.
   const double most = total / particles / ranks, mean = (0.5 + 0.5 * total / particles) / ranks;
   const double ofParticles = memory * comm.size() * most, ofSurface = onSurface.bytes / ranks,
                stepping = needed * perStep * comm.size() * mean;
@@ -266,7 +265,7 @@ int checkAll(const CheckOptions& o) {
   const auto rangeText = [&](double before) {
     return durationText(before + updating[0]) + (range ? " to " + durationText(before + updating[1]) : "");
   };
-  std::printf("\nmemory a rank: %s with %d rank%s (%.0f bytes a particle%s)\n",
+  std::printf("\nmemory per rank: %s with %d rank%s (%.0f bytes per particle%s)\n",
               bytesText(ofParticles + ofSurface).c_str(), ranks, ranks == 1 ? "" : "s",
               memory * comm.size() / particles,
               two ? (", and " + bytesText(ofSurface) + " for the surface").c_str() : "");
@@ -278,13 +277,12 @@ int checkAll(const CheckOptions& o) {
       two ? (": " + durationText(stepping) + ", and " + rangeText(0) + " for the surface").c_str() : "");
   if (stepping > longestSensibleRun)
     std::printf(
-        "warning: that is more than a month: are the end (%g s), the spacing (%g m) and the stiffness of the "
-        "materials (sound_speed, young) what is meant?\n",
+        "warning: the run takes more than a month: check the end (%g s), the spacing (%g m) and the "
+        "stiffness of the materials (sound_speed, young)\n",
         s.end, s.spacing);
   std::printf(
-      "steps become shorter or longer, and particles more or fewer, as the scene goes: within a factor of "
-      "two it is a good guess%s\n",
-      range ? "; of the surface the higher figure is for a splash" : "");
+      "step and number of particles change during the run: the estimate is good to a factor of two%s\n",
+      range ? "; the higher figure is for a surface that splashes" : "");
   return exitDone;
 }
 
@@ -292,12 +290,12 @@ int checkAll(const CheckOptions& o) {
 
 void addCheckOptions(CLI::App& c, CheckOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML)")->required();
-  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")
+  c.add_option("--set", o.overrides, "override a key of the scene: key=value; may be repeated")
       ->allow_extra_args(false);
-  c.add_flag(
-      "--settings", o.settings,
-      "all settings of the accuracy suite on the frontier of error against time, in place of those that pay");
-  c.add_option("--ranks", o.ranks, "ranks that the estimates are for; without it those that this runs on")
+  c.add_flag("--settings", o.settings,
+             "print all settings of the accuracy suite on the frontier of error against time, not only the "
+             "recommended ones");
+  c.add_option("--ranks", o.ranks, "number of ranks for the estimates (default: the ranks of this command)")
       ->check(aboveZero());
 }
 
@@ -313,7 +311,7 @@ int checkCommand(const CheckOptions& o) {
   } catch (const std::runtime_error& e) {
     if (const auto refusal = refusalOf(e)) return failed(refusal->message, refusal->code);
     return failed(o.scene + ": error: " + e.what(), exitUsage);
-  } catch (const std::exception& e) {  // memory, a broken invariant: on this rank alone
+  } catch (const std::exception& e) {  // out of memory or a broken invariant, on this rank alone
     std::fprintf(stderr, "error: rank %d: %s\n", rank, e.what());
     MPI_Abort(MPI_COMM_WORLD, 1);
     return 1;

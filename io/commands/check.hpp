@@ -1,4 +1,4 @@
-// thaw check SCENE: what would be simulated.
+// `thaw check SCENE`: reports what would be simulated.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,8 +12,8 @@ namespace thaw {
 struct CheckOptions {
   std::string scene;
   std::vector<std::string> overrides;
-  int ranks = 0;          ///< for the estimates; 0: as many as there are
-  bool settings = false;  ///< all on the frontier of error against time
+  int ranks = 0;          ///< number of ranks for the estimates; 0: the ranks of this command
+  bool settings = false;  ///< print all settings on the frontier of error against time
 };
 
 void addCheckOptions(CLI::App& command, CheckOptions& options);

@@ -29,15 +29,15 @@ double residentNow() {
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-// Of a run of an hour (keiser/melting_fast): core-seconds of an update of melt for each surfel, for scenes
-// that have none at the start.
+// Core seconds per surfel and update of melt, from an hour of keiser/melting_fast. For scenes without surfels
+// at the start.
 constexpr double secondsPerSurfel = 2e-5;
-constexpr double bytesPerSurfel = 2800;  // of scenes/melt: with work lists; where there are few at the start,
-                                         // what they take is mostly what any number takes
+constexpr double bytesPerSurfel = 2800;  // measured with scenes/melt, work lists included; used for few
+                                         // surfels, whose memory is mostly fixed
 constexpr std::int64_t few = 500;
 
-/// Makes all that can be liquid of a world so, and moves it as between two updates: by a tenth of the support
-/// radius, to and fro over four of them.
+/// Turns everything that can be liquid into liquid and moves it as between two updates. Displacements are up
+/// to 0.1 support radii, with a period of four.
 void meltAll(World& w) {
   Continuum& p = w.particles;
   const double h = w.grid.support, k = 0.5 * pi / h;
@@ -54,7 +54,8 @@ void meltAll(World& w) {
 
 }  // namespace
 
-// Sets Surface::spacing so that no more are made: `thaw check` is to answer in seconds.
+// Returns the grid of the surface. Coarsens Surface::spacing to at most 1e5 surfels, so that `thaw check`
+// takes seconds.
 const CellGrid& SurfaceTrial::gridOfTrial(const MeshLoader& load) {
   constexpr double most = 1e5;
   World& w = world_;
@@ -67,7 +68,7 @@ const CellGrid& SurfaceTrial::gridOfTrial(const MeshLoader& load) {
     const double wanted = w.scene.surface.spacing;
     w.scene.surface.spacing = spacing_ * std::sqrt(expected_ / most);
     prepareSurface(w);
-    w.scene.surface.spacing = wanted;  // what is said of the scene is said of this one
+    w.scene.surface.spacing = wanted;  // messages name the spacing of the scene
   }
   return w.surface.grid;
 }
@@ -110,18 +111,18 @@ SurfaceTrial::Forecast SurfaceTrial::forecast(double steps, double particles) co
   MpiReducer all(comm_);
   all.sum({&bytes, 1});
   all.maximum(times);
-  const double spacing = w.scene.spacing, perArea = 1.15 / (spacing_ * spacing_);  // in hexagons
+  const double spacing = w.scene.spacing, perArea = 1.15 / (spacing_ * spacing_);  // on a hexagonal lattice
   f.surfels = perMeasured_ * static_cast<double>(surfels_);
   double most = f.surfels, surfels = f.surfels;
-  // each particle a drop
+  // Each particle is a drop.
   if (w.modules.fluid) most = std::max(most, perArea * pi * spacing * spacing * particles);
-  // a puddle: twice a ball
+  // A puddle has twice the area of a ball.
   if (w.modules.emitters)
     surfels = std::max(surfels, perArea * 2 * 4.84 * spacing * spacing * std::cbrt(particles * particles));
   most = std::max(most, surfels);
   f.surfelsTogether = surfels;
   f.surfelsMost = most;
-  // what emitters add
+  // Memory grows with the surfels that emitters add.
   if (surfels_ > few)
     f.bytes = perMeasured_ * static_cast<double>(bytes) * std::max(1.0, f.surfelsTogether / f.surfels);
   else f.bytes = static_cast<double>(bytes) + bytesPerSurfel * f.surfelsTogether;
@@ -150,20 +151,20 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
                   "particles on them within {:g} m (about {:.0f})",
                   spacing_, set.support * spacing_, 1.15 * pi * set.support * set.support, s.particleSupport,
                   2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
-      fmt::format("memory a rank: {} with {} rank{} ({:.0f} bytes a surfel, work lists included)",
+      fmt::format("memory per rank: {} with {} rank{} ({:.0f} bytes per surfel, work lists included)",
                   bytesText(f.bytes / ranks), ranks, ranks == 1 ? "" : "s",
                   f.bytes / std::max(1.0, f.surfelsTogether)),
       fmt::format(
-          "the start {} {:.3g} s, one update of it {:.3g} s{}, on {} rank{}",
+          "the start {} {:.3g} s, an update {:.3g} s{}, on {} rank{}",
           perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1],
-          w.modules.fluid ? fmt::format(", one of it as liquid that flows {:.3g} s", perMeasured_ * times[2])
+          w.modules.fluid ? fmt::format(", an update of flowing liquid {:.3g} s", perMeasured_ * times[2])
                           : "",
           comm_.size(), comm_.size() == 1 ? "" : "s"),
       fmt::format("about {} updates until the end, {} of them at frames{}", countText(f.updates),
                   countText(f.frames),
-                  set.everyMove > 0 ? fmt::format("; the others as particles come {:g} m, at half of {:.3g} "
-                                                  "m/s, the largest speed expected",
-                                                  set.everyMove * w.grid.support, expectedSpeed(w.scene))
+                  set.everyMove > 0    ? fmt::format("; the others each time particles have moved {:g} m, at "
+                                                        "half the largest expected speed of {:.3g} m/s",
+                                                     set.everyMove * w.grid.support, expectedSpeed(w.scene))
                   : set.everySteps > 0 ? ""
                                        : ", however far particles move in between")};
   if (perMeasured_ > 1)
@@ -171,8 +172,8 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
                                 f.surfels / perMeasured_, s.spacing));
   if (w.modules.fluid)
     lines.push_back(
-        fmt::format("time and memory go with the number of surfels: {} where what flows stays together, up "
-                    "to {} where all of it falls apart into drops",
+        fmt::format("time and memory scale with the number of surfels: {} if the liquid stays together, up "
+                    "to {} if all of it breaks up into drops",
                     countText(f.surfelsTogether), countText(f.surfelsMost)));
   return lines;
 }

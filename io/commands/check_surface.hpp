@@ -1,4 +1,4 @@
-// The surface in `thaw check`.
+// Trial of the surface for `thaw check`.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,47 +8,47 @@
 
 namespace thaw {
 
-/// Starts the surface of a world that has just started, and measures.
+/// Starts the surface of a world that has just started, and measures time and memory.
 class SurfaceTrial {
  public:
-  /// Without the module it does nothing. Where millions of surfels are expected fewer are made, farther
-  /// apart. Collective.
+  /// Does nothing without the surface module. Coarsens a surface of more than 1e5 expected surfels.
+  /// Collective.
   SurfaceTrial(const Communicator& comm, World& world, const MeshLoader& load);
-  /// One update, after a few steps; and another one as when all of it is liquid and flows, where something
-  /// can be: it is an update of the whole surface through all its iterations, where solids are carried along.
-  /// The world is of no more use then than to be counted. Collective.
+  /// Times an update after a few steps. Times another with everything molten and moving, if the scene has
+  /// liquid: it iterates over the whole surface, also where solids carry it. The world then serves for counts
+  /// only. Collective.
   void update();
-  /// What the surface takes of a whole run of `steps` steps, all ranks together: where the bodies stay whole,
-  /// and where all that can be liquid falls apart into drops (the same without liquid). Zero without the
+  /// Cost of the surface over a run of `steps` steps, summed over ranks. surfelsTogether: the liquid stays
+  /// together; surfelsMost: all of it breaks up into drops (the same without liquid). Zero without the
   /// module.
   struct Forecast {
     double surfels = 0, surfelsTogether = 0, surfelsMost = 0, bytes = 0, updates = 0, frames = 0, seconds = 0,
            secondsMost = 0;
   };
-  /// particles: at the end, with those of emitters. Collective.
+  /// particles: number at the end, with emitted ones. Collective.
   Forecast forecast(double steps, double particles) const;
   const std::vector<std::uint64_t>& lumps() const { return tools_.lumps; }
   const std::vector<BodyPieces>& pieces() const { return tools_.pieces; }
-  /// What `thaw check` prints, for this many ranks. Collective.
+  /// Returns the lines that `thaw check` prints, for this many ranks. Collective.
   std::vector<std::string> lines(const Forecast& forecast, int ranks) const;
 
  private:
   const Communicator& comm_;
   World& world_;
-  double expected_ = 0, spacing_ = 0;  // m, that the scene wants
-  double perMeasured_ = 1;             // surfels that are expected, for each one that is measured
+  double expected_ = 0, spacing_ = 0;  // expected surfels; spacing of the scene, m
+  double perMeasured_ = 1;             // expected surfels per measured surfel
   SurfaceRanks halos_;
   SurfaceTools tools_;
-  std::int64_t surfels_ = 0;                               // of all ranks, after the start
-  double bytes_ = 0, start_ = 0, each_ = 0, flowing_ = 0;  // of one update as it is at the start, and as of
-                                                           // melt
+  std::int64_t surfels_ = 0;                               // sum over ranks, after the start
+  double bytes_ = 0, start_ = 0, each_ = 0, flowing_ = 0;  // bytes; s of the start, an update at the start,
+                                                           // an update of melt
 
   const CellGrid& gridOfTrial(const MeshLoader& load);
   double timeOfUpdate();
 };
 
-/// About how many updates of the surface a run has: one at each frame, and between them as the scene says,
-/// for moves of particles at half of the largest speed that is expected of the scene.
+/// Returns the expected number of surface updates of a run: one at each frame, and others by the settings of
+/// the scene. Particles move at half the largest expected speed.
 double expectedUpdates(const World& world, double steps);
 
 }  // namespace thaw

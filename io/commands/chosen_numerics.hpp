@@ -1,4 +1,4 @@
-// Which choices of the method a scene has made itself.
+// The keys of [numerics] that a scene sets.
 #pragma once
 #include <string>
 
@@ -6,8 +6,8 @@
 
 namespace thaw {
 
-/// Does a key ("numerics.cfl_elastic") differ from the default? False for what is no number or choice of
-/// [numerics].
+/// Does a key of [numerics] ("numerics.cfl_elastic") differ from its default? False for keys that are neither
+/// numbers nor choices.
 bool isChosen(const std::string& key, const Numerics& numerics);
 
 }  // namespace thaw

@@ -27,11 +27,11 @@ bool compareFiles(const std::string& pathA, const std::string& pathB, const Comp
   return result.equal();
 }
 
-/// Names of the frames of a run, of all kinds. IoError without such a folder.
+/// Returns the names of all frame files of a run. Throws IoError without a folder of frames.
 std::set<std::string> framesOf(const std::string& run) {
   const std::filesystem::path folder = std::filesystem::path(run) / "frames";
   if (!std::filesystem::is_directory(folder))
-    throw IoError("'" + run + "' is not the folder of a run: it has no frames/");
+    throw IoError("'" + run + "' is not a run folder: it has no frames/");
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".hdf") names.insert(entry.path().filename().string());
@@ -45,7 +45,7 @@ bool compareFrames(const CompareArguments& how) {
     const auto first = [](const std::set<std::string>& names) {
       return names.empty() ? std::string("none") : *names.begin();
     };
-    fmt::print("frames: no name is in both, so none are compared (the first of A: {}, of B: {})\n", first(a),
+    fmt::print("frames: no name is in both runs, so none are compared (first of A: {}, of B: {})\n", first(a),
                first(b));
     return a.empty() && b.empty();
   }
@@ -75,17 +75,17 @@ bool compareFrames(const CompareArguments& how) {
 
 CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
   CLI::App* command = app.add_subcommand("compare",
-                                         "Compares two frames, checkpoints or runs (then their last "
-                                         "checkpoints), particle by particle, bit by bit");
-  command->add_option("A", arguments.a, "a frame, a checkpoint or the folder of a run")->required();
-  command->add_option("B", arguments.b, "what to compare it with")->required();
+                                         "compare two frames, checkpoints or runs (by their last "
+                                         "checkpoints), particle by particle and bit by bit");
+  command->add_option("A", arguments.a, "a frame, a checkpoint or a run folder")->required();
+  command->add_option("B", arguments.b, "the frame, checkpoint or run folder to compare with")->required();
   command
       ->add_option(
           "--tolerance", arguments.tolerance,
           "allowed difference, relative to the largest magnitude in each field; without it, bits count")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("--frames", arguments.frames, "of two runs: compare all their frames as well");
-  command->add_flag("--all", arguments.all, "tell all that differs in general, not a few of each kind");
+  command->add_flag("--frames", arguments.frames, "compare all frames of two runs as well");
+  command->add_flag("--all", arguments.all, "list all general differences, not only a few of each kind");
   command->footer("Exit code: 0 equal, 1 different, 3 unreadable or damaged file.");
   return command;
 }

@@ -8,8 +8,8 @@ namespace thaw {
 struct CompareArguments {
   std::string a, b;
   double tolerance = -1;  ///< < 0: bit by bit
-  bool frames = false;    ///< of two runs: all their frames, too
-  bool all = false;       ///< tell each difference, not a few of each kind
+  bool frames = false;    ///< compare all frames of two runs, too
+  bool all = false;       ///< list each difference, not only a few of each kind
 };
 
 /// Declares the command; its arguments appear in `arguments`, which must outlive the parsing.

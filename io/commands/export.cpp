@@ -31,7 +31,7 @@ const std::vector<std::string> formats{"ply-discs", "pov", "vtp", "ply", "obj"};
 
 std::string extensionOf(const std::string& as) { return as == "ply-discs" ? ".discs.ply" : "." + as; }
 
-/// One colour a surfel.
+/// Returns one colour per surfel. Throws IoError for an unknown field.
 std::vector<Rgb> coloursOf(const SurfaceFrame& frame, const ExportOptions& options, const fs::path& file) {
   if (options.field == "surface") return frame.colours;
   const FrameColumn* column = frame.find(options.field);
@@ -39,7 +39,7 @@ std::vector<Rgb> coloursOf(const SurfaceFrame& frame, const ExportOptions& optio
     std::string names = "surface";
     for (const FrameColumn& c : frame.columns)
       if (c.components == 1) names += ", " + c.name;
-    throw IoError(file.string(), "has no field '" + options.field + "' to colour with; there are: " + names);
+    throw IoError(file.string(), "has no field '" + options.field + "' for the colours; there are: " + names);
   }
   double low = INFINITY, high = -INFINITY;
   for (std::size_t i = 0; i < frame.positions.size(); i++)
@@ -53,8 +53,8 @@ std::vector<Rgb> coloursOf(const SurfaceFrame& frame, const ExportOptions& optio
   return colours;
 }
 
-/// The scene that a frame keeps; none where it has none, or one that cannot be read: then `what` is without
-/// it.
+/// Returns the scene that a frame stores, or nothing if there is none. A scene that cannot be read gives a
+/// note and nothing.
 std::optional<Scene> sceneOf(const SurfaceFrame& frame, const fs::path& file, const char* what) {
   if (frame.sceneText.empty()) return {};
   try {
@@ -66,7 +66,7 @@ std::optional<Scene> sceneOf(const SurfaceFrame& frame, const fs::path& file, co
   }
 }
 
-/// Camera, size and floors as the pictures of `thaw render` have them.
+/// Returns camera, picture size and walls, as `thaw render` uses them.
 RenderStyle styleOf(const SurfaceFrame& frame, const fs::path& file) {
   RenderStyle style;
   FrameJob job;
@@ -117,13 +117,13 @@ MeshCount writeMesh(const fs::path& file, const fs::path& out, const SurfaceFram
   if (options.cell > 1 && finer > 0)
     fmt::print(stderr,
                "thaw export: warning: {}: --cell {:g}: cubes of {:.3g} m are too wide for {} of {} "
-               "components, which are made with finer ones; 0.5 to 2 is sensible\n",
+               "components, which use finer ones; 0.5 to 2 is recommended\n",
                file.string(), options.cell, meshes[0].asked, finer, meshes.size());
   return count;
 }
 
-/// Triangles of the smallest-sphere test, one mesh for each surface, and lines of those that have no
-/// triangles; vertices that are in neither are left out.
+/// Mesh of oriented particles: triangles of the smallest-sphere test, and lines of groups without triangles.
+/// used: 1 for particles of a triangle or line.
 struct OrientedMesh {
   std::vector<Corners> triangles;
   std::vector<std::array<std::uint32_t, 2>> lines;
@@ -166,7 +166,8 @@ std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame, const OrientedMe
   return meshes;
 }
 
-/// Of particles that no triangle or line has: how many, and the id of the first.
+/// Returns a note on particles without triangle and line: their number and the first id. Empty without such
+/// particles.
 std::string aloneText(const OrientedFrame& frame, const std::vector<std::uint8_t>& used) {
   const auto alone = std::count(used.begin(), used.end(), std::uint8_t{0});
   if (alone == 0) return "";
@@ -174,14 +175,14 @@ std::string aloneText(const OrientedFrame& frame, const std::vector<std::uint8_t
                                   ? 0
                                   : frame.ids[static_cast<std::size_t>(
                                         std::find(used.begin(), used.end(), std::uint8_t{0}) - used.begin())];
-  return alone == 1
-             ? fmt::format(
-                   "; 1 particle (id {}) is joined to none: further from all others than twice its spacing",
-                   first)
-             : fmt::format(
-                   "; {} particles (the first: id {}) are joined to none: further from all others than twice "
-                   "their spacing",
-                   alone, first);
+  return alone == 1 ? fmt::format(
+                          "; 1 particle (id {}) has no triangle or line: all others are further than twice "
+                          "its spacing",
+                          first)
+                    : fmt::format(
+                          "; {} particles (the first: id {}) have no triangle or line: all others are "
+                          "further than twice their spacing",
+                          alone, first);
 }
 
 void exportOriented(const fs::path& file, const fs::path& out, const ExportOptions& options) {
@@ -198,8 +199,8 @@ void exportOriented(const fs::path& file, const fs::path& out, const ExportOptio
   } else {
     (options.as == "ply" ? writeMeshPly : writeMeshObj)(out, meshesOf(frame, made));
   }
-  fmt::print("{}: {} particles, {} triangles, {} lines (of what has no triangles: curves){}\n", out.string(),
-             frame.positions.size(), made.triangles.size(), made.lines.size(), aloneText(frame, made.used));
+  fmt::print("{}: {} particles, {} triangles, {} lines (curves){}\n", out.string(), frame.positions.size(),
+             made.triangles.size(), made.lines.size(), aloneText(frame, made.used));
 }
 
 bool isSheetFrame(const FrameInfo& info) {
@@ -207,13 +208,13 @@ bool isSheetFrame(const FrameInfo& info) {
                      [](const FrameInfo::Field& f) { return f.name == "sheet_body"; });
 }
 
-/// The triangles of the frame, one mesh for each sheet, with its colours; normals are the means of the
-/// triangles around.
+/// Writes the triangles of a frame, one mesh per sheet, with its colours. Vertex normals are area-weighted
+/// means over the adjacent triangles.
 void exportSheets(const fs::path& file, const fs::path& out, const ExportOptions& options) {
   if (options.as != "ply" && options.as != "obj" && options.as != "vtp")
     throw std::invalid_argument("sheets are exported as ply, obj or vtp, not as " + options.as);
   FrameData frame = readFrame(file.string());
-  orderById(frame);  // so that frames make an animation
+  orderById(frame);  // the same order in all frames, for animations
   const std::vector<std::uint64_t> ids = idsOf(frame);
   if (options.as == "vtp") {
     if (out.has_parent_path()) fs::create_directories(out.parent_path());
@@ -281,7 +282,7 @@ void exportFrame(const fs::path& file, const fs::path& out, const ExportOptions&
   fmt::print("{}: {}\n", out.string(), more);
 }
 
-/// export/ in the run's folder, whether that, its frames/ or a file in there was named.
+/// Returns export/ in the run folder. The input is that folder, its frames/ or a file in there.
 fs::path exportFolder(const fs::path& input) {
   fs::path folder = fs::is_directory(input) ? input : input.parent_path();
   if (folder.filename().empty() && folder.has_parent_path()) folder = folder.parent_path();  // "run/"
@@ -289,7 +290,7 @@ fs::path exportFolder(const fs::path& input) {
   return folder / "export";
 }
 
-/// What was asked for, else what the run has.
+/// Returns the frames of the requested kind, by default of the first kind that the run has.
 std::vector<fs::path> framesToExport(const ExportOptions& options) {
   if (options.what == "oriented") return findFrames(options.input, FrameKind::Oriented);
   if (options.what == "sheet") return findFrames(options.input, FrameKind::Sheet);
@@ -299,7 +300,7 @@ std::vector<fs::path> framesToExport(const ExportOptions& options) {
     if (!options.what.empty() || !fs::is_directory(options.input)) throw;
     for (const FrameKind kind : {FrameKind::Oriented, FrameKind::Sheet}) try {
         return findFrames(options.input, kind);
-      } catch (const IoError&) {  // the message about the surface says it
+      } catch (const IoError&) {  // the error about the surface is thrown instead
       }
     throw;
   }
@@ -311,36 +312,37 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
   command
       .add_option("path", o.input,
                   "frame of a surface, of oriented particles or of sheets (NAME_surface_000120.hdf, "
-                  "NAME_oriented_..., NAME_sheet_...), series index, or folder of a run (all its frames)")
+                  "NAME_oriented_..., NAME_sheet_...), series index, or run folder (all its frames)")
       ->required();
   command
       .add_option("--as", o.as,
                   "ply-discs: a polygon for each surfel (Blender); pov: a scene of POV-Ray; vtp: points with "
                   "all fields, and the triangles of sheets and oriented particles (ParaView); ply, obj: a "
                   "closed triangle mesh of each component, or the triangles of each sheet or oriented "
-                  "surface, and of a curve its lines")
+                  "surface, and the lines of a curve")
       ->required()
       ->check(CLI::IsMember(formats));
   command
-      .add_option("--what", o.what,
-                  "of a folder: surface (surfels), oriented (oriented particles) or sheet (sheets), both "
-                  "with their triangles as ply, obj or vtp (default: the first of these that the run has)")
+      .add_option(
+          "--what", o.what,
+          "kind of frames in a folder: surface (surfels), oriented (oriented particles) or sheet (sheets), "
+          "the latter two as ply, obj or vtp (default: the first of these that the run has)")
       ->check(CLI::IsMember({"surface", "oriented", "sheet"}));
   command.add_option("--out", o.out,
                      "file for one frame, folder for several (default: export/ in the run's folder)");
   command
       .add_option("--field", o.field,
-                  "what colours: surface (its own colours) or a field: temperature, liquid, detail")
+                  "source of the colours: surface (its own colours) or a field: temperature, liquid, detail")
       ->capture_default_str();
   command.add_option("--map", o.map, "colour map of a field: ember, sea, grey")->capture_default_str();
-  command.add_option("--min", o.min, "lowest number of the colours, SI (default: the lowest of the frame)");
-  command.add_option("--max", o.max, "highest number of the colours, SI");
+  command.add_option("--min", o.min,
+                     "lowest value of the colour scale, SI (default: the lowest of the frame)");
+  command.add_option("--max", o.max, "highest value of the colour scale, SI");
   command
-      .add_option("--cell", o.cell,
-                  "edge of the cubes that meshes are made with, over the mean radius of the surfels")
+      .add_option("--cell", o.cell, "edge of the cubes of the mesh grid, over the mean radius of the surfels")
       ->check(CLI::Range(0.2, 10.0))
       ->capture_default_str();
-  command.add_option("--threads", o.threads, "for the meshes of components (default: one a core)")
+  command.add_option("--threads", o.threads, "threads for the meshes of components (default: one per core)")
       ->check(CLI::Range(0, 4096));
 }
 
@@ -349,7 +351,7 @@ int exportCommand(const ExportOptions& options) {
     if (std::find(formats.begin(), formats.end(), options.as) == formats.end())
       throw std::invalid_argument("there is no format '" + options.as + "'");
     if (options.min && options.max && !(*options.max > *options.min))
-      throw std::invalid_argument("the colours' range is empty: --max has to be above --min");
+      throw std::invalid_argument("the range of the colours is empty: --max must be above --min");
     colourMapNamed(options.map);
     const std::vector<fs::path> frames = framesToExport(options);
     const bool one = frames.size() == 1 && !fs::is_directory(options.out) && options.out.has_extension();
@@ -364,7 +366,7 @@ int exportCommand(const ExportOptions& options) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "thaw export: {}: not enough memory\n", options.input.string());
     return exitInputOutput;
-  } catch (const std::runtime_error& error) {  // IoError, and the file system's
+  } catch (const std::runtime_error& error) {  // IoError or a file system error
     fmt::print(stderr, "thaw export: {}\n", error.what());
     return exitInputOutput;
   }

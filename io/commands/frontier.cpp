@@ -12,8 +12,8 @@
 namespace thaw {
 namespace {
 
-/// The case that stands for a part of the model: what a scene with it does most. frontier.py has the same
-/// list. fits: does a scene with it also move as the case does, so that advice may follow from it?
+/// Reference case of a part of the model; frontier.py has the same list. has: does the scene use this part?
+/// fits: does it also move as the case does, so that advice may follow from it?
 struct Likeness {
   const char* part;
   std::string cases;
@@ -32,8 +32,8 @@ bool isLiquid(const Scene& s, const Body& b) {
   return !m.canBeSolid() || m.liquidAtStart;
 }
 
-/// No faster than a fall through the domain would make it: the suite has no liquid that is torn or spun from
-/// the start.
+/// Is all liquid at most as fast as a fall through the domain? The suite has no liquid that is torn or spun
+/// from the start.
 bool isGentle(const Scene& s) {
   const double size = length(s.domain.max - s.domain.min), most = fallSpeed(s.domain);
   double fastest = 0;
@@ -44,8 +44,7 @@ bool isGentle(const Scene& s) {
   return fastest <= most;
 }
 
-/// Does a box of liquid end at walls or periodic sides of the domain across gravity, so that it stays where
-/// it is?
+/// Does a box of liquid end at walls or periodic sides across gravity, so that it stays in place?
 bool isHeld(const Scene& s, const Body& b) {
   if (b.shape.kind != ShapeKind::Box || !(b.shape.rotate == Vec3d{}) || b.shape.fitHeight || b.shape.bottom)
     return false;
@@ -59,7 +58,7 @@ bool isHeld(const Scene& s, const Body& b) {
   return true;
 }
 
-/// Liquid under gravity.
+/// Is there liquid under gravity?
 bool isHeavy(const Scene& s, const Modules& m) { return m.fluid && length(s.domain.gravity) > 0; }
 
 bool isAtRest(const Scene& s) {
@@ -89,7 +88,7 @@ const std::vector<Likeness>& likenesses() {
 
 std::string keyOf(const std::string& setting) { return setting.substr(0, setting.find('=')); }
 
-/// Can the scene use it? Where solids can meet their contact sets the step of all, and substeps gain nothing.
+/// Can the scene use this setting? Contact of solids limits the step, so that substeps gain nothing.
 bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   if (keyOf(setting) == "numerics.elastic_substeps") return !m.contact;
   if (keyOf(setting) == "body.0.packing") return false;  // the scene determines the packing
@@ -100,7 +99,7 @@ bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   return true;
 }
 
-/// With the names of the scene's materials for the *.
+/// Replaces the * of a setting by the name of each material that can be solid.
 std::vector<std::string> ofScene(const std::string& setting, const Scene& s) {
   const std::size_t star = setting.find('*');
   if (star == std::string::npos) return {setting};
@@ -110,16 +109,16 @@ std::vector<std::string> ofScene(const std::string& setting, const Scene& s) {
   return all;
 }
 
-/// What a setting did in one case, over the defaults.
+/// Error and cost of a setting in one case, over those of the defaults.
 struct Gain {
   const char* part = "";
   double error = never, cost = never;
 };
 
-/// What it did in the cases at hand.
+/// Errors and costs of a setting over the cases that the scene resembles.
 struct Record {
   double worst = 0, product = 1, slowest = 0, time = 1;
-  Gain closest, fastest;  // where it gained most
+  Gain closest, fastest;  // cases with the largest gain
   void add(const Gain& g) {
     worst = std::max(worst, g.error), product *= g.error;
     slowest = std::max(slowest, g.cost), time *= g.cost;
@@ -129,7 +128,7 @@ struct Record {
 };
 using Records = std::map<std::string, Record>;
 
-/// The incompressible solver has no use for what belongs to the equation of state.
+/// Can two settings be combined? Keys of the equation of state have no effect with the incompressible solver.
 bool together(const std::string& a, const std::string& b) {
   const auto solver = [](const std::string& s) { return s == "numerics.pressure_solver=incompressible"; };
   const auto ofState = [](const std::string& s) {
@@ -140,7 +139,7 @@ bool together(const std::string& a, const std::string& b) {
   return keyOf(a) != keyOf(b) && !(solver(a) && ofState(b)) && !(solver(b) && ofState(a));
 }
 
-/// The settings that `score` likes best (least; below 1), one of a key and all of them together possible.
+/// Returns compatible settings of ascending score, one per key. Only scores below 1 count.
 template<class Score> std::vector<std::string> choose(const Records& records, Score score) {
   std::vector<std::pair<double, std::string>> ranked;
   for (const auto& [setting, r] : records)
@@ -154,7 +153,7 @@ template<class Score> std::vector<std::string> choose(const Records& records, Sc
   return chosen;
 }
 
-/// Those of the cases that the scene resembles.
+/// Returns the settings of the cases that the scene resembles.
 Records recordsOf(const Scene& s, const Modules& m) {
   Records records;
   for (const Likeness& like : likenesses()) {
@@ -163,7 +162,7 @@ Records recordsOf(const Scene& s, const Modules& m) {
     for (const FrontierPoint& p : frontierPoints()) {
       if (like.cases != p.cases) continue;
       const std::string set = p.settings;
-      if (set.empty()) usual = p.error;  // the first of its case
+      if (set.empty()) usual = p.error;  // the defaults are the first point of a case
       else if (usable(set, s, m) && keyOf(set) != "quality" && !isChosen(keyOf(set), s.numerics))
         records[set].add({like.part, p.error < 0 ? never : usual > 0 ? p.error / usual : 1, p.cost});
     }
@@ -207,7 +206,7 @@ std::vector<Suggestion> frontierAdvice(const Scene& s, const Modules& m) {
                                         settingList(ofScene(set, s), "--set "), g.part, g.error, g.cost)});
     }
   };
-  // of what no case loses by (2 %; of time 5 %), those that gain a tenth in one
+  // No case may lose more than 2 % of accuracy, or 5 % of time for "faster". One case must gain 10 %.
   suggest(
       "more accurate:",
       choose(records,

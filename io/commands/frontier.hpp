@@ -1,5 +1,5 @@
-// What the accuracy suite taught, for `thaw check`: settings on the frontier of error against time, of cases
-// that a scene resembles.
+// Advice of `thaw check`: settings on the frontier of error against time, from cases of the accuracy suite
+// that resemble the scene.
 #pragma once
 #include <span>
 #include <string>
@@ -9,23 +9,23 @@
 
 namespace thaw {
 
-/// One setting of a case, at one spacing. settings: as `--set` takes it, with * for the name of a material;
-/// empty: the defaults. error < 0: it blew up, or its books do not close. cost: core-seconds over those of
-/// the defaults. best: no other one beats it in both.
+/// A setting of a case at one spacing. settings: as for `--set`, with * for the name of a material; empty:
+/// the defaults. error < 0: the run failed, or its ledger does not close. cost: core seconds over those of
+/// the defaults. best: no other point has both less error and less cost.
 struct FrontierPoint {
   const char *cases, *norm, *settings;
   double error, cost;
   bool best;
 };
 
-/// Those of the cases that stand for a part of the model. Written by benchmarks/accuracy/frontier.py.
+/// Returns the points of the reference cases. benchmarks/accuracy/frontier.py writes them.
 std::span<const FrontierPoint> frontierPoints();
 
-/// A line for each case whose physics the scene has, with all settings on its frontier; empty where the suite
-/// has none. Keys are those of the scene: of its own materials, and without what it cannot use.
+/// Returns a line for each case whose physics the scene has, with all settings on its frontier. Keys name the
+/// materials of the scene; keys without use in the scene are left out.
 std::vector<std::string> frontierLines(const Scene& scene, const Modules& modules);
 
-/// Settings ("key=value") on one line, as a shell takes them, each behind `before`.
+/// Returns settings ("key=value") on one line, quoted for a shell, each after `before`.
 std::string settingList(const std::vector<std::string>& settings, const char* before);
 
 /// Settings ("key=value") and the line that recommends them.
@@ -34,8 +34,9 @@ struct Suggestion {
   std::string line;
 };
 
-/// One for each setting that gains accuracy or time in one of these cases and loses in none, measured one at
-/// a time; without keys that the scene has chosen itself. What of it excludes each other is left out.
+/// Returns a suggestion for each setting that gains accuracy or time in one of these cases and loses in none.
+/// The cases vary one setting at a time. Leaves out keys that the scene sets, and settings that exclude a
+/// better one.
 std::vector<Suggestion> frontierAdvice(const Scene& scene, const Modules& modules);
 
 }  // namespace thaw

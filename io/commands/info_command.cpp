@@ -39,7 +39,7 @@ Json fieldOf(const H5File& file, const std::string& name, const std::string& pat
             {"components", components},
             {"unit", file.hasAttribute(path, "units") ? file.text(path, "units") : std::string("1")}};
   if (!range || s.element == Element::Other || s.rows == 0) return j;
-  // smallest and largest of each field, for vectors and tensors over all components
+  // The range covers all components of vectors and tensors.
   double low = std::numeric_limits<double>::infinity(), high = -low;
   std::uint64_t notFinite = 0;
   std::vector<double> values;
@@ -151,11 +151,11 @@ Json folderInfo(const std::string& path) {
   if (const std::optional<LockHolder> holder = lockHolder(path)) j["lock"] = lockJson(*holder);
   if (!problems.empty()) j["problems"] = problems;
   if (checkpoints.empty() && j["series"].empty() && !j.contains("summary") && problems.empty())
-    throw IoError(path, "is not the folder of a run: it has no checkpoint, no frames and no summary.json");
+    throw IoError(path, "is not a run folder: it has no checkpoint, no frames and no summary.json");
   return j;
 }
 
-/// One value as people read it; --json has all digits.
+/// Returns a value with six digits; --json has all digits.
 std::string textOf(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
@@ -167,7 +167,7 @@ std::string textOf(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// "name  value" lines; nested objects indented; a list of fields as a table.
+/// Prints "name  value" lines, nested objects indented, and a list of fields as a table.
 void print(const Json& j, int indent) {
   for (const auto& [key, value] : j.items()) {
     const std::string lead(static_cast<std::size_t>(indent), ' ');
@@ -206,17 +206,17 @@ void printShort(const Json& j) {
   } else {
     print(j["kind"] == "checkpoint" ? shortCheckpoint(j) : j, 0);
   }
-  if (j["kind"] == "run" || j["kind"] == "checkpoint") fmt::print("all that is known: --all, or --json\n");
+  if (j["kind"] == "run" || j["kind"] == "checkpoint") fmt::print("for all details: --all or --json\n");
 }
 
 }  // namespace
 
 CLI::App* addInfoCommand(CLI::App& app, InfoArguments& arguments) {
   CLI::App* command = app.add_subcommand(
-      "info", "Says what is in a frame, a checkpoint, an index of frames or the folder of a run");
-  command->add_option("PATH", arguments.path, "a file that thaw wrote, or the folder of a run")->required();
-  command->add_flag("--all", arguments.all, "all that is known, in place of what fits on a screen");
-  command->add_flag("--json", arguments.json, "all that is known, as JSON");
+      "info", "describe a frame, a checkpoint, an index of frames or a run folder");
+  command->add_option("PATH", arguments.path, "a file written by thaw, or a run folder")->required();
+  command->add_flag("--all", arguments.all, "print all details instead of a summary");
+  command->add_flag("--json", arguments.json, "print all details as JSON");
   return command;
 }
 
@@ -242,7 +242,7 @@ int infoCommand(const InfoArguments& arguments) {
   } catch (const IoError& e) {
     fmt::print(stderr, "thaw info: {}\n", e.what());
   } catch (const Json::exception& e) {
-    fmt::print(stderr, "thaw info: {}: its summary.json is not of this program: {}\n", arguments.path,
+    fmt::print(stderr, "thaw info: {}: summary.json was not written by this program: {}\n", arguments.path,
                e.what());
   } catch (const std::bad_alloc&) { fmt::print(stderr, "thaw info: out of memory\n"); }
   return exitInputOutput;

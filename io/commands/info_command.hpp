@@ -1,5 +1,4 @@
-// thaw info FILE|FOLDER [--json]: what is in a frame, a checkpoint, an index of frames or the folder of a
-// run.
+// `thaw info FILE|FOLDER [--json]`: describes a frame, a checkpoint, an index of frames or a run folder.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -14,11 +13,11 @@ struct InfoArguments {
 
 CLI::App* addInfoCommand(CLI::App& app, InfoArguments& arguments);
 
-/// One process; prints to standard output, errors to standard error. Returns the exit code: 0, or 3 for what
-/// cannot be read.
+/// One process; prints to standard output, errors to standard error. Returns the exit code: 0, or 3 for
+/// unreadable input.
 int infoCommand(const InfoArguments& arguments);
 
-/// What infoCommand prints. IoError for what cannot be read.
+/// Returns the details that infoCommand prints. Throws IoError for unreadable input.
 nlohmann::ordered_json describePath(const std::string& path);
 
 }  // namespace thaw

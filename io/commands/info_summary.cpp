@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 namespace thaw {
 namespace {
 
-constexpr std::size_t mostWarnings = 6, longest = 200;  // lines of warnings; characters of one
+constexpr std::size_t mostWarnings = 6, longest = 200;  // lines of warnings; characters of a line
 
 double numberOf(const Json& j, const char* key) {
   return j.contains(key) && j[key].is_number() ? j[key].get<double>() : 0;
@@ -27,7 +27,7 @@ std::string named(const char* what, const std::string& text) {
   return fmt::format("  {:<12} {}", what, text);
 }
 
-/// "melted 12, frozen 3", of those that are not 0.
+/// Returns the counters that are not 0: "melted 12, frozen 3".
 std::string countsText(const Json& counters) {
   std::string text;
   for (const auto& [name, count] : counters.items())
@@ -43,7 +43,7 @@ void addCheckpoints(const Json& run, std::vector<std::string>& lines) {
                         c["step"].get<std::int64_t>(), c["time"].get<double>(),
                         bytesText(numberOf(c, "bytes")));
   lines.push_back(named("checkpoints", !text.empty()              ? text
-                                       : run.contains("problems") ? "none that can be read"
+                                       : run.contains("problems") ? "none readable"
                                                                   : "none"));
 }
 
@@ -66,7 +66,7 @@ void addContents(const Json& s, std::vector<std::string>& lines) {
     text += fmt::format(", {} surfels in {} component{}", s["surface"].at("surfels").get<std::int64_t>(),
                         s["surface"].at("components").size(),
                         s["surface"].at("components").size() == 1 ? "" : "s");
-  lines.push_back(named("holds", text));
+  lines.push_back(named("content", text));
   lines.push_back(named(
       "time step", fmt::format("{:.3g} s, limited by {}", numberOf(s, "dt_s"), textOf(s, "dt_limited_by"))));
 }
@@ -81,9 +81,9 @@ void addBooks(const Json& s, std::vector<std::string>& lines) {
           numberOf(now, "kinetic_J"), numberOf(now, "elastic_J"), numberOf(now, "potential_J"),
           numberOf(l, "dissipated_J"), numberOf(l, "heat_in_J"))));
   lines.push_back(named(
-      "unexplained", fmt::format("mass {:+.1e} of {:.6g} kg, mechanical energy {:+.2e} J, heat {:+.1e} J",
-                                 numberOf(residual, "mass_kg"), numberOf(now, "mass_kg"),
-                                 numberOf(residual, "mechanical_energy_J"), numberOf(residual, "heat_J"))));
+      "residuals", fmt::format("mass {:+.1e} of {:.6g} kg, mechanical energy {:+.2e} J, heat {:+.1e} J",
+                               numberOf(residual, "mass_kg"), numberOf(now, "mass_kg"),
+                               numberOf(residual, "mechanical_energy_J"), numberOf(residual, "heat_J"))));
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
   const Json none = Json::object(), &s = run.contains("summary") ? run["summary"] : none;
   const std::string title = textOf(s, "title"), message = textOf(s, "message");
   lines.push_back(fmt::format("{}: a run of {}{}", textOf(run, "path"),
-                              s.contains("scene") ? textOf(s, "scene") : "a scene that left no summary.json",
+                              s.contains("scene") ? textOf(s, "scene") : "an unknown scene (no summary.json)",
                               title.empty() ? "" : ": " + shortText(title, longestTitle)));
   if (s.contains("status"))
     lines.push_back(named(
@@ -101,7 +101,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
                               textOf(s, "status") == "running" ? runningText(s) : textOf(s, "status"),
                               numberOf(s, "time_s"), numberOf(s, "end_s"), s.value("step", std::int64_t(0)),
                               message.empty() ? "" : ": " + message)));
-  // summary.json is of the last checkpoint or frame
+  // summary.json is as old as the last checkpoint or frame.
   if (textOf(s, "status") == "running" && run.contains("progress") &&
       numberOf(run["progress"], "step") > numberOf(s, "step")) {
     const Json& p = run["progress"];
@@ -116,15 +116,16 @@ std::vector<std::string> summaryOfRun(const Json& run) {
   addFrames(run, lines);
   if (s.contains("status")) {
     addContents(s, lines);
-    lines.push_back(named(
-        "took", fmt::format("{:.4g} s on {} rank{}, {:.3g} M particle-steps/s, imbalance {:.2f}, {} a rank",
-                            numberOf(s, "wall_s"), s.value("ranks", 1), s.value("ranks", 1) == 1 ? "" : "s",
-                            numberOf(s, "particle_steps_per_second") / 1e6, numberOf(s, "imbalance"),
-                            bytesText(numberOf(s, "peak_memory_bytes")))));
+    lines.push_back(
+        named("performance",
+              fmt::format("{:.4g} s on {} rank{}, {:.3g} M particle-steps/s, imbalance {:.2f}, {} per rank",
+                          numberOf(s, "wall_s"), s.value("ranks", 1), s.value("ranks", 1) == 1 ? "" : "s",
+                          numberOf(s, "particle_steps_per_second") / 1e6, numberOf(s, "imbalance"),
+                          bytesText(numberOf(s, "peak_memory_bytes")))));
     addBooks(s, lines);
     if (s.contains("counters"))
       if (const std::string counts = countsText(s["counters"]); !counts.empty())
-        lines.push_back(named("happened", counts));
+        lines.push_back(named("counters", counts));
   }
   for (const char* list : {"problems", "warnings"}) {
     const Json& from = std::string(list) == "problems" ? run : s;

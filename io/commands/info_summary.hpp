@@ -1,4 +1,4 @@
-// What of a run or a checkpoint fits on a screen: `thaw info` without --all.
+// Summaries of a run or a checkpoint for a screen: `thaw info` without --all.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace thaw {
 
-/// Lines about the folder of a run, some 20 at most, from what describePath says of it: how far it is, what
-/// it holds, the books, what happened, the first warnings.
+/// Returns some 20 lines at most on a run folder, from the result of describePath: progress, content, ledger,
+/// counters and the first warnings.
 std::vector<std::string> summaryOfRun(const nlohmann::ordered_json& run);
 
-/// A checkpoint without the sums of its ledger, its fields, and counters that are 0.
+/// Returns a checkpoint without the sums of its ledger, its fields, and counters that are 0.
 nlohmann::ordered_json shortCheckpoint(nlohmann::ordered_json checkpoint);
 
 }  // namespace thaw

@@ -22,7 +22,7 @@ namespace {
 
 Vec3d vectorOf(const std::vector<double>& v) { return {v.at(0), v.at(1), v.at(2)}; }
 
-/// The field asked for, else the scene's if the frames have it, else the best they have.
+/// Returns the requested field, else the scene's if the frames have it, else a default.
 std::string fieldFor(const RenderOptions& options, const std::string& ofScene,
                      const std::vector<std::string>& fields, bool surface) {
   if (options.field == "none") return {};
@@ -36,7 +36,7 @@ std::string fieldFor(const RenderOptions& options, const std::string& ofScene,
   return surface ? "surface" : "";
 }
 
-/// Also of frames of sheets and of oriented particles alone, which colours could be made without.
+/// Refuses a field that the frame lacks, also for sheets and oriented particles, which have own colours.
 void refuseUnknownField(const std::string& field, const fs::path& frame,
                         const std::vector<std::string>& fields) {
   const bool surface = drawnAsSurface(frame);
@@ -45,10 +45,10 @@ void refuseUnknownField(const std::string& field, const fs::path& frame,
   std::string names;
   for (const std::string& name : fields) names += (names.empty() ? "" : ", ") + name;
   throw IoError(frame.string(),
-                "no field '" + field + "'; there are: " + names + (surface ? "; and surface, glow" : ""));
+                "has no field '" + field + "'; there are: " + names + (surface ? ", surface, glow" : ""));
 }
 
-/// pictures/ in the run's folder, whether that, its frames/ or a file in there was named.
+/// Returns pictures/ in the run folder. The input is that folder, its frames/ or a file in there.
 fs::path picturesFolder(const fs::path& input) {
   fs::path folder = fs::is_directory(input) ? input : input.parent_path();
   if (folder.filename().empty() && folder.has_parent_path()) folder = folder.parent_path();  // "run/"
@@ -73,8 +73,8 @@ void setCamera(const RenderOptions& options, FrameJob& job) {
   }
 }
 
-/// What the scene says, as the run kept it. A scene that cannot be used (a mesh of an obstacle that is no
-/// longer there) is no reason to make no pictures.
+/// Returns the settings of the scene that the run stored. An unusable scene (an obstacle mesh is missing)
+/// leaves the defaults.
 FrameJob jobOfRun(const fs::path& frame) {
   const KeptScene kept = keptSceneOf(frame);
   if (kept.text.empty()) return {};
@@ -91,7 +91,7 @@ FrameKind kindOf(const std::string& what) {
   if (what == "surface") return FrameKind::Surface;
   if (what == "particles") return FrameKind::Particles;
   if (what == "automatic") return FrameKind::Automatic;
-  throw std::invalid_argument("there is no --what " + what + "; there are surface, particles and automatic");
+  throw std::invalid_argument("unknown --what " + what + "; expected surface, particles or automatic");
 }
 
 FrameJob jobOf(const RenderOptions& options) {
@@ -104,13 +104,13 @@ FrameJob jobOf(const RenderOptions& options) {
   job.cells = options.cells;
   const std::vector<std::string> fields = fieldsOf(frames.back());
   refuseUnknownField(options.field, frames.back(), fields);
-  // by default what all has that is drawn: a surface has fewer fields than the sheets beside it
+  // The default field is one that all drawn frames have: a surface has fewer fields than sheets.
   const bool surfels = isSurfaceFrame(readFrameInfo(frames.back().string()));
   job.field = fieldFor(options, job.field, fieldsOf(frames.back(), !surfels), drawnAsSurface(frames.back()));
   if (options.min) job.min = options.min;
   if (options.max) job.max = options.max;
   if (job.min && job.max && !(*job.max > *job.min))
-    throw std::invalid_argument("the colours' range is empty: --max has to be above --min");
+    throw std::invalid_argument("the range of the colours is empty: --max must be above --min");
   job.map = colourMapNamed(options.map);
   if (options.width > 0) job.width = options.width;
   if (options.height > 0) job.height = options.height;
@@ -121,8 +121,8 @@ FrameJob jobOf(const RenderOptions& options) {
   return job;
 }
 
-/// The film of the pictures, or how to get it. Pictures without a film are no failure: what was asked for
-/// first is there.
+/// Makes a movie of the pictures, or prints the command for it. Without ffmpeg the command still succeeds,
+/// since the pictures are there.
 void filmOf(std::vector<fs::path> pictures, const RenderOptions& options) {
   std::string name = pictures[0].stem().string();
   if (const std::size_t end = name.find_last_not_of("0123456789");
@@ -134,8 +134,8 @@ void filmOf(std::vector<fs::path> pictures, const RenderOptions& options) {
     fmt::print("{}\n", file.string());
   } else {
     fmt::print(stderr,
-               "thaw render: no film, as ffmpeg is not installed (Debian: apt-get install ffmpeg); then, "
-               "from the pictures:\n  {}\n",
+               "thaw render: no movie: ffmpeg is not installed (Debian: apt-get install ffmpeg); with it, "
+               "make one from the pictures:\n  {}\n",
                movieCommand(pictures, file, options.rate));
   }
 }
@@ -143,26 +143,27 @@ void filmOf(std::vector<fs::path> pictures, const RenderOptions& options) {
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& o) {
-  command.add_option("path", o.input, "frame (.hdf), series index (.hdf.series), or folder of a run")
-      ->required();
+  command.add_option("path", o.input, "frame (.hdf), series index (.hdf.series), or run folder")->required();
   command.add_option("--out", o.out, "folder of the pictures (default: pictures/ in the run's folder)");
   command.add_option("--sheet", o.sheet, "write a contact sheet of the run to this file as well");
-  command.add_option("--field", o.field,
-                     "field that colours: a name, speed, or none; of surfaces also surface (its own colours) "
-                     "and glow (those turning into the temperature's) (default: the scene's choice)");
-  command.add_option("--min", o.min,
-                     "lowest number of the colours, SI (default: the scene's, or the lowest in all frames)");
-  command.add_option("--max", o.max, "highest number of the colours, SI");
+  command.add_option(
+      "--field", o.field,
+      "field of the colours: a name, speed, or none; for surfaces also surface (its own colours) and glow "
+      "(own colours that blend into those of the temperature) (default: the scene's choice)");
+  command.add_option(
+      "--min", o.min,
+      "lowest value of the colour scale, SI (default: the scene's, or the lowest in all frames)");
+  command.add_option("--max", o.max, "highest value of the colour scale, SI");
   command.add_option("--map", o.map, "colour map: ember, sea, grey")->capture_default_str();
-  command.add_option("--from", o.from, "camera's place in m: x y z")->expected(3);
+  command.add_option("--from", o.from, "position of the camera in m: x y z")->expected(3);
   command.add_option("--at", o.at, "point in m that the camera looks at: x y z")->expected(3);
   command.add_option("--fov", o.fieldOfView, "vertical field of view in degrees")
       ->check(CLI::Range(1.0, 170.0));
-  command.add_flag("--fit", o.fit, "fit the camera to the particles, whatever the scene says");
+  command.add_flag("--fit", o.fit, "fit the camera to the particles, not to the scene's choice");
   command.add_flag("!--no-obstacles", o.obstacles, "do not draw obstacles and floors");
   command.add_option("--width", o.width, "pixels (default: the scene's)")->check(CLI::Range(16, 16384));
   command.add_option("--height", o.height, "pixels")->check(CLI::Range(16, 16384));
-  command.add_option("--columns", o.columns, "of the contact sheet")
+  command.add_option("--columns", o.columns, "columns of the contact sheet")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   command.add_option("--cells", o.cells, "pictures on the contact sheet, at most")
@@ -170,22 +171,22 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
       ->capture_default_str();
   command
       .add_option("--radius", o.radius,
-                  "of the spheres, in particle spacings (default 0.7), or of the surface's discs, in their "
-                  "own radii (default 1.25)")
+                  "radius of the spheres, in particle spacings (default 0.7), or of the surface's discs, in "
+                  "their own radii (default 1.25)")
       ->check(CLI::Range(0.01, 100.0));
   command.add_option("--what", o.what, "surface, particles, or automatic: the surface if the run has one")
       ->check(CLI::IsMember({"surface", "particles", "automatic"}))
       ->capture_default_str();
   command
-      .add_option("--look", o.look, "of oriented particles: mesh (shaded triangles), wire, discs, or axes")
+      .add_option("--look", o.look,
+                  "look of oriented particles: mesh (shaded triangles), wire, discs, or axes")
       ->check(CLI::IsMember({"mesh", "wire", "discs", "axes"}))
       ->capture_default_str();
-  command.add_flag("--movie", o.movie,
-                   "make a film (mp4) of the pictures as well, beside them; needs ffmpeg");
-  command.add_option("--rate", o.rate, "pictures a second of the film")
+  command.add_flag("--movie", o.movie, "make a movie (mp4) of the pictures as well; needs ffmpeg");
+  command.add_option("--rate", o.rate, "pictures per second of the movie")
       ->check(CLI::Range(0.1, 240.0))
       ->capture_default_str();
-  command.add_option("--threads", o.threads, "frames drawn at once (default: one a core)")
+  command.add_option("--threads", o.threads, "frames drawn at once (default: one per core)")
       ->check(CLI::Range(0, 4096));
 }
 

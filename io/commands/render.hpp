@@ -12,33 +12,33 @@ class App;
 namespace thaw {
 
 struct RenderOptions {
-  std::filesystem::path input;  ///< frame, series index, or folder of a run
-  std::filesystem::path out;  ///< folder of the pictures; empty: pictures/ in the run's folder, or beside the
-                              ///< frame
-  std::filesystem::path sheet;     ///< file of the contact sheet; empty: none
-  std::string field;               ///< that colours; empty: the scene's choice; "none": grey
-  std::optional<double> min, max;  ///< of the colours, SI
+  std::filesystem::path input;  ///< frame, series index, or run folder
+  std::filesystem::path out;    ///< folder of the pictures; empty: pictures/ in the run folder, or beside the
+                                ///< frame
+  std::filesystem::path sheet;  ///< file of the contact sheet; empty: none
+  std::string field;            ///< field of the colours; empty: the scene's choice; "none": grey
+  std::optional<double> min, max;  ///< range of the colours, SI
   std::string map = "ember";
   std::vector<double> from, at;  ///< m, three numbers each; empty: the scene's camera or fitted
   double fieldOfView = 0;        ///< degrees, vertical; 0: the scene's
-  bool fit = false;              ///< fit the camera to the particles whatever the scene says
+  bool fit = false;              ///< fit the camera to the particles, not to the scene's choice
   bool obstacles = true;
   int width = 0, height = 0;    ///< pixels; 0: the scene's
-  int columns = 4, cells = 12;  ///< of the contact sheet
-  double radius = 0;  ///< of the spheres, in particle spacings; of surfels' discs, in their radii; 0: 0.7
-                      ///< and 1.25
+  int columns = 4, cells = 12;  ///< contact sheet: columns, largest number of pictures
+  double radius = 0;  ///< radius of the spheres, in particle spacings, or of the discs of surfels, in their
+                      ///< radii; 0: 0.7 and 1.25
   std::string look = "mesh";
   std::string what = "automatic";  ///< "surface", "particles", or the surface if there is one
-  bool movie = false;              ///< a film of the pictures as well
-  double rate = 25;                ///< pictures a second of the film
-  int threads = 0;                 ///< 0: one a core
+  bool movie = false;              ///< a movie of the pictures as well
+  double rate = 25;                ///< pictures per second of the movie
+  int threads = 0;                 ///< 0: one per core
 };
 
-/// Adds the options of `thaw render` to its subcommand; `options` has to outlive the parsing.
+/// Adds the options of `thaw render` to its subcommand. `options` must outlive the parsing.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
 
-/// Makes the pictures and prints what was written. Returns the exit code: 0, 2 for options that make no
-/// sense, 3 for files that cannot be read or written; a message on stderr goes with 2 and 3.
+/// Makes the pictures and prints their names. Returns the exit code: 0, 2 for invalid options, 3 for files
+/// that cannot be read or written. Prints a message to stderr with 2 and 3.
 int renderCommand(const RenderOptions& options);
 
 }  // namespace thaw

@@ -18,24 +18,24 @@
 namespace thaw {
 namespace {
 
-constexpr double manyToSpread = 5e4;     // particles over a surface: some 20 s
-constexpr double leastSolidBytes = 600;  // of a solid particle's record with its bonds
-// The same of the good state that is kept for retries (core/watch/good_state.hpp).
+constexpr double manyToSpread = 5e4;     // particles on a surface: sampling takes some 20 s
+constexpr double leastSolidBytes = 600;  // lower bound for a solid particle's record with its bonds
+// The snapshot for retries has lower bounds of its own (core/watch/good_state.hpp).
 constexpr double pi = 3.14159265358979323846;
 constexpr double leastKeptBytes = 75, leastKeptSolidBytes = 400;
 
-/// Least bytes of a surfel: its columns, and the lists of particles and surfels around it (4 bytes each).
+/// Returns a lower bound for the bytes of a surfel: columns, and neighbour lists of 4 bytes per entry.
 double leastSurfelBytes(const Scene& s) {
   const double particles = 2.0 / 3 * pi * std::pow(s.surface.particleSupport * s.numerics.support, 3),
                surfels = pi * s.surface.support * s.surface.support;
   return 150 + 4 * (particles + surfels);
 }
 
-/// Memory of this machine, in bytes.
+/// Returns the memory of this machine, in bytes.
 double memoryHere() {
   double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
                  static_cast<double>(::sysconf(_SC_PAGESIZE));
-  std::ifstream limit("/sys/fs/cgroup/memory.max");  // says "max" where there is no limit
+  std::ifstream limit("/sys/fs/cgroup/memory.max");  // contains "max" without a limit
   if (double most = 0; limit >> most && most > 0) bytes = std::min(bytes, most);
   return bytes;
 }
@@ -49,7 +49,7 @@ int ranksOfMachine(const Communicator& comm) {
   return ranks;
 }
 
-/// Surfels that are farther apart than half of a body's width are no surface of it.
+/// Refuses surfels farther apart than half the width of a body.
 void refuseWideSurfels(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   SceneProblems problems;
   for (std::size_t b = 0; b < shapes.size(); b++) {
@@ -57,7 +57,7 @@ void refuseWideSurfels(const Scene& s, const std::vector<std::shared_ptr<const S
     const double widest = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
     if (s.surface.spacing > 0.5 * widest)
       problems.add(s.bodies[b].where,
-                   fmt::format("surface.spacing ({:g} m) is more than half of what body '{}' is wide ({:.3g} "
+                   fmt::format("surface.spacing ({:g} m) is more than half the width of body '{}' ({:.3g} "
                                "m); expected less, or 0 for half the spacing of particles",
                                s.surface.spacing, s.bodies[b].name, widest) +
                        sizeHint(s, s.bodies[b].shape, box));
@@ -75,8 +75,8 @@ std::vector<std::string> requireRoomForKinds(const Communicator& comm, const Sce
   SceneProblems problems;
   for (const ExpectedRows& e : expectedRows(scene, load)) {
     if (e.spread && e.rows > manyToSpread)
-      slow.push_back(fmt::format("{}: about {:.1e} {} are spread over its surface first, which takes a while",
-                                 e.name, e.rows, e.word));
+      slow.push_back(
+          fmt::format("{}: sampling its surface with about {:.1e} {} takes a while", e.name, e.rows, e.word));
     const double bytes = ranksHere * (e.bytesEverywhere + e.bytesShared / comm.size());
     double worst[3] = {bytes / here, bytes, -here};
     MPI_Allreduce(MPI_IN_PLACE, worst, 3, MPI_DOUBLE, MPI_MAX, comm.handle());
@@ -97,7 +97,7 @@ void requireMemory(const Communicator& comm, const World& world,
                    const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   if (world.modules.surface) refuseWideSurfels(world.scene, shapes);
   double particles = 0, most = -1;
-  std::size_t largest = 0;  // for the message
+  std::size_t largest = 0;  // named in the message
   for (std::size_t b = 0; b < shapes.size(); b++) {
     const double own = expectedParticles({shapes[b]}, world.scene.spacing);
     particles += own;
@@ -133,9 +133,8 @@ void requireMemory(const Communicator& comm, const World& world,
 
 double expectedSurfels(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   const double spacing = surfelSpacing(s);
-  return 1.1 * expectedArea(shapes) / (spacing * spacing);  // as samples of boxes (1.06), balls (1.10) and
-                                                            // cylinders (1.12) have come out; 1.155 in
-                                                            // hexagons
+  return 1.1 * expectedArea(shapes) / (spacing * spacing);  // measured: 1.06 for boxes, 1.10 for balls, 1.12
+                                                            // for cylinders; 1.155 on a hexagonal lattice
 }
 
 }  // namespace thaw

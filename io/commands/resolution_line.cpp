@@ -5,13 +5,13 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t mostBodies = 6;  // that are told one by one
+constexpr std::size_t mostBodies = 6;  // bodies listed one by one
 
-/// Is it one of a spacing, of whatever body, or of the quality?
+/// Does an override set a spacing or the quality?
 bool isOfResolution(const std::string& override) {
   std::string key = override.substr(0, override.find('='));
   while (!key.empty() && key.back() == ' ') key.pop_back();
-  const std::string last = key.substr(key.rfind('.') + 1);  // of no point: all of it
+  const std::string last = key.substr(key.rfind('.') + 1);  // the whole key if it has no point
   return last == "spacing" || key == "quality";
 }
 
@@ -31,7 +31,7 @@ std::string resolutionLine(const Scene& s, const std::vector<std::string>& overr
   };
   add(s.oriented, "oriented body");
   add(s.sheets, "sheet");
-  if (told > mostBodies) line += fmt::format(", and {} more with one of their own", told - mostBodies);
+  if (told > mostBodies) line += fmt::format(", and {} more with their own", told - mostBodies);
   if (s.surface.on) line += fmt::format(", surfels {:g} m", surfelSpacing(s));
   line += fmt::format("; quality {}", nameOf(s.quality));
   std::string by;

@@ -1,4 +1,4 @@
-// How fine a run is.
+// The resolution of a run.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// The spacings in effect and the quality, in one line, with the overrides ("key=value") that have changed
-/// them; the same at a start and at a restart.
+/// Returns the spacings in effect and the quality in one line, with the overrides ("key=value") that set
+/// them. It is the same at a start and at a restart.
 std::string resolutionLine(const Scene& scene, const std::vector<std::string>& overrides);
 
 }  // namespace thaw

@@ -29,7 +29,7 @@
 namespace thaw {
 namespace {
 
-/// The step loop. Returns the exit code; `why` says what ended it.
+/// Runs the step loop. Returns the exit code; sets `why` to the reason of a stop or failure.
 int loop(Run& r, std::string& why) {
   World& w = r.world;
   StopWatch watch = stopWatchOf(r);
@@ -45,7 +45,7 @@ int loop(Run& r, std::string& why) {
     if (r.profile) r.profile->trace.beginStep(w.clock.step);
     StepOutcome o = step(w, r.halos(), r.tools, wanted);
     if (r.profile) r.profile->trace.add(TraceKind::Step, 0, begin, StepTrace::Clock::now());
-    // a run shorter than that is looked at, too
+    // The last step is checked as well, for runs shorter than retry_every.
     const bool good = goodStateDue(r), last = w.clock.time >= w.clock.end && w.scene.numerics.retryEvery > 0;
     if ((good || last) && o.alarm == Alarm::None) o.alarm = lookAtBooks(r);
     warnOfIdle(r);
@@ -74,8 +74,8 @@ int loop(Run& r, std::string& why) {
   return exitDone;
 }
 
-/// Warns where connected liquid has come to less than 0.9 of its rest density. A summed density does not pull
-/// it together again; a carried one does, unless the resolution is too coarse.
+/// Warns if connected liquid has less than 0.9 of its rest density. A carried density pulls it together
+/// again, unless the resolution is too coarse; a summed density does not.
 void warnOfThinLiquid(Run& r) {
   constexpr double least = 0.9;
   const double density = connectedDensity(r.world, r.all);
@@ -85,8 +85,7 @@ void warnOfThinLiquid(Run& r) {
       "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
   r.warn(
       fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or spread in a "
-                  "layer of a few particles; where it "
-                  "should hold together, {}",
+                  "layer of a few particles; if it should hold together, {}",
                   density, summed && !r.world.modules.solid ? keys : "choose a smaller spacing"));
 }
 
@@ -103,7 +102,7 @@ int simulate(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
     makeOutputFolders(r.options.out);
     std::error_code code;
-    std::filesystem::remove(r.options.out + "/stop", code);  // of the run before
+    std::filesystem::remove(r.options.out + "/stop", code);  // left by the previous run
   });
   const std::vector<std::string> slow = requireRoomForKinds(r.comm, r.world.scene, load);
   prepareWorld(r.world, r.tools, load);
@@ -111,9 +110,9 @@ int simulate(Run& r) {
   renewHalos(r);
   const char* launched = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (launched && std::atoi(launched) != r.comm.size()) {
-    r.summary.warnings.push_back(
-        fmt::format("the launcher started {} processes but MPI sees {}: launcher and library do not match",
-                    launched, r.comm.size()));
+    r.summary.warnings.push_back(fmt::format(
+        "the launcher started {} processes but MPI reports {}: launcher and MPI library do not match",
+        launched, r.comm.size()));
     r.say("warning: " + r.summary.warnings.back());
   }
   r.say(fmt::format("{}: {}", r.options.scene, shortText(r.world.scene.title, longestTitle)));
@@ -128,8 +127,8 @@ int simulate(Run& r) {
   begin(r, load);
   if (r.cutAtStart) {
     const std::string why = fmt::format(
-        "stopped in the relaxation before the start, after {} iterations: nothing is written, the next run "
-        "begins anew",
+        "stopped during relaxation before the start, after {} iterations: nothing is written, and the next "
+        "run starts anew",
         r.tools.oriented.relaxed);
     noteCutAtStart(r, why);
     r.say(why);
@@ -138,11 +137,11 @@ int simulate(Run& r) {
   beginRetries(r);
   const Clock& c = r.world.clock;
   if (r.resumed && (c.time >= c.end || (r.options.steps >= 0 && c.step >= r.options.steps))) {
-    r.say(fmt::format("nothing left to do: {} is reached; the folder is as it was",
+    r.say(fmt::format("nothing left to do: {} is reached; the folder is unchanged",
                       c.time >= c.end ? "the end of the scene" : "the number of steps"));
     return exitDone;
   }
-  // the line of this step comes anew, with what the restart has changed
+  // Write the line of this step again, with the changes of the restart.
   if (r.resumed) onFirstRank(r.comm.handle(), [&] { cutProgressLog(r.options.out, c.step - 1); });
   report(r);
   summarise(r, "running", "");
@@ -154,17 +153,17 @@ int simulate(Run& r) {
   }
   int code = loop(r, why);
   reportProfile(r);
-  if (r.options.relax > 0) {  // no step was to be done
+  if (r.options.relax > 0) {  // relaxation alone, without steps
     const OrientedWork& o = r.tools.oriented;
     if (o.relaxStopped) code = exitStopped;
-    why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` goes on from here",
-                      o.atRest         ? "is at rest"
+    why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` continues from here",
+                      o.atRest         ? "reached rest"
                       : o.relaxStopped ? "was stopped"
-                      : o.gotNowhere   ? "got no nearer to rest, and ended"
-                                       : "is not at rest",
+                      : o.gotNowhere   ? "made no further progress"
+                                       : "did not reach rest",
                       o.relaxed);
   } else if (code == exitDone && c.time < c.end) {
-    why = "--steps is reached; --restart goes on";
+    why = "--steps is reached; --restart continues";
   }
   if (code == exitDone || code == exitStopped) {
     if (c.step != r.stepAtReport) report(r);
@@ -182,12 +181,12 @@ int simulate(Run& r) {
   for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.warn(w);
   for (const std::string& w : surfaceWarnings(r.summary.surface)) r.warn(w);
   if (told > 0)
-    r.say(fmt::format("{} warning{} told above {} in {}/summary.json as well", told, told == 1 ? "" : "s",
+    r.say(fmt::format("{} warning{} above {} also in {}/summary.json", told, told == 1 ? "" : "s",
                       told == 1 ? "is" : "are", r.options.out));
   return code;
 }
 
-/// CLI11's own message for this names the largest double.
+/// Accepts finite numbers of at least 0. The message of CLI11 names the largest double.
 CLI::Validator notBelowZero() {
   return {[](std::string& text) {
             char* end = nullptr;
@@ -201,7 +200,7 @@ CLI::Validator notBelowZero() {
 void addForce(CLI::App& c, RunOptions& o) {
   c.add_flag(
       "--force", o.force,
-      "take --out from a run on another host that has left its lock there; only when that run is over");
+      "take over --out although a run on another host left its lock there; only if that run has ended");
 }
 
 }  // namespace
@@ -209,17 +208,17 @@ void addForce(CLI::App& c, RunOptions& o) {
 void addRunOptions(CLI::App& c, RunOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML)")->required();
   c.add_option("--out", o.out, "folder for frames, checkpoints and the summary (default: out/<scene>)");
-  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")
+  c.add_option("--set", o.overrides, "override a key of the scene: key=value; may be repeated")
       ->allow_extra_args(false);
-  c.add_option("--steps", o.steps, "stop when this many steps are done in all")->check(notBelowZero());
+  c.add_option("--steps", o.steps, "stop at this number of steps in total")->check(notBelowZero());
   c.add_option("--time-limit", o.timeLimit,
                "stop, with a checkpoint, after this many seconds of wall-clock time")
       ->check(aboveZero());
   c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
   auto* profile = c.add_flag("--profile", o.profile,
-                             "print where the time of the steps goes on all ranks, and write a trace of the "
-                             "last ones to trace.json in --out");
-  c.add_option("--trace-steps", o.traceSteps, "steps that the trace shows: the last ones")
+                             "print the time of each phase on all ranks, and write a trace of the last steps "
+                             "to trace.json in --out");
+  c.add_option("--trace-steps", o.traceSteps, "number of last steps in the trace")
       ->check(CLI::Range(1, 10000))
       ->needs(profile)
       ->capture_default_str();
@@ -231,15 +230,14 @@ void addRunOptions(CLI::App& c, RunOptions& o) {
 
 void addRelaxOptions(CLI::App& c, RunOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML) with oriented bodies")->required();
-  c.add_option(
-      "--out", o.out,
-      "folder for the frame and a checkpoint from which `thaw run --restart` goes on (default: out/<scene>)");
-  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")
+  c.add_option("--out", o.out,
+               "folder for the frame and a checkpoint from which `thaw run --restart` continues (default: "
+               "out/<scene>)");
+  c.add_option("--set", o.overrides, "override a key of the scene: key=value; may be repeated")
       ->allow_extra_args(false);
-  c.add_option("--iterations", o.relax, "at most")->check(aboveZero());
-  c.add_option(
-       "--time-limit", o.timeLimit,
-       "stop, with a frame and a checkpoint of what there is, after this many seconds of wall-clock time")
+  c.add_option("--iterations", o.relax, "largest number of iterations")->check(aboveZero());
+  c.add_option("--time-limit", o.timeLimit,
+               "stop, with a frame and a checkpoint, after this many seconds of wall-clock time")
       ->check(aboveZero());
   c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
   addForce(c, o);
@@ -257,7 +255,7 @@ int runCommand(const RunOptions& given) {
       note = lock.take({.out = options.out, .ranks = comm.size(), .force = options.force});
     });
     if (!note.empty()) std::printf("%s\n", note.c_str());
-  } catch (const IoError& e) {  // nothing of the folder is of this run
+  } catch (const IoError& e) {  // another run holds the folder
     if (comm.rank() == 0) std::fprintf(stderr, "error: %s\n", e.what());
     return exitInputOutput;
   }
@@ -271,7 +269,8 @@ int runCommand(const RunOptions& given) {
     return simulate(run);
   } catch (const std::exception& e) {
     if (const auto refusal = refusalOf(e)) return failed(refusal->message, refusal->code);
-    // set-up throws alike on all ranks; in the loop the others may be waiting: memory, a broken invariant
+    // Set-up fails alike on all ranks. In the loop other ranks may be in a collective call: out of memory, a
+    // broken invariant.
     const bool alike = !run.stepping && dynamic_cast<const std::runtime_error*>(&e) != nullptr;
     if (alike) return failed(options.scene + ": error: " + e.what(), exitUsage);
     noteFailure(run, e.what(), false);

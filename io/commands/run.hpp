@@ -1,4 +1,4 @@
-// thaw run SCENE: simulate.
+// `thaw run SCENE`: simulates a scene.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -16,22 +16,22 @@ struct RunOptions {
   long long steps = -1;    ///< stop after this many steps in all; < 0: at the scene's end
   double timeLimit = 0;    ///< s of wall-clock time; 0: none
   bool restart = false;    ///< continue from the last checkpoint, which must be there
-  bool resume = false;     ///< continue if there is a checkpoint, else begin
-  bool force = false;      ///< take the folder from a run of another host
-  std::int64_t relax = 0;  ///< iterations of relaxation for all oriented bodies, at least; above 0, nothing
-                           ///< else is done
+  bool resume = false;     ///< continue if there is a checkpoint, else start anew
+  bool force = false;      ///< take over the folder from a run of another host
+  std::int64_t relax = 0;  ///< smallest number of relaxation iterations for all oriented bodies; above 0, no
+                           ///< step follows
   bool profile = false;    ///< phase table at the end, and a trace
-  int traceSteps = 20;     ///< steps at the end that the trace shows
+  int traceSteps = 20;     ///< number of last steps in the trace
   double reportEvery = 2;  ///< s of wall-clock time between progress lines
 };
 
-/// Options of `thaw relax`: of run, those that fit.
+/// Adds the options of `thaw relax`, which are some of those of `thaw run`.
 void addRelaxOptions(CLI::App& command, RunOptions& options);
 
 void addRunOptions(CLI::App& command, RunOptions& options);
 
-/// All ranks; MPI is initialised. Returns the exit code: 0 done, 2 bad scene, 3 input or output, 4 blew up,
-/// 75 stopped with a checkpoint.
+/// Runs on all ranks. Returns the exit code: 0 done, 2 invalid scene, 3 input or output failed, 4 simulation
+/// failed, 75 stopped with a checkpoint. Requires: MPI is initialised.
 int runCommand(const RunOptions& options);
 
 }  // namespace thaw

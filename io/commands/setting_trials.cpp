@@ -19,12 +19,12 @@
 namespace thaw {
 namespace {
 
-constexpr double mostParticleSteps = 1e6;  // of one run: a second or two on one core
+constexpr double mostParticleSteps = 1e6;  // per run: a second or two on one core
 constexpr int leastSteps = 20,
-              mostSteps = 250;        // fewer show nothing, more take long where there are few particles
-constexpr double mostSeconds = 15;    // of all runs
-constexpr double unexplained = 0.05;  // of the largest term of the ledger, beyond what the scene has without
-                                      // the setting
+              mostSteps = 250;        // fewer show nothing; more take long with few particles
+constexpr double mostSeconds = 15;    // all runs together
+constexpr double unexplained = 0.05;  // residual over the largest term of the ledger, beyond that without the
+                                      // setting
 
 double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -52,7 +52,7 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
   std::vector<std::string> overrides = scene_.overrides;
   overrides.insert(overrides.end(), settings.begin(), settings.end());
   w.scene = sceneForAll(comm_, scene_.path, overrides);
-  w.scene.surface.on = false;  // it acts on no particle
+  w.scene.surface.on = false;  // the surface acts on no particle
   for (OrientedBody& b : w.scene.oriented) b.relax = 0;
   prepareWorld(w, t, meshLoader());
   MpiCellHalo cells(comm_, w.grid);
@@ -91,13 +91,13 @@ std::optional<std::string> SettingTrials::failureOf(const std::vector<std::strin
   Result r;
   try {
     r = runWith(settings);
-  } catch (const std::runtime_error& e) {  // alike on all ranks: set-up refuses it
+  } catch (const std::runtime_error& e) {  // set-up fails alike on all ranks
     return fmt::format("{} is refused: {}", settingList(settings, ""), e.what());
   }
   if (!r.failure.empty()) return r.failure;
   const double scale = std::max(r.scale, usual_->scale), more = r.residual - std::max(0.0, usual_->residual);
   if (more > unexplained * scale)
-    return fmt::format("energy from nowhere after {} steps, {:.0f} % of the largest term of the ledger",
+    return fmt::format("unexplained energy after {} steps, {:.0f} % of the largest term of the ledger",
                        steps_, 100 * more / scale);
   if (const std::int64_t lost = r.left - usual_->left;
       static_cast<double>(lost) > 1e-3 * static_cast<double>(usual_->particles))

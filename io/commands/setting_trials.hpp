@@ -1,4 +1,4 @@
-// Settings that `thaw check` recommends, tried on the scene before they are printed.
+// Trials of the settings that `thaw check` recommends.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,26 +9,26 @@
 
 namespace thaw {
 
-/// A scene file with overrides, as `thaw check` got them, and its particles at the start.
+/// A scene file with the overrides of `thaw check`, and its particles at the start.
 struct TriedScene {
   std::string path;
   std::vector<std::string> overrides;
   double particles = 0;
 };
 
-/// Short runs of a scene with settings, in memory, on all ranks. Particles times steps are bounded, and the
-/// time of all runs; a scene that is too large for that is not tried.
+/// Short runs of a scene with settings, in memory, on all ranks. The product of particles and steps is
+/// bounded, as is the time of all runs. Too large scenes are not tried.
 class SettingTrials {
  public:
   SettingTrials(const Communicator& comm, TriedScene scene);
   /// Steps of each run; 0: the scene is too large.
   int steps() const { return steps_; }
-  /// "" if the scene with these settings ("key=value") runs as well as it does without; else what went wrong.
-  /// No value: not tried, for want of time. Collective, the same answer on all ranks.
+  /// Returns "" if the scene with these settings ("key=value") runs as well as without, else the failure.
+  /// Returns no value if no time is left. Collective, the same result on all ranks.
   std::optional<std::string> failureOf(const std::vector<std::string>& settings);
 
  private:
-  /// What one run came to.
+  /// Result of one run.
   struct Result {
     std::string failure;
     double residual = 0, scale = 0;
@@ -41,7 +41,7 @@ class SettingTrials {
   TriedScene scene_;
   int steps_ = 0;
   double start_ = 0;             // s
-  std::optional<Result> usual_;  // without any setting
+  std::optional<Result> usual_;  // result without settings
 };
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// Texts of scenes, as long as they are, in lines that people read.
+// Long texts of scenes, shortened for lines of output.
 #pragma once
 #include <string>
 

@@ -1,4 +1,4 @@
-// Checksums of the rows of a checkpoint, which its trailer leaves out (io/hdf5/file_trailer.hpp).
+// Checksums of the rows of a checkpoint, which its trailer does not cover (io/hdf5/file_trailer.hpp).
 #pragma once
 #include <string>
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace thaw {
 
-/// Paths of the datasets whose rows do not fit their checksum. Frames have no checksums of rows. Reads all
-/// rows.
+/// Returns the paths of datasets whose rows do not match their checksum. Reads all rows. Frames have no
+/// checksums.
 std::vector<std::string> damagedRows(const H5File& file);
 
-/// "is damaged: the checksum of /particles/velocity is wrong"
+/// Returns "is damaged: the checksum of /particles/velocity is wrong".
 std::string damageText(const std::vector<std::string>& datasets);
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// A new run in a folder that holds one: what is there is set aside, not lost.
+// Moves an earlier run in the folder of a new one aside.
 #pragma once
 #include <string>
 
@@ -9,8 +9,8 @@ inline constexpr const char* earlierRunFolder = "previous";
 /// Does the folder hold frames or checkpoints of a run?
 bool holdsRun(const std::string& out);
 
-/// Moves frames, checkpoints, pictures and the summary of `out` into out/previous, in place of what was
-/// there. False where there was no run. On one rank. Throws IoError.
+/// Moves frames, checkpoints, pictures, logs and the summary of `out` to out/previous, and removes its old
+/// content. Returns false if `out` holds no run. One process only. Throws IoError.
 bool setAsideEarlierRun(const std::string& out);
 
 }  // namespace thaw

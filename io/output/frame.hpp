@@ -1,5 +1,5 @@
-// Frames: one VTKHDF 1.0 UnstructuredGrid file for each, which ParaView, VTK and h5py read. One vertex cell a
-// particle, or triangles.
+// Frames: VTKHDF 1.0 files of type UnstructuredGrid, which ParaView, VTK and h5py read. The cells are one
+// vertex per particle, or triangles.
 #pragma once
 #include <mpi.h>
 
@@ -14,14 +14,14 @@
 
 namespace thaw {
 
-/// One field of a frame on this rank: `count` rows of `components` scalars. Symmetric tensors: XX YY ZZ XY YZ
-/// XZ.
+/// A field of a frame on this rank: `count` rows of `components` scalars. Symmetric tensors are XX YY ZZ XY
+/// YZ XZ.
 struct FrameField {
   std::string name, unit;
   Scalar scalar = Scalar::F32;
   int components = 1;
-  const void* data = nullptr;  ///< `count` rows, or nullptr: `fill` gives them
-  /// Writes rows [first, first + count) of this rank to `to`, called for a piece at a time: a frame takes no
+  const void* data = nullptr;  ///< `count` rows; nullptr: `fill` makes them
+  /// Writes rows [first, first + count) of this rank to `to`. Called chunk by chunk, so that a frame needs no
   /// memory of its own.
   std::function<void(const RowRange& local, std::byte* to)> fill = {};
 };
@@ -33,37 +33,37 @@ struct Frame {
   std::uint64_t count = 0;  ///< particles of this rank
   FrameField positions;     ///< m, 3 components, F32 or F64
   std::vector<FrameField> fields;
-  bool meshed = false;  ///< cells are triangles (the same on all ranks), else one vertex cell a particle
-  std::vector<std::uint64_t> triangles;  ///< three rows each, as numbered over all ranks
+  bool meshed = false;  ///< cells are triangles (the same on all ranks), else one vertex per particle
+  std::vector<std::uint64_t> triangles;  ///< three rows each, numbered over all ranks
 };
 
-/// What the group /run of every file says of its origin.
+/// Origin of a file, in its group /run.
 struct RunStamp {
   std::string sceneName;      ///< stem of the scene's file
   std::string sceneText;      ///< TOML
-  bool piecesByRank = false;  ///< frames in one piece for each rank, for parallel ParaView
+  bool piecesByRank = false;  ///< one piece of a frame per rank, for parallel ParaView
 };
 
-/// Writes the frame, one with triangles in one piece; the file is there, whole, afterwards on all ranks, or
-/// nothing changed and the same IoError is thrown on all. Collective. Connectivity and offsets are 32-bit
-/// numbers where there are fewer points and corners than `wideFrom`, else 64-bit ones.
+/// Writes a frame; a frame of triangles has one piece. On failure nothing changes, and the same IoError is
+/// thrown on all ranks. Connectivity and offsets are 64-bit numbers from `wideFrom` points or corners on,
+/// else 32-bit ones. Collective.
 void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp,
                 std::uint64_t wideFrom = std::numeric_limits<std::int32_t>::max());
 
-/// Group /run: code, commit, ranks, scene_name, scene_toml. Rank 0 only.
+/// Writes the group /run: code, commit, ranks, scene_name, scene_toml. Rank 0 only.
 void writeStamp(H5File& file, const RunStamp& stamp, int ranks);
 
-/// One field as it was read. bytes: rows * components elements.
+/// A field as read. bytes: rows * components elements.
 struct FrameColumn {
   std::string name, unit;
   Element element = Element::F32;
   int components = 1;
   std::vector<std::byte> bytes;
-  /// Element c of a row as a double.
+  /// Returns element c of a row as a double.
   double value(std::size_t row, int c = 0) const;
 };
 
-/// A whole frame in memory of one process: for pictures, export, information.
+/// A whole frame in the memory of one process, for pictures, export and information.
 struct FrameData {
   double time = 0;  ///< s
   std::int64_t step = 0;
@@ -76,11 +76,11 @@ struct FrameData {
   const FrameColumn* find(const std::string& name) const;
 };
 
-/// Reads a frame. names: which fields (those that are not there are left out); empty function: all.
-/// IoError for a file that is not a frame, or is truncated or damaged.
+/// Reads a frame. wanted: selects fields by name; an empty function selects all. Throws IoError for a file
+/// that is not a frame, or is truncated or damaged.
 FrameData readFrame(const std::string& path, const std::function<bool(const std::string&)>& wanted = {});
 
-/// Everything of a frame but particles: time, step, sizes. `rows` of the columns are in `count`.
+/// A frame without its rows: time, step, sizes.
 struct FrameInfo {
   double time = 0;
   std::int64_t step = 0, ranks = 0;

@@ -15,7 +15,7 @@ void put6(const Sym3d& s, float* to) {
   for (int k = 0; k < 6; k++) to[k] = static_cast<float>(v[k]);
 }
 
-/// Slot of a row that is there and in the table of solids, or noSlot.
+/// Returns the number of bonds of a solid.
 std::uint16_t bondsOf(const Bonds& b, std::uint32_t slot) {
   std::uint16_t count = 0;
   for (int k = 0; k < b.capacity; k++) count = static_cast<std::uint16_t>(count + b.there(slot, k));
@@ -28,7 +28,7 @@ std::uint32_t slotOf(const World& w, std::size_t row) {
   return slot < w.solids.owned ? slot : noSlot;
 }
 
-/// Adds a symmetric tensor of the solids: value(slot), 0 for liquids and where `there` is false.
+/// Adds a symmetric tensor of the solids: value(slot), 0 for liquids and if `there` is false.
 template<class Value>
 void addTensor(Frame& f, const World& w, const char* name, const char* unit, bool there, Value value) {
   addRows<float>(f, name, unit, 6, [&w, there, value](std::size_t i, float* to) {
@@ -37,7 +37,7 @@ void addTensor(Frame& f, const World& w, const char* name, const char* unit, boo
   });
 }
 
-/// Where nothing conducts heat: the temperature that the body or emitter was given.
+/// Returns the temperature of the body or emitter at the start, for scenes without heat.
 double temperatureAtStart(const Scene& s, std::size_t body) {
   if (body < s.bodies.size()) return s.bodies[body].temperature;
   return body - s.bodies.size() < s.emitters.size() ? s.emitters[body - s.bodies.size()].temperature
@@ -63,8 +63,7 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
                              : static_cast<float>(!m.canBeSolid() || m.liquidAtStart);
     });
   } else if (name == "density") {
-    // the sum over neighbours is taken where there is liquid; a solid's density follows from its volume, V =
-    // det Fe V0
+    // Only liquid has a summed density. The density of a solid follows from its volume, V = det Fe V0.
     addRows<float>(f, "density", "kg/m^3", 1, [&w, &p, &s, &materials](std::size_t i, float* to) {
       const std::uint32_t slot = slotOf(w, i);
       double share = 1;
@@ -82,7 +81,7 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
                    });
   } else if (name == "stress") {
     addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
-  } else if (name == "strain") {  // Green's: (F^T F - 1)/2, with F from the first reference
+  } else if (name == "strain") {  // Green's strain (F^T F - 1)/2, with F from the first reference
     addTensor(f, w, "strain", "1", s.deformation.active, [&s](std::uint32_t slot) {
       Mat3d F = s.deformation[slot];
       if (s.referenceGradient.active) F = F + F * s.referenceGradient[slot];
@@ -103,8 +102,7 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
       *to = static_cast<std::uint32_t>(rank);
     });
   } else if (name == "neighbours") {
-    // of a solid particle its bonds: they are its neighbours, and where there are only solids nothing is
-    // searched
+    // The neighbours of a solid particle are its bonds. Scenes of solids alone have no neighbour search.
     addRows<std::uint16_t>(f, "neighbours", "1", 1, [&w](std::size_t i, std::uint16_t* to) {
       const std::uint32_t slot = slotOf(w, i);
       *to = slot == noSlot
@@ -128,7 +126,7 @@ Frame frameOf(const World& w, int rank) {
   Frame f = startFrame(w, w.particles);
   std::vector<std::string> done;
   for (const std::string& name : w.scene.output.fields) {
-    if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // named twice
+    if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // listed twice
     addField(f, w, rank, name);
     done.push_back(name);
   }

@@ -1,4 +1,4 @@
-// The fields that a scene's frames can carry, taken from a World.
+// Fields of the frames of a scene.
 #pragma once
 #include <memory>
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace thaw {
 
-/// Names that [output] fields may have.
+/// Returns the names that output.fields may list.
 std::vector<std::string> knownFrameFields();
 
-/// The scene's fields of the owned particles, and always their ids; numbers of the state in single precision.
-/// A field whose module is off has the value that it stands for: temperature that of the body at the start,
-/// liquid 0 or 1 by the material, density that at rest, others 0. The density of solids is rest density / det
-/// F, that of liquids the sum over their neighbours. Of fields of solids (stress, strain, plastic_strain),
-/// liquids have 0. `stress` needs computeCauchyStress (core/solid/elastic.hpp) before; pressure, density and
-/// neighbours those of the last step. Throws std::invalid_argument for a name that is not known. The fields
-/// are asked for when the frame is written: the world stays as it is till then.
+/// Returns a frame with the scene's fields of the owned particles, and their ids. The state is in single
+/// precision. Fields of a module that is off have constant values: temperature that of the body at the start,
+/// liquid 0 or 1 by the material, density the rest density, others 0. The density of solids is the rest
+/// density / det F, that of liquids the sum over neighbours. Liquids have 0 in stress, strain and
+/// plastic_strain. Pressure, density and neighbours are those of the last step. Throws std::invalid_argument
+/// for an unknown name. Requires: computeCauchyStress (core/solid/elastic.hpp) for `stress`; the world stays
+/// unchanged until the frame is written.
 Frame frameOf(const World& world, int rank);
 
 }  // namespace thaw

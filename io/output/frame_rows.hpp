@@ -1,4 +1,4 @@
-// Fields of a frame, filled row by row.
+// Fields of a frame, row by row.
 #pragma once
 #include <cstring>
 
@@ -6,8 +6,8 @@
 
 namespace thaw {
 
-/// Adds a field whose row i is fill(i, T out[components]), asked for when the frame is written: what it
-/// refers to has to be there till then.
+/// Adds a field whose row i is fill(i, T out[components]), called when the frame is written. Its references
+/// must live until then.
 template<class T, class Fill>
 void addRows(Frame& f, const std::string& name, const char* unit, int components, Fill fill) {
   f.fields.push_back({name, unit, FieldType<T>::scalar, components, nullptr,
@@ -25,7 +25,7 @@ template<class V> void put3(const V& v, float* to) {
   to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
 }
 
-/// A frame of now with the places and ids of a table's owned rows.
+/// Returns a frame of the current time with the positions and ids of a table's owned rows.
 template<class Rows> Frame startFrame(const World& w, const Rows& rows) {
   Frame f;
   f.time = w.clock.time;

@@ -11,7 +11,7 @@ void addOrientedFields(const World& w, Frame& f) {
     to[0] = static_cast<float>(q.w), to[1] = static_cast<float>(q.x), to[2] = static_cast<float>(q.y),
     to[3] = static_cast<float>(q.z);
   });
-  // as of surfels: neighbours at most this far apart leave no hole
+  // as for surfels: discs of neighbours at most this far apart leave no hole
   addRows<float>(f, "radius", "m", 1, [&w, &o](std::size_t i, float* to) {
     *to = static_cast<float>(spacingOf(w.scene, w.scene.oriented[o.body[i]]));
   });

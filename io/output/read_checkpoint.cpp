@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-/// Reads this rank's rows of datasets and remembers their checksums, to be compared when all ranks have read.
+/// Reads the rows of this rank and stores their checksums, which are compared after all ranks have read.
 struct CheckedReader {
   const H5File& file;
   std::vector<std::uint64_t> read, stored;
@@ -21,7 +21,8 @@ struct CheckedReader {
     const DatasetShape s = file.shape(name);
     if (s.element != expected.element || std::max(s.components, 1) != std::max(expected.components, 1) ||
         s.rows != expected.rows)
-      throw IoError(file.path(), "is damaged, or not of this version: " + name + " has another size or type");
+      throw IoError(file.path(),
+                    "is damaged, or of another version: " + name + " has an unexpected size or type");
     file.read(name, range, s.element, to);
     names.push_back(name);
     read.push_back(checksumRows(to, range, s.rowBytes()));
@@ -40,7 +41,7 @@ void readTable(CheckedReader& in, const std::string& group, Table& table, const 
       in.rows(group + "/" + c->name, range, {elementOf(c->scalar), all, c->components}, c->bytes.data());
 }
 
-/// Number of values below `value` in an ascending dataset, by bisection in the file.
+/// Returns the number of values below `value` in an ascending dataset, by bisection in the file.
 std::uint64_t countBelow(const H5File& file, const std::string& name, std::uint64_t rows,
                          std::uint64_t value) {
   std::uint64_t low = 0, high = rows;
@@ -99,14 +100,13 @@ void readBonds(CheckedReader& in, CheckpointSlice& s, const RowRange& solids) {
 }
 
 CheckpointHeader headerOf(const H5File& file) {
-  if (!isCheckpoint(file)) throw IoError(file.path(), "is not a checkpoint (it has no group /checkpoint)");
+  if (!isCheckpoint(file)) throw IoError(file.path(), "is not a checkpoint: it has no group /checkpoint");
   const std::string at = "/checkpoint";
   CheckpointHeader h;
   h.path = file.path();
   if (const std::int64_t format = file.integer(at, "format"); format != checkpointFormat)
-    throw IoError(file.path(), "has format " + std::to_string(format) +
-                                   " of checkpoints; this version of thaw reads format " +
-                                   std::to_string(checkpointFormat));
+    throw IoError(file.path(), "has checkpoint format " + std::to_string(format) +
+                                   "; this version of thaw reads format " + std::to_string(checkpointFormat));
   h.sequence = file.integer(at, "sequence");
   h.clock.step = file.integer(at, "step");
   h.clock.frame = file.integer(at, "frame");
@@ -140,7 +140,7 @@ CheckpointHeader headerOf(const H5File& file) {
     const std::string name = at + "/ledger/" + s.name;
     if (!file.has(name)) continue;
     if (file.shape(name).rows != ExactSum::digits)
-      throw IoError(file.path(), "is damaged: " + name + " has another size");
+      throw IoError(file.path(), "is damaged: " + name + " has an unexpected size");
     file.read(name, {0, ExactSum::digits}, Element::I64, s.sum->digit.data());
   }
   for (const NamedValue& v : valuesOf(h.ledger.initial))
@@ -220,7 +220,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
   });
   MPI_Allreduce(MPI_IN_PLACE, read.data(), static_cast<int>(read.size()), MPI_UINT64_T, MPI_SUM, comm);
   for (std::size_t k = 0; k < read.size(); k++)
-    // the same on all ranks
+    // The sums are the same on all ranks.
     if (read[k] != stored[k]) throw IoError(path, "is damaged: the checksum of " + names[k] + " is wrong");
   return slice;
 }
@@ -228,7 +228,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
 std::unique_ptr<CheckpointSlice> readNewestCheckpoint(const std::string& out, MPI_Comm comm) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
-  // rank 0 looks; the others are told which files, in which order
+  // Rank 0 finds the files and broadcasts their order.
   std::vector<std::string> warnings;
   int order[2] = {-1, -1};
   if (rank == 0) {
@@ -247,7 +247,7 @@ std::unique_ptr<CheckpointSlice> readNewestCheckpoint(const std::string& out, MP
       warnings.push_back(e.what());
     }
   }
-  // on rank 0 warnings also hold what was found unreadable at first; all have to throw, or none
+  // Rank 0 also has warnings about headers. All ranks must throw, or none.
   std::string problem;
   for (const std::string& w : warnings) problem += (problem.empty() ? "" : "; ") + w;
   agree(comm, rank == 0 && !problem.empty() ? "no checkpoint can be read: " + problem : std::string());
@@ -264,7 +264,7 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
     throw IoError(h.path, std::string("has no field '") + c.name + "' of " + of +
                               ", which the scene needs: it was written for another scene");
   };
-  // looked for on ranks without rows as well: all fail, or none
+  // Ranks without rows check the columns, too, so that all fail or none.
   const auto takeOver = [&](const Table& from, Table& to) {
     to.resize(to.owned, 0);
     to.resize(from.owned, 0);

@@ -15,7 +15,7 @@ std::string optionalText(const H5File& file, const std::string& attribute) {
   return file.hasAttribute("/run", attribute) ? file.text("/run", attribute) : std::string();
 }
 
-/// Points of all pieces; IoError where the pieces do not add up to the points that are there.
+/// Returns the number of points of all pieces. Throws IoError if it differs from the number of rows.
 std::uint64_t countPoints(const H5File& file, std::uint64_t& pieces) {
   const std::vector<std::int64_t> sizes = readRows<std::int64_t>(file, "/VTKHDF/NumberOfPoints",
                                                                  Element::I64);
@@ -32,7 +32,7 @@ std::uint64_t countPoints(const H5File& file, std::uint64_t& pieces) {
 }
 
 FrameInfo infoOf(const H5File& file) {
-  if (!isFrame(file)) throw IoError(file.path(), "is not a frame (it has no group /VTKHDF)");
+  if (!isFrame(file)) throw IoError(file.path(), "is not a frame: it has no group /VTKHDF");
   FrameInfo info;
   info.count = countPoints(file, info.pieces);
   if (file.has("/VTKHDF/FieldData/Time")) {
@@ -67,7 +67,7 @@ FrameInfo infoOf(const H5File& file) {
   return info;
 }
 
-/// Where the cells are triangles and all points one piece.
+/// Reads triangles, if the cells are triangles and the frame has one piece.
 void readTriangles(const H5File& file, const FrameInfo& info, FrameData& data) {
   if (info.pieces != 1 || !file.has("/VTKHDF/Types") || !file.has("/VTKHDF/Connectivity")) return;
   const std::uint64_t cells = file.shape("/VTKHDF/Types").rows,
@@ -81,7 +81,7 @@ void readTriangles(const H5File& file, const FrameInfo& info, FrameData& data) {
   data.triangles.resize(cells);
   for (std::uint64_t k = 0; k < ends; k++) {
     if (rows[k] < 0 || static_cast<std::uint64_t>(rows[k]) >= info.count)
-      throw IoError(file.path(), "is damaged: a triangle names a point that is not there");
+      throw IoError(file.path(), "is damaged: a triangle has a point that does not exist");
     data.triangles[k / 3][k % 3] = static_cast<std::uint32_t>(rows[k]);
   }
 }

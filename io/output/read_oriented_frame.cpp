@@ -36,7 +36,7 @@ OrientedFrame orientedFrameOf(FrameData data, const std::string& path) {
   const std::size_t n = f.positions.size();
   const FrameColumn &turn = need("orientation"), &radius = need("radius"), &group = need("group"),
                     &body = need("oriented_body"), &cut = need("cut_sides"), &flags = need("flags");
-  const FrameColumn* colour = data.find("color");  // frames of before had none
+  const FrameColumn* colour = data.find("color");  // frames of earlier versions have none
   if (colour && colour->components != 3) colour = nullptr;
   f.cutSides.resize(n);
   if (n > 0) std::memcpy(f.cutSides.data(), cut.bytes.data(), n * sizeof(std::uint64_t));

@@ -7,7 +7,7 @@ namespace thaw {
 
 namespace {
 
-/// Whole numbers, exact where the file has 64 bits.
+/// Returns whole numbers, exact if the file has 64 bits.
 std::vector<std::uint64_t> wholeNumbers(const FrameColumn& column, std::size_t count) {
   std::vector<std::uint64_t> numbers(count);
   if ((column.element == Element::U64 || column.element == Element::I64) && column.components == 1) {

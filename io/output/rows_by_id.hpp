@@ -1,4 +1,4 @@
-// Rows of a frame in the order of their ids: the same in all frames, and on any number of ranks.
+// Order of the rows of a frame by id: the same in all frames and on any number of ranks.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace thaw {
 
-/// Ids of the rows, of all their 64 bits; empty where the frame has none.
+/// Returns the 64-bit ids of the rows; empty if the frame has none.
 std::vector<std::uint64_t> idsOf(const FrameData& frame);
 
-/// Brings rows, with all columns, into the order of their ids, and triangles, each from its first corner on,
-/// into that of their corners. Nothing where there are no ids.
+/// Sorts rows, with all columns, by id. Sorts triangles by their corners, each with the smallest corner
+/// first. Does nothing without ids.
 void orderById(FrameData& frame);
 
 }  // namespace thaw

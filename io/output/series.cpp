@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace thaw {
 namespace {
 
-/// True for NAME_<six or more digits>.hdf, with ".part" behind it if part.
+/// Is a name NAME_<six or more digits>.hdf, followed by ".part" if `part` is true?
 bool isFrameName(const std::string& file, const std::string& scene, bool part) {
   const std::string end = part ? ".hdf.part" : ".hdf";
   if (file.size() < scene.size() + 7 + end.size() || file.compare(0, scene.size() + 1, scene + "_") != 0 ||
@@ -91,7 +91,7 @@ std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string
     try {
       const double time = readFrameInfo(file.string()).time;
       if (time <= until) entries.push_back({name, time});
-    } catch (const IoError&) {  // not ours, or damaged: not part of the animation
+    } catch (const IoError&) {  // written by another program, or damaged: not part of the animation
     }
   }
   std::stable_sort(entries.begin(), entries.end(),

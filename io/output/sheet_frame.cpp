@@ -27,8 +27,7 @@ void addSheetTriangles(World& w, BondHalo& halo, std::uint64_t firstRow, Frame& 
   SheetBodies& b = w.sheets;
   Solids& e = b.edges.ends;
   f.meshed = true;
-  // the exchange that carries places carries the numbers of rows: forces send places anew before they need
-  // them
+  // Send the row numbers by the exchange of positions. Forces send the positions again before they need them.
   for (std::size_t slot = 0; slot < e.owned; slot++)
     e.position[slot] = {static_cast<double>(firstRow + e.particle[slot]), 0, 0};
   const std::array<AnyColumn*, 1> columns{&e.position};

@@ -1,18 +1,19 @@
-// Frames of the surface, beside those of the particles: NAME_surface_000120.hdf, with an index of their own,
+// Frames of the surface, beside those of the particles: NAME_surface_000120.hdf, with their own index
 // NAME_surface.hdf.series.
 #pragma once
 #include "io/output/frame_fields.hpp"
 
 namespace thaw {
 
-/// The name under which a scene's surface frames are numbered and indexed.
+/// Returns the name of the frames and the index of the surface.
 std::string surfaceName(const std::string& scene);
 
-/// The owned surfels: position, id, normal, radius, color, component, detail; liquid and temperature where
-/// the scene has them. In single precision. "color" is what ParaView and VTK call it: red, green, blue.
+/// Returns a frame of the owned surfels: position, id, normal, radius, color, component, detail; liquid and
+/// temperature if the scene has them. In single precision. ParaView and VTK expect the name "color" for red,
+/// green, blue.
 Frame surfaceFrameOf(const World& world);
 
-/// Of a file that is a frame: are its points surfels?
+/// Are the points of a frame surfels?
 bool isSurfaceFrame(const H5File& file);
 
 }  // namespace thaw

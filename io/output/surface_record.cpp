@@ -7,7 +7,7 @@ namespace {
 
 const std::string at = "/surface", componentsAt = at + "/components", eventsAt = at + "/events";
 
-/// Calls use(name, unit, element, components, get or set by reference) for each member of a component.
+/// Calls use(name, unit, element, pointer to member) for each member of a component.
 template<class Use> void eachMember(const SurfaceComponent*, Use&& use) {
   use("id", "1", Element::U64, &SurfaceComponent::label);  // "id" as in all tables
   use("particles", "1", Element::I64, &SurfaceComponent::particles);
@@ -51,7 +51,7 @@ std::vector<Record> readRecords(const H5File& file, const std::string& group, co
                                                                T Record::*member) {
     const auto values = readRows<typename InFile<T>::type>(file, group + "/" + name, element);
     if (values.size() != records.size())
-      throw IoError(file.path(), "is damaged: " + group + "/" + name + " has another number of rows");
+      throw IoError(file.path(), "is damaged: " + group + "/" + name + " has an unexpected number of rows");
     for (std::size_t k = 0; k < records.size(); k++) records[k].*member = static_cast<T>(values[k]);
   });
   return records;
@@ -77,7 +77,7 @@ void writeSurfaceRecord(H5File& file, const SurfaceRecord& record) {
   for (const NamedCount& c : countsOf(counters)) file.setInteger(at + "/counters", c.name, *c.count);
   writeRecords(file, componentsAt, record.components);
   writeRecords(file, eventsAt, record.events);
-  std::vector<std::uint64_t> number;  // rows of a table have an id
+  std::vector<std::uint64_t> number;  // rows of a table need an id
   for (std::size_t k = 0; k < record.events.size(); k++) number.push_back(k + 1);
   file.writeAll(eventsAt + "/id", {Element::U64, number.size(), 0}, number.data());
   file.setText(eventsAt + "/id", "units", "1");

@@ -1,16 +1,16 @@
-// What a checkpoint holds of a surface beside its surfels.
+// State of a surface in a checkpoint, beside its surfels.
 #pragma once
 #include "io/output/checkpoint.hpp"
 
 namespace thaw {
 
-/// Of a world whose scene has a surface, or one that keepState has filled; else `there` is false.
+/// Returns the record of a surface; `there` is false if the scene has none and keepState has not filled it.
 SurfaceRecord surfaceRecordOf(const Surface& surface);
 void restoreSurfaceRecord(const SurfaceRecord& record, Surface& surface);
 
-/// Group /surface of a checkpoint. One process only; the group is there.
+/// Writes into the group /surface of a checkpoint, which must exist. One process only.
 void writeSurfaceRecord(H5File& file, const SurfaceRecord& record);
-/// IoError where it is damaged.
+/// Throws IoError if it is damaged.
 SurfaceRecord readSurfaceRecord(const H5File& file);
 
 }  // namespace thaw

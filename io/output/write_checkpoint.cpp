@@ -12,11 +12,11 @@
 namespace thaw {
 namespace {
 
-/// Where solids and bonds of this rank are, in the order in which they are written.
+/// Order in which the solids and bonds of this rank are written.
 struct SolidOrder {
-  std::vector<std::uint32_t> slots;      // of owned particles, ascending by particle
-  std::vector<std::uint64_t> particle;   // its row in the file
-  std::vector<std::uint64_t> firstBond;  // of each solid, on this rank; one more at the end
+  std::vector<std::uint32_t> slots;      // solids of owned particles, ascending by particle
+  std::vector<std::uint64_t> particle;   // row of the particle in the file
+  std::vector<std::uint64_t> firstBond;  // first bond of each solid on this rank; one more at the end
 };
 
 SolidOrder orderSolids(const World& w, std::uint64_t firstRow) {
@@ -34,8 +34,7 @@ SolidOrder orderSolids(const World& w, std::uint64_t firstRow) {
   return o;
 }
 
-/// Calls use(index of the bond among those asked for, its place in Bonds) for bonds [range.first, + count) of
-/// this rank.
+/// Calls use(index in the range, index in Bonds) for bonds [range.first, + count) of this rank.
 template<class Use>
 void eachBond(const Bonds& bonds, const SolidOrder& order, const RowRange& range, Use&& use) {
   std::size_t solid = static_cast<std::size_t>(
@@ -50,7 +49,7 @@ void eachBond(const Bonds& bonds, const SolidOrder& order, const RowRange& range
     }
 }
 
-/// State columns of a table, or those of its pack.
+/// Adds the State columns of a table, or those of its pack.
 void addColumns(ParallelFileContent& content, const std::string& group, const Table& table,
                 const PackedTable* packed, const Spread& spread, const SolidOrder* order) {
   content.groups.push_back(group);
@@ -135,7 +134,7 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   file.createGroup(at + "/ledger");
   for (const NamedSum& s : sumsOf(ledger)) {
     const std::string name = at + "/ledger/" + s.name;
-    // exact: 32-bit digits from 2^-1088 up
+    // exact sum: 32-bit digits from 2^-1088 up
     file.writeAll(name, {Element::I64, ExactSum::digits, 0}, s.sum->digit.data());
     file.setText(name, "units", s.unit);
     file.setNumber(name, "value", s.sum->value());
@@ -147,11 +146,12 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   if (h.surface.there) writeSurfaceRecord(file, h.surface);
 }
 
-/// The state as a file, its particles from the pack if there is one; the header's sums are of all ranks.
+/// Writes the state as a file, with particles from the pack if there is one. The sums in the header are over
+/// all ranks.
 void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, const World& w,
                 const PackedTable* packed, const RunStamp& stamp, const CheckpointValues& values) {
   if (!w.solids.energyKnown || !w.compressionKnown)
-    throw std::logic_error("stored energies are to be found before a checkpoint is written");
+    throw std::logic_error("stored energies must be computed before a checkpoint is written");
   const Communicator ours(comm);
   MpiReducer all(ours);
   CheckpointHeader h;
@@ -197,7 +197,7 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   writeParallelFile(path, comm, content);
 }
 
-/// The file that the next checkpoint replaces: the older one, or one that cannot be read.
+/// Returns the path that the next checkpoint replaces: the older one, or an unreadable one.
 std::string nextPath(const std::string& out, MPI_Comm comm, std::int64_t& sequence) {
   int second = 0;
   onFirstRank(comm, [&] {
@@ -244,7 +244,7 @@ void dropUnusedGoodStates(const std::string& out) {
   std::vector<std::string> used, problems;
   for (const CheckpointHeader& h : findCheckpoints(out, &problems))
     used.push_back(goodStatePath(out, h.watch.goodStep));
-  if (!problems.empty()) return;  // what cannot be read may name one
+  if (!problems.empty()) return;  // an unreadable checkpoint may need one
   std::error_code error;
   std::vector<std::filesystem::path> unused;
   for (const auto& entry : std::filesystem::directory_iterator(out + "/checkpoint", error)) {

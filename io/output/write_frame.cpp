@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// Particles of each piece. Empty ranks are pieces as well.
+/// Returns the number of particles of each piece. An empty rank has a piece as well.
 std::vector<std::int64_t> piecesOf(MPI_Comm comm, std::uint64_t count, std::uint64_t all, bool byRank) {
   if (!byRank) return {static_cast<std::int64_t>(all)};
   int ranks = 1;
@@ -22,7 +22,7 @@ std::vector<std::int64_t> piecesOf(MPI_Comm comm, std::uint64_t count, std::uint
 
 using Fill = std::function<void(const RowRange&, std::byte*)>;
 
-/// Row i of a dataset of this rank's rows is value(i).
+/// Returns a fill function whose row i is value(i).
 template<class Int, class Value> Fill numbered(Value value) {
   return [value](const RowRange& local, std::byte* to) {
     for (std::uint64_t k = 0; k < local.count; k++) {
@@ -57,8 +57,8 @@ void writeWith(const std::string& path, MPI_Comm comm, const Frame& frame, const
   const bool endsPiece = piecesByRank || rank == ranks - 1;
   const Spread cells = frame.meshed ? spreadRows(comm, frame.triangles.size() / 3) : points,
                ends = frame.meshed ? spreadRows(comm, frame.triangles.size()) : points;
-  // one vertex cell a particle: connectivity 0, 1, ... and offsets 0, 1, ... in each piece; or triangles:
-  // connectivity is theirs, offsets 0, 3, ...
+  // Vertex cells have connectivity 0, 1, ... and offsets 0, 1, ... in each piece. Triangles have their own
+  // connectivity and offsets 0, 3, ...
   const std::uint64_t corners = frame.meshed ? 3 : 1, firstPoint = piecesByRank ? 0 : points.mine.first,
                       firstOffset = frame.meshed ? 3 * cells.mine.first : firstPoint;
   const Spread offsets = spreadRows(comm, cells.mine.count + endsPiece);

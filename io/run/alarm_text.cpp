@@ -24,19 +24,19 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
                  : "a value that is not a finite number";
     case Alarm::Speed:
       return fmt::format(
-          "a speed of {:.4g} m/s, where the scene makes {:.3g} m/s and numerics.watch_speed allows {:.3g} "
-          "m/s",
+          "a speed of {0:.4g} m/s exceeds numerics.watch_speed ({2:.3g} m/s, with {1:.3g} m/s expected)",
           s.value, b.expected, b.speed);
     case Alarm::Density:
-      return fmt::format("a density of {:.3g} times that at rest (numerics.watch_density allows {:.3g})",
+      return fmt::format("a density of {:.3g} times the rest density exceeds numerics.watch_density ({:.3g})",
                          s.value, b.filling);
     case Alarm::Inverted:
       return fmt::format(
-          "more than {:.3g} of the solid particles are inside out (numerics.watch_inverted), to det F {:.3g}",
+          "the share of inverted solid particles exceeds numerics.watch_inverted ({:.3g}), with det F down "
+          "to {:.3g}",
           b.inverted, s.value);
     case Alarm::Energy:
     case Alarm::Growth:
-      return fmt::format("{}; most of it, {:.4g} J/kg, has one particle", exceeded(w, t, o), s.value);
+      return fmt::format("{}; one particle has most of it, {:.4g} J/kg", exceeded(w, t, o), s.value);
     case Alarm::Step:
     case Alarm::None: break;
   }
@@ -49,29 +49,28 @@ std::string exceeded(const World& w, const StepTools& t, const StepOutcome& o) {
   const WatchBounds& b = t.watch;
   switch (o.alarm) {
     case Alarm::NotFinite:
-      return "a value that is not a finite number, or a way beyond the reach of forces in a step";
-    case Alarm::Speed:
-      return fmt::format("a speed that numerics.watch_speed, which allows {:.3g} m/s, does not", b.speed);
+      return "a value is not a finite number, or a particle moved beyond the reach of its forces in a step";
+    case Alarm::Speed: return fmt::format("a speed exceeds numerics.watch_speed ({:.3g} m/s)", b.speed);
     case Alarm::Density:
-      return fmt::format("a density of more than {:.3g} times that at rest (numerics.watch_density)",
+      return fmt::format("a density exceeds numerics.watch_density ({:.3g} times the rest density)",
                          b.filling);
     case Alarm::Step:
-      return fmt::format("the step's limit by {} fell to {:.3g} s{} (numerics.watch_step allows {:.3g} s)",
-                         limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt,
-                         w.watch.halvings > 0 ? fmt::format(", halved {} times", w.watch.halvings) : "",
-                         b.step);
+      return fmt::format(
+          "the time step, limited by {}, fell to {:.3g} s{}, below numerics.watch_step ({:.3g} s)",
+          limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt,
+          w.watch.halvings > 0 ? fmt::format(", halved {} times", w.watch.halvings) : "", b.step);
     case Alarm::Inverted:
-      return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted)",
+      return fmt::format("the share of inverted solid particles exceeds numerics.watch_inverted ({:.3g})",
                          b.inverted);
     case Alarm::Energy:
       return fmt::format(
-          "mechanical energy from nowhere since step {}, more than {:.3g} times the largest term of the "
+          "unexplained mechanical energy since step {}, more than {:.3g} times the largest term of the "
           "ledger (numerics.watch_energy)",
           w.watch.goodStep, b.energy);
     case Alarm::Growth:
       return fmt::format(
-          "mechanical energy from nowhere since the run began, more than {:.3g} times the largest term of "
-          "the ledger (numerics.watch_energy), little by little",
+          "unexplained mechanical energy since the run began, more than {:.3g} times the largest term of the "
+          "ledger (numerics.watch_energy), in small amounts",
           b.energy);
     case Alarm::None: break;
   }

@@ -16,7 +16,7 @@ void addBlend(CheckpointValues& marks, const std::string& key, const Blend& b) {
   marks[key + ".liquid"] = b.liquid;
 }
 
-/// Those to come; of those that have been, changes are told as well, and have no effect any more.
+/// Adds an event of the past or the future. A change of a past event is reported and has no effect.
 void addEvent(CheckpointValues& marks, const std::string& at, const OrientedEvent& e) {
   addNumbers(marks, at,
              {{"kind", static_cast<double>(e.kind)},
@@ -119,9 +119,9 @@ void addCoefficients(CheckpointValues& marks, const SheetBody& b) {
               {"conductance", b.conductance}});
   addVector(marks, at + "wind", b.wind);
   if (!b.wrapTo.empty())
-    marks[at + "wrap_to." + b.wrapTo] = 1;  // marks are numbers: the name is part of the key
+    marks[at + "wrap_to." + b.wrapTo] = 1;  // entries are numbers, so the name is part of the key
   for (std::size_t f = 0; f < sheetFactors; f++) {
-    if (static_cast<SheetFactor>(f) == SheetFactor::Mass) continue;  // vertices keep theirs
+    if (static_cast<SheetFactor>(f) == SheetFactor::Mass) continue;  // vertices keep their mass
     const auto& [key, value] = sheetCoefficients[f];
     marks[at + key] = b.*value;
     addInTime(marks, fmt::format("{}{}_in_time", at, key), b.inTime[f]);

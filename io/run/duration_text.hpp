@@ -1,4 +1,4 @@
-// Durations and counts as people read them.
+// Durations and counts as text.
 #pragma once
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// "0.25 s", "12 s", "5 min", "3.4 h", "12 days", "7.3 years", "more than 1000 years".
+/// Returns "0.25 s", "12 s", "5 min", "3.4 h", "12 days", "7.3 years" or "more than 1000 years".
 inline std::string durationText(double s) {
   constexpr double hour = 3600, day = 24 * hour, year = 365.25 * day;
   if (!(s < 1000 * year)) return "more than 1000 years";
@@ -18,9 +18,9 @@ inline std::string durationText(double s) {
   return s >= 10 ? fmt::format("{:.0f} s", s) : fmt::format("{:.2g} s", s);
 }
 
-/// "123456"; "1.2e+12" of what is more than a thousand million; "no end of" where there is no number.
+/// Returns "123456", "1.2e+12" from 1e9 on, or "infinitely many" for a count that is not finite.
 inline std::string countText(double n) {
-  if (!std::isfinite(n)) return "no end of";
+  if (!std::isfinite(n)) return "infinitely many";
   return std::abs(n) < 1e9 ? fmt::format("{:.0f}", n) : fmt::format("{:.1e}", n);
 }
 

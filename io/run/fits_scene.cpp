@@ -20,7 +20,7 @@ std::int64_t strangeParticles(const World& w) {
 std::int64_t strangeOriented(const World& w) {
   const Oriented& o = w.oriented.rows;
   std::int64_t n = 0;
-  for (std::size_t i = 0; i < o.owned; i++)  // what was born later has no anchor, and is held by none
+  for (std::size_t i = 0; i < o.owned; i++)  // Particles born later have no anchor and are free.
     n += o.body[i] >= w.scene.oriented.size() ||
          ((o.flags[i] & (heldPlace | heldNormal)) && o.anchor[i] != noAnchor &&
           o.anchor[i] >= w.scene.oriented[o.body[i]].anchors.size());
@@ -41,7 +41,7 @@ std::int64_t strangeVertices(const World& w) {
   return n;
 }
 
-/// Cuts that are still to be done, and whose bits in Oriented::cutSides have been used by another one.
+/// Adds a line for each future cut whose bits of Oriented::cutSides an earlier cut has used.
 void addTakenCuts(const World& w, Reducer& all, std::vector<std::string>& lines) {
   double used[32] = {};
   const Oriented& o = w.oriented.rows;
@@ -54,10 +54,10 @@ void addTakenCuts(const World& w, Reducer& all, std::vector<std::string>& lines)
       const OrientedEvent& event = w.scene.oriented[b].events[e];
       if (event.kind != OrientedEventKind::Cut || event.time <= w.clock.time) continue;
       if (const int number = cutNumber(w.scene, b, e); used[number] > 0)
-        lines.push_back(fmt::format(
-            "oriented.{}.event.{}: particles know this cut, the {}. of the scene's, by its number, and a cut "
-            "that has been made had the same: new cuts belong behind those that were in the scene",
-            w.scene.oriented[b].name, e, number + 1));
+        lines.push_back(
+            fmt::format("oriented.{}.event.{}: particles store this cut by its number in the scene, {}, "
+                        "which a past cut had: add new cuts after those that were in the scene",
+                        w.scene.oriented[b].name, e, number + 1));
     }
 }
 
@@ -68,13 +68,13 @@ std::vector<std::string> misfits(const World& w, Reducer& all) {
                              w.modules.oriented ? strangeOriented(w) : 0,
                              w.modules.sheet ? strangeVertices(w) : 0};
   all.sum(strange);
-  constexpr const char* rows[3] = {"particles are of a body, an emitter or a material",
-                                   "oriented particles are of a body or an anchor",
-                                   "vertices are of a sheet, a region or a mesh"};
+  constexpr const char* rows[3] = {"particles belong to a body, an emitter or a material",
+                                   "oriented particles belong to a body or an anchor",
+                                   "vertices belong to a sheet, a region or a mesh"};
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < 3; k++)
     if (strange[k] > 0)
-      lines.push_back(fmt::format("{} of its {} that the scene has not", strange[k], rows[k]));
+      lines.push_back(fmt::format("{} of its {} that the scene does not have", strange[k], rows[k]));
   if (w.modules.oriented && lines.empty()) addTakenCuts(w, all, lines);
   return lines;
 }

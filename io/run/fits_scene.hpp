@@ -1,5 +1,5 @@
-// Is what a checkpoint holds of the scene that goes on with it? Looked at whatever the marks say: from here
-// on rows name places in lists of the scene.
+// Validation of a checkpoint against the scene that continues it. It does not rely on the restart record,
+// since rows index lists of the scene.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace thaw {
 
-/// What of the rows of all ranks the scene has not, a line each, the same on all ranks; after restoreWorld,
-/// with the modules and sheets of the scene. Collective.
+/// Returns a line for each kind of row that the scene lacks, counted over all ranks; the same on all ranks.
+/// Requires: restoreWorld, and the modules and sheets of the scene. Collective.
 std::vector<std::string> misfits(const World& world, Reducer& all);
 
 }  // namespace thaw

@@ -1,17 +1,17 @@
-// Frames of the further kinds in a run; nothing where the scene has none.
+// Frames of oriented bodies and sheets. Nothing is done for a scene without them.
 #pragma once
 #include "io/run/run_state.hpp"
 
 namespace thaw {
 
-/// The frame that is being written, of every kind, and its line in the kind's index. Collective.
+/// Writes the frame of each body type, and its line in the index. Collective.
 void writeKindFrames(Run& run);
 
-/// Indices of a run that goes on from a checkpoint: what was written after it goes out of them, and is
-/// written again. Collective.
+/// Restores the indices at a restart. Frames after the checkpoint are dropped from them and written again.
+/// Collective.
 void resumeKindFrames(Run& run);
 
-/// After a retry: frames of after the good state. First rank only.
+/// Removes frames after the snapshot, at a rollback. First rank only.
 void forgetKindFrames(Run& run);
 
 }  // namespace thaw

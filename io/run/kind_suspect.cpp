@@ -42,7 +42,7 @@ std::string kindSuspect(const World& w, const StepTools& t, const StepOutcome& f
   double worst = most;
   all.maximum({&worst, 1});
   bool here = rows && most == worst;
-  // the lowest kind, then the lowest id: its upper half first, since a double has 53 bits
+  // The lowest type, then the lowest id. Its upper half comes first, since a double has 53 bits.
   for (int part = 0; part < 3; part++) {
     const double value = !here ? -never
                                : -static_cast<double>(
@@ -54,9 +54,9 @@ std::string kindSuspect(const World& w, const StepTools& t, const StepOutcome& f
   if (!here) return {};
   const std::uint16_t body = rows->body[row];
   const bool oriented = kind == orientedKind;
-  std::string what = exceeded(w, t, failed) + "; the fastest of its kind";
+  std::string what = exceeded(w, t, failed) + "; the fastest one";
   if (overran > 0)
-    what = "oriented particles went further in a step than their forces reach; the fastest that is left";
+    what = "oriented particles moved further in a step than their forces reach; the fastest remaining one";
   if (most == never) what = "a value that is not a finite number";
   return fmt::format("{}: {} {} of '{}' at {} m has a velocity of {} m/s", what,
                      oriented ? "oriented particle" : "vertex",

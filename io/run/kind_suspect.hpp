@@ -1,4 +1,4 @@
-// Which row of a further kind of body (oriented particle, vertex of a sheet) is what went wrong.
+// The oriented particle or vertex that made a step fail.
 #pragma once
 #include <string>
 
@@ -9,10 +9,10 @@
 
 namespace thaw {
 
-/// What was exceeded, and "oriented particle 17 of 'skin' at (x, y, z) m has ...", of the one whose place or
-/// velocity is not finite; where there is no continuum, or the step's limit is that of the kind, else the
-/// fastest one. On the rank that owns it; empty on the others, and where no kind is to blame. Collective; the
-/// same row on any number of ranks.
+/// Returns the failed check and "oriented particle 17 of 'skin' at (x, y, z) m has ..." on the rank that owns
+/// the row, "" on the others. Names the row whose position or velocity is not finite. Names the fastest one
+/// without continuum, or if the body type limits the step. Returns "" if no row of these types failed.
+/// Collective; the same row on any number of ranks.
 std::string kindSuspect(const World& world, const StepTools& tools, const StepOutcome& failed, Reducer& all);
 
 }  // namespace thaw

@@ -14,7 +14,7 @@
 namespace thaw {
 namespace {
 
-/// Names with units, and values in as many digits as make them unique.
+/// Columns: names with units, and values in as many digits as make them unique.
 class Columns {
  public:
   template<class Value> void add(const std::string& name, const Value& value) {
@@ -108,7 +108,7 @@ Columns columnsOf(const Clock& clock, const LedgerReport& ledger, const StoredPa
 
 std::string head() { return columnsOf({}, {}, {}).head(); }
 
-/// How many times of rows have passed by `time`.
+/// Returns the number of row times up to `time`.
 double rowsBy(double time, double every) { return std::floor(time / every * (1 + 1e-12)); }
 
 }  // namespace

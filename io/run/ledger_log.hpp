@@ -1,5 +1,5 @@
-// OUT/ledger.csv: all terms of the ledger, a row for the start, each frame, each `output.ledger_every` of
-// simulated time, and the end. The same bytes on any number of ranks, and over restarts and retries.
+// OUT/ledger.csv: all terms of the ledger. It has a row for the start, each frame, each `output.ledger_every`
+// of simulated time, and the end. Its bytes do not depend on ranks, restarts and retries.
 #pragma once
 #include <string>
 
@@ -9,18 +9,18 @@ namespace thaw {
 
 std::string ledgerLogPath(const std::string& out);
 
-/// A new log, with its head. First rank only; IoError.
+/// Starts a new log with its header. First rank only. Throws IoError.
 void beginLedgerLog(const std::string& out);
 
-/// Drops rows after `step` and a last line that is not whole: the run goes on from there. A log that is
-/// missing, or has other columns, begins anew. First rank only; IoError.
+/// Drops rows after `step` and an incomplete last line, at a rollback or restart. Starts a log anew that is
+/// missing or has other columns. First rank only. Throws IoError.
 void cutLedgerLog(const std::string& out, std::int64_t step);
 
-/// Is there a row for the step that led from the time `before` (s) to now? To be asked before the frames of
-/// now are written.
+/// Is a row due for the step from the time `before` (s) to now? Requires: the frames of now are not written
+/// yet.
 bool ledgerRowDue(const World& world, double before);
 
-/// Requires: forces were evaluated at the places of now. Collective.
+/// Writes a row. Requires: forces of the current positions. Collective.
 void writeLedgerRow(Run& run);
 
 }  // namespace thaw

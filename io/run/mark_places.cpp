@@ -5,7 +5,7 @@
 namespace thaw {
 namespace {
 
-/// The longest beginning of a text that names a table of the scene.
+/// The longest key of a scene table that begins a text.
 struct Search {
   const std::string& text;
   std::size_t longest = 0;

@@ -1,4 +1,4 @@
-// Where in its files a scene says what its marks hold.
+// Source lines of the entries of the restart record.
 #pragma once
 #include <string>
 
@@ -6,8 +6,8 @@
 
 namespace thaw {
 
-/// " (scene.toml:14)": the line of the table, as small as possible, that has the key with which a text begins
-/// ("sheet.c.region.0.point.x was ..."); "" where none is known.
+/// Returns " (scene.toml:14)": the line of the smallest table whose key begins the text
+/// ("sheet.c.region.0.point.x was ..."). Returns "" if none is known.
 std::string placeOfMark(const Scene& scene, const std::string& text);
 
 }  // namespace thaw

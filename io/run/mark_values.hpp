@@ -1,4 +1,4 @@
-// What marks of a scene (scene_marks.hpp) are made of: numbers by the key that sets them.
+// Values of the restart record (scene_marks.hpp): numbers by the key that sets them.
 #pragma once
 #include <initializer_list>
 #include <string>
@@ -17,20 +17,22 @@ using MarkNumbers = std::initializer_list<std::pair<const char*, double>>;
 
 void addNumbers(CheckpointValues& marks, const std::string& at, MarkNumbers numbers);
 
-/// Keys "key.x", "key.y", "key.z".
+/// Adds the keys "key.x", "key.y", "key.z".
 void addVector(CheckpointValues& marks, const std::string& key, const Vec3d& value);
 
-/// What a shape is made and placed by, and its parts'; a mesh by what is in its file, wherever that is.
+/// Adds the geometry and the place of a shape and its parts. A mesh counts by the content of its file, not by
+/// its path.
 void addShape(CheckpointValues& marks, const std::string& at, const Shape& shape);
 
 void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTime& factor);
 void addMotion(CheckpointValues& marks, const std::string& at, const std::vector<Keyframe>& motion);
 
-/// Fields of the start: expressions by a checksum of their text. Nothing of a field that is not given.
+/// Adds a field of the start; an expression counts by a checksum of its text. Adds nothing for an unset
+/// field.
 void addField(CheckpointValues& marks, const std::string& key, const PositionField& field);
 void addField(CheckpointValues& marks, const std::string& at, const VelocityField& field);
 
-/// Of keys and values.
+/// Returns a checksum of keys and values.
 double checksumOf(const CheckpointValues& marks);
 
 }  // namespace thaw

@@ -10,11 +10,11 @@
 namespace thaw {
 namespace {
 
-/// Up to the first dot and behind the last one: names of bodies between them may have dots themselves.
+/// The parts before the first dot and after the last one. Names of bodies between them may have dots.
 std::string firstOf(const std::string& key) { return key.substr(0, key.find('.')); }
 std::string lastOf(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
-/// Of the event itself, and not of a shape that is its region: "oriented.film.event.0.kind".
+/// Does a key belong to an event itself, "oriented.film.event.0.kind", and not to the shape of its region?
 bool ofEvent(const std::string& key) {
   std::size_t at = key.rfind('.');
   while (at != std::string::npos && at > 0 && std::isdigit(static_cast<unsigned char>(key[at - 1]))) at--;
@@ -26,15 +26,15 @@ bool ofEvent(const std::string& key) {
 MarkWords::MarkWords(const CheckpointValues& marks) : marks_(marks) {
   for (const KeyDescription& k : sceneKeys())
     if (!k.words.empty()) words_[firstOf(k.table) + " " + k.key] = k.words;
-  // keys, of which a body has one
+  // A body has one of several keys.
   words_["oriented source"] = {"a shape", "patch", "disc", "points", "control", "curve"};
   words_["oriented tool"] = {"plane", "stroke", "a shape"};
   words_["oriented everywhere"] = {"false", "true"};
   words_["sheet mesh"] = sheetMeshWords();
 }
 
-/// "material.wax", whose mark is its place in the list of materials: nothing but a group and a name.
-/// Coefficients of a material are marked with a prefix.
+/// Is a key a group and a name, as "material.wax", whose value is a place in a list? Keys of coefficients
+/// have a prefix.
 bool MarkWords::named(const std::string& key) {
   const std::string group = firstOf(key);
   if (group.size() == key.size()) return false;
@@ -85,7 +85,7 @@ std::string MarkWords::key(const std::string& mark) const {
 std::string MarkWords::unit(const std::string& key) const {
   if (isName(key)) return " (place in the list)";
   const std::string last = lastOf(key);
-  if (last.starts_with("mesh_")) return last == "mesh_checksum" ? " (of what is in the mesh's file)" : "";
+  if (last.starts_with("mesh_")) return last == "mesh_checksum" ? " (checksum of the mesh's file)" : "";
   if (last.ends_with("_expression")) return " (checksum of the text)";
   return wordsOf(key) || last == "material" || (last == "other" && ofEvent(key)) ? "" : " (SI)";
 }

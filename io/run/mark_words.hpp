@@ -1,4 +1,4 @@
-// What a scene's marks (scene_marks.hpp) mean, in the words of the scene file.
+// Text of the restart record (scene_marks.hpp) in the terms of the scene file.
 #pragma once
 #include <map>
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace thaw {
 
-/// Marks are numbers, those of choices, too. Keys are those of marks without the prefix that says whether
-/// they may change.
+/// Translates entries of the restart record, which are all numbers. Keys come without the prefix that says
+/// whether they may change.
 class MarkWords {
  public:
   explicit MarkWords(const CheckpointValues& marks);
-  /// The value of a mark: the word of a choice in quotes, true or false, the name of a material or an
-  /// oriented body, "never", else the number.
+  /// Returns a value as text: the word of a choice in quotes, true or false, the name of a material or an
+  /// oriented body, "never", or the number.
   std::string text(const std::string& key, double value) const;
-  /// A mark's key as the scene file has it: the points of a body that is made of `control` are that.
+  /// Returns a key as in the scene file. Points of a body have the key `control` if it is made of them.
   std::string key(const std::string& mark) const;
-  /// What stands behind numbers in a message: " (SI)", or " (place in the list)"; nothing behind words.
+  /// Returns the text behind numbers in a message: " (SI)", or " (place in the list)". Returns "" behind
+  /// words.
   std::string unit(const std::string& key) const;
 
  private:
@@ -27,8 +28,8 @@ class MarkWords {
   std::string nameOf(const std::string& group, double place) const;
   const std::vector<std::string>* wordsOf(const std::string& key) const;
   const CheckpointValues& marks_;
-  std::map<std::string, std::vector<std::string>> words_;  // by the first and the last word of a key:
-                                                           // "surface merge"
+  std::map<std::string, std::vector<std::string>> words_;  // keyed by the first and the last word of a key,
+                                                           // as "surface merge"
 };
 
 }  // namespace thaw

@@ -1,15 +1,15 @@
-// The contents of the meshes that a scene names, for the marks of its checkpoints.
+// Checksums of the meshes of a scene, for the restart record.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
 
-/// Of vertices and triangles as a file has them.
+/// Returns counts and checksum of the vertices and triangles of a file.
 MeshMark markOf(const TriangleMesh& mesh);
 
-/// Fills Shape::meshMark of all shapes of a scene that are meshes; each file is read once. Throws ShapeError
-/// with all that cannot be read.
+/// Fills Shape::meshMark of all meshes of a scene; reads each file once. Throws ShapeError with all files
+/// that cannot be read.
 void markMeshes(Scene& scene, const MeshLoader& load);
 
 }  // namespace thaw

@@ -22,7 +22,7 @@ struct Stat {
   long long began = 0;
 };
 
-/// Of /proc/PID/stat fields 3 and 22; the second one is a name in brackets that may hold anything.
+/// Reads fields 3 and 22 of /proc/PID/stat. Field 2 is a name in brackets with any content.
 Stat statOf(long pid) {
   std::ifstream file(fmt::format("/proc/{}/stat", pid));
   const std::string all{std::istreambuf_iterator<char>(file), {}};
@@ -70,15 +70,15 @@ Json processJson() {
 }
 
 std::string runningText(const Json& summary) {
-  if (!summary.contains("process")) return "running, or killed,";  // of an earlier version
+  if (!summary.contains("process")) return "running, or killed,";  // written by an earlier version
   const Json& j = summary["process"];
   const ProcessMark p{j.at("host").get<std::string>(), j.at("pid").get<long>(),
                       j.at("began_ticks").get<long long>()};
   const std::string who = fmt::format("process {} on {}", p.pid, p.host),
-                    written = "wrote last at " + j.at("written").get<std::string>();
+                    written = "last write at " + j.at("written").get<std::string>();
   switch (presenceOf(p)) {
     case Presence::Here: return fmt::format("running ({}; {}),", who, written);
-    case Presence::Gone: return fmt::format("killed ({} is gone; {}), known", who, written);
+    case Presence::Gone: return fmt::format("killed ({} has ended; {}), last known", who, written);
     case Presence::Unknown: break;
   }
   return fmt::format("running, or killed, on another host ({}; {}),", who, written);

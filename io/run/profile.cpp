@@ -41,7 +41,7 @@ std::vector<std::string> profileLines(const Profile& p, const PhaseTimes& times,
   const double steps = static_cast<double>(std::max<std::int64_t>(1, stepsDone)),
                wall = over(wallHere, all).mean;
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("profile of {} steps of {} particles on {} rank{}; ms a step and rank",
+  lines.push_back(fmt::format("profile of {} steps of {} particles on {} rank{}; ms per step and rank",
                               stepsDone, particles, comm.size(), comm.size() == 1 ? "" : "s"));
   lines.push_back(fmt::format("  {:<14}{:>10}{:>10}{:>10}{:>9}", "phase", "min", "mean", "max", "share"));
   const auto row = [&](const char* name, const RankSpread& s) {
@@ -62,7 +62,7 @@ std::vector<std::string> profileLines(const Profile& p, const PhaseTimes& times,
                               work.mean > 0 ? work.most / work.mean : 1,
                               wall > 0 ? static_cast<double>(particles) * steps / wall / 1e6 : 0));
   if (comm.size() == 1) return lines;
-  lines.push_back(fmt::format("  {:<14}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}   a step and rank",
+  lines.push_back(fmt::format("  {:<14}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}   per step and rank",
                               "messages for", "number", "most", "KiB", "most", "wait ms", "most"));
   const auto sent = [&](const char* name, const RankSpread& messages, const RankSpread& bytes,
                         const RankSpread& waited) {
@@ -75,7 +75,7 @@ std::vector<std::string> profileLines(const Profile& p, const PhaseTimes& times,
     if (const TrafficSummary::Of& of = t.of[k]; of.messages.most > 0 || of.waited.most > 0)
       sent(purposeName(static_cast<MessagesFor>(k)), of.messages, of.bytes, of.waited);
   sent("all", t.messages, t.bytes, t.waited);
-  lines.push_back(fmt::format("  {:.2f} collectives a step", static_cast<double>(t.collectives) / steps));
+  lines.push_back(fmt::format("  {:.2f} collectives per step", static_cast<double>(t.collectives) / steps));
   return lines;
 }
 

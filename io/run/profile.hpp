@@ -1,5 +1,5 @@
-// `thaw run --profile`: where the time of the steps goes on each rank, and what is sent; a table for the
-// terminal and a trace.
+// `thaw run --profile`: times and messages of the steps on each rank, as a table for the terminal and a
+// trace.
 #pragma once
 #include <chrono>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace thaw {
 
-/// What was measured before the first step, and the trace since then.
+/// Values before the first step, and the trace since then.
 struct Profile {
   explicit Profile(std::size_t steps) : trace(steps) {}
   StepTrace trace;
@@ -20,12 +20,12 @@ struct Profile {
   std::chrono::steady_clock::time_point start{};
 };
 
-/// Measures from here on. The profile must outlive both, or be taken from them by endProfile.
+/// Starts the measurement. The profile must outlive both arguments, or be detached by endProfile.
 void beginProfile(Profile& profile, PhaseTimes& times, const Communicator& comm);
 void endProfile(PhaseTimes& times, const Communicator& comm);
 
-/// The table: seconds of each phase, least, mean and most of the ranks, then messages, bytes and waiting by
-/// purpose, a step. Collective; the same on all ranks.
+/// Returns the table: time of each phase (smallest, mean, largest over ranks), then messages, bytes and
+/// waiting time by purpose, all per step. Collective; the same on all ranks.
 std::vector<std::string> profileLines(const Profile& profile, const PhaseTimes& times, std::int64_t steps,
                                       std::int64_t particles, const Communicator& comm);
 

@@ -31,7 +31,7 @@ void addVector(Columns& c, const std::string& name, const char* unit, const Vec3
     c.push_back({fmt::format("{}_{}_{}", name, "xyz"[a], unit), fmt::format("{}", v[a])});
 }
 
-/// All columns with their values; numbers in as many digits as make them unique.
+/// Returns all columns with their values, in as many digits as make them unique.
 Columns columnsOf(const Progress& p, const RunSummary& s) {
   const LedgerReport& l = s.ledger;
   Columns c;
@@ -106,7 +106,7 @@ std::string progressLine(const Progress& p, const LedgerReport& l) {
                                 ? "rounding"
                                 : fmt::format("{:+.1e}",
                                               l.energyScale > 0 ? l.energyResidual / l.energyScale : 0);
-  // sheets without neighbour forces have no limit: a step goes to the next frame
+  // Sheets without neighbour forces have no limit; a step ends at the next frame.
   const std::string step = c.dt < never
                                ? fmt::format("{:.1e} s ({}{})", c.dt, c.limitedBy,
                                              c.substeps > 1 ? fmt::format(", {} substeps", c.substeps) : "")
@@ -142,12 +142,12 @@ std::map<std::string, std::string> lastProgress(const std::string& out) {
   std::ifstream file(progressLogPath(out), std::ios::binary);
   std::string first, last, line;
   if (!std::getline(file, first)) return {};
-  constexpr std::streamoff tail = 1 << 16;  // many lines
+  constexpr std::streamoff tail = 1 << 16;  // enough for many lines
   file.seekg(0, std::ios::end);
   const std::streamoff size = file.tellg();
   if (size > tail) {
     file.seekg(size - tail);
-    std::getline(file, line);  // the rest of one
+    std::getline(file, line);  // the rest of a line
   } else {
     file.seekg(static_cast<std::streamoff>(first.size()) + 1);
   }

@@ -19,16 +19,16 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t mostLines = 20;  // of retries among the warnings; all are counted
+constexpr std::size_t mostLines = 20;  // retries among the warnings; all are counted
 
 bool retries(const Run& r) { return r.world.scene.numerics.retryEvery > 0; }
 
-/// The world as it was at the last good state.
+/// Restores the world from the last snapshot.
 void restoreGood(Run& r) {
   World& w = r.world;
   const char* limitedBy = w.clock.limitedBy;
   std::unique_ptr<CheckpointSlice> slice;
-  // may throw, with the world as it was
+  // May throw; the world is still unchanged.
   if (!r.goodInMemory)
     slice = readCheckpoint(goodStatePath(r.options.out, w.watch.goodStep), r.comm.handle());
   emptyWorld(w, r.tools);
@@ -42,7 +42,7 @@ void restoreGood(Run& r) {
   r.goodInMemory = true;
 }
 
-/// Frames of after the good state are not those of the run any more: they go, and are written again.
+/// Removes the frames and rows after the snapshot, which are written again.
 void forgetFrames(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
     forgetSeries(r.options.out, r.name, r.series, r.world.clock.time);
@@ -53,7 +53,7 @@ void forgetFrames(Run& r) {
   });
 }
 
-/// What was tried before the run gives up, and why it does not try again; empty where nothing was.
+/// Returns what was tried before the run gives up and why it does not try again, or "".
 std::string triedText(const Run& r, const WatchState& watch) {
   const Numerics& n = r.world.scene.numerics;
   if (!retries(r) || n.retries == 0) return "";
@@ -83,8 +83,8 @@ void beginRetries(Run& r) {
     });
     MPI_Bcast(&there, 1, MPI_INT, 0, r.comm.handle());
     r.goodOnDisk = there != 0;
-    if (there) return;  // read only if it is needed
-    r.summary.warnings.push_back(fmt::format("{} is not there: a retry can go back to step {} only",
+    if (there) return;  // it is read when it is needed
+    r.summary.warnings.push_back(fmt::format("{} is missing: a retry can only go back to step {}",
                                              goodStatePath(r.options.out, good), step));
     r.say("warning: " + r.summary.warnings.back());
   }
@@ -121,7 +121,7 @@ void acceptGoodState(Run& r) {
 void leaveGoodState(Run& r) {
   World& w = r.world;
   if (atGoodState(r)) return;
-  if (w.clock.time >= w.clock.end) {  // over: what may come behind a later end is a new stretch
+  if (w.clock.time >= w.clock.end) {  // The run has ended. A later end starts a new period of the check.
     acceptState(w, reportLedger(w, r.tools, r.all));
     return;
   }
@@ -137,13 +137,13 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
   const Numerics& n = w.scene.numerics;
   findStoredEnergy(w, r.tools);
   const Suspect s = findSuspect(w, failed.alarm, failed.limitedBy, r.all);
-  const std::string ofKinds = kindSuspect(w, r.tools, failed, r.all);  // on one rank, if at all
+  const std::string ofKinds = kindSuspect(w, r.tools, failed, r.all);  // on at most one rank
   double kinds = ofKinds.empty() ? 0 : 1;
   r.all.maximum({&kinds, 1});
   std::string what = fromOwner(r.comm, kinds > 0 ? ofKinds
                                        : s.here  ? alarmText(w, r.tools, failed, s)
                                                  : std::string());
-  if (what.empty()) what = exceeded(w, r.tools, failed) + "; no particle to name";
+  if (what.empty()) what = exceeded(w, r.tools, failed) + "; no single particle is responsible";
   const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time,
                                        clock.stepDt);
   std::string problem;
@@ -159,19 +159,19 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
           w.clock.time, std::int64_t(1) << w.watch.halvings);
       r.say("warning: " + line);
       if (r.summary.warnings.size() < mostLines) r.summary.warnings.push_back(line);
-      r.firstStep -= clock.step - w.clock.step;  // steps that were done are done
+      r.firstStep -= clock.step - w.clock.step;  // counts the steps that were done
       r.stepAtReport = w.clock.step;
       r.lastReport = WallClock::now();
       return true;
-    } catch (const IoError& e) {  // on all ranks, before anything was changed
-      problem = fmt::format("; the good state cannot be read: {}", e.what());
+    } catch (const IoError& e) {  // on all ranks, before any change
+      problem = fmt::format("; the snapshot cannot be read: {}", e.what());
     }
   }
   if (r.goodInMemory && !r.goodOnDisk) {
     writeCheckpoint(r.options.out, r.comm.handle(), r.good, r.stamp(), sceneMarks(w.scene));
-    problem += fmt::format("; the checkpoint is of step {}, before it failed", r.good.world.clock.step);
+    problem += fmt::format("; the checkpoint holds step {}, before the failure", r.good.world.clock.step);
   } else {
-    problem += "; the last checkpoint is from before";
+    problem += "; the last checkpoint is older";
   }
   why = fmt::format("blew up at {}: {}{}{}", when, what, triedText(r, watch), problem);
   if (r.first())

@@ -63,7 +63,7 @@ struct File {
   throw IoError(path, what + ": " + std::strerror(errno));
 }
 
-/// Writes a new file; false if one is there.
+/// Writes a new file. Returns false if one exists.
 bool createWith(const std::string& path, const std::string& text) {
   const File file(::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY, 0666));
   if (file.fd < 0 && errno == EEXIST) return false;
@@ -78,31 +78,31 @@ bool createWith(const std::string& path, const std::string& text) {
   return true;
 }
 
-/// A file of this process with the text, beside the lock.
+/// Writes the text to a file of this process beside the lock. Returns its path.
 std::string prepare(const std::string& path, const std::string& text) {
   const ProcessMark own = ownProcess();
   const std::string aside = fmt::format("{}.{}.{}", path, own.host, own.pid);
-  ::unlink(aside.c_str());  // of a process that had this number
+  ::unlink(aside.c_str());  // left by a process with this number
   createWith(aside, text);
   return aside;
 }
 
-/// Makes the lock; false if there is one.
+/// Makes the lock. Returns false if one exists.
 bool create(const std::string& path, const std::string& text) {
   const std::string aside = prepare(path, text);
   const int result = ::link(aside.c_str(), path.c_str()), error = errno;
   struct stat about {};
-  // NFS may lose the answer
+  // NFS may lose the reply.
   const bool linked = result == 0 || (::stat(aside.c_str(), &about) == 0 && about.st_nlink == 2);
   ::unlink(aside.c_str());
   if (linked) return true;
   if (error == EEXIST) return false;
-  return createWith(path, text);  // no hard links here
+  return createWith(path, text);  // no hard links on this file system
 }
 
-/// Puts a new lock in the place of `old`; false if that is not there any more. The kernel's lock on the old
-/// file keeps two processes from doing so at once; where the file system has none, the last one to write
-/// wins, and the other finds that.
+/// Replaces the lock `old` by a new one. Returns false if it is no longer there. The kernel's lock on the old
+/// file excludes other processes. Without such locks the last writer holds the folder, and the other one
+/// finds its text replaced.
 bool replace(const std::string& path, const LockHolder& old, const std::string& text) {
   const File file(::open(path.c_str(), O_RDWR));
   if (file.fd < 0 && errno == ENOENT) return false;
@@ -124,7 +124,7 @@ bool replace(const std::string& path, const LockHolder& old, const std::string& 
   return std::string{std::istreambuf_iterator<char>(last), {}} == text;
 }
 
-constexpr const char* advice = "wait for its end, stop it, or give another --out";
+constexpr const char* advice = "wait until it ends, stop it, or choose another --out";
 
 }  // namespace
 
@@ -155,8 +155,8 @@ std::string lockText(const Json& j) {
   const std::string state = j.at("holder").get<std::string>(), text = j.at("text").get<std::string>();
   if (state == "running") return "by " + text;
   return fmt::format("by {}, {}", text,
-                     state == "gone" ? "which is gone: the next run takes over"
-                                     : "not of this host: the next run needs --force");
+                     state == "gone" ? "which has ended: the next run takes over"
+                                     : "on another host: the next run needs --force");
 }
 
 std::string RunLock::take(const LockRequest& q) {
@@ -172,21 +172,21 @@ std::string RunLock::take(const LockRequest& q) {
       return note;
     }
     const std::optional<LockHolder> holder = lockHolder(q.out);
-    if (!holder) continue;  // it has just ended
+    if (!holder) continue;  // the holder has just ended
     const Presence presence = presenceOf(holder->process);
     const std::string who = holderText(*holder);
     const bool elsewhere = presence == Presence::Unknown && holder->process.pid > 0;
     if (presence == Presence::Gone) {
-      note = fmt::format("note: {} is gone and has left its lock: this run takes over {}", who, q.out);
+      note = fmt::format("note: {} has ended and left its lock: this run takes over {}", who, q.out);
     } else if (presence == Presence::Unknown && q.force) {
       note = fmt::format("note: this run takes over {} from {} (--force)", q.out, who);
     } else {
-      if (!elsewhere && waited() < q.patience) continue;  // it may be ending, or writing its lock
+      if (!elsewhere && waited() < q.patience) continue;  // The holder may be ending, or writing its lock.
       if (presence == Presence::Here)
-        throw IoError(q.out, fmt::format("another run is in this folder: {}; {}", who, advice));
+        throw IoError(q.out, fmt::format("another run uses this folder: {}; {}", who, advice));
       throw IoError(
           q.out,
-          fmt::format("another run may be in this folder: {}; {}; if it is over, --force takes the folder",
+          fmt::format("another run may use this folder: {}; {}; if it has ended, --force takes the folder",
                       who, advice));
     }
     if (!replace(path, *holder, text)) continue;
@@ -201,7 +201,7 @@ void RunLock::release() noexcept {
   try {
     std::ifstream file(path_);
     if (std::string{std::istreambuf_iterator<char>(file), {}} == text_) ::unlink(path_.c_str());
-  } catch (const std::exception&) {  // the file stays, as after a kill
+  } catch (const std::exception&) {  // The file stays, as after a kill.
   }
   path_.clear();
 }

@@ -32,7 +32,7 @@ namespace thaw {
 
 namespace {
 
-/// The summary of a run that has no state to gather from.
+/// Writes the summary of a run that has no state to gather.
 void noteWithoutState(Run& r, const std::string& status, const std::string& message) {
   if (!r.first()) return;
   r.summary.status = status;
@@ -43,12 +43,12 @@ void noteWithoutState(Run& r, const std::string& status, const std::string& mess
   std::error_code code;
   std::filesystem::create_directories(r.options.out, code);
   try {
-    // the summary there is of the run that is there
+    // An existing summary belongs to the run in the folder.
     writeSummary(r.options.out, r.summary, holdsRun(r.options.out) ? refusedName : summaryName);
   } catch (const std::exception&) {}
 }
 
-/// Lets the relaxation of oriented bodies be followed, and be stopped as the steps are.
+/// Prints the progress of relaxation, and lets stop requests end it.
 void watchRelaxation(Run& r) {
   r.tools.oriented.stopRelaxing = [&r, watch = stopWatchOf(r),
                                    said = WallClock::now()](std::int64_t done) mutable {
@@ -68,7 +68,7 @@ bool interpolates(const Scene& s) {
                      [](const OrientedBody& b) { return b.growth == OrientedGrowth::Borders; });
 }
 
-/// How the relaxation ended; what is not at rest is a warning.
+/// Reports the end of relaxation. A body that is not at rest is a warning.
 void sayRelaxed(Run& r) {
   const OrientedWork& o = r.tools.oriented;
   if (o.relaxed == 0 && !o.relaxStopped) return;
@@ -76,12 +76,12 @@ void sayRelaxed(Run& r) {
       "oriented: {} iterations of relaxation; the largest force is {:.2e} of stiffness times spacing",
       o.relaxed, o.unrest);
   if (o.atRest) return r.say(line);
-  std::string why = ": they are used up, and not all is at rest (1e-9, and no births)";
-  if (o.relaxStopped) why = ": it was stopped before all was at rest";
+  std::string why = ": the iterations are used up before rest (below 1e-9, no births)";
+  if (o.relaxStopped) why = ": it was stopped before rest";
   if (o.gotNowhere)
     why = fmt::format(
-        ": it was ended there, not at rest (1e-9, and no births), since for {} iterations neither the force "
-        "({:.2e} at least) nor the number of particles ({}) got any further{}",
+        ": it ended before rest (below 1e-9, no births), since for {} iterations neither the force (lowest "
+        "{:.2e}) nor the number of particles ({}) made progress{}",
         o.relaxed - o.relaxProgress.gained, o.relaxProgress.least, o.relaxing,
         interpolates(r.world.scene) ? "; expected points on one smooth surface, with normals that agree, no "
                                       "farther apart than some spacings"
@@ -89,7 +89,7 @@ void sayRelaxed(Run& r) {
   r.warn(line + why);
 }
 
-/// How many particles each body has; of many bodies, each of the first ones, and all others together.
+/// Prints the number of particles of the first bodies, and of all others together.
 void sayBodies(const Run& r, const SamplingReport& sampled) {
   constexpr std::size_t most = 100;
   const std::vector<Body>& bodies = r.world.scene.bodies;
@@ -141,16 +141,16 @@ void writeParticleFrame(Run& r) {
   });
 }
 
-/// "  asleep 8000 (awake: 12 move, 340 wait)": particles whose sums were not formed in the last step, and
-/// what keeps the others from it; empty where none may sleep. Collective.
+/// Returns "  asleep 8000 (awake: 12 move, 340 have awake neighbours)": particles whose sums were skipped in
+/// the last step, and the reasons of the others. Returns "" if no particle may sleep. Collective.
 std::string sleepersOf(Run& r) {
   if (!r.world.modules.sleep) return "";
   std::array<std::int64_t, 2 + unrests> counts{r.world.counters.asleep,
                                                static_cast<std::int64_t>(r.world.particles.owned)};
   std::ranges::copy(countAwake(r.world), counts.begin() + 2);
   r.all.sum(counts);
-  constexpr const char* words[unrests] = {"wait for what is around them", "are not solid", "move",
-                                          "accelerate", "are warmed"};
+  constexpr const char* words[unrests] = {"have awake neighbours", "are not solid", "move", "accelerate",
+                                          "are warmed"};
   std::string why;
   std::int64_t held = counts[1] - counts[0];
   for (const std::size_t k : {1u, 2u, 3u, 4u, 0u}) {
@@ -158,7 +158,7 @@ std::string sleepersOf(Run& r) {
     if (counts[2 + k] > 0)
       why += fmt::format("{}{} {}", why.empty() ? " (awake: " : ", ", counts[2 + k], words[k]);
   }
-  if (held > 0) why += fmt::format("{}{} held, but not yet asleep", why.empty() ? " (" : "; ", held);
+  if (held > 0) why += fmt::format("{}{} at rest, but not yet asleep", why.empty() ? " (" : "; ", held);
   return fmt::format("  asleep {}{}", counts[0], why.empty() ? "" : why + ")");
 }
 
@@ -282,13 +282,13 @@ void noteCutAtStart(Run& r, const std::string& message) { noteWithoutState(r, "s
 
 namespace {
 
-/// The run in the folder goes on with a scene that it cannot have: a line of why, and what it is about, a
-/// line each that begins with a key.
+/// Refuses to continue the run in the folder with this scene. why: the reason; about: a line for each entry,
+/// which begins with its key.
 [[noreturn]] void refuseScene(const Run& r, const std::string& why, const std::vector<std::string>& about) {
   std::vector<std::string> lines{
       fmt::format("{}: error: the run in {} cannot be continued with this scene, {}:", r.options.scene,
                   r.options.out, why)};
-  constexpr std::size_t most = 12;  // of another scene altogether all is different
+  constexpr std::size_t most = 12;  // a different scene changes every entry
   for (const std::string& line : std::span(about).first(std::min(most, about.size())))
     lines.push_back("  " + line + placeOfMark(r.world.scene, line));
   if (about.size() > most)
@@ -315,33 +315,33 @@ void begin(Run& r, const MeshLoader& load) {
     markMeshes(w.scene, load);
     const CheckpointValues& then = slice->header.values;
     if (const std::vector<std::string> differences = sceneDifferences(then, w.scene); !differences.empty())
-      refuseScene(r, "it began with another", differences);
+      refuseScene(r, "it began with a different one", differences);
     const std::vector<std::string> changes = coefficientChanges(then, w.scene),
                                    settings = settingChanges(then, w.scene, slice->header.clock.time);
     std::vector<std::byte> records;
     try {
       records = restoreWorld(w, *slice, r.first());
-    } catch (const IoError& e) {  // the same on all ranks; without a change the file is to blame
+    } catch (const IoError& e) {  // on all ranks alike; without a change the file is damaged
       if (changes.empty() && settings.empty()) throw;
       std::vector<std::string> lines = changes;
       lines.insert(lines.end(), settings.begin(), settings.end());
-      refuseScene(r, std::string("what has changed needs what the run has not kept: ") + e.what(), lines);
+      refuseScene(r, std::string("a change needs data that the run has not stored: ") + e.what(), lines);
     }
     if (const std::vector<std::string> strange = misfits(w, r.all); !strange.empty())
-      refuseScene(r, "what the checkpoint holds is not of it", strange);
+      refuseScene(r, "the checkpoint does not match it", strange);
     for (const auto& told : {changes, settings})
       for (const std::string& change : told) r.warn("changed at the restart: " + change);
     for (const std::string& change : changesOfPastEvents(then, w.scene, slice->header.clock.time))
-      r.warn("changed at the restart, without effect, since its time is over: " + change);
+      r.warn("changed at the restart, without effect, since its time has passed: " + change);
     for (const std::string& change : changesOfTheStart(then, w.scene))
-      r.warn("changed at the restart, without effect, since it says how the run begins: " + change);
-    // retries of other settings do not count
+      r.warn("changed at the restart, without effect, since it sets only how the run begins: " + change);
+    // Retries with other settings do not count.
     if (!changes.empty() || !settings.empty()) w.watch.failures = 0;
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
     if (!changes.empty()) {
       takeNewCoefficients(w, r.halos(), r.tools);
-      w.watch.goodStep = -1;  // those before have the energies of the old ones
+      w.watch.goodStep = -1;  // earlier snapshots have the energies of the old coefficients
     }
     if (w.modules.surface) resumeSurface(w, r.surface->halos(), r.surfaceTools);
     w.clock.limitedBy = "the last run";
@@ -356,7 +356,7 @@ void begin(Run& r, const MeshLoader& load) {
       r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
     watchRelaxation(r);
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
-    markMeshes(w.scene, load);  // what cannot be read has been told with whose it is
+    markMeshes(w.scene, load);  // Unreadable files were reported before, with their body.
     sayBodies(r, sampled);
     eachKind(w, [&](std::size_t kind, const KindRows& rows, const CellTable&) {
       std::int64_t n = static_cast<std::int64_t>(rows.owned);
@@ -366,8 +366,8 @@ void begin(Run& r, const MeshLoader& load) {
     for (const SceneWarning& line : sampled.warnings) r.warn(warningLine(line.where, line.text));
     warnOfIdle(r);
     sayRelaxed(r);
-    if (r.tools.oriented.relaxStopped && r.options.relax == 0) {  // a run from here would be another one than
-                                                                  // the scene's
+    if (r.tools.oriented.relaxStopped && r.options.relax == 0) {  // the run would differ from that of the
+                                                                  // scene
       r.cutAtStart = true;
       return;
     }
@@ -376,7 +376,7 @@ void begin(Run& r, const MeshLoader& load) {
       r.say("warning: " + line);
       r.summary.warnings.push_back(line);
     }
-    // not before the new run is known to start: a mistake in the scene costs nothing of the run that was here
+    // Only now is the new run sure to start. An error in the scene leaves the earlier run as it is.
     onFirstRank(r.comm.handle(), [&] {
       if (setAsideEarlierRun(r.options.out))
         r.say(fmt::format("note: the earlier run in {0} is now in {0}/{1}", r.options.out, earlierRunFolder));
@@ -391,7 +391,7 @@ void begin(Run& r, const MeshLoader& load) {
     r.resumed ? cutProgressLog(r.options.out, w.clock.step) : beginProgressLog(r.options.out);
     r.resumed ? cutLedgerLog(r.options.out, w.clock.step) : beginLedgerLog(r.options.out);
     std::error_code code;
-    std::filesystem::remove(r.options.out + "/" + refusedName, code);  // that is over
+    std::filesystem::remove(r.options.out + "/" + refusedName, code);  // the refusal is obsolete
   });
   if (!r.resumed) writeLedgerRow(r);
   r.firstStep = r.stepAtReport = w.clock.step;

@@ -1,4 +1,4 @@
-// A run in progress: the world, its halos, and what is written of it. All functions are collective.
+// A run in progress: the world, its halos and its output. All functions are collective.
 #pragma once
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ inline double since(WallClock::time_point t) {
   return std::chrono::duration<double>(WallClock::now() - t).count();
 }
 
-/// What a run holds beside the world.
+/// State of a run beside the world.
 struct Run {
   const RunOptions& options;
   const Communicator& comm;
@@ -39,35 +39,35 @@ struct Run {
   MpiReducer all;
   std::unique_ptr<MpiCellHalo> cells;
   std::unique_ptr<MpiBondHalo> bonds;
-  std::unique_ptr<SurfaceRanks> surface;                       // where the scene has one; as are the next two
-  std::array<std::unique_ptr<MpiCellHalo>, kindCount> kinds;   // of the further kinds that the scene has
-  std::unique_ptr<MpiBondHalo> edges;                          // of the sheets
+  std::unique_ptr<SurfaceRanks> surface;  // only if the scene has one; as are the next two
+  std::array<std::unique_ptr<MpiCellHalo>, kindCount> kinds;   // oriented bodies and sheets
+  std::unique_ptr<MpiBondHalo> edges;                          // for sheets
   std::array<std::vector<SeriesEntry>, kindCount> kindSeries;  // rank 0
   SurfaceTools surfaceTools;
   std::vector<SeriesEntry> surfaceSeries;  // rank 0
-  std::string name;                        // of the scene, for its files
+  std::string name;                        // name of the scene, for file names
   std::vector<SeriesEntry> series;         // rank 0
   RunSummary summary;
   WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
   std::int64_t firstStep = 0, stepAtReport = 0;
-  GoodState good;      // the last one
-  LedgerReport books;  // of the state that is about to become it
+  GoodState good;      // the last snapshot
+  LedgerReport books;  // ledger of the next snapshot
   bool goodInMemory = false, goodOnDisk = false;
   std::unique_ptr<Profile> profile;  // with --profile, from the first step on
-  bool resumed = false;              // it goes on from a checkpoint
+  bool resumed = false;              // the run continues from a checkpoint
   bool begun = false;                // the world holds its particles
-  bool cutAtStart = false;  // stopped in the relaxation before the start: nothing of the run is there
-  std::set<std::pair<std::size_t, std::size_t>> sunkenTold;  // oriented bodies and bodies that warnOfSunken
-                                                             // has told of
-  std::set<std::pair<std::size_t, std::size_t>> inObstaclesTold;  // the same of oriented bodies and walls
-  bool stepping = false;  // in the loop, where ranks wait for each other
+  bool cutAtStart = false;  // stopped during relaxation before the start: nothing of the run is on disk
+  std::set<std::pair<std::size_t, std::size_t>> sunkenTold;       // oriented bodies and bodies of which
+                                                                  // warnOfSunken has warned
+  std::set<std::pair<std::size_t, std::size_t>> inObstaclesTold;  // the same for oriented bodies and walls
+  bool stepping = false;  // in the step loop, whose calls are collective
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
   Halos halos() {
     return {all, *cells, *bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, edges.get()};
   }
   bool first() const { return comm.rank() == 0; }
-  /// To the terminal and the summary, once.
+  /// Prints a warning and adds it to the summary, once.
   void warn(const std::string& line) {
     if (std::find(summary.warnings.begin(), summary.warnings.end(), line) != summary.warnings.end()) return;
     summary.warnings.push_back(line);
@@ -79,43 +79,43 @@ struct Run {
   RunStamp stamp() const { return {name, world.scene.text, world.scene.output.piecesByRank}; }
 };
 
-/// New halos for particles, bonds and surface: at the start, and as after a restart.
+/// Makes new halos for particles, bonds and surface, at the start and at a rollback.
 void renewHalos(Run& run);
 
-/// The next frame, of all that the scene has (a scene without continuum has none of particles), and its lines
-/// in the series.
+/// Writes the next frame of each part of the scene, and its lines in the indices. A scene without continuum
+/// has no frame of particles.
 void writeFrameOf(Run& run);
 
-/// A progress line, and one with all books in OUT/progress.csv.
+/// Prints a progress line and adds one with the whole ledger to OUT/progress.csv.
 void report(Run& run);
 
-/// Warns of events and fields of oriented bodies that have met nothing.
+/// Warns of events and fields of oriented bodies that affect no particle.
 void warnOfIdle(Run& run);
 
-/// Warns once of each oriented body and body of which particles of the first have come into the second.
-/// Between two steps, where good states are due, and at the end. Collective.
+/// Warns of interpenetration, once for each oriented body and body or obstacle. Called when snapshots are due
+/// and at the end. Collective.
 void warnOfSunken(Run& run);
 
 /// Gathers and writes summary.json.
 void summarise(Run& run, const std::string& status, const std::string& message);
 
-/// Says what --profile has found, and writes OUT/trace.json; once, at whatever end.
+/// Prints the profile and writes OUT/trace.json; once, at any end of the run.
 void reportProfile(Run& run);
 
-/// With it a summary, so that also a run that is killed leaves one.
+/// Writes a checkpoint and a summary. Killed runs thus leave a summary, too.
 void writeCheckpointOf(Run& run);
 
-/// What ends a run from outside, as this rank sees it: rank 0 has the clock and the look at the disk for all.
+/// Returns the monitor of stop requests on this rank. Rank 0 checks clock and disk for all.
 StopWatch stopWatchOf(const Run& run);
 
-/// A summary for a run that failed; failures of this are not reported on top. `together`: all ranks are here,
-/// so that the state that they hold, if they hold one already, can be gathered.
+/// Writes the summary of a failed run; ignores errors in doing so. together: all ranks are here, so that
+/// their state can be gathered, if they have one.
 void noteFailure(Run& run, const std::string& message, bool together);
 
-/// The same for a run that was stopped before it began.
+/// Writes the summary of a run that was stopped before its start.
 void noteCutAtStart(Run& run, const std::string& message);
 
-/// Samples the scene's bodies, or goes on from the newest checkpoint; or sets Run::cutAtStart. Throws
+/// Samples the bodies of the scene, continues from the newest checkpoint, or sets Run::cutAtStart. Throws
 /// SceneErrors, IoError.
 void begin(Run& run, const MeshLoader& load);
 

@@ -20,8 +20,8 @@ template<class List> void addNames(CheckpointValues& marks, const char* group, c
     marks[fmt::format("{}.{}", group, list[k].name)] = static_cast<double>(k);
 }
 
-/// An emitter numbers its particles by what it has let out since its start, so that its schedule is part of
-/// the state.
+/// Adds an emitter. It numbers its particles by their count since its start, so its schedule is part of the
+/// state.
 void addEmitter(CheckpointValues& marks, const Emitter& e) {
   const std::string at = "emitter." + e.name + ".";
   addNumbers(marks, at,
@@ -37,17 +37,18 @@ void addEmitter(CheckpointValues& marks, const Emitter& e) {
   addField(marks, at, e.velocityField);
 }
 
-/// What is held has been marked at the start, and a scene without clamps has no column for it.
+/// Adds clamps. Clamped particles are flagged at the start, and a scene without clamps has no column for the
+/// flags.
 void addClamps(CheckpointValues& marks, const std::string& at, const std::vector<Shape>& clamps) {
   marks[at + "clamps"] = static_cast<double>(clamps.size());
   for (std::size_t k = 0; k < clamps.size(); k++)
     addShape(marks, fmt::format("{}clamp.{}.", at, k), clamps[k]);
 }
 
-/// A sheet's edges, triangles and places of rest are made anew from its mesh at a restart.
+/// Adds a sheet. A restart makes its edges, triangles and rest positions again from its mesh.
 void addSheet(CheckpointValues& marks, const SheetBody& b) {
   const std::string at = "sheet." + b.name + ".";
-  // vertices keep their mass and the number of their law
+  // Vertices keep their mass and the index of their law.
   addNumbers(marks, at,
              {{"mesh", static_cast<double>(b.mesh)},
               {"width", b.width},
@@ -75,10 +76,11 @@ bool mayChange(const std::string& key) {
   return hasPrefix(key, coefficient) || hasPrefix(key, setting) || hasPrefix(key, ofStart);
 }
 
-/// Particles are at places that follow from these; anchors and given points are found by them again.
+/// Adds an oriented body. The positions of its particles follow from these, and a restart finds anchors and
+/// given points by them.
 void addOriented(CheckpointValues& marks, const OrientedBody& b) {
   const std::string at = "oriented." + b.name + ".";
-  // particles keep their mass and inertia, and name their anchors by place in the list
+  // Particles keep mass and inertia, and refer to anchors by index.
   addNumbers(marks, at,
              {{"source", static_cast<double>(b.source)},
               {"width", b.width},
@@ -106,11 +108,10 @@ void addOriented(CheckpointValues& marks, const OrientedBody& b) {
   }
 }
 
-constexpr std::size_t mostTold = 100;  // bodies: of more these marks would be longer than what they are good
-                                       // for
+constexpr std::size_t mostTold = 100;  // bodies with entries of their own; for more of them the record would
+                                       // be too long
 
-/// What a body's particles are made of, and those of all that fall: the automatic sound speed goes by its
-/// shape, too.
+/// Adds the material and shape of a body. The automatic sound speed depends on the shape, too.
 void addBody(CheckpointValues& marks, const Body& b) {
   const std::string at = "body." + b.name + ".";
   addNumbers(marks, at, {{"material", b.material}, {"packing", static_cast<double>(b.packing)}});
@@ -128,7 +129,7 @@ void addStart(CheckpointValues& marks, const Body& b) {
   addField(marks, at + "temperature", b.temperatureField);
 }
 
-/// The first of them one by one, the others by a checksum.
+/// Adds the first bodies one by one, and the others as a checksum.
 void addBodies(CheckpointValues& marks, const std::vector<Body>& bodies) {
   CheckpointValues made, start;
   for (std::size_t k = 0; k < bodies.size(); k++) {
@@ -153,8 +154,8 @@ void addStart(CheckpointValues& marks, const Scene& s) {
   }
 }
 
-/// Beginnings of the keys of events, as "setting.oriented.net.event.0.", that were before a time, where they
-/// are in the marks of both.
+/// Returns the prefixes of events, as "setting.oriented.net.event.0.", that were before `time` in all records
+/// that have them.
 std::vector<std::string> pastEvents(const CheckpointValues& stored, const CheckpointValues& now,
                                     double time) {
   const std::string last = "time";
@@ -176,7 +177,7 @@ bool ofOne(const std::string& key, const std::vector<std::string>& beginnings) {
                      [&](const std::string& b) { return hasPrefix(key, b); });
 }
 
-/// Without the settings whose keys begin like one of these, or without all other settings.
+/// Returns the entries with only the settings of these prefixes, or without them.
 CheckpointValues chosen(const CheckpointValues& marks, const std::vector<std::string>& beginnings,
                         bool those) {
   CheckpointValues some;
@@ -185,14 +186,14 @@ CheckpointValues chosen(const CheckpointValues& marks, const std::vector<std::st
   return some;
 }
 
-/// The same word for another number is a material or body that has another place in its list, which is told
-/// by itself.
+/// Adds a change, unless the texts are equal: then a material or body has another index, which is reported by
+/// itself.
 void tellChange(std::vector<std::string>& changes, const std::string& key, const std::string& was,
                 const std::string& is, const std::string& unit) {
   if (was != is) changes.push_back(fmt::format("{} was {}, and is {} now{}", key, was, is, unit));
 }
 
-/// Marks of one prefix that differ, without it.
+/// Returns the changes of entries with a prefix, without it.
 std::vector<std::string> changesOf(const std::string& prefix, const CheckpointValues& stored,
                                    const CheckpointValues& now) {
   const MarkWords then(stored), words(now);
@@ -221,19 +222,18 @@ CheckpointValues sceneMarks(const Scene& s) {
   marks["spacing"] = s.spacing;
   marks["seed"] = static_cast<double>(s.seed);
   marks["numerics.support"] = s.numerics.support;
-  marks["numerics.bond_support"] = s.numerics.bondSupport;        // bonds that are there were made with it
-  marks["numerics.heat"] = static_cast<double>(s.numerics.heat);  // enthalpy is not kept by the plain
-                                                                  // temperature model
-  marks["output.every"] = s.output.every;  // the numbers of frames would run into those that are there
+  marks["numerics.bond_support"] = s.numerics.bondSupport;        // existing bonds were made with it
+  marks["numerics.heat"] = static_cast<double>(s.numerics.heat);  // the paper model does not store enthalpy
+  marks["output.every"] = s.output.every;  // frame numbers would collide with existing frames
   for (int a = 0; a < 3; a++) {
     const std::string axis = axes[a];
     marks["domain.min." + axis] = s.domain.min[a];
     marks["domain.max." + axis] = s.domain.max[a];
-    marks["domain.gravity." + axis] = s.domain.gravity[a];  // the ledger reckons potential and impulse from
-                                                            // the start
+    marks["domain.gravity." + axis] = s.domain.gravity[a];  // the ledger sums potential energy and impulse
+                                                            // from the start
     marks["domain.periodic." + axis] = s.domain.side[static_cast<std::size_t>(a)][0] == Side::Periodic;
   }
-  if (s.surface.on) marks["surface"] = 1;  // begins with the bodies
+  if (s.surface.on) marks["surface"] = 1;  // the surface begins with the bodies
   addNames(marks, "material", s.materials);
   addNames(marks, "body", s.bodies);
   addNames(marks, "emitter", s.emitters);

@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-volatile std::sig_atomic_t signalCaught = 0;  // the one thing that a signal handler may write
+volatile std::sig_atomic_t signalCaught = 0;  // the only type that a signal handler may write
 
 extern "C" void noteSignal(int number) {
   if (signalCaught == 0) signalCaught = number;

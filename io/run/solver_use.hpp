@@ -1,4 +1,4 @@
-// How many iterations the solvers of a run take.
+// Iterations of the solvers of a run.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace thaw {
 
-/// Of one solver: iterations of the last step, and the mean of all steps.
+/// A solver: iterations of the last step, and the mean over all steps.
 struct SolverUse {
   const char* name;
   std::int64_t last;
   double mean;
 };
 
-/// Of the solvers that the scene has. On the first rank, whose counters have them.
+/// Returns the use of each solver of the scene. On the first rank, whose counters have it.
 std::vector<SolverUse> solversOf(const World& world, const StepTools& tools);
 
 }  // namespace thaw

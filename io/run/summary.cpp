@@ -36,7 +36,7 @@ Json countersJson(Counters counters) {
   return j;
 }
 
-/// Work, not waiting: what the balance can even out.
+/// Is a phase work and not waiting, so that load balancing can even it out?
 bool isWork(StepPhase p) {
   return p == StepPhase::Oriented || p == StepPhase::Sheet || p == StepPhase::Search ||
          p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Viscosity ||
@@ -44,14 +44,14 @@ bool isWork(StepPhase p) {
          p == StepPhase::Contact || p == StepPhase::Heat || p == StepPhase::Drift || p == StepPhase::Sort;
 }
 
-/// ", 12 through its side of high z, 3 through that of low x", as far as it is known: the counts of a run
-/// that began before they were made are less.
+/// Returns ", 12 through its high z side, 3 through its low x side". The counts are too low for a run that
+/// began with a version without them.
 std::string sidesLeft(const Counters& c) {
   std::string text;
   for (int a = 0; a < 3; a++)
     for (int high = 0; high < 2; high++)
       if (const std::int64_t n = c.leftThrough[a][high]; n > 0)
-        text += fmt::format(", {} through its side of {} {}", n, high ? "high" : "low", "xyz"[a]);
+        text += fmt::format(", {} through its {} {} side", n, high ? "high" : "low", "xyz"[a]);
   return text;
 }
 
@@ -178,34 +178,34 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
         fmt::format("{} particles left the domain{} (their mass, momentum and heat are in the ledger)",
                     c.left, sidesLeft(c)));
   add(c.singularNeighbourhoods,
-      "solid particles have a flat, thin or lonely neighbourhood (rank of their moment matrix < 3)");
-  add(c.inverted, "times a solid particle was turned inside out (det F <= 0)");
+      "solid particles have a flat, thin or isolated neighbourhood (rank of their moment matrix < 3)");
+  add(c.inverted, "times a solid particle was inverted (det F <= 0)");
   add(c.squeezed,
-      "times a solid particle of law = \"green\" was squeezed below .577 of its length, from where that law "
-      "weakens: law = \"corotated\" or \"neo-hookean\" stiffens");
-  add(c.coincidentPairs, "times a particle shared its place with another and was pushed aside");
+      "times a solid particle of law = \"green\" was compressed below 0.577 of its length, where that law "
+      "softens: law = \"corotated\" or \"neo-hookean\" stiffens");
+  add(c.coincidentPairs, "times a particle was at the position of another and was moved aside");
   add(c.viscousUnfinished, "steps needed more than numerics.viscosity_iterations for viscosity");
-  add(c.retries, "times a stretch of steps failed and was run again with shorter ones");
+  add(c.retries, "times a series of steps failed and was repeated with shorter steps");
   add(c.unsolvedPressures,
-      "times the pressure of incompressible liquid was not found within numerics.max_iterations");
+      "times the pressure of incompressible liquid did not converge within numerics.max_iterations");
   if (static_cast<double>(c.crowded) > 0.01 * static_cast<double>(l.particles))
-    w.push_back(fmt::format(
-        "{} particles are more than 1.3 times as crowded as the density that they carry says: it drifts "
-        "where liquid is poured or splashes for long; numerics.density = \"summation\" does not",
-        c.crowded));
+    w.push_back(
+        fmt::format("{} particles have a summed density above 1.3 times their carried density, which drifts "
+                    "in long pours and splashes; numerics.density = \"summation\" does not drift",
+                    c.crowded));
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
-  const double largest = std::max(l.energyScale, l.energyLargest);  // what has come to rest has little left
-                                                                    // to set it against
+  const double largest = std::max(l.energyScale, l.energyLargest);  // a scene at rest has little energy left
+                                                                    // for comparison
   if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)
     w.push_back(
         fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term "
-                    "of this run) are from nowhere; shorter steps (numerics.max_step) may show why",
+                    "in this run) are unexplained; try shorter steps (numerics.max_step)",
                     l.energyResidual, 100 * std::abs(l.energyResidual) / largest));
   const double heatRounding = 1e-12 *
                               std::max({std::abs(l.now.internal), std::abs(l.initial.internal), l.heatScale});
   if (std::abs(l.heatResidual) > std::max(0.05 * l.heatScale, heatRounding))
     w.push_back(fmt::format(
-        "the ledger of heat does not close: {:+.3g} J ({:.0f} % of its largest term) are from nowhere",
+        "the ledger of heat does not close: {:+.3g} J ({:.0f} % of its largest term) are unexplained",
         l.heatResidual, l.heatScale > 0 ? 100 * std::abs(l.heatResidual) / l.heatScale : 100));
   return w;
 }

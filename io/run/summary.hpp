@@ -1,4 +1,4 @@
-// What a run leaves behind as summary.json, also when it fails.
+// summary.json, which a run leaves also when it fails.
 #pragma once
 #include <map>
 #include <string>
@@ -17,42 +17,41 @@ namespace thaw {
 
 struct RunSummary {
   std::string status = "running";  ///< "done", "stopped", "failed"
-  std::string message;             ///< why it stopped or failed
+  std::string message;             ///< reason of a stop or failure
   std::string sceneFile, title;
   int ranks = 1;
   LedgerReport ledger;
   Clock clock;
-  Counters counters;                         ///< of all ranks
-  std::int64_t stepsHere = 0;                ///< done by this process, without those before a restart
+  Counters counters;                         ///< sums over ranks
+  std::int64_t stepsHere = 0;                ///< steps of this process, without those before a restart
   double wall = 0;                           ///< s
-  double particleSteps = 0;                  ///< of all ranks, by this process
-  std::map<std::string, RankSpread> phases;  ///< s a rank
-  double imbalance = 1;                      ///< largest over mean time of work, over ranks
-  TrafficSummary traffic;                    ///< of this process
-  double peakMemory = 0;                     ///< bytes, largest of a rank
-  double particleSpread = 1;                 ///< largest over mean number of particles of a rank
+  double particleSteps = 0;                  ///< sum over ranks, by this process
+  std::map<std::string, RankSpread> phases;  ///< s per rank
+  double imbalance = 1;                      ///< largest over mean working time of ranks
+  TrafficSummary traffic;                    ///< communication of this process
+  double peakMemory = 0;                     ///< bytes, largest over ranks
+  double particleSpread = 1;                 ///< largest over mean number of particles per rank
   std::vector<std::string> warnings;
   std::vector<std::string> modules;
-  std::vector<SolverUse> solvers;  ///< of the first rank
+  std::vector<SolverUse> solvers;  ///< from the first rank
   SurfaceSummary surface;
 };
 
-/// Fills in what has to be gathered from all ranks: phases, imbalance, bytes, memory, counters. Collective.
+/// Gathers phases, imbalance, bytes, memory and counters over ranks. Collective.
 void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times, const Traffic& traffic,
                    Reducer& all);
 
 inline constexpr const char* summaryName = "summary.json";
-/// Where a start that is refused says why, in a folder that holds a run: the summary of that run stays as it
-/// is.
+/// Summary of a start that is refused, in a folder that holds a run. The summary of that run stays as it is.
 inline constexpr const char* refusedName = "summary.refused.json";
 
-/// Writes OUT/NAME by rename; IoError. One process only.
+/// Writes OUT/NAME and replaces the old file at once. One process only. Throws IoError.
 void writeSummary(const std::string& out, const RunSummary& summary, const std::string& name = summaryName);
 
-/// Warnings with counts, in words, of what was mended or looks wrong.
+/// Returns warnings with counts of corrections and anomalies.
 std::vector<std::string> warningsOf(const Counters& counters, const LedgerReport& ledger);
 
-/// Peak resident memory of this process, in bytes.
+/// Returns the peak resident memory of this process, in bytes.
 double peakMemory();
 
 }  // namespace thaw

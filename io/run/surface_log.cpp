@@ -27,13 +27,13 @@ std::vector<std::string> fieldsOf(const std::string& line) {
   return fields;
 }
 
-/// A field as a number; `none` where there is none.
+/// Returns a field as a number, or `none` if it has none.
 template<class T> T numberIn(const std::vector<std::string>& fields, std::size_t k, T none) {
   if (k < fields.size()) std::from_chars(fields[k].data(), fields[k].data() + fields[k].size(), none);
   return none;
 }
 
-/// Lines of earlier versions have fewer columns: what they do not say is left empty.
+/// Returns the commas that lines of earlier versions lack: their missing fields stay empty.
 std::string missingCommas(const std::string& line) {
   const auto has = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
   return std::string(has < column::count ? column::count - has : 0, ',');
@@ -47,7 +47,7 @@ std::string eventLogPath(const std::string& out) { return out + "/events.csv"; }
 void beginComponentLog(const std::string& out) { replaceTextFile(componentLogPath(out), head); }
 
 void addToComponentLog(const std::string& out, const World& w) {
-  std::string lines;  // numbers in as many digits as make them unique
+  std::string lines;  // numbers have as many digits as make them unique
   for (const SurfaceComponent& c : w.surface.components)
     lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", w.clock.frame, w.clock.step,
                          w.clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume,

@@ -1,6 +1,5 @@
-// Logs of a surface as tables that any program reads: OUT/surface.csv, a line for each component at each
-// frame; OUT/events.csv, a line for each split and merge, and each component whose label changed. One process
-// only; IoError where the disk says no.
+// Logs of a surface: OUT/surface.csv with a line for each component at each frame; OUT/events.csv with a line
+// for each split, merge and change of a label. One process only. Throws IoError if the disk fails.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,19 +12,18 @@ namespace thaw {
 std::string componentLogPath(const std::string& out);
 std::string eventLogPath(const std::string& out);
 
-/// A new log, with its head.
+/// Starts a new log with its header.
 void beginComponentLog(const std::string& out);
 
-/// Lines of the frame that is being written (Clock::frame) behind the others.
+/// Adds the lines of the current frame (Clock::frame).
 void addToComponentLog(const std::string& out, const World& world);
 
-/// Drops lines of after `step`, and one that was not finished; a log that is not there begins anew. Of a run
-/// that goes back, or on from a checkpoint: lines of frames up to it were written before it. Returns what the
-/// frames that are left say of volumes. Lines of earlier versions, without the volume that was to be held,
-/// are kept with that field empty.
+/// Drops lines after `step` and an incomplete last line, at a rollback or restart. Starts a missing log anew.
+/// Returns the volume errors of the remaining frames. Lines of earlier versions lack the target volume; that
+/// field stays empty.
 VolumeHeld cutComponentLog(const std::string& out, std::int64_t step);
 
-/// The whole log, which is part of the state, in place of the one that is there.
+/// Replaces the whole log, which is part of the state.
 void writeEventLog(const std::string& out, const std::vector<SurfaceEvent>& events);
 
 }  // namespace thaw

@@ -39,7 +39,8 @@ void updateSurfaceOf(Run& r) {
   const std::size_t events = s.events.size();
   r.tools.times.start();
   if (r.world.modules.solid)
-    findElasticEnergy(r.world, r.tools);  // and F: the volume that solids have now (gather_particles.cpp)
+    findElasticEnergy(r.world, r.tools);  // also F, from which the current volume of solids follows
+                                          // (gather_particles.cpp)
   updateSurface(r.world, r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Surface);
   r.summary.surface.updatesHere++;

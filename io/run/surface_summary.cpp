@@ -12,8 +12,8 @@ namespace thaw {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::size_t mostEvents = 1000, mostLines = 8;  // of the last ones in the summary (events.csv has
-                                                         // all); of components at the end
+constexpr std::size_t mostEvents = 1000, mostLines = 8;  // last events in the summary (events.csv has all);
+                                                         // components at the end
 
 }  // namespace
 
@@ -60,11 +60,11 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
   const SurfaceCounters& c = s.counters;
   std::vector<std::string> lines{
       fmt::format("surface: {} surfels, {} updates with {} iterations, {} births, {} deaths, {} splits, {} "
-                  "merges; {:.3g} s an update",
+                  "merges; {:.3g} s per update",
                   s.surfels, c.updates, c.iterations, c.births, c.deaths, c.splits, c.merges,
                   s.updatesHere > 0 ? s.seconds / static_cast<double>(s.updatesHere) : 0)};
   if (s.updatesHere > 0) {
-    std::string line = "  of an update:";
+    std::string line = "  per update:";
     for (std::size_t k = 0; k < surfacePhases; k++)
       line += fmt::format("{} {} {:.3g} ms", k > 0 ? "," : "", phaseName(static_cast<SurfacePhase>(k)),
                           1e3 * s.phases[k] / static_cast<double>(s.updatesHere));
@@ -88,14 +88,13 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
 std::vector<std::string> lumpWarnings(const Scene& scene, const std::vector<std::uint64_t>& lumps) {
   std::vector<std::string> w;
   std::uint64_t last = ~std::uint64_t{0};
-  for (const std::uint64_t label : lumps) {  // 1 + the smallest id of its particles
+  for (const std::uint64_t label : lumps) {  // labels are 1 + the smallest particle id
     const std::uint64_t body = (label - 1) >> idBits;
     if (body == last || body >= scene.bodies.size()) continue;
     last = body;
     w.push_back(fmt::format(
-        "the surface of the liquid body '{}' is one lump where sheets of it are nearer to each other than "
-        "some {} spacings: surface.particle_support = 1 tells layers of particles apart that are two "
-        "spacings from each other",
+        "the surface of the liquid body '{}' merges its layers where they are closer than some {} spacings: "
+        "surface.particle_support = 1 separates layers of particles at a distance of two spacings",
         scene.bodies[body].name, std::lround(scene.numerics.support * scene.surface.particleSupport) - 1));
   }
   return w;
@@ -120,11 +119,10 @@ std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {
   const auto add = [&](std::int64_t n, const char* what) {
     if (n > 0) w.push_back(fmt::format("{} {}", n, what));
   };
-  add(s.counters.lost, "surfels had no particles around and were deleted");
-  add(s.counters.flipped, "times a surfel's normal stood against the particles and was turned round");
-  add(s.counters.capped, "updates of the surface reached the most births and deaths that one may have");
-  add(s.counters.unfinished,
-      "updates of the surface ended at surface.iterations with surfels that still moved");
+  add(s.counters.lost, "surfels had no particles nearby and were deleted");
+  add(s.counters.flipped, "times a surfel's normal pointed into the particles and was reversed");
+  add(s.counters.capped, "updates of the surface reached their limit of births and deaths");
+  add(s.counters.unfinished, "updates of the surface ended at surface.iterations while surfels still moved");
   if (const std::string line = volumeHeldWarning(s.held); s.keepsVolume && !line.empty()) w.push_back(line);
   return w;
 }

@@ -1,4 +1,4 @@
-// The surface of a run in summary.json and the lines at the end.
+// The surface in summary.json and in the last lines of a run.
 #pragma once
 #include <array>
 #include <nlohmann/json_fwd.hpp>
@@ -15,14 +15,14 @@ namespace thaw {
 
 struct SurfaceSummary {
   bool there = false;
-  std::int64_t surfels = 0;                    ///< of all ranks
+  std::int64_t surfels = 0;                    ///< sum over ranks
   double spacing = 0;                          ///< m
-  std::int64_t lastStep = -1;                  ///< of the last update
-  std::int64_t updatesHere = 0;                ///< by this process
-  double seconds = 0;                          ///< of them, largest of a rank
-  std::array<double, surfacePhases> phases{};  ///< s, of them by phase, largest of a rank
-  bool keepsVolume = false;                    ///< the scene wants that
-  VolumeHeld held;                             ///< of all frames of the run so far; first rank only
+  std::int64_t lastStep = -1;                  ///< step of the last update
+  std::int64_t updatesHere = 0;                ///< updates by this process
+  double seconds = 0;                          ///< their time, largest over ranks
+  std::array<double, surfacePhases> phases{};  ///< s, by phase, largest over ranks
+  bool keepsVolume = false;                    ///< the scene sets surface.keep_volume
+  VolumeHeld held;                             ///< over all frames of the run so far; first rank only
   SurfaceCounters counters;
   std::vector<SurfaceComponent> components;
   std::vector<SurfaceEvent> events;
@@ -30,16 +30,16 @@ struct SurfaceSummary {
 
 nlohmann::ordered_json surfaceJson(const SurfaceSummary& summary);
 
-/// Counters, how well volumes were held, and the largest components, a line each.
+/// Returns lines with counters, volume errors, and the largest components.
 std::vector<std::string> surfaceLines(const SurfaceSummary& summary);
 
-/// Of a start: a line for each body with a label in SurfaceTools::lumps.
+/// Returns a line for each body with a label in SurfaceTools::lumps, at a start.
 std::vector<std::string> lumpWarnings(const Scene& scene, const std::vector<std::uint64_t>& lumps);
 
-/// Of a start: a line for each body in SurfaceTools::pieces.
+/// Returns a line for each body in SurfaceTools::pieces, at a start.
 std::vector<std::string> pieceWarnings(const Scene& scene, const std::vector<BodyPieces>& pieces);
 
-/// In words, with counts.
+/// Returns warnings with counts.
 std::vector<std::string> surfaceWarnings(const SurfaceSummary& summary);
 
 }  // namespace thaw

@@ -17,7 +17,7 @@ enum Tag { ClockTag = 51, CountTag = 52, EventsTag = 53 };
 
 std::int64_t now() { return StepTrace::nanoseconds(StepTrace::Clock::now()); }
 
-/// Of the first rank of a machine, by questions to rank 0.
+/// Returns the clock offset of the first rank of a machine, by round trips to rank 0.
 std::int64_t askFirstRank(MPI_Comm comm) {
   std::int64_t quickest = INT64_MAX, offset = 0;
   for (int k = 0; k < 20; k++) {
@@ -42,7 +42,7 @@ void answer(MPI_Comm comm, int rank) {
   }
 }
 
-/// Writes to a file until something fails; then remembers what.
+/// A file writer that remembers its first error.
 class Lines {
  public:
   explicit Lines(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "w")) {
@@ -57,7 +57,7 @@ class Lines {
     if (problem_.empty() && std::fwrite(text.data(), 1, text.size(), file_) != text.size())
       problem_ = path_ + ": cannot be written: " + std::strerror(errno);
   }
-  /// What went wrong, if anything.
+  /// Closes the file. Returns the error, or "".
   std::string close() {
     if (file_ && std::fclose(file_) != 0 && problem_.empty())
       problem_ = path_ + ": cannot be written: " + std::strerror(errno);

@@ -8,14 +8,14 @@
 
 namespace thaw {
 
-/// What to add to the times of this process's steady clock to get those of rank 0's (ns): 0 on the machine of
-/// rank 0, else found from the quickest of some answers that go to and fro, good to half of their time.
+/// Returns the offset (ns) from the steady clock of this process to that of rank 0. It is 0 on the machine of
+/// rank 0. Elsewhere it comes from the quickest of several round trips, with an error of half its time.
 /// Collective.
 std::int64_t clockOffset(const Communicator& comm);
 
-/// Each rank is a process; steps, phases and waits are slices on one thread of it, one in another, exchanges
-/// are asynchronous slices beside it. Rank 0 takes the events of one rank after another, so that it never
-/// holds those of all. Throws the same IoError on all ranks. Collective.
+/// Writes the trace. Each rank is a process; steps, phases and waiting times are nested slices of its thread,
+/// and exchanges are asynchronous slices beside it. Rank 0 receives the events of one rank at a time, so that
+/// it never holds all of them. Throws the same IoError on all ranks. Collective.
 void writeTrace(const std::string& path, const Communicator& comm, const StepTrace& trace);
 
 }  // namespace thaw

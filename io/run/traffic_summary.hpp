@@ -1,5 +1,4 @@
-// Messages, bytes, collectives and waiting of all ranks: for summary.json and for the table of `thaw run
-// --profile`.
+// Messages, bytes, collectives and waiting time over ranks, for summary.json and `thaw run --profile`.
 #pragma once
 #include <array>
 #include <nlohmann/json_fwd.hpp>
@@ -9,7 +8,7 @@
 
 namespace thaw {
 
-/// Least, mean and most of a rank.
+/// Smallest, mean and largest value over ranks.
 struct RankSpread {
   double least = 0, mean = 0, most = 0;
 };
@@ -17,14 +16,14 @@ struct RankSpread {
 struct TrafficSummary {
   struct Of {
     RankSpread messages, bytes, waited;
-  };  ///< of a rank; waited in s
+  };  ///< per rank; waited in s
   std::array<Of, purposes> of{};
-  RankSpread messages, bytes, waited;          ///< the same of all purposes together
-  std::int64_t allMessages = 0, allBytes = 0;  ///< of all ranks
-  std::int64_t collectives = 0;                ///< most of a rank
+  RankSpread messages, bytes, waited;          ///< the same for all purposes together
+  std::int64_t allMessages = 0, allBytes = 0;  ///< sums over ranks
+  std::int64_t collectives = 0;                ///< largest over ranks
 };
 
-/// What was done since `before`, of each rank. Collective.
+/// Returns the traffic since `before`. Collective.
 TrafficSummary gatherTraffic(const Traffic& now, const Traffic& before, Reducer& all);
 
 nlohmann::ordered_json trafficJson(const TrafficSummary& traffic);

@@ -17,7 +17,7 @@ void note(VolumeOff& worst, const SurfaceComponent& c, double volume, double tim
     worst = {off, c.label, c.particles, time};
 }
 
-/// Logs of earlier versions do not say what is to be held.
+/// Returns the target volume. Logs of earlier versions lack it.
 double wantedOf(const SurfaceComponent& c) { return c.wantedVolume > 0 ? c.wantedVolume : c.particleVolume; }
 
 bool there(const VolumeOff& w) { return w.label != noComponent; }
@@ -65,27 +65,25 @@ void noteVolumes(VolumeHeld& held, const std::vector<SurfaceComponent>& componen
 std::vector<std::string> volumeHeldLines(const VolumeHeld& h) {
   if (!h.any) return {};
   std::vector<std::string> lines{fmt::format(
-      "  volume, at all frames: the sum at worst {:+.2f} % off what is to be held (t {:.5g} s); {:.2g} % of "
-      "the particles are in components that are off by more than 1 % ({:.3g} % in the worst frame, t {:.5g} "
-      "s)",
+      "  volume over all frames: the sum at most {:+.2f} % off the target (t {:.5g} s); {:.2g} % of the "
+      "particles are in components more than 1 % off ({:.3g} % in the worst frame, t {:.5g} s)",
       100 * h.sum.off(), h.sum.time, 100 * shareOf(h), 100 * h.missing.missedShare(), h.missing.time)};
   if (there(h.ofParticles)) {
     lines.push_back(
-        fmt::format("    of components of {} particles and more at worst {} off that of the particles",
+        fmt::format("    components of {} particles and more: at most {} off the volume of the particles",
                     leastHeldParticles, worstOf(h.ofParticles)));
     if (there(h.ofWanted) && h.ofWanted.off != h.ofParticles.off)
-      lines.back() += fmt::format(", {} off what is to be held, which is what meshes held at the start",
+      lines.back() += fmt::format(", {} off the target, which follows the meshes at the start",
                                   worstOf(h.ofWanted));
   }
   if (h.unsure > 0)
-    lines.push_back(
-        fmt::format("    {:.2g} % of the particles are in components of {} and more whose surface does not "
-                    "close, by more than 1 % of its area (at worst {:.2g} %: {}): what is told of their "
-                    "volume may be off by more than that",
-                    100 * static_cast<double>(h.unsure) / static_cast<double>(h.particles),
-                    leastHeldParticles, 100 * h.open.off, placeOf(h.open)));
+    lines.push_back(fmt::format(
+        "    {:.2g} % of the particles are in components of {} and more whose surface is open by more than 1 "
+        "% of its area (at most {:.2g} %: {}): the reported volume is uncertain by more than that",
+        100 * static_cast<double>(h.unsure) / static_cast<double>(h.particles), leastHeldParticles,
+        100 * h.open.off, placeOf(h.open)));
   if (there(h.small))
-    lines.push_back(fmt::format("    of components of {} to {} particles at worst {}", leastSmallParticles,
+    lines.push_back(fmt::format("    components of {} to {} particles: at most {}", leastSmallParticles,
                                 leastHeldParticles - 1, worstOf(h.small)));
   return lines;
 }
@@ -116,12 +114,12 @@ std::string volumeHeldWarning(const VolumeHeld& h) {
   if (!component && !sum && !small && !share) return {};
   const VolumeOff& worst = component || !there(h.small) ? h.ofWanted : h.small;
   std::string line = fmt::format(
-      "surface.keep_volume: {:.2g} % of the particles are in components that are more than 1 % off the "
-      "volume that they are to hold, the sum is at worst {:+.2g} % off",
+      "surface.keep_volume: {:.2g} % of the particles are in components more than 1 % off their target "
+      "volume, the sum is at most {:+.2g} % off",
       100 * shareOf(h), 100 * h.sum.off());
   if (there(worst))
-    line += fmt::format(", a surface was {:+.1f} % off ({})", 100 * worst.off, placeOf(worst));
-  return line + "; docs/reference/surfaces.md says what to expect";
+    line += fmt::format(", one component was {:+.1f} % off ({})", 100 * worst.off, placeOf(worst));
+  return line + "; see docs/reference/surfaces.md";
 }
 
 }  // namespace thaw

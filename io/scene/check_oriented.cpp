@@ -1,4 +1,4 @@
-// What of the events of oriented bodies depends on the other bodies and on the events before.
+// Checks events of oriented bodies against the other bodies and earlier events.
 #include <fmt/format.h>
 
 #include "core/oriented/operations.hpp"
@@ -18,7 +18,8 @@ const char* nameOf(OrientedEventKind kind) {
   return "";
 }
 
-/// What to say of an event whose body, or the body that it welds, is part of another one by then.
+/// Returns the error for an event whose body, or the body that it welds, is part of another body at that
+/// time.
 std::string textOf(const Scene& s, const EventOfWelded& found) {
   const OrientedBody& body = s.oriented[found.body];
   const OrientedEvent& e = body.events[found.event];
@@ -28,11 +29,11 @@ std::string textOf(const Scene& s, const EventOfWelded& found) {
                                         line ? fmt::format(" (line {})", found.weld->where.line) : "");
   if (found.named == found.body)
     return fmt::format(
-        "oriented body '{}': it is {}, and has no particle left for this {} at {:g} s: expected this event "
-        "as one of '{}', or before that weld",
+        "oriented body '{}': it is {} and has no particles left for this {} at {:g} s: expected this event "
+        "in '{}', or before that weld",
         gone, since, nameOf(e.kind), e.time, into);
   return fmt::format(
-      "oriented body '{}': this weld at {:g} s names '{}', which is {}, and has no particle left: expected "
+      "oriented body '{}': this weld at {:g} s names '{}', which is {} and has no particles left: expected "
       "{}",
       body.name, e.time, gone, since,
       found.into == found.body ? "one weld of the two"

@@ -21,7 +21,7 @@ void checkSurface(const Scene& scene, std::vector<SceneError>& errors) {
     errors.push_back(
         {placeOf({"least_level", "iso_level"}),
          fmt::format(
-             "surface.least_level ({:g}) must be below surface.iso_level ({:g}), where the surface is to lie",
+             "surface.least_level ({:g}) must be below surface.iso_level ({:g}), the level of the surface",
              s.leastLevel, s.isoLevel)});
   if (s.spacing > 0 && s.spacing < 1e-3 * scene.spacing)
     errors.push_back({placeOf({"spacing"}),
@@ -79,13 +79,13 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (solid != s.materials.end() && s.numerics.bondSupport > s.numerics.support)
     errors.push_back(
         {solid->where, fmt::format("material.{} can be solid, and numerics.bond_support ({:g}) is above "
-                                   "numerics.support ({:g}), within which neighbours are looked for",
+                                   "numerics.support ({:g}), the radius of the neighbour search",
                                    solid->name, s.numerics.bondSupport, s.numerics.support)});
   const Numerics& n = s.numerics;
   if (n.sleepSpeed > 0) {
     const auto refuse = [&](bool is, const char* what) {
       if (is)
-        errors.push_back({x.start, std::string("numerics.sleep_speed does not go together with ") + what +
+        errors.push_back({x.start, std::string("numerics.sleep_speed cannot be combined with ") + what +
                                        ": leave one of them out"});
     };
     refuse(n.elasticSubsteps > 1, "numerics.elastic_substeps above 1");
@@ -100,19 +100,20 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
                       "\"consistent\": the printed form has no potential to solve for"});
   if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
     errors.push_back({x.start,
-                      "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit is 0 "
-                      "(liquid never pulls) or 1 (it always does, for boxes that are full)"});
+                      "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit must be 0 "
+                      "(no tension in liquid) or 1 (full tension, for boxes filled with liquid)"});
   if (s.surface.on) checkSurface(s, errors);
   if (n.support < 2)
     for (const Material& m : s.materials)
       if (m.convection > 0 || m.emissivity > 0)
         errors.push_back(
-            {m.where, fmt::format("material.{}: convection and emissivity need numerics.support of 2 at "
-                                  "least, got {:g}: with fewer neighbours particles inside cannot be told "
-                                  "from those of the surface, and would cool, too",
-                                  m.name, n.support)});
+            {m.where,
+             fmt::format(
+                 "material.{}: convection and emissivity need numerics.support of 2 at least, got {:g}: with "
+                 "fewer neighbours inner particles look like surface particles and would cool, too",
+                 m.name, n.support)});
   checkSizes(x, errors);
-  // the quality's density is that of the equation of state in its consistent form
+  // The density of a quality belongs to the consistent form of the equation of state.
   if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed))
     s.numerics.density = Numerics().density;
   if (!errors.empty()) return;
@@ -127,7 +128,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   else if (n.density != DensityForm::Continuity)
     errors.push_back({x.start,
                       "numerics.tensile_limit above 0 needs numerics.density = \"continuity\": a summed "
-                      "density is low at a free surface, which would pull"});
+                      "density is low at a free surface and causes tension there"});
 }
 
 }  // namespace thaw

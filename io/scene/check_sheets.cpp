@@ -1,4 +1,4 @@
-// What of a sheet depends on the rest of the scene, or on all of its coefficients together.
+// Checks sheets against the rest of the scene, and their coefficients against each other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,14 +29,12 @@ void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
     refuse("'" + b.wrapTo +
            "' is the name of two things in this scene: expected another name for one of them");
   } else if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(n)}) {
-    refuse(
-        "a sheet is not wrapped round itself: expected another name, or none: then it is drawn against its "
-        "own normals");
+    refuse("a sheet cannot wrap itself: expected another name, or none to act against its own normals");
   }
 }
 
-/// What makes a force that changes with the vertex' place, and not by its spring to the place of rest; ""
-/// where nothing does.
+/// Returns a force on a vertex that depends on its position, other than the spring to its rest position.
+/// Returns "" if there is none.
 std::string whatPulls(const Scene& s, const SheetBody& b) {
   if (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 ||
       b.pull > 0)
@@ -53,7 +51,7 @@ std::string whatPulls(const Scene& s, const SheetBody& b) {
   return "";
 }
 
-/// Of a sheet, or of a region of it, at its least in time.
+/// Checks mass, damping and stiffness of a sheet or a region, at their smallest in time.
 void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std::vector<SceneError>& errors) {
   const auto factor = [&](SheetFactor f) { return r ? r->factor[placeOf(f)] : 1.0; };
   const auto least = [&](SheetFactor f) {
@@ -66,13 +64,14 @@ void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std:
   const bool damped = least(SheetFactor::Damping) > 0;
   if (!damped && !(least(SheetFactor::Stiffness) > 0)) {
     errors.push_back(
-        {where, who + ": a vertex needs mass, damping or stiffness at all times: all three are 0 at some"});
+        {where,
+         who + ": a vertex needs mass, damping or stiffness at all times, and all three are 0 at some time"});
     return;
   }
   if (const std::string pulls = whatPulls(s, b); !damped && !pulls.empty())
     errors.push_back(
-        {where, who + ": with neither mass nor damping (at all times) nothing holds a vertex back that " +
-                    pulls + ", and no step is short enough: expected one of both"});
+        {where, who + ": with neither mass nor damping (at all times) no step is stable for a vertex that " +
+                    pulls + ": expected mass or damping"});
   if (r && b.windDensity * factor(SheetFactor::Wind) > 0)
     errors.push_back({where, who + ": the air's drag on vertices without mass has no stable step: expected "
                                    "mass > 0, or wind_density = 0 there"});
@@ -85,7 +84,7 @@ void checkSheets(const Scene& s, std::vector<SceneError>& errors) {
     const SheetBody& b = s.sheets[n];
     checkWrap(s, n, errors);
     checkInertia(s, b, nullptr, errors);
-    if (b.mass > 0)  // else it is said of all of it
+    if (b.mass > 0)  // otherwise the error of the whole sheet is enough
       for (const SheetRegion& r : b.regions) checkInertia(s, b, &r, errors);
   }
 }

@@ -1,5 +1,5 @@
-// Spacings that no machine has room for, told before anything is made: the memory of this one is looked at
-// later (io/commands/require_memory.hpp).
+// Refuses spacings that no machine has memory for, before anything is made. The memory of this machine is
+// checked later (io/commands/require_memory.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,11 +17,11 @@
 namespace thaw {
 namespace {
 
-constexpr double mostLatticePoints = 1099511627776.0;  // 2^40, what the ids of a body have room for
-constexpr double modest = 1e6;                         // particles that any machine has room for
+constexpr double mostLatticePoints = 1099511627776.0;  // 2^40, the range of ids in a body
+constexpr double modest = 1e6;                         // particles that fit any machine
 
-/// Largest distance of the shape's points from its own origin (m), for shapes whose size the scene says; 0
-/// for others.
+/// Returns the largest distance (m) of a shape's points from its own origin, 0 for shapes without a size in
+/// the scene.
 double reach(const Shape& s) {
   switch (s.kind) {
     case ShapeKind::Box: return 0.5 * length(s.size);
@@ -33,7 +33,7 @@ double reach(const Shape& s) {
   }
 }
 
-/// About how many particles fill the shape; 0 where that cannot be told without reading a file.
+/// Returns the approximate number of particles in a shape, 0 if that needs a file.
 double particlesIn(const Shape& shape, double spacing) {
   try {
     const double expected = expectedParticles({makeSignedDistance(shape)}, spacing);
@@ -41,8 +41,8 @@ double particlesIn(const Shape& shape, double spacing) {
   } catch (const std::exception&) { return 0; }
 }
 
-/// At the key `spacing` of the scene: of all continuum bodies together, where one of them has more than its
-/// ids can number. An empty text where there is none.
+/// Returns the error for all continuum bodies together, at the key `spacing`, if one of them has more
+/// particles than ids. Else returns "".
 std::string tooFineForBodies(const Scene& s, bool noGrid) {
   double sum = 0, most = 0;
   const Body* largest = nullptr;
@@ -64,9 +64,8 @@ std::string tooFineForBodies(const Scene& s, bool noGrid) {
       s.spacing * std::cbrt(sum / modest));
 }
 
-/// The same of oriented bodies and sheets for which the domain cannot be divided, of what needs no file: at
-/// its place where a body has a spacing of its own, at the scene's for the largest of those that take that
-/// one.
+/// Checks oriented bodies and sheets without files, if the domain cannot be divided into cells. The error is
+/// at the body if it has its own spacing, else at the `spacing` of the scene for the largest body.
 bool tooFineForKinds(const SceneReading& x, std::vector<SceneError>& errors) {
   const std::size_t before = errors.size();
   const auto refuse = [&](const ExpectedRows& e, const SourcePlace& where, const char* key) {
@@ -89,7 +88,7 @@ bool tooFineForKinds(const SceneReading& x, std::vector<SceneError>& errors) {
   return errors.size() > before;
 }
 
-/// How many particles there might be in the domain: of meshes in files nothing is known yet.
+/// Returns text on the room for particles in the domain. Meshes in files are not read yet.
 std::string roomIn(const Scene& s) {
   double finest = s.spacing;
   for (const OrientedBody& b : s.oriented) finest = std::min(finest, spacingOf(s, b));
@@ -101,10 +100,10 @@ std::string roomIn(const Scene& s) {
                      2 * (n.x * n.y + n.y * n.z + n.z * n.x));
 }
 
-/// Why the domain cannot be divided into cells; an empty text where it can be.
+/// Returns the reason why the domain cannot be divided into cells, or "".
 std::string noGridFor(const Scene& s) {
   for (int a = 0; a < 3; a++)
-    if (!(s.domain.max[a] > s.domain.min[a])) return "";  // it is told where it is read
+    if (!(s.domain.max[a] > s.domain.min[a])) return "";  // reported where it is read
   try {
     makeGrid(s);
   } catch (const std::runtime_error& e) { return e.what(); }
@@ -118,7 +117,7 @@ void checkSizes(const SceneReading& x, std::vector<SceneError>& errors) {
   if (s.bodies.size() + s.emitters.size() > 65000)
     errors.push_back({x.start, "more than 65000 bodies and emitters"});
   const std::string noGrid = noGridFor(s);
-  // what is too fine for its body is too fine for the domain, too, and one message is enough
+  // A body that is too fine is too fine for the domain as well. One message is enough.
   if (const std::string text = tooFineForBodies(s, !noGrid.empty()); !text.empty())
     return errors.push_back({x.spacing, text});
   if (noGrid.empty() || tooFineForKinds(x, errors)) return;

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t longest = 1000;  // characters
 
-/// muParser reads variables by their address.
+/// muParser reads variables through their addresses.
 struct Formula {
   mu::Parser parser;
   Vec3d at{};
 };
 
-/// The place of an '=' that is no comparison; npos without one.
+/// Returns the position of an '=' that is no comparison, or npos.
 std::size_t assignmentIn(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); k++) {
     if (text[k] != '=') continue;
@@ -34,7 +34,7 @@ std::size_t assignmentIn(const std::string& text) {
 
 bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Is x, y or z one of its words?
+/// Does a text contain x, y or z as a word?
 bool namesPlace(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); k++)
     if (text[k] >= 'x' && text[k] <= 'z' && (k == 0 || !isWordCharacter(text[k - 1])) &&
@@ -43,7 +43,7 @@ bool namesPlace(const std::string& text) {
   return false;
 }
 
-/// Is it calculated from numbers alone, as "1/3"?
+/// Is a text an expression of numbers alone, as "1/3"?
 bool isArithmetic(const std::string& text) {
   return text.find_first_of("0123456789") != std::string::npos &&
          text.find_first_of("+-*/") != std::string::npos &&
@@ -57,7 +57,7 @@ std::string messageOf(const mu::ParserError& e) {
   if (code == mu::ecUNEXPECTED_EOF) return "it ends too early";
   std::string text = e.GetMsg();
   if (const std::size_t at = text.find(" found at position"); at != std::string::npos)
-    text.erase(at);  // counted from 0
+    text.erase(at);  // the position there counts from 0
   while (!text.empty() && (text.back() == '.' || text.back() == '!' || text.back() == ' ')) text.pop_back();
   if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
   return e.GetPos() >= 0 ? text + where : text;
@@ -76,14 +76,14 @@ Expression parseExpression(const std::string& text) {
   const auto formula = std::make_shared<Formula>();
   try {
     mu::Parser& p = formula->parser;
-    p.ResetLocale();  // decimal points, whatever the locale is
+    p.ResetLocale();  // decimal points in every locale
     p.DefineVar("x", &formula->at.x);
     p.DefineVar("y", &formula->at.y);
     p.DefineVar("z", &formula->at.z);
     p.DefineConst("pi", 3.14159265358979323846);
     p.SetExpr(text);
-    p.Eval();  // compiles it
-    if (p.GetNumResults() != 1) return {{}, "it has several values, parted by commas"};
+    p.Eval();  // compiles the expression
+    if (p.GetNumResults() != 1) return {{}, "it has several values, separated by commas"};
   } catch (const mu::ParserError& e) { return {{}, messageOf(e)}; } catch (const std::exception& e) {
     return {{}, e.what()};
   }

@@ -7,20 +7,21 @@
 
 namespace thaw {
 
-/// An expression of x, y, z. `value` gives the same bits for the same place on every rank and in any locale;
-/// it is not to be called by several threads at once. error: what is wrong, and where in the text; or empty.
+/// An expression of x, y, z. `value` returns the same bits for the same position on every rank and in any
+/// locale. It must not be called by several threads at once. error: the error and its position in the text,
+/// or "".
 struct Expression {
   std::function<double(const Vec3d&)> value;
   std::string error;
 };
 
-/// Reads it with muParser. Never throws.
+/// Parses an expression with muParser. Never throws.
 Expression parseExpression(const std::string& text);
 
-/// Is the text meant as an expression, right or wrong, and not as a quantity with a unit?
+/// Is a text meant as an expression, correct or not, and not as a quantity with a unit?
 bool looksLikeExpression(const std::string& text);
 
-/// The functions and constants of expressions, for the documentation.
+/// Functions and constants of expressions, for the documentation.
 extern const char* const expressionWords;
 
 }  // namespace thaw

@@ -24,9 +24,8 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
 
 namespace {
 
-/// Adds what a liquid's viscosity lacks to an alpha of 0.02, the customary value for inviscid liquids
-/// (Antuono et al. 2012). An alpha is a viscosity of alpha c h rho / 10. None beside solids, which it would
-/// drag.
+/// Raises a liquid to an alpha of 0.02, the customary value for inviscid liquids (Antuono et al. 2012). An
+/// alpha equals a viscosity of alpha c h rho / 10. Skipped if the scene has solids, which it would drag.
 void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
   constexpr double least = 0.02;
   if (std::any_of(s.materials.begin(), s.materials.end(), [](const Material& m) { return m.canBeSolid(); }))
@@ -52,7 +51,8 @@ void chooseForLiquids(Scene& s, const OpenChoices& open) {
   if (open.density) n.density = DensityForm::Continuity;
   if (n.density != DensityForm::Continuity) return;
   if (open.shifting) n.shifting = length(s.domain.gravity) > 0 ? 0.07 : 0.2;
-  if (open.tensileLimit && n.shifting > 0) n.tensileLimit = 1;  // which alone makes particles clump
+  if (open.tensileLimit && n.shifting > 0)
+    n.tensileLimit = 1;  // tension without shifting makes particles clump
   chooseArtificialViscosity(s, open);
 }
 

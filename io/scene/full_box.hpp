@@ -1,4 +1,4 @@
-// Liquid that fills a periodic box has no free surface, and other choices of the method are best for it.
+// Default choices of the method for liquids, in a full periodic box or with a free surface.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,24 +7,24 @@
 
 namespace thaw {
 
-/// Choices of [numerics], and of the body that fills the box, that the scene does not make itself.
+/// Choices of [numerics] and of the body that fills the box that the scene leaves open.
 struct OpenChoices {
   bool density = true, tensileLimit = true, shifting = true, packing = true;
-  std::vector<std::uint8_t> artificialViscosity;  ///< by material: 1 where the scene does not give it
+  std::vector<std::uint8_t> artificialViscosity;  ///< per material: 1 if the scene does not set it
 };
 
-/// Where liquid fills the box (liquidFillsTheBox, and the equation of state is used) it cannot tear, and no
-/// neighbourhood is cut off: negative pressures are kept, the flow carries the density and particles are
-/// shifted. And they start without a lattice: one that the flow stretches by e^.3 resists it 1.5 times too
-/// much until shifting has made an end of it, and only then is viscosity what it is to be within 2 %. A
-/// lattice stays where the temperature varies at the start, since heat conduction is most accurate on it.
-/// Taylor-Green vortices need all of it (docs/validation/accuracy.md): without, half their energy is lost.
-/// With the incompressible solver they start without a lattice, too.
+/// Sets the defaults of liquid that fills the box (liquidFillsTheBox) with the equation of state. It cannot
+/// tear and has no free surface, so negative pressure is kept, the density is carried and particles are
+/// shifted. Particles start without a lattice. A lattice that the flow stretches by e^0.3 has 1.5 times too
+/// much resistance until shifting has dissolved it; only then is the viscosity right within 2 %. A lattice
+/// remains if the temperature varies at the start, since it has the most accurate heat conduction.
+/// Taylor-Green vortices need all of these choices (docs/validation/accuracy.md). Particles of the
+/// incompressible solver start without a lattice, too.
 void chooseForFullBox(Scene& scene, const OpenChoices& open);
 
-/// Defaults of liquids with a free surface: carried density, negative pressure and particle shifting.
-/// With summed densities stretched liquid falls apart, and its lattice resists shear at rest.
-/// Artificial viscosity damps the noise of particles where a liquid's own viscosity is too small for it.
+/// Sets the defaults of liquids with a free surface: carried density, negative pressure and particle
+/// shifting. With summed densities stretched liquid breaks up, and its lattice resists shear at rest.
+/// Artificial viscosity damps the noise of particles if the viscosity of a liquid is too small for it.
 /// Summation remains the default with surface tension (whose model is calibrated for it), quality =
 /// "preview", printed pressure and the incompressible solver.
 void chooseForLiquids(Scene& scene, const OpenChoices& open);

@@ -29,7 +29,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 std::string nearestWord(const std::string& word, const std::set<std::string>& words) {
   if (word.size() > 100) return "";
   std::string best;
-  // distances below this are near
+  // largest distance of a suggestion
   std::size_t least = word.size() < 3 ? 2 : std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& w : words)
     if (const std::size_t d = editDistance(word, w); d < least && d < std::max(word.size(), w.size()))

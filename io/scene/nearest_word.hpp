@@ -4,11 +4,11 @@
 
 namespace thaw {
 
-/// The word of the list that is nearest to `word` (edits and swaps of neighbouring letters), or "" where none
-/// is near.
+/// Returns the word of the list nearest to `word` (edits and swaps of neighbouring letters), or "" if none is
+/// near.
 std::string nearestWord(const std::string& word, const std::set<std::string>& words);
 
-/// "; did you mean 'x'?" or "" where no word is near.
+/// Returns "; did you mean 'x'?", or "" if no word is near.
 std::string suggestion(const std::string& word, const std::set<std::string>& words);
 
 }  // namespace thaw

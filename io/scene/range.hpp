@@ -4,10 +4,10 @@
 
 namespace thaw {
 
-/// Numbers that a key may have. Never NaN, and infinite only as the word "never" where that is allowed.
+/// Range of a key. NaN is never in it. Infinity is only allowed as the word "never".
 struct Range {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-  bool openLow = false, openHigh = false;  ///< the end itself is not allowed
+  bool openLow = false, openHigh = false;  ///< the end is excluded
   bool orNever = false;                    ///< the word "never" is allowed
   bool holds(double value) const;
   std::string text() const;  ///< "> 0", "0 ... 1", "any number"

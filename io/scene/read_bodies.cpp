@@ -11,25 +11,26 @@ void readBody(TableReader& r, SceneReading& x) {
   std::string material;
   r.text("name", b.name, "for messages and `--set`; none: \"body\" and its number");
   readShape(r, b.shape);
-  r.text("material", material, "what it is made of; must be given", "name of a material");
+  r.text("material", material, "material of the body; required", "name of a material");
   readVelocity(r, b.velocity, b.velocityField,
-               "at the start: three numbers, or a table of x, y, z with expressions of position, as { x = "
-               "\"-100*x\", y = \"100*y\" } (what is missing is 0)");
+               "velocity at the start: three numbers, or a table of x, y, z with expressions of position, as "
+               "{ x = \"-100*x\", y = \"100*y\" } (default 0)");
   readVelocityGradient(r, b.velocityField,
-                       "added to the velocity: this times the distance from the middle of the bounding box; "
-                       "row i has the derivatives of component i");
+                       "velocity gradient about the middle of the bounding box, added to the velocity; row i "
+                       "has the derivatives of component i");
   r.vector("spin", b.spin, "rad/s", "angular velocity about the middle of the bounding box");
-  readTemperature(r, b.temperature, b.temperatureField,
-                  "at the start; a text with an expression of position, as \"300 + 20*z\", is in K");
+  readTemperature(
+      r, b.temperature, b.temperatureField,
+      "temperature at the start; the value of an expression of position, as \"300 + 20*z\", is in K");
   r.vector("temperature_gradient", b.temperatureGradient, "K/m",
-           "added to the temperature from the middle of the bounding box");
+           "temperature gradient about the middle of the bounding box, added to the temperature");
   r.choice("packing", b.packing, {"lattice", "relaxed"},
-           "how it is filled with particles: a cubic lattice, or jittered and relaxed (the default where "
-           "liquid fills a periodic box)");
-  x.open.packing = !r.has("packing");  // of the only body, where it matters
+           "arrangement of its particles: a cubic lattice, or jittered and relaxed (the default if liquid "
+           "fills a periodic box)");
+  x.open.packing = !r.has("packing");  // used for a single body only
   if (r.describing()) {
     r.node("clamp", "", "list of tables with a SHAPE each",
-           "particles that lie in one of these at the start are held where they are");
+           "particles in one of these at the start are fixed");
     return;
   }
   r.tables("clamp", "", [&](TableReader& c) {
@@ -38,7 +39,7 @@ void readBody(TableReader& r, SceneReading& x) {
   });
   if (b.name.empty()) b.name = "body " + std::to_string(x.scene->bodies.size());
   if (b.shape.kind == ShapeKind::HalfSpace)
-    r.fail("plane", "a body has an end on every side; use the plane in an intersection");
+    r.fail("plane", "a body must be bounded on all sides; use the plane in an intersection");
   x.scene->bodies.push_back(std::move(b));
   x.bodyMaterials.push_back({material, r.placeOf("material"), r.refused("material")});
 }
@@ -48,31 +49,30 @@ void readEmitter(TableReader& r, SceneReading& x) {
   e.where = r.place();
   std::string material;
   r.text("name", e.name, "for messages and `--set`; none: \"emitter\" and its number");
-  r.text("material", material, "what comes out; must be given", "name of a material");
+  r.text("material", material, "material of the emitted particles; required", "name of a material");
   if (r.has("disc") && r.has("rectangle")) r.fail("rectangle", "an emitter is a disc or a rectangle");
-  r.table("disc", "round opening; also where neither is given",
+  r.table("disc", "round opening; the default",
           [&](TableReader& t) { t.number("radius", e.radius, "m", positive(), "radius"); });
-  r.table("rectangle", "rectangular opening, in place of a disc", [&](TableReader& t) {
+  r.table("rectangle", "rectangular opening instead of a disc", [&](TableReader& t) {
     e.disc = false;
     t.number("width", e.width, "m", positive(), "first edge");
     t.number("depth", e.depth, "m", positive(), "second edge");
   });
   r.vector("centre", e.centre, "m", "middle of the opening");
-  r.vector("direction", e.direction, "", "of the flow, of any length but 0");
-  r.number("speed", e.speed, "m/s", positive(), "of the flow");
-  r.number("rate", e.rate, "kg/s", notNegative(), "mass flow; 0: as much as the speed lets through");
+  r.vector("direction", e.direction, "", "direction of the flow; any length but 0");
+  r.number("speed", e.speed, "m/s", positive(), "speed of the flow");
+  r.number("rate", e.rate, "kg/s", notNegative(), "mass flow; 0: the flow at this speed");
   readVelocityField(r, e.velocityField,
-                    "added to the flow by position in the opening, as { x = \"-5*y\", y = \"5*x\" } for a "
-                    "swirl; nothing along direction: a layer leaves as a whole");
+                    "velocity by position in the opening, added to the flow, as { x = \"-5*y\", y = \"5*x\" "
+                    "} for a swirl; without a component along direction, since a layer leaves as a whole");
   readVelocityGradient(
       r, e.velocityField,
       "velocity gradient about the centre of the opening; row i has the derivatives of component i");
   readTemperature(r, e.temperature, e.temperatureField,
-                  "temperature of emitted particles; a text with an expression of the position in the "
-                  "opening, as \"300 + "
-                  "20*z\", is in K");
-  r.number("start", e.start, "s", notNegative(), "begins then");
-  r.number("end", e.end, "s", orNever(notNegative()), "ends then");
+                  "temperature of emitted particles; the value of an expression of the position in the "
+                  "opening, as \"300 + 20*z\", is in K");
+  r.number("start", e.start, "s", notNegative(), "time at which it starts");
+  r.number("end", e.end, "s", orNever(notNegative()), "time at which it ends");
   if (r.describing()) return;
   if (length(e.direction) == 0) r.fail("direction", "must not be zero");
   if (e.end < e.start) r.fail("end", "must not be before start", {"start"});
@@ -86,30 +86,30 @@ void readObstacle(TableReader& r, SceneReading& x) {
   o.where = r.place();
   r.text("name", o.name, "for messages and `--set`; none: \"obstacle\" and its number");
   readShape(r, o.shape);
-  r.number("temperature", o.temperature, "K", positive(), "of its surface; none: it is insulating");
+  r.number("temperature", o.temperature, "K", positive(), "temperature of its surface; none: insulating");
   r.number("conductance", o.conductance, "W/(m^2 K)", orNever(positive()),
-           "of the contact; \"never\": heat passes its surface without resistance");
+           "heat conductance of the contact; \"never\": no resistance");
   r.number("friction", o.friction, "", between(0, 10),
-           "Coulomb friction on solids; below its limit it is a drag, sqrt(young spacing m) at most of each "
-           "particle that touches: what rests on a slope creeps, the less the stiffer it is");
+           "Coulomb friction on solids; below its limit it is a drag of at most sqrt(young spacing m) per "
+           "touching particle, so that solids creep on a slope, stiffer ones less");
   r.number("restitution", o.restitution, "", between(0, 1),
-           "of solids that hit it: the smaller of this and the material's counts, so above 0.5 the material "
-           "needs its own");
-  r.flag("slip", o.slip, "liquids slide along it freely; else they stick");
-  r.number("until", o.until, "s", orNever(notNegative()), "disappears then");
+           "restitution of solids that hit it: the smaller of this and the material's counts, so above 0.5 "
+           "set the material's as well");
+  r.flag("slip", o.slip, "liquids slip along it freely; false: they stick");
+  r.number("until", o.until, "s", orNever(notNegative()), "time at which it disappears");
   r.tables("motion", "keyframes; the pose is linear in between and stays after the last",
            [&](TableReader& k) {
              Keyframe f;
-             k.number("time", f.time, "s", notNegative(), "of the keyframe; must ascend");
-             k.vector("move", f.move, "m", "away from the place at rest");
-             k.vector("rotate", f.rotate, "rad", "about x, y, z through the origin");
+             k.number("time", f.time, "s", notNegative(), "time of the keyframe; must ascend");
+             k.vector("move", f.move, "m", "displacement from its initial position");
+             k.vector("rotate", f.rotate, "rad", "rotation about x, y, z through the origin");
              if (!o.motion.empty() && f.time <= o.motion.back().time)
                k.fail("time", "keyframes must ascend in time");
              o.motion.push_back(f);
            });
   if (r.describing()) return;
   if (o.conductance < never && !o.temperature)
-    r.fail("conductance", "an obstacle without a temperature passes no heat: give temperature, too",
+    r.fail("conductance", "an obstacle without a temperature conducts no heat: set temperature, too",
            {"temperature"});
   if (o.name.empty()) o.name = "obstacle " + std::to_string(x.scene->obstacles.size());
   x.scene->obstacles.push_back(std::move(o));
@@ -119,10 +119,10 @@ void readTempering(TableReader& r, SceneReading& x) {
   Tempering t;
   t.where = r.place();
   std::string material;
-  r.text("material", material, "what it acts on; none: everything", "name of a material");
-  r.number("temperature", t.temperature, "K", positive(), "that is reached at the end");
-  r.number("start", t.start, "s", notNegative(), "begins then");
-  r.number("over", t.over, "s", notNegative(), "takes this long; 0: one step");
+  r.text("material", material, "material that it acts on; none: all", "name of a material");
+  r.number("temperature", t.temperature, "K", positive(), "temperature at the end");
+  r.number("start", t.start, "s", notNegative(), "time at which it starts");
+  r.number("over", t.over, "s", notNegative(), "duration; 0: one step");
   if (r.describing()) return;
   if (!r.has("temperature")) r.fail("temperature", "is missing");
   x.scene->temperings.push_back(t);

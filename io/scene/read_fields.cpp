@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-/// A quantity into `value`, or an expression into `field`.
+/// Reads a quantity into `value`, or an expression into `field`.
 struct NumberKey {
   const char *key, *unit;
   Range range;

@@ -19,40 +19,43 @@ using Liquid = TableReader::Liquid;
 constexpr const char* meltsRange = "> 0, one temperature or [solidus, liquidus]";
 
 void readLiquid(TableReader& r, Material& m) {
-  r.number("density", m.density, "kg/m^3", positive(), "at rest");
+  r.number("density", m.density, "kg/m^3", positive(), "density at rest");
   if (r.hasList("viscosity")) {
     r.node("viscosity", "", "", "");
     r.pairs({"viscosity", "K", "Pa s", {0, never, true, false, false}, positive()}, m.viscosityTable);
   } else {
     r.blend({"viscosity", "Pa s", notNegative(), Liquid::Same,
-             "of the liquid; or a table of pairs `[[\"900 degC\", \"1e4 Pa s\"], [\"1200 degC\", \"50 Pa "
-             "s\"]]`, logarithmic in between"},
+             "viscosity of the liquid; or a table of pairs `[[\"900 degC\", \"1e4 Pa s\"], [\"1200 degC\", "
+             "\"50 Pa s\"]]`, interpolated logarithmically"},
             m.viscosity);
   }
   std::string colour;
-  r.text("colour", colour, "of its surface in pictures and exports, where the mesh has none; a pale one",
+  r.text("colour", colour,
+         "colour of its surface in pictures and exports, if its mesh has none; default: a pale one",
          "\"#rrggbb\"");
   if (!colour.empty() && !readColour(colour, m.colour))
     r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
-  r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "of the liquid");
-  r.number("sound_speed", m.soundSpeed, "m/s", notNegative(),
-           "of the equation of state; 0: from the speeds that the scene can reach and max_density_error");
+  r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "surface tension of the liquid");
+  r.number(
+      "sound_speed", m.soundSpeed, "m/s", notNegative(),
+      "speed of sound of the equation of state; 0: from the largest expected speed and max_density_error");
   r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
   r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10),
-           "Monaghan's alpha, of approaching pairs. Default with density = \"continuity\", a free surface "
-           "and no solid material: 0.02 less the alpha that the liquid's viscosity amounts to; else 0");
+           "Monaghan's alpha for approaching pairs. Default with density = \"continuity\", a free surface "
+           "and no solid material: 0.02 minus the alpha that equals the liquid's viscosity; else 0");
 }
 
 void readSolid(TableReader& r, Material& m) {
   r.blend({"young", "Pa", notNegative(), Liquid::Unchanged,
-           "Young's modulus; above 0 the material can be solid. One value is the solid's, the liquid's is 0"},
+           "Young's modulus; above 0 the material can be solid. A single value is for the solid, and the "
+           "liquid has 0"},
           m.young);
   r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
   r.choice("law", m.law, {"green", "neo-hookean", "corotated"},
            "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated");
   r.blend({"yield_strain", "", orNever(positive()), Liquid::Same,
-           "yield stress as a strain (gamma_yield): it flows where the norm of the deviator of the stress "
-           "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": not plastic"},
+           "yield stress as a strain (gamma_yield): the material flows if the norm of the deviatoric stress "
+           "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": no plasticity"},
           m.yieldStrain);
   r.blend({"creep_rate", "1/s", orNever(notNegative()), Liquid::Same,
            "rate at which stress above the yield stress decays at a fixed deformation (gamma_creep); its "
@@ -61,22 +64,22 @@ void readSolid(TableReader& r, Material& m) {
   r.number("hardening", m.hardening, "Pa", notNegative(),
            "growth of the uniaxial yield stress with the equivalent plastic strain; 0: none");
   r.number("max_plastic_strain", m.maxPlasticStrain, "", orNever(positive()),
-           "largest norm of the logarithmic plastic strain (gamma_max), from there on it is elastic; "
-           "\"never\": no limit");
+           "largest norm of the logarithmic plastic strain (gamma_max), beyond which the material is "
+           "elastic; \"never\": no limit");
   r.number("volume_stiffness", m.volumeStiffness, "Pa", notNegative(),
            "k_v of the volume force (Mueller et al. 2004)");
   r.number("hourglass", m.hourglass, "", between(0, 10), "strength of the control of zero-energy modes");
   r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}),
-           "a bond longer than this times its length at rest breaks; \"never\": none does");
+           "length at which a bond breaks, over its rest length; \"never\": no bond breaks");
   r.number("damping", m.damping, "1/s", notNegative(),
            "rate at which velocity differences of bonded particles decay");
-  r.flag("weld", m.weld, "solids of this material that touch after freezing grow together");
+  r.flag("weld", m.weld, "solids of this material that touch after freezing weld together");
   r.number("friction", m.friction, "", between(0, 10),
-           "Coulomb friction between separate solids: the smaller of the two counts; at an obstacle that of "
-           "the obstacle");
+           "Coulomb friction between separate solids: the smaller of the two counts; at an obstacle, the "
+           "obstacle's counts");
   r.number("restitution", m.restitution, "", between(0, 1),
-           "of contacts between separate solids and with obstacles: the smaller of the two counts, so above "
-           "0.5 both need it");
+           "restitution of contacts between separate solids and with obstacles: the smaller of the two "
+           "counts, so above 0.5 set both");
 }
 
 void readHeat(TableReader& r, Material& m) {
@@ -84,10 +87,11 @@ void readHeat(TableReader& r, Material& m) {
       {"conductivity", "W/(m K)", notNegative(), Liquid::Same, "heat conductivity; 0: no heat is conducted"},
       m.conductivity);
   r.blend({"heat_capacity", "J/(kg K)", positive(), Liquid::Same,
-           "heat capacity; must be given for a material that melts"},
+           "heat capacity; required for a material that melts"},
           m.heatCapacity);
-  r.number("latent_heat", m.latentHeat, "J/kg", notNegative(), "of melting");
-  if (const toml::node* n = r.node("melts", "K", meltsRange, "where it melts; without it, it does not")) {
+  r.number("latent_heat", m.latentHeat, "J/kg", notNegative(), "latent heat of melting");
+  if (const toml::node* n = r.node("melts", "K", meltsRange,
+                                   "melting temperature; none: the material does not melt")) {
     const toml::array* a = n->as_array();
     const Range T = positive();
     if (a && a->size() == 2) {
@@ -102,14 +106,16 @@ void readHeat(TableReader& r, Material& m) {
   }
   r.number("hysteresis", m.hysteresis, "", Range{0, 0.5, false, true, false},
            "liquid freezes below this liquid fraction, solid melts above 1 minus it");
-  r.number("heat_source", m.heatSource, "W/kg", anyNumber(), "heat made in the material");
-  r.number("emissivity", m.emissivity, "", between(0, 1), "of free surfaces, radiation to domain.ambient");
-  r.number("convection", m.convection, "W/(m^2 K)", notNegative(), "of free surfaces, to domain.ambient");
+  r.number("heat_source", m.heatSource, "W/kg", anyNumber(), "heat produced in the material");
+  r.number("emissivity", m.emissivity, "", between(0, 1),
+           "emissivity of free surfaces, for radiation to domain.ambient");
+  r.number("convection", m.convection, "W/(m^2 K)", notNegative(),
+           "heat transfer coefficient of free surfaces to domain.ambient");
   r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(),
            "k_heat of Keiser et al. 2005, with numerics.heat = \"paper\"");
 }
 
-/// Combinations of keys that mean nothing.
+/// Refuses meaningless combinations of keys.
 void checkMaterial(TableReader& r, const Material& m) {
   if (r.has("melts") && !m.canBeSolid())
     r.fail(
@@ -141,8 +147,9 @@ void readMaterial(TableReader& r, Material& m) {
   readLiquid(r, m);
   readSolid(r, m);
   int phase = m.liquidAtStart ? 1 : 0;
-  r.choice("phase", phase, {"solid", "liquid"},
-           "of a material that does not melt and has a Young's modulus; without one it is liquid");
+  r.choice(
+      "phase", phase, {"solid", "liquid"},
+      "phase of a material that does not melt and has a Young's modulus; without a modulus it is liquid");
   m.liquidAtStart = phase == 1;
   readHeat(r, m);
   if (!r.describing()) checkMaterial(r, m);

@@ -18,14 +18,14 @@ std::string joined(const std::vector<std::string>& lines) {
   return all;
 }
 
-/// On one line, whatever is in it.
+/// Replaces control characters by spaces, so that the text is on one line.
 std::string oneLine(std::string s) {
   for (char& c : s)
     if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
   return s;
 }
 
-/// By place; each once.
+/// Sorts errors by place and drops duplicates.
 std::vector<std::string> linesOf(std::vector<SceneError> errors) {
   std::stable_sort(errors.begin(), errors.end(), [](const SceneError& a, const SceneError& b) {
     return std::tie(a.where.file, a.where.line, a.where.column) <
@@ -44,8 +44,8 @@ std::vector<std::string> linesOf(std::vector<SceneError> errors) {
 
 constexpr const char* givenMark = "# given: ";
 
-/// The scene as one file: `# ---- path`, a line for each override that it was ever given, and all keys. No
-/// text on several lines, so that no line but the first can look like a mark.
+/// Returns the scene as one file: `# ---- path`, a line for each override so far, and all keys. Texts are on
+/// one line each, so that no other line looks like a mark.
 std::string resolvedText(const toml::table& scene, const SceneFiles& files,
                          const std::vector<std::string>& overrides) {
   std::ostringstream text;
@@ -80,8 +80,7 @@ Scene readScene(const SceneFiles& files, const std::vector<std::string>& overrid
     TableReader top(table, "", errors);
     readSections(top, reading);
     top.finish();
-    if (whole)
-      checkScene(reading, errors);  // else what is missing may stand in a file that could not be read
+    if (whole) checkScene(reading, errors);  // otherwise a missing key may be in an unreadable file
   }
   if (!errors.empty()) throw SceneErrors(linesOf(std::move(errors)));
   s.text = resolvedText(table, files, overrides);

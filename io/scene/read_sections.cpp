@@ -12,7 +12,7 @@ void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* ab
 
 namespace {
 
-/// Notes which choices of [numerics] the scene leaves open.
+/// Records which choices of [numerics] the scene leaves open.
 void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
   open.density = !numerics.has("density");
   open.tensileLimit = !numerics.has("tensile_limit");
@@ -23,57 +23,57 @@ void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
 
 void readSections(TableReader& top, SceneReading& x) {
   Scene& s = *x.scene;
-  top.text("title", s.title,
-           "one line for pictures and listings, which have room for about 100 characters of it");
+  top.text("title", s.title, "one line for pictures and listings, which show about 100 characters of it");
   if (s.title.find_first_of("\n\r") != std::string::npos)
     top.fail("title", "expected one line, got a text of several");
-  top.number("spacing", s.spacing, "m", positive(), "distance of particles: the one resolution knob");
+  top.number("spacing", s.spacing, "m", positive(), "distance of particles, which sets the resolution");
   top.number("end", s.end, "s", notNegative(), "simulated time");
   top.choice("quality", s.quality, {"preview", "standard", "reference"},
              "defaults of [numerics]: fast (summed densities: stretched liquid falls apart), balanced, or "
              "most accurate (docs/validation/accuracy.md); explicit keys take precedence");
   applyQuality(s.quality, s.numerics);
   std::int64_t seed = static_cast<std::int64_t>(s.seed);
-  top.whole("seed", seed, 0, INT64_MAX, "of everything random");
+  top.whole("seed", seed, 0, INT64_MAX, "seed of all random numbers");
   s.seed = static_cast<std::uint64_t>(seed);
-  // merged before tables are read; described here
+  // Includes are merged before tables are read. Only the description is here.
   top.node("include", "", "path or list of paths",
-           "scene files to start from, relative to this one: what is said here wins, bodies, emitters and "
-           "obstacles are added");
-  top.table("domain", "the box that is simulated", [&](TableReader& r) {
+           "scene files to start from, relative to this one; keys of this file take precedence, and its "
+           "bodies, emitters and obstacles are added");
+  top.table("domain", "the simulated box", [&](TableReader& r) {
     x.domain = r.place();
     readDomain(r, s.domain);
   });
   x.spacing = top.placeOf("spacing");
-  top.table("numerics", "choices of the method", [&](TableReader& r) {
+  top.table("numerics", "numerical method", [&](TableReader& r) {
     readNumerics(r, s.numerics);
     noteOpenChoices(r, x.open);
     if (s.numerics.fixedStep > s.end)
       r.fail("fixed_step", "must not be longer than the simulated time (end)");
   });
-  top.namedTables("material", "what bodies are made of", [&](const std::string& name, TableReader& r) {
-    Material m;
-    m.name = name;
-    applyQuality(s.quality, m);
-    readMaterial(r, m);
-    if (!r.describing() && s.numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
-      r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
-    x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));
-    s.materials.push_back(std::move(m));
-  });
+  top.namedTables(
+      "material", "materials of bodies and emitters", [&](const std::string& name, TableReader& r) {
+        Material m;
+        m.name = name;
+        applyQuality(s.quality, m);
+        readMaterial(r, m);
+        if (!r.describing() && s.numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
+          r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
+        x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));
+        s.materials.push_back(std::move(m));
+      });
   x.materials = !top.refused("material");
-  top.tables("body", "something made of particles", [&](TableReader& r) { readBody(r, x); });
+  top.tables("body", "a body of solid or liquid particles", [&](TableReader& r) { readBody(r, x); });
   top.tables("oriented", "a surface of oriented particles (Szeliski & Tonnesen 1992)",
              [&](TableReader& r) { readOriented(r, x); });
   top.tables("sheet", "a sheet whose vertices are exact damped springs",
              [&](TableReader& r) { readSheet(r, x); });
-  top.tables("emitter", "an opening that particles come out of", [&](TableReader& r) { readEmitter(r, x); });
-  top.tables("obstacle", "something that particles do not pass; may be written [[wall]], too",
+  top.tables("emitter", "an opening that emits particles", [&](TableReader& r) { readEmitter(r, x); });
+  top.tables("obstacle", "a rigid object that particles cannot enter; [[wall]] means the same",
              [&](TableReader& r) { readObstacle(r, x); });
-  top.tables("tempering", "brings particles to a temperature, wherever they are",
+  top.tables("tempering", "brings particles to a temperature, regardless of position",
              [&](TableReader& r) { readTempering(r, x); });
   if (top.describing()) {
-    top.table("SHAPE", "of bodies, obstacles and clamps; not a table of its own",
+    top.table("SHAPE", "keys of bodies, obstacles and clamps; not a table of its own",
               [](TableReader& r) { describeShape(r); });
   } else {
     top.tables("wall", "", [&](TableReader& r) { readObstacle(r, x); });

@@ -1,34 +1,33 @@
-// The keys of a scene file: one function for each kind of table, used for reading and for describing.
+// The keys of a scene file: one function per kind of table, used for reading and for describing.
 #pragma once
 #include "io/scene/full_box.hpp"
 #include "io/scene/table_reader.hpp"
 
 namespace thaw {
 
-/// The name of a material that something is made of. told: a message has said that it is no name.
+/// Name of the material of a body or emitter. told: the name was refused before.
 struct MaterialName {
   std::string name;
   SourcePlace where;
   bool told = false;
 };
 
-/// What reading needs beside the scene: names that refer to what is defined elsewhere, resolved by
-/// checkScene.
+/// State of reading beside the scene: names that refer to other tables, which checkScene resolves.
 struct SceneReading {
   Scene* scene = nullptr;
-  SourcePlace start;  ///< of the file, for what has no place of its own
+  SourcePlace start;  ///< start of the file, for errors without a place
   SourcePlace domain, spacing;
-  bool materials = true;  ///< all of them are tables: a name without one is a mistake of its own
-  OpenChoices open;       ///< of [numerics], that the scene leaves to us
-  /// beside Scene::bodies, emitters, temperings
+  bool materials = true;  ///< all materials are tables, so an unknown name is an error of its own
+  OpenChoices open;       ///< choices of [numerics] that the scene leaves open
+  /// one per element of Scene::bodies, emitters, temperings
   std::vector<MaterialName> bodyMaterials, emitterMaterials, temperingMaterials;
 };
 
-/// All keys of a scene file.
+/// Reads all keys of a scene file.
 void readSections(TableReader& top, SceneReading& reading);
-/// What they are.
+/// Returns their descriptions.
 std::vector<KeyDescription> sceneKeys();
-/// The keys that say what a sheet's mesh is, by SheetMesh.
+/// Returns the keys of a sheet's mesh, by SheetMesh.
 const std::vector<std::string>& sheetMeshWords();
 
 void readDomain(TableReader& reader, Domain& domain);
@@ -36,10 +35,10 @@ void readNumerics(TableReader& reader, Numerics& numerics);
 void readSurface(TableReader& reader, SurfaceSettings& surface);
 void readOutput(TableReader& reader, Output& output);
 void readMaterial(TableReader& reader, Material& material);
-/// A list of pairs of a time and a factor.
+/// Reads a list of pairs of a time and a factor.
 void readInTime(TableReader& reader, const char* key, FactorInTime& factor, const char* about,
                 const Range& range = notNegative());
-/// "#rrggbb" into red | green << 8 | blue << 16; false if it is something else.
+/// Converts "#rrggbb" to red | green << 8 | blue << 16. Returns false for other texts.
 bool readColour(const std::string& text, std::uint32_t& colour);
 void readBody(TableReader& reader, SceneReading& reading);
 void readOriented(TableReader& reader, SceneReading& reading);
@@ -48,15 +47,15 @@ void readEmitter(TableReader& reader, SceneReading& reading);
 void readTempering(TableReader& reader, SceneReading& reading);
 void readObstacle(TableReader& reader, SceneReading& reading);
 
-/// What no single table can tell: references, duplicates, sizes. Adds to errors.
+/// Checks references, duplicates and sizes, which concern several tables. Adds to errors.
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
-/// The same of sheets.
+/// Checks sheets in the same way.
 void checkSheets(const Scene& scene, std::vector<SceneError>& errors);
-/// Of events of oriented bodies: the bodies that welds name, which it looks up, and what is left of them by
-/// then.
+/// Checks events of oriented bodies. Finds the bodies of welds, and refuses those that have no particles left
+/// by then.
 void checkOrientedEvents(SceneReading& reading, std::vector<SceneError>& errors);
-/// A spacing far too fine for any machine, or a domain too large for its cells: one message, with the number
-/// of particles where it is they that are too many.
+/// Refuses a spacing too fine for any machine, or a domain too large for its cells. Adds one message, with
+/// the number of particles if these are too many.
 void checkSizes(const SceneReading& reading, std::vector<SceneError>& errors);
 
 }  // namespace thaw

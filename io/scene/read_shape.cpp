@@ -8,17 +8,17 @@
 namespace thaw {
 
 void readPlace(TableReader& r, Shape& s) {
-  r.table("place", "where the shape stands: scaled, then turned about x, y and z, then moved",
+  r.table("place", "position of the shape: scaled, then rotated about x, y and z, then moved",
           [&](TableReader& p) {
             p.number("scale", s.scale, "", positive(), "factor of size");
             p.number("height", s.fitHeight, "m", positive(),
-                     "scales the turned shape to this extent along z; in place of scale");
+                     "scales the rotated shape to this extent along z; instead of scale");
             p.number("rotate_x", s.rotate.x, "rad", anyNumber(), "angle about x");
             p.number("rotate_y", s.rotate.y, "rad", anyNumber(), "angle about y, after x");
             p.number("rotate_z", s.rotate.z, "rad", anyNumber(), "angle about z, last");
-            p.vector("move", s.move, "m", "where the shape's own origin comes to lie");
+            p.vector("move", s.move, "m", "position of the shape's own origin");
             p.vector("bottom", s.bottom, "m",
-                     "puts the middle of the lowest face of the bounding box here; in place of move");
+                     "position of the middle of the lowest face of the bounding box; instead of move");
             if (p.has("scale") && p.has("height")) p.fail("height", "give scale or height, not both");
             if (p.has("move") && p.has("bottom")) p.fail("bottom", "give move or bottom, not both");
           });
@@ -28,7 +28,8 @@ namespace {
 
 constexpr const char* allShapes =
     "mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection";
-constexpr std::size_t deepest = 500;  // of a path in messages: ends nesting long before the stack does
+constexpr std::size_t deepest = 500;  // longest path in messages: limits nesting long before the stack
+                                      // overflows
 
 bool meshEnding(std::string path) {
   std::transform(path.begin(), path.end(), path.begin(),
@@ -42,8 +43,8 @@ void readMesh(TableReader& r, Shape& s) {
   r.text("mesh", s.mesh,
          "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or "
          "\"builtin:head\", both 1 m tall. Its surfels have the normals of the file (PLY nx ny nz, OBJ vn); "
-         "where it has none, those are 0, or point to the other side of their triangle (the run tells how "
-         "many), smooth ones follow from the triangles",
+         "smooth normals from the triangles replace missing ones, and those that are 0 or point to the other "
+         "side of their triangle (the run reports how many)",
          "path or \"builtin:bust\"");
   checkMeshPath(r, s.mesh);
 }
@@ -61,20 +62,20 @@ void readSolids(TableReader& r, Shape& s) {
     t.number("height", s.height, "m", positive(), "length along z");
   });
   r.table("torus", "ring around its own origin, in the plane z = 0", [&](TableReader& t) {
-    t.number("radius", s.radius, "m", positive(), "of the ring");
-    t.number("tube", s.radius2, "m", positive(), "of the tube, less than that of the ring");
+    t.number("radius", s.radius, "m", positive(), "radius of the ring");
+    t.number("tube", s.radius2, "m", positive(), "radius of the tube, less than that of the ring");
     if (s.radius2 >= s.radius) t.fail("tube", "must be less than the radius of the ring");
   });
   r.table("glass", "drinking glass standing on its own z = 0, open at the top", [&](TableReader& t) {
     t.number("radius", s.radius, "m", positive(), "outer radius");
     t.number("height", s.height, "m", positive(), "height");
-    t.number("thickness", s.thickness, "m", positive(), "of wall and floor");
+    t.number("thickness", s.thickness, "m", positive(), "thickness of wall and floor");
     if (s.thickness >= std::min(s.radius, s.height))
       t.fail("thickness", "must be less than radius and height");
   });
   r.table("plane", "half-space: solid on the side that the normal points away from", [&](TableReader& t) {
     t.vector("point", s.point, "m", "a point of the plane");
-    t.vector("normal", s.normal, "", "out of the solid, of any length but 0");
+    t.vector("normal", s.normal, "", "normal out of the solid; any length but 0");
     if (length(s.normal) == 0) t.fail("normal", "must not be zero");
   });
 }
@@ -99,8 +100,8 @@ struct Key {
   const char* about;
 };
 constexpr Key parts[] = {{"union", ShapeKind::Union, "shapes joined"},
-                         {"difference", ShapeKind::Difference, "the first shape less all the others"},
-                         {"intersection", ShapeKind::Intersection, "what all shapes share"}};
+                         {"difference", ShapeKind::Difference, "the first shape without all the others"},
+                         {"intersection", ShapeKind::Intersection, "the common part of all shapes"}};
 constexpr Key solids[] = {{"mesh", ShapeKind::Mesh, ""},      {"box", ShapeKind::Box, ""},
                           {"sphere", ShapeKind::Sphere, ""},  {"cylinder", ShapeKind::Cylinder, ""},
                           {"torus", ShapeKind::Torus, ""},    {"glass", ShapeKind::Glass, ""},
@@ -129,7 +130,7 @@ std::vector<std::string> shapeWords() {
 
 void readShape(TableReader& r, Shape& s) {
   if (r.describing()) {
-    r.node("SHAPE", "", allShapes, "what it looks like, one key, and its `place`: see `SHAPE` below");
+    r.node("SHAPE", "", allShapes, "its shape, one key, and `place`: see `SHAPE` below");
     return;
   }
   s.where = r.place();
@@ -137,11 +138,11 @@ void readShape(TableReader& r, Shape& s) {
   const auto one = [&](const Key& k) {
     if (!r.has(k.key)) return;
     s.kind = k.kind;
-    if (++given == 2) r.fail(k.key, "a second shape; give one, and join several by a union");
+    if (++given == 2) r.fail(k.key, "a second shape; expected one, or a union of several");
   };
   for (const Key& k : solids) one(k);
   for (const Key& k : parts) one(k);
-  // what is wrong with a file is told where it is named
+  // Errors of a file are reported where it is named.
   if (s.kind == ShapeKind::Mesh && r.has("mesh")) s.where = r.placeOf("mesh");
   if (given == 0) r.fail(r.place(), r.path() + ": its shape is missing: " + allShapes);
   readMesh(r, s);

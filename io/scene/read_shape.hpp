@@ -3,23 +3,22 @@
 
 namespace thaw {
 
-/// Reads the one shape key of a table (mesh, box, sphere, ..., union) and its `place`; none is an error.
-/// Describes it by a single line that points to describeShape. Mesh paths are taken as they stand.
+/// Reads the one shape key of a table (mesh, box, sphere, ..., union) and its `place`; a missing one is an
+/// error. Describes it by a single line that points to describeShape. Does not resolve paths of meshes.
 void readShape(TableReader& reader, Shape& shape);
-/// The keys of shapes, by ShapeKind.
+/// Returns the keys of shapes, by ShapeKind.
 std::vector<std::string> shapeWords();
 
-/// Is there a key of a shape?
+/// Does a table have a key of a shape?
 bool hasShape(const TableReader& reader);
 
-/// Refuses all keys of shapes, where none is meant.
+/// Refuses all keys of shapes.
 void refuseShape(TableReader& reader, const char* why);
 
-/// Says what is wrong with the path of a mesh that the key `mesh` of a table has, if anything is: it is to be
-/// a file that ends in .obj, .ply or .stl, or one that is built in.
+/// Checks the path of the key `mesh` of a table: a file that ends in .obj, .ply or .stl, or a built-in mesh.
 void checkMeshPath(TableReader& reader, const std::string& path);
 
-/// The key `place` alone, of things that are no shapes but stand somewhere.
+/// Reads the key `place` alone, for bodies without a shape.
 void readPlace(TableReader& reader, Shape& shape);
 /// Describes the keys of all shapes.
 void describeShape(TableReader& reader);

@@ -18,7 +18,7 @@ bool isJoined(std::string_view key) {
          key == "oriented" || key == "sheet";
 }
 
-/// Moves what `from` says into `to`. Moved nodes keep their places; copies would not.
+/// Moves the content of `from` into `to`. Moved nodes keep their places; copies would not.
 void merge(toml::table& to, toml::table& from, bool top) {
   for (auto&& [key, node] : from) {
     if (top && key.str() == "include") continue;
@@ -41,7 +41,7 @@ struct Resolver {
   std::vector<std::string> open{};  ///< files that are being read
   std::set<std::string> done{};
 
-  /// Merges a file's includes, then the file itself, so that it has the last word.
+  /// Merges the includes of a file, then the file itself, which thus takes precedence.
   void read(const std::string& file, const SourcePlace& from) {
     if (std::find(open.begin(), open.end(), file) != open.end()) {
       std::string chain;
@@ -72,8 +72,8 @@ struct Resolver {
   }
 };
 
-/// Makes the paths of meshes absolute: relative to the file that says them, or to the folder of the call for
-/// overrides.
+/// Makes the paths of meshes absolute. They are relative to the file that names them, or to the working
+/// folder for overrides.
 void placeMeshes(toml::node& n, const std::string& base) {
   if (toml::array* a = n.as_array()) {
     for (toml::node& e : *a) placeMeshes(e, base);
@@ -91,7 +91,7 @@ void placeMeshes(toml::node& n, const std::string& base) {
   }
 }
 
-/// The keys of a dotted key; empty where it is not one.
+/// Returns the keys of a dotted key, or nothing for another text.
 std::vector<std::string> keysOf(const std::string& dotted) {
   std::vector<std::string> keys(1);
   char quote = 0;
@@ -106,7 +106,7 @@ std::vector<std::string> keysOf(const std::string& dotted) {
   return keys;
 }
 
-/// The table of a list that has this name, or this number.
+/// Returns the table of a list with this name or number.
 toml::table* findTable(toml::array& a, const std::string& which) {
   for (toml::node& e : a)
     if (toml::table* t = e.as_table())
@@ -149,12 +149,12 @@ void applyOverride(toml::table& top, const std::string& setting, std::vector<Sce
   const std::vector<std::string> keys = equals == std::string::npos ? std::vector<std::string>{}
                                                                     : keysOf(setting.substr(0, equals));
   if (keys.empty()) return wrong("expected key=value with a dotted key such as material.wax.young=\"1 MPa\"");
-  if (keys[0] == "include") return wrong("include: files are included by the scene file alone");
+  if (keys[0] == "include") return wrong("include: only scene files can include files");
   const auto parse = [&](const std::string& text) { return toml::parse(text, source); };
   toml::table value;
   try {
     value = parse("v = " + setting.substr(equals + 1));
-  } catch (const toml::parse_error&) {  // no TOML value: a text, such as 1 mm
+  } catch (const toml::parse_error&) {  // not a TOML value but a text, such as 1 mm
   }
   if (value.size() != 1) {
     value = parse("v = ''");
@@ -166,9 +166,9 @@ void applyOverride(toml::table& top, const std::string& setting, std::vector<Sce
     toml::node* n = t->get(keys[k]);
     if (toml::array* list = n->as_array()) {
       if (k + 2 >= keys.size())
-        return wrong("'" + keys[k] + "' is a list: say which one by its name or number, then a key");
+        return wrong("'" + keys[k] + "' is a list: expected the name or number of an entry, then a key");
       t = findTable(*list, keys[k + 1]);
-      if (!t) return wrong("'" + keys[k] + "' has nothing of the name or number '" + keys[k + 1] + "'");
+      if (!t) return wrong("'" + keys[k] + "' has no entry with the name or number '" + keys[k + 1] + "'");
       k++;
     } else {
       t = n->as_table();

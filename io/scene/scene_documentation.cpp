@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// A table cell must not end early.
+/// Escapes "|", which ends a table cell.
 std::string cell(const std::string& s) {
   std::string t;
   for (const char c : s) {

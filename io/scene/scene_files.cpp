@@ -11,10 +11,10 @@ namespace thaw {
 namespace {
 
 constexpr std::uintmax_t largestFile = 16u << 20;
-constexpr std::size_t longestLine = 16384;  // dotted keys nest by their dots: this ends them before the
-                                            // parser's stack does
+constexpr std::size_t longestLine = 16384;  // limits the nesting of dotted keys before the stack of the
+                                            // parser overflows
 
-/// Why a text cannot be a scene, or "".
+/// Returns the reason why a text cannot be a scene, or "".
 std::string problemOf(const std::string& text) {
   if (text.empty()) return "the file is empty";
   if (text.find('\0') != std::string::npos) return "has a zero byte: not a text file";
@@ -31,7 +31,7 @@ std::string problemOf(const std::string& text) {
   return "";
 }
 
-/// The text of a file, or why it cannot be had.
+/// Returns the text of a file, or sets `problem`.
 std::string readText(const std::string& path, std::string& problem) {
   std::error_code code;
   const auto status = std::filesystem::status(path, code);

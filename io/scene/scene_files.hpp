@@ -1,27 +1,26 @@
-// The texts that a scene is made of, apart from their meaning: one rank reads them, the others get them by
-// message.
+// Texts of a scene, apart from their meaning. One rank reads them and sends them to the others.
 #pragma once
 #include <map>
 #include <string>
 
 namespace thaw {
 
-/// Texts of the scene file and of what it includes, by path.
+/// Texts of the scene file and of its includes, by path.
 struct SceneFiles {
   std::string main;  ///< path of the scene file
-  std::string base;  ///< folder that relative paths start from: where the program was called
+  std::string base;  ///< folder of relative paths: the working folder of the program
   std::map<std::string, std::string> texts;
-  std::map<std::string, std::string> problems;  ///< path -> why it could not be read
+  std::map<std::string, std::string> problems;  ///< path -> reason why it could not be read
 };
 
-/// Reads a scene file and everything that it includes. Never throws for what is in the files or missing.
+/// Reads a scene file and everything that it includes. Never throws for missing files or their content.
 SceneFiles loadSceneFiles(const std::string& path);
 
-/// A text as if it stood in a file of this name, such as Scene::text of a checkpoint.
+/// Returns a text as if it were in a file of this name, such as Scene::text of a checkpoint.
 SceneFiles sceneFilesOf(const std::string& name, const std::string& text);
 
-/// As one string of bytes, to be sent, and back. unpackSceneFiles throws std::runtime_error for what is no
-/// such string.
+/// Converts to one string of bytes, to be sent, and back. unpackSceneFiles throws std::runtime_error for
+/// other strings.
 std::string packSceneFiles(const SceneFiles& files);
 SceneFiles unpackSceneFiles(const std::string& bytes);
 

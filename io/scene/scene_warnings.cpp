@@ -17,7 +17,7 @@ std::string at(const SourcePlace& where) {
              : where.file;
 }
 
-/// Is it no curve, nor points in the plane of one?
+/// Is a body neither a curve nor points in one plane y = constant?
 bool leavesItsPlane(const OrientedBody& b) {
   if (b.source == OrientedSource::Curve) return false;
   if (b.source != OrientedSource::Points) return true;
@@ -25,7 +25,7 @@ bool leavesItsPlane(const OrientedBody& b) {
                      [&](const Vec3d& x) { return x.y != b.points.front().y; });
 }
 
-/// Materials that nothing is made of: a name that is spelt otherwise in --set makes one.
+/// Warns of unused materials. A misspelt name in --set makes one.
 void addIdleMaterials(const Scene& s, std::vector<std::string>& lines) {
   std::set<int> used;
   std::set<std::string> names;
@@ -34,19 +34,19 @@ void addIdleMaterials(const Scene& s, std::vector<std::string>& lines) {
   for (int k : used) names.insert(s.materials[static_cast<std::size_t>(k)].name);
   for (std::size_t k = 0; k < s.materials.size(); k++)
     if (!used.count(static_cast<int>(k)))
-      lines.push_back(fmt::format("{}: material '{}' is of no body and of no emitter{}",
+      lines.push_back(fmt::format("{}: material '{}' is used by no body and no emitter{}",
                                   at(s.materials[k].where), s.materials[k].name,
                                   suggestion(s.materials[k].name, names)));
 }
 
-/// Below any temperature that somebody is likely to mean: a number of degrees Celsius without its unit.
+/// Warns of temperatures that are probably degrees Celsius without their unit.
 void addColdPlaces(const Scene& s, std::vector<std::string>& lines) {
   constexpr double likely = 100;
   const auto look = [&](const SourcePlace& where, const std::string& what, double kelvin) {
     if (kelvin < likely)
       lines.push_back(
-          fmt::format("{}: {} is {:g} K; a temperature without a unit is in kelvin, degrees Celsius are "
-                      "written \"{:g} degC\"",
+          fmt::format("{}: {} is {:g} K; a temperature without a unit is in kelvin; write degrees Celsius as "
+                      "\"{:g} degC\"",
                       at(where), what, kelvin, kelvin));
   };
   for (const Material& m : s.materials)
@@ -58,7 +58,7 @@ void addColdPlaces(const Scene& s, std::vector<std::string>& lines) {
     if (o.temperature) look(o.where, "obstacle '" + o.name + "': its temperature", *o.temperature);
 }
 
-/// What melts in a scene where no heat gets to it.
+/// Warns of materials that melt in a scene without any heat.
 void addHeatless(const Scene& s, std::vector<std::string>& lines) {
   if (s.numerics.heat == HeatModel::Paper || !s.temperings.empty()) return;
   for (const Material& m : s.materials)
@@ -76,12 +76,12 @@ std::string warningLine(const SourcePlace& where, const std::string& text) { ret
 
 std::string idleEventLine(const OrientedBody& b, const OrientedEvent& e) {
   const char* what = e.kind == OrientedEventKind::Weld
-                         ? "weld has met nothing: no particles of the two are near each other"
+                         ? "weld has no effect: no particles of the two bodies are near each other"
                      : e.kind == OrientedEventKind::Cut
-                         ? "cut has met nothing: all particles that it reaches are on one side of it"
+                         ? "cut has no effect: all particles within its reach are on one side of it"
                      : e.kind == OrientedEventKind::Crease
-                         ? "crease has met nothing: no particle is near its line"
-                         : "smoothing has met nothing: no particle in it is creased";
+                         ? "crease has no effect: no particle is near its line"
+                         : "smoothing has no effect: no particle in its region is creased";
   return warningLine(e.where, fmt::format("oriented body '{}': this {}", b.name, what));
 }
 
@@ -93,17 +93,16 @@ std::string idleFieldLine(const OrientedBody& b, const OrientedField& f) {
 
 std::string sunkenLine(const OrientedBody& b, const Body& body, std::int64_t count, double time) {
   return warningLine(
-      b.where,
-      fmt::format("oriented body '{}': {} of its particles {} inside body '{}' at {:.6g} s: contact has not "
-                  "held them off, or '{}' is going through it; a larger `contact` is stiffer",
-                  b.name, count, count == 1 ? "is" : "are", body.name, time, body.name));
+      b.where, fmt::format("oriented body '{}': {} of its particles {} inside body '{}' at {:.6g} s: contact "
+                           "did not keep them out, or '{}' passes through it; a larger `contact` is stiffer",
+                           b.name, count, count == 1 ? "is" : "are", body.name, time, body.name));
 }
 
 std::string sunkenLine(const OrientedBody& b, const Obstacle& obstacle, std::int64_t count, double time) {
   return warningLine(
       b.where,
       fmt::format("oriented body '{}': {} of its particles {} inside obstacle '{}' at {:.6g} s: they began "
-                  "there, or are drawn into it harder than contact holds; a larger `contact` is stiffer",
+                  "there, or a force into it exceeds the contact force; a larger `contact` is stiffer",
                   b.name, count, count == 1 ? "is" : "are", obstacle.name, time));
 }
 
@@ -112,28 +111,27 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   for (const OrientedBody& b : s.oriented)
     if (b.planar && leavesItsPlane(b))
       lines.push_back(
-          fmt::format("{}: oriented body '{}': planar keeps each particle at its own y, and this body is not "
-                      "in one plane y = constant: it is meant for curves",
+          fmt::format("{}: oriented body '{}': planar keeps each particle at its own y, but this body is not "
+                      "in one plane y = constant; planar is meant for curves",
                       at(b.where), b.name));
   for (const OrientedBody& b : s.oriented)
     for (const OrientedField& f : b.fields)
       if (f.from >= s.end)
         lines.push_back(
-            fmt::format("{}: oriented body '{}': this field begins at {:g} s and the scene ends at {:g} s: "
-                        "it does not act",
+            fmt::format("{}: oriented body '{}': this field begins at {:g} s, but the scene ends at {:g} s: "
+                        "it has no effect",
                         at(f.where), b.name, f.from, s.end));
   for (const OrientedBody& b : s.oriented)
     for (const OrientedEvent& e : b.events)
       if (e.time > s.end)
-        lines.push_back(
-            fmt::format("{}: oriented body '{}': this event is at {:g} s and the scene ends at {:g} s: it "
-                        "does not happen",
-                        at(e.where), b.name, e.time, s.end));
+        lines.push_back(fmt::format(
+            "{}: oriented body '{}': this event is at {:g} s, but the scene ends at {:g} s: it has no effect",
+            at(e.where), b.name, e.time, s.end));
   if (s.output.fieldsWhere.line > 0 && !hasContinuum(s)) {
     std::string names;
     for (const std::string& name : s.output.fields) names += (names.empty() ? "" : ", ") + name;
     lines.push_back(
-        fmt::format("{}: output.fields ({}) are of bodies and emitters, and the scene has none; frames of "
+        fmt::format("{}: output.fields ({}) apply to bodies and emitters, and the scene has none; frames of "
                     "oriented bodies and sheets have all their fields",
                     at(s.output.fieldsWhere), names));
   }

@@ -1,4 +1,4 @@
-// What a scene says that has no effect, or is far from all use: allowed, and told.
+// Warnings of valid settings that have no effect or unusual values.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,21 +7,21 @@
 
 namespace thaw {
 
-/// A line each, with file and line of the scene: events and fields of oriented bodies after its end, fields
-/// of frames that nothing in it has, materials of nothing, temperatures near 0 K, settings of the surface
-/// (surface_advice.hpp).
+/// Returns a line for each warning, with file and line of the scene: events and fields of oriented bodies
+/// after its end, fields of frames without use, unused materials, temperatures near 0 K, settings of the
+/// surface (surface_advice.hpp).
 std::vector<std::string> sceneWarnings(const Scene& scene);
 
-/// One line for a sentence about a place in the scene.
+/// Returns a line with a place in the scene and a sentence.
 std::string warningLine(const SourcePlace& where, const std::string& text);
 
-/// That an event of an oriented body has met nothing.
+/// Returns the warning of an event of an oriented body that affects no particle.
 std::string idleEventLine(const OrientedBody& body, const OrientedEvent& event);
 
-/// That a field of an oriented body begins where no particle is.
+/// Returns the warning of a field of an oriented body that begins without particles.
 std::string idleFieldLine(const OrientedBody& body, const OrientedField& field);
 
-/// That particles of an oriented body have come into a body, by this time (s).
+/// Returns the warning of particles of an oriented body inside another body, at this time (s).
 std::string sunkenLine(const OrientedBody& oriented, const Body& body, std::int64_t count, double time);
 std::string sunkenLine(const OrientedBody& oriented, const Obstacle& obstacle, std::int64_t count,
                        double time);

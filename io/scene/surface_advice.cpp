@@ -23,70 +23,71 @@ std::vector<std::string> surfaceAdvice(const Scene& scene) {
                particles = 2.0 / 3 * std::numbers::pi *
                            std::pow(s.particleSupport * scene.numerics.support, 3),
                surfels = 1.15 * std::numbers::pi * s.support * s.support;
-  tell(
-      spacing > scene.spacing, "spacing",
-      fmt::format("({:g} m) is above spacing ({:g} m): the surface is coarser than the particles, and misses "
-                  "drops of a few of them; half of spacing is sensible, or less where a mesh has detail",
-                  spacing, scene.spacing));
+  tell(spacing > scene.spacing, "spacing",
+       fmt::format("({:g} m) is above spacing ({:g} m): the surface is coarser than the particles and misses "
+                   "drops of a few particles; half of spacing is recommended, or less for detailed meshes",
+                   spacing, scene.spacing));
   tell(spacing < 0.05 * scene.spacing, "spacing",
        fmt::format("({:g} m) is {:.2g} of spacing ({:g} m): {:.0f} surfels and more for each particle at the "
-                   "surface; .15 to .5 of spacing is sensible",
+                   "surface; 0.15 to 0.5 of spacing is recommended",
                    spacing, spacing / scene.spacing, scene.spacing, std::pow(scene.spacing / spacing, 2)));
   tell(s.support < 2, "support",
-       fmt::format("is {:g}: about {:.0f} surfels act on each surfel, too few to tell a smooth surface; 2.5 "
-                   "to 4 is sensible",
+       fmt::format("is {:g}: about {:.0f} surfels act on each surfel, too few for a smooth surface; 2.5 to 4 "
+                   "is recommended",
                    s.support, surfels));
   tell(s.support > 5, "support",
        fmt::format("is {:g}: about {:.0f} surfels act on each surfel, and time and memory grow with it; 2.5 "
-                   "to 4 is sensible",
+                   "to 4 is recommended",
                    s.support, surfels));
   tell(s.particleSupport > 2.5, "particle_support",
        fmt::format("is {:g}: about {:.0f} particles act on each surfel, details of the liquid are lost, and "
-                   "time and memory grow with it; 1.5 to 2 is sensible",
+                   "time and memory grow with it; 1.5 to 2 is recommended",
                    s.particleSupport, particles));
   tell(s.everyMove > 1, "every_move",
-       fmt::format("is {:g}: particles come further than their neighbourhood between two updates, and the "
-                   "surface is carried less well; .1 to 1 is sensible",
+       fmt::format("is {:g}: particles move beyond their neighbourhood between two updates, and the surface "
+                   "follows them less accurately; 0.1 to 1 is recommended",
                    s.everyMove));
-  tell(s.implicit == 0, "implicit",
-       "is 0: nothing draws the surface to the level of the particles' colour field; .3 to 1 is sensible");
+  tell(
+      s.implicit == 0, "implicit",
+      "is 0: nothing moves the surface to the level of the particles' colour field; 0.3 to 1 is recommended");
   tell(s.attract > 0.3, "attract",
-       fmt::format("is {:g}: the surface is drawn into its particles; 0 to .1 is sensible", s.attract));
-  tell(s.smooth == 0, "smooth", "is 0: the surface shows each particle as a bump; .2 to .6 is sensible");
+       fmt::format("is {:g}: the surface is pulled into its particles; 0 to 0.1 is recommended", s.attract));
+  tell(s.smooth == 0, "smooth", "is 0: the surface shows each particle as a bump; 0.2 to 0.6 is recommended");
   tell(s.repel == 0, "repel",
-       "is 0: surfels are not spaced, and leave gaps that births have to fill; .2 to .5 is sensible");
+       "is 0: surfels are not spaced evenly and leave gaps that births must fill; 0.2 to 0.5 is recommended");
   tell(s.isoLevel < 0.4 || s.isoLevel > 0.6, "iso_level",
-       fmt::format("is {:g}: the surface does not lie where its particles end; a ball of ten spacings began "
-                   "with 36 % too much volume at .3 and 28 % too little at .7, more than volume keeping may "
-                   "move; .45 to .55 is sensible",
+       fmt::format("is {:g}: the surface does not lie at the boundary of its particles; a ball of ten "
+                   "spacings begins with 36 % too much volume at 0.3 and 28 % too little at 0.7, more than "
+                   "volume control may correct; 0.45 to 0.55 is recommended",
                    s.isoLevel));
   tell(s.damping < 0.2, "damping",
-       fmt::format("is {:g}: surfels hardly move in an update, and the surface is not settled when it ends; "
-                   ".5 to 1 is sensible",
+       fmt::format("is {:g}: surfels hardly move in an update, and the surface has not converged when it "
+                   "ends; 0.5 to 1 is recommended",
                    s.damping));
-  tell(s.damping > 1.3, "damping", fmt::format("is {:g}: surfels overshoot; .5 to 1 is sensible", s.damping));
+  tell(s.damping > 1.3, "damping",
+       fmt::format("is {:g}: surfels overshoot; 0.5 to 1 is recommended", s.damping));
   tell(s.iterations < 10, "iterations",
-       fmt::format("is {}: most updates end before the surface is settled; 15 to 60 is sensible",
+       fmt::format("is {}: most updates end before the surface has converged; 15 to 60 is recommended",
                    s.iterations));
   tell(s.stop > 0.1, "stop",
-       fmt::format("is {:g}: surfels stop before they are settled; .003 to .03 is sensible", s.stop));
+       fmt::format("is {:g}: surfels stop before they have converged; 0.003 to 0.03 is recommended", s.stop));
   tell(s.stop < 1e-4, "stop",
-       fmt::format("is {:g}: hardly an update settles before surface.iterations; .003 to .03 is sensible",
-                   s.stop));
+       fmt::format(
+           "is {:g}: hardly any update converges before surface.iterations; 0.003 to 0.03 is recommended",
+           s.stop));
   tell(s.adapt > 0 && s.adapt < 0.1, "adapt",
-       fmt::format("is {:g}: {:.0f} surfels and more for one where the surface is curved; .3 to .7 is "
-                   "sensible, 0 for the same spacing everywhere",
+       fmt::format("is {:g}: {:.0f} surfels and more for one where the surface is curved; 0.3 to 0.7 is "
+                   "recommended, 0 for the same spacing everywhere",
                    s.adapt, 1 / (s.adapt * s.adapt)));
   tell(s.keepVolume > 0 && s.keepVolume < 0.5, "keep_volume",
        fmt::format(
-           "is {:g}: volume is held in part only (a drop was 3 % off at .1); 1 is sensible, or 0 for none",
+           "is {:g}: volume is only partly kept (a drop was 3 % off at 0.1); 1 is recommended, or 0 for none",
            s.keepVolume));
   tell(s.linkLength < 1.3, "link_length",
-       fmt::format(
-           "is {:g}: bodies that are strained a little come apart into components; 1.4 to 2 is sensible",
-           s.linkLength));
+       fmt::format("is {:g}: slightly strained bodies fall apart into components; 1.4 to 2 is recommended",
+                   s.linkLength));
   tell(s.linkLength > 2.5, "link_length",
-       fmt::format("is {:g}: pieces that far apart count as one component; 1.4 to 2 is sensible",
+       fmt::format("is {:g}: pieces at such a distance count as one component; 1.4 to 2 is recommended",
                    s.linkLength));
   return lines;
 }

@@ -1,4 +1,4 @@
-// What looks unwise in [surface]: allowed, and told before the run.
+// Warnings of unusual settings of [surface], before the run.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// A line for each key whose value is far from all use: where it is, what it does there, what is sensible.
-/// Empty without a surface.
+/// Returns a line for each unusual value: its place, its effect, and the recommended range. Returns nothing
+/// without a surface.
 std::vector<std::string> surfaceAdvice(const Scene& scene);
 
 }  // namespace thaw

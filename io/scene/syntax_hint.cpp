@@ -17,7 +17,7 @@ std::string lineOf(const std::string& text, int line) {
   return found;
 }
 
-/// Is a text of the line left open? Comments end it, escaped quotes do not count.
+/// Does a line end inside a text? Comments end a line; escaped quotes do not count.
 bool hasOpenQuote(const std::string& line) {
   char quote = 0;
   for (std::size_t k = 0; k < line.size(); k++) {
@@ -40,7 +40,7 @@ std::string syntaxHint(const std::string& text, int line, const std::string& com
   static const std::regex table(R"(^\s*\[\s*(body|emitter|obstacle|wall|oriented|sheet|tempering)\s*\])"),
       quantity(R"(=\s*([-+]?[0-9][-+0-9.eE_]*)\s*([A-Za-z%][^#,\]}]*))");
   if (std::regex_search(here, m, table))
-    return "; each of several is written [[" + m.str(1) + "]], with two brackets";
+    return "; a table of a list is written [[" + m.str(1) + "]], with two brackets";
   if (std::regex_search(here, m, quantity)) {
     std::string unit = m.str(2);
     while (!unit.empty() && unit.back() == ' ') unit.pop_back();

@@ -1,11 +1,11 @@
-// What a TOML parser's complaint usually means in a scene.
+// Hints for common causes of TOML syntax errors in scenes.
 #pragma once
 #include <string>
 
 namespace thaw {
 
-/// "; ..." with what was probably meant where a file of this text does not parse; "" where nothing is known.
-/// line: from 1, where the parser stopped; complaint: what it says.
+/// Returns "; ..." with the probable intention of text that does not parse, or "". line: from 1, where the
+/// parser stopped; complaint: its message.
 std::string syntaxHint(const std::string& text, int line, const std::string& complaint);
 
 }  // namespace thaw

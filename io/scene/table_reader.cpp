@@ -52,7 +52,7 @@ void TableReader::fail(const std::string& key, const std::string& text,
   refused_.insert(key);
   fail(placeOf(key), named(key) + ": " + text);
 }
-/// At a node of the key's value, of which several may be wrong.
+/// Adds an error at a node of the value of a key; several nodes may be wrong.
 void TableReader::refuse(const std::string& key, const toml::node& n, const std::string& text) {
   refused_.insert(key);
   fail(placeOfNode(n), named(key) + ": " + text);

@@ -1,5 +1,5 @@
-// Reads the keys of one TOML table, or describes them: the same calls give the scene, its error messages and
-// docs/scene.md, so that every key is declared once, with its unit, range, default and meaning.
+// Reads the keys of a TOML table, or describes them. The same calls give the scene, its error messages and
+// docs/scene.md. Every key is thus declared once, with unit, range, default and meaning.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -17,8 +17,8 @@
 
 namespace thaw {
 
-/// An error with its place; sorted by place before they are printed. A file name that starts with "--set" has
-/// no line.
+/// An error with its place. Errors are sorted by place before they are printed. A file name that starts with
+/// "--set" has no line.
 struct SceneError {
   SourcePlace where;
   std::string text;
@@ -27,7 +27,7 @@ struct SceneError {
 /// A key as docs/scene.md shows it.
 struct KeyDescription {
   std::string table, key, unit, range, standard, about;
-  std::vector<std::string> words{};  ///< of a choice, by its number; of a flag
+  std::vector<std::string> words{};  ///< words of a choice, by number, or of a flag
 };
 
 class TableReader {
@@ -40,20 +40,20 @@ class TableReader {
   bool describing() const { return table_ == nullptr; }
   const std::string& path() const { return path_; }
   SourcePlace place() const;
-  SourcePlace placeOf(const std::string& key) const;  ///< of the key's value, or of the table without one
+  SourcePlace placeOf(const std::string& key) const;  ///< place of the value of a key, or of the table
+                                                      ///< without it
   bool has(const std::string& key) const { return table_ != nullptr && table_->contains(key); }
   bool hasList(const std::string& key) const {
     return table_ != nullptr && table_->get_as<toml::array>(key) != nullptr;
   }
-  std::string textOf(const std::string& key) const;  ///< a text that is there, else ""
+  std::string textOf(const std::string& key) const;  ///< a text value, or ""
   void fail(const SourcePlace& where, const std::string& text);
-  /// At the key, with its path. A key has one message: nothing is said of one that was refused before, nor of
-  /// how it goes together with such `others`, whose values are not what the scene means.
+  /// Adds an error at a key, with its path. A key gets one message: nothing is added if it, or one of
+  /// `others` on which the check depends, was refused before.
   void fail(const std::string& key, const std::string& text, std::initializer_list<const char*> others = {});
   bool refused(const std::string& key) const { return refused_.count(key) > 0; }
 
-  // Each reads a key into `value` if it is there, else leaves it; `value` before is the default that is
-  // described.
+  // Each function reads a key into `value` if it exists, else leaves the default, which is described.
   void number(const char* key, double& value, const char* unit, const Range& range, const char* about);
   void number(const char* key, std::optional<double>& value, const char* unit, const Range& range,
               const char* about);
@@ -62,10 +62,10 @@ class TableReader {
   void vector(const char* key, std::optional<Vec3d>& value, const char* unit, const char* about);
   void flag(const char* key, bool& value, const char* about);
   void text(const char* key, std::string& value, const char* about, const char* range = "text");
-  /// Some of several words.
+  /// Reads a list of words.
   void words(const char* key, std::vector<std::string>& value, const std::vector<std::string>& allowed,
              const char* about);
-  /// One of several words: its number.
+  /// Reads one of several words, as its number.
   void choice(const char* key, int& value, const std::vector<std::string>& words, const char* about);
   template<class Enum>
   void choice(const char* key, Enum& value, const std::vector<std::string>& words, const char* about) {
@@ -73,9 +73,9 @@ class TableReader {
     choice(key, number, words, about);
     value = static_cast<Enum>(number);
   }
-  /// What the value for the liquid is where only one quantity is given.
+  /// Value of the liquid if only one quantity is given.
   enum class Liquid { Same, Unchanged };
-  /// A solid and a liquid value: one quantity, or { solid = ..., liquid = ... }.
+  /// A value for solid and liquid: one quantity, or { solid = ..., liquid = ... }.
   struct BlendKey {
     const char *key, *unit;
     Range range;
@@ -83,24 +83,24 @@ class TableReader {
     const char* about;
   };
   void blend(const BlendKey& key, Blend& value);
-  /// A list of pairs of quantities that ascend in the first one.
+  /// A list of pairs of quantities; the first ones ascend.
   struct PairsKey {
     const char *key, *unit1, *unit2;
     Range range1, range2;
   };
   void pairs(const PairsKey& key, std::vector<std::pair<double, double>>& value);
-  /// A key that the caller reads itself: marks it as known, describes it, returns its node (or nullptr).
+  /// Marks a key as known, describes it, and returns its node (or nullptr) to a caller that reads it itself.
   const toml::node* node(const char* key, const char* unit, const char* range, const char* about);
-  /// The tables of a list (or one table); calls read for each.
+  /// Calls read for each table of a list, or for a single table.
   void tables(const char* key, const char* about, const std::function<void(TableReader&)>& read);
   void table(const char* key, const char* about, const std::function<void(TableReader&)>& read);
-  /// Tables by name, such as [material.wax]; calls read(name, table) for each.
+  /// Calls read(name, table) for each named table, such as [material.wax].
   void namedTables(const char* key, const char* about,
                    const std::function<void(const std::string&, TableReader&)>& read);
 
-  /// A quantity in a node, checked; false (and an error) where it is not one.
+  /// Reads and checks a quantity in a node. Returns false, and adds an error, if it is not one.
   bool quantity(const toml::node& node, const char* key, const char* unit, const Range& range, double& value);
-  /// Names every key that was not asked for, with a suggestion.
+  /// Refuses every key that was not read, with a suggestion.
   void finish();
 
  private:
@@ -119,7 +119,7 @@ class TableReader {
   std::set<std::string> known_, refused_;
 };
 
-/// Where a node stands. Nodes of an override have the file "--set key=value".
+/// Returns the place of a node. Nodes of an override have the file "--set key=value".
 SourcePlace placeOfNode(const toml::node& node);
 
 }  // namespace thaw

@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-/// numerator / denominator is the factor to SI; both are exact doubles for decimal factors.
+/// numerator / denominator is the factor to SI. Both are exact doubles for decimal factors.
 struct Factor {
   double numerator = 1, denominator = 1;
 };
@@ -64,7 +64,7 @@ bool findUnit(std::string_view name, Factor& factor, Dimension& dimension) {
   return false;
 }
 
-/// Cuts a character sequence from the front.
+/// Removes a prefix from a text. Returns false if the text does not begin with it.
 bool take(std::string_view& t, std::string_view what) {
   if (t.substr(0, what.size()) != what) return false;
   t.remove_prefix(what.size());
@@ -99,7 +99,7 @@ struct UnitParser {
 
   bool fail(std::string what) { return q.error = std::move(what), false; }
 
-  /// The exponent after a unit; 1 if there is none.
+  /// Reads the exponent after a unit; 1 if there is none.
   bool power(int& p) {
     p = 1;
     if (take(t, squared)) return p = 2, true;
@@ -137,7 +137,7 @@ struct UnitParser {
     return true;
   }
 
-  /// Factors up to the end or a closing parenthesis.
+  /// Reads factors up to the end or a closing parenthesis.
   bool product(int sign, int depth) {
     for (skipSpace(t); !t.empty() && t.front() != ')'; skipSpace(t)) {
       const bool divide = t.front() == '/';

@@ -1,4 +1,4 @@
-// Values of a scene file as messages repeat them.
+// Values of a scene file in messages.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace thaw {
 
-/// A text in quotes, on one line, and not too much of it.
+/// Returns a text in quotes, on one line, shortened to 60 characters.
 std::string quoted(const std::string& text);
 
-/// What stands where something else was expected: the value, or what kind of thing it is.
+/// Returns an unexpected value, or its type.
 std::string shown(const toml::node& node);
 
-/// "a", "b", "c" with their quotes.
+/// Returns "a", "b", "c" with their quotes.
 std::string listOf(const std::vector<std::string>& words);
 
 }  // namespace thaw

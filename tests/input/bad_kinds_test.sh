@@ -35,11 +35,11 @@ patch = { width = 0.1, depth = 0.4 }
 place = { move = [0.3, 0, 0] }"
 welds() { rejects "$1" "$2" 2 "$3" "$(kinds "$4" <<<"$welded
 $5")"; }
-after="is part of 'a' by the weld at 0.001 s .line 9., and has no particle left"
+after="is part of 'a' by the weld at 0.001 s .line 9., and has no particles left"
 cut="[[oriented.event]]
 kind = 'cut'
 plane = { point = [0.3, 0, 0] }"
-welds "a cut of what was welded away" "late.toml:17:1: error: oriented body 'b': it $after for this cut at 0.002 s: expected this event as one of 'a', or before that weld" check late "$cut
+welds "a cut of what was welded away" "late.toml:17:1: error: oriented body 'b': it $after for this cut at 0.002 s: expected this event in 'a', or before that weld" check late "$cut
 time = 0.002"
 welds "the same in a run" "late2.toml:17:1: error: oriented body 'b': it $after" run late2 "$cut
 time = 0.002"
@@ -136,15 +136,15 @@ started described
 # what of oriented bodies and sheets has no effect, or hardly can be meant: a warning
 plate="[[oriented]]
 patch = { width = 0.4, depth = 0.4 }"
-warns "a cut beside the body" "cut.toml:8:1: oriented body 'oriented 0': this cut has met nothing" cut "$plate
+warns "a cut beside the body" "cut.toml:8:1: oriented body 'oriented 0': this cut has no effect" cut "$plate
 [[oriented.event]]
 kind = 'cut'
 plane = { point = [0.3, 0, 0], normal = [1, 0, 0] }"
-warns "a crease beside the body" "crease.toml:8:1: .*this crease has met nothing" crease "$plate
+warns "a crease beside the body" "crease.toml:8:1: .*this crease has no effect" crease "$plate
 [[oriented.event]]
 kind = 'crease'
 along = [[0, 0, 0.3], [0.1, 0, 0.3]]"
-warns "a weld with what is far" "weld.toml:8:1: .*this weld has met nothing" weld "$plate
+warns "a weld with what is far" "weld.toml:8:1: .*this weld has no effect" weld "$plate
 [[oriented.event]]
 kind = 'weld'
 other = 'far'

@@ -13,7 +13,7 @@ rejects "huge step" 'fixed_step: must not be longer than the simulated time' 2 c
 rejects "no step" 'max_step: must be > 0' 2 check "$good" --set numerics.max_step=0
 rejects "a frame never" 'every: must be > 0 s, got 0' 2 run "$good" --set output.every=0
 rejects "endless frames" 'more than ten million frames' 2 run "$good" --set output.every=1e-12
-rejects "a run of months" "^warning: that is more than a month: are the end \(1e\+10 s\)" 0 check "$good" --set end=1e10 --set output.every=1e5
+rejects "a run of months" "^warning: the run takes more than a month: check the end \(1e\+10 s\)" 0 check "$good" --set end=1e10 --set output.every=1e5
 
 # B27: particles outside of the domain
 rejects "body outside" "body 'block': 125 of its 125 particles lie outside of the domain, up to 8.54 m beyond its side z = 0.5 m; enlarge" 2 run "$good" --set 'body.block.place.move=[0, 0, 9]'
@@ -49,10 +49,10 @@ rejects "nothing to do" 'there is nothing to simulate' 2 run "$(scene nothing '/
 # what the parser's complaint usually means
 rejects "a quote forgotten" 'quote\.toml:2:[0-9]+: error: .*; is there a closing quote missing on this line\?' 2 run "$(scene quote 's/^spacing.*/spacing = "2 cm/')"
 rejects "a unit without quotes" 'unit\.toml:2:[0-9]+: error: .*; a quantity with a unit is a text: "2 cm"' 2 run "$(scene unit 's/^spacing.*/spacing = 2 cm/')"
-rejects "single brackets" 'single\.toml:[0-9]+:1: error: .*; each of several is written \[\[body\]\]' 2 check "$(scene single '$a [body]\nname = "other"')"
+rejects "single brackets" 'single\.toml:[0-9]+:1: error: .*; a table of a list is written \[\[body\]\]' 2 check "$(scene single '$a [body]\nname = "other"')"
 
 # allowed, and told
-rejects "a material of nothing" "^warning: --set material\.jely\.young=2e5: material 'jely' is of no body and of no emitter; did you mean 'jelly'\?" 0 check "$good" --set 'material.jely.young=2e5'
+rejects "a material of nothing" "^warning: --set material\.jely\.young=2e5: material 'jely' is used by no body and no emitter; did you mean 'jelly'\?" 0 check "$good" --set 'material.jely.young=2e5'
 rejects "degrees without their unit" "^warning: .*body 'block': its temperature is 30 K; a temperature without a unit is in kelvin" 0 check "$good" --set body.block.temperature=30
 
 # files

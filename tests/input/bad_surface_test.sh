@@ -9,7 +9,7 @@ sphere = { radius = 0.15 }
 [surface]"
 surfaceKey() {
   local file=surface_$1_${2/./_}
-  warns "surface.$1 = $2" "$file.toml:11:[0-9]+: surface.$3.* sensible" "$file" "$drop
+  warns "surface.$1 = $2" "$file.toml:11:[0-9]+: surface.$3.* recommended" "$file" "$drop
 $1 = $2"
 }
 surfaceKey spacing 0.12 "spacing .0.12 m. is above spacing"

@@ -21,7 +21,7 @@ for options in "" --resume --force; do
   # shellcheck disable=SC2086
   run live $options; expectExit 3 "a second start, $options"
   [ "$(grep -c '^error: ' "$work/log")" = 1 ] || { fail "not one error"; cat "$work/log"; }
-  expectMessage "^error: .*another run is in this folder: process $pid on .* (2 ranks, since " "a second start, $options"
+  expectMessage "^error: .*another run uses this folder: process $pid on .* (2 ranks, since " "a second start, $options"
 done
 launch 2 relax "$scenes/oriented/relax_plane.toml" --out "$work/live" >"$work/log" 2>&1; expectExit 3 "thaw relax in the same folder"
 [ ! -e "$work/live/previous" ] && [ ! -e "$work/live/summary.refused.json" ] || fail "a second start changes the folder"
@@ -32,9 +32,9 @@ free live "stopped"
 begun live --resume
 killAll -9 "$work/live"
 [ -e "$work/live/lock" ] || fail "a kill removes the lock"
-holder live "which is gone" "a killed run"
+holder live "which has ended" "a killed run"
 run live --resume --steps 1; expectExit 0 "after a kill"
-[ "$(grep -c '^note: process .* is gone and has left its lock: this run takes over' "$work/log")" = 1 ] || { fail "after a kill: no line"; cat "$work/log"; }
+[ "$(grep -c '^note: process .* has ended and left its lock: this run takes over' "$work/log")" = 1 ] || { fail "after a kill: no line"; cat "$work/log"; }
 free live "done"
 
 printf '{"host":"elsewhere","pid":1,"began_ticks":1,"ranks":8,"since":"2030-01-02T03:04:05Z"}\n' >"$work/live/lock"

@@ -8,7 +8,7 @@ for ranks in 1 3; do
   expectMessage "^profile of 40 steps of .* particles on $ranks rank" "on $ranks ranks"
   for row in search forces elastic "in no phase" "all work" waiting; do expectMessage "^  $row .*%" "table on $ranks ranks"; done
   [ "$ranks" = 1 ] || expectMessage "^  ghosts  *[1-9]" "table of messages"
-  [ "$ranks" = 1 ] || expectMessage "collectives a step" "table of messages"
+  [ "$ranks" = 1 ] || expectMessage "collectives per step" "table of messages"
   check "$work/run.$ranks/trace.json" "$ranks" 7 ghosts,refresh,bonds
 done
 launch 2 run "$scenes/melt.toml" "${set[@]}" --steps 40 --out "$work/plain" >"$work/log" 2>&1; expectExit 0 "without"

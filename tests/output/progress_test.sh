@@ -13,12 +13,12 @@ launchInBackground 3 run "$scene" "${set[@]}" --resume --progress 0 --set output
 for _ in $(seq 200); do grep -q '^t ' "$work/log" && break; sleep 0.02; done
 sleep 0.3
 "$thaw" info "$work/run" >"$work/info" || fail "info of a run that runs"
-grep -q '^  status  *running (process [0-9]* on .*; wrote last at 2.*Z), at t ' "$work/info" || fail "info: a run that runs is '$(grep status "$work/info")'"
+grep -q '^  status  *running (process [0-9]* on .*; last write at 2.*Z), at t ' "$work/info" || fail "info: a run that runs is '$(grep status "$work/info")'"
 for _ in $(seq 50); do grep -q '^  since then  *t .* s, step [0-9]*, dt .* s (limited by .*), .* steps/s$' "$work/info" && break; "$thaw" info "$work/run" >"$work/info"; done  # not where summary.json is of this very step
 grep -q '^  since then ' "$work/info" || fail "info does not tell how far a run is that runs: $(cat "$work/info")"
 killAll -9 "$work/run"
 "$thaw" info "$work/run" >"$work/info" || fail "info of a run that was killed"
-grep -q '^  status  *killed (process [0-9]* on .* is gone; wrote last at 2.*Z), known at t ' "$work/info" || fail "info: a run that was killed is '$(grep status "$work/info")'"
+grep -q '^  status  *killed (process [0-9]* on .* has ended; last write at 2.*Z), last known at t ' "$work/info" || fail "info: a run that was killed is '$(grep status "$work/info")'"
 at=$("$thaw" info "$work/run" --json 2>"$work/log" | value - step)
 printf '%s' "$((at + 1)),0.1" >>"$work/run/progress.csv"  # killed as it wrote
 launch 1 run "$scene" "${set[@]}" --resume --progress 0 --steps $((at + 20)) --out "$work/run" >"$work/log" 2>&1; expectExit 0 "last part"
@@ -29,7 +29,7 @@ awk -F, 'NR == 1 { n = NF; next } NF != n { print "line " NR ": " NF " fields of
 [ "$(wc -l <"$work/log")" -le 30 ] || fail "info of a run has $(wc -l <"$work/log") lines"
 expectMessage "^  status  *done at t .* step $((at + 20))" "info: status"
 expectMessage '^  frames .*melt.hdf.series' "info: frames"
-expectMessage '^  holds  *[0-9]* particles, .* % liquid, [0-9]* surfels' "info: what it holds"
+expectMessage '^  content  *[0-9]* particles, .* % liquid, [0-9]* surfels' "info: what it holds"
 "$thaw" info "$work/run" --all >"$work/log" || fail "info --all"
 [ "$(wc -l <"$work/log")" -gt 200 ] || fail "info --all has not all"
 "$thaw" info "$(ls "$work/run"/checkpoint/*.hdf | head -n 1)" >"$work/log" || fail "info of a checkpoint"

@@ -75,7 +75,7 @@ mkdir "$work/elsewhere" && cp "$work/cloth.obj" "$work/elsewhere/moved.obj"
 again 2 0 "the mesh in another folder" --set "sheet.cloth.mesh=\"$work/elsewhere/moved.obj\""
 grep -q '^warning: changed' "$work/log" && fail "the mesh in another folder: something is told as changed"
 
-refuses() { again "$1" 2 "$3" --set "$3"; expectMessage 'cannot be continued with this scene, it began with another' "$3"; expectMessage "$2" "$3"; }
+refuses() { again "$1" 2 "$3" --set "$3"; expectMessage 'cannot be continued with this scene, it began with a different one' "$3"; expectMessage "$2" "$3"; }
 refuses 3 '^  sheet.cloth.place.mesh_vertices was 121, and is 49 now.*(.*all.toml:17)' "sheet.cloth.mesh=\"$work/coarse.obj\""
 refuses 1 '^  sheet.cloth.place.mesh_checksum was' "sheet.cloth.mesh=\"$work/other.obj\""
 refuses 2 '^  sheet.cloth.region.0.point.x was 0, and is 0.1 now.*(.*all.toml:28)' 'sheet.cloth.region.0.plane.point=[0.1,0,0]'
@@ -86,7 +86,7 @@ again 3 2 "another mesh under the same name"
 expectMessage '^  sheet.cloth.place.mesh_vertices was 121, and is 49 now' "another mesh under the same name"
 mv "$work/kept.obj" "$work/cloth.obj"
 again 2 2 "heat, where there was none" --set sheet.cloth.conductance=5
-expectMessage "cannot be continued.*what has changed needs what the run has not kept: .*no field 'enthalpy'" "heat, where there was none"
+expectMessage "cannot be continued.*a change needs data that the run has not stored: .*no field 'enthalpy'" "heat, where there was none"
 expectMessage '^  sheet.cloth.conductance was 0, and is 5 now' "heat, where there was none"
 grep -q '^warning: changed at the restart' "$work/log" && fail "heat, where there was none: told before it is refused"
 
@@ -103,7 +103,7 @@ tells 'obstacle.floor.motion.1.move.z was not in the scene then' 'obstacle.floor
 tells 'domain.wall.z.low was 0, and is 1 now' 'domain.sides={z=["wall","open"]}'
 tells 'numerics.cfl_elastic was .*, and is 0.2 now' 'numerics.cfl_elastic=0.2'
 again 2 0 "an event that has been" --set oriented.net.event.0.time=0.0005
-expectMessage '^warning: changed at the restart, without effect, since its time is over: oriented.net.event.0.time was 0.001, and is 0.0005 now' "an event that has been"
+expectMessage '^warning: changed at the restart, without effect, since its time has passed: oriented.net.event.0.time was 0.001, and is 0.0005 now' "an event that has been"
 again 2 2 "a cut before one that has been made" --set 'oriented.net.event=[{kind="cut",time=0.4,plane={point=[0,0,0]}},{kind="cut",time=0.001,plane={point=[0.1,0,0]}}]'
-expectMessage 'oriented.net.event.0: .* new cuts belong behind' "a cut before one that has been made"
+expectMessage 'oriented.net.event.0: .* add new cuts after' "a cut before one that has been made"
 finish

@@ -34,8 +34,8 @@ oneScene() {  # oneScene SEED: a line of the report
        grep -q ': *null\|[nN]a[nN]\|[^a-z]inf[^a-z]' "$here/out/summary.json" && what="NOT FINITE"
        [ "$errors" = 0 ] || what="ERROR BUT EXIT 0" ;;
     4) what=$(grep -a -o 'blew up.*' "$here/out.log" | head -n 1) particles=$(field particles) step=$(field step)
-       grep -a -q "error: .*blew up at step [0-9]*, t .* s, dt .* s: .*\(particle [0-9]* of \(body\|emitter\) '.* has a velocity of .* and a force of\|no particle to name\)" "$here/out.log" || what="EXIT 4 WITHOUT ITS MESSAGE"
-       grep -a -q 'the checkpoint is of step\|the last checkpoint is from before' "$here/out.log" || what="EXIT 4, NOTHING ABOUT A CHECKPOINT"
+       grep -a -q "error: .*blew up at step [0-9]*, t .* s, dt .* s: .*\(particle [0-9]* of \(body\|emitter\) '.* has a velocity of .* and a force of\|no single particle is responsible\)" "$here/out.log" || what="EXIT 4 WITHOUT ITS MESSAGE"
+       grep -a -q 'the checkpoint holds step\|the last checkpoint is older' "$here/out.log" || what="EXIT 4, NOTHING ABOUT A CHECKPOINT"
        "$thaw" info "$here/out" --json >"$here/info.log" 2>&1 || what="EXIT 4 WITHOUT A CHECKPOINT"
        [ "$errors" = 1 ] || what="$errors MESSAGES, NOT 1"
        [ "$(field status)" = failed ] || what="BLEW UP, SUMMARY SAYS '$(field status)'" ;;

@@ -79,8 +79,8 @@ TEST_F(Export, CubesWiderThanABodyAreTold) {
     const std::string said = testing::internal::GetCapturedStderr();
     if (cell == 1) EXPECT_EQ(said, "");
     else
-      EXPECT_NE(said.find("--cell 10: cubes of 0.5 m are too wide for 2 of 2 components, which are made with "
-                          "finer ones; 0.5 to 2 is sensible"),
+      EXPECT_NE(said.find("--cell 10: cubes of 0.5 m are too wide for 2 of 2 components, which use finer "
+                          "ones; 0.5 to 2 is recommended"),
                 std::string::npos)
           << said;
   }

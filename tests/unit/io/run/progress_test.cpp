@@ -60,7 +60,7 @@ TEST(Warnings, SayThroughWhichSideParticlesLeft) {
   c.leftThrough[2][1] = 12, c.leftThrough[0][0] = 3;
   ASSERT_EQ(warningsOf(c, {}).size(), 1u);
   EXPECT_TRUE(has(warningsOf(c, {})[0],
-                  "15 particles left the domain, 3 through its side of low x, 12 through its side of high z "
+                  "15 particles left the domain, 3 through its low x side, 12 through its high z side "
                   "(their mass"));
 }
 

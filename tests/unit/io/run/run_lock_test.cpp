@@ -53,7 +53,7 @@ TEST_F(RunLockOf, ALiveHolderIsNamedAndTheEndRemovesTheLock) {
     EXPECT_TRUE(onlyTheLock());
     for (const bool force : {false, true})
       EXPECT_NE(error({.out = out, .force = force, .patience = 0})
-                    .find("another run is in this folder: process " + std::to_string(::getpid())),
+                    .find("another run uses this folder: process " + std::to_string(::getpid())),
                 std::string::npos);
     EXPECT_EQ(lockHolder(out)->ranks, 3);
     EXPECT_NE(lockText(lockJson(*lockHolder(out))).find("(3 ranks, since"), std::string::npos);
@@ -71,7 +71,7 @@ TEST_F(RunLockOf, ADeadHolderIsReplaced) {
     leave(j);
     RunLock lock;
     const std::string note = lock.take({.out = out, .patience = 0});
-    EXPECT_NE(note.find("(4 ranks, since 2030-01-02T03:04:05Z) is gone"), std::string::npos) << note;
+    EXPECT_NE(note.find("(4 ranks, since 2030-01-02T03:04:05Z) has ended"), std::string::npos) << note;
     EXPECT_EQ(lockHolder(out)->process.began, ownProcess().began);
     EXPECT_TRUE(onlyTheLock());
   }

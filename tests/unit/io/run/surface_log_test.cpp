@@ -94,19 +94,18 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
   EXPECT_EQ(held.unsure, 0);
   const std::vector<std::string> lines = volumeHeldLines(held);
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_NE(
-      lines[0].find("the sum at worst -12.40 % off what is to be held (t 0.1 s); 96 % of the particles are "
-                    "in components that are off by more than 1 % (99.1 % in the worst frame, t 0.1 s)"),
-      std::string::npos)
+  EXPECT_NE(lines[0].find("the sum at most -12.40 % off the target (t 0.1 s); 96 % of the particles are "
+                          "in components more than 1 % off (99.1 % in the worst frame, t 0.1 s)"),
+            std::string::npos)
       << lines[0];
-  EXPECT_NE(lines[1].find("at worst -3.00 % (component 7 of 400 particles, t 0.1 s) off that of the "
+  EXPECT_NE(lines[1].find("at most -3.00 % (component 7 of 400 particles, t 0.1 s) off the volume of the "
                           "particles, +2.45 % (component 7"),
             std::string::npos)
       << lines[1];
-  EXPECT_NE(lines[2].find("of 5 to 29 particles at worst -30.00 % (component 9 of 29 particles, t 0.1 s)"),
+  EXPECT_NE(lines[2].find("of 5 to 29 particles: at most -30.00 % (component 9 of 29 particles, t 0.1 s)"),
             std::string::npos)
       << lines[2];
-  EXPECT_NE(volumeHeldWarning(held).find("a surface was +2.4 % off (component 7"), std::string::npos)
+  EXPECT_NE(volumeHeldWarning(held).find("one component was +2.4 % off (component 7"), std::string::npos)
       << volumeHeldWarning(held);
 }
 
@@ -121,11 +120,11 @@ TEST(VolumeHeld, WarnsOfSmallPiecesAndOfTheSum) {
   EXPECT_EQ(warning({body}), "");
   EXPECT_EQ(warning({body, {9, 5, 60, 1, 0.05, 0.046, 4, {}}}), "");
   EXPECT_NE(warning({body, {9, 5, 60, 1, 0.05, 0.025, 4, {}}})
-                .find("a surface was -50.0 % off (component 9 of 5 particles"),
+                .find("one component was -50.0 % off (component 9 of 5 particles"),
             std::string::npos);
   std::vector<SurfaceComponent> spray{{7, 100, 900, 1, 1, 1, 4, {}}};
   for (std::uint64_t k = 0; k < 10; k++) spray.push_back({9 + k, 3, 24, 1, 0.03, 0.029, 4, {}});
-  EXPECT_NE(warning(spray).find("23 % of the particles are in components that are more than 1 % off"),
+  EXPECT_NE(warning(spray).find("23 % of the particles are in components more than 1 % off"),
             std::string::npos)
       << warning(spray);
   EXPECT_TRUE(volumeHeldLines({}).empty());
@@ -140,10 +139,9 @@ TEST(VolumeHeld, TellsOfSurfacesThatDoNotClose) {
   EXPECT_EQ(held.unsure, 100);
   const std::vector<std::string> lines = volumeHeldLines(held);
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_NE(
-      lines[2].find("25 % of the particles are in components of 30 and more whose surface does not close, by "
-                    "more than 1 % of its area (at worst 3 %: component 7 of 100 particles, t 0.5 s)"),
-      std::string::npos)
+  EXPECT_NE(lines[2].find("25 % of the particles are in components of 30 and more whose surface is open by "
+                          "more than 1 % of its area (at most 3 %: component 7 of 100 particles, t 0.5 s)"),
+            std::string::npos)
       << lines[2];
   EXPECT_EQ(volumeHeldWarning(held), "");
 }

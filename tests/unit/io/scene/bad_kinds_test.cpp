@@ -29,8 +29,8 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       {"[[oriented]]\ncontrol = [[0, 0, 0]]\n",
        "s.toml:7:11: error: oriented.0.control: expected at least three points that do not lie on a line"},
       {"[[oriented]]\ncurve = { from = [0, 0, 0], to = [0.5, 0, 0] }\nplace = { move = [0, 0, 0.5] }\n",
-       "s.toml:8:9: error: oriented.0.place: is of shapes, patches and discs only: points, control and curve "
-       "are where they say"},
+       "s.toml:8:9: error: oriented.0.place: is for shapes, patches and discs only: points, control and "
+       "curve have positions of their own"},
       {patch + "[[oriented.anchor]]\nsphere = { radius = 0.1 }\nposition = false\n",
        "s.toml:9:1: error: oriented.a.anchor.0: it holds nothing: expected position = true, normal = true, "
        "or both"},
@@ -40,10 +40,10 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nstroke = [[0, 0, 0], "
                "[0.1, 0, 0]]\n",
        "s.toml:12:10: error: oriented.a.event.0.stroke: a second tool; expected one of plane, stroke and a "
-       "shape, and two cuts for two"},
+       "shape, and a cut for each tool"},
       {patch + "[[oriented.event]]\nkind = \"crease\"\nalong = [[0, 0, 0], [0.1, 0, 0]]\nplane = { point = "
                "[0, 0, 0] }\n",
-       "s.toml:12:9: error: oriented.a.event.0.plane: is of a cut only"},
+       "s.toml:12:9: error: oriented.a.event.0.plane: is for a cut only"},
       {patch + "[[oriented.event]]\nkind = \"smooth\"\n",
        "s.toml:9:1: error: oriented.a.event.0: its shape is missing: mesh, box, sphere, cylinder, torus, "
        "glass, plane, union, difference or intersection"},
@@ -51,41 +51,39 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
        "s.toml:8:1: error: sheet.0.clamp.0: its shape is missing: mesh, box, sphere, cylinder, torus, glass, "
        "plane, union, difference or intersection"},
       {cloth + "[[sheet.brush]]\nradius = 0.1\n",
-       "s.toml:8:1: error: sheet.0.brush.0.pressure: is missing or zero: expected what it pushes with, [x, "
-       "y, z]"},
+       "s.toml:8:1: error: sheet.0.brush.0.pressure: is missing or zero: expected a pressure [x, y, z]"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nmesh = \"cube.obj\"\n",
-       "s.toml:9:1: error: oriented.a.event.0: regions of events are made of shapes, not of mesh files: "
-       "expected a shape, \"builtin:bust\" or \"builtin:head\""},
+       "s.toml:9:1: error: oriented.a.event.0: the region of an event cannot be a mesh file: expected a "
+       "shape, \"builtin:bust\" or \"builtin:head\""},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nstroke = [[0, 0, 0], [0, 0, 0.1], [0, 0, "
                "0.3]]\ndirection = [0, 0, 2]\n",
-       "s.toml:11:10: error: oriented.a.event.0.stroke: runs along its `direction`, so it cuts along no "
-       "plane: expected a direction across the stroke"},
+       "s.toml:11:10: error: oriented.a.event.0.stroke: is parallel to its `direction` and defines no plane: "
+       "expected a direction across the stroke"},
       {patch + "[[oriented]]\npatch = { width = 0.5, depth = 0.5 }\nintegrator = \"rk4\"\n",
-       "s.toml:11:14: error: oriented.1.integrator: differs from that of the first oriented body, which is "
-       "for all: expected the same, or none"},
+       "s.toml:11:14: error: oriented.1.integrator: differs from that of the first oriented body, which sets "
+       "it for all: expected the same, or none"},
       {cloth + "stretch_limit = 0.9\n",
        "s.toml:8:17: error: sheet.0.stretch_limit: must be >= 1 or \"never\", got 0.9"},
       {cloth + "stiffness = 1\nplasticity = 0.5\n",
        "s.toml:9:14: error: sheet.0.plasticity: needs elastic_limit: without one all is elastic"},
       {cloth + "stiffness = 1\nelastic_limit = 0.01\n",
-       "s.toml:9:17: error: sheet.0.elastic_limit: needs plasticity, which says what of what goes beyond it "
-       "stays"},
-      {patch + "normals = [[0, 0, 1]]\n", "s.toml:9:11: error: oriented.a.normals: is of points only"},
+       "s.toml:9:17: error: sheet.0.elastic_limit: needs plasticity, the permanent share of the displacement "
+       "beyond it"},
+      {patch + "normals = [[0, 0, 1]]\n", "s.toml:9:11: error: oriented.a.normals: is for points only"},
       {patch + "sphere = { radius = 0.2 }\n",
        "s.toml:9:10: error: oriented.a.sphere: a second source of particles; give one of patch, disc, curve, "
        "points, control and a shape"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nradius = 0.1\n",
-       "s.toml:12:10: error: oriented.a.event.0.radius: is of a crease and the cut by a stroke only"},
+       "s.toml:12:10: error: oriented.a.event.0.radius: is for a crease and the cut by a stroke only"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nsphere = { radius = 0.1 }\ndirection = [0, 0, 1]\n",
-       "s.toml:12:13: error: oriented.a.event.0.direction: is of the cut by a stroke only"},
+       "s.toml:12:13: error: oriented.a.event.0.direction: is for the cut by a stroke only"},
       {patch + "[[oriented.event]]\nkind = \"crease\"\nalong = [[0, 0, 0], [0, 0, 0]]\n",
-       "s.toml:11:9: error: oriented.a.event.0.along: two points that follow each other are the same; "
-       "expected a line"},
+       "s.toml:11:9: error: oriented.a.event.0.along: two successive points are equal; expected a line"},
       {cloth + "warp = 10\nwarp_direction = [0.1, 0, 2]\n",
-       "s.toml:9:18: error: sheet.0.warp_direction: stands across the grid, which lies in its own plane z = "
+       "s.toml:9:18: error: sheet.0.warp_direction: is normal to the grid, which lies in its own plane z = "
        "0: none of its edges would be warp"},
       {cloth + "warp_direction = [0, 1, 0]\n",
-       "s.toml:8:18: error: sheet.0.warp_direction: is of springs along edges: expected warp, weft or shear "
+       "s.toml:8:18: error: sheet.0.warp_direction: is for springs along edges: expected warp, weft or shear "
        "as well"},
       {"[[sheet]]\nforehead = { radius = 0.1, width = 0.7, height = 0.1 }\n",
        "s.toml:7:36: error: sheet.0.forehead.width: must be less than once around the ball, 0.6283 m, got "
@@ -98,8 +96,8 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
        "s.toml:6:1: error: sheet 'sheet 0': wrap_to: there is no obstacle or body 'bal'; did you mean "
        "'ball'?"},
       {cloth + "name = \"b\"\nwrap = 1\nwrap_to = \"b\"\n",
-       "s.toml:6:1: error: sheet 'b': wrap_to: a sheet is not wrapped round itself: expected another name, "
-       "or none: then it is drawn against its own normals"},
+       "s.toml:6:1: error: sheet 'b': wrap_to: a sheet cannot wrap itself: expected another name, or none to "
+       "act against its own normals"},
       {cloth + "wrap = 1\nwrap_to = \"a\"\n" + patch +
            "[[obstacle]]\nname = \"a\"\nsphere = { radius = 0.1 }\n",
        "s.toml:6:1: error: sheet 'sheet 0': wrap_to: 'a' is the name of two things in this scene: expected "
@@ -113,37 +111,34 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       {cloth + "warp = 1\nwarp_in_time = [[0, 1], [1, -2]]\n",
        "s.toml:9:29: error: sheet.0.warp_in_time: must be >= 0, got -2"},
       {cloth + "mass = 0\nstiffness = 1\n[[sheet.brush]]\npressure = [0, 0, 1]\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: with neither mass nor damping (at all times) nothing holds "
-       "a vertex back that a brush pushes, and no step is short enough: expected one of both"},
+       "s.toml:8:8: error: sheet 'sheet 0': mass: with neither mass nor damping (at all times) no step is "
+       "stable for a vertex that a brush pushes: expected mass or damping"},
       {cloth + "mass = 0\nstiffness = 1\n[[obstacle]]\nsphere = { radius = 0.1 }\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: with neither mass nor damping (at all times) nothing holds "
-       "a vertex back that obstacles can touch, and no step is short enough: expected one of both"},
+       "s.toml:8:8: error: sheet 'sheet 0': mass: with neither mass nor damping (at all times) no step is "
+       "stable for a vertex that obstacles can touch: expected mass or damping"},
       {cloth + "mass = 0\ndamping = 1\nwarp = 1\ndamping_in_time = [[0, 1], [1, 0]]\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: a vertex needs mass, damping or stiffness at all times: "
-       "all three are 0 at some"},
+       "s.toml:8:8: error: sheet 'sheet 0': mass: a vertex needs mass, damping or stiffness at all times, "
+       "and all three are 0 at some time"},
       {cloth + "stiffness = 1\nwarp = 2\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
-       "s.toml:10:1: error: sheet 'sheet 0': this region: with neither mass nor damping (at all times) "
-       "nothing holds a vertex back that its neighbours pull at, and no step is short enough: expected one "
-       "of both"},
+       "s.toml:10:1: error: sheet 'sheet 0': this region: with neither mass nor damping (at all times) no "
+       "step is stable for a vertex that its neighbours pull at: expected mass or damping"},
       {cloth + "damping = 1\nwind_density = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
        "s.toml:10:1: error: sheet 'sheet 0': this region: the air's drag on vertices without mass has no "
        "stable step: expected mass > 0, or wind_density = 0 there"},
       {patch + "[[oriented.event]]\nkind = \"weld\"\n",
        "s.toml:9:1: error: oriented.a.event.0.other: is missing: the body to weld to this one"},
       {patch + "growth = \"borders\"\n",
-       "s.toml:9:10: error: oriented.a.growth: at open borders a body grows for as long as there is one, "
-       "beyond its holes and without end, unless points of `thin` below 1 or "
-       "`points` of a closed surface say where it is: expected one of these, \"gaps\", or `most`, the number "
-       "of its particles at which it ends"},
+       "s.toml:9:10: error: oriented.a.growth: growth at open borders is unbounded unless `thin` below 1 or "
+       "the `points` of a closed surface define the body: expected one of these, \"gaps\", or `most`, the "
+       "number of particles at which it stops"},
       {"[[oriented]]\ncontrol = [[0, 0, 0], [0.4, 0, 0], [0, 0.4, 0]]\ngrowth = \"borders\"\n",
-       "s.toml:8:10: error: oriented.0.growth: at open borders a body grows for as long as there is one, "
-       "beyond its holes and without end, unless points of `thin` below 1 or "
-       "`points` of a closed surface say where it is: expected one of these, \"gaps\", or `most`, the number "
-       "of its particles at which it ends"},
+       "s.toml:8:10: error: oriented.0.growth: growth at open borders is unbounded unless `thin` below 1 or "
+       "the `points` of a closed surface define the body: expected one of these, \"gaps\", or `most`, the "
+       "number of particles at which it stops"},
       {patch + "[[oriented.field]]\nfrom = 1\n",
        "s.toml:9:1: error: oriented.a.field.0: it does nothing: expected push, pull or pressure"},
       {patch + "[[oriented.field]]\npull = 3\nradius = 1\n",
-       "s.toml:10:8: error: oriented.a.field.0.pull: needs the point that it is toward"},
+       "s.toml:10:8: error: oriented.a.field.0.pull: needs `point`, its target"},
       {patch + "[[oriented.field]]\npressure = 3\nfrom = 1\nuntil = 1\n",
        "s.toml:12:9: error: oriented.a.field.0.until: must be after `from`"},
       {"[[sheet]]\nmesh = \"builtin:cat\"\n",
@@ -190,8 +185,8 @@ TEST(OrientedFields, ThatBeginAtTheEndAreWarnedOf) {
   const std::string field = "[[oriented.field]]\npush = [1, 0, 0]\nfrom = ";
   EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "0.9\n"))).empty());
   EXPECT_EQ(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "1\n"))),
-            std::vector<std::string>{"s.toml:9:1: oriented body 'a': this field begins at 1 s and the scene "
-                                     "ends at 1 s: it does not act"});
+            std::vector<std::string>{"s.toml:9:1: oriented body 'a': this field begins at 1 s, but the scene "
+                                     "ends at 1 s: it has no effect"});
 }
 
 TEST(Planar, IsForCurves) {
@@ -213,8 +208,8 @@ TEST(BadKinds, WhatHasNoEffectIsAWarning) {
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(
       lines[0],
-      "s.toml:9:1: oriented body 'a': this event is at 3 s and the scene ends at 1 s: it does not happen");
-  EXPECT_EQ(lines[1].rfind("s.toml:14:10: output.fields (liquid) are of bodies and emitters", 0), 0u);
+      "s.toml:9:1: oriented body 'a': this event is at 3 s, but the scene ends at 1 s: it has no effect");
+  EXPECT_EQ(lines[1].rfind("s.toml:14:10: output.fields (liquid) apply to bodies and emitters", 0), 0u);
   EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + cloth))).empty());
 }
 

@@ -36,7 +36,7 @@ TEST(KeyWords, giveTheOrderOfTensors) {
 }
 
 TEST(KeyWords, sayHowThinAPeriodicSlabMayBe) {
-  EXPECT_TRUE(says(keyOf("domain.sides", "z").about, "a thin slab has 6 spacings"));
+  EXPECT_TRUE(says(keyOf("domain.sides", "z").about, "6 spacings if `numerics.support` is 2"));
 }
 
 TEST(KeyWords, theManualHasLimitsAndAPaste) {
