@@ -1,5 +1,5 @@
-// The graph of bonds over ranks against a model of it that every rank keeps whole: random graphs, owners,
-// melting, freezing, breaking.
+// The distributed bond graph against a complete model on every rank: random graphs, owners, melting,
+// freezing, breaking.
 #include <gtest/gtest.h>
 
 #include "tests/support/bond_halo_rig.hpp"
@@ -64,12 +64,12 @@ TEST(BondHalo, SecondMigrationNeedsARelink) {
   rig.meltAndFreeze(0, 1);
   rig.relink();
   rig.migrate(1, 0, 0);
-  if (rig.comm.size() == 1) return;  // nobody to migrate to
+  if (rig.comm.size() == 1) return;  // no rank to migrate to
   EXPECT_THROW(rig.halo->migrate(rig.p, rig.s, rig.b, {}), std::logic_error);
 }
 
-/// Records written on some ranks and read on others build the same graph, whether particles go home before
-/// the first relink or after.
+/// Records written on some ranks and read on others build the same graph, whether particles are redistributed
+/// before or after the first rebuild of bonds.
 TEST(BondHalo, Records) {
   for (const bool relinkFirst : {false, true}) {
     Rig rig(120, 8);

@@ -12,7 +12,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// Every cell of the grid has one owner, the same in the eyes of all ranks.
+/// Checks that every cell of the grid has one owner, the same on all ranks.
 void checkTiling(const CellGrid& g, const MpiCellHalo& halo, Reducer& all) {
   std::vector<std::int64_t> owners;
   const Partition partition(halo.boxes());
@@ -32,7 +32,7 @@ void checkTiling(const CellGrid& g, const MpiCellHalo& halo, Reducer& all) {
   for (const std::int64_t n : owners) ASSERT_EQ(n, 1);
 }
 
-/// Cost of the occupied owned cells: a spot of expensive particles in one corner of the domain.
+/// Cost of the occupied owned cells, with expensive particles in one corner of the domain.
 std::vector<double> costs(const HaloRig& rig, double contrast) {
   std::vector<double> cost;
   for (std::size_t c = 0; c < rig.cells.key.size(); c++) {
@@ -44,7 +44,7 @@ std::vector<double> costs(const HaloRig& rig, double contrast) {
   return cost;
 }
 
-/// Costs that grow or fall by `ratio` from one corner of the domain to the opposite one.
+/// Costs that change by `ratio` from one corner of the domain to the opposite one.
 std::vector<double> slopingCosts(const HaloRig& rig, double ratio) {
   std::vector<double> cost;
   const Vec3i n = rig.cloud.grid.cells;
@@ -57,7 +57,7 @@ std::vector<double> slopingCosts(const HaloRig& rig, double ratio) {
   return cost;
 }
 
-/// The table of the owned cells alone.
+/// The table of the owned cells, without ghost cells.
 CellTable ownedCells(const HaloRig& rig) {
   CellTable t;
   for (std::size_t c = 0; c < rig.cells.key.size(); c++)
@@ -135,7 +135,7 @@ TEST(CellHalo, MessagesInPieces) {
   run({plainGrid({4, 3, 3}, 1), 3000}, true, 4096);
 }
 
-TEST(CellHalo, AHugeSparseGrid) {  // nothing may be sized by it
+TEST(CellHalo, AHugeSparseGrid) {  // no array may have the size of the grid
   CellGrid g = plainGrid({maxCellsPerAxis, maxCellsPerAxis, maxCellsPerAxis}, 7);
   const Communicator comm;
   MpiReducer all(comm);
@@ -156,7 +156,7 @@ TEST(CellHalo, BuffersOfTheFirstMigrationAreNotKept) {
   const Cloud cloud{plainGrid({12, 9, 10}, 0), 20000};
   MpiCellHalo halo(comm, cloud.grid);
   HaloRig rig(cloud, halo, all);
-  rig.start(false);  // all particles go out from one rank
+  rig.start(false);  // all particles start on one rank
   computeCellKeys(cloud.grid, rig.particles);
   halo.migrate(rig.particles, {rig.particles.nextCell.data(), rig.particles.owned});
   EXPECT_LT(halo.bufferBytes(), 10000u);
@@ -199,7 +199,7 @@ TEST(CellHalo, RebalanceEvensOutStronglyUnevenCosts) {
   EXPECT_GT(before, 1.3);
   EXPECT_LT(after, 1.15);
   EXPECT_NEAR(after, predicted, 1e-6);
-  // even now: nothing to gain, nothing is changed
+  // the costs are even, so nothing changes
   for (int call = 0; call < 15; call++) EXPECT_FALSE(halo.rebalance(rig.cells, costs(rig, 40), false));
   EXPECT_NEAR(halo.imbalance(), after, 1e-6);
 }
@@ -258,7 +258,7 @@ TEST(CellHalo, RowsWithoutACellStay) {
   number[0] -= static_cast<std::int64_t>(leaving.size());
   Migration m = halo.migrate(p, {p.nextCell.data(), p.owned});
   for (const std::uint32_t row : m.departed) EXPECT_NE(row % 4, 0u);
-  // new rows of this step may be among those that leave: all but the departed ones count as arrivals here
+  // New rows of this step may leave at once: all rows except the departed ones count as arrivals here.
   computeCellKeys(rig.cloud.grid, p);
   std::vector<std::uint32_t> gone;
   std::merge(m.departed.begin(), m.departed.end(), leaving.begin(), leaving.end(), std::back_inserter(gone));

@@ -1,4 +1,4 @@
-// A steady step allocates nothing in the halo: calls of operator new are counted.
+// A steady step allocates nothing in the halo. The test counts calls of operator new.
 #include <gtest/gtest.h>
 
 #include "parallel/cell_halo.hpp"

@@ -1,4 +1,4 @@
-// What contacts of solids take away is in the books.
+// The ledger records the dissipation of contacts between solids.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,8 +10,8 @@ namespace {
 
 using test::Simulation;
 
-/// Two boxes of rubber, the upper one turned, that meet at 2 m/s: share of the energy of motion that no book
-/// has, after contact.
+/// Two rubber boxes, the upper one turned, collide at 2 m/s. Returns the unexplained share of the kinetic
+/// energy after contact.
 double lostByBlow(double restitution, double friction, double dt) {
   Scene s;
   s.spacing = 0.02;

@@ -1,4 +1,4 @@
-// Free surface and shifting of liquids that carry their density (core/fluid/free_surface.hpp).
+// Free surface and shifting of liquids with carried density (core/fluid/free_surface.hpp).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using test::Simulation;
 
-/// A cube of n^3 particles without weight, in open space or (floor) on a wall.
+/// A weightless cube of n^3 particles, in open space or (floor) on a wall.
 Scene cubeOf(int n, bool floor) {
   Scene s = test::columnScene(0.1, 0, 1);
   s.domain.min = {-1, -1, floor ? 0.0 : -1};
@@ -32,10 +32,10 @@ Scene cubeOf(int n, bool floor) {
 }
 
 TEST(FreeSurface, EigenvaluesAreComparedWithoutBeingFound) {
-  const Sym3d m{2, 2, 3, 0.5, 0, 0};  // 1.5, 2.5, 3
+  const Sym3d m{2, 2, 3, 0.5, 0, 0};  // eigenvalues 1.5, 2.5, 3
   EXPECT_TRUE(eigenvaluesAbove(m, 1.49));
   EXPECT_FALSE(eigenvaluesAbove(m, 1.51));
-  EXPECT_FALSE(eigenvaluesAbove(m, 2.7));  // two are below: the determinant is positive again
+  EXPECT_FALSE(eigenvaluesAbove(m, 2.7));  // two eigenvalues are below, so the determinant is positive
 }
 
 TEST(FreeSurface, IsTheOutermostLayerAndNotTheOneAtAWall) {
@@ -58,7 +58,7 @@ TEST(FreeSurface, LiquidAtRestIsNotShifted) {
   for (std::size_t i = 0; i < p.owned; i++) EXPECT_LT(length(p.smoothing[i]), 1e-4);
 }
 
-/// Mean number of neighbours of the particles within 0.2 m of the z axis.
+/// Mean number of neighbours of particles within 0.2 m of the z axis.
 double neighboursInside(const World& w) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < w.particles.owned; i++) {
@@ -70,7 +70,7 @@ double neighboursInside(const World& w) {
   return sum / count;
 }
 
-/// A square of liquid, 20 particles wide and periodic across, that spins until it has turned by 2 rad.
+/// A square of liquid, 20 particles wide and periodic across, spins until it has turned by 2 rad.
 Scene spinningSquare() {
   Scene s = cubeOf(20, false);
   s.spacing = 0.05;
@@ -106,7 +106,7 @@ TEST(FreeSurface, ALayerWithCarriedDensitiesIsSeenAsThin) {
   EXPECT_LT(connectedDensity(r.w, r.all), 0.85);
 }
 
-/// Summed densities leave dust, where particles have 0.4 of their neighbours.
+/// Summed densities leave isolated particles with 0.4 of their neighbours.
 TEST(FreeSurface, SpinningLiquidHoldsTogether) {
   const Scene s = spinningSquare();
   Simulation r(s);

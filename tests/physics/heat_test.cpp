@@ -1,4 +1,4 @@
-// Heat against exact solutions, through whole steps.
+// Heat against exact solutions over whole steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr double dx = 0.01;
 Scene liquidColumn(int n) {
   Scene s = columnScene(dx, -4 * dx, (n + 4) * dx);
   Material& m = s.materials[0];
-  m.soundSpeed = 0.25;  // nothing moves
+  m.soundSpeed = 0.25;  // the material does not move
   m.conductivity = {1000, 1000};
   m.viscosity = {1, 1};
   return s;
@@ -73,7 +73,7 @@ TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
   s.end = 1.25;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  // half of the time
+  // half-way
   for (std::size_t i = 0; i < run.particles().owned; i++)
     EXPECT_NEAR(run.particles().temperature[i], 290, 1e-6);
   s.end = 2;
@@ -97,7 +97,7 @@ TEST(Tempering, AtOnceTakesOneStep) {
     EXPECT_NEAR(run.particles().temperature[i], 310, 1e-9);
 }
 
-// K05's model counts c T from 0 K on, also of what a scene starts with and what emitters bring.
+// K05's model counts c T from 0 K, including the heat of the initial state and of emitters.
 TEST(Tempering, OfThePapersModelLeavesNoResidual) {
   Scene s = liquidColumn(12);
   s.numerics.heat = HeatModel::Paper;

@@ -1,4 +1,5 @@
-// The books where sheets and oriented bodies leave the domain, act on what is held, and are pushed.
+// Energy and momentum budget of sheets and oriented bodies that leave the domain, act on constrained bodies,
+// or are pressed.
 #include "core/watch/watch.hpp"
 #include "tests/support/sheet_samples.hpp"
 
@@ -22,7 +23,7 @@ TEST(KindBooks, ADampedSheetMayLeaveTheDomain) {
   EXPECT_LT(length(books.momentumResidual), 1e-12);
 }
 
-/// A block that is held all over, with a cloth, or a net of oriented particles, that falls on it.
+/// A fully clamped block, and a cloth or a net of oriented particles that falls on it.
 Scene heldBlock() {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.domain.gravity = {0, 0, -9.81};
@@ -46,7 +47,7 @@ TEST(KindBooks, WhatHoldsABlockBearsAClothOnIt) {
   test::Simulation sim(s);
   ASSERT_TRUE(sim.run());
   const LedgerReport books = sim.books();
-  EXPECT_GT(std::abs(books.wallImpulse.z), 1);  // it has come down
+  EXPECT_GT(std::abs(books.wallImpulse.z), 1);  // it has landed
   EXPECT_LT(length(books.momentumResidual), 1e-11 * std::abs(books.wallImpulse.z));
 }
 
@@ -81,11 +82,11 @@ TEST(KindBooks, WorkOfPressureIsThatOfTheMovementInSemiImplicitSteps) {
   ASSERT_TRUE(sim.run());
   const LedgerReport books = sim.books();
   EXPECT_GT(books.wallWork, 0);
-  // as much again as the scheme loses where work went by the velocity before
+  // the loss of the scheme itself is smaller than this
   EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.wallWork);
 }
 
-/// A sphere without mass that is pressed, or pushed onto a ball.
+/// A massless sphere under pressure, or pressed onto a ball.
 Scene weightless(bool ball) {
   Scene s = test::emptyScene(0.02, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   s.sheets = test::sheetScene(SheetMesh::Sphere).sheets;
@@ -122,7 +123,7 @@ TEST(KindBooks, WorkFromOutsideIsNoAlarmWhereNothingWasBefore) {
   EXPECT_EQ(checkBooks(sim.w, bounds, books, sim.all), Alarm::None);
 }
 
-/// A cloth whose middle has another mass falls onto a floor.
+/// A cloth whose middle has another mass falls on a floor.
 TEST(KindBooks, ContactGoesByTheMassOfARegion) {
   for (const double factor : {1.0, 0.01, 100.0}) {
     Scene s = test::sheetScene(SheetMesh::Grid);
@@ -141,7 +142,7 @@ TEST(KindBooks, ContactGoesByTheMassOfARegion) {
     ASSERT_TRUE(sim.run());
     const LedgerReport books = sim.books();
     EXPECT_GT(books.dissipated, 0) << factor;
-    // 28 % where a step did not follow blows
+    // steps that do not resolve the impact give 28 %
     EXPECT_LT(std::abs(books.energyResidual), 0.05 * books.energyScale) << factor;
     for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++)
       ASSERT_GT(sim.w.sheets.rows.position[i].z, 0) << factor;

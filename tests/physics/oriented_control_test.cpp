@@ -1,4 +1,4 @@
-// A surface through a few control points goes through them: as it is made, relaxed, and run.
+// A surface through a few control points passes through them as created, relaxed and run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ std::vector<Figure> figures() {
   return all;
 }
 
-/// Spacings from the control point that is left most to the body: its particles that hang together within 1.5
-/// spacings, the largest such part of it.
+/// Largest distance in spacings of a control point from the body: the largest part of its particles connected
+/// within 1.5 spacings.
 double farthestFromBody(const Oriented& o, const std::vector<Vec3d>& points, double spacing) {
   std::vector<std::size_t> part(o.owned, o.owned);
   std::vector<std::size_t> size;
@@ -94,7 +94,7 @@ TEST(OrientedControl, KeepsThemAsItRelaxesAndAfterIt) {
   }
 }
 
-// On finer particles a plate that has too few of them for its area tore off around what is held.
+// A fine plate with too few particles for its area would tear around the constrained ones.
 TEST(OrientedControl, KeepsThemWhereThePlateIsSteepAndFine) {
   const Figure f = figures()[0];
   Scene s = controlScene(f.points);

@@ -1,4 +1,4 @@
-// Oriented bodies and sheets that are refused at the start, with what is said.
+// Oriented bodies and sheets that are refused at the start, with their messages.
 #include <gtest/gtest.h>
 
 #include "tests/support/oriented_samples.hpp"

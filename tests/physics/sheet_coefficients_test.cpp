@@ -1,4 +1,4 @@
-// Coefficients of sheets that change in time and by region: forces, books, steps.
+// Coefficients of sheets that vary in time and by region: forces, energy budget, steps.
 #include "tests/support/sheet_samples.hpp"
 
 namespace thaw {
@@ -43,8 +43,8 @@ TEST(SheetCoefficients, ForcesAreSlopesOfEnergiesAtAnyTimeAndInRegions) {
   }
 }
 
-/// Pulls at a strip of two materials and changes one coefficient after the other: the energy that this makes
-/// is in the books, and what is missing falls with the square of the step.
+/// Stretches a strip of two materials and changes one coefficient after another. The ledger records the
+/// energy of the change, and the residual falls with the square of the step.
 TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
   for (const F f : {F::Warp, F::Shear, F::Bending, F::Volume, F::Push, F::Pull, F::Stiffness}) {
     double residual[2], scale = 0;
@@ -52,7 +52,7 @@ TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
       Scene s = f == F::Volume ? ball() : clothOfAll();
       SheetBody& b = s.sheets[0];
       b.stiffness = 3;
-      b.restLength = 0.97;  // all of it is stretched
+      b.restLength = 0.97;  // the whole strip is stretched
       b.stretchLimit = never;
       if (f == F::Volume) b.wrap = 40;
       addHalf(b).factor[placeOf(f)] = 2;
@@ -78,8 +78,7 @@ TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
   }
 }
 
-/// Springs that come into being: the step is short before they are stiff, and not after they have thrown
-/// everything about.
+/// Springs that appear in time: the step shortens before they are stiff.
 TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
@@ -100,8 +99,8 @@ TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
   EXPECT_LT(sim.shortest, 0.002);
 }
 
-/// What changes fast is followed by the steps that thaw chooses: a step without limit went from frame to
-/// frame over the change, and places were off by 27 % (damping) to 160 % (stiffness).
+/// Chosen steps resolve fast changes. One step from frame to frame over a change would give errors of 27 %
+/// (damping) to 160 % (stiffness) in positions.
 TEST(SheetCoefficients, FastChangesAreFollowed) {
   for (const double ramp : {0.1, 0.01, 0.001})
     for (const F f : {F::Stiffness, F::Damping}) {

@@ -1,5 +1,5 @@
-// The operator of the implicit viscosity solver is the explicit viscous sum: the same forces, symmetric, the
-// same bits from every instruction set.
+// The operator of the implicit viscosity solver equals the explicit viscous sum: the same forces, symmetric,
+// and the same bits with every instruction set.
 #include <gtest/gtest.h>
 
 #include <cmath>

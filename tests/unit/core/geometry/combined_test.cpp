@@ -95,7 +95,7 @@ TEST(Placed, fittedHeightAndBottom) {
   s.rotate = {0.4, 0.2, 1};
   s.fitHeight = 0.25;
   s.bottom = Vec3d{1, 2, 3};
-  s.scale = 77, s.move = {5, 5, 5};  // set aside
+  s.scale = 77, s.move = {5, 5, 5};  // ignored with a fitted height
   const Bounds b = makeSignedDistance(s)->bounds();
   EXPECT_NEAR(b.min.z, 3, 1e-12);
   EXPECT_NEAR(b.max.z, 3.25, 1e-12);

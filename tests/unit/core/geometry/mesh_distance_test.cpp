@@ -52,8 +52,8 @@ TEST(MeshDistance, buriedSurfacesDoNotCount) {
   const MeshDistance d(m, "balls");
   EXPECT_LT(d.distance({0.1, 0, 0}), -0.65);  // the small one is 0.05 away
   EXPECT_LT(d.distance({0.5, 0, 0}), -0.25);
-  EXPECT_LT(d.distance({0.9, 0, 0}), -0.15);  // the large one's surface is 0.1 away, the nearest that is not
-                                              // buried 0.3
+  EXPECT_LT(d.distance({0.9, 0, 0}), -0.15);  // the large ball's surface is 0.1 away, the nearest unburied
+                                              // surface 0.3
   EXPECT_NEAR(d.distance({1.4, 0, 0}), 0.2, 0.01);
   for (std::uint64_t k = 0; k < 2000; k++) {
     const Vec3d x = randomPoint({{-1, -1, -1}, {1.3, 1, 1}}, k);
@@ -104,7 +104,8 @@ TEST(MeshDistance, alongALineItIsInsideWhereAskedPointByPoint) {
     const MeshDistance d(mesh, "mesh");
     KnownSides known;
     for (std::uint64_t line = 0; line < 300; line++) {
-      // a quarter of the lines run on the lattice of the box's faces and edges, where points lie on triangles
+      // A quarter of the lines run on the lattice of the box's faces and edges, where points lie on
+      // triangles.
       const Vec3d from = line % 4 == 0 ? Vec3d{-1, 0.25 * static_cast<double>(line / 4 % 9) - 1,
                                                0.25 * static_cast<double>(line / 36) - 1}
                                        : randomPoint({{-1, -1, -1}, {1, 1, 1}}, line);
@@ -138,7 +139,7 @@ TEST(MeshDistance, threadsMayAskAtOnce) {
     });
   for (std::thread& t : asking) t.join();
   for (std::uint64_t k = points; k-- > 0;)
-    // whatever was asked first
+    // independent of earlier queries
     for (const std::vector<double>& f : found)
       ASSERT_EQ(f[k], one.distanceWithin(randomPoint({{-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}}, k), 0.02));
 }
@@ -158,7 +159,7 @@ TEST(Bust, isAClosedSolidOneMetreTall) {
   EXPECT_NEAR(d.bounds().max.z, 1, 1e-12);
   EXPECT_NEAR(d.bounds().min.y, -d.bounds().max.y, 1e-12);
   EXPECT_NEAR(d.bounds().min.x, -d.bounds().max.x, 1e-3);
-  EXPECT_LT(d.distance({0, 0, 0.5}), -0.03);  // within the head, the neck, the chest
+  EXPECT_LT(d.distance({0, 0, 0.5}), -0.03);  // inside the head, the neck, the chest
   EXPECT_EQ(bustMesh().vertices, m.vertices);
 }
 

@@ -24,7 +24,7 @@ bool balanced(const TriangleMesh& m) {
   return good;
 }
 
-/// How many of some points are judged otherwise than by `expected`; points near its surface are left out.
+/// Number of points that are classified differently from `expected`. Points near its surface are left out.
 template<class F> int wrong(const TriangleMesh& m, const Bounds& b, F&& expected) {
   const MeshDistance d(m, "test");
   int n = 0;
@@ -183,7 +183,7 @@ TEST(MeshRepair, aMoebiusStripDoesNotHang) {
   MeshReport r;
   try {
     EXPECT_TRUE(balanced(repairMesh(m, r)));
-  } catch (const ShapeError&) {  // that it encloses nothing is a fair answer
+  } catch (const ShapeError&) {  // an error about zero volume is allowed
   }
 }
 

@@ -43,7 +43,7 @@ TEST(Primitives, valuesByHand) {
   EXPECT_NEAR(glass->distance({0.5, 0, 0.3}), 0.2, 1e-15);    // over the floor
   EXPECT_NEAR(glass->distance({-0.95, 0, 2.2}), 0.2, 1e-15);  // over the rim
   EXPECT_NEAR(glass->distance({0, 0, -1}), 1, 1e-15);
-  EXPECT_NEAR(glass->distance({0.6, 0, 2.4}), 0.5, 1e-15);  // from above the room to the inner rim
+  EXPECT_NEAR(glass->distance({0.6, 0, 2.4}), 0.5, 1e-15);  // from above the cavity to the inner rim
 }
 
 TEST(Primitives, gradientsAreSlopesOfLengthOne) {
@@ -56,7 +56,7 @@ TEST(Primitives, gradientsAreSlopesOfLengthOne) {
       const double v = d->distance(x, &g);
       ASSERT_NEAR(length(g), 1, 1e-12);
       ASSERT_EQ(d->inside(x), v < 0);
-      // a step down the slope, but for edges of the medial axis, ends on the surface
+      // a step along the gradient ends on the surface, except at edges of the medial axis
       if (v > 0) { ASSERT_NEAR(d->distance(x - g * v), 0, 1e-12); }
       for (int a = 0; a < 3; a++) {
         Vec3d h;
@@ -95,7 +95,7 @@ TEST(Primitives, boundsAreTight) {
     const Bounds b = d->bounds();
     for (int a = 0; a < 3; a++)
       for (const bool high : {false, true}) {
-        // the plane of each face touches the shape: the least distance over it is 0
+        // the plane of each face touches the shape: the smallest distance on it is 0
         double least = never;
         for (std::uint64_t k = 0; k < 20000; k++) {
           Vec3d x = randomPoint(b, k);

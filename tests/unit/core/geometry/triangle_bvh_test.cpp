@@ -17,7 +17,7 @@ TriangleMesh soup(int n) {
     const auto v = static_cast<std::uint32_t>(3 * t);
     m.triangles.push_back({v, v + 1, v + 2});
   }
-  // without area: a point, a segment
+  // triangles without area: a point, a segment
   m.triangles.push_back({0, 0, 0});
   m.triangles.push_back({3, 4, 3});
   return m;
@@ -49,7 +49,7 @@ TEST(TriangleBvh, closestPointOfATriangleInAllItsRegions) {
   is({0.5, -1, -2}, {0.5, 0, 0});
   is({-1, 1, 0}, {0, 1, 0});
   is({1.4, 1.2, 0}, {0.6, 0.8, 0});
-  // an obtuse one, from beyond its long edge, and one without area
+  // an obtuse triangle from beyond its long edge, and one without area
   EXPECT_LT(length(closestPointOfTriangle({0, 0, 0}, {4, 0, 0}, {2, 0.1, 0}, {3.9, 1, 0}) -
                    Vec3d{3.850374065, 0.007481297, 0}),
             1e-6);

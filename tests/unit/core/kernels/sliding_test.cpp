@@ -1,5 +1,5 @@
-// Layers of the lattice that slide over each other fill more than at rest with few neighbours, and not with
-// more (incompressible solver).
+// Sliding lattice layers have a higher relative density than at rest with few neighbours, but not with more
+// (incompressible solver).
 #include <gtest/gtest.h>
 
 #include "core/kernels/lattice.hpp"

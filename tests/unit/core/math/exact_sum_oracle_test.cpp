@@ -57,7 +57,7 @@ TEST(ExactSumOracle, staysExactOverManyTerms) {
   const double head = -200000.0;
   ExactSum rest = s;
   rest.add(-head);
-  // 0.1 is that over 2^55
+  // 0.1 is this integer over 2^55
   const __int128 expected = (static_cast<__int128>(200000) << 55) -
                             static_cast<__int128>(3602879701896397) * 2000000;
   EXPECT_EQ(rest.value(), std::ldexp(static_cast<double>(expected), -55));

@@ -1,4 +1,4 @@
-// A mesh as the source of an oriented body: an open one as it is, a closed one by its distance as shapes.
+// A mesh as the source of an oriented body: an open one as it is, a closed one by its distance function.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ MadePoints pointsOf(const TriangleMesh& m, OrientedBody b = ofMesh("m")) {
   return makePoints(b, spacing, 1, [&](const std::string&) { return m; });
 }
 
-/// A bowl: the lower half of a ball of .3 m.
+/// A bowl: the lower half of a ball of 0.3 m.
 TriangleMesh bowl() {
   TriangleMesh m = ballMesh({}, 0.3, 0.04);
   std::erase_if(m.triangles, [&](const auto& t) {
@@ -58,8 +58,8 @@ TEST(OpenMesh, IsTakenAsItIs) {
     turned = std::min(turned, dot(m.normals[i], there.normal));
     low = std::min(low, m.places[i].z), high = std::max(high, m.places[i].z);
   }
-  EXPECT_LT(off, 1e-9) << "none is on a lid";
-  EXPECT_GT(turned, 0.8) << "smooth ones, on triangles of two spacings";
+  EXPECT_LT(off, 1e-9) << "no particle closes the opening";
+  EXPECT_GT(turned, 0.8) << "smooth normals on triangles of two spacings";
   EXPECT_LT(low, -0.29);
   EXPECT_GT(high, -spacing) << "up to the border";
   double area = 0;
@@ -68,7 +68,7 @@ TEST(OpenMesh, IsTakenAsItIs) {
                                mesh.vertices[t[2]] - mesh.vertices[t[0]]));
   const double cells = area / (0.86602540378443865 * spacing * spacing);
   EXPECT_NEAR(static_cast<double>(m.places.size()), cells, 0.05 * cells);
-  EXPECT_GT(nearestPair(m), 0.8) << "a lid over the border, or two layers, would have pairs in one place";
+  EXPECT_GT(nearestPair(m), 0.8) << "a closed border or two layers would have coincident pairs";
   ASSERT_EQ(m.notes.size(), 1u);
   EXPECT_NE(m.notes[0].find("mesh 'm': open ("), std::string::npos) << m.notes[0];
 }
@@ -111,8 +111,7 @@ TEST(OpenMesh, ClosedOnesAreCoveredAsShapes) {
             std::vector<std::string>{"mesh 'm': 1 shell turned the right side out"});
 }
 
-// What thaw writes of a surface is a surface for thaw: its particles are where a mesh of such particles has
-// them, and stay there.
+// An exported surface can be read as a surface: its particles keep their positions.
 TEST(OpenMesh, ASurfaceThatIsReadBackKeepsItsSize) {
   TriangleMesh m = quad(0.2);
   for (int k = 0; k < 3; k++) {

@@ -1,4 +1,4 @@
-// When a relaxation is given up, and when not.
+// Conditions that end a relaxation without rest.
 #include "core/oriented/relax_progress.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-/// The iteration at which a relaxation with these figures is given up; -1: never, of so many.
+/// Iteration at which a relaxation with these figures ends; -1 if it does not end within `most`.
 template<class Force, class Particles>
 std::int64_t endOf(std::int64_t most, const Force& force, const Particles& particles) {
   RelaxProgress p;
@@ -25,7 +25,7 @@ TEST(RelaxProgress, EndsWhereNothingGetsBetter) {
   EXPECT_EQ(endOf(
                 100000, [](std::int64_t) { return 1.0; }, always(900)),
             relaxPatience(900));
-  // who comes and who goes: no growth
+  // births balance deaths: no growth
   EXPECT_LT(endOf(
                 100000, [](std::int64_t) { return 1.0; }, [](std::int64_t k) { return 1000 + k % 15; }),
             2 * relaxPatience(1000));
@@ -39,7 +39,7 @@ TEST(RelaxProgress, GoesOnWhereSomethingDoes) {
   EXPECT_EQ(endOf(
                 100000, [](std::int64_t) { return 1.0; }, [](std::int64_t k) { return 1000 + k / 10; }),
             -1);
-  // at rest with few, which was before the others came
+  // at rest with few particles, before others are added
   EXPECT_EQ(
       endOf(
           3000, [](std::int64_t k) { return k < 10 ? 0.0 : 1e3 * std::exp(-1e-3 * static_cast<double>(k)); },
@@ -48,7 +48,8 @@ TEST(RelaxProgress, GoesOnWhereSomethingDoes) {
 }
 
 TEST(RelaxProgress, OfWhatIsBoundedThereIsAnEnd) {
-  // the slowest that still counts: a tenth less, and a fiftieth more, each at the last moment
+  // the slowest progress that still counts: a tenth less force, a fiftieth more particles, each at the last
+  // moment
   RelaxProgress p;
   std::int64_t particles = 1000, k = 0, waited = 0;
   double force = 1;

@@ -1,4 +1,4 @@
-// Events that a weld has left without particles, in the order in which events are done.
+// Events of bodies that a weld has left without particles, in the order of their execution.
 #include "core/oriented/welded_bodies.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct Bodies {
     e.time = time;
     s.oriented[static_cast<std::size_t>(body)].events.push_back(e);
   }
-  /// "b.0: b in a by 0.1", a piece for each.
+  /// Text such as "b.0: b in a by 0.1" for each event.
   std::string found() const {
     std::string text;
     for (const EventOfWelded& f : eventsOfWelded(s))
@@ -67,7 +67,7 @@ TEST(WeldedBodies, TheWholeMayBeWeldedInItsTurn) {
 
 TEST(WeldedBodies, AtOneTimeTheOrderIsThatOfTheScene) {
   Bodies x;
-  x.weld(1, 0, 0.1);  // after what a does at that time
+  x.weld(1, 0, 0.1);  // after the event of a at that time
   x.cut(0, 0.1);
   x.cut(2, 0.1);
   EXPECT_EQ(x.found(), "");

@@ -14,7 +14,7 @@ TEST(FactorInTime, MeanIsThatOfManySamples) {
     for (int k = 0; k < n; k++) sum += f.at(from + (to - from) * (k + 0.5) / n);
     EXPECT_NEAR(f.mean(from, to), sum / n, 1e-9) << from << " to " << to;
   }
-  // in parts as in one
+  // additive over intervals
   EXPECT_NEAR(0.13 * f.mean(0, 0.13) + 0.57 * f.mean(0.13, 0.7), 0.7 * f.mean(0, 0.7), 1e-15);
 }
 

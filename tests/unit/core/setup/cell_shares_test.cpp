@@ -35,7 +35,7 @@ TEST(CellShares, OfABoxOfNoWholeNumberOfCellsHoldIt) {  // 5.35 cells: six point
   const std::vector<std::int32_t> shares = cellShares(box, l, points);
   for (std::size_t k = 0; k < points.size(); k++) {
     const std::int64_t i = points[k] % l.count[0];
-    EXPECT_EQ(shares[k], i == 0 || i == 5 ? 48 : 64);  // of four layers of samples three
+    EXPECT_EQ(shares[k], i == 0 || i == 5 ? 48 : 64);  // three of four layers of samples
   }
 }
 
@@ -47,7 +47,7 @@ TEST(CellShares, OfABallAreItsVolumeAndAsManyRanksAsOneGiveThem) {
   const double volume = 4.0 / 3 * 3.14159265358979 * 0.83 * 0.83 * 0.83, cells = volume / 1e-3;
   EXPECT_NEAR(static_cast<double>(std::accumulate(shares.begin(), shares.end(), std::int64_t{0})) / wholeCell,
               cells, 0.002 * cells);
-  // what is nearest to a point is its share, by a finer lattice of samples
+  // the share of a point is its nearest region, by a finer lattice of samples
   std::int32_t least = wholeCell, most = wholeCell;
   for (std::size_t k = 0; k < points.size(); k++) {
     least = std::min(least, shares[k]), most = std::max(most, shares[k]);

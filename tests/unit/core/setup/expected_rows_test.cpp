@@ -1,4 +1,4 @@
-// Numbers of particles and vertices before they are made, against those that are made.
+// Estimated numbers of particles and vertices against the created ones.
 #include "core/setup/expected_rows.hpp"
 
 #include <gtest/gtest.h>
@@ -62,8 +62,8 @@ TEST(ExpectedRows, NoSpacingOverflows) {
   for (const ExpectedRows& e : expectedRows(s, {})) EXPECT_GT(e.rows, 1e23);
 }
 
-// A surface that is much finer than the scene's spacing, of which nothing else is: cells are as long as its
-// particles see, or each would hold thousands.
+// A surface that is much finer than the scene's spacing, without a continuum: cells follow the range of its
+// particles, or each would hold thousands.
 TEST(ExpectedRows, CellsFollowTheFinestWhereThereIsNoContinuum) {
   Scene s = sceneOf(0.05);
   s.oriented.emplace_back().spacing = 1e-3;

@@ -1,5 +1,5 @@
-// A mesh is read, mended and its tree made once in a start: of 100,000 triangles that takes as long as ten
-// steps.
+// A mesh is read and repaired and its tree built once per start. For 100,000 triangles that takes as long as
+// ten steps.
 #include <gtest/gtest.h>
 
 #include "core/halo/serial.hpp"

@@ -1,4 +1,4 @@
-// Velocities and temperatures of the start that vary with position; the automatic sound speed.
+// Initial velocities and temperatures that vary with position; the automatic sound speed.
 #include <gtest/gtest.h>
 
 #include "core/fluid/liquid_materials.hpp"
@@ -14,7 +14,7 @@ PositionField fieldOf(const char* key, std::function<double(const Vec3d&)> value
   return {"f(x, y, z)", key, {"fields.toml", 7, 3}, std::move(value)};
 }
 
-/// Water in a box of 1 m edges around `middle`, 20 spacings a side, without gravity.
+/// Water in a box of 1 m edges around `middle`, 20 spacings per side, without gravity.
 Scene waterBox(const Vec3d& middle = {}) {
   Scene s;
   s.spacing = 0.1;
@@ -77,7 +77,7 @@ TEST(StartFields, ExpressionsAreOfThePlaceInTheScene) {
   }
 }
 
-// Its box is 10.5 spacings wide, and has 10 layers of liquid.
+// Its box is 10.5 spacings wide and has 10 layers of liquid.
 TEST(StartFields, TheExpectedSpeedIsThatOfTheFastestParticle) {
   Scene s = waterBox();
   s.bodies[0].shape.size = {1.05, 1.05, 1.05};
@@ -152,7 +152,7 @@ TEST(StartFields, ValuesThatAreNoneAreAnErrorWithItsPlace) {
 
 namespace {
 
-/// A jet upward out of a disc of 0.25 m, where the domain begins.
+/// An upward jet out of a disc of 0.25 m at the border of the domain.
 Scene jet() {
   Scene s = waterBox();
   s.bodies.clear();
@@ -181,7 +181,7 @@ TEST(StartFields, AnEmitterSwirlsAndIsWarmByPlace) {
   ASSERT_GT(run.particles().owned, 100u);
   for (std::size_t i = 0; i < run.particles().owned; i++) {
     const Vec3d x = run.particles().position[i], v = run.particles().velocity[i];
-    const Vec3d opening = x - v * (x.z / 2);  // where it leaves
+    const Vec3d opening = x - v * (x.z / 2);  // position in the opening
     EXPECT_NEAR(v.x, -2 * opening.y, 1e-9);
     EXPECT_NEAR(v.y, 2 * opening.x, 1e-9);
     EXPECT_EQ(v.z, 2);

@@ -1,4 +1,4 @@
-// Nearest points by shares of corners: of a triangle, and of two edges.
+// Nearest points of a triangle and of two edges, as weights of corners.
 #include "core/sheet/nearest_points.hpp"
 
 #include <gtest/gtest.h>

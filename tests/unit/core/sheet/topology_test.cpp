@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-/// All triangles as the rings tell them, each from its smallest corner.
+/// All triangles of the rings, each starting at its smallest corner.
 std::set<std::array<std::uint32_t, 3>> trianglesOf(const SheetTopology& t) {
   std::set<std::array<std::uint32_t, 3>> all;
   for (std::uint32_t v = 0; v + 1 < t.first.size(); v++)
@@ -86,9 +86,9 @@ TEST(SheetTopology, Refusals) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
-  EXPECT_THROW(sheetTopology(mesh), ShapeError);  // three at an edge
+  EXPECT_THROW(sheetTopology(mesh), ShapeError);  // three triangles at an edge
   mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
-  EXPECT_THROW(sheetTopology(mesh), ShapeError);  // face different sides
+  EXPECT_THROW(sheetTopology(mesh), ShapeError);  // opposite orientations
   mesh.triangles = {{0, 1, 2}};
   EXPECT_THROW(sheetTopology(mesh), ShapeError);  // vertices without triangles
   mesh.vertices.resize(3);
@@ -107,7 +107,7 @@ TEST(SheetMeshes, AreWhatTheyAreCalled) {
   EXPECT_GT(h.volume[0], 0);
   EXPECT_EQ(d.closed, std::vector<std::uint8_t>{0});
   EXPECT_EQ(b.closed, std::vector<std::uint8_t>{0});
-  // even triangles: the smallest vertex has not much less than the mean
+  // even triangles: the smallest vertex area is near the mean
   for (const SheetTopology* t : {&h, &d, &b}) {
     double sum = 0, least = 1e9;
     for (const double a : t->area) sum += a, least = std::min(least, a);

@@ -1,4 +1,4 @@
-// Slots and bonds of one process: edits of the graph, and what the elastic step keeps of it (several ranks:
+// Solids and bonds of one process: changes of the graph and data that the elastic step caches (several ranks:
 // tests/mpi/bond_halo_test.cpp).
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(IdTable, IsAMap) {
   }
 }
 
-/// A lattice of particles, all solid and bonded over the same distance.
+/// A lattice of solid particles, bonded over the same distance.
 struct Lattice {
   Scene scene;
   Modules modules;
@@ -86,7 +86,7 @@ struct Lattice {
       if (b.there(slot, k)) ids.insert(s.id[b.neighbour[b.at(slot, k)]]);
     return ids;
   }
-  /// What was renewed slot by slot is what is computed from nothing.
+  /// Checks that incremental updates equal a full computation.
   void expectFreshWork() {
     ElasticWork fresh;
     Continuum p2;
@@ -147,7 +147,7 @@ TEST(BondGraph, BrokenBondsGo) {
   l.b.cut(slot, 2);
   EXPECT_TRUE(l.relink({}, false));
   EXPECT_FALSE(l.b.broken);
-  EXPECT_EQ(l.b.neighbour[at], next);  // the order of the others stays
+  EXPECT_EQ(l.b.neighbour[at], next);  // the order of the others is kept
   EXPECT_EQ(l.bondedTo(slot).count(l.s.id[other]), 0u);
   EXPECT_EQ(l.bondedTo(other).count(1030), 0u);
   l.expectFreshWork();

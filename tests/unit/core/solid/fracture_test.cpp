@@ -10,7 +10,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// Living bonds of each pair, from both ends.
+/// Intact bonds of a pair, counted from both ends.
 std::int64_t bondsOf(const SolidBody& b, std::size_t i, std::size_t j) {
   std::int64_t n = 0;
   for (int k = 0; k < b.bonds.capacity; k++)
@@ -52,7 +52,7 @@ TEST(Fracture, bothEndsDecideAlikeAndTheLedgerClosesExactly) {
         for (std::size_t j = 0; j < i; j++) EXPECT_EQ(bondsOf(*b, i, j), bondsOf(*b, j, i));
       for (std::size_t s = 0; s < points.size(); s++) after += slotEnergy(b->work, b->solids, b->bonds, s);
       EXPECT_NEAR(energy - after, jump.value(), 1e-12 * energy);
-      // phase 1 was repeated where bonds broke: forces are the derivative of what is left
+      // phase 1 was repeated where bonds broke: forces are the derivative of the remaining energy
       computeElasticForces(b->work, b->solids, b->bonds, b->step, SolidPart::Inner);
       EXPECT_NEAR(totalEnergy(*b), after, (precision == Precision::Double ? 1e-12 : 1e-4) * after);
       Vec3d sum{};
@@ -90,7 +90,7 @@ TEST(Fracture, bondsWithinTheContactDistanceStay) {
     for (std::size_t j = 0; j < i; j++) {
       const Vec3d d = points[i] - points[j];
       if (std::abs(d.y) + std::abs(d.z) > 1e-9) continue;
-      if (std::abs(d.x) < 0.07) EXPECT_GT(bondsOf(*b, i, j), 0);  // 0.084 apart: contact would push
+      if (std::abs(d.x) < 0.07) EXPECT_GT(bondsOf(*b, i, j), 0);  // 0.084 apart: contact would repel
       else EXPECT_EQ(bondsOf(*b, i, j), 0);
     }
 }

@@ -1,5 +1,5 @@
-// Material laws against finite differences of their energies, and the whole body's forces against those of
-// its energy.
+// Stresses of material laws against finite differences of their energies, and forces of a body against its
+// energy.
 #include <gtest/gtest.h>
 
 #include "core/solid/laws/corotated.hpp"
@@ -27,7 +27,7 @@ TEST(Laws, stressIsDerivativeOfEnergy) {
       m.volumeStiffness = 0.7;
       const ElasticConstants c = elasticConstants(m, 0);
       const Mat3d plastic{{{-0.05, 0.02, 0.03}, {-0.04, 0.01, -0.02}, {0.01, -0.03, 0.04}}};
-      const Mat3d g = noiseMatrix(n, n < 15 ? 0.4 : 1.5);  // the last ones far away or inverted
+      const Mat3d g = noiseMatrix(n, n < 15 ? 0.4 : 1.5);  // the last ones are far away or inverted
       const ElasticResponse r = elasticResponse(c, g, plastic);
       for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
@@ -79,7 +79,7 @@ TEST(Laws, nearestRotationOfInvertedAndSingular) {
   EXPECT_NEAR(determinant(zero), 1, 1e-12);
 }
 
-// Eight lanes of several laws, some of them inverted: each has the energy that it has alone.
+// Eight lanes of several laws, some inverted: each has the energy that it has alone.
 TEST(Laws, lanesOfAGroupDoNotDependOnEachOther) {
   const auto points = lattice({5, 3, 3}, 0.1, 0.2);
   for (const double yield : {never, 0.01}) {

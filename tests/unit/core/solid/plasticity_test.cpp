@@ -22,7 +22,7 @@ ElasticConstants yielding(ElasticLaw law, double yield, double creep = never, do
   return elasticConstants(m, 0);
 }
 
-/// Cauchy stress, Pa, of F with this plastic state.
+/// Cauchy stress (Pa) of F with this plastic state.
 Sym3d stressOf(const ElasticConstants& c, const Mat3d& f, const Mat3d& plasticInverse) {
   const Mat3d elastic = elasticGradient(f - one, plasticInverse);
   return cauchyStress(elasticResponse(c, elastic).stress, elastic);
@@ -33,7 +33,7 @@ double sizeOf(const ElasticConstants& c, const Sym3d& stress) {
   return norm(stress - Sym3d{p, p, p, 0, 0, 0}) / (2 * c.mu);
 }
 
-/// One material point, driven by its deformation gradient.
+/// A material point driven by its deformation gradient.
 struct Point {
   ElasticConstants c;
   PlasticState state{};
@@ -53,8 +53,7 @@ struct Point {
 
 Mat3d stretches(double x, double yz) { return {{{x, 0, 0}, {0, yz, 0}, {0, 0, yz}}}; }
 
-/// Presses (or draws) along x to this stretch while the sides are free: their stretch is where the stress
-/// across is zero.
+/// Compresses or stretches along x while the sides are free: their stretch makes the lateral stress zero.
 void driveUniaxially(Point& p, double along) {
   double side[2] = {p.f.row[1].y, p.f.row[1].y * 1.001}, across[2];
   for (int n = 0; n < 60; n++) {
@@ -112,7 +111,7 @@ TEST(Plasticity, hardeningFollowsTheEquivalentPlasticStrain) {
     for (double x = 1; x > 0.5; x -= 0.005) driveUniaxially(p, x);
     const double expected = std::sqrt(6.0) * p.c.mu * 0.01 + 5e4 * p.state.path;
     EXPECT_NEAR(-p.stress().xx, expected, 1e-7 * expected) << int(law);
-    EXPECT_NEAR(p.state.path, -std::log(p.f.row[0].x), expected / 1e6 + 0.01);  // less the elastic strain
+    EXPECT_NEAR(p.state.path, -std::log(p.f.row[0].x), expected / 1e6 + 0.01);  // without the elastic strain
   }
 }
 
@@ -154,7 +153,7 @@ TEST(Plasticity, steadyFlowHasTheViscosityOfTheCreepRate) {
     }
 }
 
-// Groups are evaluated again where one of their slots takes a new reference; the others must not change.
+// Groups are evaluated again if one of their solids takes a new reference. The others must not change.
 TEST(Plasticity, evaluationWithoutFlowHasTheSameBits) {
   for (const ElasticLaw law : allLaws) {
     PlasticState state{};
@@ -211,13 +210,13 @@ TEST(Plasticity, WhatIsNotLookedAtIsBelowYield) {
         ElasticConstants c = elasticConstants(m, 0);
         Mat3d g = noiseMatrix(n, 0.0005 * static_cast<double>(1 + n % 100));
         const double mean = (g.row[0].x + g.row[1].y + g.row[2].z) / 3;
-        g = g + (0.002 * noise(n, 40) - mean) * one;  // under high pressure some laws are not stable
+        g = g + (0.002 * noise(n, 40) - mean) * one;  // some laws are unstable under high pressure
         c.yield = sizeOf(c, stressOf(c, one + g, {})) * (1 - 1e-9);
         EXPECT_TRUE(plasticFlow(c, g, {}, {}, 1).flows) << int(law) << ' ' << poisson << ' ' << n;
       }
 }
 
-// Green strain weakens below 0.577 of the length: what is pressed beyond that in one step is past its yield
+// Green strain weakens below 0.577 of the length. A body compressed beyond that in one step is past its yield
 // stress, not below it.
 TEST(Plasticity, aLawThatWeakensYieldsAtOnce) {
   for (const ElasticLaw law : allLaws)

@@ -130,7 +130,7 @@ TEST(Components, FreshParticlesTakeTheComponentThatTheyTouch) {
   SerialSurfaceRig rig;
   rig.ball({0, 0, 0}, 0.5, 1);
   rig.ball({1.2, 0, 0}, 0.3, 1 + rig.particles);
-  // a column that stands on the first: hand over hand
+  // a column on the first ball, connected step by step
   for (int k = 0; k < 4; k++) rig.particle({0, 0, 0.55 + 0.1 * k});
   rig.particle({0, 0, -1.5});
   rig.update();
@@ -141,7 +141,7 @@ TEST(Components, FreshParticlesTakeTheComponentThatTheyTouch) {
   EXPECT_EQ(rig.world.surface.counters.splits, 0);
 }
 
-TEST(Components, FreshParticlesTakeWhatTheSceneLetsJoin) {  // four of another body that come beside a ball
+TEST(Components, FreshParticlesTakeWhatTheSceneLetsJoin) {  // four particles of another body next to a ball
   struct Rule {
     MergeRule merge;
     bool ballIsLiquid, theyAreLiquid, join;
@@ -154,7 +154,7 @@ TEST(Components, FreshParticlesTakeWhatTheSceneLetsJoin) {  // four of another b
     rig.world.scene.surface.merge = r.merge;
     rig.liquid = r.ballIsLiquid;
     rig.ball({0, 0, 0}, 0.5, 1);
-    rig.particle({0, 0, -0.55});  // and one of its own
+    rig.particle({0, 0, -0.55});  // and one of its own body
     rig.body = 1;
     rig.liquid = r.theyAreLiquid;
     const std::uint64_t first = rig.particles;

@@ -73,8 +73,8 @@ TEST(FieldProbe, NewtonEndsOnTheSurfaceOrSaysThatThereIsNone) {
   }
 }
 
-// Other ranks' particles are here as far as the cells around one's own go, and on fewer ranks farther: what
-// is asked at places far from home must not tell.
+// The particles of other ranks are present as far as the surrounding cells, and farther on fewer ranks.
+// Queries far from the owned cells must not depend on that.
 TEST(FieldProbe, SeesTheSameWhateverIsThereFarFromHome) {
   std::vector<FieldHere> found;
   for (const bool more : {false, true}) {

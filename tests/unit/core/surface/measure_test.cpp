@@ -41,7 +41,7 @@ TEST(Measure, ABallAcrossAPeriodicSide) {
 
 namespace {
 
-/// A box along x in a domain of 4 m, from `low` on, measured with periodic sides along x.
+/// A box along x from `low` in a domain of 4 m, measured with periodic sides along x.
 SurfaceComponent measuredBox(double low, int cells) {
   SurfaceRig rig;
   rig.world.scene.surface.keepVolume = 0;
@@ -59,8 +59,8 @@ SurfaceComponent measuredBox(double low, int cells) {
 
 }  // namespace
 
-// Taken the shortest way from the particle that names it, at one end, the far end of a body longer than half
-// the domain was thought on the other side.
+// The far end of a body longer than half the domain must not be assigned to the other side by the shortest
+// way from the particle that names it.
 TEST(Measure, ALongBodyAcrossAPeriodicSideIsTakenInOnePiece) {
   const SurfaceComponent whole = measuredBox(-1.5, 28);
   EXPECT_NEAR(whole.centroid.x, -0.1, 1e-9);
@@ -123,7 +123,7 @@ TEST(KeepVolume, ABallAndAFlattenedBall) {
   }
 }
 
-// A flat drop answers to an offset by twice its area: the next one knows.
+// A flat drop responds to an offset with twice its area. The next offset accounts for that.
 TEST(KeepVolume, OffsetsFollowHowTheVolumeAnswered) {
   SerialSurfaceRig rig;
   Surface& s = rig.world.surface;
@@ -139,9 +139,9 @@ TEST(KeepVolume, OffsetsFollowHowTheVolumeAnswered) {
   EXPECT_NEAR(c.raised, 0.05, 1e-12);
 }
 
-// Where the level of the iterations can follow no farther the surface is moved all the same.
+// Beyond the range of the iteration level the surface is offset directly.
 TEST(KeepVolume, BeyondWhatTheLevelMayFollow) {
-  for (const double swollen : {1.2, 0.85}) {  // particles that have come apart, or closer
+  for (const double swollen : {1.2, 0.85}) {  // particles that have expanded or contracted
     const double end = swollen > 1 ? -mostDrawnIn : mostRaised;
     SerialSurfaceRig rig;
     rig.ball({0, 0, 0}, 0.8);
@@ -153,7 +153,7 @@ TEST(KeepVolume, BeyondWhatTheLevelMayFollow) {
       rig.update();
       const SurfaceComponent& c = rig.components()[0];
       EXPECT_NEAR(c.volume / c.particleVolume, 1, 2e-3) << swollen;
-      EXPECT_NEAR(c.raised, end * rig.dx, 0.1 * rig.dx);  // it did not need less
+      EXPECT_NEAR(c.raised, end * rig.dx, 0.1 * rig.dx);  // it needs at least this
     }
   }
 }

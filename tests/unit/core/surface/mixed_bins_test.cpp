@@ -33,7 +33,7 @@ TEST(MixedBins, HoldAllThatHaveAnotherLabelInReach) {
     }
     if (labels == 1) EXPECT_EQ(all, 0u);
     else EXPECT_GT(needed, 100u);
-    EXPECT_LT(all, 5 * needed + 1);  // and not much else
+    EXPECT_LT(all, 5 * needed + 1);  // and few others
   }
 }
 

@@ -19,7 +19,7 @@ double random(std::uint64_t k, std::uint64_t what, double low, double high) {
   return low + (high - low) * randomUniform(3, Purpose::Test, k, what);
 }
 
-/// Every set of kernels that this machine has.
+/// All kernel sets that this machine supports.
 std::vector<const SurfaceKernels*> sets() {
   std::vector<const SurfaceKernels*> all;
   for (const char* name : {"base", "avx2", "avx512"})
@@ -64,7 +64,7 @@ TEST(SurfaceKernels, SeeWhichPlacesOfACircleAreOpen) {
     cosine[k] = std::cos(0.2618f * static_cast<float>(k)),
     sine[k] = std::sin(0.2618f * static_cast<float>(k));
   const CirclePlaces flat{cosine.data(), sine.data(), {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, -0.3f};
-  // discs to the right, the last one of another side: what is left of them is open
+  // discs to the right, the last one on another side: the rest of the circle is open
   const std::vector<float> discs{0.9f, 0.3f, 0, 0, 0, 1, 0.9f, -0.3f, 0.1f, 0, 0, 1, -1, 0, 0, 0, 0, -1};
   std::array<float, circlePlaces> first{}, open{};
   for (const SurfaceKernels* k : sets()) {

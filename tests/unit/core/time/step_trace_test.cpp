@@ -34,7 +34,7 @@ TEST(StepTrace, IsBounded) {
   EXPECT_EQ(trace.dropped(), 10);
   trace.beginStep(1);
   trace.beginStep(2);
-  EXPECT_EQ(trace.dropped(), 0);  // gone with their step
+  EXPECT_EQ(trace.dropped(), 0);  // removed with their step
   EXPECT_TRUE(trace.events().empty());
 }
 

@@ -58,7 +58,7 @@ TEST(WallImages, followWhatMovesThroughSeveralPeriods) {
   for (double t = 0; t <= 1; t += 0.125) {
     moveWalls(walls, t);
     const Vec3d middle = fromRest(walls.list[0].pose, {0.5, 1, 1});
-    int around = 0;  // copies whose middle is in the domain
+    int around = 0;  // images whose centre is in the domain
     for (const Wall& wall : walls.list) {
       const Vec3d at = fromRest(wall.pose, {0.5, 1, 1});
       around += at.x >= 0 && at.x < 1;

@@ -1,4 +1,4 @@
-// What `thaw check` says of the accuracy suite: with the scene's own keys, and only what it can use.
+// Figures of the accuracy suite in `thaw check`: with the scene's own keys, and only applicable settings.
 #include "io/commands/frontier.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(Frontier, KeysAreThoseThatSetTakes) {
     const std::string key = text.substr(start, at - start);
     EXPECT_TRUE(key == "quality" || key.rfind("numerics.", 0) == 0 || key.rfind("material.", 0) == 0) << key;
   }
-  // it is on a lattice
+  // the packing is a lattice already
   EXPECT_EQ(linesOf(body("a", "water", 0) + "[material.oil]\nsurface_tension = 0.03\n").find("packing"),
             std::string::npos);
   const std::string drop = linesOf(body("a", "water", 0) + "packing = 'relaxed'\n");

@@ -1,4 +1,4 @@
-// Lines that a run begins with.
+// The first lines of a run's output.
 #include <gtest/gtest.h>
 
 #include "io/commands/resolution_line.hpp"

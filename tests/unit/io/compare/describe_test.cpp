@@ -1,4 +1,4 @@
-// What thaw compare says of files that have little in common.
+// Output of thaw compare for files with little in common.
 #include <gtest/gtest.h>
 
 #include "io/compare/compare.hpp"

@@ -1,4 +1,4 @@
-// The files of `thaw export`, read back, and its errors.
+// Files of `thaw export`, read back, and its errors.
 #include <cstring>
 
 #include "io/commands/render.hpp"
@@ -25,7 +25,7 @@ TEST_F(Export, MeshesAreReadBack) {
   EXPECT_NE(text.find("o component_9\n"), std::string::npos);
 }
 
-// The sides are those of the scene that the frame keeps.
+// The sides are those of the scene stored in the frame.
 TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrTold) {
   const auto across = [&](const std::string& name, auto addSurfels) {
     SurfelSamples s;
@@ -97,7 +97,7 @@ TEST_F(Export, DiscsAreWhereTheSurfelsAre) {
       EXPECT_NEAR(d.x * surfels.normals[i].x + d.y * surfels.normals[i].y + d.z * surfels.normals[i].z, 0,
                   1e-6);
     }
-  // Seen from outside the corners go round against the clock.
+  // Corners run counterclockwise seen from outside.
   for (std::size_t t = 0; t < m.triangles.size(); t += 91) {
     const auto& c = m.triangles[t];
     const Vec3f& n = surfels.normals[c[0] / 8];
@@ -115,7 +115,7 @@ TEST_F(Export, VtpAndPovHoldEverySurfel) {
   for (const char* name : {"normal", "radius", "color", "id", "component", "liquid", "temperature", "detail",
                            "connectivity", "offsets", "Points"})
     EXPECT_NE(vtp.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
-  // The points stand where their element says, behind their length.
+  // The points are where their element states, after their length.
   const std::size_t element = vtp.find("Name=\"Points\""),
                     offset = std::stoul(vtp.substr(vtp.find("offset=\"", element) + 8));
   const char* points = vtp.data() + vtp.find("<AppendedData encoding=\"raw\">\n_") + 31 + offset;

@@ -1,4 +1,4 @@
-// Closed meshes of surfels: watertight, where the surfels are, one for each component.
+// Closed meshes of surfels: watertight, at the surfels, one per component.
 #include "io/export/surface_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ ComponentMesh only(const SurfelSamples& s, double cell = 1) {
   return meshOfComponent(f, rowsByComponent(f).at(0), f.colours, {}, cell);
 }
 
-/// The largest and the mean distance (m) from the vertices to a mesh.
+/// Largest and mean distance (m) of the vertices from a mesh.
 std::pair<double, double> awayFrom(const TriangleMesh& mesh, const TriangleMesh& truth) {
   const TriangleBvh bvh(truth);
   double largest = 0, sum = 0;
@@ -76,7 +76,7 @@ TEST(SurfaceMesh, OfACubeKeepsFacesAndEdges) {
   expectClosed(m.mesh);
   EXPECT_NEAR(volumeOf(m.mesh), 1, 0.01);
   const auto [largest, mean] = awayFrom(m.mesh, box);
-  EXPECT_LT(largest, 0.6 * 0.05);  // at edges and corners; on faces nothing
+  EXPECT_LT(largest, 0.6 * 0.05);  // at edges and corners; zero on faces
   EXPECT_LT(mean, 0.03 * 0.05);
 }
 
@@ -104,8 +104,7 @@ TEST(SurfaceMesh, EachOfThousandsOfComponentsHasItsOwn) {
   const std::vector<ComponentRows> components = rowsByComponent(f);
   ASSERT_EQ(components.size(), 2000u);
   std::uint64_t before = 0;
-  double fewest = 0, few = 0;  // largest errors of volume, of less than 24 surfels (down to twelve) and of
-                               // more
+  double fewest = 0, few = 0;  // largest relative volume errors with 12 to 23 surfels and with more
   for (const ComponentRows& c : components) {
     EXPECT_GT(c.component, before);
     before = c.component;
@@ -129,8 +128,7 @@ TEST(SurfaceMesh, SheetsNearEachOtherStayApart) {
   EXPECT_NEAR(volumeOf(m.mesh), 0.05, 0.005);
 }
 
-// Whose surfel is nearest by its middle is a matter of chance there: behind a crease of the bust there was a
-// bubble of 48 triangles.
+// The nearest surfel centre is arbitrary there, which must not make bubbles, as behind a crease of the bust.
 TEST(SurfaceMesh, BehindACrackNarrowerThanSurfelsAreApartThereAreNoBubbles) {
   for (std::uint64_t seed = 1; seed <= 3; seed++) {
     SurfelSamples s;

@@ -53,7 +53,7 @@ std::string asciiStl(const TriangleMesh& m) {
   return s + "endsolid a box with a name\n";
 }
 
-/// Quads, extra properties and elements.
+/// A box of quads with extra properties and elements.
 std::string ply(bool ascii, bool big, bool normals = false) {
   const std::string format = ascii ? "ascii" : big ? "binary_big_endian" : "binary_little_endian";
   std::string s = "ply\nformat " + format +
@@ -65,7 +65,7 @@ std::string ply(bool ascii, bool big, bool normals = false) {
   const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                            {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   for (int c = 0; c < 8; c++) {
-    const double n[3] = {c & 1 ? 2.0 : -2.0, c & 2 ? 2.0 : -2.0, c & 4 ? 2.0 : -2.0};  // not of length 1
+    const double n[3] = {c & 1 ? 2.0 : -2.0, c & 2 ? 2.0 : -2.0, c & 4 ? 2.0 : -2.0};  // not normalised
     if (ascii)
       s += std::to_string(c & 1) + " 255 " + std::to_string(c >> 1 & 1) + ".0 " + std::to_string(c >> 2) +
            "e0" +
@@ -153,7 +153,7 @@ TEST(ReadMesh, NormalsOfObjAreOfCorners) {
       "m.obj");
   ASSERT_EQ(m.normals.size(), 4u);
   EXPECT_EQ(m.normals[0][2], (Vec3d{0, 0, -1}));
-  EXPECT_EQ(m.normals[1][0], Vec3d{});  // says nothing
+  EXPECT_EQ(m.normals[1][0], Vec3d{});  // a zero normal is undefined
   EXPECT_NEAR(length(m.normals[2][0] - normalized(Vec3d{1, 1, 1})), 0, 1e-15);
   EXPECT_EQ(m.normals[2][2], Vec3d{});
   EXPECT_EQ(m.normals[3][2], (Vec3d{0, 0, -1}));
@@ -303,7 +303,7 @@ TEST(ReadMesh, brokenStl) {
               "equal corners");
 }
 
-/// Whatever a file is cut to or whatever byte of it changes: a mesh or a message, and no crash.
+/// Truncated files and files with one changed byte give a mesh or a message, never a crash.
 TEST(ReadMesh, damagedFilesNeverCrash) {
   const TriangleMesh box = boxMesh({0, 0, 0}, {1, 2, 3});
   for (const std::string& s :
@@ -312,7 +312,7 @@ TEST(ReadMesh, damagedFilesNeverCrash) {
     for (std::size_t n = 0; n < s.size(); n++)
       for (const char* file : {"m.obj", "m.stl", "m.ply"}) {
         const std::string said = message(s.substr(0, n), file);
-        // faces of an OBJ may be missing; so may the name at the end of an STL
+        // faces of an OBJ file may be missing, and so may the name at the end of an STL file
         if (n + 25 < s.size() && said == "none") { EXPECT_TRUE(s == goodObj) << n; }
       }
     for (std::uint64_t k = 0; k < 4000; k++) {

@@ -1,5 +1,5 @@
-// Discs in parts: on the surface between the surfels, without holes; none where it is flat or ends in a sharp
-// edge.
+// Discs in parts lie on the surface between the surfels without holes. Flat regions and sharp edges have
+// none.
 #include "io/render/curved_discs.hpp"
 
 #include <gtest/gtest.h>

@@ -24,7 +24,7 @@ Image readPng(const std::filesystem::path& path) {
   return image;
 }
 
-/// Weights of the sRGB channels in luminance, decoded roughly.
+/// Luminance from weighted sRGB channels, approximately decoded.
 double luminance(Rgb c) {
   const auto d = [](std::uint8_t x) { return std::pow(x / 255.0, 2.2); };
   return 0.2126 * d(c.r) + 0.7152 * d(c.g) + 0.0722 * d(c.b);
@@ -163,10 +163,10 @@ TEST(Text, IsFittedToWhatRoomThereIs) {
     EXPECT_TRUE(text.starts_with(begins) && (static_cast<unsigned char>(text[begins.size()]) & 0xC0) != 0x80)
         << fitted;
   }
-  EXPECT_GT(textWidth(fittedText(text, 14, 300), 14), 280) << "as much as there is room for";
+  EXPECT_GT(textWidth(fittedText(text, 14, 300), 14), 280) << "it fills the available room";
 }
 
-// A title of a thousand characters drew the time far beyond the picture's edge.
+// A long title must not move the time out of the picture.
 TEST(Caption, TellsTheTimeHoweverLongTheTitleIs) {
   const auto drawn = [](const std::string& title, const std::string& time) {
     Image image(640, 480, {255, 255, 255});

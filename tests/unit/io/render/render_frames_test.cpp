@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that goes when the test ends.
+/// A folder that is removed at the end of the test.
 struct Folder {
   fs::path path = fs::path(testing::TempDir()) /
                   ("thaw_render_" +
@@ -21,7 +21,7 @@ struct Folder {
   ~Folder() { fs::remove_all(path); }
 };
 
-/// Frame `n.hdf`: a cube of 6^3 particles at height n, as warm as it is high.
+/// Writes frame `n.hdf`: a cube of 6^3 particles at height n, with temperature proportional to height.
 FrameView cube(const fs::path& file, const std::string& field) {
   FrameView frame;
   const int n = std::stoi(file.stem().string());

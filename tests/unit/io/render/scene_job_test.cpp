@@ -53,7 +53,7 @@ TEST(SceneJob, TakesWhatTheSceneSays) {
   scene.domain.side[2][0] = Side::Wall;
   Obstacle glass;
   glass.shape.kind = ShapeKind::Glass;
-  glass.temperature = 400;  // so that the scene has heat
+  glass.temperature = 400;  // switches heat on
   glass.until = 0.5;
   glass.motion = {{0, {}, {}}, {1, {0, 0, 2}, {}}};
   Obstacle slope;

@@ -35,7 +35,7 @@ TEST(ProgressLine, SharesOfNothingAreNoPercentages) {
   l.energyScale = l.energyResidual = 6.9e-3;
   EXPECT_TRUE(has(progressLine({}, l), "residual +6.9e-03 J (+1.0e+00)"));
   EXPECT_EQ(warningsOf({}, l).size(), 1u);
-  l.energyLargest = 100 * l.energyScale;  // it was livelier before
+  l.energyLargest = 100 * l.energyScale;  // the energy was larger before
   EXPECT_TRUE(warningsOf({}, l).empty());
 }
 
@@ -100,7 +100,7 @@ TEST_F(ProgressLog, HasAValueForEachColumn) {
 TEST_F(ProgressLog, GoesBackAndOn) {
   beginProgressLog(out);
   for (const std::int64_t step : {0, 50, 120}) add(step);
-  std::ofstream(progressLogPath(out), std::ios::app) << "130,0.5";  // killed as it wrote
+  std::ofstream(progressLogPath(out), std::ios::app) << "130,0.5";  // a kill in the middle of a line
   cutProgressLog(out, 100);
   add(110);
   ASSERT_EQ(lines().size(), 4u);

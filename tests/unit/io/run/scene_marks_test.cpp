@@ -67,7 +67,7 @@ TEST(SceneMarks, CoefficientsOfKindsMayChangeAndAreTold) {
   ASSERT_GE(changes.size(), 3u);
   EXPECT_EQ(changes[0], "oriented.film.cocircular was 1, and is 2 now (SI)");
   EXPECT_EQ(changes[1], "sheet.cloth.warp was 0, and is 7 now (SI)");
-  s.sheets[0].mass = 9;  // vertices keep theirs
+  s.sheets[0].mass = 9;  // existing vertices keep their mass
   EXPECT_FALSE(sceneDifferences(then, s).empty());
 }
 
@@ -85,7 +85,7 @@ TEST(SceneMarks, WhatMakesOrientedBodiesMayNotChange) {
   EXPECT_FALSE(refused([](OrientedBody&) {}));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.width = 2; }));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.thin = 0.5; }));
-  EXPECT_TRUE(refused([](OrientedBody& b) { b.density = 2; }));  // particles keep theirs
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.density = 2; }));  // existing particles keep their density
   EXPECT_TRUE(refused([](OrientedBody& b) { b.points[1].z = 1; }));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.shape.move.x = 1; }));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].region.move.x = 1; }));
@@ -166,11 +166,11 @@ TEST(SceneMarks, SettingsOfTheSurfaceAreTold) {
   s.surface.adapt = 0.5;
   s.surface.source = SurfelSource::Particles;
   EXPECT_EQ(settingChanges(then, s, 0).size(), 1u);
-  EXPECT_TRUE(coefficientChanges(then, s).empty());  // forces are not found anew for it
+  EXPECT_TRUE(coefficientChanges(then, s).empty());  // forces are not recomputed for it
   EXPECT_EQ(changesOfTheStart(then, s).size(), 1u);
 }
 
-/// The words that the scene file has, for whatever is chosen there.
+/// Choices are reported by the words of the scene file.
 TEST(SceneMarks, ChoicesAreToldByTheirWords) {
   Scene s = sample();
   s.surface.on = true;
@@ -191,8 +191,8 @@ TEST(SceneMarks, ChoicesAreToldByTheirWords) {
   std::swap(other.materials[0], other.materials[1]);
   EXPECT_EQ(sceneDifferences(then, other),
             (std::vector<std::string>{"domain.periodic.x was false, and is true now",  // the tap's material
-                                                                                       // has the same name,
-                                                                                       // and another place
+                                                                                       // keeps its name and
+                                                                                       // has another place
                                       "material.oil was 1, and is 0 now (place in the list)",
                                       "material.wax was 0, and is 1 now (place in the list)",
                                       "numerics.heat was \"enthalpy\", and is \"paper\" now",
@@ -300,7 +300,8 @@ TEST(SceneMarks, WhatActsFromOutsideIsTold) {
   EXPECT_EQ(told([](Scene& o) { o.sheets[0].wrapTo = "pan"; }), 1u);
   EXPECT_EQ(told([](Scene& o) { o.sheets[0].brushes[0].motion.push_back({1, {1, 0, 0}, {}}); }), 7u);
   EXPECT_EQ(told([](Scene& o) { o.oriented[0].cfl = 1; }), 1u);
-  EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].radius = 7; }), 1u);  // its region has one, too
+  EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].radius = 7; }), 1u);  // its region has a radius as
+                                                                              // well
   EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].region.radius = 7; }), 1u);
   EXPECT_EQ(told([](Scene& o) { o.obstacles[0].shape.move.z = 1; }), 1u);
   EXPECT_EQ(told([](Scene& o) { o.obstacles[0].temperature = 500; }), 1u);
@@ -319,9 +320,9 @@ TEST(SceneMarks, EventsThatHaveBeenAreToldAsWithoutEffect) {
   EXPECT_FALSE(changesOfPastEvents(then, s, 1).empty());
   EXPECT_TRUE(settingChanges(then, s, 1).empty());
   Scene later = s;
-  later.oriented[0].events[0].time = 2;  // it has been, and will be once more
+  later.oriented[0].events[0].time = 2;  // it has happened and will happen again
   EXPECT_FALSE(settingChanges(sceneMarks(s), later, 1.5).empty());
-  EXPECT_FALSE(settingChanges(sceneMarks(later), s, 1.5).empty());  // it was to be, and will not be
+  EXPECT_FALSE(settingChanges(sceneMarks(later), s, 1.5).empty());  // it was to happen and will not
 }
 
 TEST(SceneMarks, OfManyBodiesAnyChangeIsSeen) {

@@ -1,4 +1,4 @@
-// What the reader says of scenes that are wrong: every message with its place, all of a file at once.
+// Messages of the reader for wrong scenes: each with its place, all of a file at once.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-/// A scene that is right; cases replace parts of it.
+/// A valid scene; cases replace parts of it.
 const std::string good = R"(spacing = "2 cm"
 end = "1 s"
 [domain]
@@ -146,8 +146,7 @@ TEST(BadScene, TextsThatAreNoScene) {
   starts(std::string((16u << 20) + 1, '\n'), "s.toml: error: larger than 16 MiB");
   starts("\xff\xfe\x01\x02", "s.toml:1:1: error: ");
   starts("# nothing but this\n", "s.toml:1:1: error: there is nothing to simulate");
-  for (std::size_t cut = 1; cut < good.size(); cut++) {  // a file that ends too early is an error, or is a
-                                                         // scene with that much in it
+  for (std::size_t cut = 1; cut < good.size(); cut++) {  // a truncated file is an error, or a shorter scene
     try {
       readScene(sceneFilesOf("s.toml", good.substr(0, cut)));
     } catch (const SceneErrors& e) { EXPECT_FALSE(e.lines.empty()); }

@@ -1,4 +1,4 @@
-// What the table of keys says of its keys.
+// Descriptions in the table of keys.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// quality picks the defaults of [numerics]; keys that are given win. Liquid that fills a periodic box gets
-// choices of its own.
+// `quality` selects the defaults of [numerics]; explicit keys take precedence. Liquid that fills a periodic
+// box has its own defaults.
 #include <gtest/gtest.h>
 
 #include "io/scene/read_scene.hpp"

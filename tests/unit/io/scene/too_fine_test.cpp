@@ -1,5 +1,5 @@
-// Spacings that no machine has room for: one message, at the line that says them, with the number of
-// particles.
+// Spacings that exceed any machine's memory give one message with the number of particles, at the line that
+// sets them.
 #include <gtest/gtest.h>
 
 #include "io/scene/read_scene.hpp"
@@ -22,7 +22,7 @@ std::string body(const std::string& shape) {
   return "[[body]]\nname = \"b\"\nmaterial = \"j\"\n" + shape + "\n";
 }
 
-/// Is it one line that begins and goes on like this?
+/// True if the text is one line that begins with `begins` and contains the rest.
 testing::AssertionResult saysOnce(const std::string& text, const std::string& begins,
                                   const std::string& has) {
   const std::string e = errorOf(text);

@@ -76,7 +76,7 @@ TEST(Units, Values) {
 }
 
 TEST(Units, DecimalFactorsGiveTheNearestDouble) {
-  EXPECT_EQ(parseQuantity("7 cm").value, 0.07);  // 7 * 0.01 is not
+  EXPECT_EQ(parseQuantity("7 cm").value, 0.07);  // 7 * 0.01 differs
   EXPECT_EQ(parseQuantity("1.1 mm").value, 1.1 / 1000);
   EXPECT_EQ(parseQuantity("35 ms").value, 0.035);
 }
@@ -109,7 +109,7 @@ TEST(Units, Errors) {
   for (const auto& t : table) EXPECT_EQ(parseQuantity(t.text).error, t.error) << t.text;
 }
 
-TEST(Units, InfinityIsNotFinite) {  // the reader of keys rejects what is not finite
+TEST(Units, InfinityIsNotFinite) {  // the reader of keys rejects non-finite values
   EXPECT_FALSE(std::isfinite(parseQuantity("inf m").value));
   EXPECT_FALSE(std::isfinite(parseQuantity("nan s").value));
   EXPECT_FALSE(std::isfinite(parseQuantity("1 Gm^9 Gm^9 Gm^9 Gm^9").value));
