@@ -104,38 +104,38 @@ void run(const Cloud& cloud, bool spread, std::size_t piece = largestPiece) {
 
 }  // namespace
 
-TEST(CellHalo, EveryChoiceOfPeriodicAxes) {
+TEST(CellHalo, HandlesEveryChoiceOfPeriodicAxes) {
   for (int periodic = 0; periodic < 8; periodic++) {
     run({plainGrid({5, 4, 6}, periodic), 700}, true);
     run({plainGrid({3, 3, 3}, periodic), 300}, false);
   }
 }
 
-TEST(CellHalo, ManyParticlesOnOneRankAtFirst) { run({plainGrid({12, 9, 10}, 5), 6000}, false); }
+TEST(CellHalo, HandlesManyParticlesOnOneRankAtFirst) { run({plainGrid({12, 9, 10}, 5), 6000}, false); }
 
-TEST(CellHalo, FewOrNoParticles) {
+TEST(CellHalo, HandlesFewOrNoParticles) {
   for (int periodic : {0, 7})
     for (const std::uint64_t number : {0, 1, 2, 5})
       run({plainGrid({7, 5, 4}, periodic), number}, number % 2 == 0);
 }
 
-TEST(CellHalo, AllParticlesInOneCell) {
+TEST(CellHalo, HandlesAllParticlesInOneCell) {
   for (int periodic : {0, 3, 7}) run({plainGrid({5, 4, 6}, periodic), 400, true}, true);
 }
 
-TEST(CellHalo, MoreRanksThanCells) {
+TEST(CellHalo, HandlesMoreRanksThanCells) {
   run({plainGrid({1, 1, 1}, 0), 50}, true);
   run({plainGrid({2, 1, 1}, 0), 50}, false);
   run({plainGrid({1, 3, 1}, 2), 50}, true);
 }
 
-TEST(CellHalo, MessagesInPieces) {
+TEST(CellHalo, SplitsMessagesIntoChunks) {
   for (const std::size_t piece : {smallestPiece, std::size_t{96}, std::size_t{1000}})
     run({plainGrid({5, 4, 6}, 5), 700}, false, piece);
   run({plainGrid({4, 3, 3}, 1), 3000}, true, 4096);
 }
 
-TEST(CellHalo, AHugeSparseGrid) {  // no array may have the size of the grid
+TEST(CellHalo, HandlesAHugeSparseGrid) {  // no array may have the size of the grid
   CellGrid g = plainGrid({maxCellsPerAxis, maxCellsPerAxis, maxCellsPerAxis}, 7);
   const Communicator comm;
   MpiReducer all(comm);
@@ -150,7 +150,7 @@ TEST(CellHalo, AHugeSparseGrid) {  // no array may have the size of the grid
   EXPECT_LT(measuredImbalance(costs(rig, 1), all), 1.15);
 }
 
-TEST(CellHalo, BuffersOfTheFirstMigrationAreNotKept) {
+TEST(CellHalo, ReleasesBuffersOfTheFirstMigration) {
   const Communicator comm;
   MpiReducer all(comm);
   const Cloud cloud{plainGrid({12, 9, 10}, 0), 20000};
@@ -162,7 +162,7 @@ TEST(CellHalo, BuffersOfTheFirstMigrationAreNotKept) {
   EXPECT_LT(halo.bufferBytes(), 10000u);
 }
 
-TEST(CellHalo, MessagesThatOutgrowTheirBuffers) {
+TEST(CellHalo, GrowsBuffersOfMessages) {
   Cloud cloud{plainGrid({4, 3, 3}, 1), 20000};
   const Communicator comm;
   MpiReducer all(comm);
@@ -224,7 +224,7 @@ TEST(CellHalo, RebalancePausesAfterAChange) {
   rig.checkOwned();
 }
 
-TEST(CellHalo, CostsThatAreNotNumbersAreHarmless) {
+TEST(CellHalo, ToleratesNonFiniteCosts) {
   Cloud cloud{plainGrid({8, 8, 8}, 0), 500};
   const Communicator comm;
   MpiReducer all(comm);
@@ -241,7 +241,7 @@ TEST(CellHalo, CostsThatAreNotNumbersAreHarmless) {
   EXPECT_FALSE(halo.rebalance(ownedCells(rig), none, true));
 }
 
-TEST(CellHalo, RowsWithoutACellStay) {
+TEST(CellHalo, KeepsRowsWithoutACell) {
   const Communicator comm;
   MpiReducer all(comm);
   MpiCellHalo halo(comm, plainGrid({6, 6, 6}, 0));

@@ -106,7 +106,7 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
     }
 }
 
-TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheWholeOne) {
+TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheIntactOne) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -158,7 +158,7 @@ TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheWholeOne) {
   EXPECT_EQ(error.find("no checkpoint can be read: "), 0u) << error;
 }
 
-TEST(Checkpoint, AFullDiskKeepsTheOldOnes) {
+TEST(Checkpoint, FullDiskKeepsTheOldOnes) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -179,7 +179,7 @@ TEST(Checkpoint, AFullDiskKeepsTheOldOnes) {
   EXPECT_EQ(readNewestCheckpoint(folder.path, MPI_COMM_WORLD)->header.clock.step, 124);
 }
 
-TEST(Checkpoint, OfAnotherSceneIsRefused) {
+TEST(Checkpoint, RefusesAnotherScene) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);

@@ -61,7 +61,7 @@ bool mentions(const std::vector<std::string>& lines, const std::string& text) {
 
 }  // namespace
 
-TEST(Compare, NothingDependsOnTheNumberOfRanksThatWrote) {
+TEST(Compare, DoesNotDependOnTheNumberOfWriters) {
   compareChanged([](World&) {},
                  [](const Comparison& c) {
                    EXPECT_TRUE(c.equal()) << describe(c)[1];
@@ -192,7 +192,7 @@ TEST(Compare, FieldsInOneFileOnly) {
   EXPECT_TRUE(c.fields.empty());
 }
 
-TEST(Compare, WhatCannotBeReadIsExitCode3) {
+TEST(Compare, UnreadableFilesGiveExitCode3) {
   const Folder folder;
   Sample sample(MPI_COMM_WORLD, N);
   const std::string frame = folder.path + "/f.hdf", bad = folder.path + "/bad.hdf";
@@ -265,7 +265,7 @@ TEST(Compare, DamagedRowsAreNamed) {
   EXPECT_EQ(describePath(bad)["damaged"].dump(), "[\"/particles/velocity\"]");
 }
 
-TEST(Info, SaysWhatIsThereAlsoAsJson) {
+TEST(Info, ListsContentsAlsoAsJson) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);

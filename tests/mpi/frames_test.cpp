@@ -67,7 +67,7 @@ TEST(Frame, HasEveryFieldOfEveryParticle) {
   }
 }
 
-TEST(Frame, OfMoreThan31BitsHasWideConnectivity) {
+TEST(Frame, HasWideConnectivityBeyond31Bits) {
   const Folder folder;
   const std::size_t N = 200;
   Sample sample(MPI_COMM_WORLD, N);
@@ -91,14 +91,14 @@ TEST(Frame, OfMoreThan31BitsHasWideConnectivity) {
   }
 }
 
-TEST(Frame, WithoutAnyParticle) {
+TEST(Frame, IsWrittenWithoutParticles) {
   const Folder folder;
   Sample sample(MPI_COMM_WORLD, 0);
   writeFrame(folder.path + "/f.hdf", MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
   EXPECT_EQ(readFrame(folder.path + "/f.hdf").positions.size(), 0u);
 }
 
-TEST(Frame, FieldsOfModulesThatAreOffStandForWhatTheyMean) {
+TEST(Frame, FieldsOfAbsentModulesHaveTheirMeaning) {
   World w;
   w.scene.materials.resize(1);
   w.scene.materials[0].density = 900;
@@ -130,7 +130,7 @@ TEST(Frame, FieldsOfModulesThatAreOffStandForWhatTheyMean) {
   EXPECT_THROW(frameOf(w, 0), std::invalid_argument);
 }
 
-TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
+TEST(Frame, FullDiskIsAnErrorOnAllRanksAndKeepsTheOldFile) {
   const Folder folder;
   const std::string path = folder.path + "/f.hdf";
   Sample small(MPI_COMM_WORLD, 20), large(MPI_COMM_WORLD, 4000);
@@ -166,7 +166,7 @@ TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
             0u);
 }
 
-TEST(Frame, AFolderThatIsNotThereIsAnErrorOfAllRanks) {
+TEST(Frame, MissingFolderIsAnErrorOnAllRanks) {
   Sample small(MPI_COMM_WORLD, 20);
   const std::string error = sameError([&] {
     writeFrame("/tmp/thaw_there_is_no_such_folder/f.hdf", MPI_COMM_WORLD, frameOf(small.w, rankOf()), stamp);
@@ -174,7 +174,7 @@ TEST(Frame, AFolderThatIsNotThereIsAnErrorOfAllRanks) {
   EXPECT_NE(error.find("No such file or directory"), std::string::npos) << error;
 }
 
-TEST(Series, IsMadeAnewFromTheFramesThatAreThere) {
+TEST(Series, IsRebuiltFromTheExistingFrames) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);

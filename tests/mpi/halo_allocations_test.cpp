@@ -8,7 +8,7 @@
 using namespace thaw;
 using namespace thaw::test;
 
-TEST(CellHalo, ASteadyStepAllocatesNothing) {
+TEST(CellHalo, SteadyStepAllocatesNothing) {
   const Communicator comm;
   MpiReducer all(comm);
   const Cloud cloud{plainGrid({6, 7, 8}, 5), 8000};

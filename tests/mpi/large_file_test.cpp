@@ -30,7 +30,7 @@ struct SharedFolder {
 
 }  // namespace
 
-TEST(LargeFile, RowsBeyond32Bits) {
+TEST(LargeFile, HoldsRowsBeyond32Bits) {
   const SharedFolder folder;
   ASSERT_NE(folder.name[0], 0);
   const std::string path = std::string(folder.name) + "/large.hdf";

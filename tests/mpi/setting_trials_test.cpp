@@ -23,7 +23,7 @@ std::string fallingWater(const std::string& folder) {
 
 }  // namespace
 
-TEST(SettingTrials, LeaveOutWhatFailsOnTheScene) {
+TEST(SettingTrials, RejectSettingsThatFailOnTheScene) {
   const Folder folder;
   const Communicator comm;
   SettingTrials trials(comm, {fallingWater(folder.path), {}, 512});
@@ -39,7 +39,7 @@ TEST(SettingTrials, LeaveOutWhatFailsOnTheScene) {
   EXPECT_NE(refused->find("is refused"), std::string::npos) << *refused;
 }
 
-TEST(SettingTrials, LeaveLargeScenesAlone) {
+TEST(SettingTrials, SkipLargeScenes) {
   const Folder folder;
   const Communicator comm;
   SettingTrials trials(comm, {fallingWater(folder.path), {}, 1e6});

@@ -53,7 +53,7 @@ TEST(SparseExchange, EverythingArrivesInOrderOfSenders) {
   }
 }
 
-TEST(SparseExchange, LongMessagesTravelInPieces) {
+TEST(SparseExchange, LongMessagesAreSplitIntoChunks) {
   const Communicator comm(MPI_COMM_WORLD, 64);
   ASSERT_EQ(comm.piece(), 64u);
   const std::size_t sizes[] = {1, 63, 64, 65, 128, 1000, 6400};  // multiples of a chunk end with an empty one
@@ -77,7 +77,7 @@ TEST(SparseExchange, LongMessagesTravelInPieces) {
   }
 }
 
-TEST(SparseExchange, CountsWhatItSends) {
+TEST(SparseExchange, CountsItsMessages) {
   const Communicator comm(MPI_COMM_WORLD, 64);
   if (comm.size() == 1) return;
   const std::vector<Message> out{{(comm.rank() + 1) % comm.size(), std::vector<std::byte>(100)}};
@@ -88,7 +88,7 @@ TEST(SparseExchange, CountsWhatItSends) {
   EXPECT_GE(comm.traffic().total().waited, 0);
 }
 
-TEST(Transfer, PiecesArriveInOrder) {
+TEST(Transfer, ChunksArriveInOrder) {
   const Communicator comm(MPI_COMM_WORLD, 64);
   if (comm.size() == 1) return;
   const int to = (comm.rank() + 1) % comm.size(), from = (comm.rank() + comm.size() - 1) % comm.size();
@@ -105,7 +105,7 @@ TEST(Transfer, PiecesArriveInOrder) {
   }
 }
 
-TEST(MpiReducer, LongReductionsGoInPieces) {
+TEST(MpiReducer, LongReductionsAreSplit) {
   const Communicator comm(MPI_COMM_WORLD, 64);
   MpiReducer all(comm);
   std::vector<std::int64_t> sums(200);

@@ -60,7 +60,7 @@ double askedFor(bool solid) {
 
 // The limit leaves no room for temporary copies: bonds made twice, columns, ids and lists that double, or
 // stored positions that follow from their numbers.
-TEST(Start, AsksTheSystemOnce) {
+TEST(Start, RequestsMemoryOnce) {
   if (Communicator().size() > 1) GTEST_SKIP() << "messages of the first partition add to it";
   const double solid = askedFor(true), fluid = askedFor(false);
   measured("bytes per particle requested at the start: solid %.0f, fluid %.0f", solid, fluid);

@@ -72,17 +72,17 @@ void runSteady(const Scene& scene, int mostBusy = 10) {
 }  // namespace
 
 // With motion, lists exceed their largest length now and then.
-TEST(Step, FewStepsAllocateWhereAllMoves) { runSteady(blockInAPool()); }
+TEST(Step, FewStepsAllocateInMotion) { runSteady(blockInAPool()); }
 
 // Without falling bodies no step allocates: liquid, solid, heat, contacts and walls.
-TEST(Step, ASteadyStepAllocatesNothing) {
+TEST(Step, SteadyStepAllocatesNothing) {
   Scene s = blockInAPool();
   s.domain.gravity = {};
   s.numerics.fixedStep = 1e-5;
   runSteady(s, 0);
 }
 
-TEST(Step, NorDoesImplicitViscosity) {
+TEST(Step, SteadyImplicitViscosityAllocatesNothing) {
   Scene s = blockInAPool();
   s.numerics.viscositySolver = ViscositySolver::Implicit;
   runSteady(s);

@@ -62,7 +62,7 @@ void expectSame(const SurfaceComponent& a, const SurfaceComponent& b) {
 
 }  // namespace
 
-TEST(SurfaceComponents, AreThoseOfASingleProcess) {
+TEST(SurfaceComponents, EqualThoseOfASingleProcess) {
   const Communicator comm;
   World3 whole, part;
   SerialSurfaceRanks serial(whole.rig.world.surface.grid);

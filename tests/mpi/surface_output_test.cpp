@@ -83,7 +83,7 @@ void expectSame(const Surface& a, const Surface& b) {
 
 }  // namespace
 
-TEST(SurfaceOutput, ACheckpointHasAllOfIt) {
+TEST(SurfaceOutput, CheckpointHoldsTheSurface) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -114,7 +114,7 @@ TEST(SurfaceOutput, ACheckpointHasAllOfIt) {
   }
 }
 
-TEST(SurfaceOutput, ACheckpointWithoutOneIsReadWhereTheSceneHasNone) {
+TEST(SurfaceOutput, CheckpointWithoutASurfaceIsReadForScenesWithoutOne) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -137,7 +137,7 @@ TEST(SurfaceOutput, ACheckpointWithoutOneIsReadWhereTheSceneHasNone) {
   EXPECT_THROW(restoreWorld(with, *slice, rankOf() == 0), IoError) << "a scene that needs surfels";
 }
 
-TEST(SurfaceOutput, AGoodStateHasAllOfIt) {
+TEST(SurfaceOutput, SnapshotHoldsTheSurface) {
   Sample sample(MPI_COMM_WORLD, 100);
   World& w = sample.w;
   GoodState kept;

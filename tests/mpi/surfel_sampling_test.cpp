@@ -101,7 +101,7 @@ void expectSame(double adapt) {
 }
 
 TEST(SurfelSampling, IsTheSameOnAnyNumberOfRanks) { expectSame(0); }
-TEST(SurfelSampling, WithAdaptedDensityToo) { expectSame(0.4); }
+TEST(SurfelSampling, IsTheSameWithAdaptedDensity) { expectSame(0.4); }
 
 }  // namespace
 }  // namespace thaw

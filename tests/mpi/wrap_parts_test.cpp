@@ -32,7 +32,7 @@ Vec3d middleOf(const Vec3i& c) {
   return x;
 }
 
-TEST(WrapParts, EachRankHasWhatItsVerticesNeedAndGivesBackWhatDraws) {
+TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
   const Communicator comm(MPI_COMM_WORLD);
   MpiReducer all(comm);
   Domain domain;

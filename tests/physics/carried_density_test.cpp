@@ -33,7 +33,7 @@ void stir(Simulation& r) {
   takeStock(r.w, r.halos(), r.tools);
 }
 
-TEST(CarriedDensity, KeepsMomentumToRoundingAndEnergyInTheBooks) {
+TEST(CarriedDensity, ConservesMomentumToRoundingAndClosesTheLedger) {
   for (const bool corrected : {false, true})
     for (const double shifting : {0.0, 0.1}) {
       Scene s = fullBox(0.1);
@@ -74,7 +74,7 @@ double lostByCollision(bool corrected, double dt) {
   return r.books().energyResidual / kinetic;
 }
 
-TEST(CarriedDensity, TheWorkOfPressureIsInTheBooksToTheSquareOfTheStep) {
+TEST(CarriedDensity, PressureWorkIsRecordedToSecondOrder) {
   for (const bool corrected : {false, true}) {
     const double whole = std::abs(lostByCollision(corrected, 1e-4)),
                  half = std::abs(lostByCollision(corrected, 5e-5));
@@ -107,7 +107,7 @@ void stirVortices(Simulation& r) {
   takeStock(r.w, r.halos(), r.tools);
 }
 
-TEST(CarriedDensity, VorticesDecayAsTheyShould) {
+TEST(CarriedDensity, VorticesDecayAtTheExactRate) {
   Simulation r(vortices(1));
   stirVortices(r);
   const double start = r.books().now.kinetic;

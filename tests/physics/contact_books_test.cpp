@@ -39,7 +39,7 @@ double lostByBlow(double restitution, double friction, double dt) {
   return r.books().energyResidual / kinetic;
 }
 
-TEST(ContactBooks, DashpotsAndFrictionAreInThemToTheSquareOfTheStep) {
+TEST(ContactEnergy, DashpotsAndFrictionAreRecordedToSecondOrder) {
   for (const double restitution : {0.3, 0.9}) {
     const double whole = std::abs(lostByBlow(restitution, 0.4, 1e-4)),
                  half = std::abs(lostByBlow(restitution, 0.4, 5e-5));

@@ -56,7 +56,7 @@ double energyError(ElasticLaw law, double dt, Precision precision) {
 
 }  // namespace
 
-TEST(ElasticBody, energyErrorOfFreeVibrationIsOfSecondOrder) {
+TEST(ElasticBody, EnergyErrorOfFreeVibrationIsOfSecondOrder) {
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
     const double coarse = energyError(law, 2e-3, Precision::Double),
                  fine = energyError(law, 1e-3, Precision::Double);
@@ -69,7 +69,7 @@ TEST(ElasticBody, energyErrorOfFreeVibrationIsOfSecondOrder) {
   EXPECT_LT(single, 5e-4);
 }
 
-TEST(ElasticBody, speedOfPressureWaves) {
+TEST(ElasticBody, SpeedOfPressureWavesIsExact) {
   // A standing wave in a periodic block. MLS is slow by 1.6 % at 20 spacings per wavelength for h <= 2 dx
   // (docs/validation/accuracy.md).
   const int n = 20;
@@ -96,7 +96,7 @@ TEST(ElasticBody, speedOfPressureWaves) {
   EXPECT_NEAR(measured / speed, 0.984, 0.006);
 }
 
-TEST(ElasticBody, checkerboardIsNotFree) {
+TEST(ElasticBody, CheckerboardHasEnergy) {
   // docs/validation/stability.md B2: without hourglass control the checkerboard mode has no energy inside
   const auto points = lattice({8, 8, 8}, 0.1);
   for (const double alpha : {0.0, 0.1}) {
@@ -113,7 +113,7 @@ TEST(ElasticBody, checkerboardIsNotFree) {
   }
 }
 
-TEST(ElasticBody, stepLimitIsStableAndNotWasteful) {
+TEST(ElasticBody, StepLimitIsStableAndTight) {
   const auto points = lattice({6, 6, 6}, 0.1, 0.2);
   for (const double support : {1.6, 2.0})
     for (const double factor : {1.0, 6.0}) {
@@ -136,7 +136,7 @@ TEST(ElasticBody, stepLimitIsStableAndNotWasteful) {
 }
 
 // Frozen liquid is no lattice: close pairs, holes, thin crusts. The step follows the worst neighbourhood.
-TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
+TEST(ElasticBody, StepLimitIsStableForUnevenNeighbourhoods) {
   std::vector<std::vector<Vec3d>> bodies{
       lattice({6, 6, 6}, 0.1, 0.35), lattice({9, 9, 1}, 0.1, 0.25), {}, {}, {{0, 0, 0}, {0.04, 0, 0}}};
   const auto dust = lattice({8, 8, 8}, 0.1, 0.3);
@@ -169,7 +169,7 @@ TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
     }
 }
 
-TEST(ElasticBody, latticeGripBoundsLattices) {
+TEST(ElasticBody, LatticeGripBoundsLattices) {
   for (const double support : {1.5, 1.75, 2.0, 2.5, 3.0}) {
     BodyOptions options;
     options.support = support;
@@ -178,7 +178,7 @@ TEST(ElasticBody, latticeGripBoundsLattices) {
   }
 }
 
-TEST(ElasticBody, dampingTakesWhatItBooks) {
+TEST(ElasticBody, DampingRecordsItsDissipation) {
   const auto points = lattice({5, 4, 4}, 0.1, 0.1);
   Material m = elasticMaterial(1e5, 0.3);
   m.damping = 20;

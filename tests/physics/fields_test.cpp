@@ -52,9 +52,11 @@ Names sorted(Names n) { return std::sort(n.begin(), n.end()), n; }
 
 }  // namespace
 
-TEST(Fields, OfALiquid) { EXPECT_EQ(sorted(fields(block(false))), with(always, {"continuum.filling"})); }
+TEST(Fields, LiquidHasTheNecessaryOnes) {
+  EXPECT_EQ(sorted(fields(block(false))), with(always, {"continuum.filling"}));
+}
 
-TEST(Fields, OfASolid) {
+TEST(Fields, SolidHasTheNecessaryOnes) {
   EXPECT_EQ(sorted(fields(block(true))),
             with(always, {"continuum.slot", "solid.id", "solid.particle", "solid.material", "solid.reference",
                           "solid.volume", "solid.position", "solid.momentInverse", "solid.deformation",
@@ -63,7 +65,7 @@ TEST(Fields, OfASolid) {
 
 // Forces share storage with accelerations, unless both are read or a constrained particle's acceleration
 // differs from its force.
-TEST(Fields, ForcesOfTheirOwnWhereAskedFor) {
+TEST(Fields, ForcesAreSeparateWhereNecessary) {
   Scene clamped = block(true);
   clamped.domain.gravity = {0, 0, -9.81};
   Scene free = clamped;
@@ -113,7 +115,7 @@ TEST(Fields, CohesionAndArtificialViscosityAddNone) {
   EXPECT_EQ(added(s, block(false)), (Names{"continuum.smoothing"}));
 }
 
-TEST(Fields, OfSolidsThatYieldBreakOrAreDamped) {
+TEST(Fields, YieldFractureAndDampingAddTheirOwn) {
   Scene plastic = block(true);
   plastic.materials[0].yieldStrain = {0.1, 0.1};
   plastic.materials[0].maxPlasticStrain = 0.1;
@@ -133,7 +135,7 @@ TEST(Fields, OfSolidsThatYieldBreakOrAreDamped) {
   EXPECT_EQ(added(damped, block(true)), (Names{"solid.velocity", "solid.drag", "solid.dissipated"}));
 }
 
-TEST(Fields, OfWhatMelts) {
+TEST(Fields, MeltingAddsItsOwn) {
   Scene s = block(true);
   Material& m = s.materials[0];
   m.solidus = m.liquidus = 350;
@@ -146,7 +148,7 @@ TEST(Fields, OfWhatMelts) {
                    "continuum.softening", "solid.liquid", "solid.melted"}));
 }
 
-TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
+TEST(Fields, SurfaceAddsTwoToParticlesAndItsOwnTables) {
   Scene s = block(false);
   s.surface.on = true;
   const auto ofParticles = [&] {
@@ -165,7 +167,7 @@ TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
       << "a relaxed packing has no staircase to smooth";
 }
 
-TEST(Fields, MemoryOfWhatIsNotThereIsNone) {
+TEST(Fields, AbsentOnesUseNoMemory) {
   const Simulation liquid(block(false));
   const Names absent{"solids", "bonds", "elastic work", "surface"};
   for (const MemoryUse& u : memoryOf(liquid.w, liquid.tools)) {

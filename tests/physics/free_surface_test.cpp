@@ -31,14 +31,14 @@ Scene cubeOf(int n, bool floor) {
   return s;
 }
 
-TEST(FreeSurface, EigenvaluesAreComparedWithoutBeingFound) {
+TEST(FreeSurface, EigenvaluesAreComparedByDeterminants) {
   const Sym3d m{2, 2, 3, 0.5, 0, 0};  // eigenvalues 1.5, 2.5, 3
   EXPECT_TRUE(eigenvaluesAbove(m, 1.49));
   EXPECT_FALSE(eigenvaluesAbove(m, 1.51));
   EXPECT_FALSE(eigenvaluesAbove(m, 2.7));  // two eigenvalues are below, so the determinant is positive
 }
 
-TEST(FreeSurface, IsTheOutermostLayerAndNotTheOneAtAWall) {
+TEST(FreeSurface, IsTheOutermostLayerWithoutWalls) {
   for (const bool floor : {false, true}) {
     Simulation r(cubeOf(6, floor));
     const Continuum& p = r.particles();
@@ -85,7 +85,7 @@ Scene spinningSquare() {
   return s;
 }
 
-TEST(FreeSurface, SummedDensityOfATornLiquidIsSeen) {
+TEST(FreeSurface, ReportsSummedDensityOfTornLiquids) {
   Scene s = spinningSquare();
   s.numerics.density = DensityForm::Summation;
   s.numerics.tensileLimit = s.numerics.shifting = 0;
@@ -95,7 +95,7 @@ TEST(FreeSurface, SummedDensityOfATornLiquidIsSeen) {
   EXPECT_LT(connectedDensity(r.w, r.all), 0.7);
 }
 
-TEST(FreeSurface, ALayerWithCarriedDensitiesIsSeenAsThin) {
+TEST(FreeSurface, ReportsThinLayersWithCarriedDensities) {
   Scene s = spinningSquare();
   s.bodies[0].shape.size.z = 0.6 * s.spacing;  // a single layer
   s.domain.side[2][0] = s.domain.side[2][1] = Side::Open;

@@ -64,7 +64,7 @@ TEST(HeatSource, WarmsAtItsRate) {
   EXPECT_NEAR(run.books().heatIn, 500 * 4 * run.books().now.mass, 1e-6);
 }
 
-TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
+TEST(Tempering, BringsOneMaterialToItsTemperatureAndRecordsTheHeat) {
   Scene s = liquidColumn(6);
   s.materials[0].conductivity = {0, 0};
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
@@ -86,7 +86,7 @@ TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
   EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.now.internal);
 }
 
-TEST(Tempering, AtOnceTakesOneStep) {
+TEST(Tempering, TakesOneStepWithoutADuration) {
   Scene s = liquidColumn(6);
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
   s.temperings = {temper(0.2, 0, 310)};
@@ -98,7 +98,7 @@ TEST(Tempering, AtOnceTakesOneStep) {
 }
 
 // K05's model counts c T from 0 K, including the heat of the initial state and of emitters.
-TEST(Tempering, OfThePapersModelLeavesNoResidual) {
+TEST(Tempering, LeavesNoResidualInThePapersModel) {
   Scene s = liquidColumn(12);
   s.numerics.heat = HeatModel::Paper;
   Material& m = s.materials[0];

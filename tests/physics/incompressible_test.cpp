@@ -41,7 +41,7 @@ Scene dam() {
 
 }  // namespace
 
-TEST(Incompressible, HydrostaticColumnHoldsItsDensity) {
+TEST(Incompressible, HydrostaticColumnKeepsItsDensity) {
   const Scene s = hydrostatic();
   Simulation run(s);
   const Continuum& p = run.particles();
@@ -85,7 +85,7 @@ TEST(Incompressible, DamBreakNeedsFewSteps) {
   EXPECT_LT(std::abs(b.energyResidual), 0.02 * b.energyScale);
 }
 
-TEST(Incompressible, LiquidThatPullsDoesNotTearItsFreeSurface) {
+TEST(Incompressible, NegativePressureDoesNotTearTheFreeSurface) {
   Scene s = emptyScene(0.02, {-0.4, -0.4, -0.4}, {0.4, 0.4, 0.4});
   s.numerics.solver = PressureSolver::Incompressible;
   s.numerics.tensileLimit = 1;
@@ -104,7 +104,7 @@ TEST(Incompressible, LiquidThatPullsDoesNotTearItsFreeSurface) {
 }
 
 // Two drops collide; no walls, no gravity.
-TEST(Incompressible, MomentumIsKept) {
+TEST(Incompressible, MomentumIsConserved) {
   Scene s = emptyScene(0.02, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   s.materials.emplace_back();
   s.materials[0].viscosity = {0.1, 0.1};
@@ -126,7 +126,7 @@ TEST(Incompressible, MomentumIsKept) {
 // A layer of wax freezes from below under its weight. Frozen particles keep no pressure of their last step as
 // a liquid. Their pairs with other solids are summed only if a liquid shares their group of eight, and groups
 // depend on the number of ranks.
-TEST(Incompressible, WhatHasFrozenHasNoPressure) {
+TEST(Incompressible, FrozenParticlesHaveNoPressure) {
   Scene s = emptyScene(0.01, {-0.03, -0.03, 0}, {0.03, 0.03, 0.2});
   for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
   s.domain.gravity = {0, 0, -9.81};

@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-TEST(KindBooks, ADampedSheetMayLeaveTheDomain) {
+TEST(BodyTypeLedger, ClosesForADampedSheetThatLeavesTheDomain) {
   Scene s = test::sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.damping = 1, b.warp = b.weft = 20, b.shear = 5;
@@ -39,7 +39,7 @@ Scene heldBlock() {
   return s;
 }
 
-TEST(KindBooks, WhatHoldsABlockBearsAClothOnIt) {
+TEST(BodyTypeLedger, ClampRecordsTheImpulseOfAClothOnItsBlock) {
   Scene s = heldBlock();
   s.sheets = test::sheetScene(SheetMesh::Grid).sheets;
   s.sheets[0].warp = s.sheets[0].weft = 50, s.sheets[0].damping = 1;
@@ -51,7 +51,7 @@ TEST(KindBooks, WhatHoldsABlockBearsAClothOnIt) {
   EXPECT_LT(length(books.momentumResidual), 1e-11 * std::abs(books.wallImpulse.z));
 }
 
-TEST(KindBooks, WhatHoldsABlockBearsANetOnIt) {
+TEST(BodyTypeLedger, ClampRecordsTheImpulseOfANetOnItsBlock) {
   Scene s = heldBlock();
   s.oriented.emplace_back();
   OrientedBody& b = s.oriented.back();
@@ -66,7 +66,7 @@ TEST(KindBooks, WhatHoldsABlockBearsANetOnIt) {
   EXPECT_LT(length(books.momentumResidual), 1e-11 * std::abs(books.wallImpulse.z));
 }
 
-TEST(KindBooks, WorkOfPressureIsThatOfTheMovementInSemiImplicitSteps) {
+TEST(BodyTypeLedger, PressureWorkFollowsTheMotionInSemiImplicitSteps) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.oriented.emplace_back();
   OrientedBody& b = s.oriented.back();
@@ -105,7 +105,7 @@ Scene weightless(bool ball) {
   return s;
 }
 
-TEST(KindBooks, ContactOfASheetWithoutMassMakesNoEnergy) {
+TEST(BodyTypeLedger, ContactOfAMasslessSheetCreatesNoEnergy) {
   test::Simulation sim(weightless(true));
   ASSERT_TRUE(sim.run());
   const LedgerReport books = sim.books();
@@ -113,7 +113,7 @@ TEST(KindBooks, ContactOfASheetWithoutMassMakesNoEnergy) {
   EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.energyScale);
 }
 
-TEST(KindBooks, WorkFromOutsideIsNoAlarmWhereNothingWasBefore) {
+TEST(BodyTypeLedger, ExternalWorkOnAnEmptyBudgetIsNoFailure) {
   test::Simulation sim(weightless(false));
   while (sim.w.clock.step < 20) ASSERT_TRUE(sim.step());
   const LedgerReport books = sim.books();
@@ -124,7 +124,7 @@ TEST(KindBooks, WorkFromOutsideIsNoAlarmWhereNothingWasBefore) {
 }
 
 /// A cloth whose middle has another mass falls on a floor.
-TEST(KindBooks, ContactGoesByTheMassOfARegion) {
+TEST(BodyTypeLedger, ContactUsesTheMassOfTheRegion) {
   for (const double factor : {1.0, 0.01, 100.0}) {
     Scene s = test::sheetScene(SheetMesh::Grid);
     s.domain.gravity = {0, 0, -9.81};

@@ -42,7 +42,7 @@ TEST(Ledger, FreeSpinningSolidKeepsMomentumAngularMomentumAndEnergy) {
   }
 }
 
-TEST(Ledger, PeriodicLiquidKeepsMomentumAndBooksWhatViscosityTakes) {
+TEST(Ledger, PeriodicLiquidConservesMomentumAndRecordsDissipation) {
   Scene s = columnScene(dx, 0, 6 * dx);
   s.domain.side[2] = {Side::Periodic, Side::Periodic};
   s.numerics.precision = Precision::Double;
@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(Ledger, LeavingDrop,
                          testing::Values(TensionForm::SurfaceEnergy, TensionForm::Pairwise));
 
 // Particles that fall through a periodic side re-enter higher up. The ledger records that height.
-TEST(Ledger, FallsThroughPeriodicSides) {
+TEST(Ledger, RecordsFallsThroughPeriodicSides) {
   Scene s = columnScene(dx, 0, 12 * dx);
   s.domain.side[2] = {Side::Periodic, Side::Periodic};
   s.domain.gravity = {1, 0, -10};
@@ -144,7 +144,7 @@ TEST(Ledger, FallsThroughPeriodicSides) {
 
 // A slow emitter just above a floor: emitted liquid backs up, and the emitter pushes it like a piston. The
 // ledger records its work.
-TEST(Ledger, EmitterIsAPiston) {
+TEST(Ledger, RecordsWorkOfAnEmitterAsAPiston) {
   Scene s = emptyScene(0.01, {-0.2, -0.2, -0.02}, {0.2, 0.2, 0.2});
   s.domain.gravity = {0, 0, -9.81};
   s.materials.emplace_back();
@@ -172,7 +172,7 @@ TEST(Ledger, EmitterIsAPiston) {
 
 // A solid softens, sags and melts on a hot plate. The ledger records the energy that elasticity, pressure,
 // tension, contacts and bonds lose to a changing liquid fraction.
-TEST(Ledger, MeltingSolid) {
+TEST(Ledger, ClosesForAMeltingSolid) {
   Scene s = emptyScene(0.01, {-0.2, -0.2, -0.02}, {0.2, 0.2, 0.2});
   s.domain.gravity = {0, 0, -9.81};
   s.materials.push_back(wax());
@@ -191,7 +191,7 @@ TEST(Ledger, MeltingSolid) {
 
 // Liquids of two bodies that do not weld come closer than solids may. Their contacts exist as soon as they
 // freeze, and push.
-TEST(Ledger, ContactsOfWhatHasJustFrozenAreBooked) {
+TEST(Ledger, RecordsContactsOfFreshlyFrozenParticles) {
   Scene s;
   s.spacing = dx;
   s.domain.gravity = {};
@@ -219,7 +219,7 @@ TEST(Ledger, ContactsOfWhatHasJustFrozenAreBooked) {
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * made);
 }
 
-TEST(StepLimits, AStretchedSolidNeedsSmallerSteps) {
+TEST(StepLimits, StretchedSolidNeedsSmallerSteps) {
   Scene s = freeBlock(ElasticLaw::Green);
   s.materials[0].hourglass = 0.1;  // a small part of the modulus
   Simulation run(s);

@@ -41,7 +41,7 @@ std::int64_t inBlock(const World& w) {
   return n;
 }
 
-TEST(OrientedBirthRoom, NoneIsBornInAnObstacle) {
+TEST(OrientedBirthRoom, NoBirthInsideObstacles) {
   Scene s = growingPatch();
   Obstacle& wall = test::addFloor(s);
   wall.shape.point = {0.15, 0, 0};
@@ -52,7 +52,7 @@ TEST(OrientedBirthRoom, NoneIsBornInAnObstacle) {
   for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++) EXPECT_LT(x.w.oriented.rows.position[i].x, 0.15);
 }
 
-TEST(OrientedBirthRoom, NoneIsBornInASolid) {
+TEST(OrientedBirthRoom, NoBirthInsideSolids) {
   Scene s = growingPatch();
   addBlock(s);
   test::Simulation x(s);
@@ -62,7 +62,7 @@ TEST(OrientedBirthRoom, NoneIsBornInASolid) {
 }
 
 // Solids beyond a periodic side count as well.
-TEST(OrientedBirthRoom, NoneIsBornInASolidAcrossAPeriodicSide) {
+TEST(OrientedBirthRoom, NoBirthInsideSolidsAcrossPeriodicSides) {
   Scene s = growingPatch();
   addBlock(s);
   s.domain.side[0] = {Side::Periodic, Side::Periodic};
@@ -74,7 +74,7 @@ TEST(OrientedBirthRoom, NoneIsBornInASolidAcrossAPeriodicSide) {
   EXPECT_EQ(inBlock(x.w), 0);
 }
 
-TEST(OrientedBirthRoom, NorBeforeTheStart) {
+TEST(OrientedBirthRoom, NoBirthInsideSolidsBeforeTheStart) {
   Scene s = growingPatch();
   addBlock(s);
   test::addFloor(s).shape = test::boxOf({-0.3, -0.4, -0.2}, {-0.15, 0.4, 0.2});

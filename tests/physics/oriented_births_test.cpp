@@ -43,7 +43,7 @@ Scene drawnOverABall() {
   return s;
 }
 
-TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
+TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsTheLedgerClosed) {
   const Scene s = drawnOverABall();
   test::Simulation x(s);
   const std::size_t before = x.w.oriented.rows.owned;
@@ -75,7 +75,7 @@ std::int64_t birthsOfAHotSurface(Scene s, double end) {
 
 // Oscillating or exploding surfaces are not stretched. Room between two particles alone is no gap: each birth
 // there would cause more.
-TEST(Oriented, SurfacesThatShakeHaveNoGaps) {
+TEST(Oriented, OscillatingSurfacesHaveNoGaps) {
   EXPECT_LT(birthsOfAHotSurface(patchScene(0), 0.4), 15);  // 132 at the start
   Scene s = patchScene(0);
   s.oriented[0].source = OrientedSource::Surface;
@@ -84,7 +84,7 @@ TEST(Oriented, SurfacesThatShakeHaveNoGaps) {
   EXPECT_LT(birthsOfAHotSurface(s, 0.4), 50);  // 500 at the start
 }
 
-TEST(Oriented, AHoleIsFilledAndNothingElse) {
+TEST(Oriented, OnlyHolesAreFilled) {
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Points;
@@ -106,7 +106,7 @@ TEST(Oriented, AHoleIsFilledAndNothingElse) {
 }
 
 // Particles that leave the surface of given points are removed, also in a run, and no others.
-TEST(Oriented, WhoStraysOffGivenPointsGoes) {
+TEST(Oriented, ParticlesFarFromGivenPointsAreRemoved) {
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Surface;
@@ -132,7 +132,7 @@ TEST(Oriented, WhoStraysOffGivenPointsGoes) {
 }
 
 // The weight of particles that are born or die within a step counts for the whole step.
-TEST(Oriented, BirthsUnderGravityKeepTheBooksOfMomentum) {
+TEST(Oriented, BirthsUnderGravityKeepTheMomentumLedgerClosed) {
   Scene s = drawnOverABall();
   s.domain.gravity = {0.3, 0, -1};
   test::Simulation x(s);
@@ -143,7 +143,7 @@ TEST(Oriented, BirthsUnderGravityKeepTheBooksOfMomentum) {
 }
 
 /// Particles born on a sheet are pressed into it at once: potential energy that no motion has supplied.
-TEST(Oriented, BirthsOnASheetKeepTheBooks) {
+TEST(Oriented, BirthsOnASheetKeepTheLedgerClosed) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.oriented.emplace_back();
   OrientedBody& o = s.oriented[0];
@@ -174,7 +174,7 @@ TEST(Oriented, BirthsOnASheetKeepTheBooks) {
   EXPECT_LT(std::abs(l.energyResidual), 0.001 * l.energyScale);
 }
 
-TEST(Oriented, ABodyNeverHasMoreThanMost) {
+TEST(Oriented, BodyNeverExceedsItsMaximumNumber) {
   Scene s = drawnOverABall();
   s.oriented[0].most = 232 + 11;
   test::Simulation x(s);

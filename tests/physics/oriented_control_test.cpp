@@ -67,14 +67,14 @@ Scene controlScene(const std::vector<Vec3d>& points) {
   return s;
 }
 
-TEST(OrientedControl, IsMadeThroughItsControlPoints) {
+TEST(OrientedControl, PassesThroughItsControlPoints) {
   for (const Figure& f : figures()) {
     test::Simulation x(controlScene(f.points));
     EXPECT_LT(farthestFromBody(x.w.oriented.rows, f.points, x.w.scene.spacing), 1e-9) << f.name;
   }
 }
 
-TEST(OrientedControl, KeepsThemAsItRelaxesAndAfterIt) {
+TEST(OrientedControl, KeepsThemDuringAndAfterRelaxation) {
   for (const Figure& f : figures()) {
     Scene s = controlScene(f.points);
     s.oriented[0].relax = 1500;
@@ -95,7 +95,7 @@ TEST(OrientedControl, KeepsThemAsItRelaxesAndAfterIt) {
 }
 
 // A fine plate with too few particles for its area would tear around the constrained ones.
-TEST(OrientedControl, KeepsThemWhereThePlateIsSteepAndFine) {
+TEST(OrientedControl, KeepsThemOnASteepFinePlate) {
   const Figure f = figures()[0];
   Scene s = controlScene(f.points);
   s.spacing = 0.028;

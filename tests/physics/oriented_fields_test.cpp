@@ -65,7 +65,7 @@ TEST(OrientedFields, ActInTheirRegionForTheirTime) {
 
 /// Start and end of fields and corners of their factors lie within steps. The impulse is that of their whole
 /// time.
-TEST(OrientedFields, GiveTheSameByWhateverSteps) {
+TEST(OrientedFields, GiveTheSameImpulseForAnySteps) {
   for (const auto how : integrators)
     for (const double step : {1e-3, 0.0171, 0.09}) {
       Scene s = looseScene();
@@ -106,7 +106,7 @@ TEST(OrientedFields, GiveTheSameByWhateverSteps) {
     }
 }
 
-TEST(OrientedFields, ThatBeginWhereNobodyIsAreNoted) {
+TEST(OrientedFields, WithoutParticlesAtTheirStartAreReported) {
   Scene s = looseScene();
   OrientedField f;
   f.push = {0, 0, 1};
@@ -125,7 +125,7 @@ TEST(OrientedFields, ThatBeginWhereNobodyIsAreNoted) {
 
 /// The force of a point derives from an energy. It acts inside its radius only, and a particle that passes
 /// through keeps its speed.
-TEST(OrientedFields, APointGivesBackWhatItTakes) {
+TEST(OrientedFields, ForceOfAPointIsConservative) {
   for (const auto how : integrators)
     for (const double pull : {30.0, -30.0}) {
       Scene s = looseScene();

@@ -14,7 +14,7 @@ using test::patchScene;
 
 // An anchor constrains to the end of the step in which it is released. The impulse of that step is the
 // anchor's.
-TEST(Oriented, AnchorsThatLetGoUnderLoadKeepTheBooks) {
+TEST(Oriented, ReleasedAnchorsUnderLoadKeepTheLedgerClosed) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
                          OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
@@ -40,7 +40,7 @@ TEST(Oriented, AnchorsThatLetGoUnderLoadKeepTheBooks) {
 }
 
 // An anchor that turns normals bends the patch. Its work is that of torques.
-TEST(Oriented, TheWorkOfAnchorsOfNormalsIsBooked) {
+TEST(Oriented, LedgerRecordsWorkOfNormalAnchors) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta}) {
     Scene s = patchScene(0);
     OrientedBody& b = s.oriented[0];
@@ -64,7 +64,7 @@ TEST(Oriented, TheWorkOfAnchorsOfNormalsIsBooked) {
   }
 }
 
-TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
+TEST(Oriented, SheetPatchContactConservesMomentumAndEnergy) {
   Scene s = patchScene(0);
   s.oriented[0].density = 2;
   SheetBody sheet;
@@ -99,7 +99,7 @@ TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
   EXPECT_LT(std::abs(after.energyResidual), 0.01 * before.now.kinetic);
 }
 
-TEST(Oriented, BodyAndPatchThatMeetKeepMomentum) {
+TEST(Oriented, BodyPatchContactConservesMomentum) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
                          OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
@@ -122,7 +122,7 @@ TEST(Oriented, BodyAndPatchThatMeetKeepMomentum) {
 
 // Impulse and work of a moving obstacle that disappears are those of its position when the forces were
 // computed.
-TEST(Oriented, AMovingObstacleIsInTheBooks) {
+TEST(Oriented, LedgerRecordsWorkOfMovingObstacles) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
                          OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
@@ -166,7 +166,7 @@ TEST(Oriented, RestsOnAnObstacle) {
 }
 
 // A patch flies out of an open side, row by row. The ledger records the energy of its pairs with the rest.
-TEST(Oriented, APatchThatLeavesTheDomainKeepsItsBooks) {
+TEST(Oriented, LedgerClosesWhenAPatchLeavesTheDomain) {
   Scene s = patchScene(0);
   s.domain.gravity = {};
   const Vec3d size = s.domain.max - s.domain.min;

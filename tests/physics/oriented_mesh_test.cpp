@@ -34,7 +34,7 @@ std::vector<std::string> toldOf(const test::Simulation& x, const std::string& wh
   return all;
 }
 
-TEST(OrientedMesh, AnOpenSurfaceBeginsAtRestAndStaysOpen) {
+TEST(OrientedMesh, OpenSurfaceStartsAtRestAndStaysOpen) {
   Scene s = test::patchScene(0);
   s.domain.gravity = {};
   s.oriented[0].source = OrientedSource::Surface;
@@ -52,7 +52,7 @@ TEST(OrientedMesh, AnOpenSurfaceBeginsAtRestAndStaysOpen) {
   EXPECT_LT(highest, 1.5 * s.spacing) << "the opening stays open";
 }
 
-TEST(OrientedMesh, HolesThatAreClosedInObstaclesAndAnchorsAreTold) {
+TEST(OrientedMesh, ClosedHolesOfObstaclesAndAnchorsAreReported) {
   Scene s = test::patchScene(0);
   s.oriented[0].shape.move = {0, 0, 0.2};
   OrientedAnchor a;

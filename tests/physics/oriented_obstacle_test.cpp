@@ -82,19 +82,19 @@ Outcome runBlock(const Scene& s) {
   return out;
 }
 
-TEST(OrientedObstacle, ABlockDoesNotSinkThroughASurfaceThatIsHeld) {
+TEST(OrientedObstacle, BlockDoesNotSinkThroughAFixedSurface) {
   const Outcome o = runBlock(blockOnFilm(true));
   EXPECT_EQ(o.most, 0);
   EXPECT_GT(o.bodyLow, 0.003);
   EXPECT_GT(o.bodySpeed, 0);  // it has bounced
 }
 
-TEST(OrientedObstacle, ABlockTakesASurfaceThatIsHeldAtItsEdgeAlong) {
+TEST(OrientedObstacle, BlockDragsASurfaceFixedAtItsEdge) {
   const Outcome o = runBlock(blockOnFilm(false));
   EXPECT_EQ(o.most, 0);
 }
 
-TEST(OrientedObstacle, ABlanketStaysOutOfWhatItFallsOn) {
+TEST(OrientedObstacle, BlanketStaysOutOfTheBodyBelow) {
   Scene s = test::emptyScene(0.01, {-0.25, -0.25, -0.05}, {0.25, 0.25, 0.3});
   s.domain.gravity = {0, 0, -9.81};
   test::addFloor(s);
@@ -115,7 +115,7 @@ TEST(OrientedObstacle, ABlanketStaysOutOfWhatItFallsOn) {
 
 /// A film that grows where it is stretched falls on a ball. New particles within contact distance of the
 /// ball's particles must not be ejected by the barrier.
-TEST(OrientedObstacle, BirthsInContactAreNotThrown) {
+TEST(OrientedObstacle, BirthsInContactAreNotEjected) {
   Scene s = test::emptyScene(0.02, {-0.3, -0.3, -0.02}, {0.3, 0.3, 0.3});
   s.domain.gravity = {0, 0, -9.81};
   test::addFloor(s);

@@ -40,7 +40,7 @@ TEST(OrientedRelaxation, EndsWherePointsSuggestNoSurface) {
   EXPECT_LT(o.relaxed, 10 * relaxPatience(o.relaxProgress.most));
 }
 
-TEST(OrientedRelaxation, OfGoodPointsIsNotCutShort) {
+TEST(OrientedRelaxation, RunsToRestForConsistentPoints) {
   test::Simulation x(pointsOfABall(100, 0));
   EXPECT_TRUE(x.tools.oriented.atRest);
   EXPECT_FALSE(x.tools.oriented.gotNowhere);

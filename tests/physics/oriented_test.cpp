@@ -16,7 +16,7 @@ using test::patchScene;
 
 double pairEnergy(test::Simulation& x) { return x.books().now.elastic; }
 
-TEST(Oriented, EnergyAndMomentaAreKept) {
+TEST(Oriented, EnergyAndMomentaAreConserved) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta}) {
     Scene s = patchScene(0.1);
     s.oriented[0].integrator = how;
@@ -78,7 +78,7 @@ TEST(Oriented, SemiImplicitIsStableFarBeyondTheExplicitStep) {
 }
 
 // The integrator of the first body applies to all, and so does its step limit.
-TEST(Oriented, TheStepIsThatOfTheFirstIntegrator) {
+TEST(Oriented, FirstIntegratorSetsTheStep) {
   double dt[2];
   for (const bool both : {false, true}) {
     Scene s = patchScene(0.1);
@@ -121,7 +121,7 @@ TEST(Oriented, AntiparallelPairTurns) {  // B17
   EXPECT_GT(dot(x.w.oriented.rows.normal[0], x.w.oriented.rows.normal[1]), 0.9);
 }
 
-TEST(Oriented, CutStopsForcesAcrossAndWeldMakesThem) {
+TEST(Oriented, CutRemovesForcesAndWeldAddsThem) {
   Scene s = patchScene(0);
   OrientedEvent cut;
   cut.kind = OrientedEventKind::Cut;
@@ -146,7 +146,7 @@ TEST(Oriented, CutStopsForcesAcrossAndWeldMakesThem) {
 
 /// Welded rims that overlap by half a spacing: particles that are too close are removed, and the surface is
 /// connected and at rest.
-TEST(Oriented, AWeldOfRimsThatOverlapHolds) {
+TEST(Oriented, WeldOfOverlappingRimsHolds) {
   Scene s = patchScene(0);
   s.oriented[0].damping = s.oriented[0].spinDamping = 12;
   s.oriented[0].density = 20;
@@ -198,7 +198,7 @@ TEST(Oriented, MassIsDensityTimesArea) {
   EXPECT_NEAR(test::Simulation(s).books().now.mass, 3 * 3.14159265358979 * 0.52 * 0.52, 1e-12);
 }
 
-TEST(Oriented, CurveFollowsAPointThatIsLifted) {  // as in scenes/oriented/curve2d.toml
+TEST(Oriented, CurveFollowsALiftedPoint) {  // as in scenes/oriented/curve2d.toml
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Curve;
@@ -237,7 +237,7 @@ TEST(Oriented, CurveFollowsAPointThatIsLifted) {  // as in scenes/oriented/curve
 
 // Control points replace the nearest lattice particles. Neighbours half a spacing apart would burst the
 // unrelaxed plate.
-TEST(Oriented, AThinPlateThroughControlPointsHoldsWithoutRelaxation) {
+TEST(Oriented, ThinPlateThroughControlPointsHoldsWithoutRelaxation) {
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Control;

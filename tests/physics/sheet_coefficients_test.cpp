@@ -30,7 +30,7 @@ Scene ball() {
   return s;
 }
 
-TEST(SheetCoefficients, ForcesAreSlopesOfEnergiesAtAnyTimeAndInRegions) {
+TEST(SheetCoefficients, ForcesAreGradientsOfEnergiesAtAnyTimeAndInRegions) {
   for (Scene s : {clothOfAll(), ball()}) {
     SheetBody& b = s.sheets[0];
     SheetRegion& half = addHalf(b);
@@ -45,7 +45,7 @@ TEST(SheetCoefficients, ForcesAreSlopesOfEnergiesAtAnyTimeAndInRegions) {
 
 /// Stretches a strip of two materials and changes one coefficient after another. The ledger records the
 /// energy of the change, and the residual falls with the square of the step.
-TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
+TEST(SheetCoefficients, LedgerRecordsWorkOfChanges) {
   for (const F f : {F::Warp, F::Shear, F::Bending, F::Volume, F::Push, F::Pull, F::Stiffness}) {
     double residual[2], scale = 0;
     for (int k = 0; k < 2; k++) {
@@ -79,7 +79,7 @@ TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
 }
 
 /// Springs that appear in time: the step shortens before they are stiff.
-TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
+TEST(SheetCoefficients, StepsShortenBeforeSpringsGrowStiff) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.warp = b.weft = b.shear = 4000;
@@ -101,7 +101,7 @@ TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
 
 /// Chosen steps resolve fast changes. One step from frame to frame over a change would give errors of 27 %
 /// (damping) to 160 % (stiffness) in positions.
-TEST(SheetCoefficients, FastChangesAreFollowed) {
+TEST(SheetCoefficients, FastChangesAreResolved) {
   for (const double ramp : {0.1, 0.01, 0.001})
     for (const F f : {F::Stiffness, F::Damping}) {
       std::vector<Vec3d> at[2];
@@ -129,7 +129,7 @@ TEST(SheetCoefficients, FastChangesAreFollowed) {
     }
 }
 
-TEST(SheetCoefficients, WindAndWrapGoByTheirRegionAndTime) {
+TEST(SheetCoefficients, WindAndWrapFollowTheirRegionAndTime) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.wrap = 2;

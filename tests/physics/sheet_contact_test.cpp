@@ -88,10 +88,10 @@ Scene crumpled() {
   return s;
 }
 
-TEST(SheetContact, ForcesAreSlopesOfEnergies) { test::expectForcesFromEnergy(crumpled()); }
+TEST(SheetContact, ForcesAreGradientsOfEnergies) { test::expectForcesFromEnergy(crumpled()); }
 
 /// Contact conserves momentum and angular momentum; dashpots and friction act on both ends.
-TEST(SheetContact, MomentaAreKept) {
+TEST(SheetContact, MomentaAreConserved) {
   Scene s = crumpled();
   for (const double friction : {0.0, 0.5}) {
     s.sheets[1].velocity = {0.3, 0.1, -0.5};
@@ -109,7 +109,7 @@ TEST(SheetContact, MomentaAreKept) {
 
 /// A cloth without another step limit falls on the floor, flat and inclined. Its approach must limit the
 /// step: otherwise energies are off by up to 164 % (flat, elastic) and 83 % (inclined, with dashpots).
-TEST(SheetContact, BlowsOfCoarseClothsKeepTheBooks) {
+TEST(SheetContact, LedgerClosesForImpactsOfCoarseCloths) {
   for (const double restitution : {1.0, 0.3})
     for (const double tilt : {0.0, 0.2})
       for (const double warp : {0.0, 50.0}) {
@@ -141,7 +141,7 @@ TEST(SheetContact, BlowsOfCoarseClothsKeepTheBooks) {
 
 /// Two free sheets collide at 16 m/s. Their approach must limit the step: otherwise energies are off by 22
 /// and 49 %, and by 2 % at restitution 1 without friction.
-TEST(SheetContact, SheetsThatClapKeepTheBooks) {
+TEST(SheetContact, LedgerClosesForCollidingSheets) {
   for (const double restitution : {1.0, 0.3})
     for (const double below : {0.015, 0.02}) {
       Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
@@ -204,7 +204,7 @@ std::set<std::array<std::uint32_t, 4>> allPairs(const World& w) {
 }
 
 /// Lists with a margin find the same pairs.
-TEST(SheetContact, ListsMissNothing) {
+TEST(SheetContact, ListsFindAllPairs) {
   Scene s = foldingScene(true);
   s.sheets[0].spacing = 0.03;
   s.sheets.push_back(s.sheets[0]);

@@ -11,7 +11,7 @@ namespace {
 
 using test::sheetScene;
 
-TEST(Sheets, MeetTheContinuumAndTakeItsHeat) {
+TEST(Sheets, TouchTheContinuumAndTakeItsHeat) {
   Scene s;
   s.spacing = 0.05;
   s.domain.min = {-0.6, -0.6, -0.2};
@@ -73,7 +73,7 @@ Scene blockInANet(double turned) {
 
 /// Contact by triangles derives from one energy: its gradient is the force on every corner and particle, also
 /// within reach of several triangles.
-TEST(Sheets, FaceContactIsTheSlopeOfAnEnergy) {
+TEST(Sheets, FaceContactIsTheGradientOfAnEnergy) {
   test::Simulation sim(blockInANet(0.3));
   ASSERT_TRUE(sim.w.sheets.plans[0].byFaces);
   Sheets& v = sim.w.sheets.rows;
@@ -115,7 +115,7 @@ TEST(Sheets, FaceContactIsTheSlopeOfAnEnergy) {
 
 /// A rubber cube falls on a net, which gives way, so that the nearest triangle changes all the time. The
 /// depth of the nearest triangle alone would leave up to 93 % of the energy unexplained.
-TEST(Sheets, ACubeOnANetKeepsTheBooks) {
+TEST(Sheets, LedgerClosesForACubeOnANet) {
   for (const double turned : {0.0, 0.44}) {
     Scene s = blockInANet(turned);
     s.domain.gravity = {0, 0, -9.81};
@@ -176,7 +176,7 @@ TEST(Sheets, FrictionWithTrianglesKeepsAngularMomentum) {
 /// A hot block touches the middle of a coarse cloth. Vertices at the rim of contact stay cold, and nothing
 /// gets hotter than the block or cools it below the cloth. Heat must not be distributed by the weights of the
 /// nearest point: that would heat vertices to 455 K next to a block of 400 K.
-TEST(Sheets, NothingGetsHotterThanWhatHeatsIt) {
+TEST(Sheets, NothingGetsHotterThanItsHeatSource) {
   for (const double spacing : {0.015, 0.03, 0.01}) {  // the last one by points
     Scene s = test::emptyScene(0.02, {-0.5, -0.5, -0.1}, {0.5, 0.5, 0.6});
     s.materials.emplace_back();
@@ -280,7 +280,7 @@ Scene waterOnACloth(double spacing, const Vec3d& low, const Vec3d& high) {
 /// Water on a cloth with vertices three, one or half of its spacings apart. None passes through at the
 /// automatic contact rate, and the ledger closes. Contact stiffness must not follow the mass of the vertices,
 /// since light cloths would leak.
-TEST(Sheets, ClothHoldsWaterWhateverItsVertices) {
+TEST(Sheets, ClothHoldsWaterForAnyVertexSpacing) {
   for (const double spacing : {0.06, 0.02, 0.01}) {
     Scene s = waterOnACloth(spacing, {-0.1, -0.1, 0.05}, {0.1, 0.1, 0.17});
     if (spacing < 0.06) {

@@ -37,7 +37,7 @@ void expectDrawn(const Scene& s, double share) {
   EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
 }
 
-TEST(SheetWrap, TowardABodyOfTheContinuum) {
+TEST(SheetWrap, PullsTowardAContinuumBody) {
   Scene s = clothOver();
   s.spacing = 0.03;
   s.materials.emplace_back();
@@ -47,7 +47,7 @@ TEST(SheetWrap, TowardABodyOfTheContinuum) {
   expectDrawn(s, 0.5);
 }
 
-TEST(SheetWrap, TowardAnOrientedBody) {
+TEST(SheetWrap, PullsTowardAnOrientedBody) {
   Scene s = clothOver();
   s.oriented.emplace_back();
   OrientedBody& o = s.oriented[0];
@@ -60,7 +60,7 @@ TEST(SheetWrap, TowardAnOrientedBody) {
   expectDrawn(s, 0.5);
 }
 
-TEST(SheetWrap, TowardAnotherSheet) {
+TEST(SheetWrap, PullsTowardAnotherSheet) {
   Scene s = clothOver();
   SheetBody b = s.sheets[0];
   b.name = "target";
@@ -92,7 +92,7 @@ TEST(SheetWrap, DrawsOutOfABody) {
 }
 
 /// A closed membrane comes to rest around a ball and compresses it without moving it.
-TEST(SheetWrap, AMembraneComesToLieRoundABall) {
+TEST(SheetWrap, MembraneComesToRestAroundABall) {
   Scene s = test::sheetScene(SheetMesh::Sphere);
   s.spacing = 0.04;
   s.materials.emplace_back();

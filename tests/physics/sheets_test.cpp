@@ -37,7 +37,7 @@ TEST(Sheets, StepsOfAnyLengthAreExactWhereForcesAreConstant) {
   }
 }
 
-TEST(Sheets, ForcesAreSlopesOfEnergies) {
+TEST(Sheets, ForcesAreGradientsOfEnergies) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.warp = 30, b.weft = 12, b.shear = 4, b.bending = 2;
@@ -53,7 +53,7 @@ TEST(Sheets, ForcesAreSlopesOfEnergies) {
 /// budget. Leap-frog conserves a modified energy (Hairer, Lubich & Wanner 2006, "Geometric Numerical
 /// Integration", IX.3), which differs by dt^2 (v U'' v / 12 - f^2 / 24 m). The residual equals that
 /// difference up to fourth order, so no entry is missing.
-TEST(Sheets, WhatBooksOfSpringsMissIsTheEnergyOfLeapFrog) {
+TEST(Sheets, SpringResidualIsTheLeapFrogEnergy) {
   double worst[2];
   for (const bool half : {false, true}) {
     Scene s = test::emptyScene(0.05, {-2, -2, -2}, {2, 2, 2});
@@ -112,7 +112,7 @@ TEST(Sheets, WhatBooksOfSpringsMissIsTheEnergyOfLeapFrog) {
 }
 
 /// Leaving vertices take their mass along. The remaining mesh is open and has no pressure.
-TEST(Sheets, ABallThatLosesVerticesLosesItsPressure) {
+TEST(Sheets, BallThatLosesVerticesLosesItsPressure) {
   Scene s = sheetScene(SheetMesh::Sphere);
   SheetBody& b = s.sheets[0];
   b.volumeStiffness = 500;
@@ -132,7 +132,7 @@ TEST(Sheets, ABallThatLosesVerticesLosesItsPressure) {
 
 /// A brush that crosses the sheet in one step, or acts for part of one, has the same effect as in many short
 /// steps.
-TEST(Sheets, BrushesActAlongTheirWayInStepsOfAnyLength) {
+TEST(Sheets, BrushesActAlongTheirPathInStepsOfAnyLength) {
   for (const bool moves : {true, false}) {
     std::vector<double> speed[2];
     for (int k = 0; k < 2; k++) {
@@ -161,7 +161,7 @@ TEST(Sheets, BrushesActAlongTheirWayInStepsOfAnyLength) {
   }
 }
 
-TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
+TEST(Sheets, PlasticityKeepsItsShareOfTheExcess) {
   for (const double plasticity : {0.0, 0.25, 0.5, 1.0})
     for (const double dt : plasticity == 1 ? std::vector{0.1, 0.013, 0.0013} : std::vector{0.1, 0.013}) {
       Scene s = sheetScene(SheetMesh::Grid);
@@ -196,7 +196,7 @@ TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
 
 // Light vertices without springs in a wind: the drag limits the step, and they reach the wind's speed without
 // overshoot.
-TEST(Sheets, WindTakesLightVerticesAlongAndNoFaster) {
+TEST(Sheets, WindDragsLightVerticesToItsSpeed) {
   Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
   SheetBody b;
   b.name = "leaf";
@@ -220,7 +220,7 @@ TEST(Sheets, WindTakesLightVerticesAlongAndNoFaster) {
 
 /// At rest there is no drag. The first step must be short enough that the drag at its end does not reverse
 /// the motion.
-TEST(Sheets, FallsFromRestToItsSpeedInAir) {
+TEST(Sheets, FallsFromRestToTerminalSpeed) {
   Scene s = sheetScene(SheetMesh::Grid);
   s.domain.min.z = -20;
   s.domain.gravity = {0, 0, -9.81};
@@ -244,7 +244,7 @@ TEST(Sheets, FallsFromRestToItsSpeedInAir) {
   EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
 }
 
-TEST(Sheets, BooksOfAClothThatFallsOnTheFloorAndItself) {
+TEST(Sheets, LedgerClosesForAClothThatFallsOnFloorAndItself) {
   Scene s = sheetScene(SheetMesh::Grid);
   s.spacing = 0.025;
   s.domain.gravity = {0, 0, -9.81};
@@ -266,7 +266,7 @@ TEST(Sheets, BooksOfAClothThatFallsOnTheFloorAndItself) {
   EXPECT_NEAR(books.now.mass, 0.5 * 0.36, 1e-12);
 }
 
-TEST(Sheets, AreNothingToAScene) {
+TEST(Sheets, CostNothingInScenesWithoutSheets) {
   Scene s;
   s.spacing = 0.1;
   s.materials.emplace_back();

@@ -34,7 +34,7 @@ double lowest(const Continuum& p, std::uint16_t body) {
   return z;
 }
 
-TEST(Sleep, BlocksThatComeToRestSleepAndKeepTheirPlace) {
+TEST(Sleep, BlocksAtRestSleepAndKeepTheirPosition) {
   Scene s = blocks(0.1);
   test::Simulation awakeOnes(s);
   ASSERT_TRUE(awakeOnes.run());
@@ -53,7 +53,7 @@ TEST(Sleep, BlocksThatComeToRestSleepAndKeepTheirPlace) {
   EXPECT_LT(length(books.momentumResidual), 1e-6 * books.now.mass);
 }
 
-TEST(Sleep, ABlockThatFallsOnASleeperWakesItAndNotTheOther) {
+TEST(Sleep, FallingBlockWakesOnlyTheBlockItHits) {
   Scene s = blocks(4);
   s.numerics.sleepSpeed = 0.02;
   s.numerics.sleepAfter = 0.02;
@@ -81,7 +81,7 @@ std::size_t sleepers(const Continuum& p, std::uint16_t body) {
   return n;
 }
 
-TEST(Sleep, NobodyIsHeldInTheAirHoweverLargeTheSpeed) {
+TEST(Sleep, NoBlockSleepsInTheAir) {
   Scene s = blocks(4);
   s.numerics.sleepSpeed = 1;  // free fall reaches it after 0.1 s; sleep_after is 0.05 s
   s.end = 1;
@@ -93,7 +93,7 @@ TEST(Sleep, NobodyIsHeldInTheAirHoweverLargeTheSpeed) {
   EXPECT_NEAR(lowest(x.particles(), 1), 4.7 - 0.5 * 9.81 * x.w.clock.time * x.w.clock.time, 0.01);
 }
 
-TEST(Sleep, AWallThatPushesWakesWhomItPushesAndNotTheOther) {
+TEST(Sleep, PushingWallWakesOnlyThePushedBlock) {
   Scene s = blocks(4);
   s.numerics.sleepSpeed = s.numerics.sleepAfter = 0.02;
   s.bodies.erase(s.bodies.begin() + 1);

@@ -52,7 +52,7 @@ TEST(Substeps, FrequencyOfAFreeBarIsTheSame) {
   EXPECT_NEAR(eight, one, 0.01 * one);
 }
 
-TEST(Substeps, MomentumAndEnergyOverAThousandSteps) {
+TEST(Substeps, ConserveMomentumAndEnergyOverAThousandSteps) {
   Scene s = stiffBlock(8);
   s.bodies[0].spin = {0, 3, 4};
   s.bodies[0].velocity = {0.5, 0.2, 0.1};
@@ -72,7 +72,7 @@ TEST(Substeps, MomentumAndEnergyOverAThousandSteps) {
 
 // The ledger records clamp, floor contact, damping and creep. Plastic flow does not depend on the number of
 // substeps.
-TEST(Substeps, BooksOfWallsClampsAndCreep) {
+TEST(Substeps, LedgerClosesForWallsClampsAndCreep) {
   double plastic[2];
   for (const int n : {1, 8}) {
     Scene s = stiffBlock(n);
@@ -101,7 +101,7 @@ TEST(Substeps, BooksOfWallsClampsAndCreep) {
 
 // With 8 substeps the step is near half a period of modes of the undamped block, which pumps 0.8 % of the
 // energy into it.
-TEST(Substeps, StiffBlockInWater) {
+TEST(Substeps, KeepAStiffBlockInWaterStable) {
   for (const int n : {1, 4}) {
     Scene s = columnScene(0.01, 0, 0.3);
     s.domain.max = {0.12, 0.12, 0.3};

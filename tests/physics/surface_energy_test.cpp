@@ -55,7 +55,7 @@ double radiusOfGyration(const Continuum& p, double spacing) {
 
 // A slab of the lattice: a column has the energy 0.81 sigma A on either side (the value that drops need to
 // have sigma, surface_energy.hpp). There is no force along the surface and none inside.
-TEST(SurfaceEnergy, FlatLattice) {
+TEST(SurfaceEnergy, FlatLatticeHasTheCalibratedEnergy) {
   const double dx = 0.1;
   Scene s = withTension(columnScene(dx, -2, 2));
   addBox(s, {0, 0, -6 * dx}, {6 * dx, 6 * dx, 6 * dx});
@@ -111,7 +111,7 @@ double climbOf(double support, const Vec3d& size, const Vec3d& aside, bool floor
 
 // A one-particle drop that approaches liquid of its kind or a floor meets no energy barrier, so it does not
 // hang a support radius above it.
-TEST(SurfaceEnergy, NothingToClimbForALoneParticle) {
+TEST(SurfaceEnergy, LoneParticleMeetsNoBarrier) {
   EXPECT_LT(climbOf(2, {8, 8, 4}, {0.5, 0.5, 0}), 0.2);  // over a particle
   EXPECT_LT(climbOf(2, {8, 8, 4}, {0, 0, 0}), 0.2);      // over the hollow between four particles
   EXPECT_LT(climbOf(2, {1, 1, 1}, {0, 0, 0}), 0.2);      // over another lone particle
@@ -122,7 +122,7 @@ TEST(SurfaceEnergy, NothingToClimbForALoneParticle) {
 }
 
 // A lone particle has the surface of a sphere of its volume.
-TEST(SurfaceEnergy, AloneItIsASphere) {
+TEST(SurfaceEnergy, LoneParticleHasTheSurfaceOfASphere) {
   for (const double support : {1.5, 2.0, 2.5, 3.0}) {
     Numerics n;
     n.support = support;
@@ -143,7 +143,7 @@ TEST(SurfaceEnergy, WallCoverIsSmooth) {
 }
 
 // Derivatives of the energy with respect to the state.
-TEST(SurfaceEnergy, SlopesOfTheState) {
+TEST(SurfaceEnergy, DerivativesOfTheStateMatchDifferences) {
   const SurfaceMeasure m = surfaceMeasure(Numerics{}, 0.1);
   const double step = 1e-6;
   for (const double cover : {0.0, 0.1 * m.full, 0.3 * m.full, 0.5 * m.full, 0.8 * m.full, 1.1 * m.full}) {
@@ -164,7 +164,7 @@ TEST(SurfaceEnergy, SlopesOfTheState) {
 }
 
 // Forces are the gradient of the energy, at a free surface and at a wall, with pressure.
-TEST(SurfaceEnergy, ForcesAreItsSlope) {
+TEST(SurfaceEnergy, ForcesAreItsGradient) {
   Scene s = drop(0.4);
   s.bodies[0].shape = boxOf({-0.8, -0.8, -2}, {0.8, 0.8, -0.4});
   s.bodies[0].packing = Packing::Lattice;
@@ -199,7 +199,7 @@ TEST(SurfaceEnergy, ForcesAreItsSlope) {
 }
 
 // A long drop contracts, and its internal forces do not move it.
-TEST(SurfaceEnergy, KeepsMomentum) {
+TEST(SurfaceEnergy, ConservesMomentum) {
   Scene s = drop(0.2);
   s.bodies[0].shape = boxOf({-0.4, -0.4, -1.4}, {0.4, 0.4, 1.4});
   s.end = 0.3;
@@ -220,7 +220,7 @@ TEST(SurfaceEnergy, KeepsMomentum) {
 
 // Laplace: 2 sigma / R. The surface of a drop comes to rest in one of many states: single drops of R / dx = 8
 // differ by some per cent.
-TEST(SurfaceEnergy, PressureInADrop) {
+TEST(SurfaceEnergy, PressureInADropIsLaplaces) {
   Scene s = drop(0.125);
   s.end = 2;
   Simulation run(s);
@@ -267,7 +267,7 @@ TEST(SurfaceEnergy, DropsKeepTheirVolume) {
 
 // A relaxed ball of liquid without tension stays as it is: no position is overfull, and no pressure expands
 // it.
-TEST(RelaxedPacking, BallWithoutTensionStaysAsItIs) {
+TEST(RelaxedPacking, BallWithoutTensionStaysAtRest) {
   Scene s = drop(0.125);
   s.materials[0].surfaceTension = 0;
   s.materials[0].soundSpeed = 10;

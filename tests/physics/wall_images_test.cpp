@@ -102,7 +102,7 @@ void expectSame(const Difference& d) {
 
 }  // namespace
 
-TEST(WallImages, aSceneMovedByHalfAPeriodIsTheSame) {
+TEST(WallImages, SceneMovedByHalfAPeriodIsTheSame) {
   const Vec3d half{0.5 * period.x, 0.5 * period.y, 0};
   const auto still = after(150, postsIn({})), moved = after(150, postsIn(half));
   expectSame(between(still, moved, half));
@@ -115,13 +115,13 @@ TEST(WallImages, aSceneMovedByHalfAPeriodIsTheSame) {
   EXPECT_GT(felt.speed, 0.01);  // the obstacles have an effect
 }
 
-TEST(WallImages, anObstacleAPeriodAwayIsTheSame) {
+TEST(WallImages, ObstacleAPeriodAwayIsTheSame) {
   Scene away = postsIn({});
   for (Obstacle& o : away.obstacles) o.shape.move += Vec3d{-period.x, 2 * period.y, 0};
   expectSame(between(after(100, postsIn({})), after(100, away), {}));
 }
 
-TEST(WallImages, orientedParticlesFeelThem) {
+TEST(WallImages, ActOnOrientedParticles) {
   const auto place = [](const Vec3d& off) {
     Scene s = basin();
     s.materials.clear();
@@ -146,7 +146,7 @@ TEST(WallImages, orientedParticlesFeelThem) {
   EXPECT_LT(c.position[0].z, 9.5 * dx);  // without the obstacle it falls below its top
 }
 
-TEST(WallImages, emittersAndBodiesMayNotBeginInThem) {
+TEST(WallImages, RefuseEmittersAndBodiesInside) {
   Scene s = basin();
   addObstacle(s, {-4 * dx, 8 * dx, 0}, {4 * dx, 16 * dx, 10 * dx});  // beyond the low side along x
   addBox(s, {10 * dx, 8 * dx, 0}, {14 * dx, 12 * dx, 4 * dx});

@@ -50,7 +50,7 @@ TEST(LiquidAtWalls, WaterAtRestStaysAtRest) {
 }
 
 /// A tank cut out of one obstacle holds water at rest as the sides of the domain do.
-TEST(LiquidAtWalls, ATankCutOutOfOneObstacleIsLikeSidesOfTheDomain) {
+TEST(LiquidAtWalls, TankCutOutOfAnObstacleActsLikeDomainSides) {
   const auto restOf = [](bool cut) {
     Scene s = liquidInABox(0.004, {0.032, 0.032, 0.1}, {0.032, 0.032, 0.032}, 0.001);
     s.materials[0].artificialViscosity = 0.02;

@@ -7,7 +7,7 @@
 using namespace thaw;
 
 // A mass that hits a spring and a dashpot, which never pull, in small steps.
-TEST(Dashpot, GivesTheRestitutionThatWasAskedFor) {
+TEST(Dashpot, GivesTheRequestedRestitution) {
   for (const double e : {1.0, 0.9, 0.6, 0.3, 0.1, 0.03}) {
     const double z = dashpotRatio(e), dt = 2e-5;
     double x = 0, v = 1;  // toward the spring; mass and stiffness are 1

@@ -79,7 +79,7 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
 }
 
 // A single liquid with uniform parameters reads less (terms/uniform_forces.hpp) and gives the same bits.
-TEST_P(PairSumsTest, OfOneLiquidAreThoseOfAnyOther) {
+TEST_P(PairSumsTest, OneLiquidHasTheBitsOfTheGeneralCase) {
   for (const bool heat : {false, true}) {
     std::vector<Vec3d> force[2];
     std::vector<double> flow[2], lost[2];

@@ -65,7 +65,7 @@ double norm(const std::vector<Vec3d>& a) {
 
 }  // namespace
 
-TEST(ViscousOperator, IsTheExplicitForce) {
+TEST(ViscousOperator, EqualsTheExplicitForce) {
   for (const Precision precision : {Precision::Single, Precision::Double}) {
     Viscous b(precision);
     const std::vector<Vec3d> with = b.forces(true), without = b.forces(false),
@@ -81,7 +81,7 @@ TEST(ViscousOperator, IsTheExplicitForce) {
   }
 }
 
-TEST(ViscousOperator, BlockIsTheParticlesOwn) {
+TEST(ViscousOperator, DiagonalBlockIsTheParticlesOwn) {
   Viscous b(Precision::Double);
   std::vector<Sym3d> block;
   b.apply("base", ViscousPass::Start, &block);

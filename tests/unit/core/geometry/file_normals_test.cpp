@@ -29,7 +29,7 @@ double worstOf(const TriangleMesh& m, const Vec3d& centre = {}) {
   return worst;
 }
 
-TEST(FileNormals, AreOfLengthOne) {
+TEST(FileNormals, HaveUnitLength) {
   for (const double l : {1e-310, 1e-200, 1.0, 1e200, 1e308})
     EXPECT_NEAR(length(unitNormal({3 * (l / 5), 0, -4 * (l / 5)}) - Vec3d{0.6, 0, -0.8}), 0, 1e-10) << l;
   EXPECT_EQ(unitNormal({}), Vec3d{});
@@ -55,7 +55,7 @@ TEST(FileNormals, StayWithTheirCornersThroughRepairs) {
   EXPECT_EQ(r.turnedNormals + r.unusedNormals, 0);
 }
 
-TEST(FileNormals, OfWhatIsInsideOutAreTurnedAndTold) {
+TEST(FileNormals, AreReversedAndReportedForInvertedMeshes) {
   MeshReport r;
   TriangleMesh two = smoothBall({}, -1);  // inward, with correct triangles
   TriangleMesh other = smoothBall({3, 0, 0});
@@ -74,7 +74,7 @@ TEST(FileNormals, OfWhatIsInsideOutAreTurnedAndTold) {
                                          std::to_string(r.normals / 2) + " normals turned outward");
 }
 
-TEST(FileNormals, ThatSayNothingFollowFromTheTrianglesAndAreTold) {
+TEST(FileNormals, UndefinedOnesFollowFromTrianglesAndAreReported) {
   MeshReport r;
   TriangleMesh odd = smoothBall();
   odd.normals[3][1] = {};
@@ -101,7 +101,7 @@ TEST(FileNormals, ThatSayNothingFollowFromTheTrianglesAndAreTold) {
 
 /// Surfels of a coarse ball, scaled, rotated and moved, have the smooth ball's normals if the file has
 /// normals.
-TEST(FileNormals, AreThoseOfTheSurfels) {
+TEST(FileNormals, AreUsedForSurfels) {
   const auto worst = [](const TriangleMesh& mesh) {
     Shape shape;
     shape.kind = ShapeKind::Mesh;

@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-TEST(Overlap, rulesAndCounts) {
+TEST(Overlap, FollowsItsRulesAndCounts) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   std::vector<Body> bodies(3);
   for (int k = 0; k < 3; k++) {  // boxes of 10 x 10 x 10 in a row: the first two share 4 layers, the third
@@ -45,7 +45,7 @@ TEST(Overlap, rulesAndCounts) {
   }
 }
 
-TEST(Overlap, AcrossPeriodicSides) {
+TEST(Overlap, IsFoundAcrossPeriodicSides) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   Shape s;  // boxes of 10 x 10 x 10 in a domain of 2.4 m: the second reaches over the side into the first by
             // 2 layers, the third around the domain into itself by 4
@@ -75,7 +75,7 @@ TEST(Overlap, AcrossPeriodicSides) {
 }
 
 /// 1,000 boxes of different sizes at random positions: the same pairs as by testing all.
-TEST(Overlap, FindsThePairsOfAllBodiesWhoseBoxesMeet) {
+TEST(Overlap, FindsAllPairsOfOverlappingBoxes) {
   constexpr std::size_t n = 1000;
   const Vec3d period{3, 0, 2};
   std::vector<std::shared_ptr<const SignedDistance>> shapes;

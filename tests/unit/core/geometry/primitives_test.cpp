@@ -20,7 +20,7 @@ std::shared_ptr<const SignedDistance> make(ShapeKind kind, const std::function<v
 const ShapeKind primitives[] = {ShapeKind::Box,   ShapeKind::Sphere,    ShapeKind::Cylinder,
                                 ShapeKind::Torus, ShapeKind::HalfSpace, ShapeKind::Glass};
 
-TEST(Primitives, valuesByHand) {
+TEST(Primitives, DistancesMatchHandComputedValues) {
   EXPECT_DOUBLE_EQ(make(ShapeKind::Box)->distance({1.5, 0, 0}), 1);
   EXPECT_DOUBLE_EQ(make(ShapeKind::Box)->distance({0.5 + 3, 0.5 + 4, 0}), 5);
   EXPECT_DOUBLE_EQ(make(ShapeKind::Box)->distance({0.1, 0.2, -0.3}), -0.2);
@@ -46,7 +46,7 @@ TEST(Primitives, valuesByHand) {
   EXPECT_NEAR(glass->distance({0.6, 0, 2.4}), 0.5, 1e-15);  // from above the cavity to the inner rim
 }
 
-TEST(Primitives, gradientsAreSlopesOfLengthOne) {
+TEST(Primitives, GradientsAreUnitDerivatives) {
   for (const ShapeKind kind : primitives) {
     const auto d = make(kind);
     int checked = 0;
@@ -72,7 +72,7 @@ TEST(Primitives, gradientsAreSlopesOfLengthOne) {
   }
 }
 
-TEST(Primitives, gradientsAreDefinedEverywhere) {
+TEST(Primitives, GradientsAreDefinedEverywhere) {
   for (const ShapeKind kind : primitives) {
     const auto d = make(kind);
     for (const Vec3d& x :
@@ -86,7 +86,7 @@ TEST(Primitives, gradientsAreDefinedEverywhere) {
   }
 }
 
-TEST(Primitives, boundsAreTight) {
+TEST(Primitives, BoundsAreTight) {
   for (const ShapeKind kind : primitives) {
     if (kind == ShapeKind::HalfSpace) continue;
     const auto d = make(kind, [](Shape& s) {
@@ -108,7 +108,7 @@ TEST(Primitives, boundsAreTight) {
   }
 }
 
-TEST(Primitives, refuseWhatIsNoSolid) {
+TEST(Primitives, RefuseShapesWithoutVolume) {
   const auto fails = [](ShapeKind kind, const std::function<void(Shape&)>& change) {
     Shape s;
     s.kind = kind;

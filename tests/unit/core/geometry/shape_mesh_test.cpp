@@ -57,7 +57,7 @@ TEST(ShapeMesh, HasTheAreaAndVolumeOfSimpleShapes) {
   }
 }
 
-TEST(ShapeMesh, TurnsWhatIsTakenAwayAndKeepsNestedPlaces) {
+TEST(ShapeMesh, ReversesSubtractedShapesAndKeepsNestedPlaces) {
   Shape cut = shapeOf(ShapeKind::Difference), hole = shapeOf(ShapeKind::Sphere),
         plane = shapeOf(ShapeKind::HalfSpace);
   hole.radius = 0.4;

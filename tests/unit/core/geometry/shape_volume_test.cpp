@@ -21,7 +21,7 @@ double sampledVolumeOf(const Shape& shape) {
   return volumeOf(joined);
 }
 
-TEST(ShapeVolume, OfShapesWhoseVolumeIsKnown) {
+TEST(ShapeVolume, IsExactForKnownShapes) {
   Shape s;
   s.kind = ShapeKind::Box;
   s.size = {0.3, 0.02, 0.1};  // a plate far thinner than long

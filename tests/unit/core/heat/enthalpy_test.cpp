@@ -45,7 +45,7 @@ struct Lump {
 
 }  // namespace
 
-TEST(Enthalpy, InverseOfTemperature) {
+TEST(Enthalpy, IsTheInverseOfTemperature) {
   const Material m = wax();
   for (double T : {1.0, 250.0, 319.999, 320.0, 322.0, 329.9, 330.0, 400.0, 3000.0})
     EXPECT_NEAR(thermalOf(m, enthalpyOf(m, T)).temperature, T, 1e-10 * T);
@@ -83,7 +83,7 @@ TEST(Enthalpy, PureSubstanceStaysAtItsMeltingPoint) {
   EXPECT_EQ(thermalOf(m, -1e-9).liquid, 0);
 }
 
-TEST(Enthalpy, MaterialsThatDoNotMelt) {
+TEST(Enthalpy, MaterialsMayHaveNoMeltingPoint) {
   Material m;
   m.heatCapacity = {500, 4000};
   EXPECT_EQ(thermalOf(m, enthalpyOf(m, 321)).liquid, 1);  // no elasticity: a liquid
@@ -137,7 +137,7 @@ TEST(Phase, MeltsAtOneAndFreezesAtZero) {
 }
 
 // docs/validation/stability.md B14: an oscillating fraction does not change the phase.
-TEST(Phase, HysteresisKeepsWaveringParticles) {
+TEST(Phase, HysteresisKeepsThePhaseOfOscillatingFractions) {
   Material m = wax();
   m.hysteresis = 0.3;  // melts at 0.7, freezes at 0.3
   Lump l(m, 300);
@@ -182,7 +182,7 @@ TEST(Heat, PapersModelHasTheTemperatureAsState) {
                    0.04 * 1000 * 2000);
 }
 
-TEST(Heat, PhaseOfTheStartFollowsTheTemperatureAlsoWithoutHeat) {
+TEST(Heat, InitialPhaseFollowsTheTemperatureWithoutHeat) {
   Lump l(wax(), 300);
   l.w.modules.heat = l.w.modules.melting = false;
   l.w.scene.bodies[0].temperature = 500;
@@ -193,7 +193,7 @@ TEST(Heat, PhaseOfTheStartFollowsTheTemperatureAlsoWithoutHeat) {
   EXPECT_EQ(l.p().phase[0], Solid);
 }
 
-TEST(Heat, SurfacesLoseWhatNewtonAndStefanSay) {
+TEST(Heat, SurfacesFollowNewtonsAndStefansLaws) {
   Material m = wax();
   m.convection = 20;
   m.emissivity = 0.9;

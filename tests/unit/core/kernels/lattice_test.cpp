@@ -5,7 +5,7 @@
 namespace thaw::test {
 
 // Stability limits of MCG03's Laplacian: viscous 0.118, heat 0.117 h^2.
-TEST(Lattice, StableStepsOfDiffusion) {
+TEST(Lattice, DiffusionStepsAreStableToTheKnownLimit) {
   Numerics n;
   n.conduction = Conduction::Plain;
   n.kernel = KernelKind::Mcg03;
@@ -22,7 +22,7 @@ TEST(Lattice, StableStepsOfDiffusion) {
 }
 
 // The viscosity kernel's Laplacian on the lattice (docs/validation/accuracy.md).
-TEST(Lattice, LaplacianOfAQuadraticField) {
+TEST(Lattice, LaplacianOfAQuadraticFieldIsKnown) {
   Numerics n;
   n.kernel = KernelKind::Mcg03;
   for (const auto& [support, expected] :

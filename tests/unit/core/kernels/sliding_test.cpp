@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-TEST(SlidingLattice, FillsALittleMoreAtASupportOfTwo) {
+TEST(SlidingLattice, HasAHigherDensityAtASupportOfTwo) {
   Numerics n;
   EXPECT_GT(slidingLatticeSum(n), 1.001 * latticeSum(n));
   EXPECT_LT(slidingLatticeSum(n), 1.01 * latticeSum(n));

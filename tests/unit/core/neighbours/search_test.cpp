@@ -66,7 +66,7 @@ TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
   }
 }
 // A particle created here in another rank's cell departs with the arrived rows; nothing else moves.
-TEST(Sort, WhatCameAndDepartedAtOnceIsDropped) {
+TEST(Sort, RowsThatArriveAndDepartAtOnceAreDropped) {
   Block b(6, 0.1);
   Continuum& p = b.particles;
   const std::size_t before = p.owned;
@@ -100,7 +100,7 @@ void expectBruteForce(const Block& b, std::uint32_t stride) {
   }
 }
 
-TEST_P(Search, FindsWhatBruteForceFindsInCellAndIdOrder) {
+TEST_P(Search, EqualsBruteForceInCellAndIdOrder) {
   const PairKernels* k = pairKernels(GetParam());
   if (k == nullptr) GTEST_SKIP() << "this processor has no " << GetParam();
   Block b(11, 0.45, 2.3);
@@ -109,7 +109,7 @@ TEST_P(Search, FindsWhatBruteForceFindsInCellAndIdOrder) {
 }
 
 // Hundreds of rows per cell: many rounds of 32 per particle, more than the initial capacity.
-TEST_P(Search, FindsWhatBruteForceFindsInCrowdedCells) {
+TEST_P(Search, EqualsBruteForceInCrowdedCells) {
   const PairKernels* k = pairKernels(GetParam());
   if (k == nullptr) GTEST_SKIP() << "this processor has no " << GetParam();
   Block b(17, 0.45);
@@ -124,7 +124,7 @@ TEST_P(Search, FindsWhatBruteForceFindsInCrowdedCells) {
 }
 INSTANTIATE_TEST_SUITE_P(InstructionSets, Search, testing::Values("base", "avx2", "avx512"));
 
-TEST(Search, OneParticleAndNone) {
+TEST(Search, HandlesOneParticleAndNone) {
   Block one(1, 0);
   one.findNeighbours(*pairKernels());
   EXPECT_EQ(one.lists.groups, 1u);
@@ -136,7 +136,7 @@ TEST(Search, OneParticleAndNone) {
   EXPECT_EQ(none.lists.groups, 0u);
 }
 
-TEST(Search, AllInOneCell) {
+TEST(Search, HandlesAllParticlesInOneCell) {
   Block b(6, 0.3);
   for (std::size_t i = 0; i < b.particles.owned; i++)
     b.particles.position[i] = b.particles.position[i] * 0.1 + Vec3d{0.02, 0.02, 0.02};

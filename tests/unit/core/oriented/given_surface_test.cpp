@@ -40,9 +40,9 @@ double worstOff(const GivenPoints& g, const Vec3d& axes) {
   return worst;
 }
 
-TEST(GivenSurface, OfASphereIsASphere) { EXPECT_LT(worstOff(onSphere(60), {0.3, 0.3, 0.3}), 1e-12); }
+TEST(GivenSurface, SpherePointsGiveASphere) { EXPECT_LT(worstOff(onSphere(60), {0.3, 0.3, 0.3}), 1e-12); }
 
-TEST(GivenSurface, OfAnEllipsoidComesNearerWithMorePoints) {
+TEST(GivenSurface, ConvergesToAnEllipsoid) {
   const Vec3d axes{0.3, 0.25, 0.2};
   const double few = worstOff(onEllipsoid(80, axes), axes), many = worstOff(onEllipsoid(320, axes), axes);
   EXPECT_LT(few, 2e-3);
@@ -62,7 +62,7 @@ TEST(GivenSurface, GoesThroughItsPointsAndEndsBeyondThem) {
 
 // Two thirds of the thinned points are even, the others are where the surface would err most. No region is
 // left out, and no two points coincide.
-TEST(GivenSurface, ThinnedPointsAreAsManyAsAskedForAndLeaveNoPlaceOut) {
+TEST(GivenSurface, ThinningKeepsTheRequestedNumberAndCoversTheSurface) {
   OrientedBody b;
   b.shape.kind = ShapeKind::Mesh;
   b.shape.mesh = "builtin:head";

@@ -47,7 +47,7 @@ double nearestPair(const MadePoints& m) {
   return 1;
 }
 
-TEST(OpenMesh, IsTakenAsItIs) {
+TEST(OpenMesh, IsUsedUnchanged) {
   const TriangleMesh mesh = bowl();
   const TriangleBvh tree(mesh);
   const MadePoints m = pointsOf(mesh);
@@ -73,7 +73,7 @@ TEST(OpenMesh, IsTakenAsItIs) {
   EXPECT_NE(m.notes[0].find("mesh 'm': open ("), std::string::npos) << m.notes[0];
 }
 
-TEST(OpenMesh, FlatOnesAndSingleQuadsHaveNoVolumeAndNeedNone) {
+TEST(OpenMesh, FlatMeshesNeedNoVolume) {
   const MadePoints m = pointsOf(quad(0.2));
   EXPECT_NEAR(static_cast<double>(m.places.size()), 115, 10);
   for (const Vec3d& n : m.normals) EXPECT_EQ(n, (Vec3d{0, 0, 1}));
@@ -83,7 +83,7 @@ TEST(OpenMesh, FlatOnesAndSingleQuadsHaveNoVolumeAndNeedNone) {
   EXPECT_EQ(pointsOf(quad(0.2), few).notes, m.notes);
 }
 
-TEST(OpenMesh, WhatIsMendedIsTold) {
+TEST(OpenMesh, RepairsAreReported) {
   TriangleMesh m = quad(0.1);
   m.vertices.push_back({0.05, 0.05, 0.1});
   m.triangles.push_back({2, 0, 4});  // at the diagonal of the quad
@@ -98,7 +98,7 @@ TEST(OpenMesh, WhatIsMendedIsTold) {
                                      "turned to agree with their neighbours"});
 }
 
-TEST(OpenMesh, ClosedOnesAreCoveredAsShapes) {
+TEST(OpenMesh, ClosedMeshesAreSampledAsShapes) {
   TriangleMesh ball = ballMesh({}, 0.1, 0.02);
   const auto load = [&](const std::string&) { return ball; };
   const MadePoints m = makePoints(ofMesh("m"), spacing, 1, load),
@@ -112,7 +112,7 @@ TEST(OpenMesh, ClosedOnesAreCoveredAsShapes) {
 }
 
 // An exported surface can be read as a surface: its particles keep their positions.
-TEST(OpenMesh, ASurfaceThatIsReadBackKeepsItsSize) {
+TEST(OpenMesh, ReimportedSurfaceKeepsItsSize) {
   TriangleMesh m = quad(0.2);
   for (int k = 0; k < 3; k++) {
     const MadePoints p = pointsOf(m);

@@ -47,7 +47,7 @@ TEST(OrientedContactPlan, FollowsTheBonds) {
 }
 
 // The stiffness that limits the step is that of the force, and is known before contact begins.
-TEST(OrientedContactPlan, SeesContactComing) {
+TEST(OrientedContactPlan, IncludesApproachingContact) {
   const Scene s = sceneOf(0.01, 1e5, 10);
   const OrientedContact c = planOrientedContact(s, liquidMaterials(s))[0];
   TouchLaw law = contactLaw(c, 0, 1e-3, 1e-4);
@@ -64,7 +64,7 @@ TEST(OrientedContactPlan, SeesContactComing) {
 
 // Toward obstacles: force and stiffness are the derivatives of one energy. At full depth the force exceeds
 // the strength of bonds, and the stored energy exceeds the kinetic energy of a particle.
-TEST(OrientedContactPlan, HoldsASurfaceOffObstacles) {
+TEST(OrientedContactPlan, KeepsASurfaceOffObstacles) {
   for (const double density : {0.1, 100.0}) {
     Scene s = sceneOf(0.01, 1e5, 10);
     s.oriented[0].density = density;

@@ -17,7 +17,7 @@ std::int64_t endOf(std::int64_t most, const Force& force, const Particles& parti
   return -1;
 }
 
-TEST(RelaxProgress, EndsWhereNothingGetsBetter) {
+TEST(RelaxProgress, EndsWithoutImprovement) {
   const auto always = [](std::int64_t n) { return [n](std::int64_t) { return n; }; };
   EXPECT_LT(endOf(
                 100000, [](std::int64_t k) { return 2 + std::sin(static_cast<double>(k)); }, always(900)),
@@ -31,7 +31,7 @@ TEST(RelaxProgress, EndsWhereNothingGetsBetter) {
             2 * relaxPatience(1000));
 }
 
-TEST(RelaxProgress, GoesOnWhereSomethingDoes) {
+TEST(RelaxProgress, ContinuesWithImprovement) {
   EXPECT_EQ(endOf(
                 100000, [](std::int64_t k) { return std::exp(-2e-4 * static_cast<double>(k)); },
                 [](std::int64_t) { return 900; }),
@@ -47,7 +47,7 @@ TEST(RelaxProgress, GoesOnWhereSomethingDoes) {
       -1);
 }
 
-TEST(RelaxProgress, OfWhatIsBoundedThereIsAnEnd) {
+TEST(RelaxProgress, BoundedProgressEnds) {
   // the slowest progress that still counts: a tenth less force, a fiftieth more particles, each at the last
   // moment
   RelaxProgress p;

@@ -33,7 +33,7 @@ TEST(Triangulate, SphereIsClosed) {
     EXPECT_GT(dot(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]), points[t[0]]), 0);
 }
 
-TEST(Triangulate, CutsAndGroupsSeparate) {
+TEST(Triangulate, CutsAndGroupsSeparateParts) {
   std::vector<Vec3d> points, normals;
   std::vector<std::uint64_t> sides;
   for (int j = 0; j < 9; j++)
@@ -88,7 +88,7 @@ OrientedPoints foldOf(std::uint64_t seed, double steep, std::vector<Vec3d>& poin
   return {points, normals, spacing, {}, {}};
 }
 
-TEST(Triangulate, AnEdgeHasTwoTrianglesAtMostAndHolesAreFilled) {
+TEST(Triangulate, EdgesHaveAtMostTwoTrianglesAndHolesAreFilled) {
   std::vector<Vec3d> points, normals;
   std::vector<double> spacing;
   const auto triangles = triangulate(foldOf(0, 1.4, points, normals, spacing));
@@ -99,7 +99,7 @@ TEST(Triangulate, AnEdgeHasTwoTrianglesAtMostAndHolesAreFilled) {
 
 // Where other triangles join a hole's corners, no ear is free: these are removed, and the larger hole is
 // closed.
-TEST(Triangulate, HolesInSharpFoldsAreClosedAnew) {
+TEST(Triangulate, HolesInSharpFoldsAreClosed) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 60; seed++) {
     std::vector<Vec3d> points, normals;
@@ -137,7 +137,7 @@ TEST(Triangulate, ACurveIsJoinedToALine) {
   for (std::uint32_t k = 0; k < 29; k++) EXPECT_TRUE(lines[k][0] == k && lines[k][1] == k + 1);
 }
 
-TEST(PointTree, NearestAreThoseOfAPlainSearch) {
+TEST(PointTree, NearestEqualAPlainSearch) {
   std::vector<Vec3d> points;
   for (std::uint64_t k = 0; k < 600; k++)
     points.push_back({randomUniform(1, Purpose::Test, k), randomUniform(2, Purpose::Test, k),

@@ -36,7 +36,7 @@ struct Bodies {
   }
 };
 
-TEST(WeldedBodies, EventsBeforeTheWeldAndOfTheWholeAreGood) {
+TEST(WeldedBodies, AcceptsEventsBeforeTheWeldAndOfTheWhole) {
   Bodies x;
   x.weld(0, 1, 0.2);
   x.cut(1, 0.1);
@@ -45,7 +45,7 @@ TEST(WeldedBodies, EventsBeforeTheWeldAndOfTheWholeAreGood) {
   EXPECT_EQ(x.found(), "");
 }
 
-TEST(WeldedBodies, EventsAfterItNameNobody) {
+TEST(WeldedBodies, FindsLaterEventsOfWeldedBodies) {
   Bodies x;
   x.weld(0, 1, 0.2);
   x.cut(1, 0.3);
@@ -55,7 +55,7 @@ TEST(WeldedBodies, EventsAfterItNameNobody) {
   EXPECT_EQ(x.found(), "b.0: b in a by 0.2, c.0: b in a by 0.2, a.1: b in a by 0.2, b.1: b in a by 0.2");
 }
 
-TEST(WeldedBodies, TheWholeMayBeWeldedInItsTurn) {
+TEST(WeldedBodies, WholeMayBeWeldedAgain) {
   Bodies x;
   x.weld(0, 1, 0.1);
   x.weld(2, 0, 0.2);
@@ -65,7 +65,7 @@ TEST(WeldedBodies, TheWholeMayBeWeldedInItsTurn) {
   EXPECT_EQ(x.found(), "a.1: a in c by 0.2, b.0: b in c by 0.1");
 }
 
-TEST(WeldedBodies, AtOneTimeTheOrderIsThatOfTheScene) {
+TEST(WeldedBodies, SimultaneousEventsFollowTheOrderOfTheScene) {
   Bodies x;
   x.weld(1, 0, 0.1);  // after the event of a at that time
   x.cut(0, 0.1);

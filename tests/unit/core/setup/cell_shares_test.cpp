@@ -18,7 +18,7 @@ std::vector<std::int64_t> pointsOf(const SignedDistance& shape, const SampleLatt
   return points;
 }
 
-TEST(CellShares, OfWholeCellsAreWhole) {
+TEST(CellShares, WholeCellsAreFull) {
   const BoxDistance box({0.6, 0.4, 0.3});
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);
@@ -26,8 +26,8 @@ TEST(CellShares, OfWholeCellsAreWhole) {
   for (const std::int32_t s : cellShares(box, l, points)) EXPECT_EQ(s, wholeCell);
 }
 
-TEST(CellShares, OfABoxOfNoWholeNumberOfCellsHoldIt) {  // 5.35 cells: six points, the outer cells are two
-                                                        // thirds full
+TEST(CellShares, HoldTheVolumeOfABoxWithPartialCells) {  // 5.35 cells: six points, the outer cells are two
+                                                         // thirds full
   const BoxDistance box({0.535, 0.4, 0.4});
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);
@@ -39,7 +39,7 @@ TEST(CellShares, OfABoxOfNoWholeNumberOfCellsHoldIt) {  // 5.35 cells: six point
   }
 }
 
-TEST(CellShares, OfABallAreItsVolumeAndAsManyRanksAsOneGiveThem) {
+TEST(CellShares, HoldTheVolumeOfABallOnAnyNumberOfRanks) {
   const SphereDistance ball(0.83);
   const SampleLattice l = sampleLattice(ball, 0.1);
   const std::vector<std::int64_t> points = pointsOf(ball, l);

@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-TEST(ExpectedArea, IsThatOfBoxesAndNearlyThatOfOthers) {
+TEST(ExpectedArea, IsExactForBoxesAndCloseForOthers) {
   constexpr double pi = 3.14159265358979323846;
   const auto areaOf = [](const Shape& s) { return expectedArea({makeSignedDistance(s)}); };
   Shape box;

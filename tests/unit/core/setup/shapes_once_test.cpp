@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-TEST(Shapes, OfBodiesAreMadeOnce) {
+TEST(Shapes, AreBuiltOncePerBody) {
   World w;
   Scene& s = w.scene;
   s.spacing = 0.1;

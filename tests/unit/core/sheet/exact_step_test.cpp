@@ -92,7 +92,7 @@ TEST(ExactStep, AllRegimesToThirteenDigits) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-TEST(ExactStep, ThroughTheDoubleRoot) {
+TEST(ExactStep, IsContinuousThroughTheDoubleRoot) {
   double worst = 0;
   for (const double a : {0.01, 0.3, 0.999, 1.0, 1.5, 4.0, 20.0})
     for (const double beside : {0.0, 1e-16, -1e-16, 1e-12, -1e-12, 1e-8, -1e-8, 1e-4, -1e-4, 1e-2, -1e-2}) {
@@ -105,7 +105,7 @@ TEST(ExactStep, ThroughTheDoubleRoot) {
   EXPECT_LT(worst, 1e-13);
 }
 
-TEST(ExactStep, Limits) {
+TEST(ExactStep, HasTheKnownLimits) {
   const ExactStep ballistic = exactStep({2, 0, 0}, 3);
   EXPECT_DOUBLE_EQ(ballistic.hold, 3);
   EXPECT_DOUBLE_EQ(ballistic.keep, 1);
@@ -133,7 +133,7 @@ TEST(ExactStep, Limits) {
   EXPECT_THROW(exactStep({1, -1, 0}, 1), std::invalid_argument);
 }
 
-TEST(ExactStep, TwoStepsAreOneOfTwice) {
+TEST(ExactStep, TwoStepsEqualOneOfTwiceTheLength) {
   for (const SpringLaw law :
        {SpringLaw{1, 0, 0}, SpringLaw{1, 0, 40}, SpringLaw{1, 0.3, 40}, SpringLaw{1, 2, 1},
         SpringLaw{1, 30, 2}, SpringLaw{0, 3, 2}, SpringLaw{1e-9, 3, 2}, SpringLaw{2, 5, 0}})
@@ -172,7 +172,7 @@ double growth(const SpringLaw& law, double kappa, double dt) {
   return disc >= 0 ? std::abs(trace / 2) + std::sqrt(disc) : std::sqrt(det);
 }
 
-TEST(ExactStep, StableLimitIsTheLimit) {
+TEST(ExactStep, StableLimitIsTight) {
   for (const SpringLaw law : {SpringLaw{1, 0, 0}, SpringLaw{1, 0, 40}, SpringLaw{1, 3, 40},
                               SpringLaw{1, 30, 2}, SpringLaw{0, 3, 2}, SpringLaw{2, 5, 0}})
     for (const double kappa : {0.5, 10.0, 1e4}) {

@@ -36,7 +36,7 @@ void expectSameTriangles(const TriangleMesh& mesh) {
             static_cast<std::ptrdiff_t>(3 * mesh.triangles.size()));
 }
 
-TEST(SheetTopology, Closed) {
+TEST(SheetTopology, RingsOfAClosedMeshAreComplete) {
   const TriangleMesh mesh = sphereSheet(1, 0.1);
   const SheetTopology t = sheetTopology(mesh);
   expectSameTriangles(mesh);
@@ -52,7 +52,7 @@ TEST(SheetTopology, Closed) {
       EXPECT_EQ(t.ring[k].next, (k - t.first[v] + 1) % (t.first[v + 1] - t.first[v]));
 }
 
-TEST(SheetTopology, BordersAndComponents) {
+TEST(SheetTopology, FindsBordersAndComponents) {
   TriangleMesh mesh = gridSheet(1, 0.6, 0.1);
   const std::size_t n = mesh.vertices.size();
   expectSameTriangles(mesh);
@@ -72,7 +72,7 @@ TEST(SheetTopology, BordersAndComponents) {
   EXPECT_EQ(t.component[n], 1u);
 }
 
-TEST(SheetTopology, FansThatMeetInAPoint) {
+TEST(SheetTopology, SplitsFansThatTouchInAPoint) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
@@ -82,7 +82,7 @@ TEST(SheetTopology, FansThatMeetInAPoint) {
   EXPECT_EQ(t.closed.size(), 1u);
 }
 
-TEST(SheetTopology, Refusals) {
+TEST(SheetTopology, RefusesInvalidMeshes) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
@@ -99,7 +99,7 @@ TEST(SheetTopology, Refusals) {
   EXPECT_THROW(sheetTopology(mesh), ShapeError);
 }
 
-TEST(SheetMeshes, AreWhatTheyAreCalled) {
+TEST(SheetMeshes, HaveTheirNamedShapes) {
   const TriangleMesh head = headSheet(1, 0.05), dome = domeSheet(0.5, 0.3, 0.05, 12, 0.02),
                      brow = foreheadSheet(1, 1, 0.6, 0.05, 0.02, 5);
   const SheetTopology h = sheetTopology(head), d = sheetTopology(dome), b = sheetTopology(brow);

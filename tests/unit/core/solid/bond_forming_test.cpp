@@ -99,7 +99,7 @@ BondForming forming(const SolidBody& b, BondRule rule) {
 
 }  // namespace
 
-TEST(BondForming, startBondsBodiesApart) {
+TEST(BondForming, StartBondsBodiesSeparately) {
   const auto points = lattice({6, 3, 3}, 0.1, 0.2);
   BodyOptions options;
   options.freezing = true;
@@ -120,7 +120,7 @@ TEST(BondForming, startBondsBodiesApart) {
   for (const BondRequest& r : requests) EXPECT_TRUE(r.reverse == -r.reference);
 }
 
-TEST(BondForming, freezingJoinsWithoutStressJump) {
+TEST(BondForming, FreezingJoinsWithoutStressJump) {
   // the lower half is an old, deformed solid; the upper half freezes onto it
   const auto points = lattice({5, 5, 6}, 0.1, 0.2);
   const auto old = [&](std::size_t i) { return i < 75; };
@@ -161,7 +161,7 @@ TEST(BondForming, freezingJoinsWithoutStressJump) {
                                                        // redistributed
 }
 
-TEST(BondForming, weldingOfBodies) {
+TEST(BondForming, WeldsOnlyAllowedBodies) {
   Material m = elasticMaterial(), weldable = elasticMaterial();
   weldable.weld = true;
   const std::vector<Vec3d> points{{0, 0, 0}, {0.09, 0, 0}, {0.18, 0, 0}, {0.31, 0, 0}};
@@ -195,7 +195,7 @@ TEST(BondForming, weldingOfBodies) {
   }
 }
 
-TEST(BondForming, frameOfInvertedParticleIsNotUsed) {
+TEST(BondForming, FrameOfInvertedParticleIsNotUsed) {
   const Vec3d x{0.1, 0.2, 0.3};
   EXPECT_TRUE(referenceIn(identity3<double>(), x) == x);
   EXPECT_TRUE(referenceIn({{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, x) == x);

@@ -107,7 +107,7 @@ struct Lattice {
   }
 };
 
-TEST(BondGraph, MeltsAndFreezes) {
+TEST(BondGraph, FollowsMeltingAndFreezing) {
   Lattice l;
   EXPECT_FALSE(l.relink({}, false));
   const std::size_t n = l.points.size();
@@ -136,7 +136,7 @@ TEST(BondGraph, MeltsAndFreezes) {
   l.expectFreshWork();
 }
 
-TEST(BondGraph, BrokenBondsGo) {
+TEST(BondGraph, BrokenBondsAreRemoved) {
   Lattice l;
   const std::uint32_t slot = l.p.slot[30];
   const std::size_t at = l.b.at(slot, 2);
@@ -153,7 +153,7 @@ TEST(BondGraph, BrokenBondsGo) {
   l.expectFreshWork();
 }
 
-TEST(BondGraph, MoreBondsThanRoom) {
+TEST(BondGraph, GrowsWithTheNumberOfBonds) {
   Lattice l(Precision::Double);
   std::vector<BondRequest> q;
   for (std::size_t j = 0; j < l.points.size(); j++)
@@ -168,7 +168,7 @@ TEST(BondGraph, MoreBondsThanRoom) {
   l.expectFreshWork();
 }
 
-TEST(BondGraph, AllMeltAndComeBackFromRecords) {
+TEST(BondGraph, RestoresAllBondsFromRecords) {
   Lattice l;
   SolidRecords records;
   std::vector<std::set<std::uint64_t>> before;

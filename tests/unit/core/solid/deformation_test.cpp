@@ -21,7 +21,7 @@ double largestForce(const SolidBody& b) {
 
 }  // namespace
 
-TEST(Deformation, patchTestOnJitteredLattice) {
+TEST(Deformation, GradientIsExactOnAJitteredLattice) {
   const auto points = lattice({6, 5, 7}, 0.1, 0.25);
   const Mat3d g{{{0.1, -0.05, 0.2}, {0.07, -0.12, 0.03}, {-0.02, 0.15, 0.08}}};
   for (const Precision precision : {Precision::Double, Precision::Single}) {
@@ -38,7 +38,7 @@ TEST(Deformation, patchTestOnJitteredLattice) {
   }
 }
 
-TEST(Deformation, rigidRotationHasNoStrainNoForceNoEnergy) {
+TEST(Deformation, RigidRotationHasNoStrainNoForceNoEnergy) {
   const auto points = lattice({5, 5, 5}, 0.1, 0.2);
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
     Material m = elasticMaterial();
@@ -60,7 +60,7 @@ TEST(Deformation, rigidRotationHasNoStrainNoForceNoEnergy) {
   }
 }
 
-TEST(Deformation, momentumAndAngularMomentum) {
+TEST(Deformation, ConservesMomentumAndAngularMomentum) {
   const auto points = lattice({6, 5, 4}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     Material soft = elasticMaterial(3e5, 0.4), hard = elasticMaterial(2e6, 0.1);
@@ -87,7 +87,7 @@ TEST(Deformation, momentumAndAngularMomentum) {
   }
 }
 
-TEST(Deformation, periodicBodyFeelsNoSeam) {
+TEST(Deformation, PeriodicSidesHaveNoEffectOnABody) {
   const auto points = lattice({6, 6, 6}, 0.1);
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     BodyOptions options;
@@ -109,7 +109,7 @@ TEST(Deformation, periodicBodyFeelsNoSeam) {
 }
 
 /// A body across the periodic sides turns by half a turn, so that particles cross a side both ways.
-TEST(Deformation, aBodyAcrossPeriodicSidesMayTurn) {
+TEST(Deformation, BodyAcrossPeriodicSidesTurnsFreely) {
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     BodyOptions options;
     options.precision = precision;
@@ -136,7 +136,7 @@ TEST(Deformation, aBodyAcrossPeriodicSidesMayTurn) {
   }
 }
 
-TEST(Deformation, singularNeighbourhoodsAreCountedAndStayFinite) {
+TEST(Deformation, SingularNeighbourhoodsAreCountedAndStayFinite) {
   const auto count = [](SolidBody& b) { return refreshReference(b.work, b.solids, b.bonds, true); };
   // sheet: in-plane stretch and rotation
   const auto sheet = lattice({6, 6, 1}, 0.1);
@@ -172,7 +172,7 @@ TEST(Deformation, singularNeighbourhoodsAreCountedAndStayFinite) {
   EXPECT_LT(largestForce(*d), 1e-8);
 }
 
-TEST(Deformation, inversionIsCountedAndUndone) {
+TEST(Deformation, InversionIsCountedAndUndone) {
   const auto points = lattice({4, 4, 4}, 0.1);
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
     Material m = elasticMaterial();
@@ -186,7 +186,7 @@ TEST(Deformation, inversionIsCountedAndUndone) {
   }
 }
 
-TEST(Deformation, sameBitsForEveryInstructionSet) {
+TEST(Deformation, SameBitsForEveryInstructionSet) {
   const auto points = lattice({5, 6, 7}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single})
     for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
@@ -211,7 +211,7 @@ TEST(Deformation, sameBitsForEveryInstructionSet) {
     }
 }
 
-TEST(Moment, completionKeepsHandedness) {
+TEST(Moment, CompletionKeepsHandedness) {
   const MomentInverse m = invertMoment({1, 1, 0, 0, 0, 0});
   EXPECT_EQ(m.rank, 2);
   const Mat3d f = completeGradient(Mat3d{}, m.inverse, 2);
@@ -222,7 +222,7 @@ TEST(Moment, completionKeepsHandedness) {
 }
 
 // Bodies at rest in their reference need no pass over the bonds at the start: the same bits.
-TEST(Deformation, atTheReferenceTheShortWayHasTheSameBits) {
+TEST(Deformation, ShortcutAtTheReferenceHasTheSameBits) {
   auto points = lattice({5, 4, 5}, 0.1, 0.2);
   points.push_back({2, 0, 0});  // isolated
   points.push_back({3, 0, 0});  // a row of two

@@ -67,7 +67,7 @@ TEST(FlatNeighbourhoods, ForcesOfALayerAreTheDerivativeOfItsEnergy) {
   }
 }
 
-TEST(FlatNeighbourhoods, APlasticLayer) {
+TEST(FlatNeighbourhoods, ForcesOfAPlasticLayerAreTheDerivativeOfItsEnergy) {
   Material m = elasticMaterial();
   m.yieldStrain = {1e3, 1e3};  // no plastic flow here
   const std::vector<Vec3d> points = layer(2);
@@ -79,7 +79,7 @@ TEST(FlatNeighbourhoods, APlasticLayer) {
   EXPECT_LT(mismatch(*b), 1e-5);
 }
 
-TEST(FlatNeighbourhoods, ARowThatIsNotStraightTurnsFreely) {
+TEST(FlatNeighbourhoods, BentRowTurnsFreely) {
   std::vector<Vec3d> points;
   for (std::size_t k = 0; k < 6; k++)
     points.push_back(Vec3d{0.1 * static_cast<double>(k), 0, 0} + 0.003 * noise3(k, 3));

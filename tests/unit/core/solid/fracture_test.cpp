@@ -27,7 +27,7 @@ std::int64_t ends(const SolidBody& b) {
 
 }  // namespace
 
-TEST(Fracture, bothEndsDecideAlikeAndTheLedgerClosesExactly) {
+TEST(Fracture, BothEndsDecideEquallyAndTheLedgerClosesExactly) {
   const auto points = lattice({8, 4, 4}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single})
     for (const bool freezing : {false, true}) {
@@ -63,7 +63,7 @@ TEST(Fracture, bothEndsDecideAlikeAndTheLedgerClosesExactly) {
     }
 }
 
-TEST(Fracture, unstretchedBodyKeepsItsBonds) {
+TEST(Fracture, UnstretchedBodyKeepsItsBonds) {
   const auto points = lattice({4, 4, 4}, 0.1, 0.2);
   Material m = elasticMaterial();
   m.breakStretch = 1.0001;
@@ -76,7 +76,7 @@ TEST(Fracture, unstretchedBodyKeepsItsBonds) {
   EXPECT_EQ(jump.value(), 0);
 }
 
-TEST(Fracture, bondsWithinTheContactDistanceStay) {
+TEST(Fracture, BondsWithinTheContactDistanceStay) {
   const auto points = lattice({4, 4, 4}, 0.06);
   Material m = elasticMaterial();
   m.breakStretch = 1.25;
@@ -95,7 +95,7 @@ TEST(Fracture, bondsWithinTheContactDistanceStay) {
     }
 }
 
-TEST(Fracture, bodyTornApartIsTwoFreePieces) {
+TEST(Fracture, BodyTornApartIsTwoFreePieces) {
   const auto points = lattice({6, 3, 3}, 0.1);
   Material m = elasticMaterial();
   m.breakStretch = 1.5;

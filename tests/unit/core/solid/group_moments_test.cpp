@@ -47,7 +47,7 @@ std::size_t differing(SolidBody& b, const char* kernels) {
   return different;
 }
 
-TEST(GroupMoments, AreThoseOfSingleSlots) {
+TEST(GroupMoments, EqualThoseOfSingleSolids) {
   std::vector<Vec3d> crumbs = lattice({4, 4, 3}, 0.1, 0.2);
   // a plane: rank 2
   for (std::size_t k = 0; k < 12; k++) crumbs.push_back({1.0 + 0.1 * double(k % 4), 0.1 * double(k / 4), 0});

@@ -19,7 +19,7 @@ Mat3d noiseMatrix(std::uint64_t n, double size) {
 
 }  // namespace
 
-TEST(Laws, stressIsDerivativeOfEnergy) {
+TEST(Laws, StressIsDerivativeOfEnergy) {
   for (const ElasticLaw law : allLaws)
     for (std::uint64_t n = 0; n < 20; n++) {
       Material m = elasticMaterial(1.0, 0.3);
@@ -43,7 +43,7 @@ TEST(Laws, stressIsDerivativeOfEnergy) {
     }
 }
 
-TEST(Laws, smallStrainsFollowHooke) {
+TEST(Laws, SmallStrainsFollowHooke) {
   const Mat3d g{{{1e-6, 2e-6, 0}, {0, -1e-6, 1e-6}, {2e-6, 0, 3e-6}}};
   for (const ElasticLaw law : allLaws) {
     Material m = elasticMaterial(2e6, 0.35);
@@ -56,7 +56,7 @@ TEST(Laws, smallStrainsFollowHooke) {
   }
 }
 
-TEST(Laws, objectiveUnderRotation) {
+TEST(Laws, ObjectiveUnderRotation) {
   const Mat3d r = rotation({1, -2, 0.4}, 2.2), one = identity3<double>();
   for (const ElasticLaw law : allLaws) {
     Material m = elasticMaterial();
@@ -69,7 +69,7 @@ TEST(Laws, objectiveUnderRotation) {
   }
 }
 
-TEST(Laws, nearestRotationOfInvertedAndSingular) {
+TEST(Laws, NearestRotationOfInvertedAndSingular) {
   const Mat3d r = rotation({0.3, 1, 2}, 0.7);
   for (const Vec3d d : {Vec3d{1.2, 0.9, 1.1}, Vec3d{1.5, 1, -0.4}, Vec3d{1, 1, 0}, Vec3d{2, 1, 1e-9}}) {
     const Mat3d s{{{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}}};
@@ -80,7 +80,7 @@ TEST(Laws, nearestRotationOfInvertedAndSingular) {
 }
 
 // Eight lanes of several laws, some inverted: each has the energy that it has alone.
-TEST(Laws, lanesOfAGroupDoNotDependOnEachOther) {
+TEST(Laws, LanesOfAGroupDoNotDependOnEachOther) {
   const auto points = lattice({5, 3, 3}, 0.1, 0.2);
   for (const double yield : {never, 0.01}) {
     std::vector<Material> materials;
@@ -112,7 +112,7 @@ TEST(Laws, lanesOfAGroupDoNotDependOnEachOther) {
   }
 }
 
-TEST(Laws, forcesAreDerivativesOfTotalEnergy) {
+TEST(Laws, ForcesAreDerivativesOfTotalEnergy) {
   const auto points = lattice({4, 3, 3}, 0.1, 0.2);
   for (const ElasticLaw law : allLaws)
     for (const bool freezing : {false, true}) {

@@ -8,7 +8,7 @@
 using namespace thaw;
 using namespace thaw::test;
 
-TEST(Melting, bondsGoAtBothEndsAndTheirEnergyIsBooked) {
+TEST(Melting, RemovesBondsAtBothEndsAndRecordsTheirEnergy) {
   const auto points = lattice({6, 5, 5}, 0.1, 0.2);
   const auto b = makeBody(points, {elasticMaterial()});
   Continuum& p = b->particles;

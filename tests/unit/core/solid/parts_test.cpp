@@ -89,7 +89,7 @@ void step(std::vector<SolidBody*> parts, Counts& counts) {
 
 // Groups whose bonds have one reference skip the inverse map (ElasticWork::ownFrames). The grouping depends
 // on the ranks, so it may not change any bit, for any deformation.
-TEST(SolidParts, TheWayBackOfOneReferenceChangesNoBit) {
+TEST(SolidParts, SkippedInverseMapChangesNoBit) {
   for (const Precision precision : {Precision::Single, Precision::Double}) {
     BodyOptions options;
     options.precision = precision;
@@ -112,7 +112,7 @@ TEST(SolidParts, TheWayBackOfOneReferenceChangesNoBit) {
 
 }  // namespace
 
-TEST(SolidParts, sameBitsInOneAndInTwo) {
+TEST(SolidParts, TwoPartsHaveTheBitsOfTheWhole) {
   const auto points = lattice({9, 5, 9}, 0.1, 0.2);
   Material m = elasticMaterial(1e5, 0.3), other = elasticMaterial(3e5, 0.2);
   m.yieldStrain = {0.02, 0.02};

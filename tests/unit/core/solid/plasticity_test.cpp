@@ -76,7 +76,7 @@ Mat3d noiseMatrix(std::uint64_t n, double size) {
 
 }  // namespace
 
-TEST(Plasticity, uniaxialCompressionToHalfHoldsThePlateau) {
+TEST(Plasticity, UniaxialCompressionToHalfHoldsThePlateau) {
   for (const ElasticLaw law : allLaws)
     for (const double yield : {0.002, 0.01, 0.05}) {
       Point p{yielding(law, yield)};
@@ -90,7 +90,7 @@ TEST(Plasticity, uniaxialCompressionToHalfHoldsThePlateau) {
     }
 }
 
-TEST(Plasticity, simpleShearTo200PercentHoldsThePlateau) {
+TEST(Plasticity, SimpleShearTo200PercentHoldsThePlateau) {
   for (const ElasticLaw law : allLaws)
     for (const double yield : {0.002, 0.01, 0.05}) {
       Point p{yielding(law, yield)};
@@ -105,7 +105,7 @@ TEST(Plasticity, simpleShearTo200PercentHoldsThePlateau) {
     }
 }
 
-TEST(Plasticity, hardeningFollowsTheEquivalentPlasticStrain) {
+TEST(Plasticity, HardeningFollowsTheEquivalentPlasticStrain) {
   for (const ElasticLaw law : allLaws) {
     Point p{yielding(law, 0.01, never, 5e4)};
     for (double x = 1; x > 0.5; x -= 0.005) driveUniaxially(p, x);
@@ -115,7 +115,7 @@ TEST(Plasticity, hardeningFollowsTheEquivalentPlasticStrain) {
   }
 }
 
-TEST(Plasticity, rotationsDoNotMatter) {
+TEST(Plasticity, RotationsDoNotMatter) {
   for (const ElasticLaw law : allLaws) {
     Point still{yielding(law, 0.01, 300)}, turned{still};
     for (int n = 1; n <= 50; n++) {
@@ -130,7 +130,7 @@ TEST(Plasticity, rotationsDoNotMatter) {
   }
 }
 
-TEST(Plasticity, creepDoesNotDependOnTheStep) {
+TEST(Plasticity, CreepDoesNotDependOnTheStep) {
   for (const ElasticLaw law : allLaws)
     for (const double yield : {1e-9, 0.01}) {
       const Mat3d f = one + Mat3d{{{0.08, 0.05, 0}, {0, -0.03, 0.02}, {0.01, 0, -0.06}}};
@@ -143,7 +143,7 @@ TEST(Plasticity, creepDoesNotDependOnTheStep) {
     }
 }
 
-TEST(Plasticity, steadyFlowHasTheViscosityOfTheCreepRate) {
+TEST(Plasticity, SteadyFlowHasTheViscosityOfTheCreepRate) {
   // |dev sigma| = 2 eta |d|, eta = G / creep
   for (const ElasticLaw law : allLaws)
     for (const double dt : {1e-4, 1e-3}) {
@@ -154,7 +154,7 @@ TEST(Plasticity, steadyFlowHasTheViscosityOfTheCreepRate) {
 }
 
 // Groups are evaluated again if one of their solids takes a new reference. The others must not change.
-TEST(Plasticity, evaluationWithoutFlowHasTheSameBits) {
+TEST(Plasticity, EvaluationWithoutFlowHasTheSameBits) {
   for (const ElasticLaw law : allLaws) {
     PlasticState state{};
     for (std::uint64_t n = 0; n < 50; n++) {
@@ -166,7 +166,7 @@ TEST(Plasticity, evaluationWithoutFlowHasTheSameBits) {
   }
 }
 
-TEST(Plasticity, limitIsKept) {
+TEST(Plasticity, LimitIsKept) {
   for (const ElasticLaw law : allLaws) {
     ElasticConstants c = yielding(law, 0.01);
     c.maxPlastic = 0.05;
@@ -182,7 +182,7 @@ TEST(Plasticity, limitIsKept) {
   }
 }
 
-TEST(Plasticity, lossIsWorkLessStoredEnergy) {
+TEST(Plasticity, LossIsWorkLessStoredEnergy) {
   for (const ElasticLaw law : allLaws) {
     Point p{yielding(law, 0.01, 50, 2e4)};
     double work = 0;
@@ -200,7 +200,7 @@ TEST(Plasticity, lossIsWorkLessStoredEnergy) {
   }
 }
 
-TEST(Plasticity, WhatIsNotLookedAtIsBelowYield) {
+TEST(Plasticity, SkippedGroupsAreBelowYield) {
   for (const ElasticLaw law : allLaws)
     for (const double poisson : {0.0, 0.3, 0.45, 0.49})
       for (std::uint64_t n = 0; n < 300; n++) {
@@ -218,7 +218,7 @@ TEST(Plasticity, WhatIsNotLookedAtIsBelowYield) {
 
 // Green strain weakens below 0.577 of the length. A body compressed beyond that in one step is past its yield
 // stress, not below it.
-TEST(Plasticity, aLawThatWeakensYieldsAtOnce) {
+TEST(Plasticity, WeakeningLawYieldsAtOnce) {
   for (const ElasticLaw law : allLaws)
     for (const double pressed : {0.58, 0.4, 0.1}) {
       Point p{yielding(law, 0.03)};
@@ -227,13 +227,13 @@ TEST(Plasticity, aLawThatWeakensYieldsAtOnce) {
     }
 }
 
-TEST(Plasticity, invertedAndFlatStayAsTheyAre) {
+TEST(Plasticity, InvertedAndFlatStayAsTheyAre) {
   for (const ElasticLaw law : allLaws)
     for (const double x : {-0.5, 0.0})
       EXPECT_FALSE(plasticFlow(yielding(law, 0.01), stretches(x, 1) - one, {}, {}, 1).flows);
 }
 
-TEST(Plasticity, pushForwardKeepsTheStress) {
+TEST(Plasticity, PushForwardKeepsTheStress) {
   for (const ElasticLaw law : allLaws) {
     Point p{yielding(law, 0.05)};
     const Mat3d f = one + Mat3d{{{0.3, 0.5, 0}, {0, -0.2, 0.3}, {0.1, 0, 0.1}}};
@@ -244,7 +244,7 @@ TEST(Plasticity, pushForwardKeepsTheStress) {
   }
 }
 
-TEST(Plasticity, loadingABodyGivesThePlateauAndRecordsTheLoss) {
+TEST(Plasticity, LoadingABodyGivesThePlateauAndRecordsTheLoss) {
   const auto points = lattice({4, 4, 4}, 0.1, 0.2);
   for (const ElasticLaw law : allLaws) {
     Material m = elasticMaterial(1e6, 0.3);

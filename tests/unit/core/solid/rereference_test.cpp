@@ -20,7 +20,7 @@ Material softPlastic() {
 
 }  // namespace
 
-TEST(Rereference, keepsEnergyAndStressAndIsObjective) {
+TEST(Rereference, ConservesEnergyAndStressAndIsObjective) {
   const auto points = lattice({5, 4, 4}, 0.1, 0.2);
   const Mat3d f{{{1.6, 0.1, 0}, {0, 0.8, 0.1}, {0, 0, 0.8}}};
   Mat3d unturned{};
@@ -59,7 +59,7 @@ TEST(Rereference, keepsEnergyAndStressAndIsObjective) {
   }
 }
 
-TEST(Rereference, neighboursFollowSingleSlots) {
+TEST(Rereference, NeighboursFollowSingleSolids) {
   // only some solids re-reference: momentum is conserved, and forces remain the derivative of the energy
   const auto points = lattice({6, 4, 4}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single}) {
@@ -106,7 +106,7 @@ TEST(Rereference, neighboursFollowSingleSlots) {
 }
 
 // An impact compresses a plastic body nearly flat. That configuration would be a bad reference.
-TEST(Rereference, ANeighbourhoodThatIsPressedFlatWaits) {
+TEST(Rereference, FlattenedNeighbourhoodsAreDeferred) {
   const auto points = lattice({5, 4, 4}, 0.1, 0.2);
   for (const auto& [height, follows] : {std::pair{0.6, true}, {0.3, false}, {0.03, false}, {-0.6, false}}) {
     Material m = softPlastic();

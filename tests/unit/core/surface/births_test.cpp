@@ -50,7 +50,7 @@ struct Stretched {
 
 // A newborn needs the initial position of the undeformed sheet. Its current position would displace it in the
 // next update by the strain times its distance from the birth place.
-TEST(Births, WhatFollowsKnowsWhereItWouldHaveBeenAtTheStart) {
+TEST(Births, NewbornsGetTheInitialPositionOfTheUndeformedSheet) {
   const Mat3d turned{{{0.6, 0, 0.8}, {0, 1, 0}, {-0.8, 0, 0.6}}},
       strained{{{2.1, 0.7, 0}, {-0.3, 0.8, 0}, {0, 0, 1}}};
   Stretched sheet(turned * strained);
@@ -63,7 +63,7 @@ TEST(Births, WhatFollowsKnowsWhereItWouldHaveBeenAtTheStart) {
 
 // Half-molten surfels keep a distance from the particles' surface by their detail height. Newborns that
 // relaxed fully would be detached below or above the sheet.
-TEST(Births, WhatIsBornInAnUpdateSettlesAsThoseAroundIt) {
+TEST(Births, NewbornsRelaxLikeTheirNeighbours) {
   SurfelRig rig(test::surfelScene(0.1));
   Surfels& s = rig.surfels();
   s.activate(s.liquid);
@@ -79,7 +79,7 @@ TEST(Births, WhatIsBornInAnUpdateSettlesAsThoseAroundIt) {
 }
 
 // Newborns at the start are projected onto the body: the mean plane of two faces lies on neither.
-TEST(Births, OfTheStartAreOnTheMesh) {
+TEST(Births, AtTheStartAreOnTheMesh) {
   Scene scene = test::surfelScene(0.1);
   scene.bodies.emplace_back();
   scene.bodies[0].shape.kind = ShapeKind::Mesh;

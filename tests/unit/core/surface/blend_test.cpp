@@ -62,7 +62,7 @@ struct Bumpy {
 };
 
 /// b rises to `most` in some updates and stays for as many. The remaining share does not depend on the rate.
-TEST(Blend, MarksDoNotDependOnTheNumberOfUpdates) {
+TEST(Blend, DetailDoesNotDependOnTheNumberOfUpdates) {
   for (const double most : {0.3, 0.6}) {
     double first = 0;
     for (const int updates : {1, 4, 20}) {
@@ -84,7 +84,7 @@ TEST(Blend, MarksDoNotDependOnTheNumberOfUpdates) {
   }
 }
 
-TEST(Blend, WhatFreezesKeepsTheDetailThatItHas) {
+TEST(Blend, FrozenSurfacesKeepTheirDetail) {
   Bumpy ball;
   const Surfels& s = ball.rig.w.surface.surfels;
   for (const double b : {0.2, 0.5, 0.5}) ball.update(b);
@@ -101,7 +101,7 @@ TEST(Blend, WhatFreezesKeepsTheDetailThatItHas) {
 }
 
 /// Half-molten material that flows loses its detail at any rate of updates; solid material keeps it.
-TEST(Blend, KneadingWipesMarksOfWhatIsMolten) {
+TEST(Blend, DeformationErasesDetailOfMoltenSurfaces) {
   const auto knead = [](double liquid, int updates) {
     Bumpy ball;
     Surfels& s = ball.rig.w.surface.surfels;

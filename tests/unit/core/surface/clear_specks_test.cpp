@@ -41,7 +41,7 @@ struct Sheet : SurfelRig {
   }
 };
 
-TEST(ClearSpecks, TakesThoseThatAreAloneAndNothingElse) {
+TEST(ClearSpecks, ReplacesOnlyIsolatedColours) {
   // single surfels, and a pair
   const auto specks = [](int j, int k) {
     return (j % 5 == 2 && k % 5 == 2) || (j == 14 && k == 10) ? red : blue;
@@ -68,7 +68,7 @@ TEST(ClearSpecks, TakesThoseThatAreAloneAndNothingElse) {
 }
 
 /// A newborn takes the mean colour of its neighbours, or that of its material without any.
-TEST(ClearSpecks, BirthsHaveTheMeanColourOfThoseAround) {
+TEST(ClearSpecks, BirthsHaveTheMeanColourOfTheirNeighbours) {
   Sheet half([](int j, int) { return j < 15 ? red : blue; });
   SurfaceParticles& p = half.world.surface.particles;
   p.resize(1, 0);

@@ -109,7 +109,7 @@ AwayFromFresh awayFromFresh(TornBar& torn, double inside) {
   return away;
 }
 
-TEST(CoverBare, ATornBarHasTwoClosedPieces) {
+TEST(CoverBare, TornBarHasTwoClosedPieces) {
   for (const bool mesh : {false, true}) {
     TornBar bar(mesh);
     const Surface& s = bar.w.surface;
@@ -179,7 +179,7 @@ TEST(CoverBare, FacesOfACrackInheritTheColoursOfTheMesh) {
 
 /// A bar compressed across until the colour field's surface lies elsewhere keeps its own. No bond is lost, so
 /// no second skin grows.
-TEST(CoverBare, WhatIsSqueezedAndHoldsTogetherGrowsNoSecondSkin) {
+TEST(CoverBare, CompressedBodyGrowsNoSecondSkin) {
   for (const bool intact : {true, false}) {
     TornBar bar(true, false, 0.02);
     if (!intact) std::fill_n(bar.w.solids.bared.data(), bar.w.solids.owned, std::uint8_t{1});
@@ -204,7 +204,7 @@ TEST(CoverBare, WhatIsSqueezedAndHoldsTogetherGrowsNoSecondSkin) {
 
 /// A bar that swings through strains of a fifth in ten updates per cycle: its surfels return to their initial
 /// places, and no error accumulates.
-TEST(FollowStart, WhatSwingsAndComesBackHasItsMarks) {
+TEST(FollowStart, OscillatingBodyKeepsItsDetail) {
   TornBar bar(true);
   const Surfels& f = bar.w.surface.surfels;
   const std::vector<Vec3d> start(bar.w.particles.position.data(),
@@ -235,7 +235,7 @@ TEST(FollowStart, WhatSwingsAndComesBackHasItsMarks) {
   EXPECT_LT(turned, 1e-9);
 }
 
-TEST(CoverBare, AChipOfSixParticlesHasASurface) {
+TEST(CoverBare, ChipOfSixParticlesGetsASurface) {
   SurfelRig rig(surfelScene(0.05));
   SurfaceParticles& p = rig.world.surface.particles;
   for (const Vec3d& x : {Vec3d{-0.46, 0.08, 0.08},

@@ -57,7 +57,7 @@ TEST(Displace, AffineMotionIsExact) {
 // A body bends about a line by 60 degrees in 12 updates, within two spacings. Discs must stay in the plane of
 // their neighbours. The mean of the particles' gradients is smoother than the displacement of positions and
 // would turn them by up to 12 degrees too little.
-TEST(Displace, NormalsTurnAsPlacesDo) {
+TEST(Displace, NormalsTurnWithPositions) {
   SettleRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) {
     return std::abs(x.x) < 6 && std::abs(x.y) < 3 && x.z < 0 && x.z > -3;
@@ -198,7 +198,7 @@ TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
   EXPECT_EQ(rig.w.surface.counters.lost, 2);
 }
 
-TEST(Displace, NobodyAtAll) {
+TEST(Displace, HandlesAnEmptySurface) {
   SettleRig rig;
   carry(rig);
   rig.addSurfel({0, 0, 1}, {0, 0, 1});
@@ -233,7 +233,7 @@ TEST(Displace, SameBitsForEveryInstructionSet) {
 
 // Melt falls off a solid, and the surface of the solid stays with it. The mean motion of all particles would
 // draw it into the solid by a tenth of the melt's fall per update.
-TEST(Displace, TheSurfaceOfASolidGoesWithTheSolid) {
+TEST(Displace, SurfaceOfASolidMovesWithTheSolid) {
   SettleRig rig;
   rig.addLattice(5, {},
                  [](const Vec3d& x) { return std::abs(x.x) < 5 && std::abs(x.y) < 5 && std::abs(x.z) < 3; });
@@ -254,7 +254,7 @@ TEST(Displace, TheSurfaceOfASolidGoesWithTheSolid) {
   }
 }
 
-TEST(Displace, FreshParticlesAndOtherComponentsDoNotPull) {
+TEST(Displace, NewParticlesAndOtherComponentsHaveNoEffect) {
   SettleRig rig;
   rig.addLattice(3, {}, [](const Vec3d& x) { return length(x) < 3; });
   rig.addParticle({0.5, 0.5, 0.5}, {9, 9, 9}, noComponent);

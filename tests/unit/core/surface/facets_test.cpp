@@ -33,7 +33,7 @@ double byNormals(const Surfels& f) {
 
 }  // namespace
 
-TEST(Facets, SpheresOfSmallDrops) {
+TEST(Facets, VolumesOfSmallDropsAreExact) {
   for (const double particles : {1.0, 2.0, 3.0, 4.0, 20.0}) {
     const double volume = particles * 1e-3;
     SurfelRig rig(surfelScene(0.05));
@@ -46,7 +46,7 @@ TEST(Facets, SpheresOfSmallDrops) {
 
 // A film with a round rim whose smoothed normals begin to turn two spacings before it. Most of sum x.n A
 // belongs to the rim.
-TEST(Facets, AFilmWhoseNormalsAreSmooth) {
+TEST(Facets, VolumeOfAFilmWithSmoothNormalsIsExact) {
   const double d = 0.05, t = 0.06, R = 1;
   SurfelRig rig(surfelScene(d));
   for (int y = -30; y <= 30; y++)
@@ -79,7 +79,7 @@ TEST(Facets, AFilmWhoseNormalsAreSmooth) {
 }
 
 // From its rim, a hole of any width removes only the part above it, not a cone to the centre.
-TEST(Facets, ABallWithAHole) {
+TEST(Facets, HoleOfABallRemovesOnlyItsCap) {
   const double angle = pi / 6, h = 1 - std::cos(angle), exact = 4.0 / 3 * pi - pi * h * h * (3 - h) / 3;
   SurfelRig rig(surfelScene(0.08));
   for (const SurfacePoint& p : test::spherePoints(2200, 1))
@@ -105,7 +105,7 @@ void addDisc(SurfelRig& rig, double radius, double z, double up) {
 
 // Films so thin that the rim is one ring of surfels, connected to neither side: there is a hole all along the
 // rim. Measured from the middle of the film, half of its volume would be missing.
-TEST(Facets, AFilmWithHolesAllAlongItsRim) {
+TEST(Facets, VolumeOfAFilmWithAnOpenRimIsExact) {
   const double d = 0.05, R = 12 * d;
   for (const double thick : {0.5, 0.8})
     for (const double tilt : {0.0, 0.7}) {
@@ -135,7 +135,7 @@ TEST(Facets, AFilmWithHolesAllAlongItsRim) {
 }
 
 // Drops that meet a floor at a sharp angle: no surfel above is connected to one on the floor.
-TEST(Facets, CapsOnAFloor) {
+TEST(Facets, VolumesOfCapsOnAFloorAreExact) {
   const double d = 0.05, a = 12 * d;
   for (const double angle : {30.0, 45.0, 60.0, 90.0, 120.0}) {
     const double t = angle * pi / 180, R = a / std::sin(t), middle = -R * std::cos(t), h = R + middle,
@@ -151,7 +151,7 @@ TEST(Facets, CapsOnAFloor) {
 }
 
 // Edges gain the volume between the planes that meet there and the facets.
-TEST(Facets, ABox) {
+TEST(Facets, VolumeOfABoxIncludesItsEdges) {
   const double d = 0.1;
   SurfelRig rig(surfelScene(d));
   for (int a = 0; a < 3; a++)

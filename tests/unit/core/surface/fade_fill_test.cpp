@@ -19,7 +19,7 @@ double left(const Mat3d& gradient, float liquid, float fill = 1.4f) {
   return static_cast<double>(p.fill[0]);
 }
 
-TEST(FadeFill, WithTheStrainOfWhatIsLiquid) {
+TEST(FadeFill, FollowsTheStrainOfTheLiquidPart) {
   const Mat3d stretched{{{0.3, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, turned{{{0, -0.3, 0}, {0.3, 0, 0}, {0, 0, 0}}};
   EXPECT_NEAR(left(stretched, 1), 1 + 0.4 / std::exp(1), 1e-6);
   EXPECT_NEAR(left(stretched, 0.5f), 1 + 0.4 / std::exp(0.5), 1e-6);

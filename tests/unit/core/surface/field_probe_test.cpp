@@ -52,7 +52,7 @@ TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
   }
 }
 
-TEST(FieldProbe, NewtonEndsOnTheSurfaceOrSaysThatThereIsNone) {
+TEST(FieldProbe, NewtonFindsTheSurfaceOrReportsNone) {
   SettleRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5.5; });
   rig.place();
@@ -75,7 +75,7 @@ TEST(FieldProbe, NewtonEndsOnTheSurfaceOrSaysThatThereIsNone) {
 
 // The particles of other ranks are present as far as the surrounding cells, and farther on fewer ranks.
 // Queries far from the owned cells must not depend on that.
-TEST(FieldProbe, SeesTheSameWhateverIsThereFarFromHome) {
+TEST(FieldProbe, DoesNotDependOnRemoteParticles) {
   std::vector<FieldHere> found;
   for (const bool more : {false, true}) {
     SettleRig rig;

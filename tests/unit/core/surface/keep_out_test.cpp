@@ -49,7 +49,7 @@ void keepParticlesOut(World& w) {
     }
 }
 
-TEST(KeepOut, LiquidThatFlattensRoundAPegOnTheFloor) {
+TEST(KeepOut, HoldsForLiquidThatFlattensAroundAPeg) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.4, -0.4, 0.1}, {0.4, 0.4, 0.8});
   addBoxObstacle(s, {0.05, -0.1, 0}, {0.25, 0.1, 0.09});
@@ -72,7 +72,7 @@ TEST(KeepOut, LiquidThatFlattensRoundAPegOnTheFloor) {
   }
 }
 
-TEST(KeepOut, DropsOfAFewParticles) {
+TEST(KeepOut, HoldsForDropsOfAFewParticles) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.1, -0.1, 0}, {0, 0, 0.1});  // one particle
   addBox(s, {0.5, 0, 0}, {0.7, 0.2, 0.1});  // four
@@ -87,7 +87,7 @@ TEST(KeepOut, DropsOfAFewParticles) {
   }
 }
 
-TEST(KeepOut, SolidsDipInAndKeepTheirShape) {
+TEST(KeepOut, DippingSolidsKeepTheirShape) {
   Scene s = aboveFloor(1e5);
   Body& bar = addBox(s, {-0.4, -0.4, 0.05}, {0.4, 0.4, 0.65});
   bar.shape = Shape{}, bar.shape.kind = ShapeKind::Mesh, bar.shape.mesh = "bar";
@@ -133,7 +133,7 @@ TEST(KeepOut, NothingComesThroughAThinWall) {
 
 /// A liquid that has expanded in all directions to twice its volume. tests/output/torn_film_test.sh covers
 /// tearing.
-TEST(KeepOut, FilmsThatHaveGoneApartKeepTheirVolume) {
+TEST(KeepOut, TornFilmsKeepTheirVolume) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.6, -0.6, 0.0}, {0.6, 0.6, 0.2});
   SurfaceWorld world(s);

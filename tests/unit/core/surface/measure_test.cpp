@@ -6,7 +6,7 @@
 using namespace thaw;
 using namespace thaw::test;
 
-TEST(Measure, AreaAndVolumeOfABall) {
+TEST(Measure, AreaAndVolumeOfABallAreExact) {
   for (const double R : {0.2, 0.4, 0.8, 1.6}) {  // 2, 4, 8, 16 spacings
     SerialSurfaceRig rig;
     rig.world.scene.surface.keepVolume = 0;
@@ -22,7 +22,7 @@ TEST(Measure, AreaAndVolumeOfABall) {
   }
 }
 
-TEST(Measure, ABallAcrossAPeriodicSide) {
+TEST(Measure, BallAcrossAPeriodicSideIsInOnePiece) {
   double volume[2], area[2];
   for (int shifted = 0; shifted < 2; shifted++) {
     SurfaceRig rig;
@@ -61,7 +61,7 @@ SurfaceComponent measuredBox(double low, int cells) {
 
 // The far end of a body longer than half the domain must not be assigned to the other side by the shortest
 // way from the particle that names it.
-TEST(Measure, ALongBodyAcrossAPeriodicSideIsTakenInOnePiece) {
+TEST(Measure, LongBodyAcrossAPeriodicSideIsInOnePiece) {
   const SurfaceComponent whole = measuredBox(-1.5, 28);
   EXPECT_NEAR(whole.centroid.x, -0.1, 1e-9);
   for (const double low : {-0.3, 0.9, 1.7}) {
@@ -74,7 +74,7 @@ TEST(Measure, ALongBodyAcrossAPeriodicSideIsTakenInOnePiece) {
   }
 }
 
-TEST(Measure, WhatGoesRoundHasItsCentroidInTheMiddleAndItsVolume) {
+TEST(Measure, SpanningComponentHasItsCentroidInTheMiddleAndItsVolume) {
   SurfaceRig rig;
   rig.world.scene.surface.keepVolume = 0;
   for (int a = 0; a < 2; a++)
@@ -97,7 +97,7 @@ TEST(Measure, WhatGoesRoundHasItsCentroidInTheMiddleAndItsVolume) {
   EXPECT_NEAR(c.volume / 6.4 - 1, 0, 1e-6);
 }
 
-TEST(KeepVolume, ABallAndAFlattenedBall) {
+TEST(KeepVolume, RestoresABallAndAFlattenedBall) {
   for (const double flat : {1.0, 0.5}) {
     const double wide = 1 / std::sqrt(flat);
     SerialSurfaceRig rig;
@@ -124,7 +124,7 @@ TEST(KeepVolume, ABallAndAFlattenedBall) {
 }
 
 // A flat drop responds to an offset with twice its area. The next offset accounts for that.
-TEST(KeepVolume, OffsetsFollowHowTheVolumeAnswered) {
+TEST(KeepVolume, OffsetsFollowTheResponseOfTheVolume) {
   SerialSurfaceRig rig;
   Surface& s = rig.world.surface;
   s.spacing = 1;
@@ -140,7 +140,7 @@ TEST(KeepVolume, OffsetsFollowHowTheVolumeAnswered) {
 }
 
 // Beyond the range of the iteration level the surface is offset directly.
-TEST(KeepVolume, BeyondWhatTheLevelMayFollow) {
+TEST(KeepVolume, OffsetsBeyondTheRangeOfTheLevel) {
   for (const double swollen : {1.2, 0.85}) {  // particles that have expanded or contracted
     const double end = swollen > 1 ? -mostDrawnIn : mostRaised;
     SerialSurfaceRig rig;
@@ -158,7 +158,7 @@ TEST(KeepVolume, BeyondWhatTheLevelMayFollow) {
   }
 }
 
-TEST(KeepVolume, WhatFrozeIsDrawnToItsVolumeButNotWhatNeverMeltedNorAMeshsDetail) {
+TEST(KeepVolume, AppliesToFrozenSurfacesButNotToUnmeltedOrDetailedOnes) {
   for (const int way : {0, 1, 2}) {  // frozen, never liquid, frozen under a mesh's detail
     SerialSurfaceRig rig;
     rig.liquid = false;

@@ -106,7 +106,7 @@ TEST(Merge, LiquidsThatTouchJoinAndDoNotFlicker) {
   }
 }
 
-TEST(Merge, TheSceneSaysWhatJoins) {
+TEST(Merge, SceneRulesDecideMerges) {
   for (const bool liquid : {false, true})
     for (const MergeRule rule : {MergeRule::Liquid, MergeRule::All, MergeRule::None}) {
       SerialSurfaceRig rig;
@@ -129,7 +129,7 @@ TEST(Merge, TheSceneSaysWhatJoins) {
     }
 }
 
-TEST(Merge, ADropFallsIntoAPool) {
+TEST(Merge, DropMergesIntoAPool) {
   SerialSurfaceRig rig;
   rig.box({-1, -1, -1}, {20, 20, 10}, 1);
   rig.ball({0.01, 0.02, 0.1}, 0.3, 1 + rig.particles);
@@ -146,7 +146,7 @@ TEST(Merge, ADropFallsIntoAPool) {
   }
 }
 
-TEST(Inside, OfACubeAndAThinSheet) {
+TEST(Inside, IsExactForACubeAndAThinSheet) {
   for (const int layers : {10, 1}) {
     SerialSurfaceRig rig;
     const double z = 0.1 * layers;
@@ -174,7 +174,7 @@ TEST(Inside, OfACubeAndAThinSheet) {
   }
 }
 
-TEST(NearSheets, GapSheetAndFold) {
+TEST(NearSheets, FindsGapSheetAndFold) {
   const Vec3d up{0, 0, 1}, down{0, 0, -1}, side{1, 0, 0};
   EXPECT_EQ(facing({0.1, 0, 0.3}, up, down), Facing::AcrossGap);
   EXPECT_EQ(facing({0.1, 0, -0.3}, up, down), Facing::AcrossSheet);
@@ -222,7 +222,7 @@ Fingers fingersApart(double gap) {
 
 }  // namespace
 
-TEST(NearSheets, FingersOfOneBodyDoNotBlend) {
+TEST(NearSheets, FingersOfOneBodyDoNotMerge) {
   for (const double gap : {3.0, 2.0, 1.0, 0.5}) {
     const Fingers f = fingersApart(gap);
     std::printf("gap %.1f: %zu surfels in it, %.3f spacings above the particles, outside %.3f\n", gap,

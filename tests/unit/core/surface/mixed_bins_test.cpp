@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-TEST(MixedBins, HoldAllThatHaveAnotherLabelInReach) {
+TEST(MixedBins, HoldAllWithAnotherLabelInReach) {
   for (const int labels : {1, 2, 5}) {
     std::vector<Vec3d> x;
     std::vector<std::uint64_t> label;

@@ -49,7 +49,7 @@ InSlot lookInto(const World& w, double half) {
   return in;
 }
 
-TEST(NearGaps, SheetsOfASolidHaveASurfaceEach) {
+TEST(NearGaps, SheetsOfASolidHaveSeparateSurfaces) {
   SurfaceWorld world(slotted(2));
   const std::size_t surfels = world.w.surface.surfels.owned;
   const double law = 0.6 * 0.4 / (0.05 * 0.05 * 0.866);
@@ -69,8 +69,8 @@ TEST(NearGaps, SheetsOfASolidHaveASurfaceEach) {
   }
 }
 
-TEST(NearGaps, AShellOfTwoLayersKeepsItsSurface) {  // the colour field never reaches that of a ball here, so
-                                                    // that a fixed level would delete the surface
+TEST(NearGaps, ShellOfTwoLayersKeepsItsSurface) {  // the colour field never reaches that of a ball here, so
+                                                   // that a fixed level would delete the surface
   Scene s = slotted(2);
   Shape& shell = s.bodies[0].shape;
   for (Shape& part : shell.parts) part = Shape{}, part.kind = ShapeKind::Sphere;
@@ -84,7 +84,7 @@ TEST(NearGaps, AShellOfTwoLayersKeepsItsSurface) {  // the colour field never re
   EXPECT_NEAR(world.components()[0].volume / world.components()[0].particleVolume, 1, 0.01);
 }
 
-TEST(NearGaps, AreThoseOfSolidsThatTheFieldDoesNotSee) {
+TEST(NearGaps, AreGapsOfSolidsBelowTheFieldsResolution) {
   const auto gaps = [](const Scene& s) {
     SurfaceWorld world(s);
     gatherParticles(world.w, 0);

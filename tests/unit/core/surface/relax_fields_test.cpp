@@ -28,7 +28,7 @@ void addBall(SettleRig& rig, double R, double noise = 0.1) {
   rig.place();
 }
 
-TEST(Relax, LevelTableKnowsItsSlope) {
+TEST(Relax, LevelTableHasItsDerivative) {
   LevelTable table;
   table.fill();
   for (const double x : {0.1, 0.35, 0.5, 0.7}) {
@@ -39,7 +39,7 @@ TEST(Relax, LevelTableKnowsItsSlope) {
   }
 }
 
-TEST(Relax, DegenerateNeighbourhoods) {
+TEST(Relax, DegenerateNeighbourhoodsStayFinite) {
   for (SmoothingForm form : {SmoothingForm::Sphere, SmoothingForm::Plane}) {
     SettleRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     const auto finite = [&] {
@@ -75,7 +75,7 @@ TEST(Relax, DegenerateNeighbourhoods) {
   }
 }
 
-TEST(Relax, WhereNeighboursHaveNoPlaneTheNormalStays) {  // B23
+TEST(Relax, NormalIsKeptWithoutAPlaneOfNeighbours) {  // B23
   SettleRig rig(0.5, 12, [](Scene& s) {
     s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5,
     s.surface.smoothing = SmoothingForm::Plane;

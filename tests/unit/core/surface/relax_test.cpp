@@ -40,8 +40,9 @@ void addBall(SettleRig& rig, double R, double noise = 0.1) {
   rig.place();
 }
 
-TEST(Relax, BallOfLatticeParticles) {  // limits at R/dx = 16; the lattice has 0.57 % more volume than the
-                                       // ball
+TEST(Relax, BallOfLatticeParticlesIsAccurate) {  // limits at R/dx = 16; the lattice has 0.57 % more volume
+                                                 // than the
+                                                 // ball
   SettleRig rig;
   addBall(rig, 16);
   const double particles = static_cast<double>(rig.w.surface.particles.owned);
@@ -166,7 +167,7 @@ TEST(Relax, LocalStopGivesWhatAllSurfelsGive) {
   EXPECT_LT(height, 2 * 0.01 * 0.5 + 0.02);
 }
 
-TEST(Relax, SolidsAreLeftAlone) {
+TEST(Relax, SolidsAreUnchanged) {
   SettleRig rig;
   addBall(rig, 5);
   Surfels& s = rig.w.surface.surfels;
@@ -181,7 +182,7 @@ TEST(Relax, SolidsAreLeftAlone) {
   EXPECT_EQ(rig.tools.relax.times.surfels, 0);
 }
 
-TEST(Relax, ObstaclesAndLeastLevel) {
+TEST(Relax, RespectsObstaclesAndTheLowestLevel) {
   SettleRig rig;
   addFloor(rig, -4);
   addBall(rig, 5);

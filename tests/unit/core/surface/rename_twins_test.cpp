@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-TEST(RenameTwins, NewOnesGetAnotherIdByTheirPlace) {
+TEST(RenameTwins, DuplicatesGetAnIdByTheirPosition) {
   const auto make = [](bool twisted) {
     SurfelRig rig(surfelScene(0.1));
     for (int k = 0; k < 10; k++) rig.add({0.1 * k, 0, 0}, {0, 0, 1});

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-TEST(Resample, ABallOfBlueNoiseStaysAsItIs) {
+TEST(Resample, BlueNoiseBallIsUnchanged) {
   SurfelRig rig(surfelScene(0.1));
   for (const SurfacePoint& p : spherePoints(1450, 1)) rig.add(p.position, p.normal);
   const Resampled r = rig.resample(8);
@@ -200,7 +200,7 @@ TEST(Resample, DensityFollowsCurvature) {
     }
 }
 
-TEST(Resample, FewOpenSurfelsInATableOfTheirOwnGiveTheSameBits) {
+TEST(Resample, SeparateTableOfFewOpenSurfelsGivesTheSameBits) {
   std::vector<std::byte> state[2];
   std::int64_t births[2];
   for (const bool apart : {false, true}) {

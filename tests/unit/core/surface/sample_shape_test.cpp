@@ -82,7 +82,7 @@ double largestHole(const World& w, const SignedDistance& shape) {
   return hole / w.surface.spacing;
 }
 
-TEST(SampleShape, SolidsHaveTheAreaVolumeAndPlaceOfTheirShapes) {
+TEST(SampleShape, SolidsMatchAreaVolumeAndPositionOfTheirShapes) {
   struct Exact {
     const char* name;
     Shape shape;
@@ -140,7 +140,7 @@ TEST(SampleShape, NormalsAreThoseOfTheFaces) {
   }
 }
 
-TEST(SampleShape, ABodyHasTheSameSamplesWhereverItIs) {
+TEST(SampleShape, SamplesDoNotDependOnThePosition) {
   const Shape here = cylinderOf(3, 4);
   Shape there = here;
   there.move = {0.1, 0.7, 12.3};
@@ -150,8 +150,8 @@ TEST(SampleShape, ABodyHasTheSameSamplesWhereverItIs) {
     ASSERT_LT(length(a[k].position + there.move - b[k].position), 1e-12);
 }
 
-TEST(SampleShape, PlatesThatFaceEachOtherKeepTheirPlaces) {  // a surface grown from particles would be 0.25
-                                                             // spacings off, since each plate is alone
+TEST(SampleShape, FacingPlatesKeepTheirPositions) {  // a surface grown from particles would be 0.25
+                                                     // spacings off, since each plate is alone
   for (const double gap : {1.2, 0.0}) {
     Scene s = solidScene();
     for (const double side : {-1.0, 1.0})
@@ -164,7 +164,7 @@ TEST(SampleShape, PlatesThatFaceEachOtherKeepTheirPlaces) {  // a surface grown 
   }
 }
 
-TEST(SampleShape, AThinRodAslantIsOneComponentAndItsPiecesAreTold) {
+TEST(SampleShape, ThinTiltedRodIsOneComponentAndItsPiecesAreReported) {
   Scene s = solidScene();
   Shape rod = cylinderOf(0.6, 20);
   rod.rotate = {20 * pi / 180, 30 * pi / 180, 0};
@@ -183,7 +183,7 @@ TEST(SampleShape, AThinRodAslantIsOneComponentAndItsPiecesAreTold) {
   EXPECT_TRUE(SurfaceWorld(two).tools.pieces.empty());
 }
 
-TEST(SampleShape, HasNoFaceWhereABodyMeetsItselfAcrossAPeriodicSide) {
+TEST(SampleShape, BodiesJoinedAcrossAPeriodicSideHaveNoFaceThere) {
   Scene s = solidScene();
   s.domain.min = {-9, -20, -20};
   s.domain.max = {9, 20, 20};
@@ -195,7 +195,7 @@ TEST(SampleShape, HasNoFaceWhereABodyMeetsItselfAcrossAPeriodicSide) {
   for (std::size_t i = 0; i < f.owned; i++) ASSERT_LT(std::abs(f.normal[i].x), 0.5);
 }
 
-TEST(SampleShape, WhatFollowsParticlesIsGrown) {
+TEST(SampleShape, LiquidSurfacesAreGrown) {
   Scene s = solidScene();
   addBody(s, boxOf({-6, -5, -3}, {6, 5, 3}));
   EXPECT_TRUE(isSampled(s, 0));
@@ -212,7 +212,7 @@ TEST(SampleShape, WhatFollowsParticlesIsGrown) {
   EXPECT_TRUE(isSampled(molten, 0));
 }
 
-TEST(SampleShape, WhatHasMeltedHoldsItsOwnVolume) {  // a ball of R/dx = 5 has 552 particles, 5 % more than
+TEST(SampleShape, MoltenBodiesHoldTheirOwnVolume) {  // a ball of R/dx = 5 has 552 particles, 5 % more than
                                                      // the volume of its shape
   Scene s = solidScene();
   Material& m = s.materials[0];

@@ -23,7 +23,7 @@ TEST(SurfaceDue, CountsStepsAndMoves) {
   EXPECT_TRUE(surfaceDue(w, 0));
 }
 
-TEST(SurfaceDue, TheShortestWayRoundCountsAndFreshParticlesDoNot) {
+TEST(SurfaceDue, UsesTheNearestImageAndIgnoresNewParticles) {
   World w;
   Continuum& p = w.particles;
   for (AnyColumn* c : {static_cast<AnyColumn*>(&p.position), static_cast<AnyColumn*>(&p.surfacePlace),

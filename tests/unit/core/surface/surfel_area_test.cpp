@@ -62,7 +62,7 @@ std::vector<double> areas(SettleRig& rig, const SurfaceKernels* kernels) {
   return {rig.w.surface.surfels.area.data(), rig.w.surface.surfels.area.data() + rig.w.surface.surfels.owned};
 }
 
-TEST(SurfelArea, IsThatOfTheVoronoiCell) {
+TEST(SurfelArea, EqualsTheVoronoiCell) {
   for (const double noise : {0.0, 0.1, 0.2}) {
     SettleRig rig;
     const std::vector<Flat> all = addSheet(rig, noise);
@@ -85,7 +85,7 @@ TEST(SurfelArea, IsThatOfTheVoronoiCell) {
   }
 }
 
-TEST(SurfelArea, TwoAtOnePlaceHaveFiniteAreas) {
+TEST(SurfelArea, CoincidentSurfelsHaveFiniteAreas) {
   SettleRig rig;
   addSheet(rig, 0.1);
   const double before = [&] {

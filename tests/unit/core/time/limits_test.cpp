@@ -77,7 +77,7 @@ TEST(Clock, FrameTimesDoNotDependOnTheEnd) {
     }
 }
 
-TEST(Clock, FramesThatNobodyWroteDoNotStopIt) {
+TEST(Clock, MissedFramesDoNotStopIt) {
   Clock c;
   c.end = 1;
   c.every = 0.25;
@@ -110,7 +110,7 @@ TEST(Clock, StepsBetweenFramesAreEqual) {
   EXPECT_EQ(c.time, 1);
 }
 
-TEST(Clock, AFixedStepIsKeptWhereNothingCutsIt) {
+TEST(Clock, FixedStepIsKeptBetweenFrames) {
   Clock c;
   c.end = 1e9;
   c.dt = 1.83e-4;
@@ -121,7 +121,7 @@ TEST(Clock, AFixedStepIsKeptWhereNothingCutsIt) {
   }
 }
 
-TEST(Clock, AWaveringLimitChangesNoStep) {
+TEST(Clock, OscillatingLimitChangesNoStep) {
   Clock c;
   c.end = 1;
   c.every = 0.04;
@@ -156,7 +156,7 @@ TEST(Clock, FollowsALimitThatFallsAndRises) {
   EXPECT_NEAR(nextStep(c), 0.591, 1e-6);
 }
 
-TEST(StepLimits, OfALiquid) {
+TEST(StepLimits, MatchTheFormulasOfALiquid) {
   Scene s = oneMaterial();
   s.materials[0].surfaceTension = 0.07;
   s.materials[0].conductivity = {3, 3};
@@ -189,7 +189,7 @@ TEST(StepLimits, MaterialsWithoutParticlesDoNotCount) {
   EXPECT_DOUBLE_EQ(materialLimits(s, m, liquidMaterials(s)).value[0], alone / 100);
 }
 
-TEST(StepLimits, HeatBesideABetterConductor) {
+TEST(StepLimits, HeatFollowsTheBetterConductor) {
   Scene s = oneMaterial();
   s.materials[0].conductivity = {1, 1};
   Modules m;
@@ -206,7 +206,7 @@ TEST(StepLimits, HeatBesideABetterConductor) {
   EXPECT_NEAR(heat(), alone / 2, 1e-5 * alone);
 }
 
-TEST(StepLimits, ViscosityBesideAThickerHeavierMaterial) {
+TEST(StepLimits, ViscosityFollowsTheMeanOfTwoMaterials) {
   Scene s = oneMaterial();  // 2 Pa s
   s.materials[0].density = 10;
   Modules m;
@@ -234,7 +234,7 @@ TEST(StepLimits, ViscosityBesideAThickerHeavierMaterial) {
   EXPECT_NEAR(viscous(), printed / 50.5, 1e-9 * printed);  // arithmetic mean
 }
 
-TEST(StepLimits, SoundOfCompressedTait) {
+TEST(StepLimits, SoundFollowsCompressionWithTait) {
   World w;
   w.scene = oneMaterial();
   w.modules.fluid = true;
@@ -252,7 +252,7 @@ TEST(StepLimits, SoundOfCompressedTait) {
   EXPECT_EQ(soundStiffening(w), 1);
 }
 
-TEST(StepLimits, ImplicitViscosityHasNone) {
+TEST(StepLimits, ImplicitViscosityHasNoLimit) {
   Scene s = oneMaterial();
   s.materials[0].viscosity = {1e5, 1e5};
   Modules m;
@@ -264,7 +264,7 @@ TEST(StepLimits, ImplicitViscosityHasNone) {
   EXPECT_LT(materialLimits(s, m, liquidMaterials(s))[Limit::Viscous], never);
 }
 
-TEST(StepLimits, OfParticles) {
+TEST(StepLimits, UseTheRatesOfParticles) {
   World w;
   w.scene = oneMaterial();
   w.scene.materials[0].viscosityTable = {{300, 10}, {400, 50}, {500, 1}};  // not monotone

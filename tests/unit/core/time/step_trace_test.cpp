@@ -38,7 +38,7 @@ TEST(StepTrace, IsBounded) {
   EXPECT_TRUE(trace.events().empty());
 }
 
-TEST(StepTrace, GetsTheLapsOfPhases) {
+TEST(StepTrace, RecordsTheLapsOfPhases) {
   StepTrace trace(2);
   PhaseTimes times;
   times.start();

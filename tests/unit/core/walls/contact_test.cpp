@@ -52,7 +52,7 @@ TEST(WallContact, PerfectRestitutionKeepsEnergyOverManyBounces) {
   EXPECT_EQ(r.dissipated(), 0);
 }
 
-TEST(WallContact, BouncesAsTheRestitutionSays) {
+TEST(WallContact, BouncesWithItsRestitution) {
   for (double e : {0.9, 0.5, 0.3}) {
     WallRig r;
     r.w.scene.materials[0].young = {1e6, 1e6};  // stiff: gravity is negligible during contact
@@ -91,7 +91,7 @@ TEST(WallContact, ImpulseIsTheChangeOfMomentumToRounding) {
   EXPECT_LT(length(momentum() - before - given), 1e-12 * length(given));
 }
 
-TEST(WallContact, FrictionOnAnIncline) {
+TEST(WallContact, FrictionHoldsUpToItsAngle) {
   const double angle = 0.4;  // tan = 0.423
   for (double mu : {0.0, 0.2, 0.7}) {
     WallRig r;
@@ -138,7 +138,7 @@ TEST(WallContact, FrictionStopsASliderWithoutReversal) {
   EXPECT_NEAR(r.mechanical() + r.dissipated(), energy, 1e-4);
 }
 
-TEST(WallContact, DeepParticlesArePutOutAndBooked) {
+TEST(WallContact, DeepParticlesAreProjectedOutAndRecorded) {
   WallRig r;
   Obstacle& o = r.add(std::make_shared<Ground>());
   o.motion = {{0, {0, 0, 0}, {}}, {1, {0.1, 0, 0.2}, {}}};
@@ -172,7 +172,7 @@ TEST(WallContact, MovingWallsCarryAndDoWork) {
   EXPECT_GT(r.w.ledger.wallWork.value(), 9.81 * 0.2);
 }
 
-TEST(WallContact, RotatingWall) {
+TEST(WallContact, RotatingWallHasItsVelocityField) {
   WallRig r;
   Obstacle& o = r.add(std::make_shared<Ground>());
   o.motion = {{0, {}, {}}, {1, {0, 0, 0.1}, {0.2, 0.3, 1.0}}};
@@ -200,7 +200,7 @@ TEST(WallContact, ObstaclesDisappear) {
   EXPECT_TRUE(r.contacts.list.empty());
 }
 
-TEST(WallContact, ContactsAreThoseOfBruteForce) {
+TEST(WallContact, ContactsEqualBruteForce) {
   WallRig r;
   r.w.scene.domain.side = {{{Side::Wall, Side::Wall}, {Side::Wall, Side::Open}, {Side::Open, Side::Open}}};
   addDomainWalls(r.w.scene.domain, r.w.walls);

@@ -47,7 +47,7 @@ TEST(Faces, AnInnerCornerHasThree) {
   EXPECT_NEAR(f.face[1].distance + f.face[2].distance, 0.09 + 0.07, 1e-12);
 }
 
-TEST(Faces, APointInsideTheWallSeesBoth) {
+TEST(Faces, PointInsideTheWallHasBoth) {
   const Faces f = facesWithin(tank(), {-0.95, 0, -0.02}, h, dx);
   ASSERT_EQ(f.count, 2U);
   expectFace(f.face[0], -0.02, {0, 0, 1});

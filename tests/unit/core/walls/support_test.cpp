@@ -32,7 +32,7 @@ double fillingBeside(std::initializer_list<Plane> planes) {
 
 }  // namespace
 
-TEST(WallFilling, CornersAndWallsThatCoincide) {
+TEST(WallFilling, CoincidingWallsCountOnce) {
   const Plane floor({0, 0, 1}, -0.05), left({1, 0, 0}, -0.05), back({0, 1, 0}, -0.05),
       ceiling({0, 0, -1}, -0.05), same({0, 0, 1}, -0.05), behind({0, 0, 1}, -0.12);
   const double one = fillingBeside({floor});
@@ -49,7 +49,7 @@ TEST(WallFilling, CornersAndWallsThatCoincide) {
 
 // Two planes at any angle through the particle leave out angle / 2 pi. One alone contributes a fraction t of
 // the half-space.
-TEST(WallFilling, AnglesBetweenWalls) {
+TEST(WallFilling, FollowsTheAngleBetweenWalls) {
   const double one = fillingBeside({Plane({0, 0, 1}, 0)});
   for (double angle : {0.3, 1.0, 2.0, 2.9}) {
     const double both = fillingBeside({Plane({0, 0, 1}, 0), Plane({std::sin(angle), 0, std::cos(angle)}, 0)});
@@ -73,7 +73,7 @@ TEST(WallPressure, CoincidingWallsPushOnce) {
   EXPECT_NEAR(push(2), push(1), 1e-9 * push(1));
 }
 
-TEST(WallDrag, StopsWithoutOvershootAndSlipsWhereAsked) {
+TEST(WallDrag, StopsWithoutOvershootAndSlipsIfRequested) {
   for (bool slip : {false, true}) {
     WallRig r;
     r.w.scene.domain.gravity = {};
@@ -112,7 +112,7 @@ TEST(WallDrag, IsTheShearStressOfALinearProfile) {
   EXPECT_NEAR(drag, 2 * 2.0 * 0.1 * 0.1, 0.001 * 2 * 2.0 * 0.1 * 0.1);
 }
 
-TEST(WallHeat, FlowsAsFouriersLawSaysAndDoesNotOvershoot) {
+TEST(WallHeat, FollowsFouriersLawWithoutOvershoot) {
   WallRig r;
   r.w.scene.domain.gravity = {};
   r.w.scene.materials[0].conductivity = {3, 3};
@@ -136,7 +136,7 @@ TEST(WallHeat, FlowsAsFouriersLawSaysAndDoesNotOvershoot) {
   EXPECT_NEAR(p.heatFlow[0] + p.heatFlow[1], 1e-3 * 100 * 0.01, 0.3 * 1e-3);
 }
 
-TEST(WallHeat, AnInsulatingWallInTheSamePlaceTakesNothingOfIt) {
+TEST(WallHeat, CoincidingInsulatorTakesNoHeat) {
   const auto flow = [](int cold) {
     WallRig r;
     r.w.scene.materials[0].conductivity = {3, 3};

@@ -100,7 +100,7 @@ TEST(WallTables, AgreeWithFineSampling) {
   expectTables<Mcg03>(KernelKind::Mcg03);
 }
 
-TEST(WallTables, PushIsTheSlopeOfFilling) {
+TEST(WallTables, PushIsTheDerivativeOfTheDensity) {
   for (KernelKind kind : {KernelKind::WendlandC2, KernelKind::CubicSpline})
     for (double d : {0.05, 0.25, 0.5, 0.7}) {
       const double e = 1e-5, slope = (wallIntegrals(numericsOf(kind, 0.5), d - e).filling -
@@ -117,7 +117,7 @@ TEST(WallTables, PushIsTheSlopeOfFilling) {
 }
 
 // A particle half a spacing from a wall is hardly affected by the missing lattice.
-TEST(WallTables, StandForTheMissingHalfOfTheLattice) {
+TEST(WallTables, ReplaceTheMissingHalfOfTheLattice) {
   const double spacing = 0.5;
   const auto check = [&](auto kernel, KernelKind kind, double tolerance) {
     const Half<decltype(kernel)> half(spacing);

@@ -54,7 +54,7 @@ void expectSameState(const Table& a, const Table& b) {
   }
 }
 
-TEST(PackedColumns, ComeBackBitByBit) {
+TEST(PackedColumns, AreRestoredBitByBit) {
   PackedTable packed;  // reused by all cases, with its memory
   for (const std::size_t rows :
        {std::size_t{5000}, std::size_t{0}, std::size_t{1}, std::size_t{3}, packedBlock - 1, packedBlock,
@@ -68,7 +68,7 @@ TEST(PackedColumns, ComeBackBitByBit) {
   }
 }
 
-TEST(PackedColumns, GhostsAreNotKept) {
+TEST(PackedColumns, LeaveOutGhosts) {
   Continuum from, to;
   fill(from, 40, 1);
   from.resize(40, 9);
@@ -80,7 +80,7 @@ TEST(PackedColumns, GhostsAreNotKept) {
   expectSameState(from, to);
 }
 
-TEST(PackedColumns, AnyRowsAreUnpackedAlone) {
+TEST(PackedColumns, UnpackAnyRows) {
   Continuum p;
   fill(p, 3 * packedBlock + 77, 5);
   PackedTable packed;
@@ -103,7 +103,7 @@ TEST(PackedColumns, AnyRowsAreUnpackedAlone) {
   }
 }
 
-TEST(PackedColumns, WhatAllRowsShareIsKeptOnce) {
+TEST(PackedColumns, StoreConstantBytesOnce) {
   Continuum p;
   fill(p, 20 * packedBlock, 8);
   PackedTable packed;

@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
+TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   World w;
   w.clock.dt = 0.4;
   w.clock.end = 1000;
@@ -51,7 +51,7 @@ TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
 }
 
 // Snapshots come arbitrarily close to a failure that no step prevents.
-TEST(Watch, GoodStatesBeforeAFailureDoNotForgiveIt) {
+TEST(Watch, SnapshotsBeforeAFailureDoNotForgiveIt) {
   World w;
   WatchBounds b;
   w.clock.dt = 1;
@@ -75,7 +75,7 @@ TEST(Watch, GoodStatesBeforeAFailureDoNotForgiveIt) {
   EXPECT_TRUE(mayRetry(w, b));
 }
 
-TEST(Watch, NoRetryTakesAStepBelowTheWatchedOne) {
+TEST(Watch, NoRetryTakesAStepBelowTheLimit) {
   World w;
   WatchBounds b;
   b.step = 0.2;
@@ -90,7 +90,7 @@ TEST(Watch, NoRetryTakesAStepBelowTheWatchedOne) {
   EXPECT_TRUE(retryTooShort(w, b));
 }
 
-TEST(Watch, HalvesWhatFramesHaveCut) {
+TEST(Watch, HalvesStepsCutByFrames) {
   World w;
   w.clock.dt = 1;
   w.clock.every = 0.3;
@@ -101,7 +101,7 @@ TEST(Watch, HalvesWhatFramesHaveCut) {
 
 // An infinite step has no half. The number of halvings must stay below 63, since the message has 1 <<
 // halvings.
-TEST(Watch, HalvesTheWayBetweenFramesWhereNothingLimitsTheStep) {
+TEST(Watch, HalvesTheFrameIntervalWithoutAStepLimit) {
   World w;
   w.clock.dt = never;
   w.clock.every = 0.3;
@@ -120,7 +120,7 @@ TEST(Watch, HalvesTheWayBetweenFramesWhereNothingLimitsTheStep) {
   EXPECT_LT(w.watch.halvings, 63) << "the message has 1 << halvings";
 }
 
-TEST(Watch, ALongLimitOfHeatIsNoMeasureOfTheStep) {
+TEST(Watch, IgnoresALongHeatLimit) {
   Scene s;
   s.spacing = 0.01;
   s.domain.gravity = {};
@@ -136,7 +136,7 @@ TEST(Watch, ALongLimitOfHeatIsNoMeasureOfTheStep) {
   EXPECT_DOUBLE_EQ(watchBounds(s, {}, {}, l).step, s.numerics.watchStep * 1e-3);
 }
 
-TEST(Watch, AlarmsOfReducedValues) {
+TEST(Watch, FindsFailuresOfReducedValues) {
   World w;
   w.grid.support = 0.1;
   WatchBounds b;
@@ -160,7 +160,7 @@ TEST(Watch, AlarmsOfReducedValues) {
   EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None);
 }
 
-TEST(Watch, EnergyFromNowhereSinceTheLastGoodState) {
+TEST(Watch, FindsUnexplainedEnergySinceTheLastSnapshot) {
   World w;
   SerialReducer all;
   WatchBounds b;
@@ -179,7 +179,7 @@ TEST(Watch, EnergyFromNowhereSinceTheLastGoodState) {
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Energy) << "not a number";
 }
 
-TEST(Watch, EnergyFromNowhereThatGrowsSlowly) {
+TEST(Watch, FindsSlowlyGrowingUnexplainedEnergy) {
   World w;
   SerialReducer all;
   WatchBounds b;
@@ -210,7 +210,7 @@ TEST(Watch, EnergyFromNowhereThatGrowsSlowly) {
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "lost";
 }
 
-TEST(Watch, TheSuspectOfEqualsHasTheLowestId) {
+TEST(Watch, NamesTheLowestIdAmongEquals) {
   World w;
   Continuum& p = w.particles;
   for (AnyColumn* c : p.columns)
@@ -229,7 +229,7 @@ TEST(Watch, TheSuspectOfEqualsHasTheLowestId) {
   EXPECT_EQ(findSuspect(w, Alarm::NotFinite, Limit::Speed, all).row, 0u);
 }
 
-TEST(Watch, AKeptStateIsBroughtBack) {
+TEST(Watch, RestoresASnapshot) {
   World w;
   GoodState kept;
   StepTools tools;

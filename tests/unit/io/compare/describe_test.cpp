@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-TEST(Describe, TellsAFewOfEachKindAndCountsTheRest) {
+TEST(Describe, ListsAFewOfEachTypeAndCountsTheRest) {
   Comparison c;
   c.general.push_back("step: A 3, B 4");
   for (int k = 0; k < 60; k++)

@@ -34,7 +34,7 @@ fs::path writeSheets(const fs::path& path) {
 
 }  // namespace
 
-TEST_F(Export, PicturesShowInOnePieceWhatCrossesAPeriodicSide) {
+TEST_F(Export, PicturesShowBodiesAcrossPeriodicSidesInOnePiece) {
   PeriodicSides sides;
   sides.is[0] = true;
   sides.min = {0, -1, 0}, sides.period = {3, 2, 2};
@@ -52,7 +52,7 @@ TEST_F(Export, PicturesShowInOnePieceWhatCrossesAPeriodicSide) {
   EXPECT_LT(widest(readFrameView(frame, "surface", sides)), 1.01f);
 }
 
-TEST_F(Export, SheetsWithTheirTriangles) {
+TEST_F(Export, SheetsKeepTheirTriangles) {
   const fs::path frame = writeSheets(folder / "frames" / "cloth_sheet_000001.hdf");
   for (const std::string as : {"ply", "obj"}) {
     const fs::path out = folder / ("cloth." + as);
@@ -111,7 +111,7 @@ fs::path writeOriented(const fs::path& path, std::size_t turn) {
 }
 
 // Rows are on the ranks in any order. A curve has no triangles.
-TEST_F(Export, OrientedInTheOrderOfIdsWithLinesOfCurves) {
+TEST_F(Export, OrientedParticlesAreInIdOrderWithLinesOfCurves) {
   for (const std::string as : {"ply", "obj", "vtp"}) {
     std::string first;
     for (const std::size_t turn : {0, 5, 13}) {
@@ -146,7 +146,7 @@ TEST_F(Export, ReadsItsFrames) {
             std::string::npos);
 }
 
-TEST_F(Export, TheSurfaceIsDrawnWhereThereIsOne) {
+TEST_F(Export, SurfaceIsDrawnIfPresent) {
   const fs::path particles = particleFrame(1);
   EXPECT_EQ(findFrames(folder), std::vector<fs::path>{particles});
   EXPECT_NE(errorOf([&] {

@@ -26,7 +26,7 @@ TEST_F(Export, MeshesAreReadBack) {
 }
 
 // The sides are those of the scene stored in the frame.
-TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrTold) {
+TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrReported) {
   const auto across = [&](const std::string& name, auto addSurfels) {
     SurfelSamples s;
     addSurfels(s);
@@ -67,7 +67,7 @@ TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrTold) {
   EXPECT_NEAR(volumeOf(readMesh((folder / "rod.ply").string())), 0.12, 0.01 * 0.12);
 }
 
-TEST_F(Export, CubesWiderThanABodyAreTold) {
+TEST_F(Export, CubesWiderThanABodyAreReported) {
   ExportOptions o;
   o.input = surfaceFrame(1), o.as = "ply";
   for (const double cell : {1.0, 10.0}) {
@@ -84,7 +84,7 @@ TEST_F(Export, CubesWiderThanABodyAreTold) {
   }
 }
 
-TEST_F(Export, DiscsAreWhereTheSurfelsAre) {
+TEST_F(Export, DiscsLieOnTheSurfels) {
   const fs::path frame = surfaceFrame(1);
   ASSERT_EQ(run(frame, "ply-discs"), 0);
   const TriangleMesh m = readMesh((folder / "export" / "wax_surface_000001.discs.ply").string());
@@ -133,7 +133,7 @@ TEST_F(Export, VtpAndPovHoldEverySurfel) {
   EXPECT_NE(pov.find("light_source {"), std::string::npos);
 }
 
-TEST_F(Export, AllFramesOfARunAndEveryErrorIsSaid) {
+TEST_F(Export, ExportsAllFramesAndReportsEveryError) {
   surfaceFrame(0), surfaceFrame(1);
   const fs::path particles = particleFrame(0);
   EXPECT_EQ(run(folder, "ply", folder / "meshes"), 0);
@@ -150,7 +150,7 @@ TEST_F(Export, AllFramesOfARunAndEveryErrorIsSaid) {
   }
 }
 
-TEST_F(Export, AFilmIsMadeOrTheCommandSaid) {
+TEST_F(Export, FilmIsMadeOrItsCommandIsPrinted) {
   const std::vector<fs::path> pictures{folder / "a_000001.png", folder / "a_000002.png"};
   for (const fs::path& p : pictures) writePng(Image(65, 41, {200, 100, 0}), p);
   const std::string command = movieCommand(pictures, folder / "a.mp4", 25);

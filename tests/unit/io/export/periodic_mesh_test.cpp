@@ -67,7 +67,7 @@ std::array<double, 2> rangeOf(const TriangleMesh& mesh, int axis) {
 
 }  // namespace
 
-TEST(PeriodicMesh, ABallOverACornerIsInOnePiece) {
+TEST(PeriodicMesh, BallAcrossACornerIsInOnePiece) {
   const PeriodicSides sides = sidesOf(true, true, true);
   for (const Vec3d centre : {Vec3d{-0.13, 1.31, 0.22}, Vec3d{0.88, 0.02, 1.07}, Vec3d{0.4, 0.6, 0.6}}) {
     Surfaces s;
@@ -90,7 +90,7 @@ TEST(PeriodicMesh, ABallOverACornerIsInOnePiece) {
   }
 }
 
-TEST(PeriodicMesh, WhatGoesRoundIsCutAtTheSidesAndCapped) {
+TEST(PeriodicMesh, SpanningComponentsAreCutAtTheSidesAndCapped) {
   const PeriodicSides sides = sidesOf(true, false, false);
   // longer than the domain, so that its ends are left out
   const TriangleMesh rod = boxMesh({-1.5, 0.4, 0.5}, {1.9, 0.7, 0.8});
@@ -115,7 +115,7 @@ TEST(PeriodicMesh, WhatGoesRoundIsCutAtTheSidesAndCapped) {
   EXPECT_NEAR(cap, 0.09, 0.01 * 0.09);
 }
 
-TEST(PeriodicMesh, APoolIsOneBlockWithItsBubblesAndDrops) {
+TEST(PeriodicMesh, PoolIsOneBlockWithItsBubblesAndDrops) {
   const PeriodicSides sides = sidesOf(true, true, false);
   const TriangleMesh pool = boxMesh({-2, -2, 0.3}, {3, 3, 0.8});
   Surfaces s;
@@ -128,7 +128,7 @@ TEST(PeriodicMesh, APoolIsOneBlockWithItsBubblesAndDrops) {
   EXPECT_NEAR(volumeOf(m.mesh), volume, 0.005 * volume);
 }
 
-TEST(PeriodicMesh, AHollowIsPlacedInItsBody) {
+TEST(PeriodicMesh, CavityIsPlacedInItsBody) {
   const PeriodicSides sides = sidesOf(false, true, false);
   Surfaces s;
   s.addBall({0.4, 1.2, 0.6}, 0.35, sides);
@@ -140,7 +140,7 @@ TEST(PeriodicMesh, AHollowIsPlacedInItsBody) {
   EXPECT_NEAR(volumeOf(m.mesh), ballVolume(0.35) - ballVolume(0.15), 0.01 * ballVolume(0.35));
 }
 
-TEST(PeriodicMesh, AroundAHollowAloneTheBodyFillsTheDomain) {
+TEST(PeriodicMesh, BodyFillsTheDomainAroundASingleCavity) {
   const PeriodicSides sides = sidesOf(true, true, true);
   Surfaces s;
   s.addBall({0.9, 0, 0.6}, 0.3, sides, true);
@@ -151,7 +151,7 @@ TEST(PeriodicMesh, AroundAHollowAloneTheBodyFillsTheDomain) {
   EXPECT_NEAR(volumeOf(m.mesh), volume, 0.005 * volume);
 }
 
-TEST(PeriodicMesh, NearItsOwnImageIsNotRound) {
+TEST(PeriodicMesh, BodyNearItsOwnImageIsNotSpanning) {
   const PeriodicSides sides = sidesOf(true, false, false);
   Surfaces s;
   // a gap of 2.3 spacings; below two it would be cut, equally correct

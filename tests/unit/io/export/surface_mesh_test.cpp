@@ -42,7 +42,7 @@ std::pair<double, double> awayFrom(const TriangleMesh& mesh, const TriangleMesh&
 
 }  // namespace
 
-TEST(SurfaceMesh, OfABallIsABall) {
+TEST(SurfaceMesh, BallGivesABall) {
   for (const double ratio : {8.0, 16.0}) {  // radius over spacing
     SurfelSamples s;
     const double radius = 0.5, spacing = radius / ratio;
@@ -68,7 +68,7 @@ TEST(SurfaceMesh, OfABallIsABall) {
   }
 }
 
-TEST(SurfaceMesh, OfACubeKeepsFacesAndEdges) {
+TEST(SurfaceMesh, CubeKeepsFacesAndEdges) {
   SurfelSamples s;
   const TriangleMesh box = boxMesh({-0.5, -0.5, 0}, {0.5, 0.5, 1});
   sampleMesh(s, box, 0.05, false, 1);
@@ -80,7 +80,7 @@ TEST(SurfaceMesh, OfACubeKeepsFacesAndEdges) {
   EXPECT_LT(mean, 0.03 * 0.05);
 }
 
-TEST(SurfaceMesh, OfABustFollowsIt) {
+TEST(SurfaceMesh, FollowsABust) {
   SurfelSamples s;
   const TriangleMesh truth = bustMesh();
   sampleMesh(s, truth, 0.01, true, 1);
@@ -92,7 +92,7 @@ TEST(SurfaceMesh, OfABustFollowsIt) {
   }
 }
 
-TEST(SurfaceMesh, EachOfThousandsOfComponentsHasItsOwn) {
+TEST(SurfaceMesh, ThousandsOfComponentsHaveAMeshEach) {
   SurfelSamples s;
   std::map<std::uint64_t, double> volumes;
   for (std::uint64_t k = 0; k < 2000; k++) {
@@ -119,7 +119,7 @@ TEST(SurfaceMesh, EachOfThousandsOfComponentsHasItsOwn) {
   EXPECT_LT(few, 0.02);
 }
 
-TEST(SurfaceMesh, SheetsNearEachOtherStayApart) {
+TEST(SurfaceMesh, NearbySheetsStaySeparate) {
   SurfelSamples s;  // a plate one spacing thick
   const TriangleMesh plate = boxMesh({0, 0, 0}, {1, 1, 0.05});
   sampleMesh(s, plate, 0.05, false, 1);
@@ -129,7 +129,7 @@ TEST(SurfaceMesh, SheetsNearEachOtherStayApart) {
 }
 
 // The nearest surfel centre is arbitrary there, which must not make bubbles, as behind a crease of the bust.
-TEST(SurfaceMesh, BehindACrackNarrowerThanSurfelsAreApartThereAreNoBubbles) {
+TEST(SurfaceMesh, CracksNarrowerThanTheSpacingMakeNoBubbles) {
   for (std::uint64_t seed = 1; seed <= 3; seed++) {
     SurfelSamples s;
     sampleMesh(s, boxMesh({0, 0, 0}, {1, 1, 0.4}), 0.05, false, 1, seed);
@@ -141,7 +141,7 @@ TEST(SurfaceMesh, BehindACrackNarrowerThanSurfelsAreApartThereAreNoBubbles) {
   }
 }
 
-TEST(SurfaceMesh, WhatEnclosesNothingIsEmptyAndHolesAreClosed) {
+TEST(SurfaceMesh, OpenSurfacesAreEmptyAndHolesAreClosed) {
   SurfelSamples s;
   s.add({0, 0, 0}, {0, 0, 1}, 0.1, 1);
   s.add({NAN, 0, 0}, {0, 0, 1}, 0.1, 1);

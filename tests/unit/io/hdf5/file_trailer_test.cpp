@@ -33,7 +33,7 @@ struct FileTrailerOf : testing::Test {
   }
 };
 
-TEST_F(FileTrailerOf, EveryByteButRowsCounts) {
+TEST_F(FileTrailerOf, DetectsChangesOfEveryByteExceptRows) {
   const std::string body = "superblock" + std::string(100, 'r') + "header";
   put(body);
   appendTrailer(path, {{10, 100}});
@@ -52,7 +52,7 @@ TEST_F(FileTrailerOf, EveryByteButRowsCounts) {
   EXPECT_FALSE(checkTrailer(path));
 }
 
-TEST_F(FileTrailerOf, Hdf5IgnoresItAndBytesThatAreNotOneAreRefused) {
+TEST_F(FileTrailerOf, IsIgnoredByHdf5AndOtherBytesAreRefused) {
   {
     H5File file = H5File::create(path);
     file.writeText("/text", "wax");

@@ -109,7 +109,7 @@ std::string message(const std::string& content, const std::string& file = "m.obj
 
 #define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
-TEST(ReadMesh, obj) {
+TEST(ReadMesh, ReadsObj) {
   const TriangleMesh m = parseMesh(goodObj, "m.obj");
   EXPECT_EQ(m.vertices.size(), 4u);
   EXPECT_EQ(m.triangles.size(), 4u);
@@ -122,7 +122,7 @@ TEST(ReadMesh, obj) {
   EXPECT_EQ(fan.triangles[2], (std::array<std::uint32_t, 3>{0, 3, 4}));
 }
 
-TEST(ReadMesh, plyOfEveryKind) {
+TEST(ReadMesh, ReadsAllPlyFormats) {
   for (const auto& [ascii, big] : {std::pair{true, false}, {false, false}, {false, true}}) {
     const TriangleMesh m = parseMesh(ply(ascii, big), "m.ply");
     EXPECT_EQ(m.vertices.size(), 8u);
@@ -131,7 +131,7 @@ TEST(ReadMesh, plyOfEveryKind) {
   }
 }
 
-TEST(ReadMesh, NormalsOfPlyOfEveryKind) {
+TEST(ReadMesh, ReadsNormalsOfAllPlyFormats) {
   for (const auto& [ascii, big] : {std::pair{true, false}, {false, false}, {false, true}}) {
     const TriangleMesh m = parseMesh(ply(ascii, big, true), "m.ply");
     ASSERT_EQ(m.normals.size(), 12u);
@@ -145,7 +145,7 @@ TEST(ReadMesh, NormalsOfPlyOfEveryKind) {
   }
 }
 
-TEST(ReadMesh, NormalsOfObjAreOfCorners) {
+TEST(ReadMesh, ReadsNormalsOfObjPerCorner) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const TriangleMesh m = parseMesh(
       points +
@@ -168,7 +168,7 @@ TEST(ReadMesh, NormalsOfObjAreOfCorners) {
   EXPECT_SAYS(message(points + "f 1//x 2 3\n"), "m.obj:5: expected a normal index");
 }
 
-TEST(ReadMesh, NormalsOfPlyThatAreNotFinite) {
+TEST(ReadMesh, RefusesNonFiniteNormalsOfPly) {
   const std::string head =
       " 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float "
       "nx\nproperty float ny\nproperty float nz\n"
@@ -185,7 +185,7 @@ TEST(ReadMesh, NormalsOfPlyThatAreNotFinite) {
                                    ": expected a part of a normal, found a number that is not finite");
 }
 
-TEST(ReadMesh, stlOfBothKinds) {
+TEST(ReadMesh, ReadsBothStlFormats) {
   const TriangleMesh box = boxMesh({0, 0, 0}, {1, 2, 3});
   for (const std::string& s : {binaryStl(box), binaryStl(box, "solid is what many binary ones say"),
                                asciiStl(box), asciiStl(box) + asciiStl(box)}) {
@@ -197,14 +197,14 @@ TEST(ReadMesh, stlOfBothKinds) {
   }
 }
 
-TEST(ReadMesh, sameInEveryLocale) {
+TEST(ReadMesh, IgnoresTheLocale) {
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
     if (std::setlocale(LC_ALL, name)) break;
   EXPECT_EQ(parseMesh("v 0 0 0\nv 1.5 0 0\nv 0 1 0\nf 1 2 3", "m.obj").vertices[1].x, 1.5);
   std::setlocale(LC_ALL, "C");
 }
 
-TEST(ReadMesh, brokenObj) {
+TEST(ReadMesh, RefusesBrokenObj) {
   EXPECT_SAYS(message(""), "m.obj: the file is empty");
   EXPECT_SAYS(message("hello world\n"), "no vertices");
   EXPECT_SAYS(message("v 0 0 0\nv 1 0 0\n"), "no faces");
@@ -224,7 +224,7 @@ TEST(ReadMesh, brokenObj) {
   EXPECT_SAYS(message(std::string("v 0 0 0\n\0\1\2", 11)), "neither");
 }
 
-TEST(ReadMesh, brokenPly) {
+TEST(ReadMesh, RefusesBrokenPly) {
   EXPECT_SAYS(message("ply\n"), "end_header");
   EXPECT_SAYS(message("ply\nformat ascii 1.0\nelement vertex"), "m.obj:3: ");
   EXPECT_SAYS(message("ply\nformat weird 1.0\nend_header\n"), "m.obj:2: expected the format");
@@ -276,7 +276,7 @@ TEST(ReadMesh, brokenPly) {
   EXPECT_SAYS(message("nothing", "m.ply"), "m.ply:1: expected the line 'ply'");
 }
 
-TEST(ReadMesh, brokenStl) {
+TEST(ReadMesh, RefusesBrokenStl) {
   const TriangleMesh box = boxMesh({0, 0, 0}, {1, 2, 3});
   std::string s = binaryStl(box);
   EXPECT_SAYS(message(s.substr(0, s.size() - 1), "m.stl"), "the file has 683");
@@ -304,7 +304,7 @@ TEST(ReadMesh, brokenStl) {
 }
 
 /// Truncated files and files with one changed byte give a mesh or a message, never a crash.
-TEST(ReadMesh, damagedFilesNeverCrash) {
+TEST(ReadMesh, DamagedFilesNeverCrash) {
   const TriangleMesh box = boxMesh({0, 0, 0}, {1, 2, 3});
   for (const std::string& s :
        {goodObj, ply(true, false), ply(false, false), ply(false, true), ply(true, false, true),
@@ -330,7 +330,7 @@ TEST(ReadMesh, damagedFilesNeverCrash) {
   }
 }
 
-TEST(ReadMesh, files) {
+TEST(ReadMesh, ReadsFilesAndNamesErrors) {
   EXPECT_THROW(readMesh("/there/is/no/such/file.obj"), MeshError);
   EXPECT_THROW(readMesh("/tmp"), MeshError);
   EXPECT_THROW(readMesh("/dev/zero"), MeshError);

@@ -65,8 +65,8 @@ void tryMesh(const char* name) {
               (seconds() - t4) * 1e9 / n, sum);
 }
 
-TEST(SampleMeshes, nefertiti) { tryMesh("nefertiti.obj"); }
-TEST(SampleMeshes, spot) { tryMesh("spot.obj"); }
+TEST(SampleMeshes, Nefertiti) { tryMesh("nefertiti.obj"); }
+TEST(SampleMeshes, Spot) { tryMesh("spot.obj"); }
 
 }  // namespace
 }  // namespace thaw

@@ -21,7 +21,7 @@ Image pictureOf(const FrameView& v, const Vec3d& from) {
 
 Rgb middle(const Image& image) { return image.at(60, 60); }
 
-TEST(MeshFaces, ShowTheSideThatIsSeen) {
+TEST(MeshFaces, ShowTheVisibleSide) {
   FrameView v;
   const Vec3f up{0, 0, 1};
   addFace({FaceCorner{{-1, -1, 0}, up, red, blue}, {{1, -1, 0}, up, red, blue}, {{0, 1, 0}, up, red, blue}},

@@ -77,7 +77,7 @@ double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PE
 
 }  // namespace
 
-TEST(Surfels, NoHoleShows) {
+TEST(Surfels, HaveNoVisibleHoles) {
   for (const double spacing : {0.2, 0.05, 0.02})
     EXPECT_EQ(holesIn(ball(0.5, spacing), styleFor(ball(0.5, spacing), 480, 360)), 0) << spacing;
   for (const double spacing : {0.1, 0.04})
@@ -95,7 +95,7 @@ TEST(Surfels, NoHoleShows) {
   }
 }
 
-TEST(Surfels, ABallIsWhereItIsProjected) {
+TEST(Surfels, BallIsDrawnAtItsProjection) {
   const SurfelSamples s = ball(0.5, 0.04);
   const RenderStyle style = styleFor(s, 320, 240);
   const std::vector<Rgb> red(s.size(), Rgb{255, 0, 0});
@@ -179,7 +179,7 @@ TEST(Surfels, ShadowsFallAndAreSoft) {
   EXPECT_GT(half, 100);
 }
 
-TEST(Surfels, TheNearerHidesTheFartherAndBodiesDoNotBlend) {
+TEST(Surfels, NearerBodiesHideFartherOnesWithoutBlending) {
   SurfelSamples s;
   sampleBall(s, {0, 0, 0}, 0.4, 0.05, 1);
   const std::size_t first = s.size();
@@ -200,7 +200,7 @@ TEST(Surfels, TheNearerHidesTheFartherAndBodiesDoNotBlend) {
         << int(p.r) << ' ' << int(p.g) << ' ' << int(p.b);
 }
 
-TEST(Surfels, PaintsWhatIsAskedFor) {
+TEST(Surfels, UseTheRequestedColours) {
   SurfelSamples s = ball(0.5, 0.1);
   const RenderStyle style = styleFor(s, 160, 120);
   const std::vector<Rgb> green(s.size(), Rgb{0, 200, 0});
@@ -227,7 +227,7 @@ TEST(Surfels, ThreadsDoNotChangeThePicture) {
   EXPECT_EQ(renderSurfels(inputOf(s), style, {}).pixels.size(), 200u * 150u);
 }
 
-TEST(Surfels, LeavesOutWhatIsNotFiniteAndRefusesWhatDoesNotFit) {
+TEST(Surfels, OmitNonFiniteSurfelsAndRefuseMismatchedSpans) {
   SurfelSamples s = ball(0.5, 0.1);
   const RenderStyle style = styleFor(s, 160, 120);
   const Image image = renderSurfels(inputOf(s), style, {});

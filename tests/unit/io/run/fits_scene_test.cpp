@@ -38,9 +38,9 @@ struct Restored {
   std::size_t strange() { return misfits(w, all).size(); }
 };
 
-TEST(FitsScene, WhatTheSceneMakes) { EXPECT_EQ(Restored().strange(), 0u); }
+TEST(FitsScene, AcceptsTheSceneItself) { EXPECT_EQ(Restored().strange(), 0u); }
 
-TEST(FitsScene, VerticesBeyondTheMesh) {
+TEST(FitsScene, CountsVerticesBeyondTheMesh) {
   Restored r;
   Sheets& s = r.w.sheets.rows;
   const auto with = [&](auto& value, auto other) {
@@ -58,7 +58,7 @@ TEST(FitsScene, VerticesBeyondTheMesh) {
   EXPECT_EQ(r.strange(), 0u);
 }
 
-TEST(FitsScene, AnchorsAndBodiesThatAreNotThere) {
+TEST(FitsScene, CountsMissingAnchorsAndBodies) {
   Restored r;
   r.w.oriented.rows.anchor[0] = 1;
   EXPECT_EQ(r.strange(), 1u);
@@ -71,7 +71,7 @@ TEST(FitsScene, AnchorsAndBodiesThatAreNotThere) {
   EXPECT_EQ(r.strange(), 1u);
 }
 
-TEST(FitsScene, ACutToComeWithTheNumberOfOneThatHasBeenMade) {
+TEST(FitsScene, CountsFutureCutsWithTheNumberOfAnEarlierOne) {
   Restored r;
   r.w.oriented.rows.cutSides[0] = 2;
   EXPECT_EQ(r.strange(), 1u);

@@ -46,7 +46,7 @@ struct RunLockOf : testing::Test {
   }
 };
 
-TEST_F(RunLockOf, ALiveHolderIsNamedAndTheEndRemovesTheLock) {
+TEST_F(RunLockOf, LiveHolderIsNamedAndTheEndRemovesTheLock) {
   {
     RunLock lock;
     EXPECT_EQ(lock.take({.out = out, .ranks = 3}), "");
@@ -89,7 +89,7 @@ TEST_F(RunLockOf, AnotherHostsLockNeedsForce) {
   }
 }
 
-TEST_F(RunLockOf, ALockThatWasTakenByForceIsLeft) {
+TEST_F(RunLockOf, LockTakenByForceIsKept) {
   RunLock lock;
   lock.take({.out = out});
   leave(lockOf(7, 7, "elsewhere"));
@@ -98,7 +98,7 @@ TEST_F(RunLockOf, ALockThatWasTakenByForceIsLeft) {
 }
 
 // Of simultaneous starts exactly one gets the folder, whether it is free or held by a dead process.
-TEST_F(RunLockOf, OneOfManyStartsGetsTheFolder) {
+TEST_F(RunLockOf, OneOfSimultaneousStartsGetsTheFolder) {
   const pid_t dead = ::fork();
   if (dead == 0) ::_exit(0);
   ::waitpid(dead, nullptr, 0);

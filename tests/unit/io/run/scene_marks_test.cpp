@@ -20,7 +20,7 @@ Scene sample() {
   return s;
 }
 
-TEST(SceneMarks, WhatMayChange) {
+TEST(SceneMarks, AllowedChangesAreAccepted) {
   const CheckpointValues then = sceneMarks(sample());
   Scene s = sample();
   EXPECT_TRUE(sceneDifferences(then, s).empty());
@@ -34,7 +34,7 @@ TEST(SceneMarks, WhatMayChange) {
   EXPECT_TRUE(sceneDifferences(then, s).empty());
 }
 
-TEST(SceneMarks, WhatMayNot) {
+TEST(SceneMarks, OtherChangesAreRefused) {
   const CheckpointValues then = sceneMarks(sample());
   const auto refused = [&](auto&& change) {
     Scene s = sample();
@@ -53,7 +53,7 @@ TEST(SceneMarks, WhatMayNot) {
   EXPECT_TRUE(refused([](Scene& s) { s.emitters[0].rate = 2; }));
 }
 
-TEST(SceneMarks, CoefficientsOfKindsMayChangeAndAreTold) {
+TEST(SceneMarks, BodyTypeCoefficientsMayChangeAndAreReported) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.oriented.emplace_back().name = "film";
@@ -71,7 +71,7 @@ TEST(SceneMarks, CoefficientsOfKindsMayChangeAndAreTold) {
   EXPECT_FALSE(sceneDifferences(then, s).empty());
 }
 
-TEST(SceneMarks, WhatMakesOrientedBodiesMayNotChange) {
+TEST(SceneMarks, SourcesOfOrientedBodiesMayNotChange) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   s.oriented[0].points = {{0, 0, 0}, {1, 0, 0}};
@@ -92,7 +92,7 @@ TEST(SceneMarks, WhatMakesOrientedBodiesMayNotChange) {
   EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].normal = true; }));
 }
 
-TEST(SceneMarks, AreToldInTheWordsOfTheScene) {
+TEST(SceneMarks, AreReportedInTheWordsOfTheScene) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   s.oriented[0].source = OrientedSource::Control;
@@ -110,7 +110,7 @@ TEST(SceneMarks, AreToldInTheWordsOfTheScene) {
   EXPECT_EQ(changes[0], "sheet.shell.elastic_limit was 0.01, and is \"never\" now (SI)");
 }
 
-TEST(SceneMarks, WhatSaysHowBodiesBeginIsToldAsWithoutEffect) {
+TEST(SceneMarks, InitialStatesAreReportedAsWithoutEffect) {
   Scene s = sample();
   for (Material& m : s.materials) m.soundSpeed = 10;
   s.oriented.emplace_back().name = "film";
@@ -126,7 +126,7 @@ TEST(SceneMarks, WhatSaysHowBodiesBeginIsToldAsWithoutEffect) {
   EXPECT_EQ(changes[1], "oriented.film.relax was 0, and is 7 now (SI)");
 }
 
-TEST(SceneMarks, AStartThatChangesTheAutomaticSoundSpeedIsACoefficient) {
+TEST(SceneMarks, AutomaticSoundSpeedIsACoefficient) {
   Scene s = sample();
   s.domain.gravity = {};
   const CheckpointValues then = sceneMarks(s);
@@ -135,7 +135,7 @@ TEST(SceneMarks, AStartThatChangesTheAutomaticSoundSpeedIsACoefficient) {
   EXPECT_EQ(changes, std::vector<std::string>{"numerics.expected_speed was 1, and is 3 now (SI)"});
 }
 
-TEST(SceneMarks, CoefficientsOfMaterialsAreTold) {
+TEST(SceneMarks, MaterialCoefficientsAreReported) {
   Scene s = sample();
   const CheckpointValues then = sceneMarks(s);
   s.materials[0].young.solid = 2e5;
@@ -159,7 +159,7 @@ TEST(SceneMarks, ClampsMayNotChange) {
   EXPECT_TRUE(changesOfTheStart(sceneMarks(held), held).empty());
 }
 
-TEST(SceneMarks, SettingsOfTheSurfaceAreTold) {
+TEST(SceneMarks, SurfaceSettingsAreReported) {
   Scene s = sample();
   s.surface.on = true;
   const CheckpointValues then = sceneMarks(s);
@@ -171,7 +171,7 @@ TEST(SceneMarks, SettingsOfTheSurfaceAreTold) {
 }
 
 /// Choices are reported by the words of the scene file.
-TEST(SceneMarks, ChoicesAreToldByTheirWords) {
+TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   Scene s = sample();
   s.surface.on = true;
   s.sheets.emplace_back().name = "cloth";
@@ -239,7 +239,7 @@ TEST(SceneMarks, ChoicesAreToldByTheirWords) {
                                       "body.bust.shape.kind was \"box\", and is \"torus\" now"}));
 }
 
-TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
+TEST(SceneMarks, MessageNamesTheKeyAndBothValues) {
   Scene s = sample();
   const CheckpointValues then = sceneMarks(s);
   s.spacing = 0.02;
@@ -247,7 +247,7 @@ TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
   EXPECT_EQ(sceneDifferences(then, s)[0].rfind("spacing was 0.01, and is 0.02 now", 0), 0u);
 }
 
-TEST(SceneMarks, HalfSpacesGoByPointAndNormal) {
+TEST(SceneMarks, HalfSpacesAreComparedByPointAndNormal) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.sheets[0].regions.emplace_back().shape.kind = ShapeKind::HalfSpace;
@@ -263,7 +263,7 @@ TEST(SceneMarks, HalfSpacesGoByPointAndNormal) {
   EXPECT_EQ(sceneDifferences(then, other).size(), 2u);
 }
 
-TEST(SceneMarks, MeshesGoByTheirContents) {
+TEST(SceneMarks, MeshesAreComparedByContent) {
   TriangleMesh cloth{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, moved = cloth, turned = cloth;
   moved.vertices[2].y = 1.1;
   turned.triangles[0] = {0, 2, 1};
@@ -282,7 +282,7 @@ TEST(SceneMarks, MeshesGoByTheirContents) {
   EXPECT_EQ(sceneDifferences(then, sceneOf("/a/cloth.obj", turned)).size(), 1u);
 }
 
-TEST(SceneMarks, WhatActsFromOutsideIsTold) {
+TEST(SceneMarks, ExternalActionsAreReported) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.sheets[0].brushes.emplace_back();
@@ -310,7 +310,7 @@ TEST(SceneMarks, WhatActsFromOutsideIsTold) {
   EXPECT_EQ(told([](Scene& o) { o.materials[0].emissivity = 1; }), 1u);
 }
 
-TEST(SceneMarks, EventsThatHaveBeenAreToldAsWithoutEffect) {
+TEST(SceneMarks, PastEventsAreReportedAsWithoutEffect) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   const CheckpointValues then = sceneMarks(s);
@@ -325,7 +325,7 @@ TEST(SceneMarks, EventsThatHaveBeenAreToldAsWithoutEffect) {
   EXPECT_FALSE(settingChanges(sceneMarks(later), s, 1.5).empty());  // it was to happen and will not
 }
 
-TEST(SceneMarks, OfManyBodiesAnyChangeIsSeen) {
+TEST(SceneMarks, ChangesAmongManyBodiesAreFound) {
   Scene s = sample();
   for (int k = 0; k < 150; k++) s.bodies.emplace_back().name = "ball " + std::to_string(k);
   const CheckpointValues then = sceneMarks(s);
@@ -337,7 +337,7 @@ TEST(SceneMarks, OfManyBodiesAnyChangeIsSeen) {
   EXPECT_EQ(changesOfTheStart(then, other).size(), 1u);
 }
 
-TEST(SceneMarks, ACheckpointWithoutMarksIsRefused) { EXPECT_FALSE(sceneDifferences({}, sample()).empty()); }
+TEST(SceneMarks, CheckpointWithoutRecordIsRefused) { EXPECT_FALSE(sceneDifferences({}, sample()).empty()); }
 
 }  // namespace
 }  // namespace thaw

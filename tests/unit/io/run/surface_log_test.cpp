@@ -36,7 +36,7 @@ struct Log : ::testing::Test {
 
 }  // namespace
 
-TEST_F(Log, IsCutAtAStep) {
+TEST_F(Log, IsTruncatedAtAStep) {
   beginComponentLog(out);
   frame(0, 0);
   frame(1, 12);
@@ -55,7 +55,7 @@ TEST_F(Log, IsCutAtAStep) {
   EXPECT_EQ(text(componentLogPath(out)).find("frame,step,time_s,component"), 0u);
 }
 
-TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
+TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
   World w;
   VolumeHeld noted;
   beginComponentLog(out);
@@ -110,7 +110,7 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
       << volumeHeldWarning(held);
 }
 
-TEST(VolumeHeld, WarnsOfSmallPiecesAndOfTheSum) {
+TEST(VolumeHeld, WarnsAboutSmallComponentsAndTheSum) {
   const auto warning = [](std::vector<SurfaceComponent> components) {
     for (SurfaceComponent& c : components) c.wantedVolume = c.particleVolume;
     VolumeHeld held;
@@ -131,7 +131,7 @@ TEST(VolumeHeld, WarnsOfSmallPiecesAndOfTheSum) {
   EXPECT_TRUE(volumeHeldLines({}).empty());
 }
 
-TEST(VolumeHeld, TellsOfSurfacesThatDoNotClose) {
+TEST(VolumeHeld, WarnsAboutOpenSurfaces) {
   SurfaceComponent body{7, 100, 900, 1, 1, 1, 4, {}}, sure{9, 300, 900, 1, 3, 3, 4, {}};
   body.wantedVolume = 1, body.open = 0.03;
   sure.wantedVolume = 3, sure.open = 0.002;
@@ -163,7 +163,7 @@ TEST_F(Log, KeepsLinesOfEarlierVersions) {
   EXPECT_EQ(text(componentLogPath(out)), once);
 }
 
-TEST_F(Log, OfEventsIsTheState) {
+TEST_F(Log, EventsFollowTheState) {
   writeEventLog(out, {{3, 0.5, SurfaceEventKind::Split, 1, 7},
                       {4, 0.75, SurfaceEventKind::Merge, 1, 7},
                       {5, 1, SurfaceEventKind::Renamed, 2, 1}});

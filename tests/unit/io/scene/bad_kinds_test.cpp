@@ -19,7 +19,7 @@ std::string errorOf(const std::string& text) {
   return "";
 }
 
-TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
+TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
   const struct {
     std::string text, line;
   } table[] = {
@@ -177,7 +177,7 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       << "a variation of scenes/sheet/shell.toml";
 }
 
-TEST(OrientedColours, AreThoseOfTheSceneOrFollowTheNumberOfTheBody) {
+TEST(OrientedColours, ComeFromTheSceneOrTheBodyNumber) {
   const Scene s = readScene(sceneFilesOf("s.toml", head + patch +
                                                        "[[oriented]]\nname = \"b\"\ncurve = { from = [0, 0, "
                                                        "0.5], to = [0.5, 0, 0.5] }\ncolour = \"#102030\"\n"));
@@ -186,7 +186,7 @@ TEST(OrientedColours, AreThoseOfTheSceneOrFollowTheNumberOfTheBody) {
   EXPECT_NE(colourOf(s.oriented[0], 0), colourOf(s.oriented[0], 1));
 }
 
-TEST(OrientedFields, ThatBeginAtTheEndAreWarnedOf) {
+TEST(OrientedFields, WarnWhenTheyBeginAtTheEnd) {
   const std::string field = "[[oriented.field]]\npush = [1, 0, 0]\nfrom = ";
   EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "0.9\n"))).empty());
   EXPECT_EQ(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "1\n"))),
@@ -204,7 +204,7 @@ TEST(Planar, IsForCurves) {
   EXPECT_NE(doc.find("| `planar` |  | true, false | false |"), std::string::npos);
 }
 
-TEST(BadKinds, WhatHasNoEffectIsAWarning) {
+TEST(BadBodyTypes, IneffectiveSettingsAreWarnings) {
   const Scene s = readScene(
       sceneFilesOf("s.toml", head + patch +
                                  "[[oriented.event]]\nkind = \"cut\"\ntime = 3\nplane = { point = [0, 0, 0] "

@@ -107,7 +107,7 @@ TEST(SceneFuzz, DamagedScenesAreScenesOrListsOfErrors) {
   EXPECT_GT(rejected, 1000);
 }
 
-TEST(SceneFuzz, DamagedOverrides) {
+TEST(SceneFuzz, DamagedOverridesAreValuesOrErrors) {
   const SceneFiles files = sceneFilesOf("melt.toml", textOf(THAW_SOURCE_DIR "/scenes/melt.toml"));
   std::mt19937_64 random(7);
   for (int k = 0; k < 1000; k++) {

@@ -105,7 +105,7 @@ void collectKeys(const toml::table& t, const std::string& before, std::vector<st
   }
 }
 
-TEST(OneMessage, OfEachWrongValue) {
+TEST(OneMessage, ForEachInvalidValue) {
   const SceneFiles files = sceneFilesOf("rich.toml", rich);
   ASSERT_NO_THROW(readScene(files));
   std::vector<std::string> keys;

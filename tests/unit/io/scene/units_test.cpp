@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-TEST(Units, Values) {
+TEST(Units, KnownUnitsHaveTheirValues) {
   const struct {
     const char* text;
     double value;
@@ -81,14 +81,14 @@ TEST(Units, DecimalFactorsGiveTheNearestDouble) {
   EXPECT_EQ(parseQuantity("35 ms").value, 0.035);
 }
 
-TEST(Units, BareNumbers) {
+TEST(Units, BareNumbersAreInSiUnits) {
   const Quantity q = parseQuantity("2.5e3");
   EXPECT_EQ(q.error, "");
   EXPECT_FALSE(q.hasUnit);
   EXPECT_EQ(q.value, 2500);
 }
 
-TEST(Units, Errors) {
+TEST(Units, ErrorsNameTheProblem) {
   const struct {
     const char *text, *error;
   } table[] = {
