@@ -17,7 +17,7 @@ sys.path.insert(0, os.path.join(HERE, "scaling"))
 import model  # noqa: E402
 import summary  # noqa: E402
 
-HEAD = ["case", "particles", "ranks", "M steps/s and core", "ratio", "to", "bytes a particle"]
+HEAD = ["case", "particles", "ranks", "M steps/s and core", "ratio", "reference", "bytes per particle"]
 
 
 def rowsOf(*path):

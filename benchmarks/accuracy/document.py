@@ -108,7 +108,7 @@ class Document:
         return "\n".join(lines)
 
     def targets(self):
-        lines = ["| case | norm | finest default | error | target | | order | core-seconds |", "|---|---|---|---|---|---|---|---|"]
+        lines = ["| case | norm | finest default | error | target | result | order | core-seconds |", "|---|---|---|---|---|---|---|---|"]
         found = {}
         for r in self.rows:
             if r["settings"].startswith("default") and r["target"]:
@@ -121,7 +121,7 @@ class Document:
         return "\n".join(lines)
 
     def moduleTable(self):
-        lines = ["| module | added to a | ns a particle and step: without, with | ratio | bytes a particle: without, with | fields: without, with | share of the bare scene's time in phases that it does not use |",
+        lines = ["| module | base | ns per particle and step: without, with | ratio | bytes per particle: without, with | fields: without, with | time in unused phases |",
                  "|---|---|---|---|---|---|---|"]
         for r in self.modules:
             lines.append(f"| {r['case']} | {r['base']} | {short(r['ns_without'])}, {short(r['ns_with'])} | {r['time_ratio']} | {r['bytes_without']}, {r['bytes_with']} | "
