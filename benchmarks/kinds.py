@@ -3,10 +3,10 @@
 
   scripts/bench kinds [--steps 6]
 
-Each scene has one body type: liquid, oriented particles or a sheet. Steps N/2 + 1 ... N are counted as the difference
-of two runs, inside thaw::step. A function belongs to core/oriented, core/sheet or core/kinds if an object of that
-folder defines it. Inlined functions count where they are inlined, so that tests for absent body types in step.cpp are in
-`rest`. Needs valgrind.
+Each scene has one body type: liquid, oriented particles or a sheet. Steps N/2 + 1 ... N are counted as the
+difference of two runs, inside thaw::step. A function belongs to core/oriented, core/sheet or core/kinds if an
+object of that folder defines it. Inlined functions count where they are inlined, so that tests for absent
+body types in step.cpp are in `rest`. Needs valgrind.
 """
 import argparse
 import csv
@@ -31,7 +31,7 @@ def functionsOf(folder):
     if not objects:
         sys.exit(f"kinds: no objects of core/{folder} in {build}; build thaw first")
     listed = subprocess.run(["nm", "-C", "--defined-only", *map(str, objects)], capture_output=True, text=True, check=True).stdout
-    return {m.group(1) for m in re.finditer(r"^[0-9a-f]+ [tT] (.*)$", listed, re.M)}  # weak symbols are in all objects and left out
+    return {m.group(1) for m in re.finditer(r"^[0-9a-f]+ [tT] (.*)$", listed, re.M)}  # no weak ones
 
 
 def count(scene, settings, steps, folders):

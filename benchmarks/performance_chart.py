@@ -2,8 +2,8 @@
 """Writes docs/performance.md and its chart from performance/text.md and the figures in docs/performance/ and docs/scaling/.
 
 performance_chart.py [--check]    --check compares the page with the figures and needs no matplotlib
-Placeholders of performance/text.md: {{table}}, {{machine}} and {{predicted PARTICLES RANKS}}, an efficiency of the
-scaling model.
+Placeholders of performance/text.md: {{table}}, {{machine}} and {{predicted PARTICLES RANKS}}, an efficiency
+of the scaling model.
 """
 import csv
 import os

@@ -123,7 +123,7 @@ def fixCMake(lines):
         if '#' in words:  # the comment behind a command
             fixed += wrapComment(indent + '# ', ' '.join(words[words.index('#') + 1:]))
             words = words[:words.index('#')]
-        behind = indent + '  ' if re.match(r'\w+\(', words[0]) else indent  # other lines continue the arguments
+        behind = indent + '  ' if re.match(r'\w+\(', words[0]) else indent  # else arguments continue
         current = indent + words[0]
         for word in words[1:]:
             if len(current) + 1 + len(word) > MOST_COLUMNS:

@@ -68,7 +68,7 @@ def includersOf():
 
 
 def sourcesOf(files, sources):
-    """Sources that cover all files; a header's is the source of its name, else the nearest that includes it."""
+    """Sources that cover all files; a header has the source of its name, or the nearest that includes it."""
     seen, includers = {file for file in files if file in sources}, includersOf()
     for header in (file for file in files if file.endswith('.hpp')):
         near = [header[:-4] + '.cpp', header]

@@ -3,17 +3,18 @@
 
 scripts/bench accuracy [--level quick|full] [--minutes 60] [--jobs N] [--case NAME]... [--ranks N]
 
-Each run is a separate process on --ranks ranks (1); --jobs of them run side by side (one per core). core_seconds
-is the processor time of the steps. A run that the file already holds, from the same version of thaw, is not
-repeated: an interrupted matrix continues where it stopped. With --case the lines of all other cases stay,
-whatever their version. To repeat some cases, start from docs/accuracy/accuracy.csv. No run starts after
---minutes; the same command continues.
+Each run is a separate process on --ranks ranks (1); --jobs of them run side by side (one per core).
+core_seconds is the processor time of the steps. A run that the file already holds, from the same version of
+thaw, is not repeated: an interrupted matrix continues where it stopped. With --case the lines of all other
+cases stay, whatever their version. To repeat some cases, start from docs/accuracy/accuracy.csv. No run starts
+after --minutes; the same command continues.
 Afterwards benchmarks/accuracy/document.py FIGURES.csv docs/accuracy/modules.csv writes
-docs/validation/accuracy.md and its pictures, and frontier.py writes the table of `thaw check`. Tests check that
-both follow from docs/accuracy/accuracy.csv. Final particles of some cases (plan.PICTURES) go to points/CASE.csv
-beside the file.
-Columns: case, settings ("default" and the spacing, or the differences from the defaults), norm, error, target,
-order (from the next coarser resolution of the same settings), core_seconds, steps, particles, version, machine.
+docs/validation/accuracy.md and its pictures, and frontier.py writes the table of `thaw check`. Tests check
+that both follow from docs/accuracy/accuracy.csv. Final particles of some cases (plan.PICTURES) go to
+points/CASE.csv next to the file.
+Columns: case, settings ("default" and the spacing, or the differences from the defaults), norm, error,
+target, order (from the next coarser resolution of the same settings), core_seconds, steps, particles,
+version, machine.
 """
 import argparse
 import csv

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Pictures of particles at the end of a case: particles.py CASE POINTS.csv PICTURE.png
 
-The suite writes POINTS.csv with --points: x, y, speed and pressure of the middle layer. Points are coloured by
-pressure, from its 2nd to its 98th percentile. For the elliptic drop the exact ellipse is drawn over them.
+The suite writes POINTS.csv with --points: x, y, speed and pressure of the middle layer. Points are coloured
+by pressure, from its 2nd to its 98th percentile. For the elliptic drop the exact ellipse is drawn over them.
 """
 import csv
 import math

@@ -1,7 +1,8 @@
 """Runs of the matrix: for each case its resolutions and the settings to vary.
 
-A case runs with its default settings at every resolution. Level quick varies one setting at a time at the case's `at` resolution; level
-full takes all combinations of two settings at every resolution. Settings that do not apply to a case are not in its list.
+A case runs with its default settings at every resolution. Level quick varies one setting at a time at the
+case's `at` resolution; level full takes all combinations of two settings at every resolution. Settings that
+do not apply to a case are not in its list.
 """
 from itertools import combinations
 

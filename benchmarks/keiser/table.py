@@ -3,12 +3,14 @@
 
   scripts/bench keiser [options below; --csv is given by scripts/bench]
 
-A scene that --seconds stops before its end counts as far as it came; the last column shows how far. The melting
-scenes with 60,000 surfels can take longer than the default (`thaw check` estimates the time). A run that exists
-already, of the same version of thaw, scene and options, is not repeated. Frames and pictures stay in OUT/NAME.
-Columns: particles and surfels are means over the frames. A physics step excludes surface, output and set-up. An
-iteration is the time of all surface updates over the number of their iterations. Frames per second are given as in
-the paper, where a frame is one step and one iteration, and as simulated frames over the time of the whole run.
+A scene that --seconds stops before its end counts as far as it came; the last column shows how far. The
+melting scenes with 60,000 surfels can take longer than the default (`thaw check` estimates the time). A run
+that exists already, of the same version of thaw, scene and options, is not repeated. Frames and pictures stay
+in OUT/NAME.
+Columns: particles and surfels are means over the frames. A physics step excludes surface, output and set-up.
+An iteration is the time of all surface updates over the number of their iterations. Frames per second are
+given as in the paper, where a frame is one step and one iteration, and as simulated frames over the time of
+the whole run.
 """
 import argparse
 import csv

@@ -3,10 +3,10 @@
 
 model.py SCALING.csv [--ranks P] [--particles N] [--latency S] [--bandwidth B/s] [--rate PARTICLES/S] ...
 
-A cube of N fluid particles is split over P ranks, each a box of cells. The messages of a step follow from geometry with
-four numbers that are fitted to the counts measured on 1 to 64 ranks (series `counts`). Their cost follows from inputs
-that describe the machine. Assumptions: particles fill a compact body evenly, partitions are balanced to the given
-imbalance, and messages do not contend.
+A cube of N fluid particles is split over P ranks, each a box of cells. The messages of a step follow from
+geometry with four numbers that are fitted to the counts measured on 1 to 64 ranks (series `counts`). Their
+cost follows from inputs that describe the machine. Assumptions: particles fill a compact body evenly,
+partitions are balanced to the given imbalance, and messages do not contend.
 """
 import argparse
 import csv

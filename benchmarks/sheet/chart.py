@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Charts error against cost and the phases of a step from the CSV file of benchmarks/sheet: chart.py FILE.csv FILE.png"""
+"""Error against cost and phases of a step of the sheet benchmark: chart.py FILE.csv FILE.png"""
 import csv
 import sys
 

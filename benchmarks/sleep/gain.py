@@ -3,9 +3,9 @@
 
   scripts/bench sleep [--across 20] [--steps 100] [--repeats 3]
 
-Ten elastic blocks of ACROSS^3 particles; ten, five, two, one or none of them drift, the others rest. Each case runs with
-and without sleep, in turn; the median of the repeats counts. The time of a step covers all phases except set-up, frames
-and checkpoint.
+Ten elastic blocks of ACROSS^3 particles; ten, five, two, one or none of them drift, the others rest. Each
+case runs with and without sleep, in turn; the median of the repeats counts. The time of a step covers all
+phases except set-up, frames and checkpoint.
 """
 import argparse
 import csv

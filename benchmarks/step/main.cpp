@@ -174,7 +174,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   std::vector<MemoryUse> use = memoryOf(rig.w, rig.tools);
   for (MemoryUse& u : use) u.bytes = sumOver(comm, u.bytes);
   const double accounted = messages + totalBytes(use), moved = sumOver(comm, bytesMoved(rig));
-  const double copied = copySpeed(comm);  // of the first rank
+  const double copied = copySpeed(comm);  // bytes/s of the first rank
   double neighbours = 0;
   for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && !isElastic(c.kind); i++)
     neighbours += rig.w.neighbours.neighbours[i];

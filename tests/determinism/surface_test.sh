@@ -22,7 +22,7 @@ try() {
   mv "$work/$name.log.1" "$work/log.1"
   rm -rf "${work:?}/$name".*
 }
-# A drop falls into a pool over periodic sides, and an emitter pours beside it.
+# A drop falls into a pool over periodic sides, and an emitter pours next to it.
 cat >"$work/drops.toml" <<'END'
 spacing = "1 cm"
 end = "1 s"

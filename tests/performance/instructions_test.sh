@@ -19,7 +19,7 @@ trap 'rm -rf "$work"' EXIT
 # count CASE: instructions of the four steps with their callees
 count() {
   valgrind --tool=callgrind --callgrind-out-file="$work/out" --toggle-collect='thaw::step(*' "$build/tests/small_step" "$1" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-  grep -q 'avx2' "$work/log" || skip "valgrind emulates a processor without AVX2 here: $(grep particles "$work/log")"
+  grep -q 'avx2' "$work/log" || skip "valgrind emulates no AVX2 here: $(grep particles "$work/log")"
   sed -n 's/^\(summary\|totals\): *//p' "$work/out" | head -1
 }
 
@@ -40,7 +40,7 @@ for case in fluid heat carried elastic mixed; do
   fi
   known=$((known + 1))
   printf '%s: %d instructions, %d on record: %+.2f %%\n' "$case" "$now" "$was" "$(awk "BEGIN { print 100 * ($now / $was - 1) }")"
-  awk "BEGIN { exit !($now > 1.03 * $was) }" && { echo "$case takes over 3 % more instructions than on record"; failed=1; }
+  awk "BEGIN { exit !($now > 1.03 * $was) }" && { echo "$case takes over 3 % more"; failed=1; }
 done
 [ "${2:-}" = --update ] && exit 0
 [ "$known" -gt 0 ] || skip "no figures of $version on $arch"

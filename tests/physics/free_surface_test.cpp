@@ -118,7 +118,7 @@ TEST(FreeSurface, SpinningLiquidHoldsTogether) {
   double spin = 0;
   for (std::size_t i = 0; i < p.owned; i++)
     spin += p.position[i].x * p.velocity[i].y - p.position[i].y * p.velocity[i].x;
-  const double start = 5.0 / 6 * (1 - 1.0 / 400);  // of a lattice, per particle
+  const double start = 5.0 / 6 * (1 - 1.0 / 400);  // lattice value per particle
   EXPECT_NEAR(spin / static_cast<double>(p.owned), start, 0.02 * start);
 }
 

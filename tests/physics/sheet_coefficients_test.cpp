@@ -57,7 +57,7 @@ TEST(SheetCoefficients, LedgerRecordsWorkOfChanges) {
       if (f == F::Volume) b.wrap = 40;
       addHalf(b).factor[placeOf(f)] = 2;
       b.inTime[placeOf(f)].points = {{0.05, 1}, {0.2, 3}, {0.3, 0.2}};
-      if (f == F::Push || f == F::Pull) {  // of a second sheet
+      if (f == F::Push || f == F::Pull) {  // these act between two sheets
         b.restLength = 1;
         b.contactRate = 1, b.friction = 0, b.restitution = 1;
         s.sheets.push_back(b);

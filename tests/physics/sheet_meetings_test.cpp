@@ -306,7 +306,7 @@ TEST(Sheets, ClothHoldsWaterForAnyVertexSpacing) {
     EXPECT_LT(length(books.momentumResidual), 1e-9);
     EXPECT_LT(std::abs(books.energyResidual), 0.003 * books.energyScale) << spacing;
     EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
-    EXPECT_EQ(books.liquidFraction, 1);  // of the continuum only: a cloth is neither liquid nor solid there
+    EXPECT_EQ(books.liquidFraction, 1);  // continuum only: a cloth is neither liquid nor solid there
   }
 }
 

@@ -20,7 +20,7 @@ struct Simulation {
   Limit limitedBy = Limit::Scene;
   double shortest = never;  ///< s, smallest dt so far
 
-  SamplingReport report;  ///< of the start
+  SamplingReport report;  ///< report of the start
 
   explicit Simulation(const Scene& scene, const MeshLoader& load = {}) {
     w.scene = scene;

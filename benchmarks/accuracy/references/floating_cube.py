@@ -3,16 +3,16 @@
 
 Usage: floating_cube.py > floating_cube.csv
 
-A cube of edge L = 1 floats in the middle of a tank 3 L wide, released off its rest. Liquid without viscosity; small
-motions; g = 1, rho = 1. Unknowns: velocity potential p, elevation e of the free surface, displacement x and velocity w
-of the cube.
+A cube of edge L = 1 floats in the middle of a tank 3 L wide, released off its rest. Liquid without viscosity;
+small motions; g = 1, rho = 1. Unknowns: velocity potential p, elevation e of the free surface, displacement x
+and velocity w of the cube.
   laplace p = 0, dp/dn = w n_z at the cube, 0 at walls and bottom
   de/dt = dp/dz and dp/dt = -g e at the free surface
   (m + ma) dw/dt = -rho g L^2 x - rho g sum(b e dS)
-b is the vertical velocity of the surface for w = 1 and p = 0 at the surface; ma is the added mass of that flow. Finite volumes on
-a quarter of the tank; the error of the cells (first order at the cube's edges) is extrapolated from two resolutions.
-Added masses are printed to stderr, those of a submerged cube too, in the tank and far from walls (published:
-0.68 rho L^3, DNV-RP-C205, table D-2).
+b is the vertical velocity of the surface for w = 1 and p = 0 at the surface; ma is the added mass of that
+flow. Finite volumes on a quarter of the tank; the error of the cells (first order at the cube's edges) is
+extrapolated from two resolutions. Added masses are printed to stderr, those of a submerged cube too, in the
+tank and far from walls (published: 0.68 rho L^3, DNV-RP-C205, table D-2).
 """
 import sys
 
@@ -23,7 +23,7 @@ from scipy.sparse.linalg import splu
 
 
 class Tank:
-"""A quarter of a tank with n cells per edge of the cube. The cube's bottom is `draught` below the surface of the liquid,
+    """A quarter of a tank with n cells per edge of the cube. The cube's bottom is `draught` below the surface of the liquid,
     or below the cube's top at the height `submerged`."""
 
     def __init__(self, n, width, depth, draught, submerged=None):

@@ -13,7 +13,7 @@ using test::SettleRig;
 TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
   SettleRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5.5; });
-  rig.addParticle({0, 0, 6.5}, {}, 9);  // of another body
+  rig.addParticle({0, 0, 6.5}, {}, 9);  // another body
   rig.place();
   readyParticles(rig.w, rig.ranks->halos(), rig.tools);
   const SurfaceParticles& p = rig.w.surface.particles;

@@ -16,7 +16,7 @@ TEST(StepTrace, KeepsTheLastStepsInOrder) {
                 100);
   }
   const std::vector<TraceEvent> e = trace.events();
-  ASSERT_EQ(e.size(), 5u);  // of steps 5, 6, 7
+  ASSERT_EQ(e.size(), 5u);  // steps 5, 6, 7
   EXPECT_EQ(e.front().step, 5);
   EXPECT_EQ(e.back().step, 7);
   EXPECT_EQ(e.back().name, 1);

@@ -144,7 +144,7 @@ TEST(Surfels, EdgesAreSharp) {
       missing += !drawn && meets(static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f, -1.5 * pixel);
     }
   EXPECT_EQ(missing, 0);
-  EXPECT_LE(outside, 12);  // of about 20,000 pixels; without the cuts at edges: 1,000 and more
+  EXPECT_LE(outside, 12);  // about 20,000 pixels; without the cuts at edges 1,000 and more are outside
 }
 
 /// A ball is shaded smoothly: brightness along a row rises and falls once without steps.
@@ -159,7 +159,7 @@ TEST(Surfels, ShadingIsSmooth) {
   int largest = 0;
   for (int i = static_cast<int>(x) - r; i < static_cast<int>(x) + r; i++)
     largest = std::max(largest, std::abs(brightness(image.at(i, row)) - brightness(image.at(i + 1, row))));
-  EXPECT_LE(largest, 14);  // of 765
+  EXPECT_LE(largest, 14);  // the range is 765
 }
 
 TEST(Surfels, ShadowsFallAndAreSoft) {

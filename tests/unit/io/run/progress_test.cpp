@@ -106,7 +106,7 @@ TEST_F(ProgressLog, ContinuesAfterARollback) {
   ASSERT_EQ(lines().size(), 4u);
   EXPECT_EQ(lines()[2].substr(0, 3), "50,");
   EXPECT_EQ(lines()[3].substr(0, 4), "110,");
-  std::ofstream(progressLogPath(out)) << "step,other\n5,6\n";  // of another version
+  std::ofstream(progressLogPath(out)) << "step,other\n5,6\n";  // a log of another version
   cutProgressLog(out, 100);
   EXPECT_EQ(lines().size(), 1u);
   EXPECT_TRUE(has(lines()[0], "step,time_s"));
