@@ -48,8 +48,8 @@ struct Stretched {
   }
 };
 
-// A newborn needs the initial position of the undeformed sheet. Its current position would displace it in the
-// next update by the strain times its distance from the birth place.
+// The reference position of a newborn includes the strain of its surroundings. Otherwise the next update
+// moves the newborn by the strain times its distance from the parent.
 TEST(Births, NewbornsGetTheInitialPositionOfTheUndeformedSheet) {
   const Mat3d turned{{{0.6, 0, 0.8}, {0, 1, 0}, {-0.8, 0, 0.6}}},
       strained{{{2.1, 0.7, 0}, {-0.3, 0.8, 0}, {0, 0, 1}}};

@@ -56,7 +56,7 @@ TEST(Displace, AffineMotionIsExact) {
 
 // A body bends about a line by 60 degrees in 12 updates, within two spacings. Discs must stay in the plane of
 // their neighbours. The mean of the particles' gradients is smoother than the displacement of positions and
-// would turn them by up to 12 degrees too little.
+// would leave them up to 12 degrees out of plane.
 TEST(Displace, NormalsTurnWithPositions) {
   SettleRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) {
