@@ -97,7 +97,7 @@ TEST_F(RunLockOf, LockTakenByForceIsKept) {
   EXPECT_EQ(lockHolder(out)->process.host, "elsewhere");
 }
 
-// Of simultaneous starts exactly one gets the folder, whether it is free or held by a dead process.
+// Exactly one of simultaneous starts gets the folder, whether it is free or a dead process has locked it.
 TEST_F(RunLockOf, OneOfSimultaneousStartsGetsTheFolder) {
   const pid_t dead = ::fork();
   if (dead == 0) ::_exit(0);
