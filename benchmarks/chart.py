@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Prints a benchmark's CSV file with figures beside their targets, and charts it: chart.py FILE.csv PICTURE.png
 
-One row of the file is one case, named by its text columns (and `particles`, `ranks`). Every numeric column becomes a panel; a column
-`target_X` (or `X_target`) is a mark on the panel of X; columns `ns_...` are the phases of one thing and are stacked in one panel.
+One row of the file is one case, named by its text columns (and `particles`, `ranks`). Every numeric column
+becomes a panel. A column `target_X` (or `X_target`) becomes a mark in the panel of X. Columns `ns_...` are
+phases, stacked in one panel.
 """
 import csv
 import sys
@@ -35,7 +36,7 @@ def read(source):
     with open(source, newline="") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     if not rows:
-        sys.exit(f"chart.py: {source} holds no rows")
+        sys.exit(f"chart.py: {source} has no rows")
     columns = [c for c in rows[0] if c]
     numeric = [c for c in columns if c not in CASE_COLUMNS and all(r[c] in ("", None) or number(r[c]) is not None for r in rows)]
     named = [c for c in columns if c not in numeric]
@@ -81,7 +82,7 @@ def main(source, picture):
     panels = [c for c in numeric if not isTarget(c) and c not in phases]
     count = len(panels) + (1 if phases else 0)
     if count == 0:
-        sys.exit(f"chart.py: {source} holds no numeric column")
+        sys.exit(f"chart.py: {source} has no numeric column")
     across = min(3, count)
     down = -(-count // across)
     size = (5.2 * across, (0.34 * len(rows) + 1.1) * down)

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""What a scene of one kind of body pays for the others: instructions of a step, under callgrind, by the folder that a function comes from.
+"""Cost of body types that a scene does not have: instructions per step under callgrind, by folder of the function.
 
   scripts/bench kinds [--steps 6]
 
-Each scene holds one kind alone: liquid, oriented particles, a sheet. Steps N/2 + 1 ... N are counted as the difference of two runs, inside thaw::step. A function belongs to
-core/oriented, core/sheet or core/kinds where it is defined in an object of that folder; inlined ones count where they are inlined, so that step.cpp's questions
-"has the scene any?" are in `rest`. Needs valgrind.
+Each scene has one body type: liquid, oriented particles or a sheet. Steps N/2 + 1 ... N are counted as the
+difference of two runs, inside thaw::step. A function belongs to core/oriented, core/sheet or core/kinds if an
+object of that folder defines it. Inlined functions count where they are inlined, so that tests for absent
+body types in step.cpp are in `rest`. Needs valgrind.
 """
 import argparse
 import csv
@@ -28,9 +29,9 @@ FOLDERS = ("oriented", "sheet", "kinds")
 def functionsOf(folder):
     objects = sorted((build / "CMakeFiles/thaw_core.dir/core" / folder).glob("*.o"))
     if not objects:
-        sys.exit(f"there are no objects of core/{folder} in {build}")
+        sys.exit(f"kinds: no objects of core/{folder} in {build}; build thaw first")
     listed = subprocess.run(["nm", "-C", "--defined-only", *map(str, objects)], capture_output=True, text=True, check=True).stdout
-    return {m.group(1) for m in re.finditer(r"^[0-9a-f]+ [tT] (.*)$", listed, re.M)}  # no weak ones: those are in all
+    return {m.group(1) for m in re.finditer(r"^[0-9a-f]+ [tT] (.*)$", listed, re.M)}  # no weak ones
 
 
 def count(scene, settings, steps, folders):
@@ -79,6 +80,6 @@ with open(options.csv, "w", newline="") as file:
         of = sum(each[f] for f in absent)
         missed = missed or of > 0 or every <= 0
         out.writerow([name, round(every), *(round(each[f]) for f in FOLDERS), round(every - sum(each.values())), round(of), 0])
-        print(f"{name:18} {every:14,.0f} {each['oriented']:12,.0f} {each['sheet']:12,.0f} {each['kinds']:12,.0f} {every - sum(each.values()):12,.0f}   of kinds that it has not: {of:,.0f}")
+        print(f"{name:18} {every:14,.0f} {each['oriented']:12,.0f} {each['sheet']:12,.0f} {each['kinds']:12,.0f} {every - sum(each.values()):12,.0f}   of absent body types: {of:,.0f}")
 if missed:
-    sys.exit("a scene pays for kinds that it has not")
+    sys.exit("kinds: a scene spends instructions on body types that it does not have")

@@ -1,9 +1,9 @@
-// modules [--particles N] [--repeat R] [--csv FILE]: what each part of the model costs a scene that has it,
-// against one that does not: time a particle and step, and bytes a particle. The two take their steps in
-// turn, so that a noisy machine slows both; time_ratio is the median of the ratios of the turns, in processor
-// time. The ns columns are medians of one run: compare rows by the ratio only. `idle_share` is the time of
-// the bare scene in phases of modules that it does not have. What branches on absent modules cost inside the
-// phases that it does have is not in it.
+// modules [--particles N] [--repeat R] [--csv FILE]: cost of each part of the model, as a scene with it
+// against the scene without it: time per particle and step, and bytes per particle. The two scenes take
+// blocks of steps in turn, so that a busy machine slows both. time_ratio is the median ratio of these blocks
+// in processor time. The ns columns are medians of one run: compare rows by the ratio only. `idle_share` is
+// the time that the scene without the module spends in its phases. Branches on absent modules inside other
+// phases are not in it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,8 +23,8 @@ using test::Simulation;
 enum class Base { Liquid, Solid, Tank };
 constexpr const char* baseNames[] = {"liquid", "solid", "tank"};
 
-/// A block of one material at rest with a free surface; `edge` particles along each side. Tank: liquid in
-/// gravity between walls.
+/// A block of one material at rest with a free surface; `edge` particles per side. Tank: liquid in gravity
+/// between walls.
 Scene block(int edge, Base base) {
   Scene s;
   s.spacing = 0.01;
@@ -52,7 +52,7 @@ Scene block(int edge, Base base) {
 
 struct Row {
   const char* name;
-  Base base;  ///< what it is added to
+  Base base;  ///< scene without the module
   std::function<void(Scene&)> add;
 };
 
@@ -112,7 +112,7 @@ const std::vector<Row>& rows() {
        [](Scene& s) { s.numerics.solver = PressureSolver::Incompressible; }},
       {"implicit viscosity", Base::Tank,
        [](Scene& s) { s.numerics.viscositySolver = ViscositySolver::Implicit; }},
-      {"an emitter that waits", Base::Tank,
+      {"an emitter before its start", Base::Tank,
        [](Scene& s) {
          Emitter e;
          e.name = "tap";
@@ -169,7 +169,7 @@ int main(int argc, char** argv) {
     else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
   }
   if (particles < 8 || repeat < 1)
-    return std::fprintf(stderr, "--particles must be at least 8, --repeat at least 1\n"), 2;
+    return std::fprintf(stderr, "modules: --particles must be at least 8, --repeat at least 1\n"), 2;
   FILE* out = csv ? std::fopen(csv, "w") : stdout;
   if (!out) return std::fprintf(stderr, "%s: cannot be written\n", csv), 3;
   std::fprintf(out,

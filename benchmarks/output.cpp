@@ -1,9 +1,9 @@
-// output: seconds and bytes a second of a frame, of a checkpoint, and of both beside what dd takes to write
-// as many bytes to the same disk.
+// output: seconds and bytes per second of a frame and of a checkpoint, against dd writing as many bytes to
+// the same disk.
 //   output [--particles 1000000] [--repeat 5] [--folder out/bench/output] [--csv FILE]
-// A frame (position, velocity, pressure, density, id) is written, read again for its layout, and renamed; a
-// checkpoint is also synced to the disk and read back whole, so dd syncs too there (conv=fsync), and reads
-// the file once (`dd of=/dev/null`). Ours and dd take turns; medians. On the ranks that it is started with;
+// A frame (position, velocity, pressure, density, id) is written, read for its layout, and renamed. A
+// checkpoint is also synced to the disk and read back whole, so dd also syncs (conv=fsync) and reads the file
+// once (`dd of=/dev/null`). thaw and dd take turns; figures are medians. thaw uses all ranks of the launch;
 // dd is one process.
 #include <algorithm>
 #include <chrono>
@@ -30,7 +30,7 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
-/// A block of liquid of about this many particles.
+/// A block of liquid with about this number of particles.
 Scene block(double particles) {
   Scene s;
   s.spacing = 0.01;
@@ -47,7 +47,7 @@ Scene block(double particles) {
   return s;
 }
 
-/// Seconds of a call on all ranks, at the slowest.
+/// Wall-clock seconds of a collective call: the maximum over ranks.
 template<class Call> double seconds(const Communicator& comm, Call call) {
   MPI_Barrier(comm.handle());
   const double begin = MPI_Wtime();
@@ -64,7 +64,7 @@ void dd(const Communicator& comm, const std::string& arguments) {
   if (code != 0) throw std::runtime_error("dd " + arguments + " fails");
 }
 
-/// A folder that is there as long as this is, however it ends.
+/// A folder that is removed at the end of this object's life.
 struct Folder {
   const Communicator& comm;
   std::string path;
@@ -95,7 +95,7 @@ int run(int argc, char** argv) {
     else if (key == "--repeat") repeat = static_cast<int>(countOf(key, argv[k + 1], 1, 10000));
     else if (key == "--folder") folder = argv[k + 1];
     else if (key == "--csv") csv = argv[k + 1];
-    else throw std::invalid_argument("there is no option " + key);
+    else throw std::invalid_argument("unknown option " + key);
   }
   const Communicator comm;
   const Folder there(comm, folder);
@@ -107,7 +107,7 @@ int run(int argc, char** argv) {
   for (int turn = 0; turn < repeat; turn++) {
     rig.step();
     ours[0].push_back(seconds(comm, [&] {
-      findStoredEnergy(rig.w, rig.tools);  // a run finds it for what is written
+      findStoredEnergy(rig.w, rig.tools);  // a run updates it before output
       writeFrame(frame, comm.handle(), frameOf(rig.w, comm.rank()), {"output", "", false});
     }));
     theirs[0].push_back(seconds(comm, [&] { dd(comm, "if=" + frame + " of=" + copy); }));
@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
   int code = 0;
   try {
     code = run(argc, argv);
-  } catch (const std::invalid_argument& e) {  // an option: alike on all ranks
+  } catch (const std::invalid_argument& e) {  // a bad option, the same on all ranks
     if (Communicator().rank() == 0) std::fprintf(stderr, "output: %s\n", e.what());
     MPI_Finalize();
     return 2;

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Writes docs/performance.md and its chart from performance/text.md and the figures in docs/performance/ and docs/scaling/.
 
-performance_chart.py [--check]    --check compares the page with what would be written, and needs no matplotlib
-In performance/text.md: {{table}}, {{machine}} and {{predicted PARTICLES RANKS}}, an efficiency of the scaling model.
+performance_chart.py [--check]    --check compares the page with the figures and needs no matplotlib
+Placeholders of performance/text.md: {{table}}, {{machine}} and {{predicted PARTICLES RANKS}}, an efficiency
+of the scaling model.
 """
 import csv
 import os
@@ -16,7 +17,7 @@ sys.path.insert(0, os.path.join(HERE, "scaling"))
 import model  # noqa: E402
 import summary  # noqa: E402
 
-HEAD = ["case", "particles", "ranks", "M steps/s and core", "ratio", "to", "bytes a particle"]
+HEAD = ["case", "particles", "ranks", "M steps/s and core", "ratio", "reference", "bytes per particle"]
 
 
 def rowsOf(*path):
@@ -25,7 +26,7 @@ def rowsOf(*path):
 
 
 def isShown(r):
-    """Millions of particles with 33 neighbours on one and two ranks with a core each; double precision of liquids alone."""
+    """True for millions of particles with 33 neighbours on one or two ranks; double precision for liquids only."""
     return (float(r["neighbours"]) < 50 and float(r["particles"]) >= 1e6 and int(r["ranks"]) <= 2 and r["isa"] == "avx512"
             and (r["precision"] == "single" or r["case"] == "fluid"))
 
@@ -114,7 +115,7 @@ def main(check):
     if check:
         with open(place) as f:
             if f.read() != page():
-                sys.exit("docs/performance.md differs from what benchmarks/performance_chart.py makes of the figures: run it")
+                sys.exit("docs/performance.md does not match its figures; run benchmarks/performance_chart.py")
         return
     with open(place, "w") as f:
         f.write(page())

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Whole scenes against the step benchmark: what share of its rate they have, everything on, and where the rest goes.
+"""Whole scenes against the step benchmark: the fraction of its rate, and the time of each phase.
 
   scripts/bench scenes [--quick] [--ranks 4] [--steps 300]
 
-dam_break with a million particles, beam, melt and melt_large as their files have them but with a frame every 100 steps. The bust of the melting scenes is solid for their first
-thousands of steps: it is measured so (melt), and with temperatures by height with which a quarter of it is liquid from the start on (melting). The rate of the step benchmark of the
-same kind, size and precision is measured right after each scene, on as many ranks, so that both see the same machine. --steps: at least; of small scenes a thousand,
-so that the frame of the start is not one of two. --quick: dam_break with 100,000 particles, beam and melt, on one rank.
+dam_break with a million particles, beam, melt and melt_large run as in their files, but with a frame every
+100 steps. The bust is solid in its first thousands of steps: it is measured as such (melt), and with
+temperatures by height that melt a quarter of it from the start (melting). The rate of the step benchmark with
+the same physics, size and precision is measured after each scene on as many ranks, so that both see the same
+machine. --steps is a minimum: small scenes take a thousand, so that the first frame weighs little. --quick:
+dam_break with 100,000 particles, beam and melt, on one rank.
 """
 import argparse
 import csv
@@ -20,7 +22,7 @@ import sys
 root = pathlib.Path(__file__).resolve().parent.parent
 build = pathlib.Path(os.environ.get("THAW_BUILD", root / "build/release"))
 
-# 80 degC at its foot, 5 at half its height, -70 at its top; it melts from 40 to 65
+# 80 degC at its foot, 5 at half its height, -70 at its top; it melts from 40 to 65 degC
 MELTING = ['body.bust.temperature="5 degC"', "body.bust.temperature_gradient=[0, 0, -500]"]
 # scene, overrides, (case, precision, support) of the step benchmark
 SCENES = [
@@ -62,7 +64,7 @@ def main():
     folder = pathlib.Path(options.csv).resolve().parent / "scenes_run"
     rows = []
     for scene, overrides, (case, precision, support) in QUICK if options.quick else SCENES:
-        first = run(scene, overrides, options.ranks, 1, folder)  # what dt is, for frames every 100 steps
+        first = run(scene, overrides, options.ranks, 1, folder)  # gives dt, for frames every 100 steps
         every = f"output.every={100 * first['dt_s']}"
         particles = first["particles"]
         steps = max(options.steps, 1000 if particles < 200000 else 0)

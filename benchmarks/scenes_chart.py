@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Whole scenes beside the step benchmark: shares of its rate, and where the time goes. scenes_chart.py FILE.csv PICTURE.png"""
+"""Whole scenes against the step benchmark: fractions of its rate, and phases. scenes_chart.py FILE.csv PICTURE.png"""
 import csv
 import sys
 
@@ -23,7 +23,7 @@ for k, column in enumerate(c for c in rows[0] if c.startswith("ns_")):
     axes[1].barh(at, values, left=left, label=column[3:], color=plt.get_cmap("tab10")(k))
     left = [a + b for a, b in zip(left, values)]
 axes[1].legend(fontsize=7)
-axes[1].set_title("ns a particle, step and core", fontsize=9)
+axes[1].set_title("ns per particle, step and core", fontsize=9)
 axes[0].set_yticks(list(at), names, fontsize=8)
 axes[0].invert_yaxis()
 figure.tight_layout()

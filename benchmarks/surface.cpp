@@ -1,18 +1,18 @@
-// surface [--surfels N] [--repeat R] [--only GROUP] [--csv FILE]: what an update of the surface costs on one
-// core, and how true a ball's surface is.
-//   iteration: full iterations of all surfels of a ball, for several supports h_ss; ns a surfel and
-//   iteration, by phase update:    a whole update of a melting bust of 4,000 particles, from the copies of
-//   the particles to the
-//              blend, until the local stop
+// surface [--surfels N] [--repeat R] [--only GROUP] [--csv FILE]: cost of surface updates on one core, and
+// accuracy of a ball's surface.
+//   iteration: full iterations of all surfels of a ball for several supports h_ss; ns per surfel and
+//   iteration,
+//              by phase
+//   update:    a whole update of a melting bust of 4,000 particles, from the particle copies to the blend,
+//              until the local stop
 //   whole updates: updateSurface with resampling, components and measures, of a solid and a molten bust
-//              (benchmarks/surface/whole_updates.hpp), with h_ss = 3 d, 2.5 d and, of the molten one, the
+//              (benchmarks/surface/whole_updates.hpp), with h_ss = 3 d, 2.5 d and, for the molten bust, the
 //              support radius of the particles; by phase
-//   ball:      surfels settled on a ball of whole cells of a lattice against the ball, for the same choices
-//   of
-//              h_ss: its staircase is in it. A scene's ball, whose outer particles count with what of the
-//              ball is around them, is a case of the accuracy suite (surface_ball), which has the targets
-// --only: iterations, update, solid, molten (whole updates) or balls alone. Times are processor time.
-// Searches, placing and what is done once an update are beside the iterations, in ms.
+//   ball:      surfels relaxed on a ball of whole lattice cells, against the exact ball, for the same h_ss.
+//   Its
+//              error includes the staircase. The accuracy case surface_ball has balls of scenes and targets
+// --only: iterations, update, solid, molten (whole updates) or balls. Times are processor time. Searches,
+// placement and once-per-update work are listed separately, in ms.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -33,7 +33,7 @@ using namespace thaw;
 using test::SettleRig;
 using Row = SurfaceRow;
 
-/// Processor time, which depends less on what else runs.
+/// Processor time (s), which depends less on other load of the machine.
 double seconds(const std::function<void()>& work) {
   const std::clock_t start = std::clock();
   work();
@@ -60,9 +60,9 @@ void neighbours(const SettleRig& rig, double& particles, double& surfels) {
   surfels = static_cast<double>(counted[1]) / static_cast<double>(n);
 }
 
-/// Twelve full iterations on a ball of 4,000 particles with `surfels` surfels. Of a ball so small a surfel
-/// has 114 particles within twice their support radius, where it has 134 on a plane: the particle support is
-/// a little larger, so that they are the 130 of the bar.
+/// Twelve full iterations of about `surfels` surfels on a ball of 4,000 particles. On so small a ball a
+/// surfel has 114 particles within twice their support radius, against 134 on a plane. A slightly larger
+/// particle support gives 130.
 Row iterations(const std::string& name, double surfels, int repeat,
                const std::function<void(Scene&, double spacing)>& change) {
   const double R = 9.85, spacing = std::sqrt(4 * 3.14159265358979323846 * R * R / (0.866 * surfels));
@@ -83,8 +83,7 @@ Row iterations(const std::string& name, double surfels, int repeat,
     r.surfels = static_cast<double>(rig.w.surface.surfels.owned);
     neighbours(rig, r.aroundParticles, r.aroundSurfels);
     fillPhases(r, rig.tools.relax.times);
-    r.targetRate = name == "iteration" ? 1e6 : 0;  // twice what the surface was first asked for, as all
-                                                   // targets here
+    r.targetRate = name == "iteration" ? 1e6 : 0;  // surfels/s
     r.searchMs = 1e3 * rig.tools.relax.times.search;
     r.searches = static_cast<double>(rig.tools.relax.times.searches);
     if (r.rate > best.rate) best = r;
@@ -92,14 +91,14 @@ Row iterations(const std::string& name, double surfels, int repeat,
   return best;
 }
 
-/// An update of the builtin bust, melting from below: the lowest third is liquid, the next tenth between, and
-/// it spreads.
+/// An update of the builtin bust that melts from below: the lowest third is liquid and spreads, the next
+/// tenth is mixed.
 Row update(double surfels, int repeat) {
   Shape shape;
   shape.kind = ShapeKind::Mesh;
   shape.mesh = "builtin:bust";
   const auto unit = makeSignedDistance(shape);
-  const auto volumeOf = [&](double h) {  // particles of a bust of height h
+  const auto volumeOf = [&](double h) {  // number of particles of a bust of height h
     std::size_t n = 0;
     const Bounds b = unit->bounds();
     for (double z = b.min.z + 0.5 / h; z < b.max.z; z += 1 / h)
@@ -117,7 +116,7 @@ Row update(double surfels, int repeat) {
       for (double y = b.min.y + 0.5 * s; y < b.max.y; y += s)
         for (double x = b.min.x + 0.5 * s; x < b.max.x; x += s) at({x, y, z});
   };
-  // points of a fine lattice within half its spacing of the surface: one for each spacing^2
+  // one point per spacing^2: points of a fine lattice within half its spacing of the surface
   std::vector<std::pair<Vec3d, Vec3d>> skin;
   double spacing = 0.2;
   for (int k = 0; k < 3; k++) {
@@ -132,8 +131,8 @@ Row update(double surfels, int repeat) {
   const auto liquidAt = [&](const Vec3d& x) {
     return static_cast<float>(std::clamp((0.43 * height - x.z) / (0.1 * height), 0.0, 1.0));
   };
-  const auto flow = [&](const Vec3d& x) {  // spreads and sinks where it is liquid, a quarter of a support
-                                           // radius at most
+  const auto flow = [&](const Vec3d& x) {  // spreads and sinks the liquid by at most a quarter of a support
+                                           // radius
     const double f = static_cast<double>(liquidAt(x));
     return f * 0.5 * Vec3d{0.5 * x.x, 0.5 * x.y, -x.z} / (0.43 * height);
   };
@@ -146,7 +145,7 @@ Row update(double surfels, int repeat) {
     });
     for (const auto& [x, n] : skin) rig.addSurfel(x, n, 1, 0);
     rig.place();
-    // the surface that the last update left: settled where it was liquid
+    // start from the surface of the last update, relaxed where it was liquid
     rig.tools.relax.particlesReady = false;
     sampleFields(w, rig.ranks->halos(), rig.tools);
     rig.settle(100, false);
@@ -187,7 +186,7 @@ Row update(double surfels, int repeat) {
   return best;
 }
 
-/// wholeUpdates as a row; `repeat` sets the number of updates.
+/// Row of wholeUpdates. `repeat` sets the number of updates.
 Row whole(bool molten, double surfels, double support, const std::string& choice, int repeat) {
   const WholeUpdates u = wholeUpdates(molten, surfels, support, 2 + 2 * repeat);
   const auto ms = [&](SurfacePhase phase) { return 1e3 * u.phase[static_cast<std::size_t>(phase)]; };
@@ -233,7 +232,7 @@ Row ball(int R, SmoothingForm form, double support = 3) {
   return r;
 }
 
-/// The rows of a group, in their order; false where there is no such group.
+/// Prints the rows of a group in order. Returns false for an unknown group.
 bool printGroup(FILE* out, const std::string& group, double surfels, int repeat) {
   if (group == "iterations") {
     print(out, iterations("iteration", surfels, repeat, [](Scene&, double) {}));
@@ -250,7 +249,7 @@ bool printGroup(FILE* out, const std::string& group, double surfels, int repeat)
     const bool molten = group == "molten";
     print(out, whole(molten, surfels, 3, "3 d", repeat));
     print(out, whole(molten, surfels, 2.5, "2.5 d", repeat));
-    // the support radius of the particles is two of their spacings of 28.5 mm
+    // the support radius of the particles is two spacings of 28.5 mm
     if (molten)
       print(out, whole(true, surfels, 8, "8 d (the paper has h = 10.4 d: surface.support = 10.4)", 1));
   } else if (group == "balls") {
@@ -285,13 +284,16 @@ int main(int argc, char** argv) {
     else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
   }
   if (surfels < 100 || repeat < 1)
-    return std::fprintf(stderr, "--surfels must be at least 100, --repeat at least 1\n"), 2;
+    return std::fprintf(stderr, "surface: --surfels must be at least 100, --repeat at least 1\n"), 2;
   FILE* out = csv ? std::fopen(csv, "w") : stdout;
-  if (!out) return std::fprintf(stderr, "%s: cannot be written\n", csv), 3;
+  if (!out) return std::fprintf(stderr, "surface: cannot write %s\n", csv), 3;
   printHead(out);
   for (const std::string& group : groups)
     if (!printGroup(out, group, surfels, repeat))
-      return std::fprintf(stderr, "no group of cases is called %s\n", group.c_str()), 2;
+      return std::fprintf(stderr,
+                          "surface: unknown group %s; groups: iterations, update, solid, molten, balls\n",
+                          group.c_str()),
+             2;
   if (csv) std::fclose(out);
   return 0;
 }

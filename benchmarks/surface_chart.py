@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Charts the surface benchmark by phase, beside its targets: surface_chart.py FILE.csv PICTURE.png. Accuracies are in the table that it prints."""
+"""Charts the surface benchmark by phase with its targets, and prints accuracies: surface_chart.py FILE.csv PICTURE.png"""
 import csv
 import sys
 
@@ -37,7 +37,7 @@ name = list(every[0])[0]
 iterations = [r for r in every if r[name].startswith("iteration")]
 updates = [r for r in every if r[name].startswith("whole update")]
 figure, axes = plt.subplots(2, 1, figsize=(10, 5.5))
-if iterations:  # --only may have left either out
+if iterations:  # --only can leave either out
     most = 1e6 / next(number(r["target_k_surfels_per_s"]) for r in iterations if r["target_k_surfels_per_s"])  # ns
     bars(axes[0], iterations, ITERATION, lambda r: r[name].replace("iteration", "iteration,", 1).rstrip(","), f"ns a surfel and iteration (target: {most:.0f}, the first line)")
     axes[0].axvline(most, color="#c0392b", linewidth=1)

@@ -1,10 +1,10 @@
-# Shared by the scripts beside it: packages, configure, build, mpirun. To be sourced by bash.
+# Functions shared by the scripts: packages, configuration, build, mpirun. Source it from bash.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 
-# All that a bare Debian 12 lacks to build and test thaw. Charts of benchmarks need chart_packages as well,
-# the manual docs_packages.
+# Packages that a bare Debian 12 lacks to build and test thaw. Charts also need chart_packages, and the manual
+# docs_packages.
 packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev
   libnanoflann-dev libgtest-dev python3)
@@ -15,7 +15,8 @@ lint_packages=(clang-format-14 clang-tidy-14 codespell git python3)
 say() { printf '%s\n' "$*" >&2; }
 fail() { say "$(basename "$0"): $*"; exit 1; }
 
-# Prints those of the given packages that are not installed. Asks dpkg only: no network, some milliseconds.
+# Prints those of the given packages that are not installed. It reads dpkg's data only: no network, a few
+# milliseconds.
 missingPackages() {
   local installed
   installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
@@ -24,10 +25,10 @@ missingPackages() {
   for package in "$@"; do grep -qxF -- "$package" <<<"$installed" || printf '%s\n' "$package"; done
 }
 
-# Installs the given packages where they are missing, as root or through sudo.
+# Installs missing packages among the given ones, as root or through sudo.
 needPackages() {
   if ! command -v dpkg-query >/dev/null; then
-    say "not a Debian system: nothing is installed; needed are what Debian calls $*"
+    say "not a Debian system, so nothing is installed; the Debian names of the required packages are $*"
     return 0
   fi
   local missing
@@ -36,7 +37,7 @@ needPackages() {
   local as_root=()
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null ||
-      fail "these packages are missing, and there is no sudo; as root: apt-get install ${missing[*]}"
+      fail "missing packages and no sudo; run as root: apt-get install ${missing[*]}"
     as_root=(sudo)
   fi
   say "installing ${missing[*]}"
@@ -52,7 +53,7 @@ needPackages() {
   rm -f "$log"
 }
 
-# Cores that this process may use: those it may be scheduled on, and at most a container's quota.
+# Number of cores that this process can use: its affinity, limited by a container's quota.
 cores() {
   local n quota period
   n=$(nproc)
@@ -63,8 +64,8 @@ cores() {
   printf '%s\n' "$((n > 0 ? n : 1))"
 }
 
-# optionsToContinue RANKS OPTIONS...: prints the options with which a stopped run goes on, quoted, each behind
-# a blank: changes of the scene, and the ranks where they are not the default; not its length nor its start.
+# optionsToContinue RANKS OPTIONS...: prints the quoted options that continue a stopped run, each after a
+# blank: changes of the scene, and ranks that are not the default. Length and start are left out.
 optionsToContinue() {
   local again=()
   [ "$1" -eq "$(cores)" ] || again+=(--ranks "$1")
@@ -86,7 +87,7 @@ configure() {
   (cd "$root" && cmake --preset "$1" >"$2" 2>&1) || { cat "$2" >&2; fail "configuring failed"; }
 }
 
-# configureAndBuild PRESET [TARGET...]: quiet unless something fails or a terminal looks on.
+# configureAndBuild PRESET [TARGET...]: quiet unless it fails or standard error is a terminal.
 configureAndBuild() {
   local preset=$1 target args=()
   shift
@@ -103,10 +104,10 @@ configureAndBuild() {
   fi
 }
 
-# Settings with which Open MPI runs as root, in containers, and with more ranks than cores.
+# Settings for Open MPI as root, in containers, and with more ranks than cores.
 openMpiSettings() {
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-  # Containers forbid reading another process's memory; slots and binding are not a batch system's here.
+  # Containers forbid reading another process's memory. Slots and binding of batch systems do not apply.
   export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_rmaps_base_oversubscribe=1
   export OMPI_MCA_hwloc_base_binding_policy=none
 }
@@ -118,7 +119,7 @@ checkRanks() {
   exit 2
 }
 
-# onRanks N COMMAND...: under mpirun. Returns the command's exit code.
+# onRanks N COMMAND...: runs a command under mpirun and returns its exit code.
 onRanks() {
   local n=$1
   shift

@@ -1,7 +1,7 @@
-"""Checks of text for scripts/lint: what neither clang-format nor clang-tidy nor codespell looks at.
+"""Text checks of scripts/lint that clang-format, clang-tidy and codespell do not cover.
 
     lint_checks.py            prints `file:line: message` for each finding; exit status 1 if there are any
-    lint_checks.py --record   rewrites the lists scripts/lint_known_*.txt from what is found
+    lint_checks.py --record   rewrites the lists scripts/lint_known_*.txt from the findings
 
 A list of known findings may only shrink: a finding that is not listed is an error, and so is an entry
 without a finding.
@@ -24,7 +24,7 @@ def known(name):
     return ROOT / 'scripts' / f'lint_known_{name}.txt'
 
 
-# ---- checks: each yields (file, line, key, message); the key is what a list of known findings holds ----
+# ---- checks: each yields (file, line, key, message); lists of known findings hold the key ----
 
 def longLines(files):
     for file in files:
@@ -80,7 +80,7 @@ TYPE = re.compile(r'(template\s*<.*>\s*)?(typedef |inline |static |constexpr |co
 
 
 def kindOfBlock(statement, inside):
-    """What a brace opens, by the text before it: a namespace, a type, a function or any other block."""
+    """Kind of block that a brace opens, from the text before it: namespace, type, function or block."""
     text = re.sub(r'^(\s*#.*\n)+', '', statement).strip()
     if inside in ('function', 'block'):
         return 'block'
@@ -162,7 +162,7 @@ def deadLinks(files):
                 if re.match(r'[a-z]+:', target):
                     continue
                 path, _, anchor = target.partition('#')
-                # pages are made from benchmarks/*/text.md
+                # these pages are generated from benchmarks/*/text.md
                 base = {'benchmarks/accuracy/text.md': 'docs/validation/page.md',
                         'benchmarks/performance/text.md': 'docs/page.md'}.get(file, file)
                 there = relative(base, path) if path else file
@@ -184,7 +184,7 @@ def relative(file, path):
 
 REFERENCE = re.compile(r'(?<![\w/.$}<>*-])(?:\.\./)*(?:[\w-]+/)*[\w-]+\.(?:md|hpp|cpp|py|sh|\*)(?!\w|\.\w)'
                        r'|(?<![\w/.$}<>*-])docs/[\w/.-]*\w')
-SYSTEM = ('mpi', 'immintrin', 'boost', 'Eigen', 'fmt', 'gtest', 'catalyst')  # headers of others
+SYSTEM = ('mpi', 'immintrin', 'boost', 'Eigen', 'fmt', 'gtest', 'catalyst')  # headers of other projects
 
 
 def deadReferences(files):

@@ -9,7 +9,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def trackedFiles():
-    """Paths of all files that git does not ignore; without git, all but those of build/ and out/."""
+    """Paths of all files that git does not ignore; without git, all outside of build/ and out/."""
     git = subprocess.run(['git', 'ls-files', '--cached', '--others', '--exclude-standard'], cwd=ROOT,
                          text=True, capture_output=True)
     if git.returncode == 0 and git.stdout:
@@ -27,7 +27,7 @@ def isCpp(file):
 
 @functools.lru_cache(None)
 def isScript(file):
-    """CMake, Python, or shell, by its name or its first line."""
+    """True for CMake, Python and shell files, by name or first line."""
     if file.endswith(('.sh', '.py', '.cmake', 'CMakeLists.txt')):
         return True
     if '.' in pathlib.PurePath(file).name:
@@ -47,7 +47,7 @@ TOKENS = re.compile(r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"'         # raw strin
 
 
 def withoutComments(text):
-    """C++ text with comments and the inside of strings blanked; lines stay lines."""
+    """C++ text with comments and string contents blanked; line breaks are kept."""
     return TOKENS.sub(lambda token: re.sub(r'[^\n]', ' ', token[0]), text)
 
 

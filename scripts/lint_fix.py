@@ -3,8 +3,8 @@
 - fields of tables (`Column<...> name{...}`, between // clang-format off and on) take one line, or break
   before their description;
 - headings of sections (`// ---- fluid -----`) end at the last column;
-- a comment behind a long line of C++ goes above it, where it has room;
-- comments of scripts are wrapped, and arguments of CMake's commands.
+- a comment after a long line of C++ goes above it, if there is room;
+- comments of scripts and arguments of CMake commands are wrapped.
 """
 import re
 
@@ -22,7 +22,7 @@ def shortHeading(line):
 
 
 def trailingComments(text):
-    """Line numbers, from 0, of lines with a comment behind code, and its column; none within raw strings."""
+    """Line numbers, from 0, and columns of comments after code; raw strings are skipped."""
     found = {}
     for token in TOKENS.finditer(text):
         begin = text.rfind('\n', 0, token.start()) + 1
@@ -36,7 +36,7 @@ COLUMN = re.compile(r'(  (?:Guest)?Column<.*> \w+{\*this, "[^"]*", "[^"]*", Keep
 
 
 def fields(lines):
-    """The lines with fields of tables broken as they are to be."""
+    """The lines with the fields of tables broken."""
     fixed, parts = [], []
     for line in lines:
         parts = parts + [line.strip()] if parts else [line] if re.match(r'  (Guest)?Column<', line) else []
@@ -80,7 +80,7 @@ def fixCpp(lines):
 
 
 def wrapped(prefix, text):
-    """The text's first line, and what is left of it."""
+    """The first line of the text, and the rest."""
     end = text.rfind(' ', 0, MOST_COLUMNS - len(prefix) + 1)
     return (text, '') if len(prefix + text) <= MOST_COLUMNS or end <= 0 else (text[:end], text[end + 1:])
 
@@ -123,7 +123,7 @@ def fixCMake(lines):
         if '#' in words:  # the comment behind a command
             fixed += wrapComment(indent + '# ', ' '.join(words[words.index('#') + 1:]))
             words = words[:words.index('#')]
-        behind = indent + '  ' if re.match(r'\w+\(', words[0]) else indent  # else arguments go on
+        behind = indent + '  ' if re.match(r'\w+\(', words[0]) else indent  # else arguments continue
         current = indent + words[0]
         for word in words[1:]:
             if len(current) + 1 + len(word) > MOST_COLUMNS:

@@ -1,8 +1,8 @@
 """Runs clang-tidy for scripts/lint, two files at a time.
 
-    lint_tidy.py BUILD ALL|COMMIT     of all sources, or of those that differ from COMMIT, committed or not
+    lint_tidy.py BUILD ALL|COMMIT     checks all sources, or those that differ from COMMIT, committed or not
 
-A changed header is looked at through the source of its name, or a near one that includes it.
+A changed header is checked through the source of the same name, or a near one that includes it.
 """
 import concurrent.futures
 import json
@@ -16,15 +16,15 @@ import tempfile
 from lint_files import ROOT, isCpp, readLines, trackedFiles
 
 AT_ONCE = 2
-MOST_CHANGED = 16  # sources of a change: three minutes on two cores
+MOST_CHANGED = 16  # limit of changed sources: three minutes on two cores
 CLANG_TIDY = os.environ.get('CLANG_TIDY', 'clang-tidy-14')
-# Options that g++ alone knows, and headers that it alone can read.
+# Options of g++ only, and headers that only g++ reads.
 FOREIGN = re.compile(r'-Winvalid-pch|-fpch-preprocess|-Werror|-m(move|store)-max=\S+'
                      r'|-Wno-(maybe-uninitialized|restrict|psabi)')
 
 
 def forClang(command):
-    """The compile command without precompiled headers and without what clang does not know."""
+    """The compile command without precompiled headers and options that clang does not support."""
     words, kept = shlex.split(command), []
     skip = False
     for word, after in zip(words, words[1:] + ['']):
@@ -38,7 +38,7 @@ def forClang(command):
 
 
 def database(build):
-    """Compile commands by path in the tree; of a file that is compiled several times, the last."""
+    """Compile commands by path in the tree; the last one for files that are compiled several times."""
     with open(os.path.join(build, 'compile_commands.json'), encoding='utf-8') as stream:
         entries = json.load(stream)
     found = {}
@@ -68,17 +68,17 @@ def includersOf():
 
 
 def sourcesOf(files, sources):
-    """Sources through which all files are seen: of a header its twin, else the nearest that includes it."""
+    """Sources that cover all files; a header has the source of its name, or the nearest that includes it."""
     seen, includers = {file for file in files if file in sources}, includersOf()
     for header in (file for file in files if file.endswith('.hpp')):
         near = [header[:-4] + '.cpp', header]
-        for file in near:  # grows
+        for file in near:  # near grows in the loop
             if file in sources:
                 seen.add(file)
                 break
             near += [other for other in includers.get(file, []) if other not in near]
         else:
-            print(f'clang-tidy: no source includes {header}: not looked at', file=sys.stderr)
+            print(f'clang-tidy: no source includes {header}, so it is not checked', file=sys.stderr)
     return sorted(seen)
 
 
@@ -103,7 +103,7 @@ def main():
         for code, text in pool.map(lambda source: tidy(folder, source), chosen):
             failed |= code != 0
             for finding in re.split(r'\n(?=\S+:\d+:\d+: (?:warning|error))', text.strip()):
-                if finding and finding not in shown:  # a header's, of several sources
+                if finding and finding not in shown:  # several sources report the same finding of a header
                     shown.add(finding)
                     print(finding.replace(f'{ROOT}/', ''), flush=True)
     return 1 if failed else 0

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Charts of the accuracy suite: chart.py FILE.csv PICTURE.png
 
-For each case and norm that has a target (or the case's first norm): error against core-seconds, every setting a point, the default settings
-joined over their resolutions, the frontier (no other point is both faster and more accurate) drawn, the target and figures of other programs
-as marks. PICTURE.png gets all panels; beside it a folder of the same name one picture a case.
+Each case has a panel for each norm with a target, or else for its first norm. A panel shows error against
+core-seconds. Points are settings; a line joins the default settings over their resolutions. The frontier
+joins the points that no other point beats in both time and accuracy. Marks show the target and published
+figures of other programs. PICTURE.png holds all panels; a folder of the same name holds one picture per case.
 """
 import csv
 import os
@@ -25,7 +26,7 @@ def read(path):
 
 
 def panels(rows):
-    """(case, norm) in the order of the file: the norms with a target other than rounding, or else the case's first one."""
+    """(case, norm) in the order of the file: norms with a target above rounding, else the case's first norm."""
     found = {}
     for r in rows:
         norms = found.setdefault(r["case"], [])

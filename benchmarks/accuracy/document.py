@@ -2,14 +2,14 @@
 """Writes docs/validation/accuracy.md from text.md and the figures: document.py ACCURACY.csv [MODULES.csv]
 
 Every number in the document comes from the files. In text.md:
-  {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise; SETTINGS as in the CSV
+  {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise; SETTINGS as in the CSV file
   {{ratio CASE | NORM | SETTINGS A | SETTINGS B}}   error of A over that of B; {{cost ...}} the same for core-seconds
   {{between CASE A | CASE B | NORM}}    order between the defaults of two cases that are one at two resolutions
-  {{table CASE}}    all settings of a case        {{targets}}    the defaults beside what they are to reach
-  {{choices CASE | SETTINGS; SETTINGS ... | NORM; NORM ...}}    some settings of a case, a line each, with some of its norms
-  {{chart CASE}}    its picture, copied to docs/pictures/accuracy/        {{modules}}    what each module costs
-  {{picture CASE}}    the particles at its end, drawn from points/CASE.csv beside the figures
-The CSV files are copied to docs/accuracy/, so that the document can be made anew from what is in the repository.
+  {{table CASE}}    all settings of a case        {{targets}}    the defaults with their targets
+  {{choices CASE | SETTINGS; SETTINGS ... | NORM; NORM ...}}    some settings and norms of a case, one line per setting
+  {{chart CASE}}    its chart, copied to docs/pictures/accuracy/        {{modules}}    the cost of each module
+  {{picture CASE}}    the particles at the end, from points/CASE.csv next to ACCURACY.csv
+The CSV files are copied to docs/accuracy/, so that the repository alone can reproduce the document.
 """
 import csv
 import math
@@ -29,17 +29,17 @@ def rowsOf(path):
 
 
 def short(text):
-    """Three digits; powers of ten where that is shorter."""
+    """Three digits, with a power of ten where that is shorter."""
     return f"{float(text):.3g}" if text else ""
 
 
 def cell(text):
-    """For a table: a bar in it would end the cell."""
+    """Text of a table cell, with bars escaped because they end a cell."""
     return text.replace("|", "\\|")
 
 
 def orderOf(row):
-    """Of what is not rounding already."""
+    """The order of convergence, or nothing where the error is rounding or a residual."""
     return row["order"] if float(row["error"]) > 1e-8 and "residual" not in row["norm"] else ""
 
 
@@ -55,13 +55,13 @@ class Document:
         for r in self.rows:
             if (r["case"], r["norm"], r["settings"]) == (case, norm, settings):
                 return r
-        raise SystemExit(f"text.md asks for {case} | {norm} | {settings}, which the figures do not have")
+        raise SystemExit(f"benchmarks/accuracy/text.md: no figure for {case} | {norm} | {settings}; run that case or mend the page")
 
     def value(self, what, arguments):
         columns = {"error": "error", "seconds": "core_seconds", "order": "order", "steps": "steps", "particles": "particles"}
         if what in columns:
             return short(self.find(*arguments)[columns[what]]) or "none"
-        if what == "between":  # two cases that are one at two resolutions
+        if what == "between":  # the same problem at two resolutions
             one, two, norm = arguments
             a, b = (min((r for r in self.rows if r["case"] == c and r["norm"] == norm and r["settings"].startswith("default")), key=spacingOf) for c in (one, two))
             return f"{math.log(float(a['error']) / float(b['error'])) / math.log(spacingOf(a) / spacingOf(b)):.2f}"
@@ -108,7 +108,7 @@ class Document:
         return "\n".join(lines)
 
     def targets(self):
-        lines = ["| case | norm | finest default | error | target | | order | core-seconds |", "|---|---|---|---|---|---|---|---|"]
+        lines = ["| case | norm | finest default | error | target | result | order | core-seconds |", "|---|---|---|---|---|---|---|---|"]
         found = {}
         for r in self.rows:
             if r["settings"].startswith("default") and r["target"]:
@@ -121,7 +121,7 @@ class Document:
         return "\n".join(lines)
 
     def moduleTable(self):
-        lines = ["| module | added to a | ns a particle and step: without, with | ratio | bytes a particle: without, with | fields: without, with | share of the bare scene's time in phases that it does not use |",
+        lines = ["| module | base | ns per particle and step: without, with | ratio | bytes per particle: without, with | fields: without, with | time in unused phases |",
                  "|---|---|---|---|---|---|---|"]
         for r in self.modules:
             lines.append(f"| {r['case']} | {r['base']} | {short(r['ns_without'])}, {short(r['ns_with'])} | {r['time_ratio']} | {r['bytes_without']}, {r['bytes_with']} | "
@@ -138,7 +138,7 @@ def template():
 
 
 def drawParticles(case, source, pictures):
-    """Copies points/CASE.csv from beside the figures to docs/accuracy/ and draws it."""
+    """Copies points/CASE.csv to docs/accuracy/ and draws it."""
     folder = os.path.join(DOCS, "accuracy", "points")
     os.makedirs(folder, exist_ok=True)
     new, kept = os.path.join(os.path.dirname(os.path.abspath(source)), "points", case + ".csv"), os.path.join(folder, case + ".csv")

@@ -1,5 +1,5 @@
-// Surface tension against exact solutions (docs/validation/accuracy.md, fluid): Laplace's pressure and the
-// second mode of a drop.
+// Surface tension against exact solutions (docs/validation/accuracy.md): Laplace's pressure and the second
+// mode of a drop.
 #include "benchmarks/accuracy/drop_cases.hpp"
 #include "core/fluid/particle_pressure.hpp"
 
@@ -28,12 +28,12 @@ Vec3d centreOf(Trial& r) {
   return c;
 }
 
-/// m, of the ball that the drop's mass fills at rest density.
+/// Radius (m) of a ball with the drop's mass at rest density.
 double radiusOf(Trial& r) {
   return std::cbrt(3 * sum(r, massOf) / r.world.scene.materials[0].density / (4 * pi));
 }
 
-/// Share of the line from a to b that lies within a ball of radius R around the origin.
+/// Share of the line from a to b within a ball of radius R around the origin.
 double shareWithin(const Vec3d& a, const Vec3d& b, double R) {
   const Vec3d d = b - a;
   const double A = dot(d, d), B = dot(a, d), C = dot(a, a) - R * R, root2 = B * B - A * C;
@@ -43,8 +43,8 @@ double shareWithin(const Vec3d& a, const Vec3d& b, double R) {
   return std::max(0.0, to - from);
 }
 
-/// The forces without viscosity between two liquid particles, as the sums have them (terms/forces.hpp,
-/// terms/tension.hpp): N along i - j.
+/// Inviscid force between two liquid particles along i - j, in N. The terms are those of terms/forces.hpp and
+/// terms/tension.hpp.
 struct PairForce {
   const World& w;
   const StepTools& t;
@@ -64,7 +64,7 @@ struct PairForce {
   }
 };
 
-/// Calls action(i, j, d, distance), d = x_i - x_j, for each owned particle and each neighbour, ghosts
+/// Calls action(i, j, d, distance), d = x_i - x_j, for each owned particle and each of its neighbours, ghosts
 /// included.
 template<class Action> void overPairs(const World& w, Action action) {
   const NeighbourLists& n = w.neighbours;
@@ -82,8 +82,8 @@ template<class Action> void overPairs(const World& w, Action action) {
     }
 }
 
-/// N, the surface energy's force on i of the pair (terms/surface_energy.hpp), not along i - j alone; nothing
-/// with other forms of tension.
+/// Force (N) on i from the surface energy of the pair (terms/surface_energy.hpp). It is not along i - j
+/// alone. Zero for other forms of tension.
 Vec3d surfaceForce(const World& w, std::size_t i, std::size_t j, const Vec3d& d) {
   const Continuum& p = w.particles;
   if (!w.modules.surfaceEnergy) return {};
@@ -94,11 +94,10 @@ Vec3d surfaceForce(const World& w, std::size_t i, std::size_t j, const Vec3d& d)
   return (u * slope + x * along) * (-p.mass[i] / rho * (p.mass[j] / rho) / (h * h * h * h));
 }
 
-/// Pressures within a ball around the drop's centre: each pair's force times the share of its line that lies
-/// in the ball, Irving and Kirkwood's pressure averaged over the ball (Cormier, Rickman & Delph 2001 eq. 13);
-/// what moves adds its momentum flow. `pairs`: of pressure and of cohesion; `all`: of the surface's energy,
-/// too, which pulls inside as well, where particles lie out of order. `mismatch`: how far all these forces
-/// are from those of the program, root mean square.
+/// Pressures averaged over a ball around the drop's centre (Irving and Kirkwood; Cormier, Rickman & Delph
+/// 2001 eq. 13). Each pair force counts with the share of its line inside the ball. Momentum flow is added.
+/// `pairs` holds pressure and cohesion. `all` adds the surface energy, which also acts inside where particles
+/// are disordered. `mismatch` is the root mean square difference from the program's forces.
 struct Within {
   double pairs, all, mismatch;
 };
@@ -138,8 +137,8 @@ std::vector<Figure> measureLaplace(Trial& r) {
   const Vec3d centre = centreOf(r);
   const double extent = largest(
       r, [&](const World& x, std::size_t i) { return length(x.particles.position[i] - centre); });
-  // m, of the ball with the particles' radius of gyration, each of them a cube: the drop is to keep its
-  // volume
+  // Radius (m) of the ball with the particles' radius of gyration, each particle a cube. The drop must keep
+  // its volume.
   const double spread = rootMeanSquare(
       r, [&](const World& x, std::size_t i) { return length(x.particles.position[i] - centre); });
   const double gyration = std::sqrt(5.0 / 3 * (spread * spread + 0.25 * w.scene.spacing * w.scene.spacing));
@@ -154,10 +153,9 @@ std::vector<Figure> measureLaplace(Trial& r) {
                                return inside(x, i) ? static_cast<double>(x.particles.filling[i]) : 0.0;
                              }) /
                          std::max(core, 1.0);
-  // a particle's force from the sums: against sigma h, that of a few pairs; viscosity is left out, and is
-  // nothing at rest cohesion is in the pairs: their virial is the pressure. Other forms act at the surface
-  // alone, and the liquid inside has the pressure of its equation of state; the virial of the pressure's
-  // pairs, and that of all forces, are printed beside it
+  // Viscosity is zero at rest and left out. Pairwise cohesion is in the pair forces, so their virial is the
+  // pressure. The other forms of tension act at the surface only: the pressure inside is that of the equation
+  // of state. Both virials are reported as well.
   const double mean = sum(r,
                           [&](const World& x, std::size_t i) {
                             return inside(x, i)
@@ -180,7 +178,7 @@ std::vector<Figure> measureLaplace(Trial& r) {
 
 /// Second mode: omega^2 = 8 sigma / (rho R^3), damped at 5 nu / R^2 (Lamb 1932, art. 275 and 355).
 struct SecondMode {
-  double omega, damping, rest;  // rad/s, 1/s, s of coming to rest before it starts
+  double omega, damping, rest;  // rad/s, 1/s, s of damping before the mode starts
   explicit SecondMode(Trial& r) {
     const Material& m = r.world.scene.materials[0];
     const double R = radiusOf(r);
@@ -190,8 +188,8 @@ struct SecondMode {
   }
 };
 
-/// First the drop is brought to rest: its velocities decay, as in a tougher liquid. Then it is pushed along
-/// the mode (a potential flow), and the mode's velocity moment is noted.
+/// Damps the drop to rest, sets the velocities of the mode (a potential flow), and records the mode's
+/// velocity moment.
 void watchMode(Trial& r) {
   World& w = r.world;
   Continuum& p = w.particles;
@@ -223,7 +221,7 @@ void watchMode(Trial& r) {
 }
 
 std::vector<Figure> measureMode(Trial& r) {
-  // crossings of zero of the velocity moment, half a period apart; its extremes in between give the damping
+  // Zeros of the velocity moment are half a period apart. The extremes between them give the damping.
   std::vector<double> zeros, peaks(1, 0.0);
   for (std::size_t k = 0; k + 1 < r.series.size(); k++) {
     const double a = r.series[k].value[0], b = r.series[k + 1].value[0];
@@ -246,7 +244,7 @@ std::vector<Figure> measureMode(Trial& r) {
 std::vector<Case> dropCases() {
   return {
       {"drop_laplace",
-       "pressure in a drop at rest, of all pair forces; 2 sigma / R",
+       "pressure in a drop at rest from all pair forces; 2 sigma / R",
        nullptr,
        {},
        {},

@@ -1,4 +1,4 @@
-// Drops that surface tension rules. Joined by viscousCases().
+// Drops under surface tension. viscousCases() includes these cases.
 #pragma once
 #include "benchmarks/accuracy/trial.hpp"
 

@@ -1,5 +1,5 @@
-// Elastic bodies that float, sink and rise in water at rest. The first body of each scene is the solid, the
-// second the water.
+// Elastic bodies that float, sink or rise in water at rest. In each scene body 0 is the solid and body 1 the
+// water.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,13 +27,13 @@ double bodyMass(Trial& r, int body) {
   });
 }
 
-/// g/c^2 of the water: its relative density grows by so much with each metre of depth (1/m).
+/// Relative density gained per metre of depth, g/c^2 (1/m).
 double compressionRate(const Trial& r) {
   const double c = r.tools.liquids[static_cast<std::size_t>(r.world.scene.bodies[1].material)].soundSpeed;
   return gravityOf(r) / (c * c);
 }
 
-/// Water starts as its weight compresses it, so that no sound of the start moves the body.
+/// Starts the water compressed by its weight, so that no initial sound wave moves the body.
 void squeezeWater(Trial& r) {
   Continuum& p = r.world.particles;
   const double rate = compressionRate(r), top = waterHeight(r);
@@ -45,7 +45,7 @@ void squeezeWater(Trial& r) {
   }
 }
 
-/// Mean height of the solid's particles (m).
+/// Records the mean height (m) of the solid's particles.
 void watchHeight(Trial& r) {
   if (!r.notes.contains("mass")) r.notes["mass"] = bodyMass(r, 0);
   const double moment = sum(r, [](const World& w, std::size_t i) {
@@ -69,7 +69,7 @@ double valueAt(const Curve& c, double time) {
   return c.back()[1];
 }
 
-/// When the value has first changed by `amount`; the last time where it never has.
+/// Time of the first change by `amount`; the last time if there is none.
 double timeToChange(const Curve& c, double amount) {
   for (const auto& [time, value] : c)
     if (std::abs(value - c[0][1]) >= amount) return time;
@@ -92,8 +92,8 @@ std::vector<double> crossings(const Curve& c, double level) {
   return times;
 }
 
-/// Mean over whole swings, and the first of them from the first crossing of the mean to the third (0: there
-/// are fewer).
+/// Mean over whole periods, and the first period between the first and third crossing of the mean (0 if there
+/// are fewer crossings).
 struct Swing {
   double mean, period;
 };
@@ -106,8 +106,8 @@ Swing swingOf(const Curve& c) {
   return {level, t.size() >= 3 ? t[2] - t[0] : 0};
 }
 
-/// Residuals of the ledger: energy in shares of the water's potential energy, momentum in those of m sqrt(g
-/// L).
+/// Adds residuals of the ledger: energy relative to the water's potential energy, momentum relative to m
+/// sqrt(g L).
 void addResiduals(Trial& r, double size, std::vector<Figure>& figures) {
   const LedgerReport ledger = reportLedger(r.world, r.tools, r.all);
   const double g = gravityOf(r);
@@ -119,27 +119,27 @@ void addResiduals(Trial& r, double size, std::vector<Figure>& figures) {
 
 // ---- floating ---------------------------------------------------------------------------------------------
 
-/// x / x(0) of a floating cube by linear potential flow in the same tank: a column of
-/// references/floating_cube.csv, times in s.
+/// x / x(0) of a floating cube in linear potential flow in the same tank. Reads a column of
+/// references/floating_cube.csv; times in s.
 Curve referenceHeave(int column, double unit) {
   const std::string path = std::string(THAW_BENCHMARK_FOLDER) + "/references/floating_cube.csv";
   FILE* in = std::fopen(path.c_str(), "r");
-  if (!in) throw std::runtime_error(path + ": cannot be read");
+  if (!in) throw std::runtime_error(path + ": cannot be read; references/floating_cube.py writes it");
   Curve c;
   char line[256];
   double time, x[2];
   while (std::fgets(line, sizeof line, in))
     if (std::sscanf(line, "%lf,%lf,%lf", &time, &x[0], &x[1]) == 3) c.push_back({time * unit, x[column]});
   std::fclose(in);
-  if (c.size() < 2) throw std::runtime_error(path + ": no table of three columns");
+  if (c.size() < 2) throw std::runtime_error(path + ": expected a table of three columns");
   return c;
 }
 
-/// Water and a cube of edge L: liquid volume over the tank's area, V/A, gives the level and the draught from
-/// the height of the cube's bottom.
+/// Water and a cube of edge L. The level and the draught follow from the liquid volume over the tank's area,
+/// V/A, and the height of the cube's bottom.
 struct Float {
   double edge, share, waterLevel,
-      draught;  // m; share: of the tank's area that the cube takes; waterLevel: V/A
+      draught;  // m; share: fraction of the tank's area that the cube takes; waterLevel: V/A
   explicit Float(Trial& r) {
     const Vec3d size = r.world.scene.domain.max - r.world.scene.domain.min;
     edge = r.world.scene.bodies[0].shape.size.z;
@@ -181,8 +181,8 @@ std::vector<Figure> measureFloat(Trial& r, int column) {
 
 // ---- sinking and rising -----------------------------------------------------------------------------------
 
-/// Displacement of a body released at rest under its weight and buoyancy: (m + added mass) dv/dt = F -
-/// drag(v). Per displaced mass of water.
+/// Displacement of a body released at rest under weight and buoyancy: (m + added mass) dv/dt = F - drag(v).
+/// All terms are per displaced mass of water.
 template<class Drag> Curve released(double density, double addedMass, double gravity, double end, Drag drag) {
   constexpr int steps = 20000;
   const double dt = end / steps;
@@ -214,7 +214,7 @@ std::vector<Figure> compareRelease(Trial& r, const Curve& exact, double size) {
   return figures;
 }
 
-/// Added mass in this tank by potential flow (references/floating_cube.py); drag of a cube at large Reynolds
+/// Added mass by potential flow in this tank (references/floating_cube.py). Drag of a cube at large Reynolds
 /// numbers (Hoerner 1965).
 std::vector<Figure> measureSinking(Trial& r) {
   constexpr double addedMass = 0.610, dragCoefficient = 1.05;
@@ -224,7 +224,7 @@ std::vector<Figure> measureSinking(Trial& r) {
                         edge);
 }
 
-/// Added mass of a sphere in a large vessel, half of the displaced; drag of Schiller and Naumann 1933, 0.44
+/// Added mass of a sphere in a large vessel: half the displaced mass. Drag of Schiller and Naumann 1933, 0.44
 /// above Re = 1000.
 std::vector<Figure> measureRising(Trial& r) {
   const Scene& s = r.world.scene;

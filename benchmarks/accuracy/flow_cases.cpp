@@ -1,4 +1,4 @@
-// Flows that pressure drives, against exact solutions and an experiment (docs/validation/accuracy.md, fluid).
+// Pressure-driven flows against exact solutions and an experiment (docs/validation/accuracy.md).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ double kineticEnergy(Trial& r) {
   });
 }
 
-/// What no term of the ledger explains: energy in shares of `energy`, momentum in shares of m `speed`.
+/// Adds residuals of the ledger: energy relative to `energy`, momentum relative to m `speed`.
 void addBooks(Trial& r, double energy, double speed, std::vector<Figure>& figures) {
   const LedgerReport books = reportLedger(r.world, r.tools, r.all);
   figures.push_back({"energy residual", std::abs(books.energyResidual) / energy, 0.01});
@@ -25,18 +25,18 @@ void addBooks(Trial& r, double energy, double speed, std::vector<Figure>& figure
 
 // ---- column at rest ---------------------------------------------------------------------------------------
 
-/// H = 1, g = 1, rho = 1: density at rest is 1 + (H - z)/c^2. The lattice is squeezed to it; no sound of the
-/// start has to die away.
+/// H = 1, g = 1, rho = 1: the density at rest is 1 + (H - z)/c^2. The lattice starts compressed to it, so
+/// that no initial sound wave has to decay.
 void squeezeColumn(Trial& r) {
   World& w = r.world;
   const double c = w.scene.materials[0].soundSpeed, k = 1 / (c * c);
   for (std::size_t i = 0; i < w.particles.owned; i++) {
     Vec3d& x = w.particles.position[i];
     if (w.particles.compression.active) w.particles.compression[i] = k * (1 - x.z);
-    x.z -= k * (x.z - 0.5 * x.z * x.z);  // of the mass below: int (1 - z) k
+    x.z -= k * (x.z - 0.5 * x.z * x.z);  // int (1 - z) k, from the mass below
   }
 }
-/// And jittered by a tenth of a spacing: it has to find its rest.
+/// Jitters the compressed column by a tenth of a spacing.
 void jitterColumn(Trial& r) {
   squeezeColumn(r);
   World& w = r.world;
@@ -55,7 +55,7 @@ std::vector<Figure> measureColumn(Trial& r) {
   std::vector<Figure> f{
       {"L2(p)", rootMeanSquare(r, error), 0.02},
       {"Linf(p)", largest(r, [&](const World& w, std::size_t i) { return std::abs(error(w, i)); })},
-      // of the m g H / 2 that it has in height
+      // relative to the column's potential energy, m g H / 2
       {"kinetic energy left", kineticEnergy(r) / (0.5 * r.tools.mass)}};
   addBooks(r, 0.5 * r.tools.mass, 1, f);
   return f;
@@ -63,14 +63,14 @@ std::vector<Figure> measureColumn(Trial& r) {
 
 // ---- dam breaks -------------------------------------------------------------------------------------------
 
-/// The foremost liquid: its outermost particle, and half a spacing of it.
+/// Position of the front: the outermost particle plus half a spacing.
 double frontOf(Trial& r) {
   return largest(r, [](const World& w, std::size_t i) { return w.particles.position[i].x; }) +
          0.5 * r.spacing();
 }
 void watchFront(Trial& r) { r.series.push_back({r.world.clock.time, {frontOf(r)}}); }
 
-/// The noted value at a time, linear in between.
+/// Linear interpolation of the recorded value.
 double noted(const Trial& r, double time) {
   for (std::size_t k = 1; k < r.series.size(); k++)
     if (r.series[k].time >= time) {
@@ -99,7 +99,7 @@ std::vector<Figure> measureRitter(Trial& r) {
     const double x = low + (static_cast<double>(b) + 0.5) * width, exact = ritterDepth(x, t);
     const double depth = static_cast<double>(count[b]) * volume / (width * thickness);
     if (std::abs(x) < width) gate += 0.5 * depth;
-    if (exact < 0.05) continue;  // the tip: there the layer is thinner than a spacing of H/20
+    if (exact < 0.05) continue;  // at the tip the layer is thinner than a spacing of H/20
     squares += (depth - exact) * (depth - exact);
     n++;
   }
@@ -110,9 +110,8 @@ std::vector<Figure> measureRitter(Trial& r) {
   return f;
 }
 
-/// Martin & Moyce 1952, n^2 = 2, a = 2.25 in: T = t sqrt(2g/a), Z = front / a.
-/// Root mean square of Z / Zexp - 1 over the points (but those before `from`), T shifted by so much; `worst`
-/// gets the largest.
+/// Root mean square of Z / Zexp - 1 from point `from` on, with T shifted by `shift`; `worst` receives the
+/// largest. Martin & Moyce 1952, n^2 = 2, a = 2.25 in: T = t sqrt(2g/a), Z = front / a.
 double frontError(const Trial& r, const std::vector<std::array<double, 2>>& points, double shift,
                   std::size_t from, double& worst) {
   constexpr double a = 0.05715;
@@ -129,8 +128,8 @@ double frontError(const Trial& r, const std::vector<std::array<double, 2>>& poin
   return std::sqrt(squares / static_cast<double>(points.size() - from));
 }
 
-/// The gate of the experiment takes its time, so the origin of T is not known: it is shifted to fit all
-/// points best (one number), and beside that to fit the first point alone, which then does not count.
+/// The gate of the experiment opens in finite time, so the origin of T is unknown. T is shifted to fit all
+/// points best, and separately to fit the first point, which then does not count.
 std::vector<Figure> measureMartinMoyce(Trial& r) {
   const std::vector<std::array<double, 2>> points{{.832, 1.217},  {1.219, 1.474}, {1.997, 2.292},
                                                   {3.345, 4.134}, {4.418, 5.881}, {5.685, 7.945}};

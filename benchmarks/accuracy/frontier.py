@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Writes io/commands/frontier_points.cpp, what `thaw check` knows of the accuracy suite: frontier.py ACCURACY.csv
+"""Writes io/commands/frontier_points.cpp, the table of `thaw check`: frontier.py ACCURACY.csv
 
-Of each case that stands for a part of the model (NORMS), at the spacing at which settings are varied (plan.py): the defaults first, then every
-setting, with its keys as `--set` takes them. Marked are those that no other one beats in both error and time. A setting that blew up, or whose
-ledger does not close where that of the defaults does, has an error of -1.
+The table covers each case that represents a part of the model (NORMS), at the spacing where settings vary
+(plan.py). The defaults come first, then every setting with its keys as `--set` takes them. A mark shows the
+settings that no other one beats in both error and time. The error is -1 where a run blew up, or where its
+ledger does not close although that of the defaults does.
 """
 import csv
 import os
@@ -18,7 +19,7 @@ NORMS = {"hydrostatic": "L2(p)", "martin_moyce": "RMS(Z)", "poiseuille": "L2(u)"
 
 
 def keyed(settings):
-    """The settings of the CSV file as a key of a scene, of no particular material; None where there are several keys."""
+    """Settings of the CSV file as one scene key of any material; None if there are several keys."""
     text = settings.rsplit(" spacing=", 1)[0]
     if text == "default":
         return ""
@@ -30,13 +31,13 @@ def keyed(settings):
 
 
 def failed(rows, settings):
-    """Did that run blow up, or do its books not close: an error that is small by luck?"""
+    """True if the run blew up or its ledger does not close; a small error is then a coincidence."""
     of = [r for r in rows if r["settings"] == settings]
     return any(r["norm"].startswith("blew up") or (r["norm"] == "energy residual" and r["target"] and float(r["error"]) > float(r["target"])) for r in of)
 
 
 def points(rows):
-    """(case, norm, key=value, error, time over that of the defaults, on the frontier?)"""
+    """(case, norm, key=value, error, time relative to the defaults, on the frontier)"""
     for case, norm in NORMS.items():
         at = plan.CASES[case][1]
         here = [r for r in rows if r["case"] == case and f"spacing={at}" in r["settings"].split() and keyed(r["settings"]) is not None]
@@ -59,7 +60,7 @@ def points(rows):
 
 def source(rows):
     """The text of frontier_points.cpp."""
-    text = "// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; not by hand.\n#include \"io/commands/frontier.hpp\"\n\nnamespace thaw {\nnamespace {\n\n"
+    text = "// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; do not edit.\n#include \"io/commands/frontier.hpp\"\n\nnamespace thaw {\nnamespace {\n\n"
     text += "constexpr FrontierPoint points[] = {\n"
     for case, norm, settings, error, cost, best in points(rows):
         text += f'    {{"{case}", "{norm}", "{settings}", {error:.3g}, {cost:.2g}, {"true" if best else "false"}}},\n'

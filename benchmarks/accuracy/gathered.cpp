@@ -10,7 +10,7 @@
 namespace thaw::accuracy {
 namespace {
 
-/// Bins of at least `radius` along each axis; the axes of periodic sides wrap around.
+/// Bins at least `radius` wide along each axis. Periodic axes wrap around.
 struct Bins {
   Vec3d low, period;  // m; period 0: the axis is not periodic
   std::int64_t count[3];
@@ -47,7 +47,7 @@ struct Bins {
   std::size_t indexOf(const std::array<std::int64_t, 3>& at) const {
     return static_cast<std::size_t>((at[2] * count[1] + at[1]) * count[0] + at[0]);
   }
-  /// The bins around one, itself included, each once.
+  /// The bins around a bin, itself included, each once.
   std::vector<std::size_t> around(const std::array<std::int64_t, 3>& at) const {
     std::vector<std::size_t> found;
     for (std::int64_t k = 0; k < 27; k++) {
@@ -85,7 +85,7 @@ Vec3d periodsOf(const Domain& domain) {
   return period;
 }
 
-/// Wendland's C2 kernel with support 1, without its factor.
+/// Wendland's C2 kernel with support 1, not normalised.
 double kernel(double q) { return std::pow(1 - q, 4) * (4 * q + 1); }
 
 /// Sum of the kernel over a cubic lattice; support in spacings.
@@ -107,7 +107,7 @@ std::vector<Vec3d> directions26() {
   return all;
 }
 
-/// The directions that are at most 37 degrees off d, a bit each.
+/// A bit for each direction within 37 degrees of d.
 std::uint32_t directionsNear(const Vec3d& d) {
   static const std::vector<Vec3d> all = directions26();
   std::uint32_t near = 0;
@@ -169,7 +169,7 @@ Components findComponents(const Domain& domain, const std::vector<GatheredPartic
 
 double meanInnerDensity(const Domain& domain, double spacing,
                         const std::vector<GatheredParticle>& particles) {
-  constexpr double support = 2.5;  // spacings, so that the measure does not depend on the formulation
+  constexpr double support = 2.5;  // spacings; fixed, so that the measure does not depend on the formulation
   std::vector<double> density(particles.size(), kernel(0));
   std::vector<std::uint32_t> covered(particles.size(), 0);
   forEachPair(domain, particles, support * spacing, [&](std::size_t i, std::size_t j, const Vec3d& between) {

@@ -1,5 +1,4 @@
-// All particles of a trial in one place, for figures that need them together: neighbour sums and connected
-// components.
+// All particles of a trial on every rank, for neighbour sums and connected components.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -22,26 +21,25 @@ struct GatheredParticle {
 /// Every particle, on every rank, by ascending id. Collective.
 std::vector<GatheredParticle> gather(Trial& trial);
 
-/// Calls action(i, j, x_i - x_j of the nearest image) once for each pair of particles that are nearer than
-/// `radius`.
+/// Calls action(i, j, x_i - x_j of the nearest image) once for each pair closer than `radius` (m).
 using PairAction = std::function<void(std::size_t i, std::size_t j, const Vec3d& between)>;
 void forEachPair(const Domain& domain, const std::vector<GatheredParticle>& particles, double radius,
                  const PairAction& action);
 
-/// Components of particles that chains of links shorter than `link` (m) join.
+/// Components: sets of particles joined by links shorter than `link` (m).
 struct Components {
   std::size_t count;
-  double largestShare;  // of all particles
+  double largestShare;  // fraction of all particles in the largest component
 };
 Components findComponents(const Domain& domain, const std::vector<GatheredParticle>& particles, double link);
 
-/// Mean of the summed density over that of the lattice at rest, over particles inside the liquid (0: there
-/// are none). A particle is inside where each of 26 directions has a neighbour between 1.25 and 2.5 spacings
-/// away, at most 37 degrees off it.
+/// Mean summed density relative to the lattice at rest, over particles inside the liquid; 0 if there are
+/// none. A particle is inside if each of 26 directions has a neighbour 1.25 to 2.5 spacings away within 37
+/// degrees.
 double meanInnerDensity(const Domain& domain, double spacing, const std::vector<GatheredParticle>& particles);
 
-/// Writes x, y, speed and pressure of the layer of particles in the middle of the z axis. False: the file
-/// cannot be written.
+/// Writes x, y, speed and pressure of the layer of particles in the middle of the z axis. Returns false if
+/// the file cannot be written.
 bool writeMiddleLayer(Trial& trial, const std::string& path);
 
 }  // namespace thaw::accuracy

@@ -1,4 +1,4 @@
-// Heat conduction and melting against exact solutions (docs/validation/accuracy.md, heat and phase change).
+// Heat conduction and melting against exact solutions (docs/validation/accuracy.md).
 #include <cmath>
 
 #include "benchmarks/accuracy/trial.hpp"
@@ -13,7 +13,7 @@ const Material& materialOf(const Scene& s, std::size_t body) {
 }
 double diffusivityOf(const Material& m) { return m.conductivity.at(1) / (m.density * m.heatCapacity.at(1)); }
 
-/// Heat that no book explains, over all that could flow.
+/// Unexplained heat of the ledger, relative to `scale`.
 double heatResidual(Trial& r, double scale) {
   const LedgerReport books = reportLedger(r.world, r.tools, r.all);
   return std::abs(books.heatResidual) /
@@ -29,8 +29,8 @@ template<class F> double rootOf(double low, double high, F f) {
   return 0.5 * (low + high);
 }
 
-/// Two half-spaces brought into contact at z = 0: the interface is at once at (e1 T1 + e2 T2)/(e1 + e2), e =
-/// sqrt(k rho c), with error functions on both sides (Carslaw & Jaeger 1959, 2.8).
+/// Two half-spaces in contact at z = 0. The interface is at (e1 T1 + e2 T2)/(e1 + e2), e = sqrt(k rho c), at
+/// once, with error functions on both sides (Carslaw & Jaeger 1959, 2.8).
 std::vector<Figure> measureSlabs(Trial& r) {
   const Scene& s = r.world.scene;
   const double T[2] = {s.bodies[0].temperature, s.bodies[1].temperature}, scale = std::abs(T[1] - T[0]);
@@ -54,8 +54,8 @@ std::vector<Figure> measureSlabs(Trial& r) {
       {"heat residual", heatResidual(r, scale), 1e-12}};
 }
 
-/// Mean and centre of a sphere whose surface is at the bath's temperature at once (Crank 1975, 6.3): mean
-/// 6/pi^2 sum exp(-n^2 pi^2 Fo)/n^2. With a Biot number: zeta cot zeta = 1 - Bi (Carslaw & Jaeger 1959, 9.4).
+/// Mean and centre of a sphere whose surface takes the bath's temperature at once: mean 6/pi^2 sum exp(-n^2
+/// pi^2 Fo)/n^2 (Crank 1975, 6.3). With a Biot number: zeta cot zeta = 1 - Bi (Carslaw & Jaeger 1959, 9.4).
 struct Sphere {
   double mean = 0, centre = 0;
   Sphere(double Fo, double Bi) {
@@ -92,8 +92,7 @@ std::vector<Figure> measureSphere(Trial& r) {
   const double mean = sum(r,
                           [&](const World& x, std::size_t i) { return x.particles.mass[i] * theta(x, i); }) /
                       mass;
-  // the centre: mean of what lies within two spacings, brought to r = 0 by the curvature of the exact first
-  // mode
+  // centre: mean within two spacings, extrapolated to r = 0 by the curvature of the first exact mode
   const double near = 2 * s.spacing;
   const auto inside = [&](const World& x, std::size_t i) {
     return length(x.particles.position[i]) < near ? 1.0 : 0.0;
@@ -114,8 +113,8 @@ std::vector<Figure> measureSphere(Trial& r) {
           {"heat residual", heatResidual(r, hot - cold), 1e-12}};
 }
 
-/// Front of melting from a wall: 2 l sqrt(alpha t). Two phases, Neumann's solution (Carslaw & Jaeger
-/// 1959, 11.2), equal properties of both: Ste exp(-l^2)/erf l - Ste_s exp(-l^2)/erfc l = l sqrt(pi).
+/// Front of melting from a wall: 2 l sqrt(alpha t). Two phases: Neumann's solution (Carslaw & Jaeger 1959,
+/// 11.2) for equal properties, Ste exp(-l^2)/erf l - Ste_s exp(-l^2)/erfc l = l sqrt(pi).
 std::vector<Figure> measureStefan(Trial& r) {
   const World& w = r.world;
   const Scene& s = w.scene;

@@ -18,7 +18,7 @@ TriangleMesh cube() {
   return m;
 }
 
-/// An icosahedron split five times, its corners moved out onto the ball and its bumps.
+/// An icosahedron split five times, with its vertices moved onto the ball and its bumps.
 TriangleMesh ball(double bumps) {
   TriangleMesh m;
   const double g = 0.5 * (1 + std::sqrt(5.0));
@@ -53,7 +53,7 @@ TriangleMesh ball(double bumps) {
 
 MeshLoader suiteMeshes() {
   return [files = meshLoader()](const std::string& path) {
-    const std::string name = path.substr(path.rfind('/') + 1);  // scenes give files their folder
+    const std::string name = path.substr(path.rfind('/') + 1);  // scenes prefix their folder
     if (name == "made_ball.obj") return ball(0);
     if (name == "made_bumps.obj") return ball(0.04);
     if (name == "made_cube.obj") return cube();

@@ -1,12 +1,12 @@
-// Meshes that cases of the suite make instead of reading them from files.
+// Meshes that the suite generates in place of reading files.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"
 
 namespace thaw::accuracy {
 
-/// Loads "made_ball.obj" (radius 1), "made_cube.obj" (edge 2) and "made_bumps.obj" (a ball of radius 1 with
-/// bumps 4 % high, as symmetric as a cube, so that all axes through its middle are principal); all else as
-/// files.
+/// Loads "made_ball.obj" (radius 1), "made_cube.obj" (edge 2) and "made_bumps.obj"; other names are files.
+/// "made_bumps.obj" is a ball of radius 1 with bumps 4 % high and cubic symmetry, so that all axes through
+/// its centre are principal.
 MeshLoader suiteMeshes();
 
 }  // namespace thaw::accuracy

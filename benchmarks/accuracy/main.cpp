@@ -1,9 +1,9 @@
 // accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--points FILE] [--label TEXT] [--strict]
 //          [--limit NORM=ERROR]...
-// Runs one case of the accuracy suite, under mpirun on any number of ranks, and prints its error norms beside
-// what they are to reach. With --strict it exits with 1 where a target is missed, with --limit where that
-// norm is larger: what the tests do (tests/CMakeLists.txt). accuracy --list names the cases. The whole matrix
-// with its charts: scripts/bench accuracy.
+// Runs one case of the accuracy suite on any number of ranks and prints its error norms with their targets.
+// --strict exits with 1 if a target is missed, --limit if that norm is larger; the tests use both
+// (tests/CMakeLists.txt). accuracy --list names the cases. scripts/bench accuracy runs the whole matrix and
+// draws its charts.
 #include <sys/utsname.h>
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ namespace {
 using namespace thaw;
 using namespace thaw::accuracy;
 
-/// Without what would end a field of the CSV file.
+/// Replaces characters that end a field of the CSV file.
 std::string field(std::string text) {
   for (char& c : text)
     if (c == ',' || c == '"') c = ' ';
@@ -57,8 +57,8 @@ void print(const Trial& r, const Case& c, const std::vector<Figure>& figures, do
   }
 }
 
-/// The first norm that is above its target (strict) or its limit, or that has a limit and is not there;
-/// empty: none.
+/// Message about the first norm above its target (strict) or its limit, or about a missing limited norm;
+/// empty if there is none.
 std::string missed(const std::vector<Figure>& figures, bool strict, const std::vector<std::string>& limits) {
   if (strict)
     for (const Figure& f : figures)
@@ -76,7 +76,7 @@ std::string missed(const std::vector<Figure>& figures, bool strict, const std::v
   return {};
 }
 
-/// Appends a line for each figure; the header is written by whoever made the file (matrix.py).
+/// Appends a line per figure. matrix.py writes the header.
 bool append(const std::string& path, const Trial& r, const Case& c, const std::string& label,
             const std::vector<Figure>& figures, double particles) {
   FILE* out = std::fopen(path.c_str(), "a");
@@ -97,14 +97,14 @@ int main(int argc, char** argv) {
   std::vector<std::string> overrides, limits;
   bool list = false, strict = false;
   app.add_option("case", name, "name of the case");
-  app.add_option("--spacing", spacing, "distance of particles, with its unit");
-  app.add_option("--set", overrides, "key=value in place of what the case's scene says")
+  app.add_option("--spacing", spacing, "particle spacing, with its unit");
+  app.add_option("--set", overrides, "key=value, replaces a key of the case's scene")
       ->allow_extra_args(false);
   app.add_option("--csv", csv, "append the figures to this file");
   app.add_option("--points", points, "write the middle layer of particles at the end to this file");
-  app.add_option("--label", label, "what the settings are called there");
-  app.add_flag("--strict", strict, "exit with 1 where a target is missed");
-  app.add_option("--limit", limits, "NORM=ERROR: exit with 1 where that norm is larger")
+  app.add_option("--label", label, "name of the settings in that file");
+  app.add_flag("--strict", strict, "exit with 1 if a target is missed");
+  app.add_option("--limit", limits, "NORM=ERROR: exit with 1 if that norm is larger")
       ->allow_extra_args(false);
   app.add_flag("--list", list, "print the names of all cases");
   try {

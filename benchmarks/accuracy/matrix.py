@@ -3,16 +3,18 @@
 
 scripts/bench accuracy [--level quick|full] [--minutes 60] [--jobs N] [--case NAME]... [--ranks N]
 
-Each run is a process of its own on --ranks ranks (1), --jobs of them side by side (one for each core); core_seconds are the
-processor time of the steps.
-A run that is in the file already, from the same version of thaw, is not repeated: an interrupted matrix goes on where it stopped. With
---case the lines of all other cases stay as they are, of whatever version: to run some cases anew, start from docs/accuracy/accuracy.csv. After
---minutes no further run is begun; what is left is said, and the same command goes on.
-Afterwards: benchmarks/accuracy/document.py FIGURES.csv docs/accuracy/modules.csv writes docs/validation/accuracy.md and its pictures, and frontier.py
-what `thaw check` knows; the tests ask that both follow from docs/accuracy/accuracy.csv.
-Particles at the end of some cases (plan.PICTURES) go to points/CASE.csv beside the file.
-Columns: case, settings ("default" and the spacing, or what differs from the defaults), norm, error, target, order (between this resolution
-and the next coarser one of the same settings), core_seconds, steps, particles, version, machine.
+Each run is a separate process on --ranks ranks (1); --jobs of them run side by side (one per core).
+core_seconds is the processor time of the steps. A run that the file already holds, from the same version of
+thaw, is not repeated: an interrupted matrix continues where it stopped. With --case the lines of all other
+cases stay, whatever their version. To repeat some cases, start from docs/accuracy/accuracy.csv. No run starts
+after --minutes; the same command continues.
+Afterwards benchmarks/accuracy/document.py FIGURES.csv docs/accuracy/modules.csv writes
+docs/validation/accuracy.md and its pictures, and frontier.py writes the table of `thaw check`. Tests check
+that both follow from docs/accuracy/accuracy.csv. Final particles of some cases (plan.PICTURES) go to
+points/CASE.csv next to the file.
+Columns: case, settings ("default" and the spacing, or the differences from the defaults), norm, error,
+target, order (from the next coarser resolution of the same settings), core_seconds, steps, particles,
+version, machine.
 """
 import argparse
 import csv
@@ -40,7 +42,7 @@ def readRows(path):
 
 
 def withOrders(rows):
-    """Fills `order`: log(e1/e2)/log(dx1/dx2) of the same case, norm and settings at two spacings."""
+    """Fills `order`: log(e1/e2)/log(dx1/dx2) for equal case, norm and settings at two spacings."""
     groups = {}
     for r in rows:
         words = r["settings"].split()

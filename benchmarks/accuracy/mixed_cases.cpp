@@ -1,4 +1,4 @@
-// A stiff solid in a liquid: what substeps cost and give.
+// A stiff solid in a liquid: cost and accuracy of substeps.
 #include <cmath>
 
 #include "benchmarks/accuracy/trial.hpp"
@@ -6,8 +6,7 @@
 namespace thaw::accuracy {
 namespace {
 
-/// There is no exact solution; energy from nowhere says what longer steps do. Over the kinetic energy of the
-/// liquid.
+/// No exact solution exists. The measure is the unexplained energy over the kinetic energy of the liquid.
 std::vector<Figure> measurePlate(Trial& r) {
   const LedgerReport books = reportLedger(r.world, r.tools, r.all);
   return {{"energy residual", std::abs(books.energyResidual) / books.now.kinetic, 0.01},
@@ -19,7 +18,7 @@ std::vector<Figure> measurePlate(Trial& r) {
 
 std::vector<Case> mixedCases() {
   return {{.name = "stiff_in_soft",
-           .about = "dam break on a stiff undamped plate: energy from nowhere, over the kinetic energy",
+           .about = "dam break on a stiff undamped plate: unexplained energy over the kinetic energy",
            .measure = measurePlate}};
 }
 

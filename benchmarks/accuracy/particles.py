@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Pictures of particles at the end of a case: particles.py CASE POINTS.csv PICTURE.png
 
-POINTS.csv is what the suite writes with --points: x, y, speed and pressure of the middle layer. Points are coloured by
-pressure, from its 2nd to its 98th percentile. For the elliptic drop the exact ellipse is drawn over them.
+The suite writes POINTS.csv with --points: x, y, speed and pressure of the middle layer. Points are coloured
+by pressure, from its 2nd to its 98th percentile. For the elliptic drop the exact ellipse is drawn over them.
 """
 import csv
 import math
@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-END = 0.0076  # s, of scenes/elliptic_drop.toml
+END = 0.0076  # s, end of scenes/elliptic_drop.toml
 
 
 def halfAxes(time, steps=2000):
@@ -36,7 +36,7 @@ def draw(case, points, picture):
         rows = [{k: float(v) for k, v in r.items()} for r in csv.DictReader(f)]
     figure, axes = plt.subplots(figsize=(5.2, 5.2))
     pressures = sorted(r["pressure"] for r in rows)
-    # a few outliers would hide the field
+    # the range leaves out outliers, which would hide the field
     low, high = (pressures[int(share * (len(rows) - 1))] for share in (0.02, 0.98))
     x, y, colours = ([r[name] for r in rows] for name in ("x", "y", "pressure"))
     found = axes.scatter(x, y, c=colours, s=3, vmin=low, vmax=high)

@@ -1,5 +1,7 @@
-"""Figures of other programs and of the plain methods, as marks in the charts: case -> norm -> list of (name, error or None, core-seconds or
-None). Sources: committed files of the programs, or measured with small scripts on the plain methods (no time then)."""
+"""Figures of other programs and plain methods, drawn as marks in the charts.
+
+MARKS maps case -> norm -> list of (name, error or None, core-seconds or None). Sources: files in the
+repositories of the programs, or small scripts that implement the plain methods (these have no time)."""
 
 MARKS = {
     "slabs": {"L2(T)": [("plain SPH, 1D: a floor", 1.5e-3, None)]},

@@ -1,7 +1,8 @@
-"""Which runs make up the matrix: for each case its resolutions, and the settings that are varied.
+"""Runs of the matrix: for each case its resolutions and the settings to vary.
 
-A case runs with its default settings at every resolution. Level quick varies one setting at a time at the case's `at` resolution; level
-full takes all combinations of two settings at every resolution. A choice that does not apply to a case is not in its list.
+A case runs with its default settings at every resolution. Level quick varies one setting at a time at the
+case's `at` resolution; level full takes all combinations of two settings at every resolution. Settings that
+do not apply to a case are not in its list.
 """
 from itertools import combinations
 
@@ -17,7 +18,7 @@ CARRIED = {"corrected_gradients": ["false"], "shifting": ["0"]}  # settings of t
 LIQUIDS = {"density": ["summation"], "shifting": ["0"], "pressure_solver": ["incompressible"]}
 QUALITY = {"quality": ["preview", "reference"]}
 SURFACE = {"surface.smoothing": ["plane"], "surface.support": ["4", "6"], "surface.particle_support": ["1", "1.5"], "surface.iso_level": ["0.4", "0.6"], "surface.keep_volume": ["1"]}
-# h_ss at a quarter of a particle spacing: the paper's h_ss = h is 8 there
+# h_ss at a quarter of a particle spacing; 8 is the paper's h_ss = h there
 FINE_SURFELS = {"surface.spacing=0.015625 surface.support": ["3", "4", "6", "8"]}
 
 
@@ -25,7 +26,7 @@ def hourglass(*values):
     return {"material.rubber.hourglass": list(values)}
 
 
-# name: (resolutions from coarse to fine, the one at which settings are varied, settings)
+# name: (resolutions from coarse to fine, the resolution at which settings vary, settings)
 CASES = {
     "hydrostatic": (["0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, **PRESSURE, **CARRIED, **QUALITY}),
     "hydrostatic_jittered": (["0.05", "0.025"], "0.05", {"density": ["summation"], **CARRIED, "pressure_solver": ["incompressible"], "support": ["3"], **QUALITY}),
@@ -68,7 +69,7 @@ CASES = {
     "sphere_biot": (["0.125", "0.0625"], "0.0625", {**KERNELS, **WIDE, "conduction": ["plain"], **PRECISION}),
     "stefan_one_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"], **PRECISION}),
     "stefan_two_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"], **PRECISION}),
-    # the surface; bars hold from R/dx = 16 on
+    # surfaces; targets hold from R/dx = 16 on
     "surface_ball": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {**SURFACE, **FINE_SURFELS}),
     "surface_ball_relaxed": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {}),
     "surface_ball_mesh": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {}),
@@ -81,12 +82,12 @@ CASES = {
     "surface_held": (["0.166666666666667", "0.125", "0.1"], "0.125", {}),
 }
 
-# whose particles at the end are drawn (particles.py), at the spacing at which settings are varied
+# Final particles of these cases are drawn (particles.py), at the spacing at which settings vary.
 PICTURES = ("elliptic_drop", "rotating_patch")
 
 
 def settingsOf(key, value):
-    """[key=value, ...] as `--set` takes them. A key of several words sets all but the last to what they say: "density=continuity support"."""
+    """[key=value, ...] as `--set` takes them. In a key of several words, all but the last carry their own value: "density=continuity support"."""
     words = key.split()
     words[-1] += "=" + value
     return [w if w.startswith(("material.", "quality=", "surface.", "body.")) else "numerics." + w for w in words]

@@ -19,15 +19,14 @@ struct Beam {
     return q * x * x * (x * x - 4 * length * x + 6 * length * length) / (24 * bending()) +
            q * (length * x - 0.5 * x * x) / shear(nu);
   }
-  /// The first mode of a slender cantilever, cosh - cos - s (sinh - sin); its shape hardly differs in a
-  /// thicker one.
+  /// Mode shape of a slender cantilever, cosh - cos - s (sinh - sin). That of a thicker beam hardly differs.
   double mode(double x) const {
     const double a = 1.8751040687 * x / length, s = 0.7340955;
     return std::cosh(a) - std::cos(a) - s * (std::sinh(a) - std::sin(a));
   }
 };
 
-/// Hz of the first mode for length 5, height 1, E = 1e6, rho = 1000 (docs/validation/accuracy.md).
+/// First frequency (Hz) for length 5, height 1, E = 1e6, rho = 1000 (Timoshenko 1921).
 constexpr double firstFrequency = 0.1982;
 
 bool atTip(const World& w, std::size_t i) { return w.particles.position[i].x > 5 - w.scene.spacing; }
@@ -38,7 +37,7 @@ double tipHeight(Trial& r) {
          n;
 }
 
-/// Friction with a resting outside, of about the critical one of the first mode.
+/// Friction with a fixed medium, near the critical value of the first mode.
 void dampBeam(Trial& r) {
   World& w = r.world;
   const double keep = std::exp(-2 * 2 * pi * firstFrequency * w.clock.stepDt);
@@ -53,7 +52,7 @@ std::vector<Figure> measureSag(Trial& r) {
                                            return length(w.particles.velocity[i]);
                                          });
   const double target = dx < 0.1 ? 0.03 : 0.05;
-  Beam held = beam;  // clamped in the plane of the outermost held particles, half a spacing further back
+  Beam held = beam;  // clamped in the plane of the outermost held particles, half a spacing behind the face
   held.length += 0.5 * dx;
   return {{"deflection", std::abs(measured / beam.sag(5 - 0.5 * dx, nu) - 1), target},
           {"deflection from held plane", std::abs(measured / held.sag(5, nu) - 1)},
@@ -71,7 +70,7 @@ void watchTip(Trial& r) { r.series.push_back({r.world.clock.time, {tipHeight(r)}
 
 std::vector<Figure> measureFrequency(Trial& r) {
   std::vector<double> t = crossings(r.series, 0);
-  // half a period from zero to zero
+  // half a period between zeros
   const double measured = t.size() < 2 ? 0 : 0.5 * static_cast<double>(t.size()) / t.back();
   return {{"first frequency", std::abs(measured / firstFrequency - 1), 0.03}};
 }
@@ -79,7 +78,7 @@ std::vector<Figure> measureFrequency(Trial& r) {
 // ---- spectrum ---------------------------------------------------------------------------------------------
 constexpr std::size_t probes = 4;
 
-/// A direction of the whole body's motion, white in space: every mode shows in it.
+/// Weights of a displacement of the body that is white in space, so that it contains every mode.
 double probe(const World& w, std::size_t i, int axis, std::size_t k) {
   return randomUniform(w.scene.seed, Purpose::Test, w.particles.id[i],
                        3 * k + static_cast<std::size_t>(axis)) -
@@ -103,7 +102,7 @@ void watchProbes(Trial& r) {
   r.series.push_back(s);
 }
 
-/// Amplitude at this frequency (Hz) of all probes, with the window of Hann.
+/// Amplitude of all probes at a frequency (Hz), with Hann's window.
 double amplitude(const Trial& r, double frequency) {
   double power = 0;
   const double end = r.series.back().time;
@@ -127,8 +126,8 @@ double largestLine(const Trial& r, double from, double to) {
   return most;
 }
 
-// Below bending (.198 Hz), and between it and torsion (.901), there is nothing; a line of 20 s is .1 Hz wide
-// to each side.
+// Neither below bending (0.198 Hz) nor between bending and torsion (0.901 Hz) is there a mode. A line is 0.1
+// Hz wide to each side in 20 s.
 std::vector<Figure> measureLines(Trial& r) {
   const double first = largestLine(r, 0.1, 0.3);
   return {{"lines between/first", largestLine(r, 0.35, 0.72) / first, 0.05},

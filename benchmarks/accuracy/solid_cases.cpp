@@ -1,5 +1,5 @@
-// Elastic bodies against what holds exactly: gradients of linear fields, rotation, conservation
-// (docs/validation/accuracy.md, solid).
+// Elastic bodies against exact results: gradients of linear fields, rotation, conservation
+// (docs/validation/accuracy.md).
 #include "benchmarks/accuracy/solid_trials.hpp"
 
 #include "core/solid/laws/green.hpp"

@@ -13,7 +13,7 @@ double plateauOf(const World& w) {
   return std::sqrt(6.0) * constantsOf(w).mu * materialOf(w).yieldStrain.solid;
 }
 
-/// det Fe and the Cauchy stress of a particle; needs findElasticEnergy.
+/// det Fe and Cauchy stress of a particle. Requires: findElasticEnergy was called.
 struct State {
   double volume;
   Sym3d stress;
@@ -24,7 +24,7 @@ State stateOf(const World& w, std::size_t i) {
           cauchyStress(elasticResponse(constantsOf(w), elastic).stress, elastic)};
 }
 
-/// 1/det of the plastic part, less 1.
+/// 1/det of the plastic part, minus 1.
 double plasticVolume(const World& w, std::size_t i) {
   const std::uint32_t s = w.particles.slot[i];
   const Mat3d one = identity3<double>();
@@ -43,7 +43,7 @@ double energyResidual(Trial& r) {
 
 // ---- a block between plates -------------------------------------------------------------------------------
 
-/// Compression at time t: the press moves 2.5 cm in 1 s and meets the block at once.
+/// Compression at time t. The press moves 2.5 cm in 1 s and starts in contact.
 double compression(double t) { return 0.025 * t / 0.08; }
 
 void watchPress(Trial& r) {
@@ -68,11 +68,10 @@ std::vector<Figure> measurePress(Trial& r) {
 
 // ---- slump test -------------------------------------------------------------------------------------------
 
-/// Pashias, Boger, Summers & Glenister 1996: slump over height of a cylinder, with tau' = tau_yield/(rho g
-/// H).
+/// Slump over height of a cylinder, tau' = tau_yield/(rho g H) (Pashias, Boger, Summers & Glenister 1996).
 double pashias(double tau) { return 1 - 2 * tau * (1 - std::log(2 * tau)); }
 
-/// Height of the body, m: of the uppermost particles, each half a spacing below the surface.
+/// Height (m) of the uppermost particles plus half a spacing.
 double heightOf(Trial& r) {
   return largest(r, [](const World& w, std::size_t i) { return w.particles.position[i].z; }) +
          0.5 * r.spacing();
@@ -97,7 +96,7 @@ void stiffer(Scene& s) { s.materials[0].yieldStrain = {0.0164, 0.0164}; }  // ta
 
 // ---- Taylor's bar -----------------------------------------------------------------------------------------
 
-/// mm, at 80 us: published results of finite elements lie between these.
+/// Range of published finite element results (mm) at 80 us.
 constexpr double lengths[2] = {21.4, 21.5}, radii[2] = {7.0, 7.2};
 double outside(double x, const double (&range)[2]) {
   return std::max({0.0, range[0] / x - 1, x / range[1] - 1});

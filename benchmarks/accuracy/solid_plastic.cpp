@@ -1,4 +1,4 @@
-// Plastic flow under a strain that is prescribed for every particle.
+// Plastic flow under a strain prescribed for every particle.
 #include "benchmarks/accuracy/solid_trials.hpp"
 
 #include "core/solid/laws/response.hpp"
@@ -8,14 +8,14 @@
 namespace thaw::accuracy {
 namespace {
 
-/// Draws the block along x to this stretch, at constant volume, from another one, and takes `dt` for it.
+/// Draws the block along x at constant volume from one stretch to another in `dt` (s).
 void draw(Trial& r, double from, double to, double dt) {
   Continuum& p = r.world.particles;
   const double along = to / from, across = 1 / std::sqrt(along);
   for (std::size_t i = 0; i < p.owned; i++)
     p.position[i] = {along * p.position[i].x, across * p.position[i].y, across * p.position[i].z};
   evaluate(r.world, r.halos(), r.tools, dt);
-  findElasticEnergy(r.world, r.tools);  // and F
+  findElasticEnergy(r.world, r.tools);  // also sets F
 }
 
 /// Norm of the deviator of the Cauchy stress, Pa.
@@ -55,7 +55,7 @@ std::vector<Figure> measurePull(Trial& r) {
           {"|eps_p| beyond its limit", r.notes["excess"], 1e-12}};
 }
 
-/// Strains at once, then holds for a time of 1/creep_rate in steps of dt.
+/// Strains the block at once and holds it for 1/creep_rate in `steps` steps.
 double elasticStrainAfterCreep(Trial& r, double stretch, int steps) {
   const double total = 1 / materialOf(r.world).creepRate.solid;
   Solids& s = r.world.solids;

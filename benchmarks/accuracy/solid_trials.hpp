@@ -1,4 +1,4 @@
-// What the cases of solids share, and their parts.
+// Declarations and helpers shared by the cases of solids.
 #pragma once
 #include <cmath>
 
@@ -13,7 +13,7 @@ std::vector<Case> elasticCases();      ///< gradient, rotation, free flight
 std::vector<Case> waveCases();         ///< plane waves in a periodic body
 std::vector<Case> beamCases();         ///< cantilevers
 std::vector<Case> plasticCases();      ///< yield and creep
-std::vector<Case> plasticFlowCases();  ///< bodies that flow far
+std::vector<Case> plasticFlowCases();  ///< large plastic flow
 
 inline constexpr double pi = 3.14159265358979323846;
 
@@ -30,13 +30,12 @@ inline double largestEntry(const Mat3d& m) {
   return most;
 }
 
-/// Place of a lattice point of which this particle was moved by less than half a spacing; for boxes sampled
-/// from `corner` on.
+/// Lattice coordinate of a particle moved by less than half a spacing, in a box sampled from `corner`.
 inline double onLattice(double x, double corner, double spacing) {
   return corner + spacing * (std::floor((x - corner) / spacing) + 0.5);
 }
 
-/// Times at which a series of values changes its sign, between samples by a straight line.
+/// Times of sign changes in a series, by linear interpolation.
 inline std::vector<double> crossings(const std::vector<Sample>& series, std::size_t k) {
   std::vector<double> times;
   for (std::size_t n = 1; n < series.size(); n++) {

@@ -1,12 +1,12 @@
-// Speed of plane waves in a periodic body: standing waves u = a n cos(k x) swing with omega = c k.
+// Speed of plane waves in a periodic body: standing waves u = a n cos(k x) oscillate with omega = c k.
 #include "benchmarks/accuracy/solid_trials.hpp"
 
 namespace thaw::accuracy {
 namespace {
 
 struct Waves {
-  Vec3d wave{};    ///< 1/m, the longest wave's k
-  Vec3d across{};  ///< of S waves
+  Vec3d wave{};    ///< 1/m, k of the longest wave
+  Vec3d across{};  ///< polarisation of S waves
   double spacing = 0;
 
   explicit Waves(const World& w) : spacing(w.scene.spacing) {
@@ -61,7 +61,8 @@ std::vector<Figure> measureWaves(Trial& r) {
     const double spacings = waves.wavelength(static_cast<int>(k % 3)) / r.spacing();
     const std::vector<double> t = crossings(r.series, k);
     if (t.empty()) continue;
-    const double halves = static_cast<double>(t.size()) - 0.5;  // the first zero comes after a quarter
+    const double halves = static_cast<double>(t.size()) - 0.5;  // the first zero comes after a quarter of a
+                                                                // period
     const double measured = waves.wavelength(static_cast<int>(k % 3)) * 0.5 * halves / t.back();
     char name[64];
     std::snprintf(name, sizeof name, "%s speed at %.3g dx", k < 3 ? "P" : "S", spacings);

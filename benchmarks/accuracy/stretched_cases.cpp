@@ -1,4 +1,4 @@
-// Liquids without walls or gravity that their own flow stretches: Taylor's elliptic drop and the rotating
+// Liquids without walls or gravity that deform in their own flow: Taylor's elliptic drop and the rotating
 // square patch.
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@ namespace thaw::accuracy {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double link = 1.75;  // spacings; longer than a link of the lattice's diagonal, shorter than a gap
-                               // of two
+constexpr double link = 1.75;  // spacings; longer than the lattice's diagonal links, shorter than a gap of
+                               // two
 
-/// A periodic slab around z = 0 as thick as three support radii, and six spacings at least.
+/// A periodic slab around z = 0, three support radii and at least six spacings thick.
 void makeSlab(Scene& s) {
   const double thickness = std::max(6.0, std::ceil(3 * s.numerics.support)) * s.spacing;
   s.domain.min.z = -0.5 * thickness;
@@ -27,7 +27,7 @@ double kineticEnergy(Trial& r) {
   });
 }
 
-/// m^3, of what the density of the particles says that they fill.
+/// Volume (m^3) from mass over summed density.
 double densityVolume(Trial& r) {
   return sum(r, [](const World& w, std::size_t i) {
     const double relative = static_cast<double>(w.particles.filling[i]), rest = w.scene.materials[0].density;
@@ -35,7 +35,7 @@ double densityVolume(Trial& r) {
   });
 }
 
-/// kg m^2/s, about the z axis through the origin.
+/// Angular momentum (kg m^2/s) about the z axis through the origin.
 double spinMomentum(Trial& r) {
   return sum(r, [](const World& w, std::size_t i) {
     const Vec3d &x = w.particles.position[i], &v = w.particles.velocity[i];
@@ -51,7 +51,7 @@ double spread(Trial& r, int axis) {
   return rootMeanSquare(r, [axis](const World& w, std::size_t i) { return w.particles.position[i][axis]; });
 }
 
-/// The residuals of the ledger: energy in shares of the kinetic energy at the start, momentum in shares of m
+/// Adds residuals of the ledger: energy relative to the initial kinetic energy, momentum relative to m
 /// `speed`.
 void addResiduals(Trial& r, double speed, std::vector<Figure>& figures) {
   const LedgerReport ledger = reportLedger(r.world, r.tools, r.all);
@@ -90,8 +90,8 @@ struct Ellipse {
   double a = 1, b = 1, rate = stretchRate;
 };
 
-/// dA/dt = A^2 (a^4 - 1)/(a^4 + 1), da/dt = -a A, b = 1/a (Monaghan 1994), by Runge and Kutta's method to
-/// rounding.
+/// Integrates dA/dt = A^2 (a^4 - 1)/(a^4 + 1), da/dt = -a A, b = 1/a (Monaghan 1994) to rounding by a
+/// Runge-Kutta method.
 Ellipse ellipseAt(double time) {
   using State = std::array<double, 2>;  // a, A
   const auto rates = [](const State& s) {
@@ -119,8 +119,8 @@ void stretchDrop(Trial& r) {
   noteStart(r);
 }
 
-/// The flow is linear, so every particle's x and y grow as the half axes do: moments and outermost particles
-/// are compared with theirs at the start.
+/// The flow is linear, so x and y of every particle grow as the half axes. Moments and outermost particles
+/// are compared with their initial values.
 std::vector<Figure> measureDrop(Trial& r) {
   const World& w = r.world;
   const Ellipse exact = ellipseAt(w.clock.time);
@@ -144,8 +144,8 @@ std::vector<Figure> measureDrop(Trial& r) {
 
 // ---- rotating patch ---------------------------------------------------------------------------------------
 
-/// Distances of the four arms' tips from the axis: the outermost particle of each quarter, turned so that the
-/// farthest one is in the middle of its quarter.
+/// Distances of the four arms' tips from the axis: the outermost particle of each quarter. Quarters are
+/// turned so that the farthest particle is in the middle of one.
 std::array<double, 4> armsOf(const std::vector<GatheredParticle>& all) {
   double most = 0, first = 0;
   for (const GatheredParticle& p : all)

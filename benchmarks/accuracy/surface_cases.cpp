@@ -1,5 +1,5 @@
-// The surface (K05 section 4) against exact shapes and motions, issue "the surface": surfels at rest, and
-// surfels that move, part and meet.
+// The surface (K05 section 4) against exact shapes and motions: surfels at rest, and surfels that move, split
+// and merge.
 #include "benchmarks/accuracy/surface_trials.hpp"
 
 namespace thaw::accuracy {

@@ -1,5 +1,5 @@
-// Surfaces that move against exact motions and books: a spinning solid, a melting ball, drops that meet and
-// part.
+// Moving surfaces against exact motions and balances: a spinning solid, a melting ball, drops that merge and
+// split.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +19,7 @@ Vec3d centreOfMass(Trial& r) {
   return c;
 }
 
-/// Where a point of a rigid body is after t: it turns about the centre of mass, which falls.
+/// Position of a point of a rigid body that turns about its falling centre of mass.
 struct RigidMotion {
   Vec3d axis, from, to;  // unit; m
   double angle;          // rad
@@ -36,7 +36,7 @@ struct RigidMotion {
   Vec3d operator()(const Vec3d& x) const { return to + turned(x - from); }
 };
 
-/// The surfels and particles of the start, which the end is held against.
+/// Records the initial surfels and particles, which the final ones are compared with.
 void watchSpin(Trial& r) {
   if (r.world.clock.step > 0) return;
   const SurfelCloud cloud = cloudOf(r);
@@ -84,7 +84,7 @@ std::vector<Figure> measureSpin(Trial& r) {
 }
 
 // ---- volumes and events over time -------------------------------------------------------------------------
-/// Volume in the surface over that of the particles, after each update.
+/// Records the volume enclosed by the surface over that of the particles, after each update.
 void watchVolume(Trial& r) {
   const World& w = r.world;
   const auto updates = static_cast<double>(w.surface.counters.updates);
@@ -95,7 +95,7 @@ void watchVolume(Trial& r) {
        {surfaceVolume(w) / particleVolume(w), static_cast<double>(w.surface.components.size())}});
 }
 
-/// Largest deviation of the volume from that at the start.
+/// Largest deviation of the volume from the initial one.
 double volumeError(const Trial& r, double from) {
   double most = 0;
   for (const Sample& s : r.series)
@@ -103,7 +103,7 @@ double volumeError(const Trial& r, double from) {
   return most;
 }
 
-/// Against the mesh at the start: its volume over that of the particles is what is to be kept.
+/// Compares with the initial mesh: the ratio of its volume to that of the particles must be kept.
 std::vector<Figure> measureMelt(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
@@ -127,7 +127,7 @@ std::vector<Figure> measureMelt(Trial& r) {
   return all;
 }
 
-/// Time of the first event of a kind; where there was none, the end of the run.
+/// Time of the first event of a kind, or the end of the run.
 double firstEvent(const World& w, SurfaceEventKind kind) {
   for (const SurfaceEvent& e : w.surface.events)
     if (e.kind == kind) return e.time;
@@ -140,7 +140,7 @@ double countEvents(const World& w, SurfaceEventKind kind) {
   return n;
 }
 
-/// Mean volume over that of the particles before and after a time.
+/// Mean ratio of volumes between two times.
 double meanVolume(const Trial& r, double from, double to) {
   double all = 0, n = 0;
   for (const Sample& s : r.series)
@@ -148,8 +148,8 @@ double meanVolume(const Trial& r, double from, double to) {
   return n > 0 ? all / n : 0;
 }
 
-/// Volumes; and the time at which the liquids touch, their particles no farther from each other along x than
-/// they are in each of them.
+/// Records volumes and the time of contact. The liquids touch when their distance along x is at most that of
+/// particles within each.
 void watchMerge(Trial& r) {
   watchVolume(r);
   if (r.notes.contains("touch")) return;
@@ -180,8 +180,7 @@ std::vector<Figure> measureMerge(Trial& r) {
   return all;
 }
 
-/// Drawn along x: the ends go at a speed (m/s) either way, the neck between them, 1 m to either side, is
-/// stretched.
+/// Velocities along x: the ends move apart at `speed` (m/s), and the neck within 1 m of the middle stretches.
 std::function<void(Trial&)> pulledAt(double speed) {
   return [speed](Trial& r) {
     Continuum& p = r.world.particles;
@@ -195,7 +194,7 @@ std::vector<Figure> measureSplit(Trial& r) {
   const World& w = r.world;
   const double at = firstEvent(w, SurfaceEventKind::Split), before = meanVolume(r, 0, at),
                after = meanVolume(r, at, never);
-  double large = 0, second = 0, total = 0;  // m^3, of components
+  double large = 0, second = 0, total = 0;  // m^3, volumes of components
   for (const SurfaceComponent& c : w.surface.components) {
     total += c.particleVolume;
     if (c.particleVolume > large) second = large, large = c.particleVolume;
@@ -214,7 +213,7 @@ std::vector<Figure> measureSplit(Trial& r) {
   return all;
 }
 
-/// Farthest end of the liquid along x (m): half a spacing beyond the outermost particle.
+/// Farthest end of the liquid along x (m): the outermost particle plus half a spacing.
 double tip(Trial& r) {
   return largest(r, [](const World& w, std::size_t i) { return w.particles.position[i].x; }) +
          r.spacing() / 2;
@@ -226,8 +225,8 @@ void watchHeld(Trial& r) {
   r.notes["farthest"] = std::max(r.notes["farthest"], tip(r));
 }
 
-/// Pulled with .39 J, where two balls have .66 J more in their surface than the drop at the start: it may not
-/// part.
+/// The kinetic energy of the pull is 0.39 J. Two balls have 0.66 J more surface energy than the initial drop,
+/// so it may not split.
 std::vector<Figure> measureHeld(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
@@ -252,14 +251,15 @@ std::vector<Case> movingSurfaceCases() {
        watchSpin,
        measureSpin},
       {"surface_melt",
-       "a solid ball with a mesh melts to a puddle; the volume in the surface over that of the particles",
+       "a solid ball with a mesh melts to a puddle; volume enclosed by the surface over that of the "
+       "particles",
        nullptr,
        {},
        {},
        watchVolume,
        measureMelt},
       {"surface_merge",
-       "two drops meet; the time at which they touch, 0.25 s if they stay balls, and volumes",
+       "two drops merge; time of contact (0.25 s for rigid balls) and volumes",
        nullptr,
        {},
        {},
@@ -273,7 +273,7 @@ std::vector<Case> movingSurfaceCases() {
        watchVolume,
        measureSplit},
       {"surface_held",
-       "a long drop is pulled with less energy than parting takes; it holds and contracts",
+       "a long drop is pulled with less energy than a split needs; it contracts",
        nullptr,
        {},
        pulledAt(0.25),

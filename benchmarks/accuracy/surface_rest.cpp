@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Bars are set at R/dx = 16; coarser runs have none.
+/// Targets are set at R/dx = 16. Coarser runs have none.
 double bar(const Trial& r, double value) { return r.spacing() < 0.063 ? value : never; }
 
 // ---- ball, radius 1 around the origin ---------------------------------------------------------------------

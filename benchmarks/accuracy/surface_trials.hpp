@@ -1,12 +1,11 @@
-// What the cases of the surface share: all surfels in one place, and distances between them and exact
-// surfaces.
+// Helpers shared by the surface cases: all surfels on every rank, and their distances from exact surfaces.
 #pragma once
 #include "benchmarks/accuracy/trial.hpp"
 #include "core/surface/bins.hpp"
 
 namespace thaw::accuracy {
 
-/// A surfel as the figures need it.
+/// Position, normal and other data of a surfel for the figures.
 struct CloudSurfel {
   std::uint64_t id;
   Vec3d position, normal;
@@ -14,49 +13,48 @@ struct CloudSurfel {
   std::uint64_t component;
 };
 
-/// The surfels of all ranks on every rank, ascending by id: figures have the same bits on any number of
-/// ranks.
+/// The surfels of all ranks, ascending by id. The order gives the same bits on any number of ranks.
 struct SurfelCloud {
   std::vector<CloudSurfel> surfels;
   Bins bins;
-  std::vector<Vec3d> at;  ///< of the bins
-  double reach = 0;       ///< m, within which discs are looked for
+  std::vector<Vec3d> at;  ///< positions in the bins
+  double reach = 0;       ///< m, search radius for discs
 };
 
-/// Collective.
+/// Gathers the surfels. Collective.
 SurfelCloud cloudOf(Trial& trial);
 
-/// Distance (m) of a point to the nearest surfel's middle: a point that no disc covers is farther from it
-/// than r_s. never: farther than `reach`.
+/// Distance (m) of a point to the nearest surfel's centre; `never` beyond `reach`. Points more than r_s away
+/// are uncovered.
 double toNearest(const SurfelCloud& cloud, const Vec3d& x);
 
-/// Distance (m) of a point to the surface that the discs are.
+/// Distance (m) of a point to the nearest disc.
 double toDiscs(const SurfelCloud& cloud, const Vec3d& x);
 
-/// Surfels within h_ss of a surfel, itself left out, in the mean.
+/// Mean number of surfels within h_ss of a surfel, without itself.
 double meanNeighbours(const SurfelCloud& cloud, double radius);
 
-/// How far an exact surface, given by points on it, is from the discs, and how far from a point the nearest
-/// surfel's middle is along the surface at the most: more than r_s is a hole. What the discs are off the
-/// exact surface is not counted in that.
+/// Distances (m) between an exact surface, given by points on it, and the discs. `distance` is the largest
+/// distance of a point to the discs. `hole` is the largest distance along the surface to the nearest surfel's
+/// centre; above r_s it is a hole.
 struct FromExact {
   double distance = 0, hole = 0;  // m
 };
 FromExact fromExact(const SurfelCloud& cloud, const std::vector<Vec3d>& points);
 
-/// n points on the unit ball, evenly.
+/// n evenly distributed points on the unit ball.
 std::vector<Vec3d> ballPoints(std::size_t n);
 
 /// Degrees between two unit vectors.
 double degreesBetween(const Vec3d& a, const Vec3d& b);
 
-/// Sums over components: volumes in the surface and of the particles, areas.
+/// Volume enclosed by the surface, volume of the particles, and area, each summed over components.
 double surfaceVolume(const World& world);
 double particleVolume(const World& world);
 double surfaceArea(const World& world);
 
-/// What the surface cost: neighbours, and core-microseconds an update and surfel. To be appended to the
-/// figures of a case. Collective.
+/// Appends the cost of the surface to the figures: neighbours, and core-microseconds per update and surfel.
+/// Collective.
 void addCost(Trial& trial, const SurfelCloud& cloud, std::vector<Figure>& figures);
 
 std::vector<Case> restingSurfaceCases();  ///< ball, cube, sheet

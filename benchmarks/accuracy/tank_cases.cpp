@@ -1,4 +1,4 @@
-// Water at rest in tanks whose sides are no multiple of the spacing: one case that runs many tanks.
+// Water at rest in tanks that are no multiple of the spacing. One case runs many tanks.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,12 +9,12 @@
 namespace thaw::accuracy {
 namespace {
 
-constexpr double settled = 0.75;  // share of the run after which pressures count
+constexpr double settled = 0.75;  // fraction of the run before pressures count
 
 double heightOf(const World& w, std::size_t i) { return w.particles.position[i].z; }
 
-/// Sums for the line p = a + b z that fits the particles best: notes n, z, p, zz, zp, pp, of every step after
-/// the liquid has settled.
+/// Accumulates the sums n, z, p, zz, zp, pp of a linear fit p = a + b z in every step after the liquid has
+/// settled.
 void watchPressure(Trial& r) {
   const Clock& clock = r.world.clock;
   if (clock.time < settled * clock.end || clock.step % 5 != 0) return;
@@ -29,14 +29,14 @@ void watchPressure(Trial& r) {
   r.notes["pp"] += sum(r, [&](const World& w, std::size_t i) { return p(w, i) * p(w, i); });
 }
 
-/// Result of one tank, infinite where it blew up: errors of the fitted line, the scatter about it over the
-/// pressure at the bottom, residuals, and the share of the water that has left through the open top.
+/// Result of one tank, infinite if it blew up: errors of the fitted line, scatter over the bottom pressure,
+/// residuals, and the fraction of water lost through the open top.
 struct Tank {
   double slope = never, value = never, scatter = never, energy = never, momentum = never, lost = 1;
   bool finite = false;
 };
 
-/// p = g m / A at the bottom, whatever the level is, and rho g less with each metre.
+/// Exact result: p = g m / A at the bottom, for any level, and a slope of -rho g.
 Tank resultOf(Trial& r) {
   if (!r.finite) return {};
   const Scene& s = r.world.scene;
@@ -56,7 +56,7 @@ Tank resultOf(Trial& r) {
           true};
 }
 
-/// Tank number `tank` of `count`.
+/// Tank `tank` of `count`.
 Case tankCase(int tank, int count);
 
 void print(const Trial& r, const Tank& t) {
@@ -66,7 +66,7 @@ void print(const Trial& r, const Tank& t) {
               width / r.spacing(), t.slope, t.value, t.scatter, t.lost);
 }
 
-/// The trial is the first of `count` tanks; the others are run here.
+/// `first` is the first of `count` tanks; this function runs the others.
 std::vector<Figure> measureTanks(Trial& first, int count) {
   std::vector<Tank> all{resultOf(first)};
   print(first, all[0]);
@@ -98,7 +98,7 @@ std::vector<Figure> measureTanks(Trial& first, int count) {
       {"momentum residual", worst(&Tank::momentum), 1e-9}};
 }
 
-/// m. Widths in spacings are spread evenly from 2/3 to 4/3 of that at the scene's spacing.
+/// Spacing (m). Widths in spacings are spread evenly from 2/3 to 4/3 of that at the scene's spacing.
 double spacingOf(const Scene& s, int tank, int count) {
   return s.spacing / (2.0 / 3 + 2.0 / 3 * (tank + 0.5) / count);
 }

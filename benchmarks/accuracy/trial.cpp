@@ -13,7 +13,7 @@
 namespace thaw::accuracy {
 namespace {
 
-/// Of this process; unlike wall-clock time it does not depend on what else runs on the machine.
+/// Processor time (s) of this process, which does not depend on other load of the machine.
 double processorSeconds() {
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
@@ -28,7 +28,7 @@ double overRanks(Trial& r, double seconds) {
   return all.value();
 }
 
-/// Frames are only counted; the surface is updated at them, as it is where they are written.
+/// Counts due frames. The surface is updated at frames, as in a run that writes them.
 void passFrames(Clock& c) {
   while (frameDue(c)) c.frame++;
 }

@@ -1,5 +1,5 @@
-// Viscosity against exact solutions (docs/validation/accuracy.md, fluid): a channel, and a drop in rigid
-// rotation. Drops with tension: drop_cases.cpp.
+// Viscosity against exact solutions (docs/validation/accuracy.md): a channel, and a rigidly rotating drop.
+// drop_cases.cpp has drops with tension.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Flow between walls at z = 0 and H that gravity drives along x.
+/// Flow between walls at z = 0 and H, driven along x by gravity.
 struct Channel {
   double height, nu, fastest;
   explicit Channel(const Scene& s)
@@ -19,7 +19,7 @@ struct Channel {
     fastest = s.domain.gravity.x * height * height / (8 * nu);
   }
   double steady(double z) const { return 4 * fastest * z * (height - z) / (height * height); }
-  /// From rest: Fourier series (docs/validation/accuracy.md; Morris, Fox & Zhu 1997 eq. 21).
+  /// Fourier series of the flow from rest (Morris, Fox & Zhu 1997 eq. 21).
   double starting(double z, double t) const {
     double u = steady(z);
     for (int n = 1; n < 200; n += 2) {
@@ -40,8 +40,7 @@ std::vector<Figure> measurePoiseuille(Trial& r) {
     return std::hypot(u(w, i).y, u(w, i).z) / exact.fastest;
   };
   const double n = sum(r, [](const World&, std::size_t) { return 1.0; });
-  // the flow rate against that of the exact profile: the effective viscosity, without the noise of single
-  // particles
+  // flow rate over that of the exact profile: the effective viscosity without the noise of single particles
   const double flow = sum(r, [&](const World& w, std::size_t i) { return u(w, i).x; }) /
                           (n * exact.fastest * 2 / 3) -
                       1;
@@ -56,7 +55,7 @@ void startSteady(Trial& r) {
   for (std::size_t i = 0; i < p.owned; i++) p.velocity[i].x = exact.steady(p.position[i].z);
 }
 
-/// L2(u) whenever a time of the list has come: .05, .1, .2, .4 H^2 / nu.
+/// Records L2(u) at 0.05, 0.1, 0.2 and 0.4 H^2 / nu.
 void watchStarting(Trial& r) {
   const Channel exact(r.world.scene);
   const double t = r.world.clock.time, due = 0.05 * std::pow(2.0, static_cast<double>(r.series.size())) *
@@ -114,7 +113,7 @@ std::vector<Figure> measureSpin(Trial& r) {
 std::vector<Case> viscousCases() {
   std::vector<Case> all = {
       {"poiseuille",
-       "channel, steady, let go at the exact profile; parabola",
+       "steady channel, started at the exact profile; parabola",
        nullptr,
        {},
        startSteady,

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""Runs scenes/keiser/*.toml, each on one core, and prints the paper's Table 1 beside what they took.
+"""Runs scenes/keiser/*.toml, each on one core, and compares their times with the paper's Table 1.
 
   scripts/bench keiser [options below; --csv is given by scripts/bench]
 
-A scene that is stopped by --seconds before its end counts as far as it got, and the last column says how far: the paper's melting scenes with their 60,000
-surfels may take longer than the default (`thaw check` estimates it). A run that is there already, of the same version of thaw, scene and options, is not repeated. Frames and
-pictures stay in OUT/NAME.
-Columns: particles and surfels are means over the frames; a physics step is all that is no surface, no output and no set-up; an iteration is the whole
-surface update (displacement, resampling, components and all) over its number of iterations; frames a second as in the paper, where a frame is one
-step and one iteration, and as simulated frames over the time of the whole run.
+A scene that --seconds stops before its end counts as far as it came; the last column shows how far. The
+melting scenes with 60,000 surfels can take longer than the default (`thaw check` estimates the time). A run
+that exists already, of the same version of thaw, scene and options, is not repeated. Frames and pictures stay
+in OUT/NAME.
+Columns: particles and surfels are means over the frames. A physics step excludes surface, output and set-up.
+An iteration is the time of all surface updates over the number of their iterations. Frames per second are
+given as in the paper, where a frame is one step and one iteration, and as simulated frames over the time of
+the whole run.
 """
 import argparse
 import csv
@@ -19,8 +21,8 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-# Table 1 of the paper: particles, surfels, seconds a physics step, seconds a surface iteration, frames a
-# second (3 GHz Pentium 4)
+# Table 1 of the paper: particles, surfels, seconds per physics step, seconds per surface iteration, frames
+# per second (3 GHz Pentium 4)
 PAPER = {
     "fluid": (3000, 3400, 0.13, 1.3, 0.7),
     "freezing": (2400, 3400, 0.4, 1.2, 0.5),
@@ -45,7 +47,7 @@ def thaw(*arguments):
 
 
 def run(name, options):
-    """Runs a scene, unless it is there; its summary. Ends the program where the run fails."""
+    """Runs a scene unless its run exists, and returns the summary. Exits if the run fails."""
     out = os.path.join(options.out, name)
     scene = os.path.join(ROOT, "scenes", "keiser", name + ".toml")
     texts = [open(os.path.join(os.path.dirname(scene), file)).read() for file in (name + ".toml", "bust.toml")]
@@ -57,7 +59,7 @@ def run(name, options):
         for value in options.set + ([f"end={options.until}"] if options.until else []):
             command += ["--set", value]
         code = thaw(*command).returncode
-        if code not in (0, 75):  # 75: cut by --seconds
+        if code not in (0, 75):  # 75: stopped by --seconds
             sys.exit(f"keiser: {name} ended with exit code {code}; see {out}")
         with open(mark, "w") as file:
             file.write(stamp)
@@ -93,15 +95,15 @@ def ours(name, summary, out):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--csv", required=True, help="the table goes to this file as well")
+    parser.add_argument("--csv", required=True, help="file that also receives the table")
     parser.add_argument("--until", type=float, help="simulated seconds of each scene (default: all of it)")
-    parser.add_argument("--seconds", type=float, default=1200, help="wall-clock seconds that a scene may take (default: %(default)g)")
+    parser.add_argument("--seconds", type=float, default=1200, help="limit of wall-clock seconds per scene (default: %(default)g)")
     parser.add_argument("--scenes", default=",".join(PAPER), help="some of %(default)s (default: all)")
-    parser.add_argument("--out", default=os.path.join(ROOT, "out", "keiser"), help="where the runs go (default: %(default)s)")
+    parser.add_argument("--out", default=os.path.join(ROOT, "out", "keiser"), help="folder of the runs (default: %(default)s)")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="for all scenes; may be given several times")
     options = parser.parse_args()
     if "THAW_BUILD" not in os.environ:
-        parser.error("THAW_BUILD is not set to the build folder: use scripts/bench keiser")
+        parser.error("THAW_BUILD must name the build folder; use scripts/bench keiser")
     unknown = [s for s in options.scenes.split(",") if s not in PAPER]
     if unknown:
         parser.error(f"unknown scene '{unknown[0]}': there are {', '.join(PAPER)}")

@@ -1,11 +1,11 @@
-// oriented [--csv FILE] [--strict]: accuracy of oriented bodies at rest, of a rebuilt mesh, and the two ways
-// of finding neighbours.
-//   plane, sphere   energies of co-planarity, co-normality and co-circularity a particle at rest, over
+// oriented [--csv FILE] [--strict]: accuracy of oriented bodies at rest and of a rebuilt mesh, and time of
+// two neighbour searches.
+//   plane, sphere   energies of co-planarity, co-normality and co-circularity per particle at rest, over
 //                   stiffness spacing^2; spacing; radius; curvature
 //   lattice         rest spacing of Lennard-Jones 12-6 with the full sum, over sigma
-//   rebuilt         a head: points sampled from its mesh, thinned to 5 % and grown again: distance from the
-//                   original, in spacings, largest and mean
-//   neighbours      ms for the lists of all particles, by the cells and by nanoflann (tree and searches), for
+//   rebuilt         a head: points sampled from its mesh, thinned to 5 % and grown again; largest and mean
+//                   distance from the original in spacings
+//   neighbours      ms for the lists of all particles by cells and by nanoflann (tree and searches), for
 //                   several numbers of particles
 #include <cstdlib>
 #include <string>
@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   const char* csv = nullptr;
   bool strict = false;
   std::string only;
-  double spacing = 0.0125;  // m, of the surface that is rebuilt
+  double spacing = 0.0125;  // m, spacing of the rebuilt surface
   for (int a = 1; a < argc; a++) try {
       const std::string key = argv[a];
       if (key == "--strict") strict = true;
@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
         return std::fprintf(
                    help ? stdout : stderr,
                    "scripts/bench oriented [--strict] [--only plane|lattice|sphere|rebuilt|neighbours] "
-                   "[--spacing METRES of rebuilt] [--csv FILE]\n"),
+                   "[--spacing METRES] [--csv FILE]\n"),
                help ? 0 : 2;
       }
     } catch (const std::invalid_argument& e) { return std::fprintf(stderr, "oriented: %s\n", e.what()), 2; }

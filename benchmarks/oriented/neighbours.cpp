@@ -1,4 +1,4 @@
-// Lists of neighbours by the cells and by a kd-tree.
+// Neighbour lists by cells and by a kd-tree.
 #include <algorithm>
 
 #include "benchmarks/oriented/tests.hpp"
@@ -35,7 +35,7 @@ void neighbours(Figures& figures) {
     }
     if (found != x.tools.oriented.lists.list.size())
       std::printf("the two searches find different neighbours\n"), figures.missed++;
-    figures.row("neighbours", "by the cells, sorted anew (ms)", n, 1e3 * (byCells + bySort), 0);
+    figures.row("neighbours", "by the cells, with sorting (ms)", n, 1e3 * (byCells + bySort), 0);
     figures.row("neighbours", "by nanoflann (ms)", n, 1e3 * byTree, 0);
     figures.row("neighbours", "cells over nanoflann", n, (byCells + bySort) / byTree, 1);
   }

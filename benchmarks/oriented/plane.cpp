@@ -1,4 +1,4 @@
-// A plane at rest: energies, normals, spacing; and the rest spacing of the full sum of Lennard-Jones.
+// A plane at rest: energies, normals, spacing. Rest spacing of the full Lennard-Jones sum.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@ namespace thaw::bench {
 
 using test::Simulation;
 
-/// Energy of one of the potentials a particle, over scale.
+/// Energy per particle of one of the potentials, over stiffness spacing^2.
 double energyOf(const Simulation& x, double PairPotential::*weight) {
   const Oriented& o = x.w.oriented.rows;
   PairPotential p = x.tools.oriented.potentials[0];

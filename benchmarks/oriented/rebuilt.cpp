@@ -1,4 +1,4 @@
-// A head rebuilt from 5 % of the points of its mesh: how far the surfaces are from each other.
+// A head rebuilt from 5 % of the points of its mesh: distances between the two surfaces.
 #include <cmath>
 #include <string>
 
@@ -13,7 +13,7 @@ using test::Simulation;
 
 namespace {
 
-/// How far the particles of now are from the mesh, and it from them, in spacings.
+/// Distances between the particles and the mesh in both directions, in spacings.
 void measure(Figures& figures, const Simulation& x, const char* when) {
   const Scene& s = x.w.scene;
   const Oriented& o = x.w.oriented.rows;
@@ -29,8 +29,8 @@ void measure(Figures& figures, const Simulation& x, const char* when) {
     places.push_back(o.position[i]);
     normals.push_back(o.normal[i]);
   }
-  // and from the original to the rebuilt: to the nearest particle, less what a hexagonal lattice has anyway
-  // (a spacing over root 3)
+  // From the original to the nearest particle, minus the largest distance in a hexagonal lattice (a spacing
+  // over root 3).
   const PointTree tree(places);
   const MadePoints all = sampleMesh(shape, 0.5 * s.spacing, 7, {});
   for (const Vec3d& p : all.places) {
@@ -58,8 +58,8 @@ void measure(Figures& figures, const Simulation& x, const char* when) {
 
 }  // namespace
 
-/// As scenes/oriented/interpolate.toml: relaxed, and then run to its end, where only the potentials and
-/// damping act.
+/// The scene of scenes/oriented/interpolate.toml: relaxed, then run to its end with potentials and damping
+/// only.
 void rebuilt(Figures& figures, double spacing) {
   Scene s = bare(spacing);
   OrientedBody& b = s.oriented[0];
@@ -79,11 +79,10 @@ void rebuilt(Figures& figures, double spacing) {
   const auto start = std::chrono::steady_clock::now();
   Simulation x(s);
   const double n = static_cast<double>(x.w.oriented.rows.owned), relaxed = seconds(start);
-  figures.row("rebuilt", "points that were given", n,
-              static_cast<double>(x.tools.oriented.given[0].points.size()), 0);
+  figures.row("rebuilt", "given points", n, static_cast<double>(x.tools.oriented.given[0].points.size()), 0);
   measure(figures, x, "relaxed");
   const auto begin = std::chrono::steady_clock::now();
-  if (!x.run()) std::printf("the run did not come to its end\n");
+  if (!x.run()) std::printf("rebuilt: the run failed before its end\n");
   figures.row("rebuilt", "time to relax (s)", n, relaxed, 0);
   figures.row("rebuilt", "time of the run (s)", n, seconds(begin), 0);
   measure(figures, x, "at the end");

@@ -1,5 +1,5 @@
-// Spheres: co-circularity at rest, by itself and beside Lennard-Jones, and how round the sphere of a scene is
-// after a second.
+// Spheres: co-circularity at rest with and without Lennard-Jones, and the roundness of a scene's sphere after
+// one second.
 #include <algorithm>
 #include <cmath>
 
@@ -13,9 +13,9 @@ namespace {
 
 constexpr double R = 0.25;  // m
 
-/// Energies that are to be 0, or are not (docs/theory/oriented.md says why).
+/// Rest energies of spheres (docs/theory/oriented.md explains which of them vanish).
 void spheresAtRest(Figures& figures) {
-  {  // at its place, normals outward: exactly without energy
+  {  // on the sphere with outward normals the energy is exactly zero
     Scene s = bare(0.02);
     s.oriented[0].shape.kind = ShapeKind::Sphere;
     s.oriented[0].shape.radius = R;
@@ -23,7 +23,7 @@ void spheresAtRest(Figures& figures) {
     figures.row("sphere", "co-circularity energy, radial normals",
                 static_cast<double>(x.w.oriented.rows.owned), energyOf(x, &PairPotential::circle), 1e-10);
   }
-  {  // 12 particles: an icosahedron, where all forces of Lennard-Jones are along the sphere or cancel
+  {  // 12 particles: an icosahedron, where Lennard-Jones forces are tangential or cancel
     Scene s = bare(0.3);
     OrientedBody& b = s.oriented[0];
     b.source = OrientedSource::Points;
@@ -42,9 +42,8 @@ void spheresAtRest(Figures& figures) {
     figures.row("sphere", "co-circularity energy, 12 at rest", 12, energyOf(x, &PairPotential::circle),
                 1e-10);
   }
-  // co-circularity alone, from places and normals that are off; and with Lennard-Jones, which has tension
-  // around the defects of its lattice: the less of it the less energy is left, in proportion
-  // (docs/theory/oriented.md says why it cannot be 0)
+  // Co-circularity from displaced positions and normals, alone and with Lennard-Jones. Lennard-Jones leaves
+  // tension around the defects of its lattice, in proportion to its weight (docs/theory/oriented.md).
   for (const double attract : {0.0, 0.01, 0.1}) {
     Scene s = bare(0.03);
     OrientedBody& b = s.oriented[0];
@@ -65,7 +64,7 @@ void spheresAtRest(Figures& figures) {
   }
 }
 
-/// As scenes/oriented/relax_sphere.toml.
+/// The scene of scenes/oriented/relax_sphere.toml.
 void relaxedSphere(Figures& figures) {
   Scene s = bare(0.02);
   OrientedBody& b = s.oriented[0];
@@ -96,7 +95,7 @@ void relaxedSphere(Figures& figures) {
     spread += std::pow(length(o.position[i] - centre) / radius - 1, 2) / n;
     turn = std::max(turn, length(o.normal[i] - normalized(o.position[i] - centre)));
   }
-  // curvature from neighbours: (n_j - n_i).r / r^2 of those within 1.7 spacings
+  // curvature from neighbours within 1.7 spacings: (n_j - n_i).r / r^2
   double curvature = 0;
   for (std::size_t i = 0; i < o.owned; i++) {
     double bend = 0, weight = 0;

@@ -1,4 +1,4 @@
-// What scripts/bench oriented measures, and how its figures are told.
+// Measurements of scripts/bench oriented and the output of their figures.
 #pragma once
 #include <chrono>
 #include <cstdio>
@@ -8,12 +8,12 @@
 
 namespace thaw::bench {
 
-/// On the terminal and in the CSV.
+/// Writes figures to the terminal and the CSV file.
 struct Figures {
   FILE* csv = nullptr;
-  int missed = 0;  ///< targets
+  int missed = 0;  ///< number of missed targets
 
-  /// One figure; target 0: none, else it must not be above it.
+  /// Prints one figure. The value must not exceed `target`; 0 means no target.
   void row(const char* name, const char* figure, double particles, double value, double target) {
     const bool bad = target > 0 && !(value <= target);
     missed += bad;
@@ -25,7 +25,7 @@ struct Figures {
   }
 };
 
-/// A body with the defaults and some damping in empty space.
+/// A body with default parameters and some damping in empty space.
 inline Scene bare(double spacing) {
   Scene s;
   s.spacing = spacing;
@@ -39,7 +39,7 @@ inline Scene bare(double spacing) {
   return s;
 }
 
-/// Energy of one of the potentials a particle, over scale.
+/// Energy per particle of one of the potentials, over stiffness spacing^2.
 double energyOf(const test::Simulation& x, double PairPotential::*weight);
 
 inline double seconds(const std::chrono::steady_clock::time_point& since) {

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Prints the scaling study's figures beside their targets and charts them: chart.py SCALING.csv PICTURE.png [TRACE.json]
+"""Prints the scaling study's figures with their targets and charts them: chart.py SCALING.csv PICTURE.png [TRACE.json]
 
-The page of the documents takes its figures from docs/scaling/scaling.csv: copy SCALING.csv there and run benchmarks/performance_chart.py.
+docs/performance.md takes its figures from docs/scaling/scaling.csv: copy SCALING.csv there and run
+benchmarks/performance_chart.py.
 """
 import json
 import os
@@ -35,7 +36,7 @@ def drawEfficiency(axes, path):
             axis.axis("off")
             continue
         ranks = [r["ranks"] for r in rows]
-        axis.plot(ranks, [r["efficiency"] for r in rows], "o-", color=BLUE, label="against copies that run beside each other")
+        axis.plot(ranks, [r["efficiency"] for r in rows], "o-", color=BLUE, label="against independent copies")
         raw = [r["speedup"] / r["ranks"] for r in rows]
         axis.plot(ranks, raw, "s:", color=GREY, label="against one rank alone")
         axis.axhline(target, color=RED, linestyle="--", label=f"target {target:.0%}")
@@ -95,7 +96,7 @@ def drawModel(axes, path):
 
 
 def drawTrace(source, picture):
-    """The last whole step but one of a trace."""
+    """Draws the second but last complete step of a trace."""
     with open(source) as f:
         events = json.load(f)["traceEvents"]
     ranks = sorted({e["pid"] for e in events})

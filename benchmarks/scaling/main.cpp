@@ -1,9 +1,8 @@
 // scaling --case fluid|corner --particles N [--copies] [--cpu-time] [--steps S] [--warm W]: one measurement
-// of the scaling study, on the ranks that mpirun has started; prints one line of CSV (--head: the names of
-// its columns). --copies: in turn with it, ten steps each, every rank runs a simulation of N / ranks
-// particles of its own, all at the same time: what the machine does without any parallel program. So both see
-// the same minutes of a machine whose speed changes. --cpu-time: phases by the time that each rank had a
-// core, for more ranks than cores. The series are in benchmarks/scaling/series.py.
+// of the scaling study on all ranks; prints one line of CSV (--head: the column names). --copies: in turn
+// with the measured run, ten steps each, every rank runs its own simulation of N / ranks particles, all at
+// the same time. Both thus see the same state of a machine whose speed changes. --cpu-time: phases are
+// measured in processor time, for more ranks than cores. benchmarks/scaling/series.py defines the series.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -36,8 +35,8 @@ std::string vec(double x, double y, double z) {
   return "[" + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + "]";
 }
 
-/// A cube of particles. The corner scene has its cube in a corner and a film over the rest of a tray four
-/// times as wide.
+/// Sizes of a cube of particles. The corner scene has its cube in a corner, and a film over the rest of a
+/// tray four times as wide.
 std::vector<std::string> sizes(const Options& o) {
   const double dx = 0.01, across = std::max(8.0, std::round(std::cbrt(o.particles))), L = dx * across;
   if (o.name == "fluid")
@@ -59,7 +58,7 @@ double median(std::vector<double> v) {
   return v.empty() ? 0 : v[v.size() / 2];
 }
 
-/// Of values of a rank that are not negative.
+/// Mean and maximum over ranks of a non-negative value.
 struct Over {
   double mean, most;
 };
@@ -77,7 +76,7 @@ constexpr const char* head =
     "neighbours,neighbours_max,messages,messages_max,kib,kib_max,kib_ghosts,kib_refresh,kib_bonds,messages_"
     "bonds,kib_migration,collectives,ms_work,ms_wait,ms_balance,start_s";
 
-constexpr int look = 25;  // steps between two looks at the balance, as thaw run does
+constexpr int look = 25;  // steps between balance checks, as in thaw run
 double since(WallClock::time_point t) { return std::chrono::duration<double>(WallClock::now() - t).count(); }
 
 /// A simulation on the ranks of a communicator.
@@ -85,8 +84,8 @@ struct Run {
   Communicator comm;
   World w;
   StepTools tools;
-  bool byTime;    // cells are shared out anew by what they have taken
-  bool prepared;  // before the halos, which need the grid
+  bool byTime;    // cells are redistributed by their measured time
+  bool prepared;  // set before the halos, which need the grid
   MpiReducer all;
   MpiCellHalo cells;
   MpiBondHalo bonds;
@@ -104,7 +103,8 @@ struct Run {
   }
   void step(bool balanceAfter) {
     if (!thaw::step(w, {all, cells, bonds}, tools, {}).finite) {
-      std::fprintf(stderr, "scaling: the scene blew up\n");
+      std::fprintf(stderr,
+                   "scaling: the scene blew up; its parameters in benchmarks/scaling/scenes are unstable\n");
       MPI_Abort(MPI_COMM_WORLD, 4);
     }
     if (!balanceAfter || !byTime) return;
@@ -112,21 +112,21 @@ struct Run {
     balance(w, cells, tools, meter);
     tools.times.lap(StepPhase::Balance);
   }
-  void warm(int steps) {  // at least two looks at the balance
+  void warm(int steps) {  // at least two balance checks
     for (int k = 0; k < steps; k++)
       step(k % look == look - 1 || (steps < look && (k + 1) % std::max(1, steps / 2) == 0));
   }
 };
 
-/// What the steps of a run took.
+/// Times of the steps of a run.
 struct Measured {
   std::vector<double> steps;  // s, each
   std::vector<double> rates;  // particle-steps/s of all ranks, of each block
   double ghosts = 0, owned = 0, worst = 1;
 };
 
-/// Measured.rates of copies: the sum of what each does; of a run on all ranks, what they do in the time of
-/// the slowest.
+/// Runs a block of steps and appends its rate: for copies the sum of the ranks' rates, else the total over
+/// the slowest rank's time.
 void stepBlock(Run& r, Measured& m, int from, int steps, bool copies, Reducer& everyone) {
   const auto start = WallClock::now();
   for (int k = from; k < from + steps; k++) {
@@ -141,7 +141,7 @@ void stepBlock(Run& r, Measured& m, int from, int steps, bool copies, Reducer& e
   m.rates.push_back(
       steps * everyone.size() *
       (copies ? over(owned / took, everyone).mean : over(owned, everyone).mean / over(took, everyone).most));
-  r.comm.traffic() = counted;  // without our own
+  r.comm.traffic() = counted;  // without the messages of the measurement
 }
 
 int measure(const Options& o, const Communicator& world) {

@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
-"""A model of the time of a step on many ranks: model.py SCALING.csv [--ranks P] [--particles N] [--latency S] [--bandwidth B/s] [--rate PARTICLES/S] ...
+"""Model of the time per step on many ranks.
 
-A cube of N fluid particles on P ranks, each a box of cells. What a step sends follows from geometry with four numbers that are fitted to the counts measured
-on 1 to 64 ranks (series `counts`); what that costs follows from inputs that describe the machine. Particles fill a compact body evenly, partitions are balanced to the given imbalance, and messages do not contend.
+model.py SCALING.csv [--ranks P] [--particles N] [--latency S] [--bandwidth B/s] [--rate PARTICLES/S] ...
+
+A cube of N fluid particles is split over P ranks, each a box of cells. The messages of a step follow from
+geometry with four numbers that are fitted to the counts measured on 1 to 64 ranks (series `counts`). Their
+cost follows from inputs that describe the machine. Assumptions: particles fill a compact body evenly,
+partitions are balanced to the given imbalance, and messages do not contend.
 """
 import argparse
 import csv
@@ -11,7 +15,7 @@ import math
 
 
 def factors(ranks):
-    """Ranks along each axis after bisecting the longest one again and again: the partition of an even cube, where ranks is a power of two; else nearly."""
+    """Ranks along each axis after repeated bisection of the longest; exact where ranks is a power of two."""
     along = [1.0, 1.0, 1.0]
     left = float(ranks)
     while left > 1:
@@ -28,7 +32,7 @@ def faces(along):
 
 
 def neighbours(ranks):
-    """Mean number of ranks around one: of 26 inside."""
+    """Mean number of neighbouring ranks; 26 in the interior."""
     product = 1.0
     for along in factors(ranks):
         product *= 1 + faces(along)
@@ -36,7 +40,7 @@ def neighbours(ranks):
 
 
 def ghosts(particles, ranks, layer):
-    """Mean number of ghosts of a rank. layer: particles across the layer of cells around a box. Never more than there are."""
+    """Mean number of ghosts of a rank. layer: particles across the layer of cells around a box. At most all others."""
     side, with_layer, box = particles ** (1 / 3), 1.0, 1.0
     for along in factors(ranks):
         own = side / along
@@ -47,31 +51,31 @@ def ghosts(particles, ranks, layer):
 
 @dataclasses.dataclass
 class Counts:
-    """Fitted: what a step of the fluid scene does on a rank."""
+    """Fitted counts of a step of the fluid scene on a rank."""
     layer: float = 2.2              # particles across a layer of ghosts
-    bytes_per_ghost: float = 100.0  # sent for each ghost in a step
-    messages: float = 2.0           # to each neighbour in a step
-    collectives: float = 2.0        # of a step, with those that look at the balance
-    growth: float = 0.0             # more of them a step for each doubling of ranks
-    bisection: float = 12.0         # of a level of the bisection, for a new partition (parallel/decomposition.cpp); not fitted
+    bytes_per_ghost: float = 100.0  # bytes sent per ghost and step
+    messages: float = 2.0           # messages per neighbour and step
+    collectives: float = 2.0        # collectives per step, with those of balance checks
+    growth: float = 0.0             # additional collectives per step for each doubling of ranks
+    bisection: float = 12.0         # collectives per level of a new bisection (parallel/decomposition.cpp); not fitted
 
 
 @dataclasses.dataclass
 class Machine:
-    """Inputs."""
-    rate: float = 3e6          # particle-steps/s of one core beside others that compute too
-    latency: float = 2e-6      # s a message
-    bandwidth: float = 4e8     # bytes/s of one rank: a node's network shared by its ranks
-    collective: float = 3e-6   # s of a small reduction for each doubling of ranks
-    table: float = 5e-7        # s a rank and new partition: tables of rank size, splits of communicators
-    partition: float = 100     # steps from one new partition to the next: the most often that the balance allows
+    """Inputs that describe the machine."""
+    rate: float = 3e6          # particle-steps/s of one core while other cores compute as well
+    latency: float = 2e-6      # s per message
+    bandwidth: float = 4e8     # bytes/s per rank: its share of a node's network
+    collective: float = 3e-6   # s of a small reduction per doubling of ranks
+    table: float = 5e-7        # s per rank and new partition: tables of rank size, splits of communicators
+    partition: float = 100     # steps between new partitions: the fewest that the balance allows
     imbalance: float = 1.05    # largest over mean work
-    ghost_work: float = 0.15   # work of a ghost over that of an own particle
-    overlap: float = 0.0       # share of the exchange that is hidden behind work
+    ghost_work: float = 0.15   # work of a ghost over that of an owned particle
+    overlap: float = 0.0       # fraction of the exchange hidden behind work
 
 
 def linear(points):
-    """Least squares of y = a + b x; points: (x, y)."""
+    """Least-squares fit of y = a + b x; points: (x, y)."""
     n, sx, sy = len(points), sum(x for x, _ in points), sum(y for _, y in points)
     sxx, sxy = sum(x * x for x, _ in points), sum(x * y for x, y in points)
     det = n * sxx - sx * sx
@@ -85,10 +89,10 @@ def fit(rows):
     """Counts from rows of the series `counts`, case fluid: ranks, particles, halo_fraction, neighbours, messages, kib, collectives."""
     many = [r for r in rows if r["ranks"] > 1]
     if not many:
-        raise ValueError("there are no counts on more than one rank")
+        raise ValueError("no counts on more than one rank: run scripts/bench scaling --only counts")
     c = Counts()
 
-    def miss(layer):  # of the relative error, so that no number of ranks weighs more
+    def miss(layer):  # relative error, so that all numbers of ranks weigh the same
         return sum((ghosts(r["particles"], r["ranks"], layer) / (r["halo_fraction"] * r["particles"] / r["ranks"]) - 1) ** 2 for r in many)
 
     low, high = 0.5, 10.0
@@ -104,14 +108,14 @@ def fit(rows):
 
 
 def step(counts, machine, particles, ranks):
-    """Seconds of a step, by part, and what is sent."""
+    """Seconds of a step by part, and its messages."""
     own = particles / ranks
     around = ghosts(particles, ranks, counts.layer) if ranks > 1 else 0.0
     levels = math.log2(ranks) if ranks > 1 else 0.0
     parts = {"work": own / machine.rate * machine.imbalance, "ghosts": machine.ghost_work * around / machine.rate}
     exchange = counts.messages * neighbours(ranks) * machine.latency + counts.bytes_per_ghost * around / machine.bandwidth
     parts["exchange"] = (1 - machine.overlap) * exchange
-    # a level of the bisection is among half as many ranks as the one before
+    # each level of the bisection halves the number of ranks
     bisection = counts.bisection * levels * (levels + 1) / 2 / machine.partition
     parts["collectives"] = machine.collective * ((counts.collectives + counts.growth * levels) * levels + bisection)
     parts["tables"] = machine.table * ranks / machine.partition if ranks > 1 else 0.0
@@ -119,7 +123,7 @@ def step(counts, machine, particles, ranks):
 
 
 def efficiency(counts, machine, particles, ranks):
-    """Time of one rank with as many particles, alone, over the time of the step."""
+    """Time of a single rank with the same particles per rank, over the time of the step."""
     return particles / ranks / machine.rate / step(counts, machine, particles, ranks)["seconds"]
 
 

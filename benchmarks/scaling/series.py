@@ -1,16 +1,20 @@
 #!/usr/bin/env python3
-"""series.py --csv FILE [--quick] [--cores N] [--only SERIES]: strong and weak series over ranks, copies, an uneven scene, and counts on many ranks.
+"""Scaling study: strong and weak series over ranks, copies, an uneven scene, and counts on many ranks.
+
+series.py --csv FILE [--quick] [--cores N] [--only SERIES]
 
 strong   1M particles on 1 ... N ranks        weak     500k particles a rank on 1 ... N ranks, N: the cores of this machine
 corner   a melting scene with most of the work in one corner, on N ranks
-counts   few particles a rank on up to 64 ranks, many more than there are cores: messages, bytes, collectives; its times mean nothing, and cells are not
-         shared out anew by them: the same counts in every run
-trace    `thaw run --profile` of the melting bust on N ranks: the table to the terminal, the trace beside the CSV file; no line in it
+counts   few particles a rank on up to 64 ranks, more than there are cores: messages, bytes, collectives. Its times are
+         not used, and cells are not redistributed by them, so that every run has the same counts
+trace    `thaw run --profile` of the melting bust on N ranks: the table to the terminal, the trace next to the CSV file;
+         no line in it
 
-The efficiency of P ranks is their rate over that of P independent simulations of one rank each that run at the same time, of as many particles a
-rank: what the machine's shared memory and clock take from copies is not the program's. Both are stepped in turn, ten steps each, in one call; the efficiency
-is the median over these pairs of blocks, so that it bears a machine whose speed changes; of repeated calls the one with the median efficiency counts.
---quick takes about two minutes.
+The efficiency of P ranks is their rate over that of P independent simulations of one rank each that run at
+the same time, with as many particles a rank. It thus leaves out the machine's shared memory and clock. Both
+take steps in turn, ten each, in one call. The efficiency is the median over these pairs of blocks, so that
+changes of the machine's speed cancel. Of repeated calls the one with the median efficiency counts. --quick
+takes about two minutes.
 """
 import argparse
 import csv
@@ -66,7 +70,7 @@ def middle(rows, column):
 
 
 def scaled(bench, series, perRank, steps, warm, repeats, target):
-    """Rows of one series; perRank(ranks): particles of each."""
+    """Rows of one series; perRank(ranks) gives the particles of a rank."""
     rows = []
     for ranks in range(1, bench.cores + 1):
         row = middle([bench.measure(ranks, "fluid", perRank(ranks) * ranks, steps, warm, *(["--copies"] if ranks > 1 else [])) for _ in range(repeats)], "efficiency" if ranks > 1 else "msteps_per_s")
@@ -80,7 +84,7 @@ def scaled(bench, series, perRank, steps, warm, repeats, target):
 
 def corner(bench, particles, steps, repeats):
     rows = []
-    for ranks in sorted({bench.cores, max(4, bench.cores)}):  # imbalance is of work: told by CPU time where ranks share cores
+    for ranks in sorted({bench.cores, max(4, bench.cores)}):  # imbalance is measured in CPU time where ranks share cores
         shared = ranks > bench.cores
         row = middle([bench.measure(ranks, "corner", particles, steps, 100, *(["--cpu-time"] if shared else [])) for _ in range(repeats)], "imbalance")
         row.update(series="corner", clock="cpu" if shared else "wall", repeats=repeats, target_imbalance=1.1, efficiency="", copies_msteps_per_s="")
@@ -95,7 +99,7 @@ def counts(bench, most, perRank, steps):
             row = bench.measure(ranks, case, particles, steps, 25 if case == "corner" else 10, "--counts")
             row.update(series="counts", repeats=1)
             for time in ("ms_step", "ms_step_mean", "ms_work", "ms_wait", "ms_balance", "msteps_per_s", "start_s", "imbalance", "imbalance_worst", "efficiency", "copies_msteps_per_s"):
-                row[time] = ""  # more ranks than cores
+                row[time] = ""  # times mean nothing with more ranks than cores
             rows.append(row)
         ranks *= 2
     return rows
@@ -119,7 +123,7 @@ def main():
     p.add_argument("--csv", required=True)
     p.add_argument("--quick", action="store_true")
     p.add_argument("--cores", type=int, default=len(os.sched_getaffinity(0)))
-    p.add_argument("--only", choices=SERIES, action="append", help="lines of the other series stay as they are in the file")
+    p.add_argument("--only", choices=SERIES, action="append", help="run only this series; lines of the others stay in the file")
     a = p.parse_args()
     wanted = a.only or SERIES
     bench = Bench(a.cores)

@@ -1,15 +1,15 @@
-"""What the scaling study says in the terminal, and the machine that its model stands for."""
+"""Terminal output of the scaling study, and the machine of its model."""
 import model
 
 
 def machineOf(path):
-    """The rate is that of a core beside others that compute as well, as measured; the rest are the model's inputs for a cluster."""
+    """Machine with the measured rate of a core while others compute; the rest are the model's inputs for a cluster."""
     weak = model.read(path, "weak")
     return model.Machine(rate=1e6 * weak[-1]["copies_msteps_per_s"] / weak[-1]["ranks"]) if weak else model.Machine()
 
 
 def summary(path):
-    """For the terminal."""
+    """Lines for the terminal."""
     lines = []
     for series in ("strong", "weak"):
         for r in model.read(path, series):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of model.py: geometry against counting, a fit that finds what made its data, and limits that must hold."""
+"""Tests of model.py: geometry against counting, a fit against its own data, and limits."""
 import itertools
 import math
 import os
@@ -42,12 +42,12 @@ for name in ("layer", "bytes_per_ghost", "messages", "collectives", "growth"):
     close(getattr(found, name), getattr(made, name), 1e-6)
 
 m = model.Machine(imbalance=1.0)
-close(model.step(made, m, 1e6, 1)["seconds"], 1e6 / m.rate)  # alone, nothing but work
+close(model.step(made, m, 1e6, 1)["seconds"], 1e6 / m.rate)  # alone there is only work
 close(model.efficiency(made, m, 1e6, 1), 1.0)
 weak = [model.efficiency(made, m, 1e6 * p, p) for p in (8, 64, 512, 4096, 10000)]
 strong = [model.step(made, m, 1e8, p)["seconds"] for p in (1, 8, 64, 512)]
 assert all(a >= b for a, b in zip(weak, weak[1:])), weak          # more ranks are never more efficient
-assert all(a > b for a, b in zip(strong, strong[1:])), strong     # and faster, while there is work
+assert all(a > b for a, b in zip(strong, strong[1:])), strong     # and faster while there is work
 assert model.step(made, model.Machine(bandwidth=1e7), 1e9, 1000)["seconds"] > model.step(made, model.Machine(), 1e9, 1000)["seconds"]
 try:
     model.fit([rows[0]])

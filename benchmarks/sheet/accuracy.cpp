@@ -15,10 +15,10 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// m q'' + c q' + K q = force(q), per unit; q, v of all degrees of freedom.
+/// m q'' + c q' + K q = force(q), per unit area; q and v hold all degrees of freedom.
 struct System {
   SpringLaw law;
-  std::function<void(const Values& q, Values& f)> force;  ///< without the spring to rest; N/m^2
+  std::function<void(const Values& q, Values& f)> force;  ///< N/m^2, without the spring to the rest position
   double evaluations = 0;
   void operator()(const Values& q, Values& f) { force(q, f), evaluations++; }
 };
@@ -76,8 +76,8 @@ void rungeKutta4(System& s, State& x, double dt, int steps) {
   }
 }
 
-/// Backward Euler, linearised once a step (Baraff & Witkin 1998): conjugate gradients whose products are
-/// differences of forces.
+/// Backward Euler, linearised once a step (Baraff & Witkin 1998). The products of the conjugate gradient
+/// method are differences of forces.
 void implicitEuler(System& s, State& x, double dt, int steps) {
   const std::size_t n = x.q.size();
   const double m = s.law.mass, c = s.law.damping, K = s.law.stiffness, diagonal = m + dt * c + dt * dt * K;
@@ -85,8 +85,8 @@ void implicitEuler(System& s, State& x, double dt, int steps) {
   for (int k = 0; k < steps; k++) {
     for (std::size_t i = 0; i < n; i++) moved[i] = x.q[i] + dt * x.v[i];
     s(x.q, f);
-    // (diagonal - dt^2 dF/dq) u = m v + dt (F(q + dt v) - K q) + ..., u the new velocity; start from the old
-    // one
+    // (diagonal - dt^2 dF/dq) u = m v + dt (F(q + dt v) - K q) + ..., with u the new velocity, starting from
+    // the old one
     s(moved, g);
     double rr = 0, first = 0;
     u = x.v;
@@ -129,7 +129,7 @@ constexpr Method methods[] = {{"exact step", exact},
                               {"RK4", rungeKutta4},
                               {"implicit Euler", implicitEuler}};
 
-/// Root of the mean square of the places' errors, over that of the places.
+/// Root mean square error of the positions, relative to the positions.
 double errorOf(const State& x, const State& reference) {
   double e = 0, all = 0;
   for (std::size_t i = 0; i < x.q.size(); i++) {
@@ -150,7 +150,7 @@ void compare(const char* what, System& s, const State& start, const State& refer
       m.run(s, x, end / n, n);
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
                    error = errorOf(x, reference);
-      if (!std::isfinite(error) || error > 10) continue;  // not stable
+      if (!std::isfinite(error) || error > 10) continue;  // unstable
       std::printf("%-18s %8d %12.0f %12.3e %12.3e\n", m.name, n, s.evaluations, seconds, error);
       out.line("accuracy", what, m.name, n, s.evaluations, seconds, error, "1");
     }
@@ -162,7 +162,7 @@ void oscillator(const Out& out) {
   System s{{1, 0.4, 40}, [](const Values&, Values& f) { f[0] = 7; }};
   const State start{{0.3}, {-1}};
   const double end = 10 * 2 * 3.14159265358979323846 / std::sqrt(40 - 0.04);
-  // exact, in closed form
+  // closed-form solution
   const double a = 0.2, w = std::sqrt(40 - a * a), q0 = 7.0 / 40, z = start.q[0] - q0,
                b = (start.v[0] + a * z) / w;
   const State reference{{q0 + std::exp(-a * end) * (z * std::cos(w * end) + b * std::sin(w * end))}, {0}};
@@ -209,7 +209,7 @@ void head(const Out& out) {
              for (std::size_t v = 0; v < n; v++)
                for (int c = 0; c < 3; c++) f[3 * v + static_cast<std::size_t>(c)] = sum[v][c] / t.area[v];
            }};
-  // let go from a press on its top
+  // starts from a press on its top
   State start{Values(3 * n, 0), Values(3 * n, 0)};
   for (std::size_t v = 0; v < n; v++) {
     const double r = length(mesh.vertices[v] - Vec3d{0, 0.03, 0.13}) / 0.11;

@@ -20,7 +20,7 @@ bool bandwidth(std::size_t n, const Out& out) {
     load[i] = {0.1, 0.2, 0.3};
   }
   const VertexMap map = vertexMap({1, 0.1, 40}, 1e-3);
-  // the update reads 4 vectors and writes 2 of a vertex; the copy reads 3 and writes 3: 144 bytes each
+  // The update reads 4 and writes 2 vectors per vertex. The copy reads and writes 3. Both move 144 bytes.
   const double bytes = 144.0 * static_cast<double>(n);
   AlignedVector<double> from(9 * n, 1.0), to(9 * n, 0.0);
   double update = 1e9, copy = 1e9;
@@ -30,7 +30,7 @@ bool bandwidth(std::size_t n, const Out& out) {
     const auto middle = Clock::now();
     const double* a = from.data();
     double* b = to.data();
-    // an add, so that no library copies past the caches
+    // an addition, so that no library copies past the caches
     for (std::size_t i = 0; i < 9 * n; i++) b[i] = a[i] + static_cast<double>(k);
     const auto end = Clock::now();
     update = std::min(update, std::chrono::duration<double>(middle - start).count());
@@ -39,7 +39,7 @@ bool bandwidth(std::size_t n, const Out& out) {
   const double share = copy / update;
   std::printf(
       "vertex update   %6.2f GB/s   %.2f ns a vertex\ncopy            %6.2f GB/s   (%.4g)\nshare           "
-      "%6.1f %%      target: 120 %% (twice the 60 that were first asked for), %zu vertices\n",
+      "%6.1f %%      target: 120 %%, %zu vertices\n",
       bytes / update / 1e9, 1e9 * update / static_cast<double>(n), bytes / copy / 1e9, to[n], 100 * share, n);
   out.line("bandwidth", "vertices", "update", 1, static_cast<double>(n), update, bytes / update / 1e9,
            "GB/s");

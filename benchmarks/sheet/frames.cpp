@@ -13,16 +13,16 @@ namespace {
 
 struct Frames {
   std::size_t vertices = 0;
-  double perSecond = 0, steps = 0;                       ///< frames a second; steps of one
-  double motion = 0, forces = 0, contact = 0, rest = 0;  ///< ns a vertex and step
+  double perSecond = 0, steps = 0;                       ///< frames per second; steps per frame
+  double motion = 0, forces = 0, contact = 0, rest = 0;  ///< ns per vertex and step
 };
 
-/// Frames of 1/25 s a second, without output, in about `budget` s.
+/// Rate of frames of 1/25 s without output, measured for about `budget` s.
 Frames framesPerSecond(const std::string& scene, double spacing, double budget) {
   using Clock = std::chrono::steady_clock;
   Scene s = readScene(std::string(THAW_BENCHMARK_FOLDER) + "/../../scenes/sheet/" + scene + ".toml", {});
   s.sheets[0].spacing = spacing;
-  s.sheets[0].selfContact = false;  // nothing says that the paper's membrane had any
+  s.sheets[0].selfContact = false;  // the paper does not state self-contact for the membrane
   s.spacing = 0.5 * spacing;
   s.output.every = 0.04;
   test::Simulation sim(s);
@@ -51,8 +51,8 @@ Frames framesPerSecond(const std::string& scene, double spacing, double budget) 
 }  // namespace
 
 void frames(std::size_t large, const Out& out) {
-  // The paper gives no numbers of vertices. 2500 for a head of polygons and 1500 for the membrane are what
-  // its pictures may have had. vertices * spacing^2; target: twice the paper's frames
+  // The paper gives no numbers of vertices. 2500 for the polygonal head and 1500 for the membrane are
+  // estimates from its pictures. Fields: vertices * spacing^2; target: twice the paper's frames.
   struct Case {
     const char *scene, *paper;
     double target, vertices, perSpacing;
@@ -60,7 +60,7 @@ void frames(std::size_t large, const Out& out) {
   const Case cases[] = {{"head", "3 (SGI Indigo-2)", 6, 2500, 7842 * 0.004 * 0.004},
                         {"jack", "1.5 to 2.4 (SGI Indigo-2)", 4.8, 1500, 14442 * 0.005 * 0.005}};
   std::printf("\n%-6s %10s %10s %8s %12s   %-44s  %s\n", "scene", "vertices", "frames/s", "target",
-              "steps/frame", "ns a vertex and step: motion, forces, contact, rest", "the paper's frames/s");
+              "steps/frame", "ns per vertex and step: motion, forces, contact, rest", "the paper's frames/s");
   for (const Case& c : cases)
     for (const double n : {c.vertices, static_cast<double>(large)}) {
       const bool small = n == c.vertices;

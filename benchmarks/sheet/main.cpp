@@ -1,10 +1,10 @@
-// Sheets (DS): the vertex update beside a copy of the same bytes, frames a second of the head and the
-// membrane beside the paper's, and error against cost of the exact step, symplectic Euler, RK4 and implicit
-// Euler on an oscillator and on the head.
+// Sheets (DS): the vertex update against a copy of the same bytes, frames per second of the head and the
+// membrane against the paper, and error against cost of the exact step, symplectic Euler, RK4 and implicit
+// Euler on an oscillator and the head.
 //   scripts/bench sheet [--vertices 2000000] [--large 1000000] [--csv FILE] [--only
 //   bandwidth|frames|accuracy]
-// Lines of the CSV: test,case,method,steps,evaluations,seconds,value,unit. Of frames a second come the phases
-// of a step, too. Fails (exit 1) where the update has less than 120 % of the copy.
+// Lines of the CSV file: test,case,method,steps,evaluations,seconds,value,unit. Frames also give the phases
+// of a step. Exits with 1 if the update has less than 120 % of the copy's rate.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -29,10 +29,10 @@ int main(int argc, char** argv) {
       else if (key == "--large") large = countOf(key, argv[k + 1], 1000, 1000000000);
       else if (key == "--csv") csv = argv[k + 1];
       else if (key == "--only") oneOf(key, only = argv[k + 1], {"bandwidth", "frames", "accuracy"});
-      else throw std::invalid_argument("there is no option " + key);
+      else throw std::invalid_argument("unknown option " + key);
     } catch (const std::invalid_argument& e) { return std::fprintf(stderr, "sheet: %s\n", e.what()), 2; }
   std::FILE* file = csv.empty() ? nullptr : std::fopen(csv.c_str(), "w");
-  if (!csv.empty() && !file) return std::fprintf(stderr, "sheet: %s cannot be written\n", csv.c_str()), 2;
+  if (!csv.empty() && !file) return std::fprintf(stderr, "sheet: cannot write %s\n", csv.c_str()), 2;
   if (file) std::fprintf(file, "test,case,method,steps,evaluations,seconds,value,unit\n");
   const Out out{file};
   bool good = true;

@@ -1,4 +1,4 @@
-// What the benchmark of sheets measures.
+// Measurements of the sheet benchmark.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace thaw::bench {
 
-/// The CSV file; nullptr: none.
+/// The CSV file; nullptr for none.
 struct Out {
   std::FILE* file = nullptr;
   void line(const char* test, const char* what, const char* method, std::int64_t steps, double evaluations,
@@ -17,18 +17,18 @@ struct Out {
   }
 };
 
-/// The vertex update beside a copy of as many bytes, best of several each, taken in turn. True: at least 60 %
-/// of the copy's speed.
+/// The vertex update against a copy of as many bytes: best of several runs each, in turn. Returns true above
+/// the target.
 bool bandwidth(std::size_t vertices, const Out& out);
 
-/// Frames (of 1/25 s) a second of scenes/sheet/head and jack, at the sizes taken for the paper's and at
+/// Frames of 1/25 s per second of scenes/sheet/head and jack, at the estimated sizes of the paper and at
 /// `large` vertices.
 void frames(std::size_t large, const Out& out);
 
 /// Error against cost over ten periods of a damped oscillator under a constant force.
 void oscillator(const Out& out);
 
-/// The same of the head, with springs along its edges and pressure of its volume, over its first tenth of a
+/// Error against cost of the head with springs along its edges and volume pressure, over the first tenth of a
 /// second after a press.
 void head(const Out& out);
 

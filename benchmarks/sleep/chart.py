@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""chart.py CSV PICTURE: time of a step by the share that sleeps."""
+"""chart.py CSV PICTURE: time of a step over the fraction of sleeping particles."""
 import csv
 import sys
 
@@ -15,7 +15,7 @@ figure, axes = pyplot.subplots(figsize=(6, 4), layout="constrained")
 axes.plot(share, [1000 * float(r["us_per_particle_awake"]) for r in rows], "o-", label="without sleep")
 axes.plot(share, [1000 * float(r["us_per_particle_sleep"]) for r in rows], "s-", label="with sleep")
 axes.set_xlabel("particles asleep in the end (%)")
-axes.set_ylabel("ns a particle and step")
+axes.set_ylabel("ns per particle and step")
 axes.set_ylim(bottom=0)
 axes.legend()
 figure.savefig(sys.argv[2], dpi=110)

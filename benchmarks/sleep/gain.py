@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""What sleep is worth: the time of a step by the share of particles that sleep, on one core.
+"""Gain of sleep: the time of a step over the fraction of sleeping particles, on one core.
 
   scripts/bench sleep [--across 20] [--steps 100] [--repeats 3]
 
-Ten elastic blocks of ACROSS^3 particles; ten, five, two, one or none of them drift, the others rest. Each case runs with sleep and without, in turn;
-the median of the repeats counts. Time a step is that of all phases but set-up, frames and checkpoint, over the steps.
+Ten elastic blocks of ACROSS^3 particles; ten, five, two, one or none of them drift, the others rest. Each
+case runs with and without sleep, in turn; the median of the repeats counts. The time of a step covers all
+phases except set-up, frames and checkpoint.
 """
 import argparse
 import csv

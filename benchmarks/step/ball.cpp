@@ -49,7 +49,7 @@ void write(const std::string& path) {
     }
     face(corners - 1, at(rings - 1, s + 1), at(rings - 1, s));
   }
-  if (!file.flush()) throw std::runtime_error(path + ": the ball of the case 'mesh' cannot be written");
+  if (!file.flush()) throw std::runtime_error(path + ": cannot write the ball of the case 'mesh'");
 }
 
 }  // namespace

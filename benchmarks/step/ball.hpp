@@ -1,4 +1,4 @@
-// A ball as a file of triangles, for the set-up of bodies that are meshes.
+// A ball as a triangle file, for the set-up of mesh bodies.
 #pragma once
 #include <string>
 
@@ -6,9 +6,9 @@
 
 namespace thaw::bench {
 
-/// A binary PLY file of a ball of radius 1 with 99,904 triangles in the folder for temporary files, written
-/// by the first rank and removed at the end of its life. Collective, both. Throws std::runtime_error, on the
-/// first rank, where it cannot be written.
+/// A binary PLY file of a ball of radius 1 with 99,904 triangles in the folder for temporary files. The first
+/// rank writes it; the destructor removes it. Both are collective. Throws std::runtime_error on the first
+/// rank if the file cannot be written.
 class BallFile {
  public:
   explicit BallFile(const Communicator& comm);

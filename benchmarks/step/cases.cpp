@@ -19,7 +19,7 @@ Scene sceneOf(const Case& c, const std::string& ball) {
   s.domain.gravity = {};
   s.output.every = 0;
   s.end = 1e9;
-  s.numerics.fixedStep = 3e-6;  // ... but so short a time that the jittered block does not fly apart
+  s.numerics.fixedStep = 3e-6;  // short enough that the jittered block does not fly apart
   Material m;
   m.name = "stuff";
   m.soundSpeed = 10;
@@ -30,14 +30,14 @@ Scene sceneOf(const Case& c, const std::string& ball) {
   b.name = "block";
   b.shape.size = {L, L, L};
   b.shape.move = {0.5 * L, 0.5 * L, 0.5 * L};
-  b.velocity = {60, 40, 25};  // one particle in fifty changes its cell in a step, as in a flow at a tenth of
-                              // the speed of sound ...
+  b.velocity = {60, 40, 25};  // one particle in fifty changes its cell per step, as in a flow at a tenth of
+                              // the speed of sound
   if (c.kind == Kind::Mesh) {
     b.shape.kind = ShapeKind::Mesh;
     b.shape.mesh = ball;
     b.shape.scale = std::cbrt(static_cast<double>(c.particles) * 3 / (4 * std::numbers::pi)) * s.spacing;
   }
-  if (c.kind == Kind::Carried) {  // as scene files have liquids by default
+  if (c.kind == Kind::Carried) {  // the default of scene files for liquids
     s.numerics.density = DensityForm::Continuity;
     s.numerics.tensileLimit = 1;
     s.numerics.shifting = 0.07;

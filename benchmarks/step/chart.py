@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Prints the rows of the step benchmark beside their targets and charts them: chart.py FILE.csv PICTURE.png. PICTURE.md beside the picture is the same as a table. Of many rows the chart shows those with 33 neighbours in single precision."""
+"""Prints the rows of the step benchmark with their targets and charts them: chart.py FILE.csv PICTURE.png.
+
+PICTURE.md holds the same table. With many rows the chart shows those with 33 neighbours in single precision.
+"""
 import csv
 import os
 import sys
@@ -24,7 +27,7 @@ def label(r):
 
 
 def show(rows):
-    print(f"{'':44s}  M/s/core  yardsticks  excellent  limit   bytes (target)   moved GB/s of copy  set-up steps (20)  held back by")
+    print(f"{'':44s}  M/s/core       ratio     target  limit   bytes (target)   moved GB/s of copy  set-up steps (20)  limited by")
     for r in rows:
         goal = f"{number(r['target_ratio']):9.2f} {number(r['limit_ratio']):6.2f}" if r["target_ratio"] else f"{'-':>9s} {'-':>6s}"
         memory = f"{float(r['bytes_per_particle']):6.0f} ({r['target_bytes_per_particle'] or '-':>4s})"
@@ -37,7 +40,7 @@ def nominal(r):
 
 
 def table(rows, path):
-    """The same as a table, a row for all numbers of ranks; bold: excellent is reached."""
+    """Writes a Markdown table with a row for all numbers of ranks; bold: the target is reached."""
     ranks = sorted({int(r["ranks"]) for r in rows})
     cases = {}
     for r in rows:
@@ -57,7 +60,7 @@ def table(rows, path):
 
     heads = " / ".join(str(p) for p in ranks)
     with open(path, "w", encoding="utf-8") as out:
-        out.write(f"| case, precision, neighbours | particles | M/s and core on {heads} ranks | times the scalar code | excellent | limit | bytes a particle | set-up, steps | held back by |\n|---|---|---|---|---|---|---|---|---|\n")
+        out.write(f"| case, precision, neighbours | particles | M/s and core on {heads} ranks | times the scalar code | target | limit | bytes a particle | set-up, steps | held back by |\n|---|---|---|---|---|---|---|---|---|\n")
         for (case, particles), row in cases.items():
             first = row[min(row)]
             goal = f"{number(first['target_ratio']):.2f} | {number(first['limit_ratio']):.1f}" if first["target_ratio"] else " | "
@@ -66,28 +69,28 @@ def table(rows, path):
 
 
 def draw(rows, picture):
-    if len(rows) > 45:  # the table has them all
+    if len(rows) > 45:  # the table has all rows
         rows = [r for r in rows if nominal(r) == 33 and r["precision"] == "single" and r["case"] != "mesh"]
     figure, axes = plt.subplots(1, 3, figsize=(15, 1.2 + 0.27 * len(rows)), sharey=True)
     at = range(len(rows))
     axes[0].barh(at, [number(r["ratio"]) for r in rows], color="#3b6ea5")
-    for column, colour, name in (("target_ratio", "#c0392b", "excellent"), ("limit_ratio", "#555555", "limit of the prototypes")):
+    for column, colour, name in (("target_ratio", "#c0392b", "target"), ("limit_ratio", "#555555", "limit of the prototypes")):
         marks = [(number(r[column]), i) for i, r in enumerate(rows) if r[column]]
         if marks:
             axes[0].plot([m for m, _ in marks], [i for _, i in marks], "|", color=colour, markersize=11, markeredgewidth=2, label=name)
             axes[0].legend(fontsize=7, loc="lower right")
-    axes[0].set_title("times the scalar code beside it", fontsize=9)
+    axes[0].set_title("times the scalar code", fontsize=9)
     left = [0.0] * len(rows)
     for k, phase in enumerate(PHASES):
         values = [float(r["ns_" + phase]) for r in rows]
         axes[1].barh(at, values, left=left, label=phase, color=plt.get_cmap("tab10")(k))
         left = [a + b for a, b in zip(left, values)]
-    axes[1].legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.03), ncols=len(PHASES), columnspacing=0.8, handlelength=1)  # no bar is behind it
-    axes[1].set_title("ns a particle, step and core", fontsize=9)
+    axes[1].legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.03), ncols=len(PHASES), columnspacing=0.8, handlelength=1)  # outside of the bars
+    axes[1].set_title("ns per particle, step and core", fontsize=9)
     axes[2].barh(at, [float(r["bytes_per_particle"]) for r in rows], color="#7a9e6f")
     marks = [(number(r["target_bytes_per_particle"]), i) for i, r in enumerate(rows) if r["target_bytes_per_particle"]]
     axes[2].plot([m for m, _ in marks], [i for _, i in marks], "|", color="#c0392b", markersize=11, markeredgewidth=2)
-    axes[2].set_title("bytes a particle", fontsize=9)
+    axes[2].set_title("bytes per particle", fontsize=9)
     axes[0].set_yticks(list(at), [label(r) for r in rows], fontsize=7)
     axes[0].margins(y=0.01)
     axes[0].invert_yaxis()

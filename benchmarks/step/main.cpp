@@ -1,12 +1,12 @@
-// step: particle-steps a second and core of whole steps, MPI, halos and all, on the ranks it is started with;
-// benchmarks/step/run starts it on 1, 2 and 4. default: as scenes have it where they say nothing, sums over
-// neighbours in single precision and bonds in double.
+// step: particle-steps per second and core of whole steps, with MPI and halos, on the ranks of the launch.
+// benchmarks/step/run starts it on 1, 2 and 4. `default` is the precision of scenes: sums over neighbours in
+// single, bonds in double.
 //   step [--cases fluid,heat,elastic,mixed,mesh,carried] [--precisions single,double,default]
 //   [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1]
 //   [--memory 1]
-// Beside each case, in turn with it and on as many ranks, runs a plain scalar neighbour-list code
-// (yardstick): the ratio means the same on any machine, and on a busy one. Rows come with the bytes that a
-// step moves and what a copy moves in the same time.
+// A plain scalar neighbour-list code (yardstick) runs in turn with each case on as many ranks, so that the
+// ratio does not depend on the machine or its load. Rows also have the bytes that a step moves, and those of
+// a copy in the same time.
 #include <malloc.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ double mostOf(const Communicator& comm, double mine) {
   return all;
 }
 
-/// Bytes of memory that this process has now.
+/// Resident memory of this process, in bytes.
 double residentBytes() {
   std::ifstream file("/proc/self/statm");
   double pages = 0, resident = 0;
@@ -60,8 +60,8 @@ double residentBytes() {
   return resident * 4096;
 }
 
-/// Off the lattice by up to a tenth of a spacing along each axis, and the block turned by one radian about
-/// (1, 2, 2): no row of particles changes its cells all at once.
+/// Moves particles by up to a tenth of a spacing along each axis and turns the block by one radian about (1,
+/// 2, 2), so that no row of particles changes cells at once.
 void jitter(Continuum& p, const Scene& scene) {
   const Vec3d axis{1.0 / 3, 2.0 / 3, 2.0 / 3}, centre = scene.bodies[0].shape.move;
   for (std::size_t i = 0; i < p.owned; i++) {
@@ -74,7 +74,7 @@ void jitter(Continuum& p, const Scene& scene) {
   }
 }
 
-/// Bytes a second and rank that a copy reads and writes, all ranks at once.
+/// Bytes per second and rank that a copy reads and writes on all ranks at once.
 double copySpeed(const Communicator& comm) {
   const std::size_t n = 16 << 20;  // four times the largest caches
   std::vector<double> from(n, 1), to(n, 0);
@@ -89,8 +89,8 @@ double copySpeed(const Communicator& comm) {
   return median(speed);
 }
 
-/// Bytes that a step has to move at least, by what there is: lists and records are written once and read by
-/// two loops, bonds are read by two, particles and slots are read and written.
+/// Minimum number of bytes that a step moves. Neighbour lists and pair records are written once and read
+/// twice, bonds are read twice, particles and slots are read and written.
 double bytesMoved(const Rig& rig) {
   double sum = 0;
   for (const MemoryUse& u : memoryOf(rig.w, rig.tools)) {
@@ -102,20 +102,20 @@ double bytesMoved(const Rig& rig) {
 
 struct Options {
   std::vector<Kind> kinds{Kind::Fluid, Kind::Heat, Kind::Elastic, Kind::Mixed};
-  /// of sums over neighbours, of bonds
+  /// precisions of sums over neighbours and of bonds
   std::vector<std::pair<Precision, Precision>> precisions{{Precision::Single, Precision::Single}};
   std::vector<double> supports{support33};
   std::vector<std::size_t> sizes{100000};
   int repeat = 7;
-  double seconds = 0.6;  ///< of steps between two looks at the yardstick
+  double seconds = 0.6;  ///< seconds of steps between two measurements of the scalar code
   const char* csv = nullptr;
   bool append = false, memory = false, help = false;
 };
 
-/// The phase that stands furthest above its limit where the prototypes' phases are known (forces with
-/// leap-frog), else the one with most time.
+/// The phase furthest above its limit where the prototypes' phases are known (forces include leap-frog), else
+/// the longest phase.
 std::string heldBackBy(const Case& c, const PhaseTimes& t, double perNs, double yardNs, bool atLimit) {
-  if (atLimit) return "nothing: at the limit";
+  if (atLimit) return "none: at the limit";
   const std::vector<double> limits = limitPhases(c);
   std::string most;
   double worst = 0;
@@ -136,7 +136,7 @@ std::string heldBackBy(const Case& c, const PhaseTimes& t, double perNs, double 
 }
 
 void measure(const Communicator& comm, const Case& c, const Options& o, const std::string& ball, FILE* out) {
-  malloc_trim(0);  // what the case before has left
+  malloc_trim(0);  // frees the memory of the case before
   const double before = residentBytes();
   const auto setUp = Watch::now();
   const Scene scene = sceneOf(c, ball);
@@ -162,7 +162,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   for (int r = 0; r < o.repeat; r++, done += some) {
     total.push_back(steps(some));
     MPI_Barrier(comm.handle());
-    yardstickStep(block, yardstick);  // its data is in the caches in the next one, as ours is
+    yardstickStep(block, yardstick);  // fills the caches, as the measured steps do
     yard.push_back(mostOf(comm, yardstickStep(block, yardstick)) /
                    static_cast<double>(block.particles.owned));
     ratio.push_back(yard.back() / (total.back() * ranks / N));
@@ -174,7 +174,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   std::vector<MemoryUse> use = memoryOf(rig.w, rig.tools);
   for (MemoryUse& u : use) u.bytes = sumOver(comm, u.bytes);
   const double accounted = messages + totalBytes(use), moved = sumOver(comm, bytesMoved(rig));
-  const double copied = copySpeed(comm);  // of the first rank
+  const double copied = copySpeed(comm);  // bytes/s of the first rank
   double neighbours = 0;
   for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && !isElastic(c.kind); i++)
     neighbours += rig.w.neighbours.neighbours[i];
@@ -185,11 +185,11 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
                most = mostOf(comm, static_cast<double>(rig.w.particles.owned));
   if (comm.rank() != 0) return;
   if (o.memory) {
-    std::fprintf(stderr, "  %.3f ghosts a particle, the fullest rank has %.3f of the mean\n", ghosts / N,
+    std::fprintf(stderr, "  %.3f ghosts per particle, the fullest rank has %.3f of the mean\n", ghosts / N,
                  most * ranks / N);
     for (const MemoryUse& u : use)
-      if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", u.what, u.bytes / N);
-    std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", "messages", messages / N);
+      if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes per particle\n", u.what, u.bytes / N);
+    std::fprintf(stderr, "  %-20s %6.0f bytes per particle\n", "messages", messages / N);
   }
   const Targets goal = targetsOf(c, std::strcmp(rig.tools.kernels->name, "avx512") == 0);
   const double perNs = 1e9 * ranks / (N * done), rate = N / (median(total) * ranks) / 1e6;
@@ -245,7 +245,7 @@ Options optionsOf(int argc, char** argv) {
     const std::string key = argv[a];
     o.help = o.help || key == "--help" || key == "-h";
     if (o.help) return o;
-    if (a + 1 == argc) throw std::invalid_argument(key + ": expected a value behind it");
+    if (a + 1 == argc) throw std::invalid_argument(key + ": expected a value");
     const std::string value = argv[a + 1];
     if (key == "--cases")
       o.kinds = listOf<Kind>(value, [&](const std::string& name) {
@@ -267,7 +267,7 @@ Options optionsOf(int argc, char** argv) {
     else if (key == "--csv") o.csv = argv[a + 1];
     else if (key == "--append") o.append = oneOf(key, value, {"0", "1"}) == 1;
     else if (key == "--memory") o.memory = oneOf(key, value, {"0", "1"}) == 1;
-    else throw std::invalid_argument("there is no option " + key);
+    else throw std::invalid_argument("unknown option " + key);
   }
   return o;
 }

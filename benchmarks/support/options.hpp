@@ -1,5 +1,5 @@
-// Values of a benchmark's options. One that cannot be is refused (std::invalid_argument with what was
-// expected): a benchmark that measures something else than it was asked for is worse than none.
+// Values of a benchmark's options. Throws std::invalid_argument with the expected range for an invalid value,
+// so that no benchmark measures something else than its options state.
 #pragma once
 #include <cstddef>
 #include <cstdio>
@@ -31,7 +31,7 @@ inline std::size_t countOf(const std::string& key, const std::string& text, std:
   return x;
 }
 
-/// The place of `text` among `names`.
+/// Index of `text` in `names`.
 inline std::size_t oneOf(const std::string& key, const std::string& text,
                          std::initializer_list<const char*> names) {
   std::string all;

@@ -1,4 +1,4 @@
-// A scene on the ranks of a communicator, as a run has it but without files.
+// A scene on the ranks of a communicator, set up as in a run but without files.
 #pragma once
 #include <memory>
 
@@ -17,8 +17,8 @@ struct Rig {
   MpiBondHalo bonds;
   WorkMeter meter;
 
-  /// change: what is done to the particles before forces are found for the first time; bonds form there.
-  /// load: for scenes with meshes.
+  /// `change` acts on the particles before bonds form and the first forces are computed. `load` reads the
+  /// meshes of scenes.
   template<class Change>
   Rig(const Communicator& comm, const Scene& scene, Change change, const MeshLoader& load = {})
       : all(comm), bonds(comm) {
@@ -32,19 +32,18 @@ struct Rig {
   }
   Halos halos() { return {all, *cells, bonds}; }
 
-  /// Some steps and looks at the balance, so that what is timed then has its cells where a run of some length
-  /// has them.
+  /// Takes some steps with balance checks, so that cells are distributed as in a longer run.
   void settle() {
     if (all.size() == 1) return;
     meter.seconds = tools.times.seconds;
-    for (int look = 0; look < 8; look++) {  // twice: after a new partition three looks are let go by
+    for (int look = 0; look < 8; look++) {  // twice, since three checks after a new partition are skipped
       for (int k = 0; k < 3; k++) thaw::step(w, halos(), tools, {});
       balance(w, *cells, tools, meter);
     }
-    thaw::step(w, halos(), tools, {});  // particles go to their ranks
+    thaw::step(w, halos(), tools, {});  // particles migrate to their ranks
   }
 
-  /// One step, with a look at the balance as often as a run has it.
+  /// Takes one step, with balance checks as often as a run has them.
   StepOutcome step() {
     const StepOutcome o = thaw::step(w, halos(), tools, {});
     if (w.clock.step % 25 == 0) balance(w, *cells, tools, meter);

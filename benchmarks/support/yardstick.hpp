@@ -1,6 +1,5 @@
-// The yardstick: a plain fluid step on scalar neighbour lists in double, as most codes have it (cell lists,
-// one list of neighbours a particle, no vector code), with the same physics as the fluid step of the
-// benchmark.
+// Reference for the step benchmark: a plain fluid step on scalar neighbour lists in double precision (cell
+// lists, one neighbour list per particle, no vector code) with the same physics.
 #pragma once
 #include <chrono>
 #include <vector>
@@ -10,15 +9,14 @@
 
 namespace thaw::bench {
 
-/// Its arrays, kept from step to step as such a code does: else the system gives it new pages in each, which
-/// take a fifth of the step.
+/// Arrays that persist between steps. New pages in each step would take a fifth of it.
 struct Yardstick {
   std::vector<std::uint32_t> list, first, cellStart;
   std::vector<double> filling, term, heat;
   std::vector<Vec3d> force, position, velocity;
 };
 
-/// Seconds of one step on the block's particles; results go to arrays of its own.
+/// Takes one step on the block's particles, writes to its own arrays, and returns the seconds it took.
 inline double yardstickStep(const test::Block& b, Yardstick& y) {
   using Kernel = isa_base::WendlandC2;
   const Continuum& p = b.particles;
@@ -30,7 +28,7 @@ inline double yardstickStep(const test::Block& b, Yardstick& y) {
   for (auto* v : {&filling, &term, &heat}) v->resize(n);
   for (auto* v : {&force, &position, &velocity}) v->resize(n);
   const auto start = std::chrono::steady_clock::now();
-  // particles are sorted by cell already; dense table of cells
+  // particles are already sorted by cell; a dense table of cells
   const Vec3i c = b.grid.cells;
   list.clear();
   cellStart.assign(static_cast<std::size_t>(c.x) * c.y * c.z + 1, 0);

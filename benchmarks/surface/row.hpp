@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Figures that a case does not have are 0, and empty in the table.
+/// Figures that a case does not have are 0 here and empty in the table.
 struct SurfaceRow {
   std::string name;
   double particles = 0, surfels = 0, aroundParticles = 0, aroundSurfels = 0;
@@ -22,7 +22,7 @@ struct SurfaceRow {
 void printHead(FILE* out);
 void print(FILE* out, const SurfaceRow& row);
 
-/// ns a surfel and iteration, by phase, and surfels a second.
+/// Sets ns per surfel and iteration, by phase, and surfels per second.
 void fillPhases(SurfaceRow& row, const RelaxTimes& times);
 
 }  // namespace thaw

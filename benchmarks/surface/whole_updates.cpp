@@ -22,7 +22,7 @@ double smoothStep(double x) {
   return x * x * (3 - 2 * x);
 }
 
-/// The next state of the particles, by `step` (m) at most.
+/// Advances the particles by at most `step` (m).
 void deform(World& w, bool molten, double bottom, double height, double step) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++) {
@@ -42,7 +42,7 @@ void deform(World& w, bool molten, double bottom, double height, double step) {
 }  // namespace
 
 WholeUpdates wholeUpdates(bool molten, double surfels, double support, std::int64_t updates) {
-  // 5.5 mm gives 60,000 surfels
+  // a spacing of 5.5 mm gives 60,000 surfels
   const double spacing = 0.0055 * std::sqrt(60000 / surfels);
   World w;
   w.scene = readScene(

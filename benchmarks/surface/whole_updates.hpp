@@ -6,19 +6,18 @@ namespace thaw {
 
 struct WholeUpdates {
   double particles = 0, surfels = 0, surfelNeighbours = 0;
-  double seconds = 0, worst = 0;        ///< of processor time: mean of an update, and the longest one
-  double startSeconds = 0;              ///< of startSurface
-  double phase[8]{};                    ///< s an update, wall-clock, by SurfacePhase
-  double iterations = 0, finished = 0;  ///< mean number, and the share of the updates that reached the local
-                                        ///< stop
+  double seconds = 0, worst = 0;        ///< processor time (s): mean and maximum of an update
+  double startSeconds = 0;              ///< processor time (s) of startSurface
+  double phase[8]{};                    ///< s per update, wall clock, by SurfacePhase
+  double iterations = 0, finished = 0;  ///< mean number; fraction of updates that reached the local stop
   std::int64_t updates = 0;
 };
 
-/// `updates` updates of the scene's 4,000 particles with about `surfels` surfels, after three that are not
-/// counted. Solid: the bust turns by 1/50 of a turn and falls between updates. Molten: it is liquid below .6
-/// of its height, in part up to .7, and sinks and spreads there, by at most a quarter of a support radius
-/// between updates: a flow that keeps volume, x' = x/2, y' = y/2, z' = -z, times a smooth factor. support:
-/// h_ss over the spacing of surfels (SurfaceSettings::support).
+/// Runs `updates` updates of the scene's 4,000 particles with about `surfels` surfels, after three uncounted
+/// ones. Solid: the bust turns by 1/50 of a turn and falls between updates. Molten: it is liquid below 0.6 of
+/// its height and partly liquid up to 0.7, and sinks and spreads there. The flow conserves volume, x' = x/2,
+/// y' = y/2, z' = -z, times a smooth factor, and moves at most a quarter of a support radius between updates.
+/// support: h_ss over the spacing of surfels (SurfaceSettings::support).
 WholeUpdates wholeUpdates(bool molten, double surfels, double support, std::int64_t updates);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Seconds of wall clock for a simulated second against the error, a mark a solver: chart.py FILE.csv PICTURE.png"""
+"""Wall-clock seconds per simulated second against the error, one mark per solver: chart.py FILE.csv PICTURE.png"""
 import csv
 import sys
 
@@ -27,7 +27,7 @@ for axis, problem in zip(axes[0], problems):
         axis.axvline(x, color="#555555", linestyle=style, linewidth=1)
         axis.text(x, axis.get_ylim()[1], name, fontsize=7, rotation=90, va="top", ha="right")
     axis.set_xscale("log")
-    axis.set_xlabel("s of wall clock for a simulated second", fontsize=8)
+    axis.set_xlabel("wall-clock s per simulated second", fontsize=8)
     axis.set_ylabel("error, %", fontsize=8)
     axis.set_ylim(bottom=0)
     axis.set_title(problem, fontsize=9)

@@ -1,9 +1,9 @@
-// time_to_solution: seconds of wall clock for a simulated second of two problems, with each of thaw's
-// solvers, and the error beside them.
+// time_to_solution: wall-clock seconds per simulated second, and the error, of two problems with each of
+// thaw's solvers.
 //   mpirun -n 4 time_to_solution [--only cube|beam] [--end 1] [--csv FILE] [--reference 1]
-// cube.toml: the front of the water against that of a run with half the spacing, which is in front.csv;
-// --reference 1 runs it and writes it anew (10 minutes and more). beam.toml: half of the lowest place of the
-// tip in the first swing against the deflection of a Timoshenko beam at rest.
+// cube.toml: the front of the water against that of a run with half the spacing (front.csv). --reference 1
+// runs that reference and writes the file (10 minutes and more). beam.toml: half of the lowest tip position
+// in the first swing against the deflection of a Timoshenko beam at rest.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -23,7 +23,7 @@ using namespace thaw;
 using namespace thaw::bench;
 
 const std::string folder = THAW_BENCHMARK_FOLDER;
-constexpr double sample = 0.01;  // s, of simulated time between two looks
+constexpr double sample = 0.01;  // s of simulated time between samples
 
 struct Solver {
   const char *problem, *name;
@@ -74,7 +74,7 @@ struct Look {
   double time, value;
 };
 
-/// m, beyond which a thousandth of the particles is.
+/// Position (m) beyond which a thousandth of the particles lies.
 double frontOf(const Rig& r, const Communicator& comm) {
   const double step = 1e-3, low = r.w.scene.domain.min.x;
   std::vector<std::int64_t> count(static_cast<std::size_t>((r.w.scene.domain.max.x - low) / step) + 2, 0),
@@ -91,7 +91,7 @@ double frontOf(const Rig& r, const Communicator& comm) {
   return low + static_cast<double>(k) * step;
 }
 
-/// Ids of the last layer of the beam, on all ranks, ascending.
+/// Ids of the last layer of the beam on all ranks, ascending.
 std::vector<std::uint64_t> tipIds(const Continuum& p, double spacing, const Communicator& comm) {
   std::vector<std::uint64_t> mine;
   for (std::size_t i = 0; i < p.owned; i++)
@@ -107,7 +107,7 @@ std::vector<std::uint64_t> tipIds(const Continuum& p, double spacing, const Comm
   return all;
 }
 
-/// m, mean height of these.
+/// Mean height (m) of the particles with these ids.
 double tipOf(const Rig& r, const std::vector<std::uint64_t>& ids, const Communicator& comm) {
   double mine[2] = {0, 0}, all[2];
   for (std::size_t i = 0; i < r.w.particles.owned; i++)
@@ -130,8 +130,8 @@ std::vector<Look> readFront() {
   return all;
 }
 
-/// Largest distance of the fronts until the reference is at the far wall, over what it has travelled by then;
-/// negative without a reference.
+/// Largest distance of the fronts until the reference reaches the far wall, over the distance it has
+/// travelled by then; negative without a reference.
 double frontError(const std::vector<Look>& looks) {
   double worst = -1;
   for (const Look& r : readFront()) {
@@ -142,8 +142,8 @@ double frontError(const std::vector<Look>& looks) {
   return worst;
 }
 
-/// Of half the lowest place in the first swing, against a beam at rest. The tip's layer has its centre half a
-/// spacing before the end; shear after Timoshenko (1921) with kappa of Cowper (1966).
+/// Error of half the lowest tip position in the first swing, against a beam at rest. The centre of the tip's
+/// layer is half a spacing before the end. Shear after Timoshenko (1921) with kappa of Cowper (1966).
 double beamError(const std::vector<Look>& looks) {
   const double E = 5e6, nu = 0.33, H = 0.4, L = 1.6, q = 1000 * 9.81 * H * H, x = L - 0.01,
                EI = E * std::pow(H, 4) / 12;
@@ -167,7 +167,7 @@ Done simulate(const Communicator& comm, const Solver& s, double end, std::vector
   more.insert(more.begin(), s.set.begin(), s.set.end());
   Done d;
   Scene scene = readScene(folder + "/" + s.problem + ".toml", more);
-  scene.output.every = sample;  // the step is cut so that looks are at the same times in every run
+  scene.output.every = sample;  // limits the step so that samples are at the same times in every run
   std::vector<std::uint64_t> tip;
   Rig r(comm, scene, [&](const Continuum& p) { tip = tipIds(p, scene.spacing, comm); });
   const bool beam = std::string(s.problem) == "beam";
@@ -209,7 +209,7 @@ int main(int argc, char** argv) {
       else if (key == "--end") end = numberOf(key, argv[a + 1], 1e-4, 1000);
       else if (key == "--csv") csv = argv[a + 1];
       else if (key == "--reference") reference = oneOf(key, argv[a + 1], {"0", "1"}) == 1;
-      else throw std::invalid_argument("there is no option " + key);
+      else throw std::invalid_argument("unknown option " + key);
     } catch (const std::invalid_argument& e) {
       if (comm.rank() == 0) std::fprintf(stderr, "time_to_solution: %s\n", e.what());
       return 2;

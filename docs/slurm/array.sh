@@ -1,13 +1,12 @@
 #!/usr/bin/env bash
-# An array of runs under SLURM, one for each line of a list; hand in with: sbatch --array=1-$(wc -l <LIST)
+# An array of runs under SLURM, one per line of a list. Submit it with: sbatch --array=1-$(wc -l <LIST)
 # docs/slurm/array.sh LIST
-# A line of the list is a scene and options of `thaw run`, in quotes where they hold blanks:
+# A line of the list has a scene and options of `thaw run`, in quotes where they contain blanks:
 #   scenes/pour.toml --set material.honey.viscosity=2
 #   scenes/pour.toml --set 'spacing="2 mm"'
-# Each run has a folder of its own, named by the scene and the line's number. What has not come to its end
-# five minutes before the time is up leaves a checkpoint, and that task alone is handed in again, to go on
-# from there. Lines that are done already end at once: after adding lines, or after a failure, hand in the
-# whole list again.
+# Each run has its own folder, named by the scene and the line's number. A run that is not done five minutes
+# before the time limit writes a checkpoint, and its task alone is resubmitted to continue from there.
+# Finished lines end at once: after adding lines, or after a failure, submit the whole list again.
 #SBATCH --job-name=thaw-array
 #SBATCH --nodes=1
 #SBATCH --ntasks=16
@@ -17,7 +16,7 @@
 #SBATCH --output=thaw-%A_%a.log
 set -u
 list=${1:?a file with a scene and its options on each line}
-number=${SLURM_ARRAY_TASK_ID:?to be handed in with --array}
+number=${SLURM_ARRAY_TASK_ID:?submit with --array}
 line=$(sed -n "${number}p" "$list")
 [ -n "$line" ] || { echo "$list has no line $number"; exit 0; }
 run=()
@@ -26,7 +25,7 @@ name=$(basename "${run[0]}" .toml)
 out=${OUT:-${SCRATCH:-$PWD/out}}/$name.$number
 thaw=${THAW:-build/release/thaw}
 
-# Asks for the next job as this one was asked for, sbatch's command line included.
+# Submits the next job with the options of this one, those of sbatch's command line included.
 again() {
   local same=() o variable limit
   for o in ntasks=SLURM_NTASKS account=SLURM_JOB_ACCOUNT partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS reservation=SLURM_JOB_RESERVATION \
@@ -38,7 +37,7 @@ again() {
   sbatch "${same[@]}" "$@"
 }
 
-# A job that SLURM has requeued may find the lock of its run on another node: that run is over, so --force
+# A requeued job may find the lock of its run, left on another node. That run is over, so --force
 # takes the folder.
 force=()
 if [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# One node under SLURM; hand in with: sbatch docs/slurm/one_node.sh [SCENE]
-# Five minutes before the time is up SLURM sends USR1; thaw then writes a checkpoint and exits with 75, and
-# the job hands itself in again, to go on from there. Ends for good when the run is done (0) or has failed
-# (any other code).
+# One node under SLURM. Submit it with: sbatch docs/slurm/one_node.sh [SCENE]
+# SLURM sends USR1 five minutes before the time limit. thaw then writes a checkpoint and exits with 75, and
+# the job resubmits itself to continue. The chain ends when the run is done (0) or has failed (any other
+# code).
 #SBATCH --job-name=thaw
 #SBATCH --nodes=1
 #SBATCH --ntasks-per-node=64
@@ -15,7 +15,7 @@ scene=${1:-scenes/melt_large.toml}
 out=${OUT:-${SCRATCH:-$PWD/out}/$(basename "$scene" .toml)}
 thaw=${THAW:-build/release/thaw}
 
-# Asks for the next job as this one was asked for, sbatch's command line included.
+# Submits the next job with the options of this one, those of sbatch's command line included.
 again() {
   local same=() o variable limit
   for o in nodes=SLURM_JOB_NUM_NODES ntasks-per-node=SLURM_NTASKS_PER_NODE account=SLURM_JOB_ACCOUNT partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS reservation=SLURM_JOB_RESERVATION \
@@ -27,12 +27,12 @@ again() {
   sbatch "${same[@]}" "$@"
 }
 
-# A job that SLURM has requeued may find the lock of its run on another node: that run is over, so --force
+# A requeued job may find the lock of its run, left on another node. That run is over, so --force
 # takes the folder.
 force=()
 if [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
 
-# srun hands the signal to all ranks. Open MPI of Debian is built with PMIx; elsewhere see `srun --mpi=list`
+# srun forwards the signal to all ranks. Debian's Open MPI has PMIx; elsewhere see `srun --mpi=list`
 # and set PMI.
 code=0
 srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume "${force[@]}" || code=$?

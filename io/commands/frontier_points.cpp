@@ -1,4 +1,4 @@
-// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; not by hand.
+// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; do not edit.
 #include "io/commands/frontier.hpp"
 
 namespace thaw {

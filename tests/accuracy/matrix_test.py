@@ -1,4 +1,4 @@
-"""matrix_test.py BUILD: see matrix_test.sh. matrix.py is run with a stand-in for the benchmark whose errors are known."""
+"""matrix_test.py BUILD (see matrix_test.sh): runs matrix.py with a stand-in for the benchmark with known errors."""
 import csv
 import os
 import stat
@@ -15,7 +15,7 @@ import frontier  # noqa: E402
 import matrix  # noqa: E402
 import plan  # noqa: E402
 
-# of second order in the spacing; notes every call; blows up, or has no message, where it is told to
+# The stand-in is of second order in the spacing and logs every call. It refuses the case named in REFUSED.
 STAND_IN = """#!/usr/bin/env python3
 import os, sys
 case, rest = sys.argv[1], sys.argv[2:]
@@ -59,7 +59,7 @@ class MatrixTest(unittest.TestCase):
         os.remove(self.calls)
         return calls
 
-    def test_every_run_once_and_defaults_are_marked(self):
+    def test_every_run_once_with_marked_defaults(self):
         self.assertEqual(self.run_matrix("--case", "poiseuille").returncode, 0)
         wanted = [r for r in plan.runs("quick") if r[0] == "poiseuille"]
         rows = self.rows()
@@ -77,13 +77,13 @@ class MatrixTest(unittest.TestCase):
         self.assertEqual(order["default spacing=0.025"], "2.00")
         self.assertEqual(order["support=2.5 spacing=0.05"], "")
 
-    def test_goes_on_after_a_cut(self):
+    def test_continues_after_an_interruption(self):
         self.run_matrix("--case", "poiseuille")
         self.called()
         whole = self.rows()
         with open(self.csv) as f:
             lines = f.read().splitlines(keepends=True)
-        with open(self.csv, "w") as f:  # as after a kill in the middle of a line
+        with open(self.csv, "w") as f:  # a kill in the middle of a line
             f.writelines(lines[:5] + [lines[5][: len(lines[5]) // 2]])
         done = self.run_matrix("--case", "poiseuille")
         self.assertIn("4 of them done before", done.stdout)
@@ -97,14 +97,14 @@ class MatrixTest(unittest.TestCase):
         self.assertEqual(self.called(), [])
         self.assertIn("the same command goes on", done.stdout)
 
-    def test_another_version_is_run_anew_only_where_asked(self):
+    def test_other_versions_are_repeated_only_for_chosen_cases(self):
         self.run_matrix("--case", "patch", "--case", "rotation")
         self.called()
         self.run_matrix("--case", "patch", version="bbb")
         self.assertTrue(all(c.startswith("patch|") for c in self.called()))
         self.assertEqual({(r["case"], r["version"]) for r in self.rows()}, {("patch", "bbb"), ("rotation", "aaa")})
 
-    def test_what_is_not_run_is_said(self):
+    def test_reports_failed_runs(self):
         done = self.run_matrix("--case", "patch", "--case", "rotation", REFUSED="patch")
         self.assertEqual(done.returncode, 1)
         self.assertIn("not run: patch", done.stdout)
@@ -123,7 +123,7 @@ class MatrixTest(unittest.TestCase):
 
 
 class CommittedTest(unittest.TestCase):
-    """What is generated is what is committed, byte for byte."""
+    """The committed files equal the generated ones, byte for byte."""
 
     def read(self, *place):
         with open(os.path.join(ROOT, *place), newline="") as f:
@@ -142,7 +142,7 @@ class CommittedTest(unittest.TestCase):
         row = {"case": "poiseuille", "norm": "L2(u)", "target": "", "version": "", "order": ""}
         rows = [{**row, "settings": s + " spacing=0.05", "error": e, "core_seconds": t}
                 for s, e, t in (("default", "0.1", "1"), ("support=2.5", "0.05", "2"), ("support=3", "0.06", "3"), ("kernel=cubic", "0.2", "0.5"), ("viscosity=laplacian", "0.01", "0.1"))]
-        rows.append({**rows[-1], "norm": "energy residual", "error": "1", "target": "0.01"})  # luck, not accuracy
+        rows.append({**rows[-1], "norm": "energy residual", "error": "1", "target": "0.01"})  # a small error by chance
         self.assertEqual([(p[2], p[3], p[5]) for p in frontier.points(rows)],
                          [("", 0.1, True), ("numerics.support=2.5", 0.05, True), ("numerics.support=3", 0.06, False), ("numerics.kernel=cubic", 0.2, True), ("numerics.viscosity=laplacian", -1, False)])
 

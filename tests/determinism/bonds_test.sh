@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Bonds that form while the simulation runs, by freezing onto a solid and by welding, are the same on any
-# number of ranks. The other tests of ranks end before anything has frozen.
+# Bonds that form during the run, by freezing onto a solid and by welding, are the same on any number of
+# ranks.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/weld.toml" <<'SCENE'
 title   = "Two blocks collide and weld"
@@ -29,7 +29,7 @@ box      = { size = [0.06, 0.06, 0.06] }
 place    = { move = [0.04, 0.013, 0] }
 velocity = [-1, 0, 0]
 SCENE
-# name, scene, steps, counter of the summary that must not be 0
+# try NAME SCENE STEPS COUNTER: the counter of the summary must not be 0
 try() {
   local name=$1 scene=$2 steps=$3 counter=$4
   sameOnAllRanks "$name" "$steps" - "$scene" "${set[@]}"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Choices of [numerics] beside the defaults, and defaults beside solids and walls: the same bits on 1, 2, 3, 4
-# and 7 ranks and over a restart. All solvers at once; carried density with shifting; free liquid; a ball that
-# falls into water; a full periodic box; fields of the start; the printed forms; double precision.
+# Non-default choices of [numerics], and defaults with solids and walls: the same bits on 1, 2, 3, 4 and 7
+# ranks and over a restart. Covers all solvers, carried density with shifting, free liquid, a ball that falls
+# into water, a full periodic box, initial fields, the printed forms and double precision.
 . "$(dirname "$0")/../support/run.sh"
 # try NAME SCENE STEPS SETTINGS...
 try() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Coefficients that change at a restart: told, the jump of stored energy is an entry of the ledger and no
-# blow-up, the same on any number of ranks. What can act no more is refused, or said to be without effect. And
-# thaw compare on runs with all kinds of body.
+# Coefficients that change at a restart. The change is reported, and the jump of stored energy is an entry of
+# the ledger, not a failure, the same on any number of ranks. A change that is impossible is refused; a change
+# without effect is reported as such. thaw compare works on runs with all body types.
 . "$(dirname "$0")/../support/run.sh"
 . "$(dirname "$0")/../support/meeting_scene.sh"
 { meetingScene; clothOver; } >"$work/all.toml"
@@ -15,7 +15,7 @@ for change in oriented.net.stiffness=150 sheet.cloth.warp=2000 material.jelly.yo
     launch $ranks run "$work/all.toml" "${options[@]}" --set "$change" --steps 800 --restart --out "$work/run.$ranks" >"$work/log" 2>&1
     expectExit 0 "$change on $ranks ranks"
     expectMessage "^warning: changed at the restart: ${change%%=*}" "$change"
-    grep -q 'back to step' "$work/log" && fail "$change: taken for a failure"
+    grep -q 'back to step' "$work/log" && fail "$change: treated as a failure"
   done
   same "$work/run.1" "$work/run.3" "$change on 1 and 3 ranks"
   jump=$(value "$work/run.1/summary.json" restart_jump_J) residual=$(value "$work/run.1/summary.json" mechanical_energy_J)

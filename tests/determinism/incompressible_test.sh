@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The incompressible pressure solver: the same bits, and the same number of iterations, on 1, 2, 3, 4 and 7
-# ranks and over a restart; with liquid alone, with liquid that is poured, and with solids that melt in it.
+# The incompressible pressure solver: the same bits and iterations on 1, 2, 3, 4 and 7 ranks and over a
+# restart. Scenes: liquid alone, poured liquid, and solids that melt in it.
 . "$(dirname "$0")/../support/run.sh"
 # try SCENE STEPS
 try() {

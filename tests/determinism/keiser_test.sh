@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The four scenes of Keiser et al. 2005, coarse, with their surfaces: the same bits on 1, 2, 3, 4 and 7 ranks
-# and over a restart, frames and logs included.
+# The four scenes of Keiser et al. 2005 with surfaces, coarse: the same bits, frames and logs on 1, 2, 3, 4
+# and 7 ranks and over a restart.
 . "$(dirname "$0")/../support/run.sh"
 . "$(dirname "$0")/../support/surface_output.sh"
 for scene in ${SCENES:-fluid freezing melting_fast melting_slow}; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The same bits on many more ranks than there are cores, and than some scenes have cells for: a liquid, a
-# solid, melting with a surface, oriented particles, a sheet. By default 16 ranks and few steps; RANKS="16 32
-# 64" STEPS=40 takes some minutes (docs/theory/parallel.md). SCENES: fewer of them.
+# The same bits on many more ranks than cores, and than some scenes have cells: a liquid, a solid, melting
+# with a surface, oriented particles, a sheet. The default is 16 ranks and few steps. RANKS="16 32 64"
+# STEPS=40 takes some minutes (docs/theory/parallel.md). SCENES selects scenes.
 . "$(dirname "$0")/../support/run.sh"
 export OMPI_MCA_mpi_yield_when_idle=1
 steps=${STEPS:-6}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Oriented bodies (scenes/oriented): the same bits on 1, 2, 3, 4 and 7 ranks and over a restart on another
-# number of ranks, births, deaths, cuts, welds and anchors included; and contact with a continuum body and
-# with a cloth. SCENES: fewer.
+# number of ranks. Covers births, deaths, cuts, welds, anchors, and contact with a continuum body and a cloth.
+# SCENES selects scenes.
 . "$(dirname "$0")/../support/run.sh"
 scenes=$source_dir/scenes/oriented
 same() { sameRuns "$1" "$2" "$3" "frames/${scene}_oriented.hdf.series"; }  # same A B WHAT
@@ -12,7 +12,7 @@ try() {  # try NAME FILE STEPS SETTINGS
   rm -rf "${work:?}/$1".*
 }
 . "$(dirname "$0")/../support/meeting_scene.sh"
-# A block falls on a surface that is held at its rim; then also a cloth on the surface and the block on the
+# A block falls on a surface that is held at its rim. Then a cloth lies on the surface and the block on the
 # cloth, while a patch flies out of the domain.
 meetingScene >"$work/meeting.toml"
 { meetingScene; clothOver; cat <<'EOF'
@@ -28,10 +28,10 @@ place = { move = [0.4, 0, 0.3] }
 velocity = [4, 0, 0]
 EOF
 } >"$work/draping.toml"
-for copy in blow sunken tumbling; do cp "$work/meeting.toml" "$work/$copy.toml"; done  # each goes with its runs
+for copy in blow sunken tumbling; do cp "$work/meeting.toml" "$work/$copy.toml"; done  # each copy goes with its runs
 for which in ${SCENES:-meeting blow sunken tumbling draping control relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit retry}; do
   case $which in
-    retry)  # a step that is too long: back to the last good state, with the same bits on all ranks, and stopped between that and the failure
+    retry)  # a step that is too long: rollback with the same bits on all ranks, stopped between rollback and failure
       scene=relax_plane
       options=(--set numerics.fixed_step=2.5e-3 --set numerics.retry_every=10 --set end=0.2 --set output.every=0.02)
       for ranks in 1 3 7; do
@@ -45,24 +45,24 @@ for which in ${SCENES:-meeting blow sunken tumbling draping control relax_plane 
       same "$work/retry.1" "$work/retry.parts" "relax_plane with long steps, stopped before it fails"
       echo "retry: $(value "$work/retry.1/summary.json" retries) retries, $(value "$work/retry.1/summary.json" step) steps" ;;
     meeting) try meeting "$work/meeting.toml" 150 ;;
-    blow)  # stiff, heavy and fast on a light surface: the barrier of contact, and steps that follow it
+    blow)  # stiff, heavy and fast on a light surface: the contact barrier, and steps that follow it
       try blow "$work/blow.toml" 150 --set material.jelly.density=1000 --set material.jelly.young=1e5 --set oriented.net.density=1 --set oriented.net.stiffness=10 --set body.block.velocity=[0.2,0,-2] --set body.block.place.move=[0.02,0,0.075] ;;
-    sunken)  # a block that begins in the surface: told once, in the same words
+    sunken)  # a block that begins inside the surface: one warning, with the same text on all ranks
       scene=sunken
       for ranks in 1 3 7; do
         launch $ranks run "$work/sunken.toml" --set 'numerics.overlap="keep"' --set body.block.velocity=[0,0,0] --set body.block.place.move=[0.02,0,0.01] --set numerics.retry_every=5 --steps 20 --out "$work/sunken.$ranks" >"$work/log" 2>&1
         expectExit 0 "a block in a surface on $ranks ranks"
         grep '^warning: .*are inside body' "$work/log" | sort -u >"$work/sunken.$ranks.told"
-        [ "$(wc -l <"$work/sunken.$ranks.told")" = 1 ] || fail "a block in a surface on $ranks ranks: told $(wc -l <"$work/sunken.$ranks.told") times"
-        cmp "$work/sunken.1.told" "$work/sunken.$ranks.told" || fail "a block in a surface: other words on $ranks ranks than on 1"
+        [ "$(wc -l <"$work/sunken.$ranks.told")" = 1 ] || fail "a block in a surface on $ranks ranks: $(wc -l <"$work/sunken.$ranks.told") warnings"
+        cmp "$work/sunken.1.told" "$work/sunken.$ranks.told" || fail "a block in a surface: the warnings on 1 and $ranks ranks differ"
       done
       cat "$work/sunken.1.told" ;;
-    tumbling)  # the block turns as it touches, so that its rows change places in the steps in which contacts read what they did in the last
+    tumbling)  # the block turns in contact, so that its rows change order in steps whose contacts read the last step's data
       try tumbling "$work/tumbling.toml" 150 --set body.block.velocity=[0.6,0.3,-1] --set body.block.spin=[9,12,6] --set body.block.box.size=[0.16,0.16,0.16] --set body.block.place.move=[0.02,0,0.11] ;;
     draping) try draping "$work/draping.toml" 150 ;;
     rk4) settings cut; try rk4 "$scenes/cut.toml" 40 "${set[@]}" --set 'oriented.cloth.integrator="rk4"' ;;
     implicit) settings weld; try implicit "$scenes/weld.toml" 30 "${set[@]}" --set 'oriented.left.integrator="semi-implicit"' ;;
-    relax_*) settings "$which"; try "$which" "$scenes/$which.toml" 60 "${set[@]}" ;;  # nothing happens but relaxation
+    relax_*) settings "$which"; try "$which" "$scenes/$which.toml" 60 "${set[@]}" ;;  # relaxation only
     *) settings "$which"; try "$which" "$scenes/$which.toml" 150 "${set[@]}" ;;
   esac
 done

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# A run that is cut, killed with -9 and resumed on other numbers of ranks ends with the bits of a run that was
-# left alone, and no frame that was there is lost or changed. It is killed at any time here, so that the
-# yardstick may have to go on; ranks_test.sh kills all scenes within their steps. STEPS, SCENES: fewer or more
-# of them.
+# A run that is killed with -9 and resumed on other numbers of ranks ends with the bits of an uninterrupted
+# run, and no frame is lost or changed. The kill comes at any time, so the reference run may have to continue.
+# ranks_test.sh kills all scenes within their steps. STEPS and SCENES select steps and scenes.
 . "$(dirname "$0")/../support/run.sh"
 steps=${STEPS:-40}
 third=$((steps / 3))
@@ -13,19 +12,19 @@ for scene in ${SCENES:-melt pour together}; do
   run 2 whole --steps "$steps" || { fail "$scene: exit $?"; tail -n 5 "$work/log"; continue; }
   run 3 parts --steps "$third" || { fail "$scene, first part: exit $?"; tail -n 5 "$work/log"; continue; }
   before=$(frameSums "$work/parts" "$scene")
-  # a checkpoint every 0.2 s of wall-clock time, killed in the midst of whatever it does then
+  # a checkpoint every 0.2 s of wall-clock time; the kill interrupts whatever runs
   launchInBackground 2 run "$scenes/$scene.toml" "${set[@]}" --set output.checkpoint=0.2 --steps 1000000 --resume --out "$work/parts" >"$work/log" 2>&1
   sleep 1.5
   killAll -9 "$work/parts"
   at=$("$thaw" info "$work/parts" --json 2>"$work/log" | value - step)
   [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$scene: no checkpoint after the kill (step '$at')"; cat "$work/log"; continue; }
   after=$(frameSums "$work/parts" "$scene")
-  frameIsLost "$before" "$after" && fail "$scene: frames of before the kill are gone or changed"
+  frameIsLost "$before" "$after" && fail "$scene: frames from before the kill are gone or changed"
   for frame in "$work/parts/frames"/*.hdf; do "$thaw" info "$frame" >/dev/null 2>"$work/log" || { fail "$scene: frame cannot be read after the kill"; cat "$work/log"; }; done
   if [ "$at" -lt "$steps" ]; then end=$steps; else end=$((at + 5)); fi
   run 4 parts --steps "$end" --resume || { fail "$scene, resumed at step $at: exit $?"; tail -n 5 "$work/log"; continue; }
   whole=whole
-  if [ "$end" != "$steps" ]; then  # it went further than that: the yardstick has to, too
+  if [ "$end" != "$steps" ]; then  # the reference must reach the same step
     run 1 whole --steps "$end" --resume || { fail "$scene, on one rank to step $end: exit $?"; tail -n 5 "$work/log"; continue; }
   fi
   "$thaw" compare "$work/$whole" "$work/parts" >"$work/log" 2>&1 || { fail "$scene: killed at step $at and resumed, differs at step $end"; cat "$work/log"; }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A failure that no step mends: a block falls until it is faster than the watch allows, whatever the step. The
-# run stops within the number of retries, however close to the failure its good states come; with the same
-# bits on any number of ranks, and stopped between two retries.
+# A failure that no step prevents: a block falls faster than the stability monitor allows. The run stops
+# within the number of retries, however close the snapshots come to the failure. It has the same bits on any
+# number of ranks, and when it is stopped between two retries.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/fall.toml" <<'SCENE'
 spacing = "2 cm"
@@ -42,18 +42,18 @@ for ranks in 3 7; do
   same "$work/one" "$work/many" "1 and $ranks ranks"
 done
 
-# cut in the step before each failure but the first, when some retries count
+# stopped in the step before each failure except the first, when some retries count
 [ "$(wc -w <<<"$failed")" = 4 ] && [ "$(sort -nu <<<"$failed")" = "$failed" ] || fail "not four failures, each later: $failed"
 runInParts fall "$(awk 'NR > 1 { print $1 - 1 }' <<<"$failed")" "$work/fall.toml" --set numerics.retries=3
 mv "$work/fall.parts" "$work/parts"
 run 4 parts --set numerics.retries=3 --resume; expectExit 4 "in parts"
 ended parts 3 "in parts"
 [ "$(message)" = "$expected" ] || fail "in parts: $(message)"
-# the last checkpoint of this one is that of its last cut
+# its last checkpoint is that of its last stop
 "$thaw" compare --frames "$work/one" "$work/parts" >"$work/log" 2>&1
 expectMessage '^frames: [1-9][0-9]* in both, equal' "whole and in parts"
 
-# no retry takes a step below that of watch_step
+# retries respect watch_step
 run 2 short --set numerics.retries=10 --set numerics.watch_step=0.2; expectExit 4 "watch_step"
 ended short 2 "watch_step"
 expectMessage "half the step would be below .* s (numerics.watch_step)" "watch_step"

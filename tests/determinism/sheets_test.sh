@@ -1,20 +1,21 @@
 #!/usr/bin/env bash
 # Sheets (scenes/sheet/) have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed with -9 and
-# resumed on other numbers of ranks, and when it goes back to a good state: vertices, books, frames with their
-# triangles. SCENES: fewer.
+# resumed on other numbers of ranks, and after a rollback. Covers vertices, ledger, and frames with their
+# triangles. SCENES selects scenes.
 . "$(dirname "$0")/../support/run.sh"
 same() { sameRuns "$1" "$2" "$3" "frames/${scene}_sheet.hdf.series"; }  # same A B WHAT
-# try SCENE STEPS SETTINGS: on all ranks, cut, killed and resumed
+# try SCENE STEPS SETTINGS: on all ranks, stopped, killed and resumed
 try() {
   scene=$1
   local steps=$2 file=$scenes/sheet/$1.toml
   [ -f "$file" ] || file=$scenes/$1.toml
   [ -f "$file" ] || file=$work/$1.toml
   shift 2
-  sameOnAllRanks "$scene" "$steps" killed "$file" --set numerics.retry_every=10 "$@"  # so that a checkpoint may be written often
+  sameOnAllRanks "$scene" "$steps" killed "$file" --set numerics.retry_every=10 "$@"  # frequent snapshots, so that a checkpoint is written often
   rm -rf "${work:?}/$scene".*
 }
-# Water falls on a cloth that is coarser than it: contact by triangles. Another hangs in the wind.
+# Water falls on a cloth that is coarser than the water: contact by triangles. Another cloth hangs in the
+# wind.
 cat >"$work/coarse.toml" <<'EOF'
 spacing = "2 cm"
 end = "1 s"
@@ -58,7 +59,7 @@ wind_density = 1.2
 [output]
 every = "20 ms"
 EOF
-# A cloth comes down on its edge, folds and falls on a ribbon that slides under it.
+# A cloth comes down on its edge, folds, and falls on a ribbon that slides under it.
 cat >"$work/folded.toml" <<'EOF'
 spacing = "2 cm"
 end = "1 s"
@@ -93,8 +94,7 @@ velocity = [-0.5, 0, 0]
 [output]
 every = "20 ms"
 EOF
-# Sheets are wrapped round a block, a net and another sheet, with coefficients that change in time and by
-# region.
+# Sheets wrap a block, a net and another sheet, with coefficients that vary in time and by region.
 cat >"$work/wrapped.toml" <<'EOF'
 spacing = "3 cm"
 end = "1 s"
@@ -161,7 +161,7 @@ for which in $wanted; do
     skin)
       try skin 60 --set sheet.skin.spacing=0.004 --set output.every=0.01
       launch 2 run "$scenes/sheet/skin.toml" --out "$work/whole" >"$work/log" 2>&1; expectExit 0 "skin to its end"  # 3 s
-      grep "ledger does not close" "$work/log" && fail "skin: the books do not close" ;;
+      grep "ledger does not close" "$work/log" && fail "skin: the ledger does not close" ;;
     head) try head 60 --set sheet.head.spacing=0.016 --set output.every=0.02 ;;
     jack) try jack 150 --set sheet.membrane.spacing=0.02 --set output.every=0.02 ;;
     shell) try shell 40 --set sheet.shell.spacing=0.008 ;;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Solids that sleep and are woken (core/sleep/) have the same bits on 1, 2, 3, 4 and 7 ranks and when the run
-# is cut and resumed on another number of ranks: blocks come to rest, one falls on another much later, a wall
-# moves up to the last.
+# Solids that fall asleep and wake (core/sleep/) have the same bits on 1, 2, 3, 4 and 7 ranks, and when the
+# run is stopped and resumed on another number of ranks. Blocks come to rest, one falls on another much later,
+# and a wall moves up to the last.
 . "$(dirname "$0")/../support/run.sh"
 scene=sleepers
 cat >"$work/sleepers.toml" <<'SCENE'
@@ -50,23 +50,23 @@ sleep_after = 0.02
 every = 0.2
 SCENE
 same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
-# cut in the midst of sleep, before and after what falls has come down
+# stops during sleep, before and after the late block has landed
 sameOnAllRanks $scene 1000000 "320 960 1280" "$work/sleepers.toml" --set numerics.retry_every=10
 expectSleepers() { slept=$(value "$work/$scene.1/summary.json" asleep); [ "${slept:-0}" -gt 0 ] || fail "$scene: nothing sleeps at the end"; }
 expectSleepers
-grep -q 'asleep 0 (awake: [0-9]* accelerate)' "$work/$scene.log.1" || fail "$scene: what keeps blocks awake is not told at the start"
-# a coefficient that changes at a restart wakes all: held as they were, sleepers would be pushed by forces
-# without their contacts
+grep -q 'asleep 0 (awake: [0-9]* accelerate)' "$work/$scene.log.1" || fail "$scene: no report at the start of why blocks are awake"
+# A coefficient that changes at a restart wakes all blocks. Sleepers with old constraint forces would be
+# pushed.
 for ranks in 1 3; do
   cp -r "$work/$scene.1" "$work/changed.$ranks"
   launch $ranks run "$work/sleepers.toml" --set numerics.retry_every=10 --set end=1.8 --set material.rubber.damping=301 --restart --out "$work/changed.$ranks" >"$work/log" 2>&1
   expectExit 0 "$scene with another damping on $ranks ranks"
-  grep -q 'ledger does not close' "$work/log" && fail "$scene: with another damping energy comes from nowhere"
+  grep -q 'ledger does not close' "$work/log" && fail "$scene: with another damping the ledger does not close"
 done
 same "$work/changed.1" "$work/changed.3" "$scene with another damping on 1 and 3 ranks"
 [ "$(value "$work/changed.1/summary.json" asleep)" -gt 0 ] || fail "$scene: nothing sleeps again after the change"
-# a rod leans on a ring: parts fall asleep while others creep, whose stress bonds bring two cells far into
-# what sleeps. The force that holds that once depended on who had looked, and when
+# A rod leans on a ring: parts fall asleep while others creep. Bonds carry the creeping parts' stress two
+# cells far into the sleeping ones. The constraint force there must not depend on the ranks that read it.
 scene=leaning
 cat >"$work/leaning.toml" <<'SCENE'
 spacing = 0.02
@@ -108,5 +108,5 @@ SCENE
 sameOnAllRanks $scene 1000000 "4000 8000 10000" "$work/leaning.toml"
 expectSleepers
 residual=$(awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^momentum_residual/) of[k] = 1; next } { for (k in of) { a = $k < 0 ? -$k : $k; if (a > most) most = a } } END { print most + 0 }' "$work/$scene.1/progress.csv")
-awk -v r="$residual" 'BEGIN { exit !(r < 1e-9) }' || fail "momentum from nowhere: $residual kg m/s"
+awk -v r="$residual" 'BEGIN { exit !(r < 1e-9) }' || fail "momentum residual of $residual kg m/s"
 finish

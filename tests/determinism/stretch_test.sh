@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # A bar that hangs from a clamp and stretches to several times its length: bonded neighbours end up several
-# cells, and ranks, apart. The same bits on 1, 2, 3, 4 and 7 ranks, and over a restart while it is long. And a
-# block that flies, spinning, out of an open side: its particles stay with the ranks that they began with,
-# whose cells they have left, until a restart or a new partition.
+# cells, and ranks, apart. The same bits on 1, 2, 3, 4 and 7 ranks, and over a restart while it is long. A
+# spinning block flies out of an open side: its particles stay on their ranks until a restart or a new
+# partition.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/bar.toml" <<'SCENE'
 spacing = "2 cm"
@@ -23,7 +23,7 @@ clamp = [{ box = { size = [0.1, 0.1, 0.05] }, place = { move = [0, 0, 0.1] } }]
 every = "0.1 s"
 SCENE
 sameOnAllRanks bar 1000000 "40 80" "$work/bar.toml" --set end=0.5
-# the bar weighs 1.08 kg and its middle was at -0.05 m: it is to have sunk by its own length, and more
+# the bar weighs 1.08 kg and its middle starts at -0.05 m; it must sink by its own length and more
 sunk=$(grep -o '"potential_J": [-0-9.e]*' "$work/bar.1/summary.json" | sed -n 2p | awk '{ print ($2 < -0.53 - 1.08 * 9.81 * 0.3) }')
 [ "$sunk" = 1 ] || fail "the bar did not stretch: $(grep -o '"potential_J": [-0-9.e]*' "$work/bar.1/summary.json" | tr '\n' ' ')"
 cat >"$work/flier.toml" <<'SCENE'

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Stiff solids in water in steps of their own (numerics.elastic_substeps): a clamped post that yields and is
-# damped, swings over a periodic side. The same bits on 1, 2, 3, 4 and 7 ranks and over a restart; so too
-# where bonds melt.
+# Stiff solids in water with substeps (numerics.elastic_substeps): a clamped post that yields, is damped and
+# swings over a periodic side. The same bits on 1, 2, 3, 4 and 7 ranks and over a restart, also while bonds
+# melt.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/tank.toml" <<'SCENE'
 spacing = "2.5 cm"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The cheap surface cases of the accuracy suite: their figures have the same digits on 1, 2, 3 and 4 ranks,
-# and no bar is missed that is not named here as missed. Bars are those of the cases themselves.
+# The cheap surface cases of the accuracy suite: figures have the same digits on 1, 2, 3 and 4 ranks, and only
+# the targets named here are missed.
 . "$(dirname "$0")/../support/run.sh"
 suite=$build/benchmarks/accuracy
-# figures CASE RANKS SETTINGS: its lines but for times, into $work/CASE.RANKS
+# figures CASE RANKS SETTINGS: the lines of the case without times, into $work/CASE.RANKS
 figures() {
   local case=$1 ranks=$2
   shift 2
@@ -11,8 +11,8 @@ figures() {
   grep '^  ' "$work/log" | grep -v 'core-' >"$work/$case.$ranks"
   [ "$(wc -l <"$work/$case.$ranks")" -ge 5 ] || fail "$case on $ranks ranks: too few figures"
 }
-# try RANKS CASE KNOWN SETTINGS: RANKS are a list; KNOWN is a norm that is missed as
-# docs/validation/accuracy.md says, or "none"
+# try RANKS CASE KNOWN SETTINGS: RANKS is a list; KNOWN is a norm whose target is missed
+# (docs/validation/accuracy.md), or "none"
 try() {
   local all=$1 case=$2 known=$3 ranks missed
   shift 3
@@ -22,7 +22,7 @@ try() {
   done
   missed=$(grep MISSED "$work/$case.1" | grep -v "^  $known ")
   [ -z "$missed" ] || fail "$case: $missed"
-  grep -q '   reached' "$work/$case.1" || fail "$case: no bar at all"
+  grep -q '   reached' "$work/$case.1" || fail "$case: no target is reached"
   echo "$case: $(sed -n 1p "$work/$case.1")"
 }
 [ -x "$suite" ] || fail "there is no $suite"

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
 # The surface (table [surface]): surfels, components, events, frames and logs have the same bits on 1, 2, 3, 4
-# and 7 ranks, when a run is killed with -9 and resumed on other numbers of ranks, and when it goes back to a
-# good state. Splits and merges, births and deaths included. SCENES: fewer.
+# and 7 ranks, when a run is killed with -9 and resumed on other numbers of ranks, and after a rollback.
+# Covers splits and merges, births and deaths. SCENES selects scenes.
 . "$(dirname "$0")/../support/run.sh"
 . "$(dirname "$0")/../support/surface_output.sh"
-# try NAME SCENE STEPS SETTINGS: on all ranks, cut, killed and resumed
+# try NAME SCENE STEPS SETTINGS: on all ranks, stopped, killed and resumed
 try() {
   local name=$1
   scene=$(basename "$2" .toml)
-  sameOnAllRanks "$name" "$3" killed "$2" --set numerics.retry_every=5 "${@:4}"  # so that a checkpoint may be written often
+  sameOnAllRanks "$name" "$3" killed "$2" --set numerics.retry_every=5 "${@:4}"  # frequent snapshots, so that a checkpoint is written often
   "$thaw" info "$work/$name.parts" >/dev/null 2>"$work/log" || { fail "$name: no information"; cat "$work/log"; }
   echo "$name: $(counted "$work/$name.1" surfels) surfels, $(counted "$work/$name.1" updates) updates, $(counted "$work/$name.1" births) births," \
        "$(counted "$work/$name.1" deaths) deaths, $(counted "$work/$name.1" splits) splits, $(counted "$work/$name.1" merges) merges"
-  if [ "$name" = drops ]; then  # the pool goes round both periodic axes
+  if [ "$name" = drops ]; then  # the pool crosses both periodic axes
     local last
     last=$(tail -n 1 "$work/drops.1/surface.csv" | cut -d, -f1)
     volumeHeld "$work/drops.1" "$work/drops.1/frames/drops_surface_$(printf %06d "$last").hdf" "$last"
@@ -22,7 +22,7 @@ try() {
   mv "$work/$name.log.1" "$work/log.1"
   rm -rf "${work:?}/$name".*
 }
-# A drop falls into a pool over periodic sides, and an emitter pours beside it.
+# A drop falls into a pool over periodic sides, and an emitter pours next to it.
 cat >"$work/drops.toml" <<'END'
 spacing = "1 cm"
 end = "1 s"
@@ -58,8 +58,8 @@ every_move = 0.5
 [output]
 every = "20 ms"
 END
-# Two balls on a hot plane, the upper one liquid: its splash is thin, so surfels are sought far from where
-# their particles are.
+# Two balls on a hot plane, the upper one liquid. Its splash is thin, so searches for surfels reach far from
+# their particles.
 cat >"$work/splash.toml" <<'END'
 spacing = "1 cm"
 end = "0.28 s"
@@ -95,8 +95,8 @@ every_move = 1
 [output]
 every = "20 ms"
 END
-# Solids whose surfaces are their shapes drop on a hot plane, melt and part: a holed block aslant, a rod too
-# thin for its particles, two plates that touch; and a liquid ball, grown.
+# Solids with surfaces sampled from their shapes drop on a hot plane, melt and split: a tilted block with a
+# hole, a rod too thin for its particles, two touching plates. A liquid ball has a grown surface.
 cat >"$work/shapes.toml" <<'END'
 spacing = "1 cm"
 end = "0.4 s"
@@ -151,8 +151,8 @@ every_move = 0.5
 [output]
 every = "20 ms"
 END
-# A bust, a ball and a relaxed ball that begin across periodic sides; the bust spins there, so that its
-# particles cross a side both ways.
+# A bust, a ball and a relaxed ball begin across periodic sides. The bust spins, so that its particles cross a
+# side both ways.
 cat >"$work/straddle.toml" <<'END'
 spacing = "1 cm"
 end = "0.3 s"
@@ -191,8 +191,8 @@ packing = "relaxed"
 [output]
 every = "50 ms"
 END
-# A liquid crescent whose relaxed particles are not where its shape is full: its pieces are labelled anew at
-# the start, by which what their particles know of the surface is stale.
+# A liquid crescent whose relaxed particles deviate from its shape: components are relabelled at the start,
+# which makes the particles' surface data stale.
 cat >"$work/crescent.toml" <<'END'
 spacing = 0.0018
 end = 1
@@ -218,10 +218,9 @@ every_move = 0.881
 [output]
 every = "5 ms"
 END
-# volumeHeld FOLDER FRAMES FRAME: at all frames all surfaces together hold what they are to hold (their
-# particles' volume; of a ball that is sampled from its shape, that) to 1.5 % (a ball that is struck gives way
-# by 1.1), and meshes of one frame, which know nothing of how that was measured, to 4 %. When volumes were
-# sums of x.n A they were off by 31 and 18 %.
+# volumeHeld FOLDER FRAMES FRAME: in all frames the enclosed volume is within 1.5 % of the target (1.1 % is
+# reached by a ball that is struck); the target is the particles' volume, or that of the shape for a sampled
+# ball. Meshes of one frame, an independent measure, are within 4 %.
 volumeHeld() {
   awk -F, 'NR > 1 { wanted[$1] += $14; volume[$1] += $9 }
     END { for (f in wanted) { off = volume[f] / wanted[f] - 1; if (off < 0) off = -off; if (off > worst) worst = off }
@@ -240,9 +239,9 @@ for which in $wanted; do
     splash) scene=splash; sameOnAllRanks splash 900 - "$work/splash.toml"; volumeHeld "$work/splash.1" "$work/splash.1/frames/splash_surface_000012.hdf" 12 ;;
     shapes)
       try shapes "$work/shapes.toml" 1100
-      grep -q "body 'rod' begins in [0-9]* pieces" "$work/log.1" || fail "the pieces of a thin rod are not told" ;;
+      grep -q "body 'rod' begins in [0-9]* pieces" "$work/log.1" || fail "no warning about the pieces of a thin rod" ;;
     straddle)
-      # the same, in the middle of the domain: bodies and surfaces are the same until rounding tells
+      # The same scene in the middle of the domain: bodies and surfaces agree up to rounding.
       sed -e 's/bottom = .*2 cm"\]/bottom = [0.2, 0.15, "2 cm"]/' -e 's/0.01, 0.15, 0.3/0.21, 0, 0.3/' -e 's/0.39, 0.29, 0.4/0.19, 0.14, 0.4/' "$work/straddle.toml" >"$work/middle.toml"
       for name in straddle middle; do
         mpirun -n 2 "$thaw" run "$work/$name.toml" --out "$work/$name.run" --set end=0.05 >"$work/log" 2>&1 || { fail "$name does not run"; cat "$work/log"; }
@@ -250,7 +249,7 @@ for which in $wanted; do
       paste -d, "$work/straddle.run/surface.csv" "$work/middle.run/surface.csv" |
         awk -F, 'NR > 1 { for (k = 1; k <= 14; k++) if (k != 11 && k != 12) { off = $k - $(k + 15); if (off < 0) off = -off; if (off > 1e-5 * $k) { print "line " NR ", column " k ": " $k " and " $(k + 15); bad++ } } }
           END { exit bad > 0 || NR != 7 }' || fail "across periodic sides bodies are not as in the middle"
-      try straddle "$work/straddle.toml" 600 ;;  # the last: it takes the scene away
+      try straddle "$work/straddle.toml" 600 ;;  # the last, since it moves the scene
     crescent) try crescent "$work/crescent.toml" 100 ;;
     drops) try drops "$work/drops.toml" 150 ;;
     freeze) settings freeze; try freeze "$scenes/freeze.toml" 300 "${set[@]}" --set surface.every_move=1 --set output.every=0.02 ;;
@@ -258,7 +257,7 @@ for which in $wanted; do
       scene=beam
       settings beam
       set+=(--set end=0.1 --set output.every=0.01 --set numerics.fixed_step=6e-4 --set surface.every_steps=9)
-      sameOnAllRanks beam 1000000 "45 80" "$scenes/beam.toml" "${set[@]}"  # cut before it fails
+      sameOnAllRanks beam 1000000 "45 80" "$scenes/beam.toml" "${set[@]}"  # stopped before it fails
       for ranks in 1 7; do
         grep -q "^warning: failed at step .*; back to step" "$work/beam.log.$ranks" || fail "beam on $ranks ranks: no step failed"
       done

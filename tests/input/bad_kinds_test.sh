@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Oriented bodies, sheets and emitters that make no sense, or hardly can be meant.
+# Oriented bodies, sheets and emitters that are invalid or implausible.
 . "$(dirname "$0")/../support/bad_input.sh"
 
 printf 'v 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nv 0 0 0.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >"$work/box.obj"
@@ -114,7 +114,7 @@ material = 'ice'
 box = { size = [0.2, 0.2, 0.2] }
 temperature = '-5 degC'"
 
-# what check and info say of a scene without continuum
+# output of check and info for a scene without continuum
 patch=$(kinds patch <<<"[[oriented]]
 patch = { width = 0.4, depth = 0.4 }")
 checked() {
@@ -133,7 +133,7 @@ described() {
 started checked
 started described
 
-# what of oriented bodies and sheets has no effect, or hardly can be meant: a warning
+# ineffective or implausible settings of oriented bodies and sheets: a warning
 plate="[[oriented]]
 patch = { width = 0.4, depth = 0.4 }"
 warns "a cut beside the body" "cut.toml:8:1: oriented body 'oriented 0': this cut has no effect" cut "$plate

@@ -4,7 +4,7 @@
 
 accepts "the scene that works" run "$good" --steps 2
 
-# docs/validation/stability.md B26: no time, time that runs backwards, steps beyond all limits
+# docs/validation/stability.md B26: zero or negative time, extreme steps
 accepts "end = 0" run "$good" --set end=0
 accepts "frames more frequent than steps" run "$good" --set output.every=1e-6 --steps 3
 rejects "negative end" 'end: must be >= 0 s, got -1' 2 run "$good" --set end=-1
@@ -34,7 +34,7 @@ rejects "no mass" 'density: must be > 0 kg/m\^3' 2 run "$(scene mass 's/young.*/
 rejects "a liquid that yields" "liquid\.toml:8:16: error: material\.jelly\.yield_strain: requires a solid: set young" 2 check "$(scene liquid 's/young.*/yield_strain = 0.1/')"
 rejects "below 0 K" 'temperature: must be > 0 K' 2 check "$(scene cold 's/^name = "block"/&\ntemperature = "-300 degC"/')"
 
-# B29: less than there are ranks
+# B29: fewer particles than ranks
 accepts "one particle on three ranks" run "$good" --set 'body.block.box.size=[0.02, 0.02, 0.02]' --steps 3
 
 # keys
@@ -46,12 +46,12 @@ rejects "no such material" "there is no material 'jely'; did you mean 'jelly'\?"
 rejects "same name twice" "a second obstacle is called 'floor'" 2 check "$(scene twice '$a [[obstacle]]\nname = "floor"\nsphere = { radius = 0.01 }')"
 rejects "nothing to do" 'there is nothing to simulate' 2 run "$(scene nothing '/\[\[body/,/^place/d')"
 
-# what the parser's complaint usually means
+# likely causes of parser errors
 rejects "a quote forgotten" 'quote\.toml:2:[0-9]+: error: .*; is there a closing quote missing on this line\?' 2 run "$(scene quote 's/^spacing.*/spacing = "2 cm/')"
 rejects "a unit without quotes" 'unit\.toml:2:[0-9]+: error: .*; a quantity with a unit is a text: "2 cm"' 2 run "$(scene unit 's/^spacing.*/spacing = 2 cm/')"
 rejects "single brackets" 'single\.toml:[0-9]+:1: error: .*; a table of a list is written \[\[body\]\]' 2 check "$(scene single '$a [body]\nname = "other"')"
 
-# allowed, and told
+# allowed, with a warning
 rejects "a material of nothing" "^warning: --set material\.jely\.young=2e5: material 'jely' is used by no body and no emitter; did you mean 'jelly'\?" 0 check "$good" --set 'material.jely.young=2e5'
 rejects "degrees without their unit" "^warning: .*body 'block': its temperature is 30 K; a temperature without a unit is in kelvin" 0 check "$good" --set body.block.temperature=30
 

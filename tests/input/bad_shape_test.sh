@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Shapes, meshes and sizes that no body can have.
+# Impossible shapes, meshes and sizes.
 . "$(dirname "$0")/../support/bad_input.sh"
 
 # meshes
@@ -36,8 +36,8 @@ rejects "periodic and too short" 'periodic along x but shorter than three suppor
 rejects "more particles than ids" "^--set spacing=1e-9: error: spacing: at 1e-09 m body 'block' would take some 1.0e.24 particles, at least 4.0e.17 GB of memory; expected a coarser spacing" 2 run "$good" --set spacing=1e-9
 rejects "more particles than memory" 'particles.* memory' 2 run "$good" --set spacing=2e-5
 rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set spacing=2e-5
-# a bath of 8 layers in a tank of 7.2 spacings is pressed into the walls; one of 7.2 spacings has 7 layers and
-# fits, as one of 8 in a tank of 8
+# A bath of 8 layers in a tank of 7.2 spacings is compressed by the walls. A bath of 7.2 spacings has 7 layers
+# and fits, as does one of 8 in a tank of 8.
 tank() {
   kinds "$1" <<SCENE
 [material.water]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Settings of the surface that hardly can be meant are told; what cannot be is refused.
+# Implausible surface settings give a warning, impossible ones an error.
 . "$(dirname "$0")/../support/bad_input.sh"
 
 drop="[material.oil]

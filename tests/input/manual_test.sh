@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The manual: every complete scene runs, and every page that README.md, code and tests name exists.
+# Every complete scene of the manual runs, and every page that README.md, code and tests name exists.
 . "$(dirname "$0")/../support/run.sh"
 mapfile -t pages < <(find "$source_dir/docs" -name '*.md' | sort)
 
@@ -19,7 +19,7 @@ done
 cd "$source_dir" || exit 1
 while read -r page; do
   [ -f "$page" ] || fail "$page is named, but does not exist"
-# scripts/lint and its test name pages that are not there
+# scripts/lint and its test name missing pages on purpose
 done < <(grep -rhoE --exclude='lint_*' '\bdocs/[a-z_/]+\.md' README.md CONTRIBUTING.md core parallel io tests \
   benchmarks scripts scenes | sort -u)
 

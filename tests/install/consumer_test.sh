@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the build folder $1 to a temporary prefix, and builds and runs a program of a few lines against
-# what was installed.
+# Installs the build folder $1 to a temporary prefix, then builds and runs a small program against the
+# installed files.
 set -euo pipefail
 build=${1:?usage: consumer_test.sh BUILD_FOLDER}
 dir=$(mktemp -d)
@@ -27,7 +27,7 @@ int main() {
   return sum.value() == 1.0 ? 0 : 1;
 }
 END
-# The consumer sees the installed files alone: neither the source tree nor the build folder.
+# The consumer sees only the installed files, not the source tree or the build folder.
 generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$build/CMakeCache.txt")
 flags=$(sed -n 's/^THAW_SANITIZE:STRING=\(.\+\)/-fsanitize=\1/p' "$build/CMakeCache.txt")
 (cd "$dir/consumer" && cmake -G "$generator" -B build -DCMAKE_PREFIX_PATH="$dir/prefix" -DCMAKE_CXX_FLAGS="$flags" >log 2>&1 &&

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# scripts/lint finds each kind of fault and names its place: every fault is planted in a small tree of its
-# own.
+# scripts/lint finds each kind of fault and names its place. Every fault is planted in a small tree.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 # shellcheck source=../../scripts/lib.sh
@@ -28,7 +27,7 @@ plantTree() {
   printf '#include "core/math/square.hpp"\n\ndouble heat(double x) { return square(x); }\n' >"$dir/tree/core/heat/heat.cpp"
 }
 
-# Runs scripts/lint in the tree; leaves its exit code and what it says.
+# Runs scripts/lint in the tree; sets its exit code and output.
 lint() {
   code=0
   output=$("$dir/tree/scripts/lint" --no-tidy 2>&1) || code=$?
@@ -54,7 +53,7 @@ square=core/math/square.hpp
 plantTree
 passes 'a tree without findings'
 
-# A fault of C++, which --fix mends, and a listed include against the order.
+# A fault of C++ that --fix corrects, and a listed include against the order.
 plantTree
 sed -i '2a #include "core/heat/heat.hpp"' "$dir/tree/$square"
 printf '\n// %s\n' "$long" >>"$dir/tree/$square"

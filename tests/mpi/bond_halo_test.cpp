@@ -1,5 +1,5 @@
-// The graph of bonds over ranks against a model of it that every rank keeps whole: random graphs, owners,
-// melting, freezing, breaking.
+// The distributed bond graph against a complete model on every rank: random graphs, owners, melting,
+// freezing, breaking.
 #include <gtest/gtest.h>
 
 #include "tests/support/bond_halo_rig.hpp"
@@ -44,33 +44,33 @@ void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded
   }
 }
 
-TEST(BondHalo, ManyParticles) { play(400, 1, 40, 0); }
-TEST(BondHalo, SomeBondsHaveOneEnd) { play(150, 2, 60, 0.3); }
-TEST(BondHalo, MessagesInPieces) {
+TEST(BondHalo, MatchesTheModelForManyParticles) { play(400, 1, 40, 0); }
+TEST(BondHalo, MatchesTheModelForOneEndedBonds) { play(150, 2, 60, 0.3); }
+TEST(BondHalo, SplitsMessagesIntoChunks) {
   play(200, 4, 15, 0.1, smallestPiece);
   play(200, 5, 15, 0.1, 1000);
 }
-TEST(BondHalo, FewParticles) {
+TEST(BondHalo, MatchesTheModelForFewParticles) {
   for (std::uint64_t seed = 10; seed < 20; seed++) play(5, seed, 30, 0.1);
 }
-TEST(BondHalo, ManyGraphs) {
+TEST(BondHalo, MatchesTheModelForManyGraphs) {
   for (std::uint64_t seed = 100; seed < 160; seed++) play(seed % 50, seed, 10, seed % 3 == 0 ? 0.2 : 0);
 }
-TEST(BondHalo, OneParticle) { play(1, 5, 30, 0); }
-TEST(BondHalo, NoParticle) { play(0, 6, 3, 0); }
+TEST(BondHalo, MatchesTheModelForOneParticle) { play(1, 5, 30, 0); }
+TEST(BondHalo, HandlesNoParticles) { play(0, 6, 3, 0); }
 
-TEST(BondHalo, SecondMigrationNeedsARelink) {
+TEST(BondHalo, SecondMigrationNeedsARebuild) {
   Rig rig(20, 7);
   rig.meltAndFreeze(0, 1);
   rig.relink();
   rig.migrate(1, 0, 0);
-  if (rig.comm.size() == 1) return;  // nobody to migrate to
+  if (rig.comm.size() == 1) return;  // no rank to migrate to
   EXPECT_THROW(rig.halo->migrate(rig.p, rig.s, rig.b, {}), std::logic_error);
 }
 
-/// Records written on some ranks and read on others build the same graph, whether particles go home before
-/// the first relink or after.
-TEST(BondHalo, Records) {
+/// Records written on some ranks and read on others build the same graph, whether particles are redistributed
+/// before or after the first rebuild of bonds.
+TEST(BondHalo, BuildsTheSameGraphFromRecords) {
   for (const bool relinkFirst : {false, true}) {
     Rig rig(120, 8);
     rig.meltAndFreeze(0, 0.9);

@@ -12,7 +12,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// Every cell of the grid has one owner, the same in the eyes of all ranks.
+/// Checks that every cell of the grid has one owner, the same on all ranks.
 void checkTiling(const CellGrid& g, const MpiCellHalo& halo, Reducer& all) {
   std::vector<std::int64_t> owners;
   const Partition partition(halo.boxes());
@@ -32,7 +32,7 @@ void checkTiling(const CellGrid& g, const MpiCellHalo& halo, Reducer& all) {
   for (const std::int64_t n : owners) ASSERT_EQ(n, 1);
 }
 
-/// Cost of the occupied owned cells: a spot of expensive particles in one corner of the domain.
+/// Cost of the occupied owned cells, with expensive particles in one corner of the domain.
 std::vector<double> costs(const HaloRig& rig, double contrast) {
   std::vector<double> cost;
   for (std::size_t c = 0; c < rig.cells.key.size(); c++) {
@@ -44,7 +44,7 @@ std::vector<double> costs(const HaloRig& rig, double contrast) {
   return cost;
 }
 
-/// Costs that grow or fall by `ratio` from one corner of the domain to the opposite one.
+/// Costs that change by `ratio` from one corner of the domain to the opposite one.
 std::vector<double> slopingCosts(const HaloRig& rig, double ratio) {
   std::vector<double> cost;
   const Vec3i n = rig.cloud.grid.cells;
@@ -57,7 +57,7 @@ std::vector<double> slopingCosts(const HaloRig& rig, double ratio) {
   return cost;
 }
 
-/// The table of the owned cells alone.
+/// The table of the owned cells, without ghost cells.
 CellTable ownedCells(const HaloRig& rig) {
   CellTable t;
   for (std::size_t c = 0; c < rig.cells.key.size(); c++)
@@ -104,38 +104,38 @@ void run(const Cloud& cloud, bool spread, std::size_t piece = largestPiece) {
 
 }  // namespace
 
-TEST(CellHalo, EveryChoiceOfPeriodicAxes) {
+TEST(CellHalo, HandlesEveryChoiceOfPeriodicAxes) {
   for (int periodic = 0; periodic < 8; periodic++) {
     run({plainGrid({5, 4, 6}, periodic), 700}, true);
     run({plainGrid({3, 3, 3}, periodic), 300}, false);
   }
 }
 
-TEST(CellHalo, ManyParticlesOnOneRankAtFirst) { run({plainGrid({12, 9, 10}, 5), 6000}, false); }
+TEST(CellHalo, HandlesManyParticlesOnOneRankAtFirst) { run({plainGrid({12, 9, 10}, 5), 6000}, false); }
 
-TEST(CellHalo, FewOrNoParticles) {
+TEST(CellHalo, HandlesFewOrNoParticles) {
   for (int periodic : {0, 7})
     for (const std::uint64_t number : {0, 1, 2, 5})
       run({plainGrid({7, 5, 4}, periodic), number}, number % 2 == 0);
 }
 
-TEST(CellHalo, AllParticlesInOneCell) {
+TEST(CellHalo, HandlesAllParticlesInOneCell) {
   for (int periodic : {0, 3, 7}) run({plainGrid({5, 4, 6}, periodic), 400, true}, true);
 }
 
-TEST(CellHalo, MoreRanksThanCells) {
+TEST(CellHalo, HandlesMoreRanksThanCells) {
   run({plainGrid({1, 1, 1}, 0), 50}, true);
   run({plainGrid({2, 1, 1}, 0), 50}, false);
   run({plainGrid({1, 3, 1}, 2), 50}, true);
 }
 
-TEST(CellHalo, MessagesInPieces) {
+TEST(CellHalo, SplitsMessagesIntoChunks) {
   for (const std::size_t piece : {smallestPiece, std::size_t{96}, std::size_t{1000}})
     run({plainGrid({5, 4, 6}, 5), 700}, false, piece);
   run({plainGrid({4, 3, 3}, 1), 3000}, true, 4096);
 }
 
-TEST(CellHalo, AHugeSparseGrid) {  // nothing may be sized by it
+TEST(CellHalo, HandlesAHugeSparseGrid) {  // no array may have the size of the grid
   CellGrid g = plainGrid({maxCellsPerAxis, maxCellsPerAxis, maxCellsPerAxis}, 7);
   const Communicator comm;
   MpiReducer all(comm);
@@ -150,19 +150,19 @@ TEST(CellHalo, AHugeSparseGrid) {  // nothing may be sized by it
   EXPECT_LT(measuredImbalance(costs(rig, 1), all), 1.15);
 }
 
-TEST(CellHalo, BuffersOfTheFirstMigrationAreNotKept) {
+TEST(CellHalo, ReleasesBuffersOfTheFirstMigration) {
   const Communicator comm;
   MpiReducer all(comm);
   const Cloud cloud{plainGrid({12, 9, 10}, 0), 20000};
   MpiCellHalo halo(comm, cloud.grid);
   HaloRig rig(cloud, halo, all);
-  rig.start(false);  // all particles go out from one rank
+  rig.start(false);  // all particles start on one rank
   computeCellKeys(cloud.grid, rig.particles);
   halo.migrate(rig.particles, {rig.particles.nextCell.data(), rig.particles.owned});
   EXPECT_LT(halo.bufferBytes(), 10000u);
 }
 
-TEST(CellHalo, MessagesThatOutgrowTheirBuffers) {
+TEST(CellHalo, GrowsBuffersOfMessages) {
   Cloud cloud{plainGrid({4, 3, 3}, 1), 20000};
   const Communicator comm;
   MpiReducer all(comm);
@@ -199,7 +199,7 @@ TEST(CellHalo, RebalanceEvensOutStronglyUnevenCosts) {
   EXPECT_GT(before, 1.3);
   EXPECT_LT(after, 1.15);
   EXPECT_NEAR(after, predicted, 1e-6);
-  // even now: nothing to gain, nothing is changed
+  // the costs are even, so nothing changes
   for (int call = 0; call < 15; call++) EXPECT_FALSE(halo.rebalance(rig.cells, costs(rig, 40), false));
   EXPECT_NEAR(halo.imbalance(), after, 1e-6);
 }
@@ -224,7 +224,7 @@ TEST(CellHalo, RebalancePausesAfterAChange) {
   rig.checkOwned();
 }
 
-TEST(CellHalo, CostsThatAreNotNumbersAreHarmless) {
+TEST(CellHalo, ToleratesNonFiniteCosts) {
   Cloud cloud{plainGrid({8, 8, 8}, 0), 500};
   const Communicator comm;
   MpiReducer all(comm);
@@ -241,7 +241,7 @@ TEST(CellHalo, CostsThatAreNotNumbersAreHarmless) {
   EXPECT_FALSE(halo.rebalance(ownedCells(rig), none, true));
 }
 
-TEST(CellHalo, RowsWithoutACellStay) {
+TEST(CellHalo, KeepsRowsWithoutACell) {
   const Communicator comm;
   MpiReducer all(comm);
   MpiCellHalo halo(comm, plainGrid({6, 6, 6}, 0));
@@ -258,7 +258,7 @@ TEST(CellHalo, RowsWithoutACellStay) {
   number[0] -= static_cast<std::int64_t>(leaving.size());
   Migration m = halo.migrate(p, {p.nextCell.data(), p.owned});
   for (const std::uint32_t row : m.departed) EXPECT_NE(row % 4, 0u);
-  // new rows of this step may be among those that leave: all but the departed ones count as arrivals here
+  // New rows of this step may leave at once: all rows except the departed ones count as arrivals here.
   computeCellKeys(rig.cloud.grid, p);
   std::vector<std::uint32_t> gone;
   std::merge(m.departed.begin(), m.departed.end(), leaving.begin(), leaving.end(), std::back_inserter(gone));

@@ -1,4 +1,4 @@
-// Checkpoints: written on some ranks, read on others; full disks, damaged files, other scenes.
+// Checkpoints written on some ranks and read on others; full disks, damaged files, other scenes.
 #include <cstring>
 #include <map>
 
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// All that a checkpoint says, by id: state bytes, and a solid's state with its bonds.
+/// Content of a checkpoint by id: state bytes, and a solid's state with its bonds.
 struct Content {
   std::map<std::uint64_t, std::string> particles, solids;
 };
@@ -61,7 +61,7 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
       EXPECT_EQ(found[0], static_cast<std::int64_t>(N));
       EXPECT_EQ(found[1], static_cast<std::int64_t>(h.bonds));
 
-      // the whole of it, made anew on one rank
+      // the complete checkpoint, read on one rank
       Sample whole(MPI_COMM_SELF, N, twoFrames);
       Content expected, got;
       for (std::size_t i = 0; i < N; i++) {
@@ -106,7 +106,7 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
     }
 }
 
-TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheWholeOne) {
+TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheIntactOne) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -118,7 +118,7 @@ TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheWholeOne) {
     EXPECT_EQ(writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp), expected);
   }
   EXPECT_EQ(readNewestCheckpoint(folder.path, MPI_COMM_WORLD)->header.clock.step, 127);
-  // what a killed run leaves does not count
+  // the partial file of a killed run does not count
   if (rankOf() == 0) std::ofstream(a + ".part") << "half";
   const std::string whole = bytesOfFile(b);
   const auto damage = [&](const std::string& bytes) {
@@ -146,7 +146,7 @@ TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheWholeOne) {
       EXPECT_NE(slice->warnings[0].find("b.hdf"), std::string::npos);
     }
   }
-  // the damaged one is the next to be replaced
+  // the damaged file is replaced next
   sample.w.clock.step = 500;
   EXPECT_EQ(writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp), b);
   EXPECT_EQ(readNewestCheckpoint(folder.path, MPI_COMM_WORLD)->header.clock.step, 500);
@@ -158,7 +158,7 @@ TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheWholeOne) {
   EXPECT_EQ(error.find("no checkpoint can be read: "), 0u) << error;
 }
 
-TEST(Checkpoint, AFullDiskKeepsTheOldOnes) {
+TEST(Checkpoint, FullDiskKeepsTheOldOnes) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -179,7 +179,7 @@ TEST(Checkpoint, AFullDiskKeepsTheOldOnes) {
   EXPECT_EQ(readNewestCheckpoint(folder.path, MPI_COMM_WORLD)->header.clock.step, 124);
 }
 
-TEST(Checkpoint, OfAnotherSceneIsRefused) {
+TEST(Checkpoint, RefusesAnotherScene) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);

@@ -1,4 +1,4 @@
-// thaw compare and thaw info on files written by some ranks; damaged files.
+// thaw compare and thaw info on files written on several ranks; damaged files.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -20,12 +20,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const bool romio = (useRomio(), true);  // before MPI_Init, which is in main
+const bool romio = (useRomio(), true);  // before MPI_Init in main
 const RunStamp stamp{"wax", "title = \"wax\"\n", false};
 constexpr std::uint64_t N = 200;
 
-/// Two run folders on all ranks' disk: A by one rank, B by all, whose world was changed by `change`. Then the
-/// comparison, on rank 0.
+/// Writes two run folders, A on one rank and B on all ranks after `change`, and compares them on rank 0.
 template<class Change, class Check>
 void compareChanged(Change&& change, Check&& check, double tolerance = -1) {
   const Folder folder;
@@ -62,7 +61,7 @@ bool mentions(const std::vector<std::string>& lines, const std::string& text) {
 
 }  // namespace
 
-TEST(Compare, NothingDependsOnTheNumberOfRanksThatWrote) {
+TEST(Compare, DoesNotDependOnTheNumberOfWriters) {
   compareChanged([](World&) {},
                  [](const Comparison& c) {
                    EXPECT_TRUE(c.equal()) << describe(c)[1];
@@ -125,7 +124,7 @@ TEST(Compare, IntegersHaveNoTolerance) {
 TEST(Compare, AMissingParticleIsReportedWithItsId) {
   compareChanged(
       [](World& w) {
-        // 42 is liquid: no slot to follow
+        // particle 42 is liquid and has no solid data
         if (const std::ptrdiff_t i = rowOf(w, 42); i >= 0) w.particles.id[static_cast<std::size_t>(i)] = 4242;
       },
       [](const Comparison& c) {
@@ -137,7 +136,7 @@ TEST(Compare, AMissingParticleIsReportedWithItsId) {
 
 TEST(Compare, ABondIsPartOfTheState) {
   compareChanged(
-      [](World& w) {  // id 100 loses a bond, id 101's first gets another weight
+      [](World& w) {  // id 100 loses a bond; the first bond of id 101 gets another weight
         for (std::size_t s = 0; s < w.solids.owned; s++)
           for (int k = 0; k < w.bonds.capacity; k++) {
             if (!w.bonds.there(s, k)) continue;
@@ -188,12 +187,12 @@ TEST(Compare, FieldsInOneFileOnly) {
   if (rankOf() != 0) return;
   const Comparison c = compareSnapshots(openSnapshot(folder.path + "/a.hdf"),
                                         openSnapshot(folder.path + "/b.hdf"), {});
-  ASSERT_EQ(c.general.size(), 1u);  // rank does not count
+  ASSERT_EQ(c.general.size(), 1u);  // the rank is no field of the comparison
   EXPECT_EQ(c.general[0], "particles: field temperature is in B only");
   EXPECT_TRUE(c.fields.empty());
 }
 
-TEST(Compare, WhatCannotBeReadIsExitCode3) {
+TEST(Compare, UnreadableFilesGiveExitCode3) {
   const Folder folder;
   Sample sample(MPI_COMM_WORLD, N);
   const std::string frame = folder.path + "/f.hdf", bad = folder.path + "/bad.hdf";
@@ -235,7 +234,7 @@ TEST(Compare, TruncatedAndDamagedFilesAreErrorsNotCrashes) {
     for (std::size_t n = 1; n < 40; n++) attempt(whole.substr(0, whole.size() * n / 40));
     EXPECT_GT(errors, 0);
     EXPECT_EQ(read, 0);                       // no truncated file passes
-    for (std::uint64_t n = 0; n < 60; n++) {  // bytes of the first part, where HDF5 describes what is where
+    for (std::uint64_t n = 0; n < 60; n++) {  // bytes of the first part, where HDF5 stores its metadata
       std::string bytes = whole;
       bytes[static_cast<std::size_t>((hashed(n) + 0.5) * 4096)] ^= static_cast<char>(1u << (n % 8));
       attempt(bytes);
@@ -266,7 +265,7 @@ TEST(Compare, DamagedRowsAreNamed) {
   EXPECT_EQ(describePath(bad)["damaged"].dump(), "[\"/particles/velocity\"]");
 }
 
-TEST(Info, SaysWhatIsThereAlsoAsJson) {
+TEST(Info, ListsContentsAlsoAsJson) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);

@@ -1,5 +1,5 @@
-// Frames and their series: every field of every particle, written by any ranks; full disks, folders that are
-// not there.
+// Frames and their series: every field of every particle, written on several ranks; full disks, missing
+// folders.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -67,7 +67,7 @@ TEST(Frame, HasEveryFieldOfEveryParticle) {
   }
 }
 
-TEST(Frame, OfMoreThan31BitsHasWideConnectivity) {
+TEST(Frame, HasWideConnectivityBeyond31Bits) {
   const Folder folder;
   const std::size_t N = 200;
   Sample sample(MPI_COMM_WORLD, N);
@@ -76,7 +76,7 @@ TEST(Frame, OfMoreThan31BitsHasWideConnectivity) {
   const Frame frame = frameOf(sample.w, rankOf());
   writeFrame(narrow, MPI_COMM_WORLD, frame, stamp, N + 1);
   writeFrame(edge, MPI_COMM_WORLD, frame, stamp, N);
-  writeFrame(wide, MPI_COMM_WORLD, frame, stamp, 1);  // as of two billion
+  writeFrame(wide, MPI_COMM_WORLD, frame, stamp, 1);  // as for two billion
   const FrameData a = readFrame(narrow), b = readFrame(wide);
   ASSERT_EQ(a.positions.size(), b.positions.size());
   for (std::size_t i = 0; i < a.positions.size(); i++) EXPECT_EQ(a.positions[i].y, b.positions[i].y);
@@ -91,14 +91,14 @@ TEST(Frame, OfMoreThan31BitsHasWideConnectivity) {
   }
 }
 
-TEST(Frame, WithoutAnyParticle) {
+TEST(Frame, IsWrittenWithoutParticles) {
   const Folder folder;
   Sample sample(MPI_COMM_WORLD, 0);
   writeFrame(folder.path + "/f.hdf", MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
   EXPECT_EQ(readFrame(folder.path + "/f.hdf").positions.size(), 0u);
 }
 
-TEST(Frame, FieldsOfModulesThatAreOffStandForWhatTheyMean) {
+TEST(Frame, FieldsOfAbsentModulesHaveTheirMeaning) {
   World w;
   w.scene.materials.resize(1);
   w.scene.materials[0].density = 900;
@@ -130,13 +130,13 @@ TEST(Frame, FieldsOfModulesThatAreOffStandForWhatTheyMean) {
   EXPECT_THROW(frameOf(w, 0), std::invalid_argument);
 }
 
-TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
+TEST(Frame, FullDiskIsAnErrorOnAllRanksAndKeepsTheOldFile) {
   const Folder folder;
   const std::string path = folder.path + "/f.hdf";
   Sample small(MPI_COMM_WORLD, 20), large(MPI_COMM_WORLD, 4000);
   writeFrame(path, MPI_COMM_WORLD, frameOf(small.w, rankOf()), stamp);
   const std::string before = bytesOfFile(path);
-  for (int full : {0, sizeOf() - 1, -1}) {  // the first rank's disk, the last one's, everybody's
+  for (int full : {0, sizeOf() - 1, -1}) {  // the disk of the first rank, of the last one, of all
     MPI_Barrier(MPI_COMM_WORLD);
     struct rlimit old {
     }, tight{};
@@ -147,7 +147,7 @@ TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
     const Frame frame = frameOf(large.w, rankOf());
     const std::string error = sameError([&] { writeFrame(path, MPI_COMM_WORLD, frame, stamp); });
     setrlimit(RLIMIT_FSIZE, &old);
-    const bool wrote = full > 0 && large.w.particles.owned == 0;  // a rank that has nothing to write
+    const bool wrote = full > 0 && large.w.particles.owned == 0;  // a rank without particles writes nothing
     int any = wrote;
     MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     if (error.empty()) {
@@ -159,14 +159,14 @@ TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
     EXPECT_EQ(bytesOfFile(path).size(), before.size());
     EXPECT_FALSE(fs::exists(path + ".part"));
   }
-  // as a writer does: what is free may change between two ranks' looks
+  // as in the writer: free space can change between two ranks' checks
   EXPECT_EQ(sameError([&] {
               onFirstRank(MPI_COMM_WORLD, [&] { requireFreeSpace(path, std::uint64_t(1) << 60); });
             }).find(path + ": not enough space on the disk: "),
             0u);
 }
 
-TEST(Frame, AFolderThatIsNotThereIsAnErrorOfAllRanks) {
+TEST(Frame, MissingFolderIsAnErrorOnAllRanks) {
   Sample small(MPI_COMM_WORLD, 20);
   const std::string error = sameError([&] {
     writeFrame("/tmp/thaw_there_is_no_such_folder/f.hdf", MPI_COMM_WORLD, frameOf(small.w, rankOf()), stamp);
@@ -174,7 +174,7 @@ TEST(Frame, AFolderThatIsNotThereIsAnErrorOfAllRanks) {
   EXPECT_NE(error.find("No such file or directory"), std::string::npos) << error;
 }
 
-TEST(Series, IsMadeAnewFromTheFramesThatAreThere) {
+TEST(Series, IsRebuiltFromTheExistingFrames) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -198,7 +198,7 @@ TEST(Series, IsMadeAnewFromTheFramesThatAreThere) {
     EXPECT_EQ(back[2].name, "wax_000002.hdf");
     EXPECT_EQ(back[2].time, 0.08);
     EXPECT_EQ(findSeries(folder.path), std::vector<std::string>{index});
-    for (const bool run : {true, false}) {  // the second time there is none
+    for (const bool run : {true, false}) {  // the second time the folder is absent
       EXPECT_EQ(setAsideEarlierRun(folder.path), run);
       EXPECT_FALSE(fs::exists(index));
       EXPECT_TRUE(fs::exists(folder.path + "/previous/frames/wax_000000.hdf"));

@@ -1,4 +1,4 @@
-// A steady step allocates nothing in the halo: calls of operator new are counted.
+// A steady step allocates nothing in the halo. The test counts calls of operator new.
 #include <gtest/gtest.h>
 
 #include "parallel/cell_halo.hpp"
@@ -8,7 +8,7 @@
 using namespace thaw;
 using namespace thaw::test;
 
-TEST(CellHalo, ASteadyStepAllocatesNothing) {
+TEST(CellHalo, SteadyStepAllocatesNothing) {
   const Communicator comm;
   MpiReducer all(comm);
   const Cloud cloud{plainGrid({6, 7, 8}, 5), 8000};

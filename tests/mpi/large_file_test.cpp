@@ -1,5 +1,5 @@
-// Files with more than 2^32 rows and more than 2^31 bytes: the far end of a dataset is written and read by
-// all ranks; the file is sparse and takes no room on the disk.
+// Files with more than 2^32 rows and more than 2^31 bytes. All ranks write and read the far end of a dataset.
+// The file is sparse and takes no disk space.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -12,7 +12,7 @@ using namespace thaw;
 
 namespace {
 
-/// A folder of rank 0's, known to all; gone at the end.
+/// A folder made by rank 0 whose name all ranks have. It is removed at the end.
 struct SharedFolder {
   int rank = 0, ranks = 1;
   char name[32] = "/tmp/thaw_large_XXXXXX";
@@ -30,7 +30,7 @@ struct SharedFolder {
 
 }  // namespace
 
-TEST(LargeFile, RowsBeyond32Bits) {
+TEST(LargeFile, HoldsRowsBeyond32Bits) {
   const SharedFolder folder;
   ASSERT_NE(folder.name[0], 0);
   const std::string path = std::string(folder.name) + "/large.hdf";

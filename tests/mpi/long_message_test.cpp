@@ -1,5 +1,5 @@
-// A message of more than 2^31 bytes, which MPI's counts do not hold, in real pieces: from the first rank to
-// the last (to itself, where it is alone).
+// A message of more than 2^31 bytes, beyond MPI's counts, in chunks of real size: from the first rank to the
+// last, or to itself on one rank.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ TEST(LongMessage, MoreThan2To31BytesArriveInOrder) {
   const int last = comm.size() - 1;
   const auto release = [](std::byte* p) { std::free(p); };
   using Bytes = std::unique_ptr<std::byte, decltype(release)>;
-  // zeroed pages that nobody writes take no memory; marks stand where pieces may begin and end
+  // Pages that are never written take no memory. Marks stand at possible ends of chunks.
   const auto marked = [&](auto each) {
     for (std::size_t at = 0; at < bytes; at += 4096 * 511) each(at);
     for (const std::size_t end : {std::size_t{1} << 30, std::size_t{1} << 31, bytes})

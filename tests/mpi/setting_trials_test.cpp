@@ -1,4 +1,4 @@
-// Settings are tried on a scene before `thaw check` recommends them: all ranks come to the same answer.
+// `thaw check` tries settings on a scene before it recommends them. All ranks find the same answer.
 #include <gtest/gtest.h>
 
 #include "io/commands/setting_trials.hpp"
@@ -9,7 +9,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// A scene file of water that falls, which all ranks name and the first one reads.
+/// A scene file of falling water. All ranks have its name, and the first one reads it.
 std::string fallingWater(const std::string& folder) {
   const std::string path = folder + "/falling.toml";
   if (rankOf() == 0)
@@ -23,7 +23,7 @@ std::string fallingWater(const std::string& folder) {
 
 }  // namespace
 
-TEST(SettingTrials, LeaveOutWhatFailsOnTheScene) {
+TEST(SettingTrials, RejectSettingsThatFailOnTheScene) {
   const Folder folder;
   const Communicator comm;
   SettingTrials trials(comm, {fallingWater(folder.path), {}, 512});
@@ -39,7 +39,7 @@ TEST(SettingTrials, LeaveOutWhatFailsOnTheScene) {
   EXPECT_NE(refused->find("is refused"), std::string::npos) << *refused;
 }
 
-TEST(SettingTrials, LeaveLargeScenesAlone) {
+TEST(SettingTrials, SkipLargeScenes) {
   const Folder folder;
   const Communicator comm;
   SettingTrials trials(comm, {fallingWater(folder.path), {}, 1e6});

@@ -12,8 +12,8 @@ using thaw::test::hashed;
 
 namespace {
 
-/// Number of messages from one rank to another in a round (mostly none), and their sizes; every rank works
-/// out all of it.
+/// Number of messages from one rank to another in a round (mostly none). Every rank computes the same numbers
+/// and sizes.
 int messagesBetween(int from, int to, int round) {
   return static_cast<int>(hashed(static_cast<std::uint64_t>(round * 10007 + from * 101 + to)) * 5) - 2;
 }
@@ -53,10 +53,10 @@ TEST(SparseExchange, EverythingArrivesInOrderOfSenders) {
   }
 }
 
-TEST(SparseExchange, LongMessagesTravelInPieces) {
+TEST(SparseExchange, LongMessagesAreSplitIntoChunks) {
   const Communicator comm(MPI_COMM_WORLD, 64);
   ASSERT_EQ(comm.piece(), 64u);
-  const std::size_t sizes[] = {1, 63, 64, 65, 128, 1000, 6400};  // multiples of a piece end with an empty one
+  const std::size_t sizes[] = {1, 63, 64, 65, 128, 1000, 6400};  // multiples of a chunk end with an empty one
   for (int round = 0; round < 10; round++) {
     std::vector<Message> out;
     const int to = (comm.rank() + 1 + round) % comm.size(),
@@ -77,18 +77,18 @@ TEST(SparseExchange, LongMessagesTravelInPieces) {
   }
 }
 
-TEST(SparseExchange, CountsWhatItSends) {
+TEST(SparseExchange, CountsItsMessages) {
   const Communicator comm(MPI_COMM_WORLD, 64);
   if (comm.size() == 1) return;
   const std::vector<Message> out{{(comm.rank() + 1) % comm.size(), std::vector<std::byte>(100)}};
   sparseExchange(comm, out, 3, MessagesFor::Rows);
-  EXPECT_EQ(comm.traffic()[MessagesFor::Rows].messages, 2);  // in two pieces
+  EXPECT_EQ(comm.traffic()[MessagesFor::Rows].messages, 2);  // in two chunks
   EXPECT_EQ(comm.traffic()[MessagesFor::Rows].bytes, 100);
   EXPECT_EQ(comm.traffic().collectives, 1);
   EXPECT_GE(comm.traffic().total().waited, 0);
 }
 
-TEST(Transfer, PiecesArriveInOrder) {
+TEST(Transfer, ChunksArriveInOrder) {
   const Communicator comm(MPI_COMM_WORLD, 64);
   if (comm.size() == 1) return;
   const int to = (comm.rank() + 1) % comm.size(), from = (comm.rank() + comm.size() - 1) % comm.size();
@@ -105,7 +105,7 @@ TEST(Transfer, PiecesArriveInOrder) {
   }
 }
 
-TEST(MpiReducer, LongReductionsGoInPieces) {
+TEST(MpiReducer, LongReductionsAreSplit) {
   const Communicator comm(MPI_COMM_WORLD, 64);
   MpiReducer all(comm);
   std::vector<std::int64_t> sums(200);

@@ -1,4 +1,4 @@
-// What a start asks of the system: new memory is a third of its time, so it is asked for once.
+// Memory requested at the start. New memory takes a third of the start's time, so it is requested once.
 #include <gtest/gtest.h>
 
 #include "core/math/hash_random.hpp"
@@ -31,8 +31,8 @@ Scene block(bool solid) {
   return s;
 }
 
-/// Bytes a particle that a start allocates on one rank, whether it keeps them or not. The particles are moved
-/// off their lattice, so that some have more bonds than most.
+/// Bytes per particle that a start allocates on one rank, kept or not. Particles are off their lattice, so
+/// that numbers of bonds differ.
 double askedFor(bool solid) {
   const Communicator comm;
   MpiReducer all(comm);
@@ -58,12 +58,12 @@ double askedFor(bool solid) {
 
 }  // namespace
 
-// With room for bonds made twice, columns, ids and lists that double, and places kept beside the numbers they
-// follow from it was 1491 and 710.
-TEST(Start, AsksTheSystemOnce) {
-  if (Communicator().size() > 1) GTEST_SKIP() << "messages of the first partition come on top";
+// The limit leaves no room for temporary copies: bonds made twice, columns, ids and lists that double, or
+// stored positions that follow from their numbers.
+TEST(Start, RequestsMemoryOnce) {
+  if (Communicator().size() > 1) GTEST_SKIP() << "messages of the first partition add to it";
   const double solid = askedFor(true), fluid = askedFor(false);
-  measured("bytes a particle that a start asks for: solid %.0f, fluid %.0f", solid, fluid);
+  measured("bytes per particle requested at the start: solid %.0f, fluid %.0f", solid, fluid);
   EXPECT_LT(solid, 1300);
   EXPECT_LT(fluid, 630);
 }

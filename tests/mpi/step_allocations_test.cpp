@@ -1,4 +1,4 @@
-// A steady step allocates nothing: a solid, a liquid, heat, walls, contacts, surface tension.
+// A steady step allocates nothing: solid, liquid, heat, walls, contacts, surface tension.
 #include <gtest/gtest.h>
 
 #include "core/setup/setup.hpp"
@@ -57,8 +57,7 @@ void runSteady(const Scene& scene, int mostBusy = 10) {
   const Halos halos{all, cells, bonds};
   startWorld(w, halos, tools, {});
   for (int k = 0; k < 150; k++) ASSERT_TRUE(step(w, halos, tools, {}).finite);
-  int busy = 0;  // steps in which something grew: a particle came to this rank, a list became longer than
-                 // ever
+  int busy = 0;  // steps with growth: a particle arrives at this rank, or a list exceeds its largest length
   long most = 0;
   for (int k = 0; k < 50; k++) {
     const long before = allocations;
@@ -72,19 +71,18 @@ void runSteady(const Scene& scene, int mostBusy = 10) {
 
 }  // namespace
 
-// Where something moves, lists become longer than ever now and then.
-TEST(Step, FewStepsAllocateWhereAllMoves) { runSteady(blockInAPool()); }
+// With motion, lists exceed their largest length now and then.
+TEST(Step, FewStepsAllocateInMotion) { runSteady(blockInAPool()); }
 
-// The same with nothing that falls: whatever a step of a liquid, a solid, heat, contacts and walls does, no
-// step of it allocates.
-TEST(Step, ASteadyStepAllocatesNothing) {
+// Without falling bodies no step allocates: liquid, solid, heat, contacts and walls.
+TEST(Step, SteadyStepAllocatesNothing) {
   Scene s = blockInAPool();
   s.domain.gravity = {};
   s.numerics.fixedStep = 1e-5;
   runSteady(s, 0);
 }
 
-TEST(Step, NorDoesImplicitViscosity) {
+TEST(Step, SteadyImplicitViscosityAllocatesNothing) {
   Scene s = blockInAPool();
   s.numerics.viscositySolver = ViscositySolver::Implicit;
   runSteady(s);

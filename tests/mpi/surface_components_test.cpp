@@ -1,5 +1,5 @@
-// Components of bodies that lie across ranks: labels, events and measures are those of a single process, bit
-// by bit (docs/validation/stability.md B30).
+// Components of bodies across ranks have the labels, events and measures of a single process, bit by bit
+// (docs/validation/stability.md B30).
 #include <map>
 
 #include "core/math/hash_random.hpp"
@@ -11,8 +11,8 @@ using namespace thaw::test;
 
 namespace {
 
-/// A scene of many bodies: a long wire, two balls that meet, a ball across a periodic side, a dumbbell, a
-/// drop in a pool, a spray.
+/// A scene of many bodies: a long wire, two touching balls, a ball across a periodic side, a dumbbell, a drop
+/// in a pool, a spray.
 template<class Rig> void fill(Rig& rig) {
   rig.box({-1.9, -0.1, 1.5}, {38, 2, 2});  // crosses all ranks
   rig.body = 1;
@@ -23,7 +23,7 @@ template<class Rig> void fill(Rig& rig) {
   rig.ball({1.95, 1.2, -0.5}, 0.5);  // periodic
   rig.body = 4;
   rig.ball({-0.6, 1.2, 0.7}, 0.4, 1000000);
-  rig.ball({0.6, 1.2, 0.7}, 0.4, 1000000);  // one component so far
+  rig.ball({0.6, 1.2, 0.7}, 0.4, 1000000);  // a single component at first
   rig.sphere({0, 1.5, 0}, 0.05, 1000000);   // surfels without particles
   rig.body = 5;
   rig.box({-1.5, -1.5, -1.9}, {30, 20, 5});
@@ -36,7 +36,8 @@ template<class Rig> void fill(Rig& rig) {
     };
     rig.ball({-1.7 + 3.4 * u(1), -0.4 + 0.8 * u(2), 0.2 + u(3)}, 0.12);
   }
-  for (int k = 0; k < 10; k++) rig.particle({-0.6 + 0.02 * k, 1.2 + 0.01 * k, 1.1 + 0.07 * k});  // fresh
+  for (int k = 0; k < 10; k++)
+    rig.particle({-0.6 + 0.02 * k, 1.2 + 0.01 * k, 1.1 + 0.07 * k});  // new particles
 }
 
 struct World3 {
@@ -61,7 +62,7 @@ void expectSame(const SurfaceComponent& a, const SurfaceComponent& b) {
 
 }  // namespace
 
-TEST(SurfaceComponents, AreThoseOfASingleProcess) {
+TEST(SurfaceComponents, EqualThoseOfASingleProcess) {
   const Communicator comm;
   World3 whole, part;
   SerialSurfaceRanks serial(whole.rig.world.surface.grid);

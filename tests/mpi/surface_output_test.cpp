@@ -1,4 +1,4 @@
-// The surface in checkpoints, good states and frames: written on some ranks, read on others.
+// The surface in checkpoints, snapshots and frames, written on some ranks and read on others.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -17,14 +17,14 @@ using namespace thaw::test;
 
 namespace {
 
-const bool romio = (useRomio(), true);  // before MPI_Init, which is in main
+const bool romio = (useRomio(), true);  // before MPI_Init in main
 const RunStamp stamp{"wax", "title = \"Wax\"\n", false};
 
 std::uint64_t surfelId(std::uint64_t k) {
   return k % 3 ? 1ull << 63 | k : 0x9e3779b97f4a7c15ull * (k + 1) | 1ull << 63;
 }
 
-/// Surfels whose every number depends on k only, spread over the ranks as the particles are.
+/// Makes surfels with values that depend on k only, spread over the ranks like the particles.
 void addSurface(World& w, MPI_Comm comm, std::uint64_t count) {
   Surface& s = w.surface;
   for (AnyColumn* c : s.surfels.columns)
@@ -54,7 +54,7 @@ void addSurface(World& w, MPI_Comm comm, std::uint64_t count) {
   s.lastStep = 120;
 }
 
-/// All surfels of all ranks by id, in one string of bytes each.
+/// All surfels of all ranks by id, each as a string of bytes.
 std::map<std::uint64_t, std::string> rowsOf(const Surfels& s) {
   std::map<std::uint64_t, std::string> rows;
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -83,7 +83,7 @@ void expectSame(const Surface& a, const Surface& b) {
 
 }  // namespace
 
-TEST(SurfaceOutput, ACheckpointHasAllOfIt) {
+TEST(SurfaceOutput, CheckpointHoldsTheSurface) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -114,7 +114,7 @@ TEST(SurfaceOutput, ACheckpointHasAllOfIt) {
   }
 }
 
-TEST(SurfaceOutput, ACheckpointWithoutOneIsReadWhereTheSceneHasNone) {
+TEST(SurfaceOutput, CheckpointWithoutASurfaceIsReadForScenesWithoutOne) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -137,7 +137,7 @@ TEST(SurfaceOutput, ACheckpointWithoutOneIsReadWhereTheSceneHasNone) {
   EXPECT_THROW(restoreWorld(with, *slice, rankOf() == 0), IoError) << "a scene that needs surfels";
 }
 
-TEST(SurfaceOutput, AGoodStateHasAllOfIt) {
+TEST(SurfaceOutput, SnapshotHoldsTheSurface) {
   Sample sample(MPI_COMM_WORLD, 100);
   World& w = sample.w;
   GoodState kept;
@@ -177,7 +177,7 @@ TEST(SurfaceOutput, FramesAreComparedAsSurfels) {
   EXPECT_EQ(d.find("color")->element, Element::U8);
   EXPECT_EQ(d.find("color")->value(5, 0), 10);
   EXPECT_EQ(d.find("color")->value(5, 1), 20);
-  // the first surfel of each rank dies in the other file
+  // the first surfel of each rank is missing in the other file
   if (w.surface.surfels.owned > 0) w.surface.surfels.resize(w.surface.surfels.owned - 1, 0);
   writeFrame(b, MPI_COMM_WORLD, surfaceFrameOf(w), stamp);
   if (rankOf() != 0) return;

@@ -16,8 +16,7 @@ using test::SettleRig;
 
 namespace {
 
-/// A ball across the periodic side along x, half of it melting, with some surfels out of reach of the
-/// particles.
+/// A ball across the periodic side along x, half molten, with some surfels beyond the reach of the particles.
 std::unique_ptr<SettleRig> ball(bool periodic) {
   auto made = std::make_unique<SettleRig>(0.5, 14, [&](Scene& s) {
     if (periodic) s.domain.side[0] = {Side::Periodic, Side::Periodic};

@@ -32,7 +32,7 @@ Scene sceneOf(double adapt) {
   return s;
 }
 
-/// A ball squeezed to a lens, so that the curvature differs, stretched and compressed again with resampling.
+/// Deforms a ball to a lens, so that the curvature varies, then stretches and compresses it with resampling.
 template<class Ranks> void play(World& w, SurfaceTools& t, Ranks& ranks) {
   w.grid.support = 2 * w.scene.spacing;
   Modules m;
@@ -53,7 +53,7 @@ template<class Ranks> void play(World& w, SurfaceTools& t, Ranks& ranks) {
       s.position[i].x *= to / stretch;
       s.normal[i] = normalized({s.normal[i].x * stretch / to, s.normal[i].y, s.normal[i].z});
       s.tangent[i] = normalized(s.tangent[i] - s.normal[i] * dot(s.normal[i], s.tangent[i]));
-      s.calm[i] = 0;  // moved by hand
+      s.calm[i] = 0;  // this test moves it
     }
     stretch = to;
     resample(w, ranks.halos(), t, 6);
@@ -76,7 +76,7 @@ void expectSame(double adapt) {
   EXPECT_EQ(alone.surface.counters.deaths, shared.surface.counters.deaths);
   EXPECT_GT(alone.surface.counters.births, 100);
   EXPECT_GT(alone.surface.counters.deaths, 100);
-  // every row here is one of the single process; and as many of them
+  // every row equals one of the single process, and the numbers agree
   const Surfels &a = alone.surface.surfels, &b = shared.surface.surfels;
   std::int64_t count = static_cast<std::int64_t>(b.owned);
   all.all.sum({&count, 1});
@@ -101,7 +101,7 @@ void expectSame(double adapt) {
 }
 
 TEST(SurfelSampling, IsTheSameOnAnyNumberOfRanks) { expectSame(0); }
-TEST(SurfelSampling, WithAdaptedDensityToo) { expectSame(0.4); }
+TEST(SurfelSampling, IsTheSameWithAdaptedDensity) { expectSame(0.4); }
 
 }  // namespace
 }  // namespace thaw

@@ -1,5 +1,5 @@
-// The surface of a body that sheets are wrapped round, from rank to rank: what each has of it, against all of
-// it; and what draws it.
+// The distributed surface of a body that sheets wrap: the part on each rank against the complete surface, and
+// the forces returned to it.
 #include "core/sheet/wrap_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 constexpr int size = 45;  // cells of the domain along an axis: several blocks
 const double edge = 0.1;
 
-/// A ball with a hole in it and a few cells torn off.
+/// A ball with a hole and a few detached cells.
 bool taken(const Vec3i& c) {
   const Vec3d x{c.x - 22.0, c.y - 21.5, c.z - 23.0};
   if (c.x < 0 || c.y < 0 || c.z < 0 || c.x >= size || c.y >= size || c.z >= size) return false;
@@ -32,7 +32,7 @@ Vec3d middleOf(const Vec3i& c) {
   return x;
 }
 
-TEST(WrapParts, EachRankHasWhatItsVerticesNeedAndGivesBackWhatDraws) {
+TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
   const Communicator comm(MPI_COMM_WORLD);
   MpiReducer all(comm);
   Domain domain;
@@ -47,13 +47,13 @@ TEST(WrapParts, EachRankHasWhatItsVerticesNeedAndGivesBackWhatDraws) {
         const Vec3i c{x, y, z};
         if (!taken(c)) continue;
         const WrapPart p{cellKey(c), 1 + 0.1 * x, middleOf(c)};
-        // some ranks have none
+        // some ranks have no part
         if (static_cast<int>(mixBits(p.key) % 5) * all.size() / 5 == all.rank()) mine.push_back(p);
         if (!(taken({x + 1, y, z}) && taken({x - 1, y, z}) && taken({x, y + 1, z}) && taken({x, y - 1, z}) &&
               taken({x, y, z + 1}) && taken({x, y, z - 1})))
           surface.push_back(p);
       }
-  std::vector<Vec3d> places;  // on the last rank none; a few of one corner, far or near, inside too
+  std::vector<Vec3d> places;  // none on the last rank; a few in one corner, far, near and inside
   for (std::uint64_t k = 0; k < 40 && all.rank() + 1 < std::max(2, all.size()); k++)
     places.push_back(edge * size *
                      Vec3d{randomUniform(7, Purpose::Test, k, 0), 0.3 * randomUniform(7, Purpose::Test, k, 1),
@@ -76,7 +76,7 @@ TEST(WrapParts, EachRankHasWhatItsVerticesNeedAndGivesBackWhatDraws) {
     for (const WrapPart& p : surface)
       ASSERT_TRUE(length(p.middle - x) > nearest + 2 * edge || has.contains(p.key));
   }
-  // each rank draws what it has by one unit along x, and by its rank along y
+  // each rank draws its parts by one unit along x and by its rank along y
   std::vector<std::int64_t> units;
   for (std::size_t k = 0; k < found.near.size(); k++) units.insert(units.end(), {1, all.rank(), -3});
   std::int64_t sums[3] = {0, 0, static_cast<std::int64_t>(found.near.size())};

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every benchmark of whole steps, output, scaling, sheets, surfaces and time runs to its end at a size that
-# says nothing about speed, and writes the rows that its charts read.
+# Every benchmark of whole steps, output, scaling, sheets, surfaces and time runs to its end at a tiny size
+# and writes the rows that its charts read.
 #   benchmarks_test.sh BUILD
 set -eu
 build=$1/benchmarks
@@ -10,13 +10,13 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
 
-# rows NAME FILE LEAST: the file has its head and at least so many rows, each with as many columns, and a
-# number that is not a number nowhere
+# rows NAME FILE LEAST: the file has its head and at least LEAST rows of the same number of columns, without
+# nan or inf
 rows() {
   awk -F, -v least="$3" '{ gsub(/"[^"]*"/, "text") } NR == 1 { n = NF } NF != n || tolower($0) ~ /(^|,)-?(nan|inf)(,|$)/ { bad = 1 } END { exit !(NR > least && !bad) }' "$2" ||
     { echo "$1: not $3 good rows in its table:"; cat "$2"; failed=1; }
 }
-# does NAME COMMAND...: it ends with 0
+# does NAME COMMAND...: the command exits with 0
 does() {
   local name=$1
   shift
@@ -38,7 +38,7 @@ does time_to_solution mpirun -n 2 "$build/time_to_solution" --only beam --end 0.
 rows time_to_solution "$work/time.csv" 3
 does surface "$build/surface" --surfels 2000 --repeat 1 --only iterations --csv "$work/surface.csv"
 rows surface "$work/surface.csv" 1
-if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then  # not on a machine that only tests
+if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then  # matplotlib is optional for tests
   does "chart of surfaces" /usr/bin/python3 "$here/surface_chart.py" "$work/surface.csv" "$work/surface.png"
 fi
 does sheet "$build/sheet" --only accuracy --csv "$work/sheet.csv"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A simulation that blows up ends with exit code 4 on every rank, one message that names the particle, a
-# summary that says so, and the frames and the checkpoint of before.
+# summary with the failure, and the earlier frames and checkpoint.
 . "$(dirname "$0")/../support/run.sh"
 for scene in beam drop; do
   settings "$scene"
@@ -14,24 +14,24 @@ for scene in beam drop; do
   [ "$(value "$out/summary.json" status)" = failed ] || fail "$scene: the summary says '$(value "$out/summary.json" status)'"
   [ "$(value "$out/summary.json" particles)" -gt 0 ] || fail "$scene: the summary has no particles"
   after=$(frameSums "$out" "$scene")
-  frameIsLost "$frames" "$after" && fail "$scene: frames of before are gone or changed"
+  frameIsLost "$frames" "$after" && fail "$scene: earlier frames are gone or changed"
   [ "$("$thaw" info "$out" --json | value - step)" = 20 ] || fail "$scene: the checkpoint of step 20 is gone"
 done
 
-# from the start, a thousand times too long: retries do not help, and the last good state is a checkpoint from
-# which a shorter step goes on
+# A step that is a thousand times too long from the start: retries do not help. The last snapshot becomes a
+# checkpoint from which a shorter step continues.
 settings beam
 out=$work/absurd
 launch 3 run "$scenes/beam.toml" "${set[@]}" --set end=0.6 --set output.every=0.6 --set numerics.fixed_step=0.2 --out "$out" >"$work/log" 2>&1; expectExit 4 "a step a thousand times too long"
 expectMessage "^error: .*blew up at step [0-9]*, .* particle [0-9]* of body 'beam' at .*elastic .* N.*4 retries from step 0 with steps down to 1/16 did not help; the checkpoint holds step 0" "absurd"
 [ "$(grep -c '^error: ' "$work/log")" = 1 ] || { fail "absurd: not one error message"; cat "$work/log"; }
 [ "$(value "$out/summary.json" status)" = failed ] && [ "$(value "$out/summary.json" retries)" = 4 ] || fail "absurd: the summary does not say failed after 4 retries"
-[ "$("$thaw" info "$out" --json | value - step)" = 0 ] || fail "absurd: no checkpoint of the good state"
+[ "$("$thaw" info "$out" --json | value - step)" = 0 ] || fail "absurd: no checkpoint of the snapshot"
 launch 2 run "$scenes/beam.toml" "${set[@]}" --set output.every=0.6 --restart --out "$out" >"$work/log" 2>&1; expectExit 0 "restart with a step of its own"
 [ "$(value "$out/summary.json" status)" = done ] || fail "absurd: restarted, the summary says '$(value "$out/summary.json" status)'"
 
-# oriented particles: they flew out of the domain within fewer steps than there are between two looks at the
-# books, and the run was done
+# Oriented particles can fly out of the domain within fewer steps than there are between two checks of the
+# ledger.
 for integrator in symplectic rk4; do
   oriented=("$scenes/oriented/relax_plane.toml" --set spacing=0.03 --set end=0.2 --set output.every=0.1 --set oriented.patch.integrator=$integrator)
   launch 3 run "${oriented[@]}" --set numerics.fixed_step=0.02 --set numerics.retries=0 --out "$work/oriented" >"$work/log" 2>&1; expectExit 4 "oriented, $integrator: a step far too long"
@@ -41,7 +41,7 @@ done
 launch 2 run "${oriented[@]}" --set numerics.fixed_step=0.005 --out "$work/oriented" >"$work/log" 2>&1; expectExit 0 "oriented: a retry at half the step helps"
 [ "$(value "$work/oriented/summary.json" retries)" -gt 0 ] || fail "oriented: no retry"
 
-# each watch, made to see something
+# each check of the stability monitor, triggered by a tight limit
 watch() {  # watch SCENE KEY=VALUE MESSAGE [END [MORE=VALUE]]
   settings "$1"
   launch 2 run "$scenes/$1.toml" "${set[@]}" --set numerics.retries=1 --set "numerics.$2" ${5:+--set "$5"} --set numerics.retry_every=20 --steps 150 --out "$work/$1.watch" >"$work/log" 2>&1

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What scripts/run says of how to go on with a run that was stopped: with all that changed the scene.
+# The command that scripts/run prints to continue a stopped run has all options that changed the scene.
 . "$(dirname "$0")/../support/run.sh"
 says() {  # says EXPECTED RANKS OPTIONS...
   local expected=$1 got

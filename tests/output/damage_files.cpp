@@ -1,7 +1,7 @@
-// damage_files NUMBER FILE [SEED]: damages copies of a checkpoint or a frame, each in its own way, and has
-// each read by a process of its own. Prints how many were refused, accepted, and ended a process by a signal.
-// Ends with 1 if a process was ended by a signal, or if a damaged checkpoint was accepted. damage_files 1
-// FILE SEED --keep: leaves the damaged copy as FILE.damaged, and reads nothing.
+// damage_files NUMBER FILE [SEED]: damages copies of a checkpoint or a frame in different ways and reads each
+// in a separate process. Prints how many were refused, accepted, or killed the process by a signal. Exits
+// with 1 on a signal, or if a damaged checkpoint was accepted. damage_files 1 FILE SEED --keep leaves the
+// damaged copy as FILE.damaged without reading it.
 #include <mpi.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -26,7 +26,7 @@ constexpr const char* kinds[] = {"bits flipped",      "cut short",      "page ze
                                  "bytes overwritten", "bytes appended", "piece left out"};
 constexpr std::size_t kindsOfDamage = std::size(kinds);
 
-/// The content with damage of a kind; not the same as before.
+/// The content with one kind of damage; always different from the original.
 std::string damaged(const std::string& whole, std::size_t kind, std::mt19937_64& random) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   std::string s = whole;
@@ -72,7 +72,7 @@ int readApart(const std::string& path, bool checkpoint) {
       else readFrame(path);
     } catch (const IoError& e) {
       code = 1;
-      if (std::strlen(e.what()) <= path.size() + 2) code = 3;  // without a reason
+      if (std::strlen(e.what()) <= path.size() + 2) code = 3;  // no reason given
     } catch (const std::exception& e) {
       std::printf("%s\n", e.what());
       code = 3;
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
   const std::string whole{std::istreambuf_iterator<char>(in), {}};
   const bool checkpoint = isCheckpoint(H5File::openToRead(path));
   long results[kindsOfDamage][3] = {}, wrong = readApart(path, checkpoint) == 0 ? 0 : 1;
-  if (wrong > 0) std::printf("the whole file is not read\n");
+  if (wrong > 0) std::printf("the undamaged file cannot be read\n");
   for (long k = 0; k < number; k++) {
     std::mt19937_64 random(seed * 1000003 + static_cast<std::uint64_t>(k));
     const std::size_t kind = static_cast<std::size_t>(static_cast<std::uint64_t>(k) + seed) % kindsOfDamage;

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# Damaged checkpoints are refused before HDF5 opens them, and the other one is used; where both are damaged
-# the run ends with exit code 3.
-# Damaged frames end no program by a signal. THAW_DAMAGES: damages of a checkpoint that are tried, 140 without
-# it.
+# Damaged checkpoints are refused before HDF5 opens them, and the other one is used. If both are damaged, the
+# run ends with exit code 3. Damaged frames end no program by a signal. THAW_DAMAGES sets the number of
+# damaged copies per checkpoint (140).
 . "$(dirname "$0")/../support/run.sh"
 export OMPI_MCA_io=romio321
 settings freeze
@@ -15,7 +14,7 @@ frame=$(ls "$out"/frames/*.hdf | tail -n 1)
 "$build/tests/damage_files" "$number" "$b" 1 || fail "checkpoint"
 "$build/tests/damage_files" 70 "$frame" 2 || fail "frame"
 
-# through the program: the newest is damaged, then both
+# through the program: first the newest is damaged, then both
 restart() { launch "$1" run "$scenes/freeze.toml" "${set[@]}" --steps 9 --restart --out "$work/copy" >"$work/log" 2>&1; }
 signals() { ! grep -qiE 'signal|Segmentation|terminate called' "$work/log" || fail "$1: $(cat "$work/log")"; }
 for seed in 1 2 3 4 5 6 7; do
@@ -34,7 +33,7 @@ restart 2; expectExit 3 "both are damaged"
 expectMessage "^error: no checkpoint can be read: .*a.hdf: .*b.hdf: " "both are damaged"
 "$thaw" compare "$out" "$work/copy" >"$work/log" 2>&1; expectExit 3 "compare with damaged ones"
 
-# frames, through the programs that read them
+# damaged frames, through the programs that read them
 for seed in 1 2 3 4 5 6 7; do
   "$build/tests/damage_files" 1 "$frame" $seed --keep
   mkdir -p "$work/pictures"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A full disk, a limit of file size, a folder that cannot be made or written: exit code 3 on every rank, one
-# message, a summary where there is room for it, earlier frames whole, nothing half-written left, and no hang.
+# A full disk, a file size limit, or a folder that cannot be made or written: exit code 3 on every rank, one
+# message, a summary if there is room, whole earlier frames, no partial files, and no hang.
 . "$(dirname "$0")/../support/run.sh"
 scene=$scenes/drop.toml
 settings drop
@@ -19,16 +19,15 @@ wholeFrames() {  # wholeFrames FOLDER WHAT: at least one, all readable, no .part
 : >"$work/file"
 run "$work/file/out"; expectExit 3 "folder below a file"; oneError "folder below a file"
 
-# a limit of file size between a frame's and a checkpoint's: the first frames come through, the first
-# checkpoint cannot be written
+# a size limit between a frame and a checkpoint: the first frames are written, the first checkpoint fails
 run "$work/size" --steps 3; expectExit 0 "without a limit"
 frame=$(stat -c %s "$work/size"/frames/drop_000000.hdf)
 checkpoint=$(stat -c %s "$work/size"/checkpoint/a.hdf)
 rm -rf "$work/size"
-between=$((frame + 290000))  # a frame and what HDF5 may add to it (see the free-space check) fit
+between=$((frame + 290000))  # fits a frame with additions of HDF5 (see the free-space check)
 [ "$checkpoint" -gt $((between + 10000)) ] || fail "a checkpoint ($checkpoint bytes) is not much larger than a frame ($frame bytes)"
-# for the ranks alone, which talk by TCP: the files in memory of mpirun and of its shared-memory transport may
-# be larger
+# the limit applies to the ranks only, which use TCP: files in memory of mpirun and its shared-memory
+# transport may be larger
 printf '#!/bin/bash\nulimit -f %d\nexec "%s" "$@"\n' $((between / 1024)) "$thaw" >"$work/limited"
 chmod +x "$work/limited"
 limited() { OMPI_MCA_btl=self,tcp thaw=$work/limited run "$@"; }

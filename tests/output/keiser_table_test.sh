@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# benchmarks/keiser prints its table also where runs are cut by --seconds: a row of the paper's and one of
-# ours for each scene.
+# benchmarks/keiser prints its table also for runs that --seconds stops: a row of the paper and one of thaw
+# per scene.
 . "$(dirname "$0")/../support/run.sh"
 export THAW_BUILD=$build
 bash "$source_dir/benchmarks/keiser/run" --csv "$work/keiser.csv" --out "$work/runs" --seconds 2 --scenes fluid,freezing --set spacing=0.1 --set surface.spacing=0.05 --set output.every=0.05 --set output.width=160 --set output.height=120 >"$work/log" 2>&1 ||

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What commands say of scenes of oriented particles and sheets alone: what a failure exceeded, how many
-# particles there are, which fields, what a restart has changed.
+# Reports of commands for scenes with oriented particles and sheets only: the limit that a failure exceeded,
+# numbers of particles, fields, and changes at a restart.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/net.toml" <<'END'
 spacing = 0.05
@@ -71,7 +71,8 @@ printf '[[sheet]]\nname = "twig"\ngrid = { width = 0.1, depth = 0.1 }\nplace = {
 launch 1 check "$work/leaves.toml" >"$work/log" 2>&1; expectExit 0 "check of two sheets"
 expectMessage "^  sheets: sheets 'leaf' and 'twig'" "check of two sheets"
 
-# A curve beside a surface is drawn, though no triangle shows it; a number below 0 may begin with its point.
+# A curve next to a surface is drawn, although no triangle shows it. A negative number may begin with its
+# point.
 cat >"$work/curve.toml" <<'END'
 spacing = 0.05
 end = 1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ledger.csv has a row for the start, each frame, each output.ledger_every and the end: the same bytes on any
-# number of ranks, after a kill, and after retries; and it changes no bit of the run.
+# ledger.csv has a row for the start, each frame, each output.ledger_every and the end. It has the same bytes
+# on any number of ranks, after a kill and after retries, and does not change the run.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/s.toml" <<'SCENE'
 spacing = "2 cm"
@@ -47,13 +47,13 @@ motion = [{ time = 0 }, { time = 1, move = [0, 0, 0.5] }]
 every = "20 ms"
 SCENE
 run() { launch "$1" run "$work/s.toml" --set output.ledger_every=0.004 --out "$work/$2" "${@:3}" >"$work/log" 2>&1; }
-same() { cmp -s "$work/$1/ledger.csv" "$work/$2/ledger.csv" || { fail "$3: another ledger.csv"; diff "$work/$1/ledger.csv" "$work/$2/ledger.csv" | head -n 4 | cut -c 1-300; }; }
+same() { cmp -s "$work/$1/ledger.csv" "$work/$2/ledger.csv" || { fail "$3: ledger.csv differs"; diff "$work/$1/ledger.csv" "$work/$2/ledger.csv" | head -n 4 | cut -c 1-300; }; }
 run 1 one; expectExit 0 "on one rank"
 run 3 three; expectExit 0 "on three ranks"
 same one three "three ranks"
-"$thaw" compare --frames "$work/one" "$work/three" >"$work/log" 2>&1 || { fail "three ranks: other bits, beside an obstacle with an image"; cat "$work/log"; }
+"$thaw" compare --frames "$work/one" "$work/three" >"$work/log" 2>&1 || { fail "three ranks: other bits next to an obstacle with an image"; cat "$work/log"; }
 
-# what it holds
+# entries of the ledger
 awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) at[$k] = k; n = NF; next }
   NF != n { print "row " NR ": " NF " fields"; bad = 1 }
   { t = $at["time_s"]; if (NR > 2 && (t <= last || t - last > 0.006)) { print "time " t " after " last; bad = 1 } last = t; rows++ }
@@ -65,13 +65,12 @@ awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) at[$k] = k; n = NF; next }
     if (rows < 16 || last != 0.06) { print rows " rows to " last; bad = 1 } exit bad }' "$work/one/ledger.csv" || fail "what ledger.csv holds"
 for time in 0 0.02 0.04 0.06; do cut -d, -f2 "$work/one/ledger.csv" | grep -qx "$time" || fail "no row of the frame at $time s"; done
 
-# without further rows: those of frames, and the same bits
+# without output.ledger_every: the rows of frames, and the same bits
 launch 2 run "$work/s.toml" --out "$work/frames" >"$work/log" 2>&1; expectExit 0 "without ledger_every"
 [ "$(wc -l <"$work/frames/ledger.csv")" = 5 ] || fail "$(wc -l <"$work/frames/ledger.csv") lines for four frames"
 "$thaw" compare "$work/one" "$work/frames" >"$work/log" 2>&1 || { fail "ledger_every changes the run"; cat "$work/log"; }
 
-# killed and resumed on another number of ranks, with a line that is not whole; then with the log of another
-# version
+# killed and resumed on another number of ranks, with an incomplete line; then with the log of another version
 run 2 parts --steps 20; expectExit 0 "first part"
 launchInBackground 3 run "$work/s.toml" --set output.ledger_every=0.004 --set output.checkpoint=0.05 --resume --out "$work/parts" >"$work/log" 2>&1
 sleep 1
@@ -83,9 +82,9 @@ run 1 later --steps 20; expectExit 0 "first part"
 echo "step,time_s" >"$work/later/ledger.csv"
 run 1 later --resume; expectExit 0 "with a log of other columns"
 [ "$(head -n 1 "$work/later/ledger.csv")" = "$(head -n 1 "$work/one/ledger.csv")" ] || fail "the head of a log of other columns"
-[ "$(tail -n 1 "$work/later/ledger.csv")" = "$(tail -n 1 "$work/one/ledger.csv")" ] || fail "the last row behind a log of other columns"
+[ "$(tail -n 1 "$work/later/ledger.csv")" = "$(tail -n 1 "$work/one/ledger.csv")" ] || fail "the last row after a log of other columns"
 
-# mechanical energies of a heated liquid at rest are rounding beside its heat
+# The mechanical energies of a heated liquid at rest are rounding relative to its heat.
 cat >"$work/heat.toml" <<'SCENE'
 spacing = 0.01
 end = 0.2
@@ -116,7 +115,7 @@ launch 1 run "$work/heat.toml" --out "$work/heat" >"$work/log" 2>&1; expectExit 
 expectMessage '^t 0.20000 .*residual .* J (rounding)' "the residual of a run of heat"
 grep -q 'ledger does not close' "$work/log" && fail "a run of heat whose ledger does not close"
 
-# stretches that are run again leave no rows
+# repeated stretches leave no rows
 settings beam
 set+=(--set end=0.05 --set output.every=0.01 --set output.ledger_every=0.001 --set numerics.fixed_step=6e-4)
 for ranks in 1 3; do

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# One run a folder: a second start is refused while the first lives, also with --resume and when both start at
-# once. The lock of a run that was killed is taken over. Every other end removes it: done, stopped, blown up,
-# a mistake in the scene.
+# One run per folder: a second start is refused while the first lives, also with --resume and when both start
+# at once. A new run takes over the lock of a killed one. Every other end removes the lock: done, stopped,
+# blown up, an error in the scene.
 . "$(dirname "$0")/../support/run.sh"
 scene=$scenes/drop.toml
 settings drop
 run() { launch 2 run "$scene" "${set[@]}" --out "$work/$1" "${@:2}" >"$work/log" 2>&1; }
-begun() {  # begun FOLDER: in the background, with frames for minutes, until it steps
+begun() {  # begun FOLDER: in the background, with frames for minutes; returns after the first steps
   launchInBackground 2 run "$scene" "${set[@]}" --set end=1000 --progress 0.2 --out "$work/$1" "${@:2}" >"$work/log.$1" 2>&1
   for _ in $(seq 100); do grep -q '^t .*step [1-9]' "$work/log.$1" && return; sleep 0.1; done
   fail "the run in $1 does not begin"
@@ -45,7 +45,7 @@ run live --resume --steps 1 --force; expectExit 0 "--force"
 expectMessage "^note: this run takes over .* from process 1 on elsewhere" "--force"
 free live "--force"
 
-# two at once: one goes, the other is refused, and what the first writes is whole
+# two at once: one runs, the other is refused, and the files of the first are whole
 for _ in 1 2; do
   rm -rf "$work/race"
   for which in a b; do
@@ -53,7 +53,7 @@ for _ in 1 2; do
   done
   wait
   codes=$(sort "$work/code.a" "$work/code.b" | tr '\n' ' ')
-  # the first may be done before the second one looks
+  # the first may end before the second checks
   [ "$codes" = "0 3 " ] || [ "$codes" = "0 0 " ] || fail "two at once end with $codes"
   [ "$(value "$work/race/summary.json" status)" = done ] || fail "two at once: no summary"
   free race "two at once"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A title of a thousand characters: whole in summary.json, cut short in lines that people read, and pictures
-# are made.
+# A title of a thousand characters is whole in summary.json and shortened in printed lines; pictures are
+# rendered.
 . "$(dirname "$0")/../support/run.sh"
 title=$(printf 'a very long title of a scene %.0s' $(seq 35))
 cat >"$work/long.toml" <<END
@@ -19,13 +19,13 @@ box = { size = [0.2, 0.2, 0.2] }
 [output]
 every = 0.01
 END
-short() {  # of the last command, whose output is in $work/log
+short() {  # checks the output of the last command in $work/log
   grep -q 'a very long title of a scene a very.*\.\.\.$' "$work/log" || fail "$1 does not show the beginning of the title"
   [ "$(awk '{ if (length > most) most = length } END { print most }' "$work/log")" -le 200 ] || fail "$1: a line of more than 200 characters"
 }
 cd "$work" || exit 1
 launch 2 run long.toml --progress 0 >"$work/log" 2>&1; expectExit 0 "run"; short run
-[ "$(value out/long/summary.json title)" = "$title" ] || fail "summary.json has not the whole title"
+[ "$(value out/long/summary.json title)" = "$title" ] || fail "summary.json does not have the whole title"
 launch 2 check long.toml >"$work/log" 2>&1; expectExit 0 "check"; short check
 "$thaw" info out/long >"$work/log" 2>&1; expectExit 0 "info"; short info
 "$thaw" render out/long >"$work/log" 2>&1; expectExit 0 "render"

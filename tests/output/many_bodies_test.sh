@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# `thaw check` of 10,000 bodies ends within seconds, with a screen of text: what bodies cost grows with their
-# number, and not with its square.
+# `thaw check` of 10,000 bodies ends within seconds with a screen of text: its cost is linear in the number of
+# bodies.
 . "$(dirname "$0")/../support/run.sh"
 bodies() {  # bodies N: cubes of one particle on a square of N x N, in a thin periodic slab
   awk -v n="$1" 'BEGIN {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# thaw run --profile: the table, and a trace that is whole whatever ends the run; nothing of it without.
+# thaw run --profile: the table, and a trace that is whole however the run ends; neither without --profile.
 . "$(dirname "$0")/../support/run.sh"
 check() { /usr/bin/env python3 "$(dirname "$0")/../support/check_trace.py" "$@" >"$work/log" 2>&1 || { fail "trace"; cat "$work/log"; }; }
 settings melt
@@ -15,7 +15,7 @@ launch 2 run "$scenes/melt.toml" "${set[@]}" --steps 40 --out "$work/plain" >"$w
 grep -q "profile" "$work/log" && fail "a table without --profile"
 [ -e "$work/plain/trace.json" ] && fail "a trace without --profile"
 "$thaw" compare "$work/plain" "$work/run.3" >"$work/log" 2>&1 || fail "--profile changes the result"
-# fewer steps than the trace could hold, stopped early; and a run that blows up
+# fewer steps than the trace can hold, stopped early; and a run that blows up
 timeout 60 "${mpi[@]}" -n 2 "$thaw" run "$scenes/melt.toml" "${set[@]}" --time-limit 0.3 --profile --trace-steps 10000 --out "$work/cut" >"$work/log" 2>&1; expectExit 75 "stopped by --time-limit"
 check "$work/cut/trace.json" 2 "$(value "$work/cut/summary.json" step)" ghosts,refresh,bonds
 settings beam

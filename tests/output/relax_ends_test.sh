@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Points of a ball, a third of whose normals stand the wrong way: relaxation of the surface through them comes
-# to no rest, and ends all the same, with progress on the way, one warning, and the same bits on any number of
-# ranks.
+# Points of a ball with a third of the normals reversed: relaxation of the surface through them does not
+# converge. It ends with progress lines, one warning, and the same bits on any number of ranks.
 . "$(dirname "$0")/../support/run.sh"
 awk 'BEGIN {
   n = 100

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# A restart with another scene: what particles and vertices are made of is refused, with the key, both values
-# and the line; what acts later is told; and never a crash. Meshes count by what is in their files.
+# A restart with another scene. Changes to the initial particles and vertices are refused with the key, both
+# values and the line. Changes with a later effect are reported. It never crashes. Meshes are compared by
+# content.
 . "$(dirname "$0")/../support/run.sh"
 squares() {  # squares N: a mesh of N by N squares over half a metre
   awk -v n="$1" 'BEGIN {
@@ -70,10 +71,10 @@ again() {  # again RANKS EXIT WHAT OPTIONS...: a restart of a copy of the first 
 }
 again 2 0 "the same scene"
 expectMessage '^  spacing 0.05 m; quality standard$' "the same scene"
-grep -q '^warning: changed' "$work/log" && fail "the same scene: something is told as changed"
+grep -q '^warning: changed' "$work/log" && fail "the same scene: a change is reported"
 mkdir "$work/elsewhere" && cp "$work/cloth.obj" "$work/elsewhere/moved.obj"
 again 2 0 "the mesh in another folder" --set "sheet.cloth.mesh=\"$work/elsewhere/moved.obj\""
-grep -q '^warning: changed' "$work/log" && fail "the mesh in another folder: something is told as changed"
+grep -q '^warning: changed' "$work/log" && fail "the mesh in another folder: a change is reported"
 
 refuses() { again "$1" 2 "$3" --set "$3"; expectMessage 'cannot be continued with this scene, it began with a different one' "$3"; expectMessage "$2" "$3"; }
 refuses 3 '^  sheet.cloth.place.mesh_vertices was 121, and is 49 now.*(.*all.toml:17)' "sheet.cloth.mesh=\"$work/coarse.obj\""
@@ -88,7 +89,7 @@ mv "$work/kept.obj" "$work/cloth.obj"
 again 2 2 "heat, where there was none" --set sheet.cloth.conductance=5
 expectMessage "cannot be continued.*a change needs data that the run has not stored: .*no field 'enthalpy'" "heat, where there was none"
 expectMessage '^  sheet.cloth.conductance was 0, and is 5 now' "heat, where there was none"
-grep -q '^warning: changed at the restart' "$work/log" && fail "heat, where there was none: told before it is refused"
+grep -q '^warning: changed at the restart' "$work/log" && fail "heat, where there was none: reported before it is refused"
 
 tells() { again "${3:-2}" 0 "$2" --set "$2"; expectMessage "^warning: changed at the restart: $1" "$2"; }
 again 2 0 "another quality" --set quality=preview

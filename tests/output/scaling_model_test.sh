@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The model of the scaling study (benchmarks/scaling/model.py) against counting and the figures of the
-# repository; docs/performance.md is what its script writes.
+# The model of the scaling study (benchmarks/scaling/model.py) against counting and the committed figures.
+# docs/performance.md equals the output of its script.
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 python3 "$here/benchmarks/scaling/test_model.py"

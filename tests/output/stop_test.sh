@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# A run that is stopped, by a signal, a file, a limit of time or of steps, ends with a checkpoint, exit code
-# 75 (0 for --steps) and a summary, and goes on from there; what cannot go on says why.
+# A run that is stopped by a signal, a file, or a limit of time or steps ends with a checkpoint, exit code 75
+# (0 for --steps) and a summary, and can be continued. A run that cannot be continued gives the reason.
 . "$(dirname "$0")/../support/run.sh"
 scene=$scenes/drop.toml
 settings drop
 run() { launch 2 run "$scene" "${set[@]}" --out "$work/$1" "${@:2}" >"$work/log" 2>&1; }
-stopped() {  # stopped WHAT: the folder has a checkpoint of the step that the summary names, and says "stopped"
+stopped() {  # stopped WHAT: the folder has a checkpoint of the step in the summary, and the status is "stopped"
   [ "$(value "$work/stop/summary.json" status)" = stopped ] || fail "$1: the summary says '$(value "$work/stop/summary.json" status)'"
   local step
   step=$("$thaw" info "$work/stop" --json | value - step)
@@ -19,7 +19,7 @@ for signal in USR1 USR2 TERM INT; do
   rm -rf "$work/stop"
   launchInBackground 2 run "$scene" "${set[@]}" --set end=1000 --out "$work/stop" >"$work/log" 2>&1
   for _ in $(seq 100); do grep -q '^t ' "$work/log" && break; sleep 0.1; done
-  # to one rank: all have to stop together
+  # to one rank: all must stop together
   kill -"$signal" "$(ranksOf "$work/stop" | head -n 1)"
   wait "$launched"; expectExit 75 "SIG$signal"
   stopped "SIG$signal"
@@ -29,16 +29,17 @@ for _ in $(seq 100); do grep -q '^t ' "$work/log" && break; sleep 0.1; done
 : >"$work/stop/stop"
 wait "$launched"; expectExit 75 "stop file"
 stopped "stop file"
-run stop --set end=1000 --resume --time-limit 1; expectExit 75 "--time-limit, and the stop file of before is gone"
+run stop --set end=1000 --resume --time-limit 1; expectExit 75 "--time-limit, and the earlier stop file is gone"
 stopped "--time-limit"
 expectMessage "time limit" "--time-limit"
 
-# timeout sends its signal to mpirun and to its group: USR1 may come twice
+# timeout signals mpirun and its group, so USR1 may come twice
 rm -rf "$work/stop"
 timeout -s USR1 4 "${mpi[@]}" -n 2 "$thaw" run "$scene" "${set[@]}" --set end=1000 --out "$work/stop" >"$work/log" 2>&1; expectExit 124 "timeout -s USR1"
 stopped "timeout -s USR1"
 
-# relaxation of oriented bodies: of `thaw relax` what there is is kept, before the start of a run nothing is
+# stopped relaxation of oriented bodies: `thaw relax` keeps its state, a run keeps nothing from before its
+# start
 launch 2 relax "$scenes/oriented/weld.toml" --out "$work/relax" --time-limit 1 --progress 0.2 >"$work/log" 2>&1; expectExit 75 "relax --time-limit"
 expectMessage "^oriented: iteration [1-9][0-9]* of relaxation, largest force" "relax --progress"
 expectMessage "stopped before rest" "relax --time-limit"
@@ -59,7 +60,7 @@ expectMessage "1000000 iterations at most; this check does not" "check of a scen
 expectMessage "oriented body 'left': [0-9]* particles" "check of a scene with relaxation"
 launch 2 check "$scenes/sheet/shell.toml" --set numerics.max_step=never >"$work/log" 2>&1; expectMessage "^time step: no limit at the start; each step ends at the next frame, 0.05 s" "check of a scene without limit"
 
-# a finished run goes on when the end is later
+# a finished run continues when the end is later
 run done --set end=0.001; expectExit 0 "short run"
 [ "$(value "$work/done/summary.json" status)" = done ] || fail "a finished run is not 'done'"
 frames=$(frameSums "$work/done" drop)
@@ -69,7 +70,7 @@ after=$(frameSums "$work/done" drop)
 frameIsLost "$frames" "$after" && fail "later end: earlier frames changed"
 run done --set end=0.002 --restart; expectExit 0 "nothing left to do"
 
-# compare --frames sees a frame that is gone and one that differs
+# compare --frames detects a missing frame and a changed one
 cp -r "$work/done" "$work/copy"
 "$thaw" compare --frames "$work/done" "$work/copy" >"$work/log" 2>&1; expectExit 0 "compare --frames, a copy"
 last=$(ls "$work/copy/frames"/drop_*.hdf | tail -n 1)
@@ -81,7 +82,7 @@ for path in "$work/copy/frames"/drop*; do mv "$path" "${path/frames\/drop/frames
 "$thaw" compare --frames "$work/done" "$work/copy" >"$work/log" 2>&1; expectExit 1 "compare --frames, other names"; expectMessage "no name is in both" "compare --frames, other names"
 "$thaw" compare --frames "$work/done" "$work/copy/checkpoint" >"$work/log" 2>&1; expectExit 3 "compare --frames, not a run"
 
-# what cannot be continued
+# runs that cannot be continued
 run nothing --restart; expectExit 2 "--restart without a checkpoint"; expectMessage "needs a checkpoint" "--restart without a checkpoint"
 run steps --restart --set spacing=0.002; expectExit 2 "another spacing"; expectMessage "spacing was 0.0008" "another spacing"
 before=$(cksum <"$work/steps/summary.json")

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# A liquid ball without surface tension bursts on a floor: at every frame its surface holds what its particles
-# do (it held up to a third more, in rags).
-# It freezes with adapted density: plates hold theirs, too (they lost up to a quarter).
+# A liquid ball without surface tension bursts on a floor. In every frame its surface encloses the volume of
+# its particles. A stream freezes with adapted density, and its plates keep their volume as well.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/film.toml" <<'END'
 spacing = "1.5 cm"
@@ -24,7 +23,7 @@ plane = { point = [0, 0, 0], normal = [0, 0, 1] }
 [output]
 every = "20 ms"
 END
-# worst FOLDER: the largest difference of the volumes in a frame, in thousandths
+# worst FOLDER: largest relative volume error of a frame, in thousandths
 worst() { awk -F, 'NR > 1 { p[$1] += $8; v[$1] += $9 } END { for (f in p) { d = v[f] / p[f] - 1; d = d < 0 ? -d : d; if (d > m) m = d }; print int(1000 * m + 0.5) }' "$1/surface.csv"; }
 launch 2 run "$work/film.toml" --out "$work/film" >"$work/log" 2>&1
 expectExit 0 "the film"

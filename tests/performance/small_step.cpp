@@ -1,5 +1,5 @@
-// small_step fluid|heat|carried|elastic|mixed: a few steps of a small block on one rank without MPI, for
-// counting instructions (instructions_test.sh).
+// small_step fluid|heat|carried|elastic|mixed: a few steps of a small block on one rank without MPI.
+// instructions_test.sh counts their instructions.
 #include <cstdio>
 #include <cstring>
 
@@ -9,7 +9,7 @@ using namespace thaw;
 
 namespace {
 
-/// 4,096 particles with a free surface, a little off the lattice by their motion.
+/// 4,096 particles with a free surface, slightly off the lattice by their motion.
 Scene block(const char* what) {
   const double dx = 0.01, L = 16 * dx;
   Scene s = test::emptyScene(dx, {-L, -L, -L}, {2 * L, 2 * L, 2 * L});

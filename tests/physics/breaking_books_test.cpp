@@ -1,4 +1,4 @@
-// What bonds that break no longer hold is in the books.
+// The ledger records the energy of breaking bonds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 using test::Simulation;
 
-/// A bar that turns so fast that it breaks: share of its energy that no book has.
+/// A bar that rotates so fast that it breaks. Returns the unexplained share of its energy.
 double lostByBreaking(double dt) {
   Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
   s.numerics.elasticPrecision = Precision::Double;
@@ -31,9 +31,9 @@ double lostByBreaking(double dt) {
   return r.books().energyResidual / kinetic;
 }
 
-// Forces change within a step, at its end: booked as the energy of the bonds alone a break leaves what the
-// kick gets, which is of first order.
-TEST(BreakingBooks, HoldToTheSquareOfTheStep) {
+// Forces change at the end of a step. A break recorded as the bond energy alone would leave out the energy of
+// the kick, which is of first order.
+TEST(BreakingEnergy, IsRecordedToSecondOrder) {
   const double whole = std::abs(lostByBreaking(1e-4)), half = std::abs(lostByBreaking(5e-5));
   EXPECT_LT(whole, 1e-3);
   EXPECT_LT(half, 0.4 * whole);

@@ -1,4 +1,4 @@
-// Forms of the density: what each keeps, and how it grows with compression.
+// Forms of the density: their conservation properties and their growth under compression.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 using test::Simulation;
 
-/// A periodic box that the liquid fills, `spacing` apart where it is at rest with 1.
+/// A periodic box filled with liquid, `spacing` apart at rest density 1.
 Scene fullBox(double spacing) {
   Scene s = test::columnScene(0.1, 0, 0.8);
   s.spacing = spacing;
@@ -33,7 +33,7 @@ void stir(Simulation& r) {
   takeStock(r.w, r.halos(), r.tools);
 }
 
-TEST(CarriedDensity, KeepsMomentumToRoundingAndEnergyInTheBooks) {
+TEST(CarriedDensity, ConservesMomentumToRoundingAndClosesTheLedger) {
   for (const bool corrected : {false, true})
     for (const double shifting : {0.0, 0.1}) {
       Scene s = fullBox(0.1);
@@ -51,8 +51,8 @@ TEST(CarriedDensity, KeepsMomentumToRoundingAndEnergyInTheBooks) {
     }
 }
 
-/// Of what two blocks of thin water have before they meet at 2 m/s: what is in no book 20 ms later, with
-/// steps of dt (s).
+/// Unexplained share of the initial energy of two blocks of thin water 20 ms after they collide at 2 m/s,
+/// with steps of dt (s).
 double lostByCollision(bool corrected, double dt) {
   Scene s = test::columnScene(0.004, 0, 0.2);
   s.domain.min = {-0.1, -0.1, -0.1};
@@ -74,17 +74,17 @@ double lostByCollision(bool corrected, double dt) {
   return r.books().energyResidual / kinetic;
 }
 
-TEST(CarriedDensity, TheWorkOfPressureIsInTheBooksToTheSquareOfTheStep) {
+TEST(CarriedDensity, PressureWorkIsRecordedToSecondOrder) {
   for (const bool corrected : {false, true}) {
     const double whole = std::abs(lostByCollision(corrected, 1e-4)),
                  half = std::abs(lostByCollision(corrected, 5e-5));
-    EXPECT_LT(whole, 2e-3) << corrected;  // .01 with the gradients of the end of a step alone
+    EXPECT_LT(whole, 2e-3) << corrected;  // gradients at the end of a step alone give 0.01
     EXPECT_LT(half, 0.4 * whole) << corrected;
   }
 }
 
-/// Taylor-Green vortices, L = U = 1, Re 100, as a scene file has them where it makes no choice
-/// (chooseForFullBox), 24 spacings a side.
+/// Taylor-Green vortices, L = U = 1, Re 100, with the defaults of a scene file (chooseForFullBox), 24
+/// spacings per side.
 Scene vortices(double end) {
   Scene s = fullBox(1.0 / 24);
   s.domain.max = {1, 1, 0.25};
@@ -107,15 +107,15 @@ void stirVortices(Simulation& r) {
   takeStock(r.w, r.halos(), r.tools);
 }
 
-TEST(CarriedDensity, VorticesDecayAsTheyShould) {
+TEST(CarriedDensity, VorticesDecayAtTheExactRate) {
   Simulation r(vortices(1));
   stirVortices(r);
   const double start = r.books().now.kinetic;
   ASSERT_TRUE(r.run());
   const double exact = start * std::exp(-16 * 3.14159265358979323846 * 3.14159265358979323846 * 0.01);
-  EXPECT_NEAR(r.books().now.kinetic / exact, 1, 0.02);  // .90 from a lattice
-  // a rate of the density with the places of a step's end and the velocity of its middle would give dt/2 int
-  // |grad p|^2 / rho: .017 of the energy
+  EXPECT_NEAR(r.books().now.kinetic / exact, 1, 0.02);  // 0.90 on a lattice
+  // A density rate from end positions and middle velocities would give dt/2 int |grad p|^2 / rho: 0.017 of
+  // the energy.
   EXPECT_LT(std::abs(r.books().energyResidual), 0.004 * start) << r.books().energyResidual / start;
 }
 
@@ -134,8 +134,8 @@ TEST(RelaxedPacking, HasNoGapAtPeriodicSidesThatLiquidFills) {
   }
   EXPECT_GT(least, 0.94);
   EXPECT_LT(most, 1.06);
-  EXPECT_GT(spread, 0.04);  // 0 on the lattice, .013 where it is jittered by .2, 1/12 = .083 where nothing is
-                            // left of it; relaxation ends at .059
+  EXPECT_GT(spread, 0.04);  // 0 on the lattice, 0.013 jittered by 0.2, 1/12 = 0.083 for a random packing;
+                            // relaxation ends at 0.059
 }
 
 TEST(Density, GrowsWithCompressionAsTheVolumeShrinks) {
@@ -147,7 +147,7 @@ TEST(Density, GrowsWithCompressionAsTheVolumeShrinks) {
   for (std::size_t i = 0; i < q.particles().owned; i++)
     q.particles().position[i].z = 0.4 + (q.particles().position[i].z - 0.4) * (1 - e);
   takeStock(q.w, q.halos(), q.tools);
-  double middle = 0;  // far from the gap that opens at the periodic side
+  double middle = 0;  // far from the gap at the periodic side
   for (std::size_t i = 0; i < q.particles().owned; i++)
     if (std::abs(q.particles().position[i].z - 0.4) < 0.06)
       middle = static_cast<double>(q.particles().filling[i]);
@@ -155,7 +155,7 @@ TEST(Density, GrowsWithCompressionAsTheVolumeShrinks) {
 }
 
 TEST(CarriedDensity, SolidsCarryTheDensityOfAdjacentLiquid) {
-  // which sums of a solid exist depends on ranks: away from liquid its compression must be 0
+  // The sums of a solid depend on ranks, so its compression must be 0 away from liquid.
   Scene s = test::columnScene(0.01, 0, 0.12);
   s.materials.emplace_back(s.materials[0]);
   s.materials[1].name = "solid";

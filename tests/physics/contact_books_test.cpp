@@ -1,4 +1,4 @@
-// What contacts of solids take away is in the books.
+// The ledger records the dissipation of contacts between solids.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,8 +10,8 @@ namespace {
 
 using test::Simulation;
 
-/// Two boxes of rubber, the upper one turned, that meet at 2 m/s: share of the energy of motion that no book
-/// has, after contact.
+/// Two rubber boxes, the upper one turned, collide at 2 m/s. Returns the unexplained share of the kinetic
+/// energy after contact.
 double lostByBlow(double restitution, double friction, double dt) {
   Scene s;
   s.spacing = 0.02;
@@ -39,7 +39,7 @@ double lostByBlow(double restitution, double friction, double dt) {
   return r.books().energyResidual / kinetic;
 }
 
-TEST(ContactBooks, DashpotsAndFrictionAreInThemToTheSquareOfTheStep) {
+TEST(ContactEnergy, DashpotsAndFrictionAreRecordedToSecondOrder) {
   for (const double restitution : {0.3, 0.9}) {
     const double whole = std::abs(lostByBlow(restitution, 0.4, 1e-4)),
                  half = std::abs(lostByBlow(restitution, 0.4, 5e-5));

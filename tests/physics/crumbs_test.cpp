@@ -1,5 +1,5 @@
-// Crumbs on a puddle: a particle or a few that come to lie on hot liquid of their kind sink in and take its
-// temperature by conduction.
+// Fragments on a puddle: one or a few particles that fall on hot liquid of their own material sink in and
+// take its temperature by conduction.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +11,8 @@ namespace {
 
 constexpr double dx = 0.0041, hot = 500;
 
-/// A puddle of the wax of scenes/melt.toml, four spacings deep, all of it at 500 K, nothing heated from
-/// outside; and a cube of it of `size` spacings, 2.4 spacings above its particles.
+/// A puddle of the wax of scenes/melt.toml, four spacings deep, at 500 K, without outside heating. A cube of
+/// the same wax of `size` spacings starts 2.4 spacings above its particles.
 Scene puddleWithCrumb(double temperature, int size) {
   Scene s = columnScene(dx, 0, 20 * dx);
   s.domain.side[2] = {Side::Wall, Side::Open};
@@ -32,7 +32,7 @@ struct Crumb {
   double temperature = 0, nearest = never;
 };
 
-/// Mean temperature of the second body (K), and its distance from the first (dx).
+/// Mean temperature (K) of the second body, and its distance (dx) from the first.
 Crumb crumbOf(const Continuum& p) {
   Crumb c;
   double count = 0;
@@ -47,12 +47,12 @@ Crumb crumbOf(const Continuum& p) {
   return c;
 }
 
-// s, s, dx at the end, share
+// s, s, dx at the end, unexplained share
 struct Warming {
   double touched = never, warm = never, nearest = never, heatLost = never;
 };
 
-/// When it has come within 1.5 spacings, and when it has lost .9 of its cold.
+/// Time until the fragment is within 1.5 spacings, and until 0.9 of its temperature difference is gone.
 Warming warmingOf(double temperature, int size) {
   Simulation run(puddleWithCrumb(temperature, size));
   Warming at;
@@ -71,7 +71,7 @@ Warming warmingOf(double temperature, int size) {
   return at;
 }
 
-/// dx^2 / alpha, s: .1.
+/// dx^2 / alpha = 0.1 s.
 double diffusionTime() {
   const Material m = wax();
   return dx * dx * m.density * m.heatCapacity.liquid / m.conductivity.liquid;
@@ -79,19 +79,18 @@ double diffusionTime() {
 
 }  // namespace
 
-// A cube of edge a warms through its lower face: by its own resistance (a slab loses .9 in .85 a^2/alpha) and
-// that of the half-space around a spot of its area (a capacity a^3 over 4 k r, r = a / sqrt(pi): 2.3 times
-// .44 a^2/alpha): some 1.9 a^2/alpha for .9 of it; measured 2.7 of a single particle, which four touch,
-// and 1.3 to 1.5 of eight, which sink in. While one of 340 K hung above the puddle it got there in no time
-// that was waited for.
-TEST(Crumbs, WarmByConduction) {
+// A cube of edge a warms through its lower face. Its own resistance (a slab loses 0.9 in 0.85 a^2/alpha) and
+// that of the half-space below a spot of its area (capacity a^3 over 4 k r with r = a / sqrt(pi): 2.3 times
+// 0.44 a^2/alpha) give about 1.9 a^2/alpha for 0.9. The limits leave room for 2.7 with a single particle,
+// which has four contacts, and 1.3 to 1.5 with eight, which sink in.
+TEST(Fragments, WarmByConduction) {
   for (const double temperature : {300.0, 340.0})  // solid; just molten
     for (const int size : {1, 2}) {
       const Warming at = warmingOf(temperature, size);
       EXPECT_LT(at.touched, 0.15) << temperature << " " << size;
       EXPECT_LT(at.warm - at.touched, (size == 1 ? 3.0 : 1.6) * size * size * diffusionTime())
           << temperature << " " << size;
-      EXPECT_LT(at.nearest, 1) << temperature << " " << size;  // as near as neighbours in a liquid: it is
+      EXPECT_LT(at.nearest, 1) << temperature << " " << size;  // as close as neighbours in a liquid, hence
                                                                // part of the puddle
       EXPECT_LT(at.heatLost, 1e-12) << temperature << " " << size;
     }

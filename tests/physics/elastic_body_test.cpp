@@ -21,7 +21,7 @@ double kinetic(const Moving& m) {
     e += 0.5 * m.body->mass[s] * dot(m.velocity[s], m.velocity[s]);
   return e;
 }
-/// Velocity Verlet; forces must be current.
+/// Velocity Verlet. Requires: the forces are current.
 void advance(Moving& m, double dt) {
   SolidBody& b = *m.body;
   for (std::size_t s = 0; s < m.velocity.size(); s++) {
@@ -34,7 +34,7 @@ void advance(Moving& m, double dt) {
     m.velocity[s] += (0.5 * dt / b.mass[s]) * b.solids.force[s];
 }
 
-/// Largest deviation of the total energy over a time, relative to the initial energy of motion.
+/// Largest deviation of the total energy over a time, relative to the initial kinetic energy.
 double energyError(ElasticLaw law, double dt, Precision precision) {
   const auto points = lattice({8, 4, 4}, 0.1, 0.1);
   Material m = elasticMaterial(1e5, 0.3);
@@ -56,7 +56,7 @@ double energyError(ElasticLaw law, double dt, Precision precision) {
 
 }  // namespace
 
-TEST(ElasticBody, energyErrorOfFreeVibrationIsOfSecondOrder) {
+TEST(ElasticBody, EnergyErrorOfFreeVibrationIsOfSecondOrder) {
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
     const double coarse = energyError(law, 2e-3, Precision::Double),
                  fine = energyError(law, 1e-3, Precision::Double);
@@ -69,9 +69,9 @@ TEST(ElasticBody, energyErrorOfFreeVibrationIsOfSecondOrder) {
   EXPECT_LT(single, 5e-4);
 }
 
-TEST(ElasticBody, speedOfPressureWaves) {
-  // standing wave in a periodic block: MLS is slow by 1.6 % at 20 spacings a wavelength, h <= 2 dx
-  // (docs/validation/accuracy.md)
+TEST(ElasticBody, SpeedOfPressureWavesIsExact) {
+  // A standing wave in a periodic block. MLS is slow by 1.6 % at 20 spacings per wavelength for h <= 2 dx
+  // (docs/validation/accuracy.md).
   const int n = 20;
   const auto points = lattice({n, 4, 4}, 0.1);
   BodyOptions options;
@@ -83,7 +83,7 @@ TEST(ElasticBody, speedOfPressureWaves) {
   b.velocity.resize(points.size());
   computeForces(*b.body);
   const double dt = 2e-4;
-  // half a period: when the displacement of particle 0 turns
+  // half a period: the displacement of particle 0 reverses
   double last = 1, turned = 0;
   for (int step = 1; turned == 0 && step < 1000; step++) {
     advance(b, dt);
@@ -96,8 +96,8 @@ TEST(ElasticBody, speedOfPressureWaves) {
   EXPECT_NEAR(measured / speed, 0.984, 0.006);
 }
 
-TEST(ElasticBody, checkerboardIsNotFree) {
-  // docs/validation/stability.md B2: without hourglass control the checkerboard mode costs nothing inside
+TEST(ElasticBody, CheckerboardHasEnergy) {
+  // docs/validation/stability.md B2: without hourglass control the checkerboard mode has no energy inside
   const auto points = lattice({8, 8, 8}, 0.1);
   for (const double alpha : {0.0, 0.1}) {
     Material m = elasticMaterial();
@@ -113,7 +113,7 @@ TEST(ElasticBody, checkerboardIsNotFree) {
   }
 }
 
-TEST(ElasticBody, stepLimitIsStableAndNotWasteful) {
+TEST(ElasticBody, StepLimitIsStableAndTight) {
   const auto points = lattice({6, 6, 6}, 0.1, 0.2);
   for (const double support : {1.6, 2.0})
     for (const double factor : {1.0, 6.0}) {
@@ -135,9 +135,8 @@ TEST(ElasticBody, stepLimitIsStableAndNotWasteful) {
     }
 }
 
-// What freezes where it flowed is no lattice: close pairs, holes, thin crusts. The step follows the worst
-// neighbourhood.
-TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
+// Frozen liquid is no lattice: close pairs, holes, thin crusts. The step follows the worst neighbourhood.
+TEST(ElasticBody, StepLimitIsStableForUnevenNeighbourhoods) {
   std::vector<std::vector<Vec3d>> bodies{
       lattice({6, 6, 6}, 0.1, 0.35), lattice({9, 9, 1}, 0.1, 0.25), {}, {}, {{0, 0, 0}, {0.04, 0, 0}}};
   const auto dust = lattice({8, 8, 8}, 0.1, 0.3);
@@ -165,12 +164,12 @@ TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
         advance(b, dt);
         last = kinetic(b) + totalEnergy(*b.body);
       }
-      // bounded: the energy of leap-frog wavers by 1 / (1 - (omega dt)^2 / 4), and omega dt is up to 1.3
+      // bounded: the leap-frog energy oscillates by 1 / (1 - (omega dt)^2 / 4) with omega dt up to 1.3
       EXPECT_LT(last, 1.75 * first) << points.size() << " points, support " << support;
     }
 }
 
-TEST(ElasticBody, latticeGripBoundsLattices) {
+TEST(ElasticBody, LatticeGripBoundsLattices) {
   for (const double support : {1.5, 1.75, 2.0, 2.5, 3.0}) {
     BodyOptions options;
     options.support = support;
@@ -179,7 +178,7 @@ TEST(ElasticBody, latticeGripBoundsLattices) {
   }
 }
 
-TEST(ElasticBody, dampingTakesWhatItBooks) {
+TEST(ElasticBody, DampingRecordsItsDissipation) {
   const auto points = lattice({5, 4, 4}, 0.1, 0.1);
   Material m = elasticMaterial(1e5, 0.3);
   m.damping = 20;

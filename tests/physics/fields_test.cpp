@@ -1,5 +1,5 @@
-// A scene models no more than it needs: which fields are allocated, scene by scene. A new field belongs into
-// the lists of the scenes that need it, and into no other.
+// A scene allocates only the fields that it needs. A new field belongs in the lists of the scenes that need
+// it, and in no other.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,8 +26,8 @@ Scene block(bool solid) {
 
 Names fields(const Scene& s) { return fieldsOf(Simulation(s).w); }
 
-/// What `with` has beyond `without`; fails where it lacks something, but for the one reference configuration
-/// of solids whose bonds take references of their own.
+/// Fields of `with` that `without` lacks. Fails if `with` lacks a field of `without`, except for the common
+/// reference configuration of solids whose bonds have their own references.
 Names added(const Scene& with, const Scene& without) {
   const Names all = fields(with);
   Names more;
@@ -52,18 +52,20 @@ Names sorted(Names n) { return std::sort(n.begin(), n.end()), n; }
 
 }  // namespace
 
-TEST(Fields, OfALiquid) { EXPECT_EQ(sorted(fields(block(false))), with(always, {"continuum.filling"})); }
+TEST(Fields, LiquidHasTheNecessaryOnes) {
+  EXPECT_EQ(sorted(fields(block(false))), with(always, {"continuum.filling"}));
+}
 
-TEST(Fields, OfASolid) {
+TEST(Fields, SolidHasTheNecessaryOnes) {
   EXPECT_EQ(sorted(fields(block(true))),
             with(always, {"continuum.slot", "solid.id", "solid.particle", "solid.material", "solid.reference",
                           "solid.volume", "solid.position", "solid.momentInverse", "solid.deformation",
                           "solid.endDouble", "solid.force", "solid.energy", "solid.changed"}));
 }
 
-// Forces are summed where accelerations are kept, but not where both are read, or where what is held has no
-// acceleration of its force.
-TEST(Fields, ForcesOfTheirOwnWhereAskedFor) {
+// Forces share storage with accelerations, unless both are read or a constrained particle's acceleration
+// differs from its force.
+TEST(Fields, ForcesAreSeparateWhereNecessary) {
   Scene clamped = block(true);
   clamped.domain.gravity = {0, 0, -9.81};
   Scene free = clamped;
@@ -84,7 +86,7 @@ TEST(Fields, ForcesOfTheirOwnWhereAskedFor) {
                 1e-10 * length(free.domain.gravity))
           << i;
     }
-    EXPECT_EQ(largest > 1e-3 * p.mass[0], own) << "what falls freely has no force";
+    EXPECT_EQ(largest > 1e-3 * p.mass[0], own) << "free fall has no force";
   }
 }
 
@@ -113,7 +115,7 @@ TEST(Fields, CohesionAndArtificialViscosityAddNone) {
   EXPECT_EQ(added(s, block(false)), (Names{"continuum.smoothing"}));
 }
 
-TEST(Fields, OfSolidsThatYieldBreakOrAreDamped) {
+TEST(Fields, YieldFractureAndDampingAddTheirOwn) {
   Scene plastic = block(true);
   plastic.materials[0].yieldStrain = {0.1, 0.1};
   plastic.materials[0].maxPlasticStrain = 0.1;
@@ -127,13 +129,13 @@ TEST(Fields, OfSolidsThatYieldBreakOrAreDamped) {
   Scene breaks = block(true);
   breaks.materials[0].breakStretch = 1.5;
   EXPECT_EQ(added(breaks, block(true)), (Names{"solid.velocity"}))
-      << "the books of a break ask where ends were at the drift";
+      << "the energy of a break needs the ends' positions at the drift";
   Scene damped = block(true);
   damped.materials[0].damping = 1;
   EXPECT_EQ(added(damped, block(true)), (Names{"solid.velocity", "solid.drag", "solid.dissipated"}));
 }
 
-TEST(Fields, OfWhatMelts) {
+TEST(Fields, MeltingAddsItsOwn) {
   Scene s = block(true);
   Material& m = s.materials[0];
   m.solidus = m.liquidus = 350;
@@ -146,7 +148,7 @@ TEST(Fields, OfWhatMelts) {
                    "continuum.softening", "solid.liquid", "solid.melted"}));
 }
 
-TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
+TEST(Fields, SurfaceAddsTwoToParticlesAndItsOwnTables) {
   Scene s = block(false);
   s.surface.on = true;
   const auto ofParticles = [&] {
@@ -162,10 +164,10 @@ TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
                                   "continuum.surfaceFill"}));
   s.bodies[0].packing = Packing::Relaxed;
   EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare"}))
-      << "a relaxed packing is no staircase";
+      << "a relaxed packing has no staircase to smooth";
 }
 
-TEST(Fields, MemoryOfWhatIsNotThereIsNone) {
+TEST(Fields, AbsentOnesUseNoMemory) {
   const Simulation liquid(block(false));
   const Names absent{"solids", "bonds", "elastic work", "surface"};
   for (const MemoryUse& u : memoryOf(liquid.w, liquid.tools)) {

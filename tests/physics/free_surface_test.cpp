@@ -1,4 +1,4 @@
-// Free surface and shifting of liquids that carry their density (core/fluid/free_surface.hpp).
+// Free surface and shifting of liquids with carried density (core/fluid/free_surface.hpp).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using test::Simulation;
 
-/// A cube of n^3 particles without weight, in open space or (floor) on a wall.
+/// A weightless cube of n^3 particles, in open space or (floor) on a wall.
 Scene cubeOf(int n, bool floor) {
   Scene s = test::columnScene(0.1, 0, 1);
   s.domain.min = {-1, -1, floor ? 0.0 : -1};
@@ -31,14 +31,14 @@ Scene cubeOf(int n, bool floor) {
   return s;
 }
 
-TEST(FreeSurface, EigenvaluesAreComparedWithoutBeingFound) {
-  const Sym3d m{2, 2, 3, 0.5, 0, 0};  // 1.5, 2.5, 3
+TEST(FreeSurface, EigenvaluesAreComparedByDeterminants) {
+  const Sym3d m{2, 2, 3, 0.5, 0, 0};  // eigenvalues 1.5, 2.5, 3
   EXPECT_TRUE(eigenvaluesAbove(m, 1.49));
   EXPECT_FALSE(eigenvaluesAbove(m, 1.51));
-  EXPECT_FALSE(eigenvaluesAbove(m, 2.7));  // two are below: the determinant is positive again
+  EXPECT_FALSE(eigenvaluesAbove(m, 2.7));  // two eigenvalues are below, so the determinant is positive
 }
 
-TEST(FreeSurface, IsTheOutermostLayerAndNotTheOneAtAWall) {
+TEST(FreeSurface, IsTheOutermostLayerWithoutWalls) {
   for (const bool floor : {false, true}) {
     Simulation r(cubeOf(6, floor));
     const Continuum& p = r.particles();
@@ -58,7 +58,7 @@ TEST(FreeSurface, LiquidAtRestIsNotShifted) {
   for (std::size_t i = 0; i < p.owned; i++) EXPECT_LT(length(p.smoothing[i]), 1e-4);
 }
 
-/// Mean number of neighbours of the particles within 0.2 m of the z axis.
+/// Mean number of neighbours of particles within 0.2 m of the z axis.
 double neighboursInside(const World& w) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < w.particles.owned; i++) {
@@ -70,7 +70,7 @@ double neighboursInside(const World& w) {
   return sum / count;
 }
 
-/// A square of liquid, 20 particles wide and periodic across, that spins until it has turned by 2 rad.
+/// A square of liquid, 20 particles wide and periodic across, spins until it has turned by 2 rad.
 Scene spinningSquare() {
   Scene s = cubeOf(20, false);
   s.spacing = 0.05;
@@ -85,7 +85,7 @@ Scene spinningSquare() {
   return s;
 }
 
-TEST(FreeSurface, SummedDensityOfATornLiquidIsSeen) {
+TEST(FreeSurface, ReportsSummedDensityOfTornLiquids) {
   Scene s = spinningSquare();
   s.numerics.density = DensityForm::Summation;
   s.numerics.tensileLimit = s.numerics.shifting = 0;
@@ -95,7 +95,7 @@ TEST(FreeSurface, SummedDensityOfATornLiquidIsSeen) {
   EXPECT_LT(connectedDensity(r.w, r.all), 0.7);
 }
 
-TEST(FreeSurface, ALayerWithCarriedDensitiesIsSeenAsThin) {
+TEST(FreeSurface, ReportsThinLayersWithCarriedDensities) {
   Scene s = spinningSquare();
   s.bodies[0].shape.size.z = 0.6 * s.spacing;  // a single layer
   s.domain.side[2][0] = s.domain.side[2][1] = Side::Open;
@@ -106,7 +106,7 @@ TEST(FreeSurface, ALayerWithCarriedDensitiesIsSeenAsThin) {
   EXPECT_LT(connectedDensity(r.w, r.all), 0.85);
 }
 
-/// Summed densities leave dust, where particles have 0.4 of their neighbours.
+/// Summed densities leave isolated particles with 0.4 of their neighbours.
 TEST(FreeSurface, SpinningLiquidHoldsTogether) {
   const Scene s = spinningSquare();
   Simulation r(s);
@@ -118,7 +118,7 @@ TEST(FreeSurface, SpinningLiquidHoldsTogether) {
   double spin = 0;
   for (std::size_t i = 0; i < p.owned; i++)
     spin += p.position[i].x * p.velocity[i].y - p.position[i].y * p.velocity[i].x;
-  const double start = 5.0 / 6 * (1 - 1.0 / 400);  // of a lattice, per particle
+  const double start = 5.0 / 6 * (1 - 1.0 / 400);  // lattice value per particle
   EXPECT_NEAR(spin / static_cast<double>(p.owned), start, 0.02 * start);
 }
 

@@ -1,4 +1,4 @@
-// Heat against exact solutions, through whole steps.
+// Heat against exact solutions over whole steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr double dx = 0.01;
 Scene liquidColumn(int n) {
   Scene s = columnScene(dx, -4 * dx, (n + 4) * dx);
   Material& m = s.materials[0];
-  m.soundSpeed = 0.25;  // nothing moves
+  m.soundSpeed = 0.25;  // the material does not move
   m.conductivity = {1000, 1000};
   m.viscosity = {1, 1};
   return s;
@@ -64,7 +64,7 @@ TEST(HeatSource, WarmsAtItsRate) {
   EXPECT_NEAR(run.books().heatIn, 500 * 4 * run.books().now.mass, 1e-6);
 }
 
-TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
+TEST(Tempering, BringsOneMaterialToItsTemperatureAndRecordsTheHeat) {
   Scene s = liquidColumn(6);
   s.materials[0].conductivity = {0, 0};
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
@@ -73,7 +73,7 @@ TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
   s.end = 1.25;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  // half of the time
+  // half-way
   for (std::size_t i = 0; i < run.particles().owned; i++)
     EXPECT_NEAR(run.particles().temperature[i], 290, 1e-6);
   s.end = 2;
@@ -86,7 +86,7 @@ TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
   EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.now.internal);
 }
 
-TEST(Tempering, AtOnceTakesOneStep) {
+TEST(Tempering, TakesOneStepWithoutADuration) {
   Scene s = liquidColumn(6);
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
   s.temperings = {temper(0.2, 0, 310)};
@@ -97,8 +97,8 @@ TEST(Tempering, AtOnceTakesOneStep) {
     EXPECT_NEAR(run.particles().temperature[i], 310, 1e-9);
 }
 
-// K05's model counts c T from 0 K on, also of what a scene starts with and what emitters bring.
-TEST(Tempering, OfThePapersModelLeavesNoResidual) {
+// K05's model counts c T from 0 K, including the heat of the initial state and of emitters.
+TEST(Tempering, LeavesNoResidualInThePapersModel) {
   Scene s = liquidColumn(12);
   s.numerics.heat = HeatModel::Paper;
   Material& m = s.materials[0];

@@ -1,5 +1,5 @@
-// The implicit viscosity solver through whole steps: exact solutions with steps far above the explicit limit,
-// what must be kept, contrast.
+// The implicit viscosity solver over whole steps: exact solutions far above the explicit step limit,
+// conservation, viscosity contrast.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,14 +17,14 @@ void makeImplicit(Scene& s, double tolerance = 1e-3) {
   s.numerics.viscosityTolerance = tolerance;
 }
 
-/// s, of an explicit step
+/// Explicit step limit (s).
 double explicitLimit(const Scene& s, double nu) {
   const double h = s.numerics.support * s.spacing;
   return stableViscousStep(s.numerics) * h * h / nu;
 }
 
-/// J by which the books are ahead: what a force takes is booked with the step that it is found in, and half
-/// of its kick is still to come, in which the velocity changes further.
+/// Energy (J) that the ledger records ahead. The work of a force is recorded in the step that computes the
+/// force, and half of its kick follows in the next step with another velocity.
 double bookedAhead(const Simulation& run) {
   const Continuum& p = run.w.particles;
   const double dt = run.w.clock.stepDt;
@@ -35,7 +35,7 @@ double bookedAhead(const Simulation& run) {
   return ahead;
 }
 
-/// Periodic box of a liquid, with the velocity's x a sine of z.
+/// A periodic box of liquid whose velocity along x is a sine of z.
 Scene waveScene(double nu, int n) {
   Scene s = columnScene(dx, 0, n * dx);
   s.domain.side[2] = {Side::Periodic, Side::Periodic};
@@ -54,7 +54,7 @@ TEST(ImplicitViscosity, ShearWaveDecaysWithStepsFarAboveTheExplicitLimit) {
     Scene s = waveScene(nu, n);
     makeImplicit(s);
     s.numerics.fixedStep = times * explicitLimit(s, nu);
-    // no shorter step at the end
+    // a whole number of steps, so that the last one is not shorter
     s.end = std::ceil(0.5 / rate / s.numerics.fixedStep) * s.numerics.fixedStep;
     Simulation run(s);
     Continuum& p = run.particles();
@@ -66,17 +66,17 @@ TEST(ImplicitViscosity, ShearWaveDecaysWithStepsFarAboveTheExplicitLimit) {
     const double a0 = run.w.ledger.initial.kinetic;
     ASSERT_TRUE(run.run());
     const LedgerReport r = run.books();
-    // the first half kick knew of no viscosity
+    // the first half kick has no viscosity
     const double measured = -0.5 * std::log(r.now.kinetic / a0) / (s.end - 0.5 * s.numerics.fixedStep);
     std::printf(
         "dt %.1f times the explicit limit: rate %.4f of the exact one, %.1f iterations\n", times,
         measured / rate,
         static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
-    EXPECT_NEAR(measured / rate, 1, times < 20 ? 0.06 : 0.3);  // the pair sum itself has 1.06 of the
-                                                               // viscosity; backward Euler is of first order
+    EXPECT_NEAR(measured / rate, 1, times < 20 ? 0.06 : 0.3);  // the pair sum has 1.06 of the viscosity;
+                                                               // backward Euler is of first order
     EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
     EXPECT_LT(std::abs(r.energyResidual - bookedAhead(run)), 0.01 * a0);
-    std::printf("residual %.2e of the energy at the start, %.2e less what is booked ahead\n",
+    std::printf("residual %.2e of the energy at the start, %.2e without the part recorded ahead\n",
                 r.energyResidual / a0, (r.energyResidual - bookedAhead(run)) / a0);
     EXPECT_EQ(run.w.counters.viscousUnfinished, 0);
   }
@@ -98,11 +98,11 @@ TEST(ImplicitViscosity, PoiseuilleStartUpWithLongSteps) {
   const LedgerReport r = run.books();
   EXPECT_LT(length(r.momentumResidual), 1e-9 * length(r.gravityImpulse));
   EXPECT_LT(std::abs(r.energyResidual - bookedAhead(run)), 0.02 * r.energyScale);
-  std::printf("residual %.2e, %.2e less what is booked ahead\n", r.energyResidual / r.energyScale,
+  std::printf("residual %.2e, %.2e without the part recorded ahead\n", r.energyResidual / r.energyScale,
               (r.energyResidual - bookedAhead(run)) / r.energyScale);
 }
 
-// A drop that spins and shears: it ends as a rigid body. Viscosity acts along the line of two particles.
+// A drop that spins and shears becomes a rigid body. Viscosity acts along the line between two particles.
 TEST(ImplicitViscosity, SpinningDropKeepsAngularMomentum) {
   for (const double tolerance : {1e-1, 1e-6}) {
     Scene s;
@@ -141,9 +141,9 @@ TEST(ImplicitViscosity, SpinningDropKeepsAngularMomentum) {
   }
 }
 
-// docs/validation/stability.md B11: neighbours whose viscosities differ by up to six decades. Under a steady
-// push along them two layers between plates have the exact steady flow of a contrast; across the interface
-// the stress is the same.
+// docs/validation/stability.md B11: neighbours with viscosities that differ by up to six decades. Two layers
+// between plates under a steady force along the plates have the exact steady flow of a contrast. The stress
+// is continuous across the interface.
 TEST(ImplicitViscosity, ContrastOfSixDecades) {
   for (const double contrast : {1e2, 1e4, 1e6}) {
     const int n = 12;
@@ -184,7 +184,7 @@ TEST(ImplicitViscosity, ContrastOfSixDecades) {
         mean, spread, drag,
         static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
     if (contrast >= 1e4) {
-      EXPECT_LT(spread, 1e-3 * mean);  // as one body
+      EXPECT_LT(spread, 1e-3 * mean);  // moves as one body
     }
     EXPECT_NEAR(mean + drag, 0.02, 1e-6);
     EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
@@ -193,7 +193,7 @@ TEST(ImplicitViscosity, ContrastOfSixDecades) {
 }
 
 TEST(ImplicitViscosity, StartsWhereNothingElseLimitsTheStep) {
-  // incompressible, so no sound: the first evaluation's step is that of the frames, not an endless one
+  // incompressible, so no acoustic limit: the first step has the length of a frame, not an infinite one
   Scene s = columnScene(0.01, 0, 0.2);
   s.domain.gravity = {0, 0, -9.81};
   s.numerics.viscositySolver = ViscositySolver::Implicit;

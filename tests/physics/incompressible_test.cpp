@@ -1,4 +1,4 @@
-// The incompressible pressure solver through whole steps: what it is to keep, and what it is to save.
+// The incompressible pressure solver over whole steps: conservation and number of steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace thaw::test {
 namespace {
 
-/// Mean of the filling above that from which on liquid resists (PressureWork::full).
+/// Mean excess of the relative density over the value from which liquid resists (PressureWork::full).
 double compression(const Simulation& run) {
   const Continuum& p = run.w.particles;
   double sum = 0;
@@ -41,7 +41,7 @@ Scene dam() {
 
 }  // namespace
 
-TEST(Incompressible, HydrostaticColumnHoldsItsDensity) {
+TEST(Incompressible, HydrostaticColumnKeepsItsDensity) {
   const Scene s = hydrostatic();
   Simulation run(s);
   const Continuum& p = run.particles();
@@ -59,7 +59,7 @@ TEST(Incompressible, HydrostaticColumnHoldsItsDensity) {
                        2);
     fastest = std::max(fastest, length(p.velocity[i]));
   }
-  // as with the state equation (walls_test.cpp)
+  // the limit of the state equation (walls_test.cpp)
   EXPECT_LT(std::sqrt(square / static_cast<double>(p.owned)), 0.08);
   EXPECT_LT(fastest, 0.02 * std::sqrt(10.0));
   EXPECT_EQ(run.w.counters.unsolvedPressures, 0);
@@ -76,8 +76,8 @@ TEST(Incompressible, DamBreakNeedsFewSteps) {
   ASSERT_TRUE(run.run());
   EXPECT_LT(5 * run.w.clock.step, stiff.w.clock.step);
   EXPECT_EQ(run.w.counters.unsolvedPressures, 0);
-  // The tolerance bounds what is left of a step's share of a compression, not what splashes leave; it stays
-  // below what a state equation is allowed.
+  // The tolerance bounds the remaining share of a step's compression, not the compression of splashes. That
+  // stays below the limit of a state equation.
   EXPECT_LT(compression(run), s.numerics.maxDensityError);
   const LedgerReport a = stiff.books(), b = run.books();
   EXPECT_NEAR(b.now.potential, a.now.potential, 0.1 * a.initial.potential);
@@ -85,7 +85,7 @@ TEST(Incompressible, DamBreakNeedsFewSteps) {
   EXPECT_LT(std::abs(b.energyResidual), 0.02 * b.energyScale);
 }
 
-TEST(Incompressible, LiquidThatPullsDoesNotTearItsFreeSurface) {
+TEST(Incompressible, NegativePressureDoesNotTearTheFreeSurface) {
   Scene s = emptyScene(0.02, {-0.4, -0.4, -0.4}, {0.4, 0.4, 0.4});
   s.numerics.solver = PressureSolver::Incompressible;
   s.numerics.tensileLimit = 1;
@@ -97,15 +97,14 @@ TEST(Incompressible, LiquidThatPullsDoesNotTearItsFreeSurface) {
   double fastest = 0;
   for (std::size_t i = 0; i < run.particles().owned; i++) {
     fastest = std::max(fastest, length(run.particles().velocity[i]));
-    // there is no next step that would limit it
+    // no next step would limit it
     EXPECT_TRUE(std::isfinite(length(run.particles().pressureKick[i])));
   }
-  EXPECT_LT(fastest, 0.05);  // what its packing pushes; closing the gaps of the surface in a step makes it
-                             // 1000 m/s
+  EXPECT_LT(fastest, 0.05);  // from its packing; closing the surface gaps in one step would give 1000 m/s
 }
 
 // Two drops collide; no walls, no gravity.
-TEST(Incompressible, MomentumIsKept) {
+TEST(Incompressible, MomentumIsConserved) {
   Scene s = emptyScene(0.02, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   s.materials.emplace_back();
   s.materials[0].viscosity = {0.1, 0.1};
@@ -124,10 +123,10 @@ TEST(Incompressible, MomentumIsKept) {
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * r.energyScale);
 }
 
-// A layer of wax freezes from below under its weight. What has frozen keeps no pressure of its last step as a
-// liquid: its pairs with other solids are summed only where a liquid shares their group of eight, which is
-// another one on another number of ranks.
-TEST(Incompressible, WhatHasFrozenHasNoPressure) {
+// A layer of wax freezes from below under its weight. Frozen particles keep no pressure of their last step as
+// a liquid. Their pairs with other solids are summed only if a liquid shares their group of eight, and groups
+// depend on the number of ranks.
+TEST(Incompressible, FrozenParticlesHaveNoPressure) {
   Scene s = emptyScene(0.01, {-0.03, -0.03, 0}, {0.03, 0.03, 0.2});
   for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
   s.domain.gravity = {0, 0, -9.81};
@@ -155,7 +154,7 @@ TEST(Incompressible, WhatHasFrozenHasNoPressure) {
     solid.swap(now);
   }
   EXPECT_GT(solid.size(), 20u);
-  EXPECT_GT(held, 50);  // Pa: there was some to keep
+  EXPECT_GT(held, 50);  // Pa: there was a pressure to keep
 }
 
 }  // namespace thaw::test

@@ -1,11 +1,12 @@
-// The books where sheets and oriented bodies leave the domain, act on what is held, and are pushed.
+// Energy and momentum budget of sheets and oriented bodies that leave the domain, act on constrained bodies,
+// or are pressed.
 #include "core/watch/watch.hpp"
 #include "tests/support/sheet_samples.hpp"
 
 namespace thaw {
 namespace {
 
-TEST(KindBooks, ADampedSheetMayLeaveTheDomain) {
+TEST(BodyTypeLedger, ClosesForADampedSheetThatLeavesTheDomain) {
   Scene s = test::sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.damping = 1, b.warp = b.weft = 20, b.shear = 5;
@@ -22,7 +23,7 @@ TEST(KindBooks, ADampedSheetMayLeaveTheDomain) {
   EXPECT_LT(length(books.momentumResidual), 1e-12);
 }
 
-/// A block that is held all over, with a cloth, or a net of oriented particles, that falls on it.
+/// A fully clamped block, and a cloth or a net of oriented particles that falls on it.
 Scene heldBlock() {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.domain.gravity = {0, 0, -9.81};
@@ -38,7 +39,7 @@ Scene heldBlock() {
   return s;
 }
 
-TEST(KindBooks, WhatHoldsABlockBearsAClothOnIt) {
+TEST(BodyTypeLedger, ClampRecordsTheImpulseOfAClothOnItsBlock) {
   Scene s = heldBlock();
   s.sheets = test::sheetScene(SheetMesh::Grid).sheets;
   s.sheets[0].warp = s.sheets[0].weft = 50, s.sheets[0].damping = 1;
@@ -46,11 +47,11 @@ TEST(KindBooks, WhatHoldsABlockBearsAClothOnIt) {
   test::Simulation sim(s);
   ASSERT_TRUE(sim.run());
   const LedgerReport books = sim.books();
-  EXPECT_GT(std::abs(books.wallImpulse.z), 1);  // it has come down
+  EXPECT_GT(std::abs(books.wallImpulse.z), 1);  // it has landed
   EXPECT_LT(length(books.momentumResidual), 1e-11 * std::abs(books.wallImpulse.z));
 }
 
-TEST(KindBooks, WhatHoldsABlockBearsANetOnIt) {
+TEST(BodyTypeLedger, ClampRecordsTheImpulseOfANetOnItsBlock) {
   Scene s = heldBlock();
   s.oriented.emplace_back();
   OrientedBody& b = s.oriented.back();
@@ -65,7 +66,7 @@ TEST(KindBooks, WhatHoldsABlockBearsANetOnIt) {
   EXPECT_LT(length(books.momentumResidual), 1e-11 * std::abs(books.wallImpulse.z));
 }
 
-TEST(KindBooks, WorkOfPressureIsThatOfTheMovementInSemiImplicitSteps) {
+TEST(BodyTypeLedger, PressureWorkFollowsTheMotionInSemiImplicitSteps) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.oriented.emplace_back();
   OrientedBody& b = s.oriented.back();
@@ -81,11 +82,11 @@ TEST(KindBooks, WorkOfPressureIsThatOfTheMovementInSemiImplicitSteps) {
   ASSERT_TRUE(sim.run());
   const LedgerReport books = sim.books();
   EXPECT_GT(books.wallWork, 0);
-  // as much again as the scheme loses where work went by the velocity before
+  // the loss of the scheme itself is smaller than this
   EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.wallWork);
 }
 
-/// A sphere without mass that is pressed, or pushed onto a ball.
+/// A massless sphere under pressure, or pressed onto a ball.
 Scene weightless(bool ball) {
   Scene s = test::emptyScene(0.02, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   s.sheets = test::sheetScene(SheetMesh::Sphere).sheets;
@@ -104,7 +105,7 @@ Scene weightless(bool ball) {
   return s;
 }
 
-TEST(KindBooks, ContactOfASheetWithoutMassMakesNoEnergy) {
+TEST(BodyTypeLedger, ContactOfAMasslessSheetCreatesNoEnergy) {
   test::Simulation sim(weightless(true));
   ASSERT_TRUE(sim.run());
   const LedgerReport books = sim.books();
@@ -112,7 +113,7 @@ TEST(KindBooks, ContactOfASheetWithoutMassMakesNoEnergy) {
   EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.energyScale);
 }
 
-TEST(KindBooks, WorkFromOutsideIsNoAlarmWhereNothingWasBefore) {
+TEST(BodyTypeLedger, ExternalWorkOnAnEmptyBudgetIsNoFailure) {
   test::Simulation sim(weightless(false));
   while (sim.w.clock.step < 20) ASSERT_TRUE(sim.step());
   const LedgerReport books = sim.books();
@@ -122,8 +123,8 @@ TEST(KindBooks, WorkFromOutsideIsNoAlarmWhereNothingWasBefore) {
   EXPECT_EQ(checkBooks(sim.w, bounds, books, sim.all), Alarm::None);
 }
 
-/// A cloth whose middle has another mass falls onto a floor.
-TEST(KindBooks, ContactGoesByTheMassOfARegion) {
+/// A cloth whose middle has another mass falls on a floor.
+TEST(BodyTypeLedger, ContactUsesTheMassOfTheRegion) {
   for (const double factor : {1.0, 0.01, 100.0}) {
     Scene s = test::sheetScene(SheetMesh::Grid);
     s.domain.gravity = {0, 0, -9.81};
@@ -141,7 +142,7 @@ TEST(KindBooks, ContactGoesByTheMassOfARegion) {
     ASSERT_TRUE(sim.run());
     const LedgerReport books = sim.books();
     EXPECT_GT(books.dissipated, 0) << factor;
-    // 28 % where a step did not follow blows
+    // steps that do not resolve the impact give 28 %
     EXPECT_LT(std::abs(books.energyResidual), 0.05 * books.energyScale) << factor;
     for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++)
       ASSERT_GT(sim.w.sheets.rows.position[i].z, 0) << factor;

@@ -1,4 +1,4 @@
-// The books of closed and of open systems.
+// The ledger of closed and open systems.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST(Ledger, FreeSpinningSolidKeepsMomentumAngularMomentumAndEnergy) {
   }
 }
 
-TEST(Ledger, PeriodicLiquidKeepsMomentumAndBooksWhatViscosityTakes) {
+TEST(Ledger, PeriodicLiquidConservesMomentumAndRecordsDissipation) {
   Scene s = columnScene(dx, 0, 6 * dx);
   s.domain.side[2] = {Side::Periodic, Side::Periodic};
   s.numerics.precision = Precision::Double;
@@ -90,7 +90,7 @@ TEST(Ledger, EmittersAndOpenSidesCountExactly) {
   EXPECT_LT(length(r.momentumResidual), 1e-5 * length(r.left.momentum));
 }
 
-/// A drop with surface tension leaves by an open side, across a periodic seam.
+/// A drop with surface tension leaves through an open side, across a periodic side.
 Scene leavingDrop(TensionForm tension) {
   Scene s = emptyScene(dx, {-0.5, -0.3, -0.3}, {0.5, 0.3, 0.3});
   s.domain.side[1] = {Side::Periodic, Side::Periodic};
@@ -111,8 +111,8 @@ Scene leavingDrop(TensionForm tension) {
 
 class LeavingDrop : public testing::TestWithParam<TensionForm> {};
 
-// The neighbours of a particle that leaves gain a surface: with its own energy alone a third of all energy
-// seemed to come from nowhere.
+// The neighbours of a leaving particle gain surface. Its own energy alone would leave a third of the total
+// unexplained.
 TEST_P(LeavingDrop, TakesItsSurfaceEnergyAlong) {
   Simulation run(leavingDrop(GetParam()));
   const double before = run.books().now.potential;
@@ -125,8 +125,8 @@ TEST_P(LeavingDrop, TakesItsSurfaceEnergyAlong) {
 INSTANTIATE_TEST_SUITE_P(Ledger, LeavingDrop,
                          testing::Values(TensionForm::SurfaceEnergy, TensionForm::Pairwise));
 
-// What falls out of a periodic side comes in at the other, higher up: that height is booked.
-TEST(Ledger, FallsThroughPeriodicSides) {
+// Particles that fall through a periodic side re-enter higher up. The ledger records that height.
+TEST(Ledger, RecordsFallsThroughPeriodicSides) {
   Scene s = columnScene(dx, 0, 12 * dx);
   s.domain.side[2] = {Side::Periodic, Side::Periodic};
   s.domain.gravity = {1, 0, -10};
@@ -137,14 +137,14 @@ TEST(Ledger, FallsThroughPeriodicSides) {
   Simulation run(s);
   EXPECT_TRUE(run.run());
   const LedgerReport r = run.books();
-  EXPECT_GT(r.entered.potential, 2 * r.initial.mass * 10 * 12 * dx * 0.9);  // round twice
+  EXPECT_GT(r.entered.potential, 2 * r.initial.mass * 10 * 12 * dx * 0.9);  // twice through the domain
   EXPECT_NEAR(r.now.kinetic, 0.5 * r.initial.mass * (1 + 100) * s.end * s.end, 1e-3 * r.now.kinetic);
   EXPECT_LT(std::abs(r.energyResidual), 1e-3 * r.now.kinetic);
 }
 
-// A slow vent just above a floor: what has left backs up, and the vent pushes on as a piston. Its work is in
-// the books.
-TEST(Ledger, EmitterIsAPiston) {
+// A slow emitter just above a floor: emitted liquid backs up, and the emitter pushes it like a piston. The
+// ledger records its work.
+TEST(Ledger, RecordsWorkOfAnEmitterAsAPiston) {
   Scene s = emptyScene(0.01, {-0.2, -0.2, -0.02}, {0.2, 0.2, 0.2});
   s.domain.gravity = {0, 0, -9.81};
   s.materials.emplace_back();
@@ -167,12 +167,12 @@ TEST(Ledger, EmitterIsAPiston) {
   double fastest = 0;
   for (std::size_t i = 0; i < run.particles().owned; i++)
     fastest = std::max(fastest, length(run.particles().velocity[i]));
-  EXPECT_LT(fastest, 1);  // nothing is shot out
+  EXPECT_LT(fastest, 1);  // no particle is ejected
 }
 
-// A solid that softens, sags and melts on a hot plate: what elasticity, pressure, tension and contacts lose
-// to a changing liquid fraction is booked, and so is what melting takes from bonds.
-TEST(Ledger, MeltingSolid) {
+// A solid softens, sags and melts on a hot plate. The ledger records the energy that elasticity, pressure,
+// tension, contacts and bonds lose to a changing liquid fraction.
+TEST(Ledger, ClosesForAMeltingSolid) {
   Scene s = emptyScene(0.01, {-0.2, -0.2, -0.02}, {0.2, 0.2, 0.2});
   s.domain.gravity = {0, 0, -9.81};
   s.materials.push_back(wax());
@@ -189,9 +189,9 @@ TEST(Ledger, MeltingSolid) {
   EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale);
 }
 
-// Liquids of two bodies that do not weld come closer than solids may; where they freeze their contacts are
-// there at once, and push.
-TEST(Ledger, ContactsOfWhatHasJustFrozenAreBooked) {
+// Liquids of two bodies that do not weld come closer than solids may. Their contacts exist as soon as they
+// freeze, and push.
+TEST(Ledger, RecordsContactsOfFreshlyFrozenParticles) {
   Scene s;
   s.spacing = dx;
   s.domain.gravity = {};
@@ -209,7 +209,7 @@ TEST(Ledger, ContactsOfWhatHasJustFrozenAreBooked) {
   s.end = 1;
   Simulation run(s);
   while (run.w.counters.frozen == 0) ASSERT_TRUE(run.step());
-  const LedgerReport before = run.books();  // they push from the next evaluation on
+  const LedgerReport before = run.books();  // contacts push from the next evaluation on
   for (int k = 0; k < 4; k++) ASSERT_TRUE(run.step());
   const LedgerReport r = run.books();
   EXPECT_EQ(run.w.counters.frozen, 128);
@@ -219,9 +219,9 @@ TEST(Ledger, ContactsOfWhatHasJustFrozenAreBooked) {
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * made);
 }
 
-TEST(StepLimits, AStretchedSolidNeedsSmallerSteps) {
+TEST(StepLimits, StretchedSolidNeedsSmallerSteps) {
   Scene s = freeBlock(ElasticLaw::Green);
-  s.materials[0].hourglass = 0.1;  // hardly a part of the modulus
+  s.materials[0].hourglass = 0.1;  // a small part of the modulus
   Simulation run(s);
   EXPECT_STREQ(run.w.clock.limitedBy, "elastic waves");
   const double atRest = run.w.clock.dt;
@@ -229,8 +229,8 @@ TEST(StepLimits, AStretchedSolidNeedsSmallerSteps) {
   for (std::size_t i = 0; i < run.particles().owned; i++) run.particles().position[i].x *= 1.5;
   EXPECT_TRUE(run.step());
   EXPECT_STREQ(run.w.clock.limitedBy, "elastic waves");
-  // the modulus of Green strain is (3 * 1.5^2 - 1) / 2 = 2.875 times that at rest, the hourglass control's is
-  // not
+  // The modulus of Green strain is (3 * 1.5^2 - 1) / 2 = 2.875 times that at rest. The hourglass control's is
+  // not.
   EXPECT_LT(run.w.clock.dt, atRest / 1.6);
   EXPECT_GT(run.w.clock.dt, atRest / 1.9);
 }

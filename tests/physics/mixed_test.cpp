@@ -1,4 +1,4 @@
-// Liquids and solids in one scene: a liquid rests on a solid, a solid falls into a liquid.
+// Liquids and solids in one scene: a liquid rests on a solid, and a solid falls into a liquid.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace thaw::test {
 namespace {
 
-/// A tank of water, soft rubber as the second material.
+/// A tank of water, with soft rubber as the second material.
 Scene poolAndRubber() {
   Scene s = columnScene(0.01, 0, 0.3);
   s.domain.max = {0.12, 0.12, 0.3};
@@ -29,7 +29,7 @@ Scene poolAndRubber() {
 
 }  // namespace
 
-/// Smallest distance of a liquid from a solid particle, m.
+/// Smallest distance (m) between a liquid and a solid particle.
 double closest(const Continuum& p) {
   double least = 1;
   for (std::size_t i = 0; i < p.owned; i++)
@@ -38,7 +38,7 @@ double closest(const Continuum& p) {
   return least;
 }
 
-// The pressure between a liquid and a solid is that of the liquid's energy: what one loses the other gets.
+// The pressure between a liquid and a solid derives from the liquid's energy, so energy is conserved.
 TEST(Mixed, SolidFallsIntoALiquid) {
   Scene s = poolAndRubber();
   addBox(s, {0, 0, 0}, {0.12, 0.12, 0.08});
@@ -55,23 +55,23 @@ TEST(Mixed, SolidFallsIntoALiquid) {
   const LedgerReport r = run.books();
   EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale);
   EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
-  EXPECT_GT(least, 0.5 * s.spacing);  // nothing enters the solid
+  EXPECT_GT(least, 0.5 * s.spacing);  // no liquid enters the solid
 }
 
-// A liquid on a solid bottom. Layers of a lattice that does not mix carry the pressure by turns, more and
-// less (the bottom one twice its share): it is the mean over layers that is hydrostatic.
+// A liquid on a solid bottom. Layers of an unmixed lattice carry pressure unevenly (the bottom one twice its
+// share), so only the mean over layers is hydrostatic.
 TEST(Mixed, LiquidRestsOnASolid) {
   Scene s = poolAndRubber();
   s.domain.max = {0.06, 0.06, 0.3};
   addBox(s, {0, 0, 0}, {0.06, 0.06, 0.05}).material = 1;
   addBox(s, {0, 0, 0.05}, {0.06, 0.06, 0.2});
-  s.materials[0].viscosity = {200, 200};  // so that sound has died away
+  s.materials[0].viscosity = {200, 200};  // damps sound
   s.end = 0.5;
   Simulation run(s);
   ASSERT_TRUE(run.run());
   const Continuum& p = run.particles();
   double pressure = 0, exact = 0, bottom = 1, solidTop = 0, top = 0;
-  // it sinks a little: rubber and liquid are compressed
+  // it sinks a little, since rubber and liquid are compressed
   for (std::size_t i = 0; i < p.owned; i++) top = std::max(top, p.position[i].z + 0.5 * s.spacing);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double z = p.position[i].z;

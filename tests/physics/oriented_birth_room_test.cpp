@@ -1,5 +1,5 @@
-// Surfaces that grow at their borders toward obstacles and solids: none of their particles is made in these,
-// in a run or in the relaxation before it.
+// Surfaces that grow at their borders toward obstacles and solids create no particles inside them, neither in
+// a run nor in the relaxation before it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// A patch that grows at its borders, up to 600 particles; .05 m beside it there is something.
+/// A patch that grows at its borders up to 600 particles, 0.05 m away from the object of the test.
 Scene growingPatch() {
   Scene s = test::emptyScene(0.02, {-0.6, -0.6, -0.3}, {0.6, 0.6, 0.6});
   s.oriented.emplace_back();
@@ -31,7 +31,7 @@ void addBlock(Scene& s) {
   test::addBox(s, {0.15, -0.2, -0.1}, {0.35, 0.2, 0.1});
 }
 
-/// Particles of the surface in the block, further than a few hundredths of a spacing under its sides.
+/// Particles of the surface inside the block, deeper than a few hundredths of a spacing.
 std::int64_t inBlock(const World& w) {
   std::int64_t n = 0;
   for (std::size_t i = 0; i < w.oriented.rows.owned; i++) {
@@ -41,18 +41,18 @@ std::int64_t inBlock(const World& w) {
   return n;
 }
 
-TEST(OrientedBirthRoom, NoneIsBornInAnObstacle) {
+TEST(OrientedBirthRoom, NoBirthInsideObstacles) {
   Scene s = growingPatch();
   Obstacle& wall = test::addFloor(s);
   wall.shape.point = {0.15, 0, 0};
   wall.shape.normal = {-1, 0, 0};
   test::Simulation x(s);
   ASSERT_TRUE(x.run());
-  EXPECT_EQ(x.w.oriented.rows.owned, 600u) << "it grows to the other sides";
+  EXPECT_EQ(x.w.oriented.rows.owned, 600u) << "it grows toward the free sides";
   for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++) EXPECT_LT(x.w.oriented.rows.position[i].x, 0.15);
 }
 
-TEST(OrientedBirthRoom, NoneIsBornInASolid) {
+TEST(OrientedBirthRoom, NoBirthInsideSolids) {
   Scene s = growingPatch();
   addBlock(s);
   test::Simulation x(s);
@@ -61,8 +61,8 @@ TEST(OrientedBirthRoom, NoneIsBornInASolid) {
   EXPECT_EQ(inBlock(x.w), 0);
 }
 
-// What is beyond a periodic side is there as well.
-TEST(OrientedBirthRoom, NoneIsBornInASolidAcrossAPeriodicSide) {
+// Solids beyond a periodic side count as well.
+TEST(OrientedBirthRoom, NoBirthInsideSolidsAcrossPeriodicSides) {
   Scene s = growingPatch();
   addBlock(s);
   s.domain.side[0] = {Side::Periodic, Side::Periodic};
@@ -74,7 +74,7 @@ TEST(OrientedBirthRoom, NoneIsBornInASolidAcrossAPeriodicSide) {
   EXPECT_EQ(inBlock(x.w), 0);
 }
 
-TEST(OrientedBirthRoom, NorBeforeTheStart) {
+TEST(OrientedBirthRoom, NoBirthInsideSolidsBeforeTheStart) {
   Scene s = growingPatch();
   addBlock(s);
   test::addFloor(s).shape = test::boxOf({-0.3, -0.4, -0.2}, {-0.15, 0.4, 0.2});

@@ -1,4 +1,5 @@
-// Oriented bodies that grow: in gaps that anchors draw open, never in what shakes, with their books.
+// Growing oriented bodies: births in gaps that anchors open, none in oscillating surfaces, and the energy
+// budget.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace {
 
 using test::patchScene;
 
-/// A disc that its rim draws down over a ball, and that grows in its gaps.
+/// A disc whose rim is drawn down over a ball. It grows in its gaps.
 Scene drawnOverABall() {
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
@@ -42,13 +43,13 @@ Scene drawnOverABall() {
   return s;
 }
 
-TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
+TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsTheLedgerClosed) {
   const Scene s = drawnOverABall();
   test::Simulation x(s);
   const std::size_t before = x.w.oriented.rows.owned;
   ASSERT_TRUE(x.run());
   EXPECT_GT(x.w.oriented.rows.owned, before * 9 / 8);  // 268 to 306 of 232 with a density 6 % lower or
-                                                       // higher: which bond yields first is chance
+                                                       // higher, since chance decides which link yields first
   const LedgerReport l = x.books();
   EXPECT_LT(std::abs(l.massResidual), 1e-12 * l.now.mass);
   EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned - before),
@@ -56,8 +57,8 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
   EXPECT_LT(std::abs(l.energyResidual), 0.05 * l.energyScale);
 }
 
-/// Births in a run to `end`, of particles that are off by .2 spacings and radians along each axis and are
-/// hardly damped: hotter than Lennard-Jones can hold.
+/// Births in a run to `end` of particles displaced by 0.2 spacings and radians along each axis with hardly
+/// any damping: hotter than Lennard-Jones can bind.
 std::int64_t birthsOfAHotSurface(Scene s, double end) {
   OrientedBody& b = s.oriented[0];
   b.jitter = 0.2;
@@ -72,9 +73,9 @@ std::int64_t birthsOfAHotSurface(Scene s, double end) {
   return x.w.counters.orientedBirths;
 }
 
-// What shakes, or flies apart, is not stretched: any two with room between them once counted as a gap, and
-// each birth made more of them.
-TEST(Oriented, SurfacesThatShakeHaveNoGaps) {
+// Oscillating or exploding surfaces are not stretched. Room between two particles alone is no gap: each birth
+// there would cause more.
+TEST(Oriented, OscillatingSurfacesHaveNoGaps) {
   EXPECT_LT(birthsOfAHotSurface(patchScene(0), 0.4), 15);  // 132 at the start
   Scene s = patchScene(0);
   s.oriented[0].source = OrientedSource::Surface;
@@ -83,7 +84,7 @@ TEST(Oriented, SurfacesThatShakeHaveNoGaps) {
   EXPECT_LT(birthsOfAHotSurface(s, 0.4), 50);  // 500 at the start
 }
 
-TEST(Oriented, AHoleIsFilledAndNothingElse) {
+TEST(Oriented, OnlyHolesAreFilled) {
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Points;
@@ -94,7 +95,7 @@ TEST(Oriented, AHoleIsFilledAndNothingElse) {
         b.points.push_back({0.05 * (i + 0.5 * (j & 1)), 0.05 * 0.8660254 * j, 0});
         b.normals.push_back({0, 0, 1});
       }
-  b.points.push_back({0, 0, 0.15});  // far over the hole: it cannot come back into it
+  b.points.push_back({0, 0, 0.15});  // far above the hole, so that it cannot fall back
   b.normals.push_back({0, 0, 1});
   s.end = 0.02;
   test::Simulation x(s);
@@ -104,8 +105,8 @@ TEST(Oriented, AHoleIsFilledAndNothingElse) {
   for (std::size_t i = 0; i < o.owned; i++) EXPECT_TRUE(!(o.id[i] >> 63) || length(o.position[i]) < 0.01);
 }
 
-// What has come off the surface that given points say goes, in a run too, and nothing else.
-TEST(Oriented, WhoStraysOffGivenPointsGoes) {
+// Particles that leave the surface of given points are removed, also in a run, and no others.
+TEST(Oriented, ParticlesFarFromGivenPointsAreRemoved) {
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Surface;
@@ -130,8 +131,8 @@ TEST(Oriented, WhoStraysOffGivenPointsGoes) {
   for (std::size_t i = 0; i < o.owned; i++) EXPECT_NE(o.id[i], id);
 }
 
-// The weight of who is born or dies in the midst of a step is that of whole steps.
-TEST(Oriented, BirthsUnderGravityKeepTheBooksOfMomentum) {
+// The weight of particles that are born or die within a step counts for the whole step.
+TEST(Oriented, BirthsUnderGravityKeepTheMomentumLedgerClosed) {
   Scene s = drawnOverABall();
   s.domain.gravity = {0.3, 0, -1};
   test::Simulation x(s);
@@ -141,9 +142,8 @@ TEST(Oriented, BirthsUnderGravityKeepTheBooksOfMomentum) {
   EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
 }
 
-/// Who is born where a sheet lies is pressed into it from the first moment: energy that no motion has
-/// brought.
-TEST(Oriented, BirthsOnASheetKeepTheBooks) {
+/// Particles born on a sheet are pressed into it at once: potential energy that no motion has supplied.
+TEST(Oriented, BirthsOnASheetKeepTheLedgerClosed) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.oriented.emplace_back();
   OrientedBody& o = s.oriented[0];
@@ -174,7 +174,7 @@ TEST(Oriented, BirthsOnASheetKeepTheBooks) {
   EXPECT_LT(std::abs(l.energyResidual), 0.001 * l.energyScale);
 }
 
-TEST(Oriented, ABodyNeverHasMoreThanMost) {
+TEST(Oriented, BodyNeverExceedsItsMaximumNumber) {
   Scene s = drawnOverABall();
   s.oriented[0].most = 232 + 11;
   test::Simulation x(s);

@@ -1,4 +1,4 @@
-// A surface through a few control points goes through them: as it is made, relaxed, and run.
+// A surface through a few control points passes through them as created, relaxed and run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ std::vector<Figure> figures() {
   return all;
 }
 
-/// Spacings from the control point that is left most to the body: its particles that hang together within 1.5
-/// spacings, the largest such part of it.
+/// Largest distance in spacings of a control point from the body: the largest part of its particles connected
+/// within 1.5 spacings.
 double farthestFromBody(const Oriented& o, const std::vector<Vec3d>& points, double spacing) {
   std::vector<std::size_t> part(o.owned, o.owned);
   std::vector<std::size_t> size;
@@ -67,14 +67,14 @@ Scene controlScene(const std::vector<Vec3d>& points) {
   return s;
 }
 
-TEST(OrientedControl, IsMadeThroughItsControlPoints) {
+TEST(OrientedControl, PassesThroughItsControlPoints) {
   for (const Figure& f : figures()) {
     test::Simulation x(controlScene(f.points));
     EXPECT_LT(farthestFromBody(x.w.oriented.rows, f.points, x.w.scene.spacing), 1e-9) << f.name;
   }
 }
 
-TEST(OrientedControl, KeepsThemAsItRelaxesAndAfterIt) {
+TEST(OrientedControl, KeepsThemDuringAndAfterRelaxation) {
   for (const Figure& f : figures()) {
     Scene s = controlScene(f.points);
     s.oriented[0].relax = 1500;
@@ -94,8 +94,8 @@ TEST(OrientedControl, KeepsThemAsItRelaxesAndAfterIt) {
   }
 }
 
-// On finer particles a plate that has too few of them for its area tore off around what is held.
-TEST(OrientedControl, KeepsThemWhereThePlateIsSteepAndFine) {
+// A fine plate with too few particles for its area would tear around the constrained ones.
+TEST(OrientedControl, KeepsThemOnASteepFinePlate) {
   const Figure f = figures()[0];
   Scene s = controlScene(f.points);
   s.spacing = 0.028;

@@ -1,4 +1,4 @@
-// Fields of oriented bodies: what they give, where and when, and that it is in the books.
+// Force fields of oriented bodies: region, time, and energy budget.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 constexpr OrientedIntegrator integrators[] = {
     OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit};
 
-/// Particles that hardly act on each other.
+/// Particles that hardly interact.
 Scene looseScene() {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.oriented.emplace_back();
@@ -51,7 +51,7 @@ TEST(OrientedFields, ActInTheirRegionForTheirTime) {
     const Oriented& o = x.w.oriented.rows;
     for (std::size_t i = 0; i < o.owned; i++) {
       const Vec3d moved = o.position[i] - Vec3d{0.5 * 0.4 * 0.4 / 6, 0, 0};
-      if (std::abs(moved.x) < 0.02) continue;  // comes into the region
+      if (std::abs(moved.x) < 0.02) continue;  // enters the region
       const bool in = moved.x > 0;
       EXPECT_NEAR(o.velocity[i].y, in ? 2 * 0.2 : 0, 0.005);
       EXPECT_NEAR(o.velocity[i].z, 0.01 + (in ? 3 * 0.2 : 0), 0.01);
@@ -63,9 +63,9 @@ TEST(OrientedFields, ActInTheirRegionForTheirTime) {
   }
 }
 
-/// Times of fields and corners of their factors lie within steps; what they give is that of their whole time
-/// all the same.
-TEST(OrientedFields, GiveTheSameByWhateverSteps) {
+/// Start and end of fields and corners of their factors lie within steps. The impulse is that of their whole
+/// time.
+TEST(OrientedFields, GiveTheSameImpulseForAnySteps) {
   for (const auto how : integrators)
     for (const double step : {1e-3, 0.0171, 0.09}) {
       Scene s = looseScene();
@@ -93,11 +93,11 @@ TEST(OrientedFields, GiveTheSameByWhateverSteps) {
       ASSERT_TRUE(x.run());
       const Oriented& o = x.w.oriented.rows;
       const double perMass = orientedArea(x.w.scene.oriented[0], 0.05) / o.mass[0];
-      Vec3d mean{};  // what particles give each other cancels
+      Vec3d mean{};  // internal impulses cancel
       for (std::size_t i = 0; i < o.owned; i++) mean += o.velocity[i] / static_cast<double>(o.owned);
       EXPECT_NEAR(mean.x, 0.05 * (0.2777 - 0.0333), 1e-15) << step;
       EXPECT_NEAR(mean.y, 0.1 * 0.085, 1e-15) << step;
-      // normals turn a little
+      // normals turn slightly
       EXPECT_NEAR(mean.z, 0.03 * 0.01 * (3 - 2 * 0.105 / 0.2) * perMass, 1e-10) << step;
       const LedgerReport books = x.books();
       EXPECT_LT(length(books.momentumResidual), 1e-12);
@@ -106,7 +106,7 @@ TEST(OrientedFields, GiveTheSameByWhateverSteps) {
     }
 }
 
-TEST(OrientedFields, ThatBeginWhereNobodyIsAreNoted) {
+TEST(OrientedFields, WithoutParticlesAtTheirStartAreReported) {
   Scene s = looseScene();
   OrientedField f;
   f.push = {0, 0, 1};
@@ -123,9 +123,9 @@ TEST(OrientedFields, ThatBeginWhereNobodyIsAreNoted) {
   EXPECT_EQ(x.tools.oriented.idleFields[1].field, 1u);
 }
 
-/// What a point gives is the slope of an energy: it pulls inside its radius alone, and a particle that has
-/// passed through is as fast as before.
-TEST(OrientedFields, APointGivesBackWhatItTakes) {
+/// The force of a point derives from an energy. It acts inside its radius only, and a particle that passes
+/// through keeps its speed.
+TEST(OrientedFields, ForceOfAPointIsConservative) {
   for (const auto how : integrators)
     for (const double pull : {30.0, -30.0}) {
       Scene s = looseScene();

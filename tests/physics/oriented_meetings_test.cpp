@@ -1,4 +1,5 @@
-// Oriented bodies with anchors, sheets, the continuum, obstacles and open sides: momentum and books.
+// Coupling of oriented bodies with anchors, sheets, the continuum, obstacles and open sides: momentum and
+// energy budget.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +12,9 @@ namespace {
 
 using test::patchScene;
 
-// The step at whose end an anchor lets go was held to its end: its impulse is the anchor's.
-TEST(Oriented, AnchorsThatLetGoUnderLoadKeepTheBooks) {
+// An anchor constrains to the end of the step in which it is released. The impulse of that step is the
+// anchor's.
+TEST(Oriented, ReleasedAnchorsUnderLoadKeepTheLedgerClosed) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
                          OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
@@ -37,8 +39,8 @@ TEST(Oriented, AnchorsThatLetGoUnderLoadKeepTheBooks) {
   }
 }
 
-// An anchor that turns normals bends the patch: its work is that of torques.
-TEST(Oriented, TheWorkOfAnchorsOfNormalsIsBooked) {
+// An anchor that turns normals bends the patch. Its work is that of torques.
+TEST(Oriented, LedgerRecordsWorkOfNormalAnchors) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta}) {
     Scene s = patchScene(0);
     OrientedBody& b = s.oriented[0];
@@ -62,7 +64,7 @@ TEST(Oriented, TheWorkOfAnchorsOfNormalsIsBooked) {
   }
 }
 
-TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
+TEST(Oriented, SheetPatchContactConservesMomentumAndEnergy) {
   Scene s = patchScene(0);
   s.oriented[0].density = 2;
   SheetBody sheet;
@@ -89,15 +91,15 @@ TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
   const Oriented& o = x.w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) patch += o.mass[i] * o.velocity[i].z;
   EXPECT_LT(patch, 0.2 * before.now.momentum.z);  // most of the way down together
-  // contact gives its impulses by halves to vertices and at once to oriented particles: what is under way is
-  // part of the sum, and steps that grow or shrink are none of it
+  // Contact applies its impulses by halves to vertices and at once to oriented particles. The impulse in
+  // flight is part of the sum; steps that grow or shrink do not change it.
   EXPECT_GT(underWay, 1e-6 * length(before.now.momentum));
   EXPECT_LT(length(after.now.momentum + after.underWay - before.now.momentum),
             1e-12 * length(before.now.momentum));
   EXPECT_LT(std::abs(after.energyResidual), 0.01 * before.now.kinetic);
 }
 
-TEST(Oriented, BodyAndPatchThatMeetKeepMomentum) {
+TEST(Oriented, BodyPatchContactConservesMomentum) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
                          OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
@@ -118,8 +120,9 @@ TEST(Oriented, BodyAndPatchThatMeetKeepMomentum) {
   }
 }
 
-// Impulse and work of an obstacle that moves, and goes, are those of where it was when the forces were found.
-TEST(Oriented, AMovingObstacleIsInTheBooks) {
+// Impulse and work of a moving obstacle that disappears are those of its position when the forces were
+// computed.
+TEST(Oriented, LedgerRecordsWorkOfMovingObstacles) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
                          OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
@@ -162,8 +165,8 @@ TEST(Oriented, RestsOnAnObstacle) {
   EXPECT_LT(std::abs(x.books().energyResidual), 0.05 * x.books().energyScale);
 }
 
-// A patch flies out of an open side, row by row: what its pairs with those that stay have is in the books.
-TEST(Oriented, APatchThatLeavesTheDomainKeepsItsBooks) {
+// A patch flies out of an open side, row by row. The ledger records the energy of its pairs with the rest.
+TEST(Oriented, LedgerClosesWhenAPatchLeavesTheDomain) {
   Scene s = patchScene(0);
   s.domain.gravity = {};
   const Vec3d size = s.domain.max - s.domain.min;

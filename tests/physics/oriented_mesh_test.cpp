@@ -1,5 +1,5 @@
-// Open meshes in a scene: the surface of an oriented body as it is; of a solid, as of obstacles and anchors,
-// closed and told.
+// Open meshes in a scene: used as they are by an oriented body, closed with a warning by solids, obstacles
+// and anchors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// A bowl of .3 m, open at the top.
+/// A bowl of 0.3 m, open at the top.
 TriangleMesh bowl(const std::string&) {
   TriangleMesh m = ballMesh({}, 0.3, 0.05);
   std::erase_if(m.triangles, [&](const auto& t) {
@@ -34,7 +34,7 @@ std::vector<std::string> toldOf(const test::Simulation& x, const std::string& wh
   return all;
 }
 
-TEST(OrientedMesh, AnOpenSurfaceBeginsAtRestAndStaysOpen) {
+TEST(OrientedMesh, OpenSurfaceStartsAtRestAndStaysOpen) {
   Scene s = test::patchScene(0);
   s.domain.gravity = {};
   s.oriented[0].source = OrientedSource::Surface;
@@ -48,11 +48,11 @@ TEST(OrientedMesh, AnOpenSurfaceBeginsAtRestAndStaysOpen) {
   double fastest = 0, highest = -1;
   for (std::size_t i = 0; i < o.owned; i++)
     fastest = std::max(fastest, length(o.velocity[i])), highest = std::max(highest, o.position[i].z);
-  EXPECT_LT(fastest, 2);  // m/s; with pairs in one place they burst
-  EXPECT_LT(highest, 1.5 * s.spacing) << "there is no lid";
+  EXPECT_LT(fastest, 2);  // m/s; coincident pairs would burst
+  EXPECT_LT(highest, 1.5 * s.spacing) << "the opening stays open";
 }
 
-TEST(OrientedMesh, HolesThatAreClosedInObstaclesAndAnchorsAreTold) {
+TEST(OrientedMesh, ClosedHolesOfObstaclesAndAnchorsAreReported) {
   Scene s = test::patchScene(0);
   s.oriented[0].shape.move = {0, 0, 0.2};
   OrientedAnchor a;

@@ -1,5 +1,4 @@
-// An oriented surface is an obstacle to solids, and a solid one to it, with the contact that is the default:
-// what is to hold is not said by the scene.
+// An oriented surface is an obstacle to solids, and a solid to it, with the default contact.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +24,7 @@ std::int64_t sunkenNow(test::Simulation& x) {
   return n;
 }
 
-/// A block of 4 cm falls at 2 m/s on a surface that is held at its edge. `held`: all of it.
+/// A block of 4 cm falls at 2 m/s on a surface that is fixed at its edge, or (held) everywhere.
 Scene blockOnFilm(bool held) {
   Scene s = test::emptyScene(0.01, {-0.25, -0.25, -0.3}, {0.25, 0.25, 0.3});
   s.domain.gravity = {0, 0, -9.81};
@@ -83,19 +82,19 @@ Outcome runBlock(const Scene& s) {
   return out;
 }
 
-TEST(OrientedObstacle, ABlockDoesNotSinkThroughASurfaceThatIsHeld) {
+TEST(OrientedObstacle, BlockDoesNotSinkThroughAFixedSurface) {
   const Outcome o = runBlock(blockOnFilm(true));
   EXPECT_EQ(o.most, 0);
   EXPECT_GT(o.bodyLow, 0.003);
-  EXPECT_GT(o.bodySpeed, 0);  // it has come back
+  EXPECT_GT(o.bodySpeed, 0);  // it has bounced
 }
 
-TEST(OrientedObstacle, ABlockTakesASurfaceThatIsHeldAtItsEdgeAlong) {
+TEST(OrientedObstacle, BlockDragsASurfaceFixedAtItsEdge) {
   const Outcome o = runBlock(blockOnFilm(false));
   EXPECT_EQ(o.most, 0);
 }
 
-TEST(OrientedObstacle, ABlanketStaysOutOfWhatItFallsOn) {
+TEST(OrientedObstacle, BlanketStaysOutOfTheBodyBelow) {
   Scene s = test::emptyScene(0.01, {-0.25, -0.25, -0.05}, {0.25, 0.25, 0.3});
   s.domain.gravity = {0, 0, -9.81};
   test::addFloor(s);
@@ -114,9 +113,9 @@ TEST(OrientedObstacle, ABlanketStaysOutOfWhatItFallsOn) {
   EXPECT_EQ(o.most, 0);
 }
 
-/// A film that grows where it is stretched falls on a ball: its newborn are found within reach of the ball's
-/// particles. With the barrier from their first step they flew off at up to 48 m/s.
-TEST(OrientedObstacle, BirthsInContactAreNotThrown) {
+/// A film that grows where it is stretched falls on a ball. New particles within contact distance of the
+/// ball's particles must not be ejected by the barrier.
+TEST(OrientedObstacle, BirthsInContactAreNotEjected) {
   Scene s = test::emptyScene(0.02, {-0.3, -0.3, -0.02}, {0.3, 0.3, 0.3});
   s.domain.gravity = {0, 0, -9.81};
   test::addFloor(s);
@@ -160,8 +159,8 @@ TEST(OrientedObstacle, BirthsInContactAreNotThrown) {
   EXPECT_LT(fastest, 6);
 }
 
-/// A film of 2 cm, held at its rim, that is drawn down over a post at .5 m/s, and the most of its particles
-/// that are in it at a time.
+/// A film of 2 cm with a fixed rim is drawn down over a post at 0.5 m/s. Returns the largest number of its
+/// particles inside the post at one time.
 std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
   Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
   test::addFloor(s).shape = test::boxOf({-0.05, -0.05, -0.435}, {0.05, 0.05, -0.035});
@@ -200,8 +199,8 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
   return most;
 }
 
-// A film that is stretched over an obstacle lies on it, and grows or tears, rather than being drawn through;
-// where it is all the same that is seen.
+// A film stretched over an obstacle lies on it and grows or tears rather than being drawn through. If it is
+// drawn through, that is reported.
 TEST(OrientedObstacle, IsNotDrawnThroughByAStretchedFilm) {
   std::int64_t told = 0;
   EXPECT_LE(mostInAPost(1, told), 4) << "for a moment, by less than a quarter of a spacing";

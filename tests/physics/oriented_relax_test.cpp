@@ -1,4 +1,4 @@
-// Relaxation before the start comes to an end, of whatever points it is to go through.
+// Relaxation before the start ends for any given points.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// Points of a ball of .2 m, with a share of their normals inward, that a surface is to be grown through.
+/// Points of a ball of 0.2 m, a share of whose normals point inward, for a surface to grow through.
 Scene pointsOfABall(int count, double inward) {
   Scene s = test::patchScene(0);
   OrientedBody& b = s.oriented[0];
@@ -28,7 +28,7 @@ Scene pointsOfABall(int count, double inward) {
   return s;
 }
 
-// A third of the normals stand the wrong way: some come to be and go again for as long as it is looked at.
+// A third of the normals are reversed, so that particles appear and disappear without end.
 TEST(OrientedRelaxation, EndsWherePointsSuggestNoSurface) {
   test::Simulation x(pointsOfABall(100, 0.33));
   const OrientedWork& o = x.tools.oriented;
@@ -40,7 +40,7 @@ TEST(OrientedRelaxation, EndsWherePointsSuggestNoSurface) {
   EXPECT_LT(o.relaxed, 10 * relaxPatience(o.relaxProgress.most));
 }
 
-TEST(OrientedRelaxation, OfGoodPointsIsNotCutShort) {
+TEST(OrientedRelaxation, RunsToRestForConsistentPoints) {
   test::Simulation x(pointsOfABall(100, 0));
   EXPECT_TRUE(x.tools.oriented.atRest);
   EXPECT_FALSE(x.tools.oriented.gotNowhere);

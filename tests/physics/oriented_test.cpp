@@ -1,4 +1,4 @@
-// Oriented bodies as a whole: momentum, energy, integrators, rest, cures of B17 and B33, operations.
+// Oriented bodies: momentum, energy, integrators, rest, mitigations of B17 and B33, operations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using test::patchScene;
 
 double pairEnergy(test::Simulation& x) { return x.books().now.elastic; }
 
-TEST(Oriented, EnergyAndMomentaAreKept) {
+TEST(Oriented, EnergyAndMomentaAreConserved) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta}) {
     Scene s = patchScene(0.1);
     s.oriented[0].integrator = how;
@@ -77,9 +77,8 @@ TEST(Oriented, SemiImplicitIsStableFarBeyondTheExplicitStep) {
   EXPECT_LT(x.books().now.kinetic, 1e-3 * std::abs(before));
 }
 
-// The integrator of the first body is for all, and so is the step that it bears: a second body of its own did
-// not say so and had it cut to a tenth.
-TEST(Oriented, TheStepIsThatOfTheFirstIntegrator) {
+// The integrator of the first body applies to all, and so does its step limit.
+TEST(Oriented, FirstIntegratorSetsTheStep) {
   double dt[2];
   for (const bool both : {false, true}) {
     Scene s = patchScene(0.1);
@@ -122,7 +121,7 @@ TEST(Oriented, AntiparallelPairTurns) {  // B17
   EXPECT_GT(dot(x.w.oriented.rows.normal[0], x.w.oriented.rows.normal[1]), 0.9);
 }
 
-TEST(Oriented, CutStopsForcesAcrossAndWeldMakesThem) {
+TEST(Oriented, CutRemovesForcesAndWeldAddsThem) {
   Scene s = patchScene(0);
   OrientedEvent cut;
   cut.kind = OrientedEventKind::Cut;
@@ -145,9 +144,9 @@ TEST(Oriented, CutStopsForcesAcrossAndWeldMakesThem) {
   EXPECT_EQ(sideOfCut(stroke, nullptr, 0.15, {0, 0.2, 0}), 0);
 }
 
-/// Rims that overlap when they are welded, half a spacing apart: who is too near goes, and the surface is one
-/// and at rest. Before, it burst, with a third of its energy from nowhere.
-TEST(Oriented, AWeldOfRimsThatOverlapHolds) {
+/// Welded rims that overlap by half a spacing: particles that are too close are removed, and the surface is
+/// connected and at rest.
+TEST(Oriented, WeldOfOverlappingRimsHolds) {
   Scene s = patchScene(0);
   s.oriented[0].damping = s.oriented[0].spinDamping = 12;
   s.oriented[0].density = 20;
@@ -156,7 +155,7 @@ TEST(Oriented, AWeldOfRimsThatOverlapHolds) {
   s.oriented[1].shape.move = {0.6, 0, 0};
   test::Simulation apart(s);
   const Oriented& at = apart.w.oriented.rows;
-  double nearest = 1, closer = 0;  // until some are half of a spacing apart
+  double nearest = 1, closer = 0;  // until some are half a spacing apart
   while (nearest > 0.5 * s.spacing) {
     closer += 0.001;
     for (std::size_t i = 0; i < at.owned; i++)
@@ -176,7 +175,7 @@ TEST(Oriented, AWeldOfRimsThatOverlapHolds) {
   const Oriented& o = x.w.oriented.rows;
   EXPECT_EQ(static_cast<std::int64_t>(before - o.owned), x.w.counters.orientedDeaths);
   EXPECT_GT(x.w.counters.orientedDeaths, 0);
-  EXPECT_LT(x.w.counters.orientedDeaths, 25);  // of one row
+  EXPECT_LT(x.w.counters.orientedDeaths, 25);  // less than one row
   for (std::size_t i = 0; i < o.owned; i++) {
     int beside = 0;
     for (std::size_t j = 0; j < o.owned; j++)
@@ -199,7 +198,7 @@ TEST(Oriented, MassIsDensityTimesArea) {
   EXPECT_NEAR(test::Simulation(s).books().now.mass, 3 * 3.14159265358979 * 0.52 * 0.52, 1e-12);
 }
 
-TEST(Oriented, CurveFollowsAPointThatIsLifted) {  // as scenes/oriented/curve2d.toml
+TEST(Oriented, CurveFollowsALiftedPoint) {  // as in scenes/oriented/curve2d.toml
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Curve;
@@ -236,9 +235,9 @@ TEST(Oriented, CurveFollowsAPointThatIsLifted) {  // as scenes/oriented/curve2d.
   }
 }
 
-// The lattice particle nearest to a control point took its place, half a spacing from the next, and the plate
-// flew apart where it was not relaxed.
-TEST(Oriented, AThinPlateThroughControlPointsHoldsWithoutRelaxation) {
+// Control points replace the nearest lattice particles. Neighbours half a spacing apart would burst the
+// unrelaxed plate.
+TEST(Oriented, ThinPlateThroughControlPointsHoldsWithoutRelaxation) {
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Control;
@@ -255,7 +254,7 @@ TEST(Oriented, AThinPlateThroughControlPointsHoldsWithoutRelaxation) {
   EXPECT_GT(nearest, 0.75 * s.spacing);
   ASSERT_TRUE(x.run());
   ASSERT_EQ(o.owned, before);
-  for (std::size_t i = 0; i < o.owned; i++) {  // nobody is alone
+  for (std::size_t i = 0; i < o.owned; i++) {  // no particle is isolated
     nearest = 1;
     for (std::size_t j = 0; j < o.owned; j++)
       if (i != j) nearest = std::min(nearest, length(o.position[i] - o.position[j]));

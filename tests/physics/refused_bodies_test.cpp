@@ -1,4 +1,4 @@
-// Oriented bodies and sheets that are refused at the start, with what is said.
+// Oriented bodies and sheets that are refused at the start, with their messages.
 #include <gtest/gtest.h>
 
 #include "tests/support/oriented_samples.hpp"
@@ -15,7 +15,7 @@ std::string problemOf(const Scene& s) {
   return "";
 }
 
-TEST(Oriented, BodiesAtOnePlaceAndPointsThatAreGivenTwiceAreRefused) {
+TEST(Oriented, CoincidentBodiesAndDuplicatePointsAreRefused) {
   Scene s = patchScene(0);
   s.oriented.push_back(s.oriented[0]);
   s.oriented[1].name = "second";
@@ -30,7 +30,7 @@ TEST(Oriented, BodiesAtOnePlaceAndPointsThatAreGivenTwiceAreRefused) {
       << problemOf(s);
 }
 
-TEST(Sheets, WhatIsOutsideAndRegionsWithNothingInThemAreRefused) {
+TEST(Sheets, VerticesOutsideAndEmptyRegionsAreRefused) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.sheets.emplace_back().name = "cloth";
   s.sheets[0].width = s.sheets[0].depth = 0.5;

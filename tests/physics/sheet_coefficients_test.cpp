@@ -1,4 +1,4 @@
-// Coefficients of sheets that change in time and by region: forces, books, steps.
+// Coefficients of sheets that vary in time and by region: forces, energy budget, steps.
 #include "tests/support/sheet_samples.hpp"
 
 namespace thaw {
@@ -30,7 +30,7 @@ Scene ball() {
   return s;
 }
 
-TEST(SheetCoefficients, ForcesAreSlopesOfEnergiesAtAnyTimeAndInRegions) {
+TEST(SheetCoefficients, ForcesAreGradientsOfEnergiesAtAnyTimeAndInRegions) {
   for (Scene s : {clothOfAll(), ball()}) {
     SheetBody& b = s.sheets[0];
     SheetRegion& half = addHalf(b);
@@ -43,21 +43,21 @@ TEST(SheetCoefficients, ForcesAreSlopesOfEnergiesAtAnyTimeAndInRegions) {
   }
 }
 
-/// Pulls at a strip of two materials and changes one coefficient after the other: the energy that this makes
-/// is in the books, and what is missing falls with the square of the step.
-TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
+/// Stretches a strip of two materials and changes one coefficient after another. The ledger records the
+/// energy of the change, and the residual falls with the square of the step.
+TEST(SheetCoefficients, LedgerRecordsWorkOfChanges) {
   for (const F f : {F::Warp, F::Shear, F::Bending, F::Volume, F::Push, F::Pull, F::Stiffness}) {
     double residual[2], scale = 0;
     for (int k = 0; k < 2; k++) {
       Scene s = f == F::Volume ? ball() : clothOfAll();
       SheetBody& b = s.sheets[0];
       b.stiffness = 3;
-      b.restLength = 0.97;  // all of it is stretched
+      b.restLength = 0.97;  // the whole strip is stretched
       b.stretchLimit = never;
       if (f == F::Volume) b.wrap = 40;
       addHalf(b).factor[placeOf(f)] = 2;
       b.inTime[placeOf(f)].points = {{0.05, 1}, {0.2, 3}, {0.3, 0.2}};
-      if (f == F::Push || f == F::Pull) {  // of a second sheet
+      if (f == F::Push || f == F::Pull) {  // these act between two sheets
         b.restLength = 1;
         b.contactRate = 1, b.friction = 0, b.restitution = 1;
         s.sheets.push_back(b);
@@ -78,9 +78,8 @@ TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
   }
 }
 
-/// Springs that come into being: the step is short before they are stiff, and not after they have thrown
-/// everything about.
-TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
+/// Springs that appear in time: the step shortens before they are stiff.
+TEST(SheetCoefficients, StepsShortenBeforeSpringsGrowStiff) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.warp = b.weft = b.shear = 4000;
@@ -100,9 +99,9 @@ TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
   EXPECT_LT(sim.shortest, 0.002);
 }
 
-/// What changes fast is followed by the steps that thaw chooses: a step without limit went from frame to
-/// frame over the change, and places were off by 27 % (damping) to 160 % (stiffness).
-TEST(SheetCoefficients, FastChangesAreFollowed) {
+/// Chosen steps resolve fast changes. One step from frame to frame over a change would give errors of 27 %
+/// (damping) to 160 % (stiffness) in positions.
+TEST(SheetCoefficients, FastChangesAreResolved) {
   for (const double ramp : {0.1, 0.01, 0.001})
     for (const F f : {F::Stiffness, F::Damping}) {
       std::vector<Vec3d> at[2];
@@ -130,7 +129,7 @@ TEST(SheetCoefficients, FastChangesAreFollowed) {
     }
 }
 
-TEST(SheetCoefficients, WindAndWrapGoByTheirRegionAndTime) {
+TEST(SheetCoefficients, WindAndWrapFollowTheirRegionAndTime) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.wrap = 2;

@@ -1,5 +1,5 @@
-// Contact of sheets with themselves and with each other, of vertices with triangles and of edges with edges:
-// nothing crosses, and the books close.
+// Self-contact and mutual contact of sheets, vertices with triangles and edges with edges: nothing crosses,
+// and the ledger closes.
 #include <gtest/gtest.h>
 
 #include "core/math/hash_random.hpp"
@@ -12,8 +12,8 @@ namespace {
 
 using test::countCrossings, test::sheetScene;
 
-/// A cloth that stands nearly upright on its edge and comes down in folds, or drapes a ball and the floor
-/// under it.
+/// A cloth that stands nearly upright on its edge and collapses in folds, or drapes over a ball and the floor
+/// below.
 Scene foldingScene(bool ball) {
   Scene s = test::emptyScene(0.01, {-0.5, -0.5, -0.02}, {0.5, 0.5, 0.6});
   s.domain.gravity = {0, 0, -9.81};
@@ -47,7 +47,7 @@ Scene foldingScene(bool ball) {
 TEST(SheetContact, FoldsDoNotCross) {
   for (const auto& [ball, thickness] : {std::pair{false, 0.0}, {true, 0.0}, {false, 0.004}}) {
     Scene scene = foldingScene(ball);
-    scene.sheets[0].thickness = thickness;  // a quarter of the spacing: it takes contact of edges
+    scene.sheets[0].thickness = thickness;  // a quarter of the spacing, so that contact of edges is needed
     if (thickness > 0) scene.end = 0.6;
     test::Simulation sim(scene);
     int most = 0;
@@ -56,7 +56,7 @@ TEST(SheetContact, FoldsDoNotCross) {
       if (sim.w.clock.step % 100 == 0) most = std::max(most, countCrossings(sim.w, 0, 0));
     }
     EXPECT_EQ(most, 0) << ball;
-    double layers = 0, low = 1;  // it does lie in folds: over the area that it covers there is more of it
+    double layers = 0, low = 1;  // it lies in folds if its area exceeds the area that it covers
     std::set<std::pair<long, long>> covered;
     const Sheets& v = sim.w.sheets.rows;
     for (std::size_t i = 0; i < v.owned; i++) {
@@ -72,13 +72,13 @@ TEST(SheetContact, FoldsDoNotCross) {
   }
 }
 
-/// Crumples a sheet until its parts touch, and lays a second one across it.
+/// Crumples a sheet until its parts touch, and places a second one across it.
 Scene crumpled() {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.width = b.depth = 0.6;
   b.warp = b.weft = 5;
-  b.thickness = 0.13;  // more than what lies between vertices
+  b.thickness = 0.13;  // more than the distance of vertices
   b.selfContact = true;
   s.sheets.push_back(b);
   s.sheets[1].name = "second";
@@ -88,15 +88,14 @@ Scene crumpled() {
   return s;
 }
 
-TEST(SheetContact, ForcesAreSlopesOfEnergies) { test::expectForcesFromEnergy(crumpled()); }
+TEST(SheetContact, ForcesAreGradientsOfEnergies) { test::expectForcesFromEnergy(crumpled()); }
 
-/// Neither momentum nor angular momentum comes of contact; dashpots and friction take what they take of both
-/// ends.
-TEST(SheetContact, MomentaAreKept) {
+/// Contact conserves momentum and angular momentum; dashpots and friction act on both ends.
+TEST(SheetContact, MomentaAreConserved) {
   Scene s = crumpled();
   for (const double friction : {0.0, 0.5}) {
     s.sheets[1].velocity = {0.3, 0.1, -0.5};
-    s.sheets[0].friction = s.sheets[1].friction = friction;  // at nearest points that are apart
+    s.sheets[0].friction = s.sheets[1].friction = friction;  // at nearest points with a gap
     s.end = 0.2;
     test::Simulation sim(s);
     const LedgerReport before = sim.books();
@@ -108,9 +107,9 @@ TEST(SheetContact, MomentaAreKept) {
   }
 }
 
-/// A cloth whose steps nothing else limits falls on the floor, flat and aslant: the step is short where it
-/// comes fast. Energies were off by up to 164 % (flat, elastic) and 83 % (aslant, with dashpots).
-TEST(SheetContact, BlowsOfCoarseClothsKeepTheBooks) {
+/// A cloth without another step limit falls on the floor, flat and inclined. Its approach must limit the
+/// step: otherwise energies are off by up to 164 % (flat, elastic) and 83 % (inclined, with dashpots).
+TEST(SheetContact, LedgerClosesForImpactsOfCoarseCloths) {
   for (const double restitution : {1.0, 0.3})
     for (const double tilt : {0.0, 0.2})
       for (const double warp : {0.0, 50.0}) {
@@ -140,9 +139,9 @@ TEST(SheetContact, BlowsOfCoarseClothsKeepTheBooks) {
       }
 }
 
-/// Two free sheets meet at 16 m/s: they are seen to come, so that steps are short when they do. Energies were
-/// off by 22 and 49 %; at restitution 1 without friction by 2 %.
-TEST(SheetContact, SheetsThatClapKeepTheBooks) {
+/// Two free sheets collide at 16 m/s. Their approach must limit the step: otherwise energies are off by 22
+/// and 49 %, and by 2 % at restitution 1 without friction.
+TEST(SheetContact, LedgerClosesForCollidingSheets) {
   for (const double restitution : {1.0, 0.3})
     for (const double below : {0.015, 0.02}) {
       Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
@@ -169,7 +168,7 @@ TEST(SheetContact, SheetsThatClapKeepTheBooks) {
     }
 }
 
-/// All pairs that touch, asked of every vertex with every triangle and of every edge with every other.
+/// All touching pairs, by testing every vertex with every triangle and every edge with every other.
 std::set<std::array<std::uint32_t, 4>> allPairs(const World& w) {
   const MeshRows& m = w.sheets.search->rows;
   const Sheets& s = w.sheets.rows;
@@ -204,8 +203,8 @@ std::set<std::array<std::uint32_t, 4>> allPairs(const World& w) {
   return found;
 }
 
-/// What is found by lists with a margin is what is there.
-TEST(SheetContact, ListsMissNothing) {
+/// Lists with a margin find the same pairs.
+TEST(SheetContact, ListsFindAllPairs) {
   Scene s = foldingScene(true);
   s.sheets[0].spacing = 0.03;
   s.sheets.push_back(s.sheets[0]);

@@ -1,4 +1,4 @@
-// Sheets that meet the continuum: contact, heat, books.
+// Coupling of sheets with the continuum: contact, heat, energy budget.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using test::sheetScene;
 
-TEST(Sheets, MeetTheContinuumAndTakeItsHeat) {
+TEST(Sheets, TouchTheContinuumAndTakeItsHeat) {
   Scene s;
   s.spacing = 0.05;
   s.domain.min = {-0.6, -0.6, -0.2};
@@ -54,7 +54,7 @@ TEST(Sheets, MeetTheContinuumAndTakeItsHeat) {
   EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
 }
 
-/// A block lies in a net that sags and whose vertices are not over its particles.
+/// A block lies in a sagging net whose vertices are not above its particles.
 Scene blockInANet(double turned) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.materials.emplace_back();
@@ -71,9 +71,9 @@ Scene blockInANet(double turned) {
   return s;
 }
 
-/// Contact by triangles comes of one energy: its slope is the force on every corner and on every particle,
-/// where several triangles are within reach, too.
-TEST(Sheets, FaceContactIsTheSlopeOfAnEnergy) {
+/// Contact by triangles derives from one energy: its gradient is the force on every corner and particle, also
+/// within reach of several triangles.
+TEST(Sheets, FaceContactIsTheGradientOfAnEnergy) {
   test::Simulation sim(blockInANet(0.3));
   ASSERT_TRUE(sim.w.sheets.plans[0].byFaces);
   Sheets& v = sim.w.sheets.rows;
@@ -84,7 +84,7 @@ TEST(Sheets, FaceContactIsTheSlopeOfAnEnergy) {
   }
   const auto energy = [&] {
     std::fill_n(p.force.data(), p.owned, Vec3d{});
-    return 2 * test::energyOf(sim);  // the particles have the other half
+    return 2 * test::energyOf(sim);  // the other half belongs to the particles
   };
   energy();
   std::vector<Vec3d> onParticles(p.force.data(), p.force.data() + p.owned), onVertices(v.owned);
@@ -113,9 +113,9 @@ TEST(Sheets, FaceContactIsTheSlopeOfAnEnergy) {
       EXPECT_NEAR(onParticles[j][a], -slope(p.position[j][a]), 1e-5 * largest) << j << " " << a;
 }
 
-/// A rubber cube falls on a net: the net gives under it, and other triangles become the nearest all the time.
-/// With the nearest one's depth energies were off by up to 93 %.
-TEST(Sheets, ACubeOnANetKeepsTheBooks) {
+/// A rubber cube falls on a net, which gives way, so that the nearest triangle changes all the time. The
+/// depth of the nearest triangle alone would leave up to 93 % of the energy unexplained.
+TEST(Sheets, LedgerClosesForACubeOnANet) {
   for (const double turned : {0.0, 0.44}) {
     Scene s = blockInANet(turned);
     s.domain.gravity = {0, 0, -9.81};
@@ -126,7 +126,7 @@ TEST(Sheets, ACubeOnANetKeepsTheBooks) {
     b.mass = 0.5;
     b.warp = b.weft = 3000, b.shear = 500;
     b.width = b.depth = 0.8;
-    Shape rim;  // all beyond the middle
+    Shape rim;  // everything beyond the middle
     rim.kind = ShapeKind::Difference;
     rim.parts = {test::boxOf({-1, -1, -1}, {1, 1, 1}), test::boxOf({-0.35, -0.35, -2}, {0.35, 0.35, 2})};
     b.clamp.push_back(rim);
@@ -137,11 +137,10 @@ TEST(Sheets, ACubeOnANetKeepsTheBooks) {
   }
 }
 
-/// A block slides over a free coarse cloth: friction at nearest points that are apart turns nothing that was
-/// not turning.
+/// A block slides over a free coarse cloth. Friction at nearest points with a gap conserves angular momentum.
 TEST(Sheets, FrictionWithTrianglesKeepsAngularMomentum) {
   Vec3d way[3];
-  for (const int rough : {0, 1, 2}) {  // smooth, both rough, the block alone
+  for (const int rough : {0, 1, 2}) {  // smooth, both rough, only the block rough
     Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
     s.materials.emplace_back();
     s.materials[0].name = "rubber";
@@ -170,14 +169,14 @@ TEST(Sheets, FrictionWithTrianglesKeepsAngularMomentum) {
     const Sheets& v = sim.w.sheets.rows;
     for (std::size_t i = 0; i < v.owned; i++) way[rough] += (v.area[i] / 0.64) * v.velocity[i];
   }
-  EXPECT_GT(way[1].x, way[0].x + 0.02);  // it takes the cloth along
-  EXPECT_GT(way[2].x, way[0].x + 0.02);  // the rougher of both counts
+  EXPECT_GT(way[1].x, way[0].x + 0.02);  // the block drags the cloth
+  EXPECT_GT(way[2].x, way[0].x + 0.02);  // the larger friction counts
 }
 
-/// A hot block touches the middle of a coarse cloth: what lies at the rim of contact stays cold, and nothing
-/// gets hotter than the block, or cools it below the cloth. With heat dealt out by the shares of the nearest
-/// point vertices came to 455 K beside a block of 400 K.
-TEST(Sheets, NothingGetsHotterThanWhatHeatsIt) {
+/// A hot block touches the middle of a coarse cloth. Vertices at the rim of contact stay cold, and nothing
+/// gets hotter than the block or cools it below the cloth. Heat must not be distributed by the weights of the
+/// nearest point: that would heat vertices to 455 K next to a block of 400 K.
+TEST(Sheets, NothingGetsHotterThanItsHeatSource) {
   for (const double spacing : {0.015, 0.03, 0.01}) {  // the last one by points
     Scene s = test::emptyScene(0.02, {-0.5, -0.5, -0.1}, {0.5, 0.5, 0.6});
     s.materials.emplace_back();
@@ -224,8 +223,7 @@ TEST(Sheets, NothingGetsHotterThanWhatHeatsIt) {
   }
 }
 
-/// The particles of a liquid that are under a sheet, each asked of the triangle that it is over; all those
-/// that are over none.
+/// Liquid particles below a sheet, each by the triangle above it, and all those below no triangle.
 std::size_t underSheet(const World& w) {
   const Sheets& v = w.sheets.rows;
   std::vector<Vec3d> at(v.owned);
@@ -245,7 +243,7 @@ std::size_t underSheet(const World& w) {
   return n;
 }
 
-/// A box of water over a cloth that is held at its border.
+/// A box of water over a cloth that is fixed at its border.
 Scene waterOnACloth(double spacing, const Vec3d& low, const Vec3d& high) {
   Scene s;
   s.spacing = 0.02;
@@ -279,10 +277,10 @@ Scene waterOnACloth(double spacing, const Vec3d& low, const Vec3d& high) {
   return s;
 }
 
-/// Water on a cloth whose vertices are three of its spacings apart, as many, or half of one: none passes
-/// through at the automatic rate of contact, and the books close. With the stiffness of contact from the mass
-/// of the vertices 372 of 512 had left through a light cloth and the others followed.
-TEST(Sheets, ClothHoldsWaterWhateverItsVertices) {
+/// Water on a cloth with vertices three, one or half of its spacings apart. None passes through at the
+/// automatic contact rate, and the ledger closes. Contact stiffness must not follow the mass of the vertices,
+/// since light cloths would leak.
+TEST(Sheets, ClothHoldsWaterForAnyVertexSpacing) {
   for (const double spacing : {0.06, 0.02, 0.01}) {
     Scene s = waterOnACloth(spacing, {-0.1, -0.1, 0.05}, {0.1, 0.1, 0.17});
     if (spacing < 0.06) {
@@ -290,7 +288,7 @@ TEST(Sheets, ClothHoldsWaterWhateverItsVertices) {
       s.sheets[0].width = s.sheets[0].depth = 0.6;
       s.sheets[0].clamp[0].parts[1] = test::boxOf({-0.25, -0.25, -1}, {0.25, 0.25, 1});
       s.bodies[0].shape = test::boxOf({-0.08, -0.08, 0.03}, {0.08, 0.08, 0.19});
-      s.end = 0.3;  // before any splashes over the border
+      s.end = 0.3;  // before water splashes over the border
     }
     test::Simulation sim(s);
     ASSERT_EQ(sim.w.sheets.plans[0].byFaces, spacing > 0.015);
@@ -301,14 +299,14 @@ TEST(Sheets, ClothHoldsWaterWhateverItsVertices) {
     for (std::size_t i = 0; i < v.owned; i++)
       lowest = std::min(lowest, v.position[i].z), hottest = std::max(hottest, v.temperature[i]);
     EXPECT_EQ(sim.w.particles.owned, all) << spacing;
-    EXPECT_LT(lowest, -0.003) << spacing;  // it bears the water
+    EXPECT_LT(lowest, -0.003) << spacing;  // the water loads it
     EXPECT_EQ(underSheet(sim.w), 0u) << spacing;
     EXPECT_GT(hottest, 301) << spacing;
     const LedgerReport books = sim.books();
     EXPECT_LT(length(books.momentumResidual), 1e-9);
     EXPECT_LT(std::abs(books.energyResidual), 0.003 * books.energyScale) << spacing;
     EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
-    EXPECT_EQ(books.liquidFraction, 1);  // of the continuum: a cloth is no part of what is liquid or solid
+    EXPECT_EQ(books.liquidFraction, 1);  // continuum only: a cloth is neither liquid nor solid there
   }
 }
 

@@ -1,10 +1,10 @@
-// Sheets that are drawn toward bodies: from afar, with the body's answer, in the books.
+// Sheets drawn toward bodies from a distance, with the reaction on the body and the energy budget.
 #include "tests/support/sheet_samples.hpp"
 
 namespace thaw {
 namespace {
 
-/// A sheet of 60 cm over what is to be wrapped, 30 cm away. No gravity.
+/// A sheet of 60 cm, 30 cm above the target. No gravity.
 Scene clothOver() {
   Scene s = test::sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
@@ -31,13 +31,13 @@ void expectDrawn(const Scene& s, double share) {
   EXPECT_LT(sheet.z, -share * 20 * area * s.end);
   EXPECT_LT(length(books.momentumResidual), 1e-12 * length(sheet));
   EXPECT_LT(length(books.now.momentum + books.underWay - before), 1e-12 * length(sheet))
-      << "the body has what the sheet has lost";
+      << "the body gains what the sheet loses";
   EXPECT_LT(length(books.now.angularMomentum - books.initial.angularMomentum), 0.02 * 0.3 * length(sheet));
   EXPECT_GT(books.wallWork, 0);
   EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
 }
 
-TEST(SheetWrap, TowardABodyOfTheContinuum) {
+TEST(SheetWrap, PullsTowardAContinuumBody) {
   Scene s = clothOver();
   s.spacing = 0.03;
   s.materials.emplace_back();
@@ -47,7 +47,7 @@ TEST(SheetWrap, TowardABodyOfTheContinuum) {
   expectDrawn(s, 0.5);
 }
 
-TEST(SheetWrap, TowardAnOrientedBody) {
+TEST(SheetWrap, PullsTowardAnOrientedBody) {
   Scene s = clothOver();
   s.oriented.emplace_back();
   OrientedBody& o = s.oriented[0];
@@ -60,7 +60,7 @@ TEST(SheetWrap, TowardAnOrientedBody) {
   expectDrawn(s, 0.5);
 }
 
-TEST(SheetWrap, TowardAnotherSheet) {
+TEST(SheetWrap, PullsTowardAnotherSheet) {
   Scene s = clothOver();
   SheetBody b = s.sheets[0];
   b.name = "target";
@@ -72,8 +72,8 @@ TEST(SheetWrap, TowardAnotherSheet) {
   expectDrawn(s, 0.5);
 }
 
-/// A sheet that got into a thick body is drawn out to the nearest side, but within a cell of the middle,
-/// where no side is the nearest.
+/// A sheet inside a thick body is drawn out to the nearest side, except within a cell of the middle, where no
+/// side is nearest.
 TEST(SheetWrap, DrawsOutOfABody) {
   Scene s = clothOver();
   s.spacing = 0.03;
@@ -91,8 +91,8 @@ TEST(SheetWrap, DrawsOutOfABody) {
   }
 }
 
-/// A closed membrane comes to lie on a ball all round, and presses it together: nothing moves away.
-TEST(SheetWrap, AMembraneComesToLieRoundABall) {
+/// A closed membrane comes to rest around a ball and compresses it without moving it.
+TEST(SheetWrap, MembraneComesToRestAroundABall) {
   Scene s = test::sheetScene(SheetMesh::Sphere);
   s.spacing = 0.04;
   s.materials.emplace_back();
@@ -107,7 +107,7 @@ TEST(SheetWrap, AMembraneComesToLieRoundABall) {
   b.spacing = 0.05;
   b.damping = 40;
   b.warp = b.weft = b.shear = 30;
-  b.restLength = 0.5;  // of the ball
+  b.restLength = 0.5;  // relative to the ball
   b.wrap = 20;
   b.wrapTo = "ball";
   s.end = 1;

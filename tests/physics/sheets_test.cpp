@@ -1,4 +1,4 @@
-// Sheets in a whole simulation: exact motion, forces from energies, plastic flow, books.
+// Sheets in a whole simulation: exact motion, forces from energies, plastic flow, energy budget.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ TEST(Sheets, StepsOfAnyLengthAreExactWhereForcesAreConstant) {
     ASSERT_TRUE(sim.run());
     const Sheets& v = sim.w.sheets.rows;
     ASSERT_EQ(v.owned, 121u);
-    // of the start below the place of rest under load
+    // relative to the start below the rest position under load
     const double a = 1.2 / (2 * 0.5), w = std::sqrt(30 / 0.5 - a * a), z0 = 0.5 * 1 / 30.0;
     const double z = z0 * std::exp(-a) * (std::cos(w) + a / w * std::sin(w)) - z0;
     for (std::size_t i = 0; i < v.owned; i++) {
@@ -37,7 +37,7 @@ TEST(Sheets, StepsOfAnyLengthAreExactWhereForcesAreConstant) {
   }
 }
 
-TEST(Sheets, ForcesAreSlopesOfEnergies) {
+TEST(Sheets, ForcesAreGradientsOfEnergies) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.warp = 30, b.weft = 12, b.shear = 4, b.bending = 2;
@@ -49,11 +49,11 @@ TEST(Sheets, ForcesAreSlopesOfEnergies) {
   expectForcesFromEnergy(s);
 }
 
-/// A net that is let go stretched swings at the scale of its mesh, the worst for the books: steps of
-/// leap-frog keep another energy (Hairer, Lubich & Wanner 2006, "Geometric Numerical Integration", IX.3),
-/// which differs by dt^2 (v U'' v / 12 - f^2 / 24 m). That is what the books miss, to a term of the fourth
-/// order: it comes and goes, and no entry is forgotten.
-TEST(Sheets, WhatBooksOfSpringsMissIsTheEnergyOfLeapFrog) {
+/// A stretched net that is released oscillates at the scale of its mesh, the worst case for the energy
+/// budget. Leap-frog conserves a modified energy (Hairer, Lubich & Wanner 2006, "Geometric Numerical
+/// Integration", IX.3), which differs by dt^2 (v U'' v / 12 - f^2 / 24 m). The residual equals that
+/// difference up to fourth order, so no entry is missing.
+TEST(Sheets, SpringResidualIsTheLeapFrogEnergy) {
   double worst[2];
   for (const bool half : {false, true}) {
     Scene s = test::emptyScene(0.05, {-2, -2, -2}, {2, 2, 2});
@@ -90,7 +90,7 @@ TEST(Sheets, WhatBooksOfSpringsMissIsTheEnergyOfLeapFrog) {
     while (sim.w.clock.time < s.end) {
       ASSERT_TRUE(sim.step());
       const std::vector<Vec3d> after = loads();
-      double swing = 0;  // v U'' v, of the state in the middle of three, as are velocity and missing
+      double swing = 0;  // v U'' v at the middle of three states, as for velocity and residual
       for (std::size_t i = 0; i < now.size(); i++) swing -= dot(velocity[i], after[i] - before[i]) / (2 * dt);
       if (sim.w.clock.step > 2)
         unexplained = std::max(unexplained,
@@ -107,13 +107,12 @@ TEST(Sheets, WhatBooksOfSpringsMissIsTheEnergyOfLeapFrog) {
     EXPECT_LT(unexplained, (half ? 0.03 : 0.1) * worst[half]);
     worst[half] /= scale;
   }
-  EXPECT_LT(worst[0], 0.025);  // at about the default step
+  EXPECT_LT(worst[0], 0.025);  // near the default step
   EXPECT_NEAR(worst[0] / worst[1], 4, 0.5);
 }
 
-/// What leaves takes its mass along; the rest of a closed mesh is open then, and not a hole with the pressure
-/// of one.
-TEST(Sheets, ABallThatLosesVerticesLosesItsPressure) {
+/// Leaving vertices take their mass along. The remaining mesh is open and has no pressure.
+TEST(Sheets, BallThatLosesVerticesLosesItsPressure) {
   Scene s = sheetScene(SheetMesh::Sphere);
   SheetBody& b = s.sheets[0];
   b.volumeStiffness = 500;
@@ -131,16 +130,16 @@ TEST(Sheets, ABallThatLosesVerticesLosesItsPressure) {
   EXPECT_LT(length(books.momentumResidual), 1e-9);
 }
 
-/// A brush that crosses the sheet in one step, or acts for a part of one, gives it what it would give in many
-/// short ones.
-TEST(Sheets, BrushesActAlongTheirWayInStepsOfAnyLength) {
+/// A brush that crosses the sheet in one step, or acts for part of one, has the same effect as in many short
+/// steps.
+TEST(Sheets, BrushesActAlongTheirPathInStepsOfAnyLength) {
   for (const bool moves : {true, false}) {
     std::vector<double> speed[2];
     for (int k = 0; k < 2; k++) {
       Scene s = sheetScene(SheetMesh::Grid);
       SheetBrush brush;
       brush.centre = {moves ? -2.0 : 0.05, 0.05, 0};
-      brush.radius = 0.15;  // of a way of 4 m in 0.1 s, and of steps of 0.05 s
+      brush.radius = 0.15;  // for a path of 4 m in 0.1 s and steps of 0.05 s
       brush.pressure = {0, 0, -3};
       if (moves) brush.motion = {{0.1, {}, {}}, {0.2, {4, 0, 0}, {}}};
       else brush.inTime.points = {{0.11, 0}, {0.115, 2}, {0.12, 0}};
@@ -162,7 +161,7 @@ TEST(Sheets, BrushesActAlongTheirWayInStepsOfAnyLength) {
   }
 }
 
-TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
+TEST(Sheets, PlasticityKeepsItsShareOfTheExcess) {
   for (const double plasticity : {0.0, 0.25, 0.5, 1.0})
     for (const double dt : plasticity == 1 ? std::vector{0.1, 0.013, 0.0013} : std::vector{0.1, 0.013}) {
       Scene s = sheetScene(SheetMesh::Grid);
@@ -172,7 +171,7 @@ TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
       b.damping = 10;
       b.plasticity = plasticity;
       b.elasticLimit = 0.02;
-      // 5 cm of the spring alone
+      // 5 cm by the spring alone
       b.brushes.push_back({{}, {}, 1e6, {0, 0, -5}, {{{0, 0}, {1, 1}, {7, 1}, {7.1, 0}}}, {}});
       s.end = 11;
       s.numerics.fixedStep = dt;
@@ -180,11 +179,11 @@ TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
       test::Simulation sim(s);
       ASSERT_TRUE(sim.run());
       const Sheets& v = sim.w.sheets.rows;
-      // the load stretches the spring to 5 cm whatever the place of rest: limit + (1 - p) excess. All plastic
-      // it never comes to that: the spring gives 2 N/m^2 at its limit, what is left of the load flows against
-      // the damping for as long as it acts, and all of that stays. Within a step the spring still resists: in
-      // long steps less flows, by what follows from the exact step 3 Pa beyond the limit from 1 s to 7 s, and
-      // what of both ramps is beyond it
+      // The load stretches the spring to 5 cm, whatever its rest position: limit + (1 - p) excess. With p = 1
+      // it never reaches that: the spring gives 2 N/m^2 at its limit, and the rest of the load flows against
+      // the damping as long as it acts, and stays. The spring resists within a step, so less flows in long
+      // steps. The exact step gives a flow of 3 Pa beyond the limit from 1 s to 7 s, plus the parts of both
+      // ramps beyond it.
       const double flowing = (3 * 6 + 0.5 * 3 * (3.0 / 5) * (1 + 0.1)) / b.damping;
       const double swing = b.stiffness * dt / b.damping, inSteps = -std::expm1(-swing) / swing;
       const double left = plasticity == 1 ? flowing * inSteps : plasticity * (0.05 - 0.02) / (1 - plasticity);
@@ -195,9 +194,9 @@ TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
     }
 }
 
-// Light vertices without springs in a wind: the drag bounds the step, and they come to its speed and no
-// further.
-TEST(Sheets, WindTakesLightVerticesAlongAndNoFaster) {
+// Light vertices without springs in a wind: the drag limits the step, and they reach the wind's speed without
+// overshoot.
+TEST(Sheets, WindDragsLightVerticesToItsSpeed) {
   Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
   SheetBody b;
   b.name = "leaf";
@@ -219,9 +218,9 @@ TEST(Sheets, WindTakesLightVerticesAlongAndNoFaster) {
   }
 }
 
-/// What falls from rest has no drag yet: its first step is not so long that the drag at its end throws it
-/// back.
-TEST(Sheets, FallsFromRestToItsSpeedInAir) {
+/// At rest there is no drag. The first step must be short enough that the drag at its end does not reverse
+/// the motion.
+TEST(Sheets, FallsFromRestToTerminalSpeed) {
   Scene s = sheetScene(SheetMesh::Grid);
   s.domain.min.z = -20;
   s.domain.gravity = {0, 0, -9.81};
@@ -245,7 +244,7 @@ TEST(Sheets, FallsFromRestToItsSpeedInAir) {
   EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
 }
 
-TEST(Sheets, BooksOfAClothThatFallsOnTheFloorAndItself) {
+TEST(Sheets, LedgerClosesForAClothThatFallsOnFloorAndItself) {
   Scene s = sheetScene(SheetMesh::Grid);
   s.spacing = 0.025;
   s.domain.gravity = {0, 0, -9.81};
@@ -267,7 +266,7 @@ TEST(Sheets, BooksOfAClothThatFallsOnTheFloorAndItself) {
   EXPECT_NEAR(books.now.mass, 0.5 * 0.36, 1e-12);
 }
 
-TEST(Sheets, AreNothingToAScene) {
+TEST(Sheets, CostNothingInScenesWithoutSheets) {
   Scene s;
   s.spacing = 0.1;
   s.materials.emplace_back();

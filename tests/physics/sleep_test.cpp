@@ -1,5 +1,5 @@
-// Solids at rest sleep (core/sleep/): the same motion within what is allowed, nearly no work, and waking by
-// contact, a wall that pushes and heat. None in the air.
+// Solids at rest sleep (core/sleep/): the same motion within tolerance, nearly no work, and waking by
+// contact, a pushing wall and heat. No body sleeps in the air.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// A block on a floor that another block, `gap` above it, falls on; a third block stands far away.
+/// A block on a floor, another block `gap` above that falls on it, and a third far away.
 Scene blocks(double gap) {
   Scene s = test::emptyScene(0.1, {-2, -2, -0.5}, {6, 2, 6});
   s.domain.gravity = {0, 0, -9.81};
@@ -34,7 +34,7 @@ double lowest(const Continuum& p, std::uint16_t body) {
   return z;
 }
 
-TEST(Sleep, BlocksThatComeToRestSleepAndKeepTheirPlace) {
+TEST(Sleep, BlocksAtRestSleepAndKeepTheirPosition) {
   Scene s = blocks(0.1);
   test::Simulation awakeOnes(s);
   ASSERT_TRUE(awakeOnes.run());
@@ -44,7 +44,7 @@ TEST(Sleep, BlocksThatComeToRestSleepAndKeepTheirPlace) {
   ASSERT_TRUE(x.run());
   EXPECT_EQ(x.w.counters.asleep, static_cast<std::int64_t>(x.particles().owned));
   for (std::size_t i = 0; i < x.particles().owned; i++) {
-    const std::size_t k = i;  // the same cells and ids, where both are at rest
+    const std::size_t k = i;  // the same cells and ids while both are at rest
     if (awakeOnes.particles().id[k] != x.particles().id[i]) continue;
     EXPECT_LT(length(awakeOnes.particles().position[k] - x.particles().position[i]), 0.01 * s.spacing);
   }
@@ -53,7 +53,7 @@ TEST(Sleep, BlocksThatComeToRestSleepAndKeepTheirPlace) {
   EXPECT_LT(length(books.momentumResidual), 1e-6 * books.now.mass);
 }
 
-TEST(Sleep, ABlockThatFallsOnASleeperWakesItAndNotTheOther) {
+TEST(Sleep, FallingBlockWakesOnlyTheBlockItHits) {
   Scene s = blocks(4);
   s.numerics.sleepSpeed = 0.02;
   s.numerics.sleepAfter = 0.02;
@@ -74,16 +74,16 @@ TEST(Sleep, ABlockThatFallsOnASleeperWakesItAndNotTheOther) {
   EXPECT_TRUE(hit);
 }
 
-/// Particles of a body that sleep.
+/// Number of sleeping particles of a body.
 std::size_t sleepers(const Continuum& p, std::uint16_t body) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < p.owned; i++) n += p.body[i] == body && p.sleep[i] != awake;
   return n;
 }
 
-TEST(Sleep, NobodyIsHeldInTheAirHoweverLargeTheSpeed) {
+TEST(Sleep, NoBlockSleepsInTheAir) {
   Scene s = blocks(4);
-  s.numerics.sleepSpeed = 1;  // which free fall takes .1 s to reach, and sleep_after .05 s
+  s.numerics.sleepSpeed = 1;  // free fall reaches it after 0.1 s; sleep_after is 0.05 s
   s.end = 1;
   test::Simulation x(s);
   while (x.w.clock.time < 0.3) {
@@ -93,7 +93,7 @@ TEST(Sleep, NobodyIsHeldInTheAirHoweverLargeTheSpeed) {
   EXPECT_NEAR(lowest(x.particles(), 1), 4.7 - 0.5 * 9.81 * x.w.clock.time * x.w.clock.time, 0.01);
 }
 
-TEST(Sleep, AWallThatPushesWakesWhomItPushesAndNotTheOther) {
+TEST(Sleep, PushingWallWakesOnlyThePushedBlock) {
   Scene s = blocks(4);
   s.numerics.sleepSpeed = s.numerics.sleepAfter = 0.02;
   s.bodies.erase(s.bodies.begin() + 1);
@@ -137,7 +137,7 @@ TEST(Sleep, HeatWakes) {
   }
   EXPECT_TRUE(slept);
   EXPECT_TRUE(woken);
-  // and nobody slept through it
+  // and all particles are awake and warmed
   for (std::size_t i = 0; i < x.particles().owned; i++) ASSERT_NEAR(x.particles().temperature[i], 400, 0.5);
 }
 

@@ -1,5 +1,4 @@
-// Solids that take several steps within one of the scene (core/solid_substeps.hpp): the same motion, and
-// books that close.
+// Solids with substeps (core/solid_substeps.hpp): the same motion, and a closed ledger.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +24,7 @@ Scene stiffBlock(int substeps) {
   return s;
 }
 
-/// Time (s) of the third return to its length of a bar that was stretched at the start.
+/// Time (s) of the third return of an initially stretched bar to its length.
 double thirdReturn(int substeps) {
   Simulation run(stiffBlock(substeps));
   Continuum& p = run.particles();
@@ -53,7 +52,7 @@ TEST(Substeps, FrequencyOfAFreeBarIsTheSame) {
   EXPECT_NEAR(eight, one, 0.01 * one);
 }
 
-TEST(Substeps, MomentumAndEnergyOverAThousandSteps) {
+TEST(Substeps, ConserveMomentumAndEnergyOverAThousandSteps) {
   Scene s = stiffBlock(8);
   s.bodies[0].spin = {0, 3, 4};
   s.bodies[0].velocity = {0.5, 0.2, 0.1};
@@ -71,9 +70,9 @@ TEST(Substeps, MomentumAndEnergyOverAThousandSteps) {
   EXPECT_EQ(run.w.clock.substeps, 8);
 }
 
-// Clamp, contact with the floor, damping and creep: what each takes or gives is booked, and flow does not
-// depend on the number of substeps.
-TEST(Substeps, BooksOfWallsClampsAndCreep) {
+// The ledger records clamp, floor contact, damping and creep. Plastic flow does not depend on the number of
+// substeps.
+TEST(Substeps, LedgerClosesForWallsClampsAndCreep) {
   double plastic[2];
   for (const int n : {1, 8}) {
     Scene s = stiffBlock(n);
@@ -100,9 +99,9 @@ TEST(Substeps, BooksOfWallsClampsAndCreep) {
   EXPECT_NEAR(plastic[1], plastic[0], 0.02 * plastic[0]);
 }
 
-// With 8 substeps the step is near half a period of modes of the undamped block, and 0.8 % of the energy is
-// pumped into it.
-TEST(Substeps, StiffBlockInWater) {
+// With 8 substeps the step is near half a period of modes of the undamped block, which pumps 0.8 % of the
+// energy into it.
+TEST(Substeps, KeepAStiffBlockInWaterStable) {
   for (const int n : {1, 4}) {
     Scene s = columnScene(0.01, 0, 0.3);
     s.domain.max = {0.12, 0.12, 0.3};

@@ -43,7 +43,7 @@ Vec3d total(const World& w) {
   return sum;
 }
 
-/// m, of the ball that has the particles' radius of gyration, each of them a cube.
+/// Radius (m) of the ball with the particles' radius of gyration, each particle a cube.
 double radiusOfGyration(const Continuum& p, double spacing) {
   Vec3d centre;
   for (std::size_t i = 0; i < p.owned; i++) centre += p.position[i] / static_cast<double>(p.owned);
@@ -53,9 +53,9 @@ double radiusOfGyration(const Continuum& p, double spacing) {
   return std::sqrt(5.0 / 3 * (square + 0.25 * spacing * spacing));
 }
 
-// A slab of the lattice: a column has the energy .81 sigma A on either side (what drops need to have sigma,
-// surface_energy.hpp); nothing pulls along the surface, nothing at all inside.
-TEST(SurfaceEnergy, FlatLattice) {
+// A slab of the lattice: a column has the energy 0.81 sigma A on either side (the value that drops need to
+// have sigma, surface_energy.hpp). There is no force along the surface and none inside.
+TEST(SurfaceEnergy, FlatLatticeHasTheCalibratedEnergy) {
   const double dx = 0.1;
   Scene s = withTension(columnScene(dx, -2, 2));
   addBox(s, {0, 0, -6 * dx}, {6 * dx, 6 * dx, 6 * dx});
@@ -73,8 +73,8 @@ TEST(SurfaceEnergy, FlatLattice) {
   EXPECT_LT(length(total(run.w)), 1e-12 * dx);
 }
 
-/// The most that the energy of all climbs as a lone particle comes down from the support's end to .9
-/// spacings, in sigma dx^2: on a slab, a one-layer film, another one, a floor.
+/// Largest rise of the total energy, in sigma dx^2, as a lone particle comes down from the end of the support
+/// to 0.9 spacings: on a slab, a one-layer film, another particle, or a floor.
 double climbOf(double support, const Vec3d& size, const Vec3d& aside, bool floor = false) {
   const double dx = 0.1;
   Scene s = emptyScene(dx, {-2, -2, -2}, {2, 2, 2});
@@ -109,21 +109,20 @@ double climbOf(double support, const Vec3d& size, const Vec3d& aside, bool floor
   return climb / (dx * dx);
 }
 
-// A drop of one particle that comes to a liquid of its kind, or to a floor, climbs nothing: it does not hang
-// a support above it. With n^2 / fill^4 wherever there is liquid it climbed 14 to 25 sigma dx^2 at a support
-// of 2, 140 and 289 at 2.5 and 3.
-TEST(SurfaceEnergy, NothingToClimbForALoneParticle) {
+// A one-particle drop that approaches liquid of its kind or a floor meets no energy barrier, so it does not
+// hang a support radius above it.
+TEST(SurfaceEnergy, LoneParticleMeetsNoBarrier) {
   EXPECT_LT(climbOf(2, {8, 8, 4}, {0.5, 0.5, 0}), 0.2);  // over a particle
-  EXPECT_LT(climbOf(2, {8, 8, 4}, {0, 0, 0}), 0.2);      // over the hollow between four
-  EXPECT_LT(climbOf(2, {1, 1, 1}, {0, 0, 0}), 0.2);      // another lone one
-  EXPECT_LT(climbOf(2, {8, 8, 1}, {0, 0, 0}), 1.2);      // a film of one layer
+  EXPECT_LT(climbOf(2, {8, 8, 4}, {0, 0, 0}), 0.2);      // over the hollow between four particles
+  EXPECT_LT(climbOf(2, {1, 1, 1}, {0, 0, 0}), 0.2);      // over another lone particle
+  EXPECT_LT(climbOf(2, {8, 8, 1}, {0, 0, 0}), 1.2);      // over a one-layer film
   EXPECT_LT(climbOf(2.5, {8, 8, 4}, {0, 0, 0}), 2);
   EXPECT_LT(climbOf(3, {8, 8, 4}, {0, 0, 0}), 1);
-  EXPECT_LT(climbOf(2, {}, {0, 0, 0}, true), 0.4);  // a floor
+  EXPECT_LT(climbOf(2, {}, {0, 0, 0}, true), 0.4);  // over a floor
 }
 
-// Alone it has the surface of a sphere of its volume.
-TEST(SurfaceEnergy, AloneItIsASphere) {
+// A lone particle has the surface of a sphere of its volume.
+TEST(SurfaceEnergy, LoneParticleHasTheSurfaceOfASphere) {
   for (const double support : {1.5, 2.0, 2.5, 3.0}) {
     Numerics n;
     n.support = support;
@@ -133,7 +132,7 @@ TEST(SurfaceEnergy, AloneItIsASphere) {
   }
 }
 
-// A wall's part of the cover and its derivatives.
+// The wall's contribution to the cover, and its derivatives.
 TEST(SurfaceEnergy, WallCoverIsSmooth) {
   const double dx = 0.5, step = 1e-5;
   for (const double d : {-0.1, 0.05, 0.2, 0.6, 0.74}) {
@@ -143,8 +142,8 @@ TEST(SurfaceEnergy, WallCoverIsSmooth) {
   }
 }
 
-// The energy's slopes.
-TEST(SurfaceEnergy, SlopesOfTheState) {
+// Derivatives of the energy with respect to the state.
+TEST(SurfaceEnergy, DerivativesOfTheStateMatchDifferences) {
   const SurfaceMeasure m = surfaceMeasure(Numerics{}, 0.1);
   const double step = 1e-6;
   for (const double cover : {0.0, 0.1 * m.full, 0.3 * m.full, 0.5 * m.full, 0.8 * m.full, 1.1 * m.full}) {
@@ -164,8 +163,8 @@ TEST(SurfaceEnergy, SlopesOfTheState) {
   }
 }
 
-// Forces are the slope of the energy, at a free surface and at a wall, pressure included.
-TEST(SurfaceEnergy, ForcesAreItsSlope) {
+// Forces are the gradient of the energy, at a free surface and at a wall, with pressure.
+TEST(SurfaceEnergy, ForcesAreItsGradient) {
   Scene s = drop(0.4);
   s.bodies[0].shape = boxOf({-0.8, -0.8, -2}, {0.8, 0.8, -0.4});
   s.bodies[0].packing = Packing::Lattice;
@@ -188,7 +187,8 @@ TEST(SurfaceEnergy, ForcesAreItsSlope) {
     const Vec3d f = p.force[row];
     double scale = 0;
     for (std::size_t i = 0; i < p.owned; i++) scale = std::max(scale, length(p.force[i]));
-    const double step = 2e-4;  // shorter: the rounding of the filling, which is in single precision
+    const double step = 2e-4;  // shorter steps show the rounding of the relative density, which has single
+                               // precision
     for (int a = 0; a < 3; a++) {
       Vec3d d{};
       d[a] = step;
@@ -198,8 +198,8 @@ TEST(SurfaceEnergy, ForcesAreItsSlope) {
   }
 }
 
-// A long drop contracts, and its own forces do not move it.
-TEST(SurfaceEnergy, KeepsMomentum) {
+// A long drop contracts, and its internal forces do not move it.
+TEST(SurfaceEnergy, ConservesMomentum) {
   Scene s = drop(0.2);
   s.bodies[0].shape = boxOf({-0.4, -0.4, -1.4}, {0.4, 0.4, 1.4});
   s.end = 0.3;
@@ -218,9 +218,9 @@ TEST(SurfaceEnergy, KeepsMomentum) {
   EXPECT_LT(pull, 0);
 }
 
-// Laplace: 2 sigma / R. The surface of a drop comes to rest in one of many ways: single drops of R / dx = 8
+// Laplace: 2 sigma / R. The surface of a drop comes to rest in one of many states: single drops of R / dx = 8
 // differ by some per cent.
-TEST(SurfaceEnergy, PressureInADrop) {
+TEST(SurfaceEnergy, PressureInADropIsLaplaces) {
   Scene s = drop(0.125);
   s.end = 2;
   Simulation run(s);
@@ -236,16 +236,15 @@ TEST(SurfaceEnergy, PressureInADrop) {
   }
   const double R = std::cbrt(3 * mass / (4 * M_PI));
   EXPECT_NEAR(pressure / count, 2 / R, 0.1 * 2 / R);
-  EXPECT_LT(farthest, 1.05 * R);  // none has left
+  EXPECT_LT(farthest, 1.05 * R);  // no particle has left
 }
 
-// A drop keeps its volume while its particles find their places: those that part into shells, or in clumps,
-// fill space as the kernel's sum sees it, and take more of it (2 to 3.5 % in radius, with less energy in the
-// cover that is missing).
+// A drop keeps its volume while its particles rearrange. Shells and clumps would take more space, 2 to 3.5 %
+// in radius, with less energy in the missing cover.
 TEST(SurfaceEnergy, DropsKeepTheirVolume) {
   for (const Packing packing : {Packing::Relaxed, Packing::Lattice})
     for (const double spacing : {0.125, 1.0 / 12}) {
-      if (packing == Packing::Lattice && spacing < 0.1) continue;  // seconds
+      if (packing == Packing::Lattice && spacing < 0.1) continue;  // takes seconds
       Scene s = drop(spacing);
       s.bodies[0].packing = packing;
       s.end = 2;
@@ -255,8 +254,8 @@ TEST(SurfaceEnergy, DropsKeepTheirVolume) {
                       std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / spacing,
                   1, 0.01)
           << spacing;
-      // inside, too: as many particles as at rest density, in a weight that falls to nothing at .8 of the
-      // radius, since they lie in shells
+      // Inside, the number of particles is that at rest density. The weight vanishes at 0.8 of the radius,
+      // since particles lie in shells.
       double inside = 0;
       const double radius = 0.8;
       for (std::size_t i = 0; i < run.particles().owned; i++)
@@ -266,9 +265,9 @@ TEST(SurfaceEnergy, DropsKeepTheirVolume) {
     }
 }
 
-// A relaxed ball of liquid without tension stays where it is: no place is filled too much, no pressure drives
-// it apart (it swelled by .6 % in this time, and went on).
-TEST(RelaxedPacking, BallWithoutTensionStaysAsItIs) {
+// A relaxed ball of liquid without tension stays as it is: no position is overfull, and no pressure expands
+// it.
+TEST(RelaxedPacking, BallWithoutTensionStaysAtRest) {
   Scene s = drop(0.125);
   s.materials[0].surfaceTension = 0;
   s.materials[0].soundSpeed = 10;

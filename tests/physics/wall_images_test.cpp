@@ -1,4 +1,4 @@
-// Obstacles across periodic sides act on the other side as they do on this one.
+// Obstacles across periodic sides act the same on both sides.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,7 +11,7 @@ namespace {
 constexpr double dx = 1.0 / 64;
 const Vec3d period{24 * dx, 24 * dx, 0};
 
-/// Periodic along x and y, with room of 24 spacings.
+/// Periodic along x and y, 24 spacings wide.
 Scene basin() {
   Scene s = emptyScene(dx, {0, 0, 0}, {period.x, period.y, 40 * dx});
   s.domain.side[0] = s.domain.side[1] = {Side::Periodic, Side::Periodic};
@@ -36,7 +36,8 @@ Obstacle& addObstacle(Scene& s, const Vec3d& low, const Vec3d& high) {
   return s.obstacles.back();
 }
 
-/// Beside a hot post: water on the floor, and on a post that moves a block of rubber with a speed of its own.
+/// A hot post with water on the floor around it, and a moving post with a block of rubber on it that has its
+/// own velocity.
 Scene postsIn(const Vec3d& shift) {
   Scene s = basin();
   addObstacle(s, Vec3d{8 * dx, 8 * dx, 0} + shift, Vec3d{12 * dx, 12 * dx, 20 * dx} + shift).temperature =
@@ -56,7 +57,7 @@ struct State {
   double temperature;
 };
 
-/// By id, after some steps of a length that all runs have.
+/// State by id after some steps of fixed length.
 std::map<std::uint64_t, State> after(int steps, Scene s) {
   s.numerics.fixedStep = 1e-4;
   s.end = 1;
@@ -69,7 +70,7 @@ std::map<std::uint64_t, State> after(int steps, Scene s) {
   return found;
 }
 
-/// m, between two places less `shift`, whole periods aside.
+/// Distance (m) between two positions less `shift`, modulo whole periods.
 double apart(const Vec3d& x, const Vec3d& y, const Vec3d& shift) {
   Vec3d d = x - y - shift;
   for (int a = 0; a < 3; a++)
@@ -101,7 +102,7 @@ void expectSame(const Difference& d) {
 
 }  // namespace
 
-TEST(WallImages, aSceneMovedByHalfAPeriodIsTheSame) {
+TEST(WallImages, SceneMovedByHalfAPeriodIsTheSame) {
   const Vec3d half{0.5 * period.x, 0.5 * period.y, 0};
   const auto still = after(150, postsIn({})), moved = after(150, postsIn(half));
   expectSame(between(still, moved, half));
@@ -111,16 +112,16 @@ TEST(WallImages, aSceneMovedByHalfAPeriodIsTheSame) {
                                         return s;
                                       }())};
   const Difference felt = between(none, post, {});
-  EXPECT_GT(felt.speed, 0.01);  // the obstacles matter
+  EXPECT_GT(felt.speed, 0.01);  // the obstacles have an effect
 }
 
-TEST(WallImages, anObstacleAPeriodAwayIsTheSame) {
+TEST(WallImages, ObstacleAPeriodAwayIsTheSame) {
   Scene away = postsIn({});
   for (Obstacle& o : away.obstacles) o.shape.move += Vec3d{-period.x, 2 * period.y, 0};
   expectSame(between(after(100, postsIn({})), after(100, away), {}));
 }
 
-TEST(WallImages, orientedParticlesFeelThem) {
+TEST(WallImages, ActOnOrientedParticles) {
   const auto place = [](const Vec3d& off) {
     Scene s = basin();
     s.materials.clear();
@@ -142,10 +143,10 @@ TEST(WallImages, orientedParticlesFeelThem) {
     EXPECT_LT(length(a.position[i] - b.position[i]), 1e-9);
     EXPECT_GT(a.position[i].z, 10 * dx);
   }
-  EXPECT_LT(c.position[0].z, 9.5 * dx);  // without the obstacle it falls past its top
+  EXPECT_LT(c.position[0].z, 9.5 * dx);  // without the obstacle it falls below its top
 }
 
-TEST(WallImages, emittersAndBodiesMayNotBeginInThem) {
+TEST(WallImages, RefuseEmittersAndBodiesInside) {
   Scene s = basin();
   addObstacle(s, {-4 * dx, 8 * dx, 0}, {4 * dx, 16 * dx, 10 * dx});  // beyond the low side along x
   addBox(s, {10 * dx, 8 * dx, 0}, {14 * dx, 12 * dx, 4 * dx});

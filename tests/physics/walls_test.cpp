@@ -1,4 +1,4 @@
-// Liquids and solids on walls, through whole steps, against exact solutions.
+// Liquids and solids on walls over whole steps, against exact solutions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ TEST(LiquidAtWalls, HydrostaticColumn) {
   EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
 }
 
-// Water of low viscosity in a box, from a lattice: it settles and stays at rest. The walls do not move, so
+// Water of low viscosity in a box starts from a lattice, settles and stays at rest. The walls do not move, so
 // they do no work.
 TEST(LiquidAtWalls, WaterAtRestStaysAtRest) {
   Scene s = liquidInABox(0.004, {0.032, 0.032, 0.1}, {0.032, 0.032, 0.048}, 0.01);
@@ -49,8 +49,8 @@ TEST(LiquidAtWalls, WaterAtRestStaysAtRest) {
   EXPECT_LT(std::abs(r.energyResidual), 1e-3 * r.initial.potential);
 }
 
-/// A tank that is cut out of one obstacle holds water at rest as the sides of the domain do.
-TEST(LiquidAtWalls, ATankCutOutOfOneObstacleIsLikeSidesOfTheDomain) {
+/// A tank cut out of one obstacle holds water at rest as the sides of the domain do.
+TEST(LiquidAtWalls, TankCutOutOfAnObstacleActsLikeDomainSides) {
   const auto restOf = [](bool cut) {
     Scene s = liquidInABox(0.004, {0.032, 0.032, 0.1}, {0.032, 0.032, 0.032}, 0.001);
     s.materials[0].artificialViscosity = 0.02;

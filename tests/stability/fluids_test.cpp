@@ -1,6 +1,5 @@
-// Where the density and pressure of liquids of particles fail: rows of docs/validation/stability.md. Each
-// test provokes the failure, shows that a naive implementation falls into it where that is cheap, and holds
-// thaw to what the table says.
+// Failures of density and pressure in liquids: rows of docs/validation/stability.md. Each test provokes the
+// failure, shows a naive implementation fail where that is cheap, and checks the stated behaviour of thaw.
 #include "core/kernels/kernels.hpp"
 #include "tests/support/free_liquid.hpp"
 #include "tests/support/hashed.hpp"
@@ -26,7 +25,7 @@ Scene periodicLiquid(int n) {
   return s;
 }
 
-/// Distance to the nearest other particle: the least and the mean, in spacings.
+/// Least and mean distance to the nearest other particle, in spacings.
 struct Nearest {
   double least = never, mean = 0;
 };
@@ -46,7 +45,7 @@ Nearest nearest(const std::vector<Vec3d>& x, double period = 0) {
 }
 std::vector<Vec3d> placesOf(const Continuum& p) { return {p.position.data(), p.position.data() + p.owned}; }
 
-/// MCG03's poly6 for the gradient too: what one must not do.
+/// MCG03's poly6 used for the gradient as well, as a naive implementation.
 struct Poly6 {
   static double w(double q2) { return isa_base::Mcg03::w(q2); }
   static double slope(double q2) { return -945 / (32 * M_PI) * std::pow(std::max(0.0, 1 - q2), 2); }
@@ -63,7 +62,7 @@ std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double filling0, i
       for (std::size_t i = 0; i < x.size(); i++)
         for (std::size_t j = 0; j < x.size(); j++) {
           Vec3d d = x[i] - x[j];
-          // they stay near
+          // wraps positions into the period
           for (int a = 0; a < 3; a++)
             d[a] -= d[a] > 0.5 * period ? period : d[a] < -0.5 * period ? -period : 0;
           const double q2 = dot(d, d) / (h * h);
@@ -85,8 +84,8 @@ std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double filling0, i
 }  // namespace
 
 TEST(Stability, B06_StretchedLiquid) {
-  // 8 % too thin, all over: negative pressure that is kept pulls the particles into clumps, worst with poly6
-  // and a wide support
+  // 8 % too thin everywhere: negative pressure pulls the particles into clumps, most with poly6 and a wide
+  // support
   Nearest result[2];
   for (const bool naive : {true, false}) {
     Scene s = periodicLiquid(12);
@@ -147,7 +146,7 @@ TEST(Stability, B07_FreeSurfaceDensity) {
 }
 
 TEST(Stability, B08_PressureThatVanishesForClosePairs) {
-  // pairs at a tenth of a spacing, in a liquid that is 10 % too dense: does the pressure part them?
+  // pairs at a tenth of a spacing in a liquid that is 10 % too dense; pressure should part them
   std::vector<Vec3d> x;
   const int n = 6;
   for (int k = 0; k < n * n * n; k++) {
@@ -194,7 +193,7 @@ TEST(Stability, B09_CoincidentParticles) {
   for (std::size_t i = 1; i < p.owned; i += 50)
     p.position[i] = p.position[i - 1], p.velocity[i] = p.velocity[i - 1];
   const Vec3d together = p.position[0] - p.position[1];
-  EXPECT_TRUE(std::isnan((together / length(together)).x));  // the direction of a force, naively
+  EXPECT_TRUE(std::isnan((together / length(together)).x));  // a naive force has no direction
   ASSERT_TRUE(run.step());
   const std::int64_t counted = run.w.counters.coincidentPairs;
   EXPECT_TRUE(run.run());
@@ -209,7 +208,7 @@ TEST(Stability, B09_CoincidentParticles) {
 }
 
 TEST(Stability, B12_DensityLayers) {
-  // a light liquid on one that is a thousand times as dense, both at rest
+  // a light liquid on one a thousand times as dense, both at rest
   Scene s = columnScene(dx, 0, 12 * dx);
   s.domain.side[2] = {Side::Wall, Side::Wall};
   s.materials.emplace_back(s.materials[0]);
@@ -221,7 +220,7 @@ TEST(Stability, B12_DensityLayers) {
   s.end = 0.05;
   Simulation run(s);
   const Continuum& p = run.particles();
-  // the density of a light particle at the interface as the sum of masses, over its density at rest
+  // density of a light particle at the interface from the sum of masses, over its rest density
   double summed = 0;
   const double h = 2 * dx;
   for (std::size_t j = 0; j < p.owned; j++) {

@@ -1,5 +1,5 @@
-// Where solids of particles fail that froze, share a place, or are few: rows of docs/validation/stability.md.
-// Each test provokes the failure and holds thaw to what the table says.
+// Failures of solids that are frozen, coincident, or few particles: rows of docs/validation/stability.md.
+// Each test provokes the failure and checks the stated behaviour of thaw.
 #include "core/domain/emit.hpp"
 #include "core/solid/laws/response.hpp"
 #include "core/solid/moment.hpp"
@@ -51,7 +51,7 @@ TEST(Stability, B13_PulledMoltenFlownFrozen) {
   steps(0.001);
   EXPECT_EQ(run.w.counters.frozen, static_cast<std::int64_t>(p.owned));
   const double frozen = run.books().now.elastic, moving = run.books().now.kinetic;
-  // the same flow with the bonds of the start
+  // the same flow with the initial bonds
   std::vector<Vec3d> places(p.owned);
   for (std::size_t i = 0; i < p.owned; i++) places[numberOf(p.id[i])] = p.position[i];
   std::vector<Vec3d> was, is;
@@ -74,7 +74,7 @@ TEST(Stability, B13_PulledMoltenFlownFrozen) {
 }
 
 TEST(Stability, B09_CoincidentSolids) {
-  // two bodies in the same place, which only overlap = "keep" lets through
+  // two bodies in the same place, which only overlap = "keep" allows
   Scene s;
   s.spacing = 0.1;
   s.domain.gravity = {};
@@ -96,8 +96,8 @@ TEST(Stability, B09_CoincidentSolids) {
 }
 
 TEST(Stability, B21_LonelyParticlesAndSmallClusters) {
-  // solids of one to four particles, liquids of one to four, thrown: their centres of mass are ballistic and
-  // all stays finite
+  // Thrown solids and liquids of one to four particles: their centres of mass are ballistic, and all values
+  // stay finite.
   const double dx = 0.01;
   double worst = 0, residual = 0;
   for (const bool solid : {false, true})

@@ -1,5 +1,4 @@
-// Elastic bodies over 5e4 steps and more: row 10 of docs/validation/stability.md. What grows slowly shows
-// itself only there.
+// Elastic bodies over 5e4 steps and more, which reveal slow growth: row 10 of docs/validation/stability.md.
 #include <cmath>
 #include <functional>
 
@@ -13,8 +12,7 @@ namespace {
 constexpr double dx = 0.1;
 constexpr Vec3i size{8, 6, 4};
 
-/// A small block in free flight that spins and swings. Frames every 40 ms, as a scene has them that does not
-/// say otherwise.
+/// A small block in free flight that spins and oscillates. Frames every 40 ms, the default of a scene.
 Scene freeBlock(Quality quality, ElasticLaw law) {
   Scene s;
   s.spacing = dx;
@@ -48,8 +46,8 @@ double residual(Simulation& run) {
   return std::abs(l.energyResidual) / (l.initial.kinetic + l.initial.elastic);
 }
 
-/// Largest residual over so many steps, as share of the first energy; stops where it is beyond 1. Frames are
-/// counted as they are written.
+/// Largest residual over `steps` steps relative to the initial energy; stops when it exceeds 1. Counts frames
+/// as in a run that writes them.
 double largestResidual(Simulation& run, int steps, const std::function<double()>& naiveStep = {}) {
   Clock& c = run.w.clock;
   double most = 0;
@@ -80,14 +78,14 @@ TEST(Stability, B10_LongElasticRuns) {
     }
 }
 
-// Naive: steps are as long as the limit allows, and the last two before each frame are made to hit it: those
-// are shorter in every frame.
+// Naive: steps have the limit's length, and the last two before each frame are shortened to hit it, more in
+// every frame.
 TEST(Stability, B10_StepsCutAtFrames) {
   double most[2];
   for (const bool naive : {true, false}) {
     Scene s = freeBlock(Quality::Preview, ElasticLaw::NeoHookean);
     const double every = s.output.every;
-    if (naive) s.output.every = 0;  // hit by hand
+    if (naive) s.output.every = 0;  // this test hits the frames itself
     Simulation run(s);
     launch(run);
     const double limit = run.w.clock.dt;
@@ -99,13 +97,14 @@ TEST(Stability, B10_StepsCutAtFrames) {
     most[naive] = naive ? largestResidual(run, 30000, step) : largestResidual(run, 30000);
   }
   measured(
-      "%.1e of the energy from nowhere with the last two steps of each frame cut, %.1e with all steps equal",
+      "%.1e of the energy unexplained with the last two steps of each frame cut, %.1e with all steps equal",
       most[1], most[0]);
   EXPECT_GT(most[1], 0.1);
   EXPECT_LT(most[0], 1e-3);
 }
 
-// Far from the end of stability: the energy of leap-frog wavers with the square of the step, and that is all.
+// Far from the stability limit the energy of leap-frog oscillates with the square of the step, and nothing
+// grows.
 TEST(Stability, B10_ElasticStepsBeyondTheLimit) {
   for (const double over : {1.0, 1.25, 1.5, 2.0}) {
     Scene s = freeBlock(Quality::Standard, ElasticLaw::NeoHookean);

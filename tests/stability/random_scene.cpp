@@ -1,8 +1,8 @@
-// random_scene SEED: prints a scene (TOML) that is a function of the seed. Bodies of all shapes, materials
-// over six decades of stiffness and viscosity, every law and most keys; 200 to 3000 particles. Nothing is
-// tuned to go well: soft bodies hit hard, hot floors melt what falls on them, some bodies overlap. Two seeds
-// in five have a theme: bodies that float or sink in a tank that the lattice does not fit, plastic bodies
-// under a press, liquids that spin, liquids that are torn apart. random_scenes_test.sh runs them.
+// random_scene SEED: prints a scene (TOML) that is a function of the seed. Bodies have all shapes, materials
+// span six decades of stiffness and viscosity, with every law and most keys; 200 to 3000 particles. No
+// parameter is tuned: soft bodies hit hard, hot floors melt falling bodies, and some bodies overlap. Two
+// seeds in five have a theme: bodies that float or sink in a tank that the lattice does not fit, plastic
+// bodies under a press, spinning liquids, liquids that are torn apart. random_scenes_test.sh runs them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace thaw::test {
 namespace {
 
-/// A row of random numbers that is a function of the seed.
+/// A sequence of random numbers that is a function of the seed.
 struct Dice {
   std::uint64_t seed, n = 0;
   double unit() { return randomUniform(seed, Purpose::Test, n++); }
@@ -33,7 +33,7 @@ struct Dice {
 
 std::string vec(double x, double y, double z) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", x, y, z); }
 
-/// A shape that fits into a ball of this radius, as a key with its table, and its rough volume.
+/// A shape that fits into a ball of this radius: its key with a table, and its approximate volume.
 struct RandomShape {
   std::string text;
   double volume;
@@ -134,8 +134,7 @@ RandomMaterial material(Dice& d, const std::string& name, double speed) {
   return m;
 }
 
-/// Keys of the ways to solve for pressure, viscosity, density and solids, of some scenes: only what goes
-/// together.
+/// Keys of pressure, viscosity and density solvers and of solids for some scenes, in valid combinations.
 std::string solvers(Dice& d, bool laplacian, bool printed) {
   std::string t;
   const bool incompressible = d.chance(0.25) && !printed;
@@ -160,8 +159,8 @@ std::string solvers(Dice& d, bool laplacian, bool printed) {
   return t;
 }
 
-/// A surface, of some scenes, and sleep, of some that it goes together with: `solving` and `more` (dice of
-/// their own, so that the rest of a seed's scene stays).
+/// A surface for some scenes, and sleep for some that allow it. `more` holds separate dice, so that the rest
+/// of a seed's scene does not change.
 std::string surfaceOf(Dice& more, double spacing) {
   if (!more.chance(0.4)) return "";
   std::string t = "[surface]\n";
@@ -287,8 +286,8 @@ std::string scene(std::uint64_t seed) {
                       d.chance(0.1) ? "error" : d.of({"remove later", "remove earlier"}));
   const bool cools = std::any_of(materials.begin(), materials.end(),
                                  [](const RandomMaterial& m) { return m.cools; });
-  if (d.chance(0.2)) {  // neighbours are looked for within it, of bonds, too; a surface that cools has to be
-                        // told from the inside
+  if (d.chance(0.2)) {  // it bounds the search for neighbours and bonds; a surface that cools needs a
+                        // distinct inside
     const double support = d.between(1.5, 3);
     head += fmt::format("support = {:.4g}\n", cools ? std::max(2.0, support) : support);
     if (support < 1.7 && !cools) head += fmt::format("bond_support = {:.4g}\n", d.between(1.3, 1.49));
@@ -305,7 +304,7 @@ std::string scene(std::uint64_t seed) {
   if (laplacian) head += "viscosity = \"laplacian\"\n";
   if (d.chance(0.05)) head += "tension = \"colour field\"\n";
   const std::string solving = solvers(d, laplacian, printed);
-  // which knows all or nothing
+  // the free-surface indicator is 0 or 1 there
   const bool incompressible = solving.find("incompressible") != std::string::npos;
   const auto says = [&](const char* words) { return solving.find(words) != std::string::npos; };
   const bool mayPull = incompressible || (says("continuity") && says("shifting"));
@@ -316,7 +315,7 @@ std::string scene(std::uint64_t seed) {
   return head + "\n" + surfaceOf(more, spacing) + text;
 }
 
-/// Size, spacing and speed of a scene with a theme.
+/// Size, spacing and speed of a themed scene.
 struct Scale {
   double radius, spacing, speed;
 };
@@ -342,7 +341,7 @@ std::string lawOf(Dice& d) {
   return fmt::format("law = \"{}\"\n", d.of({"green", "neo-hookean", "corotated"}));
 }
 
-/// A solid of 0.3 to 3 times the density of the liquid in a tank, at its surface, below or above it.
+/// A solid with 0.3 to 3 times the density of the liquid in a tank, at, below or above its surface.
 std::string floatingScene(Dice& d, std::uint64_t seed) {
   const double radius = d.decades(0.01, 0.3), wide = radius * d.between(3, 5),
                deep = radius * d.between(1.5, 4), density = d.decades(300, 3000);
@@ -370,7 +369,7 @@ std::string floatingScene(Dice& d, std::uint64_t seed) {
                  vec(wide, wide, deep), vec(0.5 * wide, 0.5 * wide, 0.5 * deep));
 }
 
-/// A plastic body on a floor: it slumps, is thrown at the floor, or a plate comes down on it.
+/// A plastic body on a floor: it slumps, is thrown at the floor, or is pressed by a plate.
 std::string plasticScene(Dice& d, std::uint64_t seed) {
   const double radius = d.decades(0.01, 1), density = d.decades(500, 5000), weight = density * 9.81 * radius;
   const RandomShape body = shape(d, radius);
@@ -380,7 +379,7 @@ std::string plasticScene(Dice& d, std::uint64_t seed) {
       fmt::format("[domain]\nmin = {}\nmax = {}\nsides = {{ z = [\"wall\", \"open\"] }}\n\n",
                   vec(-6 * radius, -6 * radius, 0), vec(6 * radius, 6 * radius, 8 * radius)));
   const double young = weight * d.decades(10, 1e4),
-               strain = weight * d.decades(0.03, 3) / young;  // yields at some share of its weight
+               strain = weight * d.decades(0.03, 3) / young;  // yields at a fraction of its weight
   t += fmt::format(
            "[material.paste]\ndensity = {:.6g}\nyoung = {:.6g}\npoisson = {:.3g}\nyield_strain = {:.6g}\n",
            density, young, d.between(0, 0.45), std::clamp(strain, 1e-5, 0.3)) +
@@ -400,7 +399,7 @@ std::string plasticScene(Dice& d, std::uint64_t seed) {
                          way / c.speed * d.between(2, 15), vec(0, 0, -way));
 }
 
-/// A liquid without weight that spins, or whose two halves part or slide along each other.
+/// A weightless liquid that spins, or whose halves part or slide along each other.
 std::string stretchedScene(Dice& d, std::uint64_t seed) {
   const double radius = d.decades(0.01, 1), speed = d.decades(0.1, 10), rate = speed / radius;
   const bool spins = d.chance(0.5);
@@ -426,7 +425,7 @@ std::string stretchedScene(Dice& d, std::uint64_t seed) {
   return t;
 }
 
-/// Two in five seeds have a theme, with dice of their own: the scenes of the other seeds do not depend on it.
+/// Two in five seeds have a theme with its own dice, so that the scenes of other seeds do not depend on it.
 std::string sceneOf(std::uint64_t seed) {
   Dice d{seed + (std::uint64_t{2} << 40)};
   if (!d.chance(0.4)) return scene(seed);

@@ -2,14 +2,13 @@
 # random_scenes_test.sh BUILD [COUNT] [FIRST SEED]: random scenes (random_scene.cpp) on 1 to 4 ranks. Each
 # must end in one of two ways:
 #   exit 0  a finite summary with the residual of the ledger;
-#   exit 4  one message that names the particle, the step and the time, a summary that says so, and a checkpoint of the last good state, from
-#           which the run can be taken up;
-# Anything else is a failure: a scene that is refused (exit 2: a mistake of the generator), a crash, an abort,
-# a hang, an error of MPI, several messages. Every tenth seed (EVERY) also runs on 1 and on
-# 3 ranks, in two parts on 2 and 4, and from there on with another coefficient on 1 and 3, which must give the
-# same bits, frames included. 20 seeds; 500 with THAW_NIGHTLY=1. KEEP=FOLDER keeps what was run, with
-# report.txt: one line a seed,
-# "seed ranks particles exit residual step what" (the residual is a share of the largest term of the energy).
+#   exit 4  one message that names the particle, the step and the time, a summary with the failure, and a
+#           checkpoint of the last snapshot, from which the run can continue.
+# Anything else is a failure: a refused scene (exit 2: an error of the generator), a crash, an abort, a hang,
+# an error of MPI, several messages. Every tenth seed (EVERY) also runs on 1 and on 3 ranks, in two parts on 2
+# and 4, and from there with another coefficient on 1 and 3. All must give the same bits, frames included. 20
+# seeds; 500 with THAW_NIGHTLY=1. KEEP=FOLDER keeps the runs, with report.txt: one line per seed, "seed ranks
+# particles exit residual step what" (the residual is relative to the largest term of the energy).
 . "$(dirname "$0")/../support/run.sh"
 count=${2:-$([ "${THAW_NIGHTLY:-0}" = 1 ] && echo 500 || echo 20)}
 first=${3:-1}
@@ -17,7 +16,7 @@ export build thaw steps=${STEPS:-400} limit=${LIMIT:-120} every=${EVERY:-10}
 export folder=${KEEP:-$work}
 mkdir -p "$folder"
 
-oneScene() {  # oneScene SEED: a line of the report
+oneScene() {  # oneScene SEED: prints a line of the report
   local seed=$1 ranks=$((1 + $1 % 4)) code here=$folder/$1 what=ok residual=- particles=- step=-
   mkdir -p "$here"
   "$build/tests/random_scene" "$seed" >"$here/scene.toml"

@@ -1,6 +1,5 @@
-// Where elastic solids of particles fail: rows of docs/validation/stability.md. Each test provokes the
-// failure, shows that a naive implementation falls into it where that is cheap, and holds thaw to what the
-// table says.
+// Failures of elastic solids: rows of docs/validation/stability.md. Each test provokes the failure, shows a
+// naive implementation fail where that is cheap, and checks the stated behaviour of thaw.
 #include "core/kernels/kernels.hpp"
 #include "core/solid/laws/response.hpp"
 #include "core/solid/moment.hpp"
@@ -17,7 +16,7 @@ double largestForce(const SolidBody& b) {
   return f;
 }
 
-/// The displacement gradient with the plain inverse of the moment matrix, whatever its condition.
+/// The displacement gradient with the plain inverse of the moment matrix, for any condition number.
 Mat3d plainGradient(const std::vector<Vec3d>& reference, const std::vector<Vec3d>& now, std::size_t i,
                     double support) {
   Mat3d a{}, b{};
@@ -29,7 +28,7 @@ Mat3d plainGradient(const std::vector<Vec3d>& reference, const std::vector<Vec3d
   return b * inverse(a);
 }
 
-/// A space without gravity and frames, with elastic material 0 of 1e5 Pa, at a spacing of 0.1 m.
+/// An empty scene without gravity and frames, with elastic material 0 of 1e5 Pa, at a spacing of 0.1 m.
 Scene elasticScene(ElasticLaw law, const Vec3d& low, const Vec3d& high) {
   Scene s = emptyScene(0.1, low, high);
   s.materials.emplace_back();
@@ -49,7 +48,7 @@ TEST(Stability, B01_SingularNeighbourhoods) {
   std::int64_t counted = 0;
   for (const auto& [name, exact] : bodies) {
     std::vector<Vec3d> points = exact, moved;
-    // what rounding leaves of a plane
+    // a plane up to rounding
     for (std::size_t k = 0; k < points.size(); k++) points[k] += 1e-9 * noise3(k, 1);
     for (std::size_t k = 0; k < points.size(); k++) moved.push_back(points[k] + 1e-5 * noise3(k, 2));
     Material m = elasticMaterial();
@@ -73,7 +72,7 @@ TEST(Stability, B01_SingularNeighbourhoods) {
       "gradient of a displacement of 1e-4 spacings: %.1e with the plain inverse, %.1e; energy after 1000 "
       "steps %.2f of the first; %lld of 47 counted",
       plain, ours, energy, static_cast<long long>(counted));
-  EXPECT_GT(plain, 100);  // a hundred times the length of a bond, from nothing
+  EXPECT_GT(plain, 100);  // a hundred bond lengths from nothing
   EXPECT_LT(ours, 1e-3);
   EXPECT_LT(energy, 1.3);
   EXPECT_EQ(counted, 36 + 7 + 3);
@@ -94,7 +93,7 @@ TEST(Stability, B02_CheckerboardVelocity) {
     for (int n = 0; n < 500; n++) {
       b.advance(1e-3);
       most = std::max(most, std::abs(b.body->solids.position[0].x - points[0].x));
-      if (!control) { ASSERT_LT(largestForce(*b.body), 1e-6); }  // nothing feels it
+      if (!control) { ASSERT_LT(largestForce(*b.body), 1e-6); }  // no force results
       if (most > 1) break;
     }
     amplitude[control] = most / 0.1;
@@ -106,7 +105,7 @@ TEST(Stability, B02_CheckerboardVelocity) {
 }
 
 TEST(Stability, B03_UncorrectedGradients) {
-  // a bar turned by 40 degrees: the plain sum of kernel gradients sees strain where neighbours are missing
+  // a bar turned by 40 degrees: the plain sum of kernel gradients has strain where neighbours are missing
   const auto points = lattice({12, 4, 4}, 0.1);
   const auto b = makeBody(points, {elasticMaterial()});
   const Mat3d r = rotation({0.2, 0.3, 1}, 0.7);
@@ -132,7 +131,8 @@ TEST(Stability, B03_UncorrectedGradients) {
 }
 
 TEST(Stability, B04_Inversion) {
-  // a block turned inside out, left alone: counted with every law; which laws bring it back?
+  // A block turned inside out and left alone. Inverted particles are counted with every law; only some laws
+  // bring it back.
   const auto points = lattice({4, 4, 4}, 0.1, 0.05);
   std::int64_t left[4];
   double energy[4];
@@ -160,14 +160,14 @@ TEST(Stability, B04_Inversion) {
       "force %lld (%.1e J), neo-hookean %lld, corotated %lld",
       static_cast<long long>(left[0]), energy[0], static_cast<long long>(left[1]), energy[1],
       static_cast<long long>(left[2]), static_cast<long long>(left[3]));
-  EXPECT_EQ(left[0], 64);  // the papers' law does not know, and stays; it is in the count
+  EXPECT_EQ(left[0], 64);  // the papers' law does not detect inversion and stays; the count shows it
   EXPECT_EQ(left[1], 0);
   EXPECT_EQ(left[2], 0);
   EXPECT_EQ(left[3], 0);
 }
 
 TEST(Stability, B05_Compression) {
-  // force of a bar pressed to a part of its length, its sides held
+  // force of a bar compressed to a fraction of its length with fixed sides
   const auto force = [](ElasticLaw law, double volume, double length) {
     Material m = elasticMaterial(1e6, 0.3);
     m.law = law;
@@ -181,11 +181,11 @@ TEST(Stability, B05_Compression) {
   for (double x = 0.9; x > 0.05; x -= 0.05)
     for (const ElasticLaw law : {ElasticLaw::NeoHookean, ElasticLaw::Corotated})
       EXPECT_GT(force(law, 0, x - 0.05), force(law, 0, x)) << x;
-  // a bar that is hit hard: what goes through itself is counted
+  // A bar under a hard impact: inverted particles are counted.
   std::int64_t inverted[3], squeezed[3], told = 0;
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
     Scene s = elasticScene(law, {-2, -2, -1}, {2, 2, 4});
-    // 0.8 of the speed of sound along it
+    // 0.8 of the speed of sound along the bar
     addBox(s, {-0.2, -0.2, 0.05}, {0.2, 0.2, 1.05}).velocity = {0, 0, -8};
     addFloor(s);
     s.end = 0.15;
@@ -196,15 +196,15 @@ TEST(Stability, B05_Compression) {
     inverted[static_cast<int>(law)] = run.w.counters.inverted;
     squeezed[static_cast<int>(law)] = run.w.counters.squeezed;
   }
-  // pressed slowly to a part of its length, far from inversion: told of from .577 on, with Green strain
-  // without volume stiffness alone
+  // Slow compression to a fraction of the length, far from inversion. It is reported from 0.577 on, only with
+  // Green strain without volume stiffness.
   const auto toldOf = [](ElasticLaw law, double volume, double length) {
     Scene s = elasticScene(law, {-2, -2, -2}, {2, 2, 2});
     s.materials[0].volumeStiffness = volume;
     addBox(s, {-0.2, -0.2, -0.2}, {0.2, 0.2, 0.2});
     Simulation run(s);
     Continuum& p = run.particles();
-    const double c = std::cos(0.4), n = std::sin(0.4);  // along an axis of no lattice
+    const double c = std::cos(0.4), n = std::sin(0.4);  // not along an axis of the lattice
     for (std::size_t i = 0; i < p.owned; i++) {
       const Vec3d d{c, n, 0};
       p.position[i] += d * ((length - 1) * dot(d, p.position[i]));
@@ -220,11 +220,12 @@ TEST(Stability, B05_Compression) {
   EXPECT_EQ(toldOf(ElasticLaw::Green, 1e5, 0.1), 0);
   EXPECT_EQ(toldOf(ElasticLaw::NeoHookean, 0, 0.1), 0);
   EXPECT_EQ(toldOf(ElasticLaw::Corotated, 0, 0.1), 0);
-  EXPECT_GT(told, 0);  // before anything is inside out
+  EXPECT_GT(told, 0);  // reported before inversion
   EXPECT_EQ(squeezed[1] + squeezed[2], 0);
   measured(
-      "squeezed below .577 in that impact: %lld particle-steps with green, %lld of them by when the first is "
-      "inside out; pressed alike: 0 of 64 told at .58, 64 at .575",
+      "squeezed below 0.577 in that impact: %lld particle-steps with green, %lld of them by when the first "
+      "is "
+      "inside out; pressed slowly: 0 of 64 reported at 0.58, 64 at 0.575",
       static_cast<long long>(squeezed[0]), static_cast<long long>(told));
   measured(
       "force at 0.1 of the length over that at 0.577: green %.2f, neo-hookean %.2f, corotated %.2f; "

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Rows B29 and B30 of docs/validation/stability.md. B29: ranks without particles, one particle on four ranks,
-# all particles on one rank, a scene that begins with none: no deadlock, no minimum of nothing, the bits of
-# one rank. B30: a ring and a long bar of which every rank holds a part stay in one piece, bit by bit, and
-# break into the same pieces.
+# all particles on one rank, a scene that begins empty. No deadlock, no minimum of an empty set, and the bits
+# of one rank. B30: a ring and a long bar across all ranks stay in one piece, bit by bit, and break into the
+# same pieces.
 . "$(dirname "$0")/../support/run.sh"
 
 steps=100000
@@ -48,22 +48,22 @@ temperature = 400
 one() { printf '%s[[body]]\nbox = { size = [0.01, 0.01, 0.01] }\nmaterial = "%s"\nplace = { move = [0.1, 0.1, 0.02] }\n' "$head" "$1"; }
 one water >"$work/B29_one_liquid.toml"
 one wax >"$work/B29_one_solid.toml"
-# none at first, then a few
+# no particles at first, then a few
 printf '%s[[emitter]]\nmaterial = "water"\ncentre = [0.2, 0.2, 0.2]\ndisc = { radius = 0.02 }\nspeed = 2\nstart = 0.02\n' "$head" >"$work/B29_none_at_first.toml"
-# all of them in one corner, within one or two cells
+# all particles in one corner, within one or two cells
 printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "wax"\nplace = { move = [0.4, 0.4, 0.02] }\n' "$head" >"$work/B29_all_in_a_corner.toml"
-# all that there is leaves
+# all particles leave
 printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "water"\nvelocity = [-20, 0, 0]\nplace = { move = [-0.45, 0, 0.1] }\n' "$head" >"$work/B29_all_leave.toml"
 for scene in B29_one_liquid B29_one_solid B29_none_at_first B29_all_in_a_corner; do same $scene 2 4; done
 same B29_all_leave 4
-# one piece over all ranks; the bar is hit so hard that it breaks
+# one piece over all ranks; the bar is hit hard enough to break
 printf '%s[[body]]\ntorus = { radius = 0.2, tube = 0.02 }\nmaterial = "wax"\nplace = { move = [0, 0, 0.03] }\nspin = [0, 0, 5]\n' "$head" >"$work/B30_ring.toml"
 printf '%s[[body]]\nbox = { size = [0.8, 0.03, 0.03] }\nmaterial = "glass"\nplace = { move = [0, 0, 0.06] }\nvelocity = [0, 0, -1]\n[[obstacle]]\nname = "edge"\nbox = { size = [0.02, 0.2, 0.04] }\nplace = { move = [0, 0, 0.02] }\n' "$head" >"$work/B30_bar.toml"
 same B30_ring 2 7
 same B30_bar 2 7
-# Pieces that a blow presses into the floor, where some are put back onto it, at the border of two ranks.
-# (Random scene 410; the copies that other ranks had of such a particle were once of its place before.) And
-# over a restart while pieces leave the domain.
+# An impact presses pieces into the floor. Some particles are projected back onto it at the border of two
+# ranks, so that copies on other ranks must follow (random scene 410). Also over a restart while pieces leave
+# the domain.
 cat >"$work/B30_pieces.toml" <<'SCENE'
 spacing = 0.163796
 end = 2.0977
@@ -129,7 +129,7 @@ friction = 0.875
 SCENE
 steps=300
 same B30_pieces 3 4
-[ "$(value "$work/B30_pieces-1/summary.json" wall_projections)" -gt 0 ] || fail "no piece was put back onto the floor"
+[ "$(value "$work/B30_pieces-1/summary.json" wall_projections)" -gt 0 ] || fail "no particle was projected back onto the floor"
 launch 3 run "$work/B30_pieces.toml" --steps 281 --out "$work/parts" >"$work/log" 2>&1; expectExit 0 "first part"
 launch 2 run "$work/B30_pieces.toml" --steps 300 --restart --out "$work/parts" >"$work/log" 2>&1; expectExit 0 "second part"
 "$thaw" compare "$work/B30_pieces-1" "$work/parts" >"$work/log" 2>&1 || { fail "B30_pieces: a restart differs"; head -n 5 "$work/log"; }

@@ -1,4 +1,4 @@
-// Where steps in time and heat go wrong: rows of docs/validation/stability.md.
+// Failures of time steps and heat: rows of docs/validation/stability.md.
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/kernels/lattice.hpp"
@@ -11,7 +11,8 @@ namespace {
 
 constexpr double dx = 0.01;
 
-/// What grows where a step is too long: kinetic, elastic and potential energy, or the spread of temperature.
+/// A measure that grows if steps are too long: kinetic, elastic and potential energy, or the spread of
+/// temperature.
 double unrest(Simulation& run) {
   const Balance b = run.books().now;
   const Continuum& p = run.particles();
@@ -21,7 +22,7 @@ double unrest(Simulation& run) {
   return b.kinetic + b.elastic + b.potential + t;
 }
 
-/// Growth of unrest over so many steps of this length (s; 0: as the program wants them).
+/// Growth of that measure over `steps` steps of length `fixed` (s; 0: automatic).
 struct Growth {
   double factor, dt;
   const char* limitedBy;
@@ -55,7 +56,7 @@ Growth growthOf(Scene s, double fixed, int steps, double jitter, double speed, d
 }  // namespace
 
 TEST(Stability, B10_StepTooLong) {
-  // each limit of the step: stable with the default, gone a little beyond what the default is a share of
+  // Each limit of the step: stable with the default, unstable slightly beyond the stability limit.
   struct Case {
     const char* name;
     Scene scene;
@@ -66,10 +67,10 @@ TEST(Stability, B10_StepTooLong) {
   s.materials[0].soundSpeed = 10;
   for (Body& b : s.bodies) b.material = 0;
   s.numerics.tensileLimit = 1;
-  cases.push_back({"sound", s, 2.9, 0.002, 0, 0});  // .4 of h / c; stable to some .96
+  cases.push_back({"sound", s, 2.9, 0.002, 0, 0});  // 0.4 of h / c; stable up to about 0.96
   s = periodicBlock();
   s.materials[0].viscosity = {10, 10};
-  cases.push_back({"viscosity", s, 1.3, 0, 1e-3, 0});  // .8 of the limit
+  cases.push_back({"viscosity", s, 1.3, 0, 1e-3, 0});  // 0.8 of the limit
   s = periodicBlock();
   s.materials[0].conductivity = {100, 100};
   s.bodies[0].temperature = 300;
@@ -92,8 +93,8 @@ TEST(Stability, B10_StepTooLong) {
 }
 
 TEST(Stability, B10_TaitInStrongCompression) {
-  // a liquid pressed to 1.6 times its density, with noise, breathing in a periodic box: energy from nowhere.
-  // At rest the compression is kept by the box, so that nothing but the step decides.
+  // A liquid compressed to 1.6 times its density oscillates in a periodic box, with noise. The box keeps the
+  // compression, so that only the step decides whether the energy grows.
   for (const bool naive : {true, false}) {
     Scene s = periodicBlock();
     s.domain.max = {7 * dx, 7 * dx, 7 * dx};
@@ -124,7 +125,7 @@ TEST(Stability, B10_TaitInStrongCompression) {
     measured(
         "Tait at 1.6 times its density, steps %s: %.2e s (at rest %.2e), kinetic energy at most %.2g times "
         "the first",
-        naive ? "as at rest" : "as wanted", naive ? atRest : dt, atRest, most);
+        naive ? "as at rest" : "automatic", naive ? atRest : dt, atRest, most);
     EXPECT_NEAR(dt, atRest / (1.6 * 1.6 * 1.6), 0.05 * atRest / 4);
     if (naive) EXPECT_GT(most, 100);
     else EXPECT_LT(most, 1.5);
@@ -132,9 +133,9 @@ TEST(Stability, B10_TaitInStrongCompression) {
 }
 
 TEST(Stability, B12_LightParticlesInAThickLiquid) {
-  // particles a hundredth as dense as the others, which are fifty times as viscous, at rest with noise: in
-  // layers, in rows, one by one. Pairwise form: the light liquid's own viscosity bounds the step. Printed
-  // form: the arithmetic mean of both does.
+  // Particles with a hundredth of the others' density, which are fifty times as viscous, at rest with noise:
+  // in layers, in rows, single. In the pairwise form the light liquid's own viscosity limits the step, in the
+  // printed form the arithmetic mean of both.
   struct Case {
     ViscosityForm form;
     double over;
@@ -190,7 +191,7 @@ TEST(Stability, B12_LightParticlesInAThickLiquid) {
 }
 
 TEST(Stability, B14_FreezeMeltPingPong) {
-  // a lump at its melting point, warmed and cooled by 0.1 K worth of heat in turn, 1000 times
+  // a lump at its melting point, heated and cooled by 0.1 K in turn, 1000 times
   std::int64_t flips[3];
   const double swing = 0.1 * 1000;
   for (const int way : {0, 1, 2}) {
@@ -211,7 +212,7 @@ TEST(Stability, B14_FreezeMeltPingPong) {
     p.mass[0] = 1;
     p.slot[0] = noSlot;
     p.temperature[0] = 299.95;
-    // with the latent heat half in; at the edge of the hysteresis
+    // half of the latent heat; at the edge of the hysteresis
     p.enthalpy[0] = way == 0 ? 299.95 * 1000 : way == 1 ? 0.5 * 1e4 : 0.81 * 1e4;
     settlePhase(w.scene, w.modules, p, 0, 1);
     for (int n = 0; n < 1000; n++) {

@@ -1,4 +1,4 @@
-// Strange times, particles that leave, numbers that spread: rows of docs/validation/stability.md.
+// Extreme times, leaving particles, non-finite values: rows of docs/validation/stability.md.
 #include <cstring>
 
 #include "core/heat/heat.hpp"
@@ -33,7 +33,7 @@ TEST(Stability, B26_StrangeTimes) {
   EXPECT_EQ(std::memcmp(x.data(), p.position.data(), x.size() * sizeof(Vec3d)), 0);
   EXPECT_EQ(std::memcmp(v.data(), p.velocity.data(), v.size() * sizeof(Vec3d)), 0);
   EXPECT_EQ(run.w.clock.time, time);
-  // other lengths that are none are refused when the scene is read, in one message
+  // other invalid lengths are refused when the scene is read, in one message
   const std::string good =
       "end = 1\n[material.m]\n[[body]]\nbox = { size = [0.1, 0.1, 0.1] }\nmaterial = \"m\"\n";
   int refused = 0;
@@ -52,8 +52,8 @@ TEST(Stability, B26_StrangeTimes) {
 }
 
 TEST(Stability, B27_ParticlesThatLeave) {
-  // a burst in all directions, half of the sides open: what leaves is counted and booked, what meets a wall
-  // stays
+  // A burst in all directions with half of the sides open: leaving particles are counted and recorded, the
+  // others stay inside walls.
   Scene s;
   s.spacing = dx;
   s.domain.min = {-6 * dx, -6 * dx, -6 * dx};
@@ -84,8 +84,7 @@ TEST(Stability, B27_ParticlesThatLeave) {
       static_cast<long long>(run.w.counters.left), r.massResidual,
       length(r.momentumResidual) / length(r.left.momentum), beyond / dx);
   EXPECT_GT(run.w.counters.left, 50);
-  EXPECT_LE(std::abs(r.massResidual), 1e-15 * r.initial.mass);  // exact sums, but for their rounding in the
-                                                                // report
+  EXPECT_LE(std::abs(r.massResidual), 1e-15 * r.initial.mass);  // exact sums, up to rounding in the report
   EXPECT_NEAR(r.left.mass, static_cast<double>(run.w.counters.left) * m, 1e-12);
   std::int64_t through = 0;
   for (int a = 0; a < 3; a++)
@@ -102,7 +101,7 @@ TEST(Stability, B27_ParticlesThatLeave) {
 }
 
 TEST(Stability, B28_NumbersThatSpread) {
-  // while running: one NaN is seen in the step in which it appears, and its row is named
+  // during a run: one NaN is detected in its step, with the particle named
   const double nan = std::nan(""), inf = never;
   int seen = 0;
   for (const double bad : {nan, inf, -inf, 1e300}) {
@@ -119,13 +118,13 @@ TEST(Stability, B28_NumbersThatSpread) {
       else run.particles().velocity[77].y = bad;
       const std::uint64_t id = run.particles().id[77];
       const StepOutcome o = step(run.w, run.halos(), run.tools, {});
-      const bool left = run.w.counters.left > 0;  // so fast that it left through an open side
+      const bool left = run.w.counters.left > 0;  // fast enough to leave through an open side
       if (!o.finite) { EXPECT_EQ(run.particles().id[o.bad], id); }
       EXPECT_TRUE(!o.finite || left) << bad;
       seen += !o.finite || left;
     }
   }
-  // in the scene: refused with file, line and column
+  // in a scene: refused with file, line and column
   const std::string good =
       "spacing = 0.02\n[material.m]\nyoung = 1e5\n[[body]]\nbox = { size = [0.1, 0.1, 0.1] }\nmaterial = "
       "\"m\"\n";

@@ -1,6 +1,6 @@
-// Where the viscosity and surface tension of liquids of particles fail: rows of docs/validation/stability.md.
-// Each test provokes the failure, shows that a naive implementation falls into it where that is cheap, and
-// holds thaw to what the table says.
+// Failures of viscosity and surface tension in liquids: rows of docs/validation/stability.md. Each test
+// provokes the failure, shows a naive implementation fail where that is cheap, and checks the stated
+// behaviour of thaw.
 #include "core/kernels/kernels.hpp"
 #include "tests/support/free_liquid.hpp"
 #include "tests/support/hashed.hpp"
@@ -23,8 +23,8 @@ Body& addBall(Scene& s, double radius, const Vec3d& centre = {}) {
 }  // namespace
 
 TEST(Stability, B11_ViscosityRatio) {
-  // two layers, viscosities 1 : 10^4, in the velocity field of their common shear flow: stress across the
-  // interface over that of the flow
+  // Two layers with viscosities 1 : 10^4 in the velocity field of their common shear flow. Measures the
+  // stress across the interface over that of the flow.
   const double mu[2] = {1, 1e4}, rate = 10;  // Pa s, Pa: tau = mu du/dz
   Scene s = columnScene(dx, 0, 16 * dx);
   s.materials.emplace_back(s.materials[0]);
@@ -46,7 +46,7 @@ TEST(Stability, B11_ViscosityRatio) {
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.material[i] == 1) upper -= p.force[i].x;
   const double stress = upper / (36 * dx * dx) / rate;
-  // the same pairs with the other mean
+  // the same pairs with the arithmetic mean
   const double arithmetic = stress * (mu[0] + mu[1]) * (mu[0] + mu[1]) / (4 * mu[0] * mu[1]);
   vote(run.w, run.halos(), run.tools, {}, {});
   measured(
@@ -58,8 +58,7 @@ TEST(Stability, B11_ViscosityRatio) {
 }
 
 TEST(Stability, B11_ViscosityRatioImplicit) {
-  // the same layers sheared, the thick one's step: with the implicit solver that of sound, and the work of a
-  // step stays bounded
+  // The same layers in shear. The implicit solver takes acoustic steps, and its work per step is bounded.
   double dt[2][2], iterations = 0, fastest = 0;
   std::int64_t unfinished = 0;
   for (const bool implicit : {false, true})
@@ -99,12 +98,12 @@ TEST(Stability, B11_ViscosityRatioImplicit) {
 }
 
 TEST(Stability, B24_TensionOfInnerAndLonelyParticles) {
-  // with the printed colour field: no direction where there is no gradient; thaw leaves out |n| h < 0.3, and
-  // its own form has no normal
+  // The printed colour field has no direction where its gradient vanishes. thaw leaves out
+  // h < 0.3, and its own form has no normal.
   for (const TensionForm form : {TensionForm::ColourField, TensionForm::Pairwise}) {
     Scene s = freeLiquid();
     s.materials[0].surfaceTension = 0.07;
-    s.materials[0].soundSpeed = 1e-3;  // no pressure to speak of
+    s.materials[0].soundSpeed = 1e-3;  // negligible pressure
     s.numerics.tension = form;
     addBox(s, {-5 * dx, -5 * dx, -5 * dx}, {5 * dx, 5 * dx, 5 * dx});
     addBox(s, {20 * dx, 0, 0}, {21 * dx, dx, dx});  // one particle
@@ -122,7 +121,8 @@ TEST(Stability, B24_TensionOfInnerAndLonelyParticles) {
       if (far > 15 * dx) lonely = f;
       else if (far < 2.2 * dx) {
         inner = std::max(inner, f);
-        // sigma lap(c) n/|n| without a threshold: of full size along a direction that is noise
+        // sigma lap(c) n/
+        // without a threshold: full size in a random direction
         double laplacian = 0;
         for (std::size_t j = 0; j < p.owned; j++) {
           const Vec3d q = (p.position[i] - p.position[j]) / (2 * dx);
@@ -147,7 +147,7 @@ TEST(Stability, B24_TensionOfInnerAndLonelyParticles) {
 }
 
 TEST(Stability, B31_SpinningViscousDrop) {
-  // rate at which the spin is lost, times R^2 / nu
+  // loss rate of the spin, times R^2 / nu
   double rate[2];
   const double R = 6 * dx, nu = 0.01;
   for (const bool naive : {true, false}) {
@@ -169,7 +169,7 @@ TEST(Stability, B31_SpinningViscousDrop) {
 }
 
 TEST(Stability, B32_DropThatPropelsItself) {
-  // a pear: the centre of mass of a drop that nothing pushes
+  // a pear-shaped drop: velocity of its centre of mass without external forces
   double speed[2];
   for (const bool naive : {true, false}) {
     Scene s = freeLiquid();

@@ -1,10 +1,10 @@
-# Shared by the tests of bad input, after run.sh: $1 is the build folder. Cases run on three ranks, beside
-# each other; each wants the documented exit code, one clear message (once, not once a rank), no crash, no
+# Shared by the tests of bad input, after run.sh: $1 is the build folder. Cases run side by side on three
+# ranks. Each expects the documented exit code, one clear message (once, not once per rank), no crash and no
 # hang. Ends with `allCases`.
 . "$(dirname "${BASH_SOURCE[0]}")/run.sh"
-limit=${LIMIT:-60}  # seconds a case may take
+limit=${LIMIT:-60}  # seconds per case
 
-# A small scene that works; every case below breaks it in one place.
+# A small valid scene. Every case below breaks it in one place.
 cat >"$work/good.toml" <<'SCENE'
 title = "a block"
 spacing = "2 cm"
@@ -24,9 +24,9 @@ name = "floor"
 plane = { point = [0, 0, 0], normal = [0, 0, 1] }
 SCENE
 
-# Cases run beside each other, each in a folder of its own: most of a call is the start of three processes.
+# Cases run side by side, each in its own folder: most of the time is the start of three processes.
 cases=0
-started() {  # a further case in the background: started COMMAND ARGUMENTS
+started() {  # started COMMAND ARGUMENTS: runs a case in the background
   while [ "$(jobs -rp | wc -l)" -ge "${JOBS:-$(nproc)}" ]; do wait -n; done
   cases=$((cases + 1))
   ( place=$work/case.$cases; mkdir "$place"; failures=0; "$@" >"$place/said"; exit "$failures" ) &
@@ -41,8 +41,7 @@ allEnded() {
   done
 }
 
-# calls thaw on three ranks: call COMMAND SCENE [options]; leaves the code in $code and what was said in
-# $place/log
+# call COMMAND SCENE [options]: runs thaw on three ranks; sets $code and writes the output to $place/log
 call() {
   local command=$1 scene=$2
   shift 2
@@ -52,7 +51,8 @@ call() {
   code=$?
 }
 
-# rejects CASE PATTERN CODE COMMAND SCENE [options]: that code, and the pattern in exactly one line
+# rejects CASE PATTERN CODE COMMAND SCENE [options]: expects the exit code, and the pattern in exactly one
+# line
 rejects() { started isRejected "$@"; }
 isRejected() {
   local name=$1 pattern=$2 wanted=$3
@@ -67,7 +67,7 @@ isRejected() {
   fi
 }
 
-# accepts CASE COMMAND SCENE [options]: exit code 0
+# accepts CASE COMMAND SCENE [options]: expects exit code 0
 accepts() { started isAccepted "$@"; }
 isAccepted() {
   local name=$1
@@ -76,13 +76,13 @@ isAccepted() {
   [ "$code" = 0 ] || { fail "$name: exit code $code"; head -n 8 "$place/log"; }
 }
 
-# scene NAME SED-SCRIPT: a copy of the scene that works, edited
+# scene NAME SED-SCRIPT: an edited copy of the valid scene
 scene() { sed -E "$2" "$work/good.toml" >"$work/$1.toml"; echo "$work/$1.toml"; }
 good=$work/good.toml
 
-# A scene without continuum, to which tables are added: kinds NAME <<<TABLES. They begin in line 6.
+# kinds NAME <<<TABLES: a scene without continuum and with the given tables, which begin in line 6
 printf 'spacing = 0.05\nend = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n' >"$work/kinds.toml"
 kinds() { { cat "$work/kinds.toml"; cat; } >"$work/$1.toml"; echo "$work/$1.toml"; }
-# warns CASE PATTERN NAME TABLES: such a scene is accepted, with one warning
+# warns CASE PATTERN NAME TABLES: expects success with one warning
 warns() { rejects "$1" "^warning: .*/$2" 0 check "$(kinds "$3" <<<"$4")"; }
 allCases() { allEnded; echo "$cases cases"; finish; }

@@ -1,4 +1,4 @@
-// The graph of bonds over ranks beside a model of it that every rank keeps whole.
+// The distributed bond graph and a complete model of it on every rank.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ struct ModelParticle {
   std::vector<ModelBond> bonds;
 };
 
-/// The same numbers on every rank.
+/// Random numbers that are the same on every rank.
 struct Dice {
   std::uint64_t state;
   std::uint64_t next() { return state = spreadBits(state + 0x9e3779b97f4a7c15ull); }
@@ -47,7 +47,7 @@ struct Rig {
   Bonds b;
   std::vector<ModelParticle> model;
   Dice dice;
-  std::vector<std::uint64_t> digest;  // of each slot's bonds, renewed where Solids::changed says so
+  std::vector<std::uint64_t> digest;  // checksum of each solid's bonds, updated where Solids::changed is set
   bool changedHere = false;
   std::set<std::size_t> turnedBefore;
 
@@ -75,9 +75,9 @@ struct Rig {
     p.id[p.owned - 1] = idOf(i);
     p.phase[p.owned - 1] = model[i].solid ? Solid : Liquid;
     p.material[p.owned - 1] = static_cast<std::uint16_t>(i % 5);
-    p.slot[p.owned - 1] = model[i].solid ? 12345 : noSlot;  // not valid before the halo has set it
+    p.slot[p.owned - 1] = model[i].solid ? 12345 : noSlot;  // invalid until the halo sets it
   }
-  /// Particles in an order that has nothing to do with slots, without these rows.
+  /// Sorts particles in an order unrelated to solid indices, without the rows `without`.
   void sort(const std::vector<std::uint32_t>& without) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < p.owned; i++)
@@ -88,8 +88,8 @@ struct Rig {
     linkSlots(p, s);
   }
 
-  /// Every particle gets a new owner with this chance (the target, or any if it is negative), or leaves the
-  /// domain.
+  /// Gives every particle a new owner with probability `chance` (the target, or any if it is negative), or
+  /// removes it from the domain.
   void migrate(double chance, int target, double leaving) {
     Migration m;
     std::vector<int> before;
@@ -126,7 +126,7 @@ struct Rig {
     erase([&](std::uint64_t, std::uint64_t to) { return to == idOf(i); });
   }
 
-  /// Bonds (id, id of the other end) that are so go, and leave their end bare.
+  /// Removes bonds (id, id of the other end) that fulfil `is`, and exposes their ends.
   template<class Is> void erase(Is is) {
     for (std::size_t i = 0; i < model.size(); i++)
       if (std::erase_if(model[i].bonds, [&](const ModelBond& x) { return is(idOf(i), x.to); }) > 0)
@@ -136,7 +136,8 @@ struct Rig {
   void meltAndFreeze(double melt, double freeze) {
     std::vector<std::uint8_t> turned(model.size(), 0);
     for (std::size_t i = 0; i < model.size(); i++) {
-      if (model[i].gone || turnedBefore.count(i) > 0) continue;  // a phase changes once between two relinks
+      if (model[i].gone || turnedBefore.count(i) > 0)
+        continue;  // a phase changes at most once between two rebuilds of bonds
       if (model[i].solid && dice.chance(melt)) {
         remove(i);
         turned[i] = 1;
@@ -175,7 +176,7 @@ struct Rig {
       }
   }
 
-  /// Random bonds, of both ends or of one; also to particles that are not solid, and to themselves.
+  /// Random bonds with one or both ends, also to liquid particles and to themselves.
   std::vector<BondRequest> requests(std::size_t count, double oneEnded) {
     std::vector<BondRequest> mine;
     for (std::size_t n = 0; n < count; n++) {
@@ -225,7 +226,7 @@ struct Rig {
       const ModelParticle& m = model[indexOf(id)];
       ASSERT_EQ(p.id[s.particle[slot]], id);
       ASSERT_EQ(s.material[slot], indexOf(id) % 5);
-      if (s.volume[slot] == 0) {  // has just become solid
+      if (s.volume[slot] == 0) {  // became solid in this step
         ASSERT_TRUE(s.plasticInverse[slot].row[0].y == 0);
         s.volume[slot] = volumeOf(id);
         s.plasticInverse[slot].row[0].y = -volumeOf(id);
@@ -256,7 +257,7 @@ struct Rig {
     }
   }
 
-  /// Remote rows get what their owners have, and no more is sent than there are remote rows.
+  /// Checks that remote rows equal their owners' and that only remote rows are sent.
   void checkExchange() {
     const std::uint64_t salt = dice.next();
     for (std::size_t r = 0; r < s.size(); r++) {
@@ -279,7 +280,7 @@ struct Rig {
     }
   }
 
-  /// False on all ranks if anything is wrong on one: a failed assertion must not leave the others waiting.
+  /// Returns false on all ranks if a check fails on any, so that no rank waits for a failed one.
   bool good(const char* where) {
     SCOPED_TRACE(where);
     checkSlots();

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""check_trace.py TRACE.json RANKS STEPS EXCHANGES: fails unless the trace is one of so many ranks and steps, slices of a rank nest, and exchanges overlap with
-work. EXCHANGES: names of those that there must be, with commas between."""
+"""check_trace.py TRACE.json RANKS STEPS EXCHANGES: fails unless the trace has these numbers of ranks and steps, slices
+of a rank nest, and exchanges overlap with work. EXCHANGES: comma-separated names of required exchanges."""
 import json
 import sys
 
@@ -25,7 +25,7 @@ for rank in range(ranks):
     require(len(found) == steps and max(found) - min(found) == steps - 1, f"rank {rank} has steps {sorted(found)}")
     require({"phase", "step"} <= {e["cat"] for e in slices}, f"rank {rank} has no phases")
     slices.sort(key=lambda e: (e["ts"], -e["dur"]))
-    open_ends = []  # of the slices around
+    open_ends = []  # ends of the enclosing slices
     tolerance = 2e-3  # us: times are written in ns
     for e in slices:
         require(e["dur"] >= 0 and e["ts"] >= 0, f"rank {rank}: {e}")
@@ -45,4 +45,4 @@ for rank in range(ranks):
         require(ends[key]["ts"] >= b["ts"], f"rank {rank}: {b} ends before it begins")
         overlapping += sum(max(0.0, min(ends[key]["ts"], w["ts"] + w["dur"]) - max(b["ts"], w["ts"])) for w in work)
 require(ranks == 1 or overlapping > 0, "no exchange overlaps with work")
-print(f"{path}: {len(events)} events, {overlapping:.0f} us of exchanges beside work")
+print(f"{path}: {len(events)} events, {overlapping:.0f} us of exchanges during work")

@@ -1,4 +1,4 @@
-// Is a mesh closed?
+// Checks of closed meshes.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Every edge has two triangles, which run along it in opposite directions.
+/// Checks that every edge has two triangles that run along it in opposite directions.
 inline void expectClosed(const TriangleMesh& mesh) {
   const AlignedVector<EdgeSide> sides = edgeSides(mesh);
   std::size_t wrong = 0;
@@ -18,7 +18,7 @@ inline void expectClosed(const TriangleMesh& mesh) {
   for (const auto& t : mesh.triangles) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
 }
 
-/// Volumes of its shells (m^3), below 0 of hollows, seen from the origin.
+/// Volumes (m^3) of the shells of a mesh; negative for cavities.
 inline std::vector<double> shellVolumes(const TriangleMesh& mesh) {
   DisjointSets sets(mesh.vertices.size());
   for (const auto& t : mesh.triangles) sets.join(t[0], t[1]), sets.join(t[1], t[2]);

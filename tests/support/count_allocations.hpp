@@ -1,4 +1,4 @@
-// Counts calls of operator new, and bytes. For one source file of a program of its own.
+// Counts calls of operator new and their bytes. Include it in one source file of a separate program.
 #pragma once
 #include <atomic>
 #include <cstdlib>
@@ -8,7 +8,7 @@ namespace {
 std::atomic<long> allocations{0}, allocatedBytes{0};
 }
 
-// not inline: the compiler would take malloc and free for a mismatch with new and delete
+// not inline: the compiler would report malloc and free as a mismatch with new and delete
 [[gnu::noinline]] void* operator new(std::size_t n) {
   allocations++;
   allocatedBytes += static_cast<long>(n);
@@ -22,7 +22,7 @@ std::atomic<long> allocations{0}, allocatedBytes{0};
   if (void* p = std::aligned_alloc(align, (n + align - 1) / align * align)) return p;
   throw std::bad_alloc();
 }
-// what std::inplace_merge asks for
+// used by std::inplace_merge
 [[gnu::noinline]] void* operator new(std::size_t n, const std::nothrow_t&) noexcept {
   allocations++;
   allocatedBytes += static_cast<long>(n);

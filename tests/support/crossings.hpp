@@ -1,4 +1,4 @@
-// Do sheets cross each other, or themselves? Counted from their meshes alone.
+// Counts crossings of sheets with each other or themselves, from their meshes alone.
 #pragma once
 #include <map>
 #include <set>
@@ -7,15 +7,14 @@
 
 namespace thaw::test {
 
-/// Six times the volume of a tetrahedron, exactly 0 where rounding leaves nothing of it.
+/// Six times the volume of a tetrahedron; exactly 0 below rounding.
 inline double volumeOf(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   const Vec3d u = b - a, v = c - a, w = d - a;
   const double six = dot(cross(u, v), w);
   return std::abs(six) > 1e-12 * length(u) * length(v) * length(w) ? six : 0;
 }
 
-/// Places of all vertices of a sheet, by their numbers; those that have left are where they were at the
-/// start.
+/// Positions of all vertices of a sheet by number. Vertices that have left keep their initial positions.
 inline std::vector<Vec3d> verticesOf(const World& w, std::size_t sheet) {
   std::vector<Vec3d> x = w.sheets.plans[sheet].mesh.vertices;
   const Sheets& s = w.sheets.rows;
@@ -24,7 +23,8 @@ inline std::vector<Vec3d> verticesOf(const World& w, std::size_t sheet) {
   return x;
 }
 
-/// Pairs of an edge of one sheet and a triangle of another, or of the same, that share no vertex and cross.
+/// Counts crossing pairs of an edge of one sheet and a triangle of another, or of the same sheet without a
+/// common vertex.
 inline int countCrossings(const World& w, std::size_t one, std::size_t other) {
   const auto &a = w.sheets.plans[one].mesh.triangles, &b = w.sheets.plans[other].mesh.triangles;
   const std::vector<Vec3d> x = verticesOf(w, one), y = verticesOf(w, other);

@@ -1,4 +1,4 @@
-// Frames of a surface and of particles in a folder of their own, and `thaw export` of them.
+// Frames of a surface and of particles in a temporary folder, and `thaw export` of them.
 #pragma once
 #include <gtest/gtest.h>
 

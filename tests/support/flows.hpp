@@ -1,4 +1,4 @@
-// Scenes of liquids at walls that several tests of physics share, with their exact solutions.
+// Scenes of liquids at walls with their exact solutions, shared by several physics tests.
 #pragma once
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace thaw::test {
 
-/// Gravity along x starts a flow between plates at z = 0 and z = height. SI units.
+/// Flow between plates at z = 0 and z = height, started by gravity along x. SI units.
 struct PlateFlow {
   double spacing = 0.1, height = 1, kinematicViscosity = 1, gravity = 0.8, end = 0.3;
 
@@ -20,8 +20,8 @@ struct PlateFlow {
     s.end = end;
     return s;
   }
-  /// m/s along x at height z and the end of the scene: the parabola less the series of what has not yet
-  /// started (start-up of Poiseuille flow, Morris et al. 1997).
+  /// Velocity (m/s) along x at height z at the end of the scene: the parabola minus the start-up series
+  /// (Poiseuille flow, Morris et al. 1997).
   double exact(double z) const {
     const double nu = kinematicViscosity, H = height;
     double u = gravity / (2 * nu) * z * (H - z);
@@ -30,7 +30,7 @@ struct PlateFlow {
            std::exp(-n * n * M_PI * M_PI * nu * end / (H * H));
     return u;
   }
-  /// Root mean square error of the velocity, as a share of the fastest of the parabola.
+  /// Root mean square error of the velocity, relative to the parabola's maximum.
   double error(const Continuum& p) const {
     const double fastest = gravity * height * height / (8 * kinematicViscosity);
     double square = 0;
@@ -40,7 +40,7 @@ struct PlateFlow {
   }
 };
 
-/// Liquid of one material (Pa s) in the corner of a closed box, gravity down.
+/// Liquid of one material (viscosity in Pa s) in the corner of a closed box, with gravity.
 inline Scene liquidInABox(double spacing, const Vec3d& box, const Vec3d& liquid, float viscosity) {
   Scene s = emptyScene(spacing, {0, 0, 0}, box);
   for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};

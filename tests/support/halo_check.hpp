@@ -1,5 +1,5 @@
-// Cell halos against brute force: every rank knows all particles (a function of the id) and works out itself
-// what it must hold.
+// Cell halos against brute force: every rank computes all particles (functions of the id) and its expected
+// content.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 
 namespace thaw::test {
 
-/// A grid of cells of edge 0.5 x 0.6 x 0.7; bit a of `periodic` says that axis a is.
+/// A grid of cells of edge 0.5 x 0.6 x 0.7. Bit a of `periodic` makes axis a periodic.
 inline CellGrid plainGrid(const Vec3i& cells, int periodic) {
   CellGrid g;
   g.origin = {-1, 2, 0.25};
@@ -28,7 +28,7 @@ inline CellGrid plainGrid(const Vec3i& cells, int periodic) {
   return g;
 }
 
-/// Where all particles are. Moves with `time`; ids are not in any order of places.
+/// Positions of all particles, which move with `time`. The order of ids is unrelated to positions.
 struct Cloud {
   CellGrid grid;
   std::uint64_t number = 0;
@@ -67,8 +67,8 @@ struct HaloRig {
                                            &p.liquid, &p.cell, &p.nextCell, &p.slot, &p.filling})
       p.activate(*c);
   }
-  /// The share that a rank starts with: anything, not what it owns. spread: over all ranks, else all on the
-  /// last one.
+  /// The initial particles of a rank, which need not be the ones it owns. spread: over all ranks, else all on
+  /// the last one.
   void start(bool spread) {
     std::vector<std::uint64_t> mine;
     for (std::uint64_t id = 0; id < cloud.number; id++)
@@ -82,7 +82,7 @@ struct HaloRig {
       particles.material[i] = static_cast<std::uint16_t>(mine[i] % 1000);
       particles.clamped[i] = static_cast<std::uint8_t>(mine[i] % 3);
       particles.liquid[i] = static_cast<float>(hashed(mine[i]));
-      particles.cell[i] = ~std::uint64_t{0};  // no place yet: the sort sees a mover
+      particles.cell[i] = ~std::uint64_t{0};  // no cell yet, so that the sort treats it as a mover
       particles.slot[i] = static_cast<std::uint32_t>(mine[i]);
     }
     place();
@@ -90,7 +90,7 @@ struct HaloRig {
   void place() {
     for (std::size_t i = 0; i < particles.owned; i++) particles.position[i] = cloud.position(particles.id[i]);
   }
-  /// Migration, sort and ghosts, as a step does them.
+  /// Migration, sort and ghosts, as in a step.
   void exchange() {
     computeCellKeys(cloud.grid, particles);
     const Migration m = halo.migrate(particles, {particles.nextCell.data(), particles.owned});
@@ -113,7 +113,7 @@ struct HaloRig {
     halo.beginGhosts(particles, cells, columns);
     halo.finishGhosts(particles, cells);
   }
-  /// Every particle is owned once, by the owner of its cell, with its values.
+  /// Checks that every particle is owned once, by the owner of its cell, with its values.
   void checkOwned() {
     std::vector<std::int64_t> owners(cloud.number, 0);
     for (std::size_t i = 0; i < particles.owned; i++) {
@@ -142,8 +142,8 @@ struct HaloRig {
         }
     return false;
   }
-  /// Ghosts are exactly the particles in cells around ours, images included; cells are in order, contiguous,
-  /// sorted by id.
+  /// Checks that ghosts are exactly the particles in cells around the owned ones, images included, and that
+  /// cells are ordered, contiguous and sorted by id.
   void checkGhosts() {
     const CellGrid& g = cloud.grid;
     std::map<std::pair<std::uint64_t, std::uint64_t>, Vec3d> expected;  // (key, id) -> position
@@ -181,7 +181,7 @@ struct HaloRig {
           continue;
         }
         const auto at = expected.find({cells.key[c], particles.id[row]});
-        ASSERT_NE(at, expected.end()) << "a ghost that should not be here: " << particles.id[row];
+        ASSERT_NE(at, expected.end()) << "unexpected ghost: " << particles.id[row];
         EXPECT_TRUE(particles.position[row] == at->second);
         EXPECT_EQ(particles.clamped[row], particles.id[row] % 3);
         EXPECT_EQ(particles.material[row], particles.id[row] % 1000);
@@ -192,7 +192,7 @@ struct HaloRig {
     EXPECT_EQ(ownedCells, cells.ownedCells);
     for (const int n : listed) ASSERT_EQ(n, 1);
   }
-  /// Inner cells are those of which no neighbour is a ghost.
+  /// Checks that inner cells are those without a ghost neighbour.
   void checkInner() {
     const CellGrid& g = cloud.grid;
     for (std::size_t c = 0; c < cells.key.size(); c++) {
@@ -215,7 +215,7 @@ struct HaloRig {
       EXPECT_EQ(halo.inner(cells.key[c]), alone);
     }
   }
-  /// Changed columns reach the ghosts; a column that is off is passed over.
+  /// Checks that changed columns reach the ghosts and that switched-off columns are left out.
   void checkRefresh() {
     Continuum& p = particles;
     for (int round = 0; round < 2; round++) {

@@ -1,10 +1,10 @@
-// Random numbers for tests: a function of the index, so that every rank and every run sees the same.
+// Random numbers for tests: a function of the index, the same on every rank and in every run.
 #pragma once
 #include <cstdint>
 
 namespace thaw::test {
 
-/// In [0, 1).
+/// Uniform in [0, 1).
 inline double hashed(std::uint64_t x) {
   x ^= x >> 33;
   x *= 0xff51afd7ed558ccdull;

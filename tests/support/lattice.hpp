@@ -1,5 +1,5 @@
-// Blocks of particles for tests: a cubic lattice with hashed jitter, sorted and with neighbour lists, without
-// MPI.
+// Blocks of particles for tests without MPI: a cubic lattice with hashed jitter, sorted, with neighbour
+// lists.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace thaw::test {
 
-/// n^3 liquid particles of one material, spacing s, moved by up to jitter * s along each axis.
+/// n^3 liquid particles of one material, spacing s, displaced by up to jitter * s along each axis.
 struct Block {
   Scene scene;
   Modules modules;
@@ -48,7 +48,7 @@ struct Block {
     const std::size_t N = static_cast<std::size_t>(n) * n * n;
     p.resize(N, 0);
     for (std::size_t q = 0; q < N; q++) {
-      const std::size_t at = (q * 7919) % N;  // ids are not in the order of places
+      const std::size_t at = (q * 7919) % N;  // the order of ids is unrelated to positions
       const double c[3] = {static_cast<double>(at % n), static_cast<double>(at / n % n),
                            static_cast<double>(at / n / n)};
       for (int a = 0; a < 3; a++) {
@@ -109,7 +109,7 @@ struct Block {
   }
   GroupRange groups() const { return {0, lists.groups}; }
 
-  /// Neighbours of a row in the order of its list, the padding left out.
+  /// Neighbours of a row in the order of its list, without the padding.
   std::vector<std::uint32_t> neighboursOf(std::uint32_t row) const {
     std::vector<std::uint32_t> all;
     for (std::size_t g = 0; g < lists.groups; g++)

@@ -1,4 +1,4 @@
-// The figures of docs/validation/stability.md: each test of tests/stability says what it measured.
+// Figures of docs/validation/stability.md: each test of tests/stability prints its measurements.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 
 namespace thaw::test {
 
-/// Prints a line "measured: TEST: ..." and keeps it in the test's record. `build/release/tests/stability |
-/// grep '^measured'` lists them all.
+/// Prints a line "measured: TEST: ..." and stores it in the test's record. `build/release/tests/stability |
+/// grep '^measured'` lists all.
 [[gnu::format(printf, 1, 2)]] inline void measured(const char* format, ...) {
   char text[400];
   va_list list;

@@ -1,4 +1,4 @@
-# Scenes of several kinds of body for script tests.
+# Scenes with several body types for script tests.
 meetingScene() {  # a block falls on a surface that is held at its rim
   cat <<'SCENE'
 spacing = "2 cm"

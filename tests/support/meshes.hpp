@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// Closed, outward box of 12 triangles.
+/// A closed box of 12 outward triangles.
 inline TriangleMesh boxMesh(const Vec3d& low, const Vec3d& high) {
   TriangleMesh m;
   for (int c = 0; c < 8; c++)
@@ -41,7 +41,7 @@ inline double volumeOf(const TriangleMesh& m) {
   return v;
 }
 
-/// Random point of a box, for tests.
+/// Random point of a box.
 inline Vec3d randomPoint(const Bounds& b, std::uint64_t id) {
   Vec3d x;
   for (int a = 0; a < 3; a++)
@@ -50,7 +50,7 @@ inline Vec3d randomPoint(const Bounds& b, std::uint64_t id) {
   return x;
 }
 
-/// Sum over all triangles.
+/// Winding number as the sum over all triangles.
 inline double bruteWinding(const TriangleMesh& m, const Vec3d& x) {
   double w = 0;
   for (const auto& t : m.triangles)

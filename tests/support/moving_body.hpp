@@ -1,4 +1,4 @@
-// A solid body (solid_body.hpp) that moves by leap-frog, without cells, walls or limits.
+// A solid body (solid_body.hpp) moved by leap-frog, without cells, walls or limits.
 #pragma once
 #include "tests/support/solid_body.hpp"
 

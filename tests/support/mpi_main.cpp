@@ -1,5 +1,5 @@
-// main of the MPI tests: every rank runs every test; a failure on any rank fails the run on all. Rank 0
-// reports as usual, the others print their failures only.
+// main of the MPI tests: every rank runs every test, and a failure on any rank fails the run on all. Rank 0
+// reports as usual; the others print only failures.
 #include <gtest/gtest.h>
 #include <mpi.h>
 

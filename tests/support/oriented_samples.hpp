@@ -4,7 +4,7 @@
 
 namespace thaw::test {
 
-/// .5 m square, .05 m apart, undamped; jitter in spacings.
+/// 0.5 m square, 0.05 m spacing, undamped; jitter in spacings.
 inline Scene patchScene(double jitter) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.end = 1;

@@ -1,4 +1,4 @@
-// Files that tests write on all ranks: their bytes, and errors that have to be the same everywhere.
+// Files that tests write on all ranks: their bytes, and errors that must be the same everywhere.
 #pragma once
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -14,7 +14,7 @@
 
 namespace thaw::test {
 
-/// before MPI_Init, which is in main
+/// runs before MPI_Init in main
 inline const bool romio = (useRomio(), std::signal(SIGXFSZ, SIG_IGN), true);
 
 inline std::string bytesOfFile(const std::string& path) {
@@ -22,7 +22,7 @@ inline std::string bytesOfFile(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The message of the IoError that work throws; empty if none. The same on all ranks, or the test fails.
+/// The message of the IoError that `work` throws, or empty. Fails the test if ranks differ.
 inline std::string sameError(const std::function<void()>& work) {
   std::string message;
   try {

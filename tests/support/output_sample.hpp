@@ -1,4 +1,4 @@
-// A world for tests of files, whose every number depends on ids only, and folders that all ranks share.
+// A world for file tests whose values depend on ids only, and folders shared by all ranks.
 #pragma once
 #include <mpi.h>
 
@@ -26,7 +26,7 @@ inline int sizeOf(MPI_Comm comm = MPI_COMM_WORLD) {
   return s;
 }
 
-/// A folder that all ranks share, removed at the end.
+/// A folder shared by all ranks and removed at the end.
 struct Folder {
   std::string path;
   Folder() {
@@ -41,7 +41,7 @@ struct Folder {
   }
 };
 
-/// The first n ranks.
+/// A communicator of the first n ranks.
 struct Some {
   MPI_Comm comm = MPI_COMM_NULL;
   explicit Some(int n) { MPI_Comm_split(MPI_COMM_WORLD, rankOf() < n ? 0 : MPI_UNDEFINED, rankOf(), &comm); }
@@ -60,7 +60,7 @@ inline double hashed(std::uint64_t x) {
   return static_cast<double>(x >> 11) * 0x1p-53 - 0.5;
 }
 
-/// Rank of a particle: uneven, some ranks with nothing.
+/// Owner of a particle: uneven, some ranks own none.
 inline int ownerOf(std::uint64_t id, int ranks) {
   return static_cast<int>((id / 7) % static_cast<std::uint64_t>(ranks > 2 ? ranks - 1 : ranks));
 }
@@ -69,8 +69,8 @@ inline Mat3d plasticInverseOf(std::uint64_t id) {
   return {{{0.1 * hashed(id), 0.02, 0.03}, {0.04, 0.05, 0.06}, {0.07, 0.08, 0.09}}};
 }
 
-/// A world whose every number depends on ids only: N particles, two thirds of them solid, bonded to up to
-/// three others on any rank.
+/// A world whose values depend on ids only: N particles, two thirds of them solid, bonded to up to three
+/// others on any rank.
 struct Sample {
   World w;
   Sample(MPI_Comm comm, std::uint64_t N, bool twoFrames = true) {
@@ -92,7 +92,7 @@ struct Sample {
     std::vector<std::uint64_t> solids;
     for (std::uint64_t id : mine)
       if (solidAt(id)) solids.push_back(id);
-    std::reverse(solids.begin(), solids.end());  // slots are in another order than particles
+    std::reverse(solids.begin(), solids.end());  // solids are in another order than particles
     p.resize(mine.size(), 0);
     s.resize(solids.size(), 0);
     resizeBonds(w.bonds, solids.size(), 5);
@@ -123,7 +123,7 @@ struct Sample {
         const std::size_t at = w.bonds.at(k, n);
         const std::uint64_t other = (id * 13 + std::uint64_t(n) * 29 + 1) % N;
         w.bonds.neighbour[at] = static_cast<std::uint32_t>(k);
-        if (!solidAt(other) || other == id || n == 2) continue;  // a broken bond between others
+        if (!solidAt(other) || other == id || n == 2) continue;  // also a broken bond between other particles
         if (const auto f = slotOf.find(other); f != slotOf.end()) w.bonds.neighbour[at] = f->second;
         else {
           w.bonds.neighbour[at] = static_cast<std::uint32_t>(solids.size() + remote.size());

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Shared by the script tests: $1 is the build folder. Sets thaw, scenes, work (a fresh folder, removed at the
-# end), and functions.
+# Shared by the script tests: $1 is the build folder. Defines thaw, scenes, work (a new folder, removed at the
+# end) and functions.
 set -u
 build=$(cd "$1" && pwd)
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -11,24 +11,24 @@ trap 'rm -rf "$work"' EXIT
 failures=0
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 mpi=(mpirun --allow-run-as-root --oversubscribe --bind-to none)
-launch() {  # launch RANKS ARGUMENTS: thaw under mpirun, never longer than five minutes
+launch() {  # launch RANKS ARGUMENTS: thaw under mpirun, for at most five minutes
   local ranks=$1
   shift
   timeout 300 "${mpi[@]}" -n "$ranks" "$thaw" "$@"
 }
-launchInBackground() {  # the same; the process is $launched
+launchInBackground() {  # as launch, in the background; $launched is the process
   local ranks=$1
   shift
   "${mpi[@]}" -n "$ranks" "$thaw" "$@" &
   launched=$!
 }
-ranksOf() {  # ranksOf FOLDER: the processes that run thaw with this --out
+ranksOf() {  # ranksOf FOLDER: processes of thaw with this --out
   local p
   for p in /proc/[0-9]*; do
     [ "$(readlink "$p/exe" 2>/dev/null)" = "$(realpath "$thaw")" ] && tr '\0' '\n' <"$p/cmdline" 2>/dev/null | grep -qxF -e "$1" && echo "${p#/proc/}"
   done
 }
-killAll() {  # killAll SIGNAL FOLDER: to mpirun's ranks and mpirun itself
+killAll() {  # killAll SIGNAL FOLDER: signals the ranks and mpirun
   local pids
   pids=$(ranksOf "$2")
   # shellcheck disable=SC2086
@@ -41,23 +41,23 @@ settings() {  # settings SCENE: its "# test:" options into the array `set`
   line=$(sed -n 's/^# test: //p' "$scenes/$1.toml")
   eval "set=($line)"
 }
-testedScenes() {  # names of the scenes that have such a line; there must be some
+testedScenes() {  # prints the names of scenes with such a line; fails if there is none
   local names
   names=$(grep -l '^# test: ' "$scenes"/*.toml | xargs -rn1 basename | sed 's/\.toml$//')
   [ -n "$names" ] && echo "$names" || echo "no-scene-with-a-test-line"
 }
-value() {  # value FILE|- KEY: the first number or word of that name in JSON
+value() {  # value FILE|- KEY: first number or word of that key in JSON
   cat "$1" | sed -n 's/.*"'"$2"'": *"\{0,1\}\([^",]*\)"\{0,1\}.*/\1/p' | head -n 1
 }
-frameSums() { (cd "$1/frames" && sha256sum "$2"_*.hdf | LC_ALL=C sort); }  # of a run's frames, the surface's among them
-frameIsLost() { LC_ALL=C comm -23 <(echo "$1") <(echo "$2") | grep -q .; }  # frameIsLost BEFORE AFTER: a sum of before is not among those of after
-expectExit() {  # expectExit CODE WHAT: of the last command, whose output is in $work/log
+frameSums() { (cd "$1/frames" && sha256sum "$2"_*.hdf | LC_ALL=C sort); }  # checksums of a run's frames, with those of the surface
+frameIsLost() { LC_ALL=C comm -23 <(echo "$1") <(echo "$2") | grep -q .; }  # frameIsLost BEFORE AFTER: true if a checksum of BEFORE is missing in AFTER
+expectExit() {  # expectExit CODE WHAT: for the last command, whose output is in $work/log
   local code=$?
   [ "$code" -eq "$1" ] || { fail "$2: exit $code, not $1"; tail -n 5 "$work/log"; }
 }
 expectMessage() { grep -q -e "$1" "$work/log" || { fail "$2: no message '$1'"; tail -n 5 "$work/log"; }; }
-# sameRuns A B WHAT FILE...: the last checkpoints and all frames of two runs, and these files in their folders
-# byte by byte
+# sameRuns A B WHAT FILE...: the last checkpoints, all frames and these files of two runs are equal byte by
+# byte
 sameRuns() {
   local a=$1 b=$2 what=$3 name
   shift 3
@@ -66,19 +66,19 @@ sameRuns() {
     cmp -s "$a/$name" "$b/$name" || { fail "$what: $name differs"; diff "$a/$name" "$b/$name" | head -n 5; }
   done
 }
-same() { sameRuns "$1" "$2" "$3"; }  # same A B WHAT: what is to be the same of two runs; a test may define it anew
-# runInParts NAME CUTS SCENE OPTIONS...: into $work/NAME.parts, to each of the steps in CUTS in turn on 3, 2,
-# 4, 3, ... ranks
+same() { sameRuns "$1" "$2" "$3"; }  # same A B WHAT: equality of two runs; a test may redefine it
+# runInParts NAME CUTS SCENE OPTIONS...: runs into $work/NAME.parts up to each step of CUTS, on 3, 2, 4, 3,
+# ... ranks in turn
 runInParts() {
   local name=$1 cuts=$2 ranks=(3 2 4) part=0 cut
   shift 2
   for cut in $cuts; do
     launch "${ranks[part++ % 3]}" run "$@" --steps "$cut" --resume --out "$work/$name.parts" >"$work/log" 2>&1; expectExit 0 "$name, in parts, to step $cut"
-    [ -f "$work/$name.parts/summary.json" ] && [ "$(value "$work/$name.parts/summary.json" step)" -le "$cut" ] || fail "$name: not cut at step $cut"
+    [ -f "$work/$name.parts/summary.json" ] && [ "$(value "$work/$name.parts/summary.json" step)" -le "$cut" ] || fail "$name: not stopped at step $cut"
   done
 }
-# cutAndKilled NAME STEPS SCENE OPTIONS...: into $work/NAME.parts, on 3 ranks to a third of the steps, on 2
-# until it is killed with -9 in the midst of whatever it does then, and on 4 to the end
+# cutAndKilled NAME STEPS SCENE OPTIONS...: runs into $work/NAME.parts on 3 ranks to a third of the steps, on
+# 2 until a kill with -9 at any moment, and on 4 to the end
 cutAndKilled() {
   local name=$1 steps=$2 scene=$3 third=$(($2 / 3)) parts=$work/$1.parts at
   shift 3
@@ -92,16 +92,16 @@ cutAndKilled() {
   echo "$name: killed at step $at of $steps"
   launch 4 run "$scene" "$@" --steps "$steps" --resume --out "$parts" >"$work/log" 2>&1; expectExit 0 "$name, last part"
 }
-# sameOnAllRanks NAME STEPS CUTS SCENE OPTIONS...: a whole run on 7 ranks, and one in parts on 3, 2 and 4, end
-# as the whole one on 1 does (`same`). CUTS: the steps after which it is cut; - for a third and two thirds;
-# killed for cutAndKilled. ALL_RANKS=1: whole runs on 2, 3 and 4 as well.
-# Leaves the runs in $work/NAME.1, NAME.7 and NAME.parts.
+# sameOnAllRanks NAME STEPS CUTS SCENE OPTIONS...: a whole run on 7 ranks, and one in parts on 3, 2 and 4,
+# equal the whole one on 1 (`same`). CUTS: the steps at which it stops; - for a third and two thirds; killed
+# for cutAndKilled. ALL_RANKS=1 also runs whole on 2, 3 and 4. The runs stay in $work/NAME.1, NAME.7 and
+# NAME.parts.
 sameOnAllRanks() {
   local name=$1 steps=$2 cuts=$3 file=$4 ranks one
   shift 4
   whole() { launch "$1" run "$file" "${@:2}" --steps "$steps" --out "$work/$name.$1" >"$work/$name.log.$1" 2>&1; }
   checked() { [ "$2" -eq 0 ] || { fail "$name on $1 ranks: exit $2"; tail -n 5 "$work/$name.log.$1"; }; }
-  whole 1 "$@" & one=$!  # beside the parts
+  whole 1 "$@" & one=$!  # runs while the parts run
   case $cuts in
     killed) cutAndKilled "$name" "$steps" "$file" "$@" ;;
     -) runInParts "$name" "$((steps / 3)) $((steps * 2 / 3)) $steps" "$file" "$@" ;;

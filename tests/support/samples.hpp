@@ -1,4 +1,4 @@
-// All samples of some rows of a shape at once.
+// All samples of some rows of a shape.
 #pragma once
 #include "core/geometry/sampling.hpp"
 
@@ -6,7 +6,7 @@ namespace thaw {
 
 struct Samples {
   std::vector<Vec3d> position;        ///< m
-  std::vector<std::uint64_t> number;  ///< within the body, ascending
+  std::vector<std::uint64_t> number;  ///< index within the body, ascending
 };
 
 inline Samples sampleShape(const SignedDistance& shape, const SampleLattice& l, SampleRange range) {

@@ -1,4 +1,4 @@
-// Bodies of lattice particles with surfels on them, in one process, for tests and benchmarks of the surface.
+// Bodies of lattice particles with surfels in one process, for tests and benchmarks of the surface.
 #pragma once
 #include <functional>
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace thaw::test {
 
-/// A world that holds only what a surface update reads: spacing dx = 1, particles as copies (component 1,
-/// liquid 1), surfels.
+/// A world with the data that a surface update reads: spacing dx = 1, particle copies (component 1, liquid
+/// 1), surfels.
 struct SettleRig {
   World w;
   std::unique_ptr<SerialSurfaceRanks> ranks;
@@ -61,15 +61,14 @@ struct SettleRig {
     s.detail[i] = 1;
     s.liquid[i] = liquid;
   }
-  /// Particles of the cubic lattice with points at (k + shift) in a shape.
+  /// Adds particles of the cubic lattice at (k + shift) inside a shape.
   void addLattice(int half, const Vec3d& shift, const std::function<bool(const Vec3d&)>& inside) {
     for (int z = -half; z <= half; z++)
       for (int y = -half; y <= half; y++)
         for (int x = -half; x <= half; x++)
           if (const Vec3d p = Vec3d{double(x), double(y), double(z)} + shift; inside(p)) addParticle(p);
   }
-  /// Surfels on a ball in a spiral, about one for each spacing^2 cos 30 degrees of it, moved off it by up to
-  /// `noise`.
+  /// Adds surfels on a ball in a spiral, about one per spacing^2 cos 30 degrees, displaced by up to `noise`.
   void addBallSurfels(double radius, double noise = 0, std::uint64_t component = 1) {
     const double pi = 3.14159265358979323846, d = w.surface.spacing;
     const int n = static_cast<int>(4 * pi * radius * radius / (0.866 * d * d));
@@ -93,7 +92,7 @@ struct SettleRig {
   }
 };
 
-/// How far surfels are from a ball around the origin: lengths over its radius, angles in degrees.
+/// Deviations of surfels from a ball around the origin: lengths over its radius, angles in degrees.
 struct BallErrors {
   double hausdorff = 0, mean = 0, normalMean = 0, normalMax = 0, volume = 0;
 };

@@ -20,7 +20,8 @@ inline Scene sheetScene(SheetMesh mesh) {
   return s;
 }
 
-/// Runs to the end of the scene; the largest residual of the energy over the largest term, of all steps.
+/// Runs to the end of the scene. Returns the largest energy residual of all steps, relative to the largest
+/// term.
 inline double worstOfBooks(Simulation& sim, double end) {
   double most = 0;
   while (sim.w.clock.time < end) {
@@ -32,7 +33,7 @@ inline double worstOfBooks(Simulation& sim, double end) {
   return most;
 }
 
-/// Sum of all vertices' energies as forces see the places of now.
+/// Sum of all vertices' energies at the current positions.
 inline double energyOf(Simulation& sim) {
   sim.w.sheets.rows.resize(sim.w.sheets.rows.owned, 0);
   loadSheets(sim.w, sim.halos(), sim.tools, 0);
@@ -41,8 +42,8 @@ inline double energyOf(Simulation& sim) {
   return sum;
 }
 
-/// Bends and stretches the sheets of a scene; every seventh vertex' force has to be the slope of the energy
-/// there.
+/// Bends and stretches the sheets of a scene. Checks the force of every seventh vertex against the gradient
+/// of the energy.
 inline void expectForcesFromEnergy(const Scene& s, double time = 0) {
   Simulation sim(s);
   sim.w.clock.time = time;

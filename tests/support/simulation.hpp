@@ -1,4 +1,4 @@
-// A whole scene on one rank, stepped as a run does it: for tests against exact solutions and of the books.
+// A whole scene on one rank, stepped as in a run, for tests of exact solutions and the ledger.
 #pragma once
 #include <memory>
 
@@ -18,9 +18,9 @@ struct Simulation {
   std::unique_ptr<SerialCellHalo> kinds[kindCount];
   SerialBondHalo bonds, edges;
   Limit limitedBy = Limit::Scene;
-  double shortest = never;  ///< s, dt
+  double shortest = never;  ///< s, smallest dt so far
 
-  SamplingReport report;  ///< of the start
+  SamplingReport report;  ///< report of the start
 
   explicit Simulation(const Scene& scene, const MeshLoader& load = {}) {
     w.scene = scene;
@@ -34,14 +34,14 @@ struct Simulation {
   Halos halos() { return {all, *cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges}; }
   Continuum& particles() { return w.particles; }
 
-  /// One step. False where a value is not finite.
+  /// Takes one step. Returns false if a value is not finite.
   bool step() {
     const StepOutcome o = thaw::step(w, halos(), tools, {});
     limitedBy = o.limitedBy;
     shortest = std::min(shortest, w.clock.stepDt);
     return o.finite;
   }
-  /// To the end of the scene.
+  /// Runs to the end of the scene.
   bool run() {
     while (w.clock.time < w.clock.end)
       if (!step()) return false;
@@ -73,7 +73,7 @@ inline Shape boxOf(const Vec3d& low, const Vec3d& high) {
   return s;
 }
 
-/// Nothing in a domain with open sides, no gravity, no frames.
+/// An empty scene with open sides, no gravity, no frames.
 inline Scene emptyScene(double spacing, const Vec3d& low, const Vec3d& high) {
   Scene s;
   s.spacing = spacing;
@@ -84,7 +84,7 @@ inline Scene emptyScene(double spacing, const Vec3d& low, const Vec3d& high) {
   return s;
 }
 
-/// A scene of one material; periodic along x and y over six spacings, open along z; no gravity.
+/// A scene of one material without gravity, periodic along x and y over six spacings, open along z.
 inline Scene columnScene(double spacing, double zLow, double zHigh) {
   Scene s = emptyScene(spacing, {0, 0, zLow}, {6 * spacing, 6 * spacing, zHigh});
   s.domain.side[0] = s.domain.side[1] = {Side::Periodic, Side::Periodic};

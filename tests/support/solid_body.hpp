@@ -1,4 +1,4 @@
-// A solid body on one rank, its bonds found by brute force: for tests of the elastic step without cells or
+// A solid body on one rank with bonds found by brute force, for tests of the elastic step without cells or
 // halos.
 #pragma once
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace thaw::test {
 
-/// A number in [-1, 1) that depends on its arguments only.
+/// A number in [-1, 1) that is a function of its arguments.
 inline double noise(std::uint64_t n, std::uint64_t salt) {
   std::uint64_t z = n * 0x9e3779b97f4a7c15ull + salt * 0xd1b54a32d192ed03ull + 0x2545f4914f6cdd1dull;
   z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9ull;
@@ -24,7 +24,7 @@ inline Vec3d noise3(std::uint64_t n, std::uint64_t salt) {
   return {noise(n, 3 * salt), noise(n, 3 * salt + 1), noise(n, 3 * salt + 2)};
 }
 
-/// nx * ny * nz points with this spacing, moved by up to `jitter` spacings.
+/// nx * ny * nz points with this spacing, displaced by up to `jitter` spacings.
 inline std::vector<Vec3d> lattice(Vec3i n, double spacing, double jitter = 0) {
   std::vector<Vec3d> points;
   for (int z = 0; z < n.z; z++)
@@ -126,7 +126,7 @@ inline double totalEnergy(const SolidBody& b) {
   for (std::size_t s = 0; s < b.solids.owned; s++) e += b.solids.energy[s];
   return e;
 }
-/// Sum of |force|, the scale of errors.
+/// Sum of |force|, as a scale of errors.
 inline double forceScale(const SolidBody& b) {
   double f = 0;
   for (std::size_t s = 0; s < b.solids.owned; s++) f += length(b.solids.force[s]);

@@ -1,5 +1,5 @@
-// A world with particle copies and surfels put there by hand, to try components and measures on. Every rank
-// makes all and keeps its share.
+// A world with manually placed particle copies and surfels, for tests of components and measures. Every rank
+// creates all of them and keeps its share.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ struct SurfaceRig {
   SurfaceTools tools;
   double dx, d;  // m, spacings of particles and surfels
   int rank = 0, ranks = 1;
-  std::uint64_t particles = 0, surfels = 0;  // of all ranks
+  std::uint64_t particles = 0, surfels = 0;  // numbers over all ranks
   std::uint16_t body = 0;
   bool liquid = true;
 
@@ -34,7 +34,7 @@ struct SurfaceRig {
     Modules m;
     m.fluid = true;
     activateSurfaceFields(world.surface, m, false);
-    world.surface.lastStep = 0;  // not the start
+    world.surface.lastStep = 0;  // not the first update
   }
   Surfels& f() { return world.surface.surfels; }
   SurfaceParticles& p() { return world.surface.particles; }
@@ -66,7 +66,7 @@ struct SurfaceRig {
     f().component[i] = component;
     f().liquid[i] = liquid;
   }
-  /// Particles of a lattice inside, surfels on a spiral.
+  /// Adds a ball: particles of a lattice inside, surfels on a spiral.
   void ball(const Vec3d& c, double R, std::uint64_t component = noComponent) {
     const int n = static_cast<int>(R / dx) + 1;
     for (int z = -n; z <= n; z++)
@@ -85,7 +85,7 @@ struct SurfaceRig {
       surfel(c + R * n, n, component);
     }
   }
-  /// A box of whole spacings: a lattice inside, surfels at the middles of squares on the faces.
+  /// Adds a box of whole spacings: a lattice inside, surfels at the centres of squares on the faces.
   void box(const Vec3d& low, const Vec3i& cells, std::uint64_t component = noComponent) {
     for (int z = 0; z < cells.z; z++)
       for (int y = 0; y < cells.y; y++)
@@ -104,7 +104,7 @@ struct SurfaceRig {
           }
     }
   }
-  /// Labels as they are: of each particle id the component, ~0 of those on other ranks.
+  /// The component of each particle id; ~0 for particles of other ranks.
   std::vector<std::uint64_t> labels() {
     std::vector<std::uint64_t> l(particles, ~std::uint64_t{0});
     for (std::size_t i = 0; i < p().owned; i++) l[p().id[i]] = p().component[i];

@@ -1,4 +1,4 @@
-// A scene on one rank whose particles a test moves by hand, with its surface: whole updates, as in a run.
+// A scene on one rank whose particles a test moves directly, with whole surface updates as in a run.
 #pragma once
 #include "core/surface/update_surface.hpp"
 #include "tests/support/simulation.hpp"

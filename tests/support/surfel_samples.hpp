@@ -1,4 +1,4 @@
-// Surfels sampled from meshes, and frames of them as runs write them, for tests of pictures and exports.
+// Surfels sampled from meshes, and frames of them as in a run, for tests of pictures and exports.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace thaw {
 struct SurfelSamples {
   std::vector<Vec3f> positions, normals;
   std::vector<float> radii, liquid, temperature, detail;
-  std::vector<std::uint8_t> colours;  // 3 a surfel
+  std::vector<std::uint8_t> colours;  // 3 per surfel
   std::vector<std::uint64_t> ids, components;
   std::size_t size() const { return positions.size(); }
 
@@ -43,7 +43,7 @@ struct SurfelSamples {
 
 inline double randomShare(std::uint64_t a, std::uint64_t b) { return randomUniform(a, Purpose::Test, b); }
 
-/// Normals at the vertices: means over the triangles around.
+/// Vertex normals: means over the adjacent triangles.
 inline std::vector<Vec3d> vertexNormals(const TriangleMesh& mesh) {
   std::vector<Vec3d> normals(mesh.vertices.size());
   for (const auto& t : mesh.triangles)
@@ -54,8 +54,9 @@ inline std::vector<Vec3d> vertexNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
-/// Adds surfels on a mesh: no two of a face nearer than .75 spacing, no place farther than about the spacing
-/// from one (dart throwing). smooth: normals are interpolated between vertices, else those of the triangles.
+/// Adds surfels on a mesh by dart throwing: no two of a face closer than 0.75 spacings, and no point farther
+/// than about the spacing from one. smooth: normals are interpolated between vertices, else those of the
+/// triangles.
 inline void sampleMesh(SurfelSamples& out, const TriangleMesh& mesh, double spacing, bool smooth,
                        std::uint64_t component, std::uint64_t seed = 1) {
   const std::vector<Vec3d> corners = vertexNormals(mesh);
@@ -102,7 +103,7 @@ inline void sampleMesh(SurfelSamples& out, const TriangleMesh& mesh, double spac
   }
 }
 
-/// Surfels on a ball, evenly (Fibonacci's spiral), about `spacing` apart.
+/// Adds surfels on a ball, evenly (Fibonacci spiral), about `spacing` apart.
 inline void sampleBall(SurfelSamples& out, const Vec3d& centre, double radius, double spacing,
                        std::uint64_t component) {
   const int n = std::max(12, static_cast<int>(4 * 3.14159265 * radius * radius / (0.87 * spacing * spacing)));
@@ -113,14 +114,15 @@ inline void sampleBall(SurfelSamples& out, const Vec3d& centre, double radius, d
   }
 }
 
-/// Frames are written by MPI; a test that is run alone has none yet.
+/// Starts MPI, which writes frames, if no other test has done so.
 inline void startMpi() {
   int started = 0;
   MPI_Initialized(&started);
   if (!started) MPI_Init(nullptr, nullptr);
 }
 
-/// Writes a frame of a surface. `heat`: with temperatures; `scene`: what the run keeps of the scene "x".
+/// Writes a frame of a surface. `heat`: with temperatures; `scene`: text of the scene "x" that the run
+/// stores.
 inline void writeSurfaceFrame(const std::string& path, const SurfelSamples& s, double time, bool heat = true,
                               const std::string& scene = {}) {
   Frame frame;

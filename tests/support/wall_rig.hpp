@@ -1,4 +1,4 @@
-// Particles and walls without neighbours: what a step does about walls, and nothing else.
+// Particles and walls without neighbours: the wall part of a step alone.
 #pragma once
 #include <functional>
 
@@ -42,7 +42,7 @@ struct WallRig {
         w.particles.activate(*c);
   }
 
-  /// Adds a wall with this surface. Returns its properties.
+  /// Adds a wall with this surface and returns its properties.
   Obstacle& add(std::shared_ptr<const SignedDistance> shape) {
     Wall wall;
     wall.bounds = shape->bounds();
@@ -104,7 +104,7 @@ struct WallRig {
     w.clock.step++;
   }
 
-  /// J, kinetic, potential and of contacts.
+  /// Kinetic, potential and contact energy (J).
   double mechanical() const {
     const Continuum& p = w.particles;
     double e = 0;

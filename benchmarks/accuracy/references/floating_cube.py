@@ -3,16 +3,16 @@
 
 Usage: floating_cube.py > floating_cube.csv
 
-A cube of edge L = 1 floats in the middle of a tank 3 L wide, released off its rest. Liquid without viscosity; small
-motions; g = 1, rho = 1. Unknowns: velocity potential p, elevation e of the free surface, displacement x and velocity w
-of the cube.
+A cube of edge L = 1 floats in the middle of a tank 3 L wide, released off its rest. Liquid without viscosity;
+small motions; g = 1, rho = 1. Unknowns: velocity potential p, elevation e of the free surface, displacement x
+and velocity w of the cube.
   laplace p = 0, dp/dn = w n_z at the cube, 0 at walls and bottom
   de/dt = dp/dz and dp/dt = -g e at the free surface
   (m + ma) dw/dt = -rho g L^2 x - rho g sum(b e dS)
-b is the vertical velocity of the surface at w = 1 where p = 0 there, ma the added mass of that flow. Finite volumes on
-a quarter of the tank; the error of the cells (first order at the cube's edges) is extrapolated from two resolutions.
-Added masses are printed to stderr, those of a submerged cube too, in the tank and far from walls (published:
-0.68 rho L^3, DNV-RP-C205, table D-2).
+b is the vertical velocity of the surface for w = 1 and p = 0 at the surface; ma is the added mass of that
+flow. Finite volumes on a quarter of the tank; the error of the cells (first order at the cube's edges) is
+extrapolated from two resolutions. Added masses are printed to stderr, those of a submerged cube too, in the
+tank and far from walls (published: 0.68 rho L^3, DNV-RP-C205, table D-2).
 """
 import sys
 
@@ -23,8 +23,8 @@ from scipy.sparse.linalg import splu
 
 
 class Tank:
-    """A quarter of a tank with n cells an edge of the cube. The cube's bottom is `draught` below the surface of the liquid, or
-    below its own top at the height `submerged`."""
+    """A quarter of a tank with n cells per edge of the cube. The cube's bottom is `draught` below the surface of the liquid,
+    or below the cube's top at the height `submerged`."""
 
     def __init__(self, n, width, depth, draught, submerged=None):
         half, high = round(width / 2 * n), round(depth * n)
@@ -42,7 +42,7 @@ class Tank:
         self.solve = splu(self.laplacian().tocsc()).solve
 
     def laplacian(self):
-        """Minus the fluxes into each cell, over h; the free surface is half a cell above the topmost centres."""
+        """Negative fluxes into each cell, over h; the free surface is half a cell above the topmost centres."""
         count, rows, columns, values = self.number.max() + 1, [], [], []
         diagonal = np.zeros(count)
         for axis in range(3):
@@ -62,9 +62,9 @@ class Tank:
         return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), (count, count))
 
     def unitHeave(self):
-        """Added mass (of the whole tank) and velocity b of the surface, p = 0 there, where the cube moves up at 1."""
+        """Added mass (whole tank) and velocity b of the surface, p = 0 there, for a cube that moves up at 1."""
         source = np.zeros(self.number.max() + 1)
-        source[self.below] = self.h  # dp/dn = 1: the liquid below follows the cube
+        source[self.below] = self.h  # dp/dn = 1: the liquid below moves with the cube
         source[self.above] = -self.h
         p = self.solve(source)
         # from the centres of cells to the faces of the cube with the slope there, 1
@@ -72,7 +72,7 @@ class Tank:
         return mass, -2 * p[self.surface] / self.h
 
     def surfaceResponse(self):
-        """Matrix of dp/dz at the surface for p there, the cube at rest."""
+        """Matrix from p at the surface to dp/dz at the surface, with the cube at rest."""
         n = self.surface.size
         k = np.empty((n, n))
         for c in range(n):
@@ -88,7 +88,7 @@ def heave(tank, density, times):
     """Added mass, and x(t) / x(0) of a cube that is released at rest."""
     mass, b = tank.unitHeave()
     n = b.size
-    rates = np.zeros((2 * n + 2, 2 * n + 2))  # of e, p, x, w
+    rates = np.zeros((2 * n + 2, 2 * n + 2))  # rates of e, p, x, w
     rates[:n, n:2 * n] = tank.surfaceResponse()
     rates[:n, 2 * n + 1] = b
     rates[n:2 * n, :n] = -np.eye(n)

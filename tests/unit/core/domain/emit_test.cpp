@@ -46,13 +46,13 @@ TEST(Emitter, NozzleEndsAtTheDomain) {
   EXPECT_EQ(planEmitters(s)[0].ahead, 0);
 }
 
-TEST(Emitter, RateThatDoesNotFit) {
+TEST(Emitter, ReportsAMismatchedRate) {
   Scene s = sceneWithEmitter();
   s.emitters[0].rate = 100;
   EXPECT_THROW(planEmitters(s), std::runtime_error);
 }
 
-TEST(Emitter, LetsGoOfWhatHasLeft) {
+TEST(Emitter, ReleasesParticlesThatHaveLeft) {
   const Scene s = sceneWithEmitter();
   const auto plans = planEmitters(s);
   Continuum p;

@@ -58,7 +58,7 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
   packPressure(x, b.particles, 0, b.particles.owned, b.records);
   pairKernels()->forces(s, b.groups());
   const Reference r = bruteForce(b, s.fillingScale);
-  // filling is kept as float, amplified by the stiffness
+  // the relative density is stored as float, which the stiffness amplifies
   const double tolerance = GetParam() == Precision::Single ? 2e-5 : 1e-6;
   double scale = 0, heatScale = 0;
   for (std::size_t i = 0; i < b.particles.owned; i++)
@@ -78,9 +78,8 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
   EXPECT_EQ(coincident, 0);
 }
 
-// One liquid whose parameters are the same everywhere reads less (terms/uniform_forces.hpp): to the same
-// bits.
-TEST_P(PairSumsTest, OfOneLiquidAreThoseOfAnyOther) {
+// A single liquid with uniform parameters reads less (terms/uniform_forces.hpp) and gives the same bits.
+TEST_P(PairSumsTest, OneLiquidHasTheBitsOfTheGeneralCase) {
   for (const bool heat : {false, true}) {
     std::vector<Vec3d> force[2];
     std::vector<double> flow[2], lost[2];
@@ -164,7 +163,7 @@ TEST(PairSums, CoincidentParticlesAreCountedAndMakeNoNaN) {
     EXPECT_TRUE(std::isfinite(length(b.particles.force[i])));
 }
 
-// Cohesion: the force is the derivative of its energy, and the sums keep momentum and angular momentum.
+// Cohesion: the force is the derivative of its energy, and the sums conserve momentum and angular momentum.
 TEST(PairSums, TensionIsConservative) {
   Block b(6, 0.2, 2, Precision::Double);
   b.modules.tension = true;

@@ -1,5 +1,5 @@
-// The operator of the implicit viscosity solver is the explicit viscous sum: the same forces, symmetric, the
-// same bits from every instruction set.
+// The operator of the implicit viscosity solver equals the explicit viscous sum: the same forces, symmetric,
+// and the same bits with every instruction set.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,7 +65,7 @@ double norm(const std::vector<Vec3d>& a) {
 
 }  // namespace
 
-TEST(ViscousOperator, IsTheExplicitForce) {
+TEST(ViscousOperator, EqualsTheExplicitForce) {
   for (const Precision precision : {Precision::Single, Precision::Double}) {
     Viscous b(precision);
     const std::vector<Vec3d> with = b.forces(true), without = b.forces(false),
@@ -81,7 +81,7 @@ TEST(ViscousOperator, IsTheExplicitForce) {
   }
 }
 
-TEST(ViscousOperator, BlockIsTheParticlesOwn) {
+TEST(ViscousOperator, DiagonalBlockIsTheParticlesOwn) {
   Viscous b(Precision::Double);
   std::vector<Sym3d> block;
   b.apply("base", ViscousPass::Start, &block);

@@ -23,7 +23,7 @@ Shape of(ShapeKind kind, std::vector<Shape> parts) {
   return s;
 }
 
-TEST(Combined, setsAndBounds) {
+TEST(Combined, SetOperationsAndBoundsAreExact) {
   const Shape a = sphere({-0.3, 0, 0}, 0.5), b = sphere({0.3, 0, 0}, 0.5);
   const auto both = makeSignedDistance(of(ShapeKind::Union, {a, b})),
              less = makeSignedDistance(of(ShapeKind::Difference, {a, b})),
@@ -49,7 +49,7 @@ TEST(Combined, setsAndBounds) {
   EXPECT_DOUBLE_EQ(g.x, 1);
 }
 
-TEST(Combined, halfSpacesCutBounds) {
+TEST(Combined, HalfSpacesCutBounds) {
   Shape low;
   low.kind = ShapeKind::HalfSpace;
   low.point = {0, 0, 0.1};
@@ -62,7 +62,7 @@ TEST(Combined, halfSpacesCutBounds) {
   EXPECT_FALSE(cut->inside({0, 0, 0}));
 }
 
-TEST(Placed, scaleThenRotateThenMove) {
+TEST(Placed, ScaleThenRotateThenMove) {
   Shape s;
   s.size = {2, 4, 6};
   s.scale = 0.5;
@@ -80,7 +80,7 @@ TEST(Placed, scaleThenRotateThenMove) {
   EXPECT_NEAR(d->distance({10.9, 20, 30}), -0.1, 1e-12);
 }
 
-TEST(Placed, rotationsAreAboutXThenYThenZ) {
+TEST(Placed, RotationsAreAboutXThenYThenZ) {
   const Mat3d r = rotationXyz({0.3, 0.5, 0.7});
   const Mat3d expected = rotationXyz({0, 0, 0.7}) * (rotationXyz({0, 0.5, 0}) * rotationXyz({0.3, 0, 0}));
   for (int i = 0; i < 3; i++) EXPECT_LT(length(r.row[i] - expected.row[i]), 1e-15);
@@ -88,14 +88,14 @@ TEST(Placed, rotationsAreAboutXThenYThenZ) {
   EXPECT_NEAR(y.z, 1, 1e-15);  // right-handed
 }
 
-TEST(Placed, fittedHeightAndBottom) {
+TEST(Placed, FittedHeightAndBottom) {
   Shape s;
   s.kind = ShapeKind::Mesh;
   s.mesh = "builtin:bust";
   s.rotate = {0.4, 0.2, 1};
   s.fitHeight = 0.25;
   s.bottom = Vec3d{1, 2, 3};
-  s.scale = 77, s.move = {5, 5, 5};  // set aside
+  s.scale = 77, s.move = {5, 5, 5};  // ignored with a fitted height
   const Bounds b = makeSignedDistance(s)->bounds();
   EXPECT_NEAR(b.min.z, 3, 1e-12);
   EXPECT_NEAR(b.max.z, 3.25, 1e-12);
@@ -103,7 +103,7 @@ TEST(Placed, fittedHeightAndBottom) {
   EXPECT_NEAR(0.5 * (b.min.y + b.max.y), 2, 1e-12);
 }
 
-TEST(Placed, loadersFailuresBecomeShapeErrors) {
+TEST(Placed, LoadersFailuresBecomeShapeErrors) {
   Shape s;
   s.kind = ShapeKind::Mesh;
   s.mesh = "m.obj";

@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// A coarse ball with the exact normals of the smooth one.
+/// A coarse ball with the exact normals of a smooth one.
 TriangleMesh smoothBall(const Vec3d& centre = {}, double sign = 1) {
   TriangleMesh m = ballMesh(centre, 1, 0.5);
   for (const auto& t : m.triangles)
@@ -20,7 +20,7 @@ TriangleMesh smoothBall(const Vec3d& centre = {}, double sign = 1) {
   return m;
 }
 
-/// Largest difference between the normals and those of a ball at their corners; NaN would be more than all.
+/// Largest difference between the normals and those of a ball at their corners. NaN counts as the largest.
 double worstOf(const TriangleMesh& m, const Vec3d& centre = {}) {
   double worst = m.normals.size() == m.triangles.size() ? 0 : 9;
   for (std::size_t t = 0; t < m.normals.size(); t++)
@@ -29,7 +29,7 @@ double worstOf(const TriangleMesh& m, const Vec3d& centre = {}) {
   return worst;
 }
 
-TEST(FileNormals, AreOfLengthOne) {
+TEST(FileNormals, HaveUnitLength) {
   for (const double l : {1e-310, 1e-200, 1.0, 1e200, 1e308})
     EXPECT_NEAR(length(unitNormal({3 * (l / 5), 0, -4 * (l / 5)}) - Vec3d{0.6, 0, -0.8}), 0, 1e-10) << l;
   EXPECT_EQ(unitNormal({}), Vec3d{});
@@ -40,8 +40,8 @@ TEST(FileNormals, StayWithTheirCornersThroughRepairs) {
   EXPECT_LT(worstOf(repairMesh(smoothBall(), r)), 1e-15);
   EXPECT_EQ(r.turnedNormals + r.unusedNormals, 0);
   EXPECT_EQ(describeRepairs("x", r), "");
-  TriangleMesh turned = smoothBall();  // every third triangle turned, some of them there twice, others with a
-                                       // corner twice
+  TriangleMesh turned = smoothBall();  // every third triangle is reversed; some of them appear twice, others
+                                       // have a repeated corner
   for (std::size_t t = 0; t < turned.triangles.size(); t += 3)
     std::swap(turned.triangles[t][0], turned.triangles[t][1]),
         std::swap(turned.normals[t][0], turned.normals[t][1]);
@@ -55,11 +55,11 @@ TEST(FileNormals, StayWithTheirCornersThroughRepairs) {
   EXPECT_EQ(r.turnedNormals + r.unusedNormals, 0);
 }
 
-TEST(FileNormals, OfWhatIsInsideOutAreTurnedAndTold) {
+TEST(FileNormals, AreReversedAndReportedForInvertedMeshes) {
   MeshReport r;
-  TriangleMesh two = smoothBall({}, -1);  // inward, of triangles that are right
+  TriangleMesh two = smoothBall({}, -1);  // inward, with correct triangles
   TriangleMesh other = smoothBall({3, 0, 0});
-  turnAll(other);  // and outward, of triangles that are not
+  turnAll(other);  // and outward, with reversed ones
   for (auto& n : other.normals) std::swap(n[1], n[2]);
   append(two, other);
   two.normals.insert(two.normals.end(), other.normals.begin(), other.normals.end());
@@ -74,12 +74,12 @@ TEST(FileNormals, OfWhatIsInsideOutAreTurnedAndTold) {
                                          std::to_string(r.normals / 2) + " normals turned outward");
 }
 
-TEST(FileNormals, ThatSayNothingFollowFromTheTrianglesAndAreTold) {
+TEST(FileNormals, UndefinedOnesFollowFromTrianglesAndAreReported) {
   MeshReport r;
   TriangleMesh odd = smoothBall();
   odd.normals[3][1] = {};
   odd.normals[9][2] = -odd.normals[9][2];
-  // a hole: what closes it has none, which is no fault of the file's
+  // a hole: its closing triangles have no normals, which is no fault of the file
   odd.triangles.erase(odd.triangles.begin() + 30), odd.normals.erase(odd.normals.begin() + 30);
   const TriangleMesh m = repairMesh(odd, r);
   ASSERT_EQ(m.normals.size(), m.triangles.size());
@@ -98,9 +98,9 @@ TEST(FileNormals, ThatSayNothingFollowFromTheTrianglesAndAreTold) {
   EXPECT_EQ(with.at(m.vertices[m.triangles[3][1]], 3), without.at(m.vertices[m.triangles[3][1]], 3));
 }
 
-/// Surfels of a coarse ball, scaled, turned and moved: with normals in the file they know the smooth one's,
-/// without they cannot.
-TEST(FileNormals, AreThoseOfTheSurfels) {
+/// Surfels of a coarse ball, scaled, rotated and moved, have the smooth ball's normals if the file has
+/// normals.
+TEST(FileNormals, AreUsedForSurfels) {
   const auto worst = [](const TriangleMesh& mesh) {
     Shape shape;
     shape.kind = ShapeKind::Mesh;

@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-TEST(MeshDistance, isThatOfABox) {
+TEST(MeshDistance, EqualsThatOfABox) {
   const MeshDistance d(boxMesh({0, 0, 0}, {1, 2, 3}), "box");
   Vec3d g;
   EXPECT_DOUBLE_EQ(d.distance({0.5, 1, 0.2}, &g), -0.2);
@@ -25,7 +25,7 @@ TEST(MeshDistance, isThatOfABox) {
   EXPECT_DOUBLE_EQ(d.extent({1, 1, 0}), 3);
 }
 
-TEST(MeshDistance, withinKeepsItsPromise) {
+TEST(MeshDistance, WithinIsExactInItsRange) {
   const MeshDistance d(bustMesh(), "bust");
   for (std::uint64_t k = 0; k < 4000; k++) {
     const Vec3d x = randomPoint({{-0.5, -0.5, -0.2}, {0.5, 0.5, 1.2}}, k);
@@ -45,15 +45,15 @@ TEST(MeshDistance, withinKeepsItsPromise) {
   }
 }
 
-TEST(MeshDistance, buriedSurfacesDoNotCount) {
+TEST(MeshDistance, BuriedSurfacesDoNotCount) {
   TriangleMesh m = ballMesh({}, 0.8, 0.1);
   append(m, ballMesh({0.3, 0, 0}, 0.25, 0.05));  // within the large one
   append(m, ballMesh({0.9, 0, 0}, 0.3, 0.05));   // half in it
   const MeshDistance d(m, "balls");
   EXPECT_LT(d.distance({0.1, 0, 0}), -0.65);  // the small one is 0.05 away
   EXPECT_LT(d.distance({0.5, 0, 0}), -0.25);
-  EXPECT_LT(d.distance({0.9, 0, 0}), -0.15);  // the large one's surface is 0.1 away, the nearest that is not
-                                              // buried 0.3
+  EXPECT_LT(d.distance({0.9, 0, 0}), -0.15);  // the large ball's surface is 0.1 away, the nearest unburied
+                                              // surface 0.3
   EXPECT_NEAR(d.distance({1.4, 0, 0}), 0.2, 0.01);
   for (std::uint64_t k = 0; k < 2000; k++) {
     const Vec3d x = randomPoint({{-1, -1, -1}, {1.3, 1, 1}}, k);
@@ -63,7 +63,7 @@ TEST(MeshDistance, buriedSurfacesDoNotCount) {
   }
 }
 
-TEST(MeshDistance, agreesWithBruteForce) {
+TEST(MeshDistance, AgreesWithBruteForce) {
   const TriangleMesh m = ballMesh({0.2, 0, 0}, 0.5, 0.08);
   const MeshDistance d(m, "ball");
   for (std::uint64_t k = 0; k < 1000; k++) {
@@ -73,7 +73,7 @@ TEST(MeshDistance, agreesWithBruteForce) {
   }
 }
 
-TEST(MeshDistance, gradientIsTheSlope) {
+TEST(MeshDistance, GradientIsTheDerivative) {
   const MeshDistance d(ballMesh({}, 0.5, 0.08), "ball");
   int checked = 0;
   for (std::uint64_t k = 0; k < 300; k++) {
@@ -92,7 +92,7 @@ TEST(MeshDistance, gradientIsTheSlope) {
   EXPECT_GT(checked, 700);
 }
 
-TEST(MeshDistance, alongALineItIsInsideWhereAskedPointByPoint) {
+TEST(MeshDistance, LineQueriesEqualPointQueries) {
   TriangleMesh two = ballMesh({}, 0.5, 0.08), hollow = ballMesh({}, 0.6, 0.1),
                within = ballMesh({0.05, 0, 0}, 0.4, 0.1);
   append(two, ballMesh({0.4, 0.1, 0}, 0.45, 0.11));  // they overlap
@@ -104,7 +104,8 @@ TEST(MeshDistance, alongALineItIsInsideWhereAskedPointByPoint) {
     const MeshDistance d(mesh, "mesh");
     KnownSides known;
     for (std::uint64_t line = 0; line < 300; line++) {
-      // a quarter of the lines run on the lattice of the box's faces and edges, where points lie on triangles
+      // A quarter of the lines run on the lattice of the box's faces and edges, where points lie on
+      // triangles.
       const Vec3d from = line % 4 == 0 ? Vec3d{-1, 0.25 * static_cast<double>(line / 4 % 9) - 1,
                                                0.25 * static_cast<double>(line / 36) - 1}
                                        : randomPoint({{-1, -1, -1}, {1, 1, 1}}, line);
@@ -125,7 +126,7 @@ TEST(MeshDistance, alongALineItIsInsideWhereAskedPointByPoint) {
   EXPECT_GT(outside, 1000);
 }
 
-TEST(MeshDistance, threadsMayAskAtOnce) {
+TEST(MeshDistance, IsThreadSafe) {
   const TriangleMesh mesh = ballMesh({}, 0.5, 0.05);
   const MeshDistance one(mesh, "ball"), many(mesh, "ball");
   constexpr std::size_t points = 4000, threads = 4;
@@ -138,12 +139,12 @@ TEST(MeshDistance, threadsMayAskAtOnce) {
     });
   for (std::thread& t : asking) t.join();
   for (std::uint64_t k = points; k-- > 0;)
-    // whatever was asked first
+    // independent of earlier queries
     for (const std::vector<double>& f : found)
       ASSERT_EQ(f[k], one.distanceWithin(randomPoint({{-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}}, k), 0.02));
 }
 
-TEST(Bust, isAClosedSolidOneMetreTall) {
+TEST(Bust, IsAClosedSolidOneMetreTall) {
   const TriangleMesh m = bustMesh();
   EXPECT_GT(m.triangles.size(), 20000u);
   EXPECT_LT(m.triangles.size(), 100000u);
@@ -158,7 +159,7 @@ TEST(Bust, isAClosedSolidOneMetreTall) {
   EXPECT_NEAR(d.bounds().max.z, 1, 1e-12);
   EXPECT_NEAR(d.bounds().min.y, -d.bounds().max.y, 1e-12);
   EXPECT_NEAR(d.bounds().min.x, -d.bounds().max.x, 1e-3);
-  EXPECT_LT(d.distance({0, 0, 0.5}), -0.03);  // within the head, the neck, the chest
+  EXPECT_LT(d.distance({0, 0, 0.5}), -0.03);  // inside the head, the neck, the chest
   EXPECT_EQ(bustMesh().vertices, m.vertices);
 }
 

@@ -24,7 +24,7 @@ bool balanced(const TriangleMesh& m) {
   return good;
 }
 
-/// How many of some points are judged otherwise than by `expected`; points near its surface are left out.
+/// Number of points that are classified differently from `expected`. Points near its surface are left out.
 template<class F> int wrong(const TriangleMesh& m, const Bounds& b, F&& expected) {
   const MeshDistance d(m, "test");
   int n = 0;
@@ -40,7 +40,7 @@ const Bounds around{{-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}};
 double ball(const Vec3d& x) { return length(x) - 0.8; }
 double shell(const Vec3d& x) { return std::max(length(x) - 0.8, 0.4 - length(x)); }
 
-TEST(MeshRepair, leavesAGoodMeshAlone) {
+TEST(MeshRepair, KeepsAValidMesh) {
   MeshReport r;
   const TriangleMesh m = ballMesh({}, 0.8, 0.1), good = repairMesh(m, r);
   EXPECT_EQ(good.triangles.size(), m.triangles.size());
@@ -51,7 +51,7 @@ TEST(MeshRepair, leavesAGoodMeshAlone) {
   EXPECT_NEAR(r.volume, volumeOf(m), 1e-12);
 }
 
-TEST(MeshRepair, turnsWhatIsInsideOut) {
+TEST(MeshRepair, ReversesInvertedTriangles) {
   TriangleMesh m = ballMesh({}, 0.8, 0.1);
   turnAll(m);
   EXPECT_EQ(wrong(m, around, ball), 0);
@@ -64,7 +64,7 @@ TEST(MeshRepair, turnsWhatIsInsideOut) {
   EXPECT_NE(describeRepairs("x", r).find("triangles turned"), std::string::npos);
 }
 
-TEST(MeshRepair, twoBallsOneOfThemInsideOut) {
+TEST(MeshRepair, ReversesOneOfTwoBalls) {
   TriangleMesh m = ballMesh({-0.6, 0, 0}, 0.4, 0.05), other = ballMesh({0.6, 0, 0}, 0.4, 0.05);
   turnAll(other);
   append(m, other);
@@ -78,7 +78,7 @@ TEST(MeshRepair, twoBallsOneOfThemInsideOut) {
   EXPECT_EQ(r.shells, 2);
 }
 
-TEST(MeshRepair, hollowsStayHollow) {
+TEST(MeshRepair, KeepsCavities) {
   TriangleMesh outer = ballMesh({}, 0.8, 0.08), inner = ballMesh({}, 0.4, 0.08), m = inner;
   turnAll(m);
   append(m, outer);
@@ -89,7 +89,7 @@ TEST(MeshRepair, hollowsStayHollow) {
   EXPECT_EQ(wrong(outer, around, ball), 0);
 }
 
-TEST(MeshRepair, closesSmallHoles) {
+TEST(MeshRepair, ClosesSmallHoles) {
   TriangleMesh m = ballMesh({}, 0.8, 0.1);
   std::set<std::size_t> missing;
   for (std::uint64_t k = 0; missing.size() < 30; k++)
@@ -103,7 +103,7 @@ TEST(MeshRepair, closesSmallHoles) {
   EXPECT_EQ(wrong(holed, around, ball), 0);
 }
 
-TEST(MeshRepair, closesALargeOpening) {
+TEST(MeshRepair, ClosesALargeOpening) {
   TriangleMesh m = boxMesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   m.triangles.erase(m.triangles.begin() + 2, m.triangles.begin() + 4);  // no lid
   const auto box = [](const Vec3d& x) {
@@ -117,7 +117,7 @@ TEST(MeshRepair, closesALargeOpening) {
   EXPECT_NEAR(r.volume, 1, 1e-12);
 }
 
-TEST(MeshRepair, selfIntersectionsAreInside) {
+TEST(MeshRepair, SelfIntersectionsAreInside) {
   TriangleMesh m = boxMesh({-0.8, -0.3, -0.3}, {0.2, 0.3, 0.3});
   append(m, boxMesh({-0.2, -0.2, -0.5}, {0.8, 0.2, 0.5}));
   const auto both = [](const Vec3d& x) {
@@ -128,7 +128,7 @@ TEST(MeshRepair, selfIntersectionsAreInside) {
   EXPECT_EQ(wrong(m, around, both), 0);
 }
 
-TEST(MeshRepair, mergesWhatFilesTakeApart) {
+TEST(MeshRepair, MergesDuplicateVertices) {
   TriangleMesh m = ballMesh({}, 0.8, 0.1), apart, noisy;
   for (const auto& t : m.triangles)
     for (const std::uint32_t v : t) {
@@ -152,7 +152,7 @@ TEST(MeshRepair, mergesWhatFilesTakeApart) {
   EXPECT_EQ(wrong(twice, around, ball), 0);
 }
 
-TEST(MeshRepair, aSoupHasAnInsideToo) {
+TEST(MeshRepair, TriangleSoupHasAnInside) {
   TriangleMesh m = ballMesh({}, 0.8, 0.1), apart;
   for (const auto& t : m.triangles) {
     const Vec3d middle = (m.vertices[t[0]] + m.vertices[t[1]] + m.vertices[t[2]]) / 3.0;
@@ -166,7 +166,7 @@ TEST(MeshRepair, aSoupHasAnInsideToo) {
   EXPECT_EQ(wrong(apart, around, ball), 0);
 }
 
-TEST(MeshRepair, aMoebiusStripDoesNotHang) {
+TEST(MeshRepair, MoebiusStripDoesNotHang) {
   TriangleMesh m;
   const int n = 40;
   for (int k = 0; k < n; k++) {
@@ -183,11 +183,11 @@ TEST(MeshRepair, aMoebiusStripDoesNotHang) {
   MeshReport r;
   try {
     EXPECT_TRUE(balanced(repairMesh(m, r)));
-  } catch (const ShapeError&) {  // that it encloses nothing is a fair answer
+  } catch (const ShapeError&) {  // an error about zero volume is allowed
   }
 }
 
-TEST(MeshRepair, saysWhatIsWrong) {
+TEST(MeshRepair, ErrorsNameTheProblem) {
   const auto message = [](const TriangleMesh& m) -> std::string {
     MeshReport r;
     try {

@@ -8,10 +8,10 @@
 namespace thaw {
 namespace {
 
-TEST(Overlap, rulesAndCounts) {
+TEST(Overlap, FollowsItsRulesAndCounts) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   std::vector<Body> bodies(3);
-  for (int k = 0; k < 3; k++) {  // boxes of 10 x 10 x 10 in a row, the first two share 4 layers, the third
+  for (int k = 0; k < 3; k++) {  // boxes of 10 x 10 x 10 in a row: the first two share 4 layers, the third
                                  // touches the second
     Shape s;
     s.move = {k == 0 ? 0.0 : k == 1 ? 0.6 : 1.6, 0, 0};
@@ -45,10 +45,10 @@ TEST(Overlap, rulesAndCounts) {
   }
 }
 
-TEST(Overlap, AcrossPeriodicSides) {
+TEST(Overlap, IsFoundAcrossPeriodicSides) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   Shape s;  // boxes of 10 x 10 x 10 in a domain of 2.4 m: the second reaches over the side into the first by
-            // 2 layers, the third round the domain into itself by 4
+            // 2 layers, the third around the domain into itself by 4
   for (const double x : {0.5, 2.1, 1.2}) {
     s.move = {x, x == 1.2 ? 5.0 : 0.0, 0};
     s.size = {x == 1.2 ? 2.6 : 1.0, 1, 1};
@@ -74,8 +74,8 @@ TEST(Overlap, AcrossPeriodicSides) {
   EXPECT_EQ(never, (std::vector<std::size_t>{0, 0, 0}));
 }
 
-/// 1,000 boxes of different sizes at random places: the same pairs as by looking at all of them.
-TEST(Overlap, FindsThePairsOfAllBodiesWhoseBoxesMeet) {
+/// 1,000 boxes of different sizes at random positions: the same pairs as by testing all.
+TEST(Overlap, FindsAllPairsOfOverlappingBoxes) {
   constexpr std::size_t n = 1000;
   const Vec3d period{3, 0, 2};
   std::vector<std::shared_ptr<const SignedDistance>> shapes;

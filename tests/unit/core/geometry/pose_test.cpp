@@ -8,7 +8,7 @@ namespace {
 const std::vector<Keyframe> motion{
     {1, {0, 0, 0}, {0.1, 0.2, 0.3}}, {3, {2, 4, 0}, {1.1, -0.4, 0.9}}, {4, {2, 4, 1}, {1.1, -0.4, 0.9}}};
 
-TEST(Pose, isLinearBetweenKeyframesAndStaysOutside) {
+TEST(Pose, IsLinearBetweenKeyframesAndConstantOutside) {
   EXPECT_EQ(poseAt(motion, 0).move, (Vec3d{0, 0, 0}));
   EXPECT_EQ(poseAt(motion, 0).velocity, (Vec3d{}));
   EXPECT_EQ(poseAt(motion, 2).move, (Vec3d{1, 2, 0}));
@@ -22,14 +22,14 @@ TEST(Pose, isLinearBetweenKeyframesAndStaysOutside) {
   EXPECT_EQ(poseAt({{1, {}, {}}, {1, {5, 0, 0}, {}}, {1, {6, 0, 0}, {}}}, 1).move, (Vec3d{6, 0, 0}));
 }
 
-TEST(Pose, thereAndBack) {
+TEST(Pose, RoundTripsPoints) {
   const Pose p = poseAt(motion, 2.3);
   const Vec3d x{0.3, -0.7, 1.1};
   EXPECT_LT(length(fromRest(p, toRest(p, x)) - x), 1e-15);
   EXPECT_LT(length(directionFromRest(p, x) + p.move - fromRest(p, x)), 1e-15);
 }
 
-TEST(Pose, velocityIsTheDerivative) {
+TEST(Pose, VelocityIsTheDerivative) {
   for (const double t : {1.2, 2.0, 2.7, 3.5}) {
     const double h = 1e-6;
     for (const Vec3d& rest : {Vec3d{0.5, 0.2, -0.3}, Vec3d{-1, 2, 0.7}}) {

@@ -20,7 +20,7 @@ std::shared_ptr<const SignedDistance> make(ShapeKind kind, const std::function<v
 const ShapeKind primitives[] = {ShapeKind::Box,   ShapeKind::Sphere,    ShapeKind::Cylinder,
                                 ShapeKind::Torus, ShapeKind::HalfSpace, ShapeKind::Glass};
 
-TEST(Primitives, valuesByHand) {
+TEST(Primitives, DistancesMatchHandComputedValues) {
   EXPECT_DOUBLE_EQ(make(ShapeKind::Box)->distance({1.5, 0, 0}), 1);
   EXPECT_DOUBLE_EQ(make(ShapeKind::Box)->distance({0.5 + 3, 0.5 + 4, 0}), 5);
   EXPECT_DOUBLE_EQ(make(ShapeKind::Box)->distance({0.1, 0.2, -0.3}), -0.2);
@@ -43,10 +43,10 @@ TEST(Primitives, valuesByHand) {
   EXPECT_NEAR(glass->distance({0.5, 0, 0.3}), 0.2, 1e-15);    // over the floor
   EXPECT_NEAR(glass->distance({-0.95, 0, 2.2}), 0.2, 1e-15);  // over the rim
   EXPECT_NEAR(glass->distance({0, 0, -1}), 1, 1e-15);
-  EXPECT_NEAR(glass->distance({0.6, 0, 2.4}), 0.5, 1e-15);  // from above the room to the inner rim
+  EXPECT_NEAR(glass->distance({0.6, 0, 2.4}), 0.5, 1e-15);  // from above the cavity to the inner rim
 }
 
-TEST(Primitives, gradientsAreSlopesOfLengthOne) {
+TEST(Primitives, GradientsAreUnitDerivatives) {
   for (const ShapeKind kind : primitives) {
     const auto d = make(kind);
     int checked = 0;
@@ -56,7 +56,7 @@ TEST(Primitives, gradientsAreSlopesOfLengthOne) {
       const double v = d->distance(x, &g);
       ASSERT_NEAR(length(g), 1, 1e-12);
       ASSERT_EQ(d->inside(x), v < 0);
-      // a step down the slope, but for edges of the medial axis, ends on the surface
+      // a step along the gradient ends on the surface, except at edges of the medial axis
       if (v > 0) { ASSERT_NEAR(d->distance(x - g * v), 0, 1e-12); }
       for (int a = 0; a < 3; a++) {
         Vec3d h;
@@ -72,7 +72,7 @@ TEST(Primitives, gradientsAreSlopesOfLengthOne) {
   }
 }
 
-TEST(Primitives, gradientsAreDefinedEverywhere) {
+TEST(Primitives, GradientsAreDefinedEverywhere) {
   for (const ShapeKind kind : primitives) {
     const auto d = make(kind);
     for (const Vec3d& x :
@@ -86,7 +86,7 @@ TEST(Primitives, gradientsAreDefinedEverywhere) {
   }
 }
 
-TEST(Primitives, boundsAreTight) {
+TEST(Primitives, BoundsAreTight) {
   for (const ShapeKind kind : primitives) {
     if (kind == ShapeKind::HalfSpace) continue;
     const auto d = make(kind, [](Shape& s) {
@@ -95,7 +95,7 @@ TEST(Primitives, boundsAreTight) {
     const Bounds b = d->bounds();
     for (int a = 0; a < 3; a++)
       for (const bool high : {false, true}) {
-        // the plane of each face touches the shape: the least distance over it is 0
+        // the plane of each face touches the shape: the smallest distance on it is 0
         double least = never;
         for (std::uint64_t k = 0; k < 20000; k++) {
           Vec3d x = randomPoint(b, k);
@@ -108,7 +108,7 @@ TEST(Primitives, boundsAreTight) {
   }
 }
 
-TEST(Primitives, refuseWhatIsNoSolid) {
+TEST(Primitives, RefuseShapesWithoutVolume) {
   const auto fails = [](ShapeKind kind, const std::function<void(Shape&)>& change) {
     Shape s;
     s.kind = kind;

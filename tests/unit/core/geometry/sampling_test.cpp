@@ -12,7 +12,7 @@
 namespace thaw {
 namespace {
 
-TEST(Sampling, boxesAreFilledExactly) {
+TEST(Sampling, BoxesAreFilledExactly) {
   for (const int n : {1, 2, 7, 30}) {
     Shape s;
     const double spacing = 0.013;
@@ -27,7 +27,7 @@ TEST(Sampling, boxesAreFilledExactly) {
   }
 }
 
-TEST(Sampling, doesNotDependOnTheNumberOfRanks) {
+TEST(Sampling, DoesNotDependOnTheNumberOfRanks) {
   const MeshDistance d(bustMesh(), "bust");
   const SampleLattice l = sampleLattice(d, 0.025);
   const Samples all = sampleShape(d, l, {0, l.rows()});
@@ -50,7 +50,7 @@ TEST(Sampling, doesNotDependOnTheNumberOfRanks) {
   }
 }
 
-TEST(Sampling, skippingFindsWhatAskingFinds) {
+TEST(Sampling, SkippingFindsAllSamples) {
   Shape ball, bite;
   ball.kind = bite.kind = ShapeKind::Sphere;
   ball.radius = 0.5, bite.radius = 0.3, bite.move = {0.5, 0, 0};
@@ -79,14 +79,14 @@ TEST(Sampling, skippingFindsWhatAskingFinds) {
   }
 }
 
-TEST(Sampling, volumesAreRight) {
+TEST(Sampling, VolumesAreExact) {
   const double r = 0.5, s = 0.02;
   const auto n = static_cast<double>(
       countSamples(SphereDistance(r), sampleLattice(SphereDistance(r), s), {0, 2500}));
   EXPECT_NEAR(n * s * s * s, 4.18879 * r * r * r, 0.01);
 }
 
-TEST(Sampling, refusesWhatHasNoEnd) {
+TEST(Sampling, RefusesUnboundedShapes) {
   EXPECT_THROW(sampleLattice(HalfSpaceDistance({}, {0, 0, 1}), 0.1), ShapeError);
   EXPECT_THROW(sampleLattice(SphereDistance(1), 1e-5), ShapeError);
   EXPECT_NO_THROW(sampleLattice(SphereDistance(1), 1e-3));
@@ -96,7 +96,7 @@ TEST(Sampling, refusesWhatHasNoEnd) {
   EXPECT_EQ(countSamples(BoxDistance({1, 1, 0.01}), thin, {0, thin.rows()}), 100);
 }
 
-TEST(Sampling, layersThatFitStayHalfASpacingInside) {
+TEST(Sampling, LayersThatFitStayHalfASpacingInside) {
   const BoxDistance box({1.074, 1.0, 0.75});  // edges
   const SampleLattice cover = sampleLattice(box, 0.1), fit = sampleLattice(box, 0.1, Layers::Fit);
   EXPECT_EQ(cover.count[0], 11);
@@ -107,7 +107,7 @@ TEST(Sampling, layersThatFitStayHalfASpacingInside) {
   EXPECT_GE(fit.at(0, 0, 0).x, box.bounds().min.x + 0.05);
 }
 
-TEST(Sampling, jitterIsSmallAndItsOwn) {
+TEST(Sampling, JitterIsSmallAndIndependent) {
   const Vec3d x{1, 2, 3}, a = jittered(x, 0.2, 0.1, 1, 5);
   EXPECT_EQ(a, jittered(x, 0.2, 0.1, 1, 5));
   EXPECT_FALSE(a == jittered(x, 0.2, 0.1, 1, 6));
@@ -116,7 +116,7 @@ TEST(Sampling, jitterIsSmallAndItsOwn) {
     for (int c = 0; c < 3; c++) ASSERT_LE(std::abs(jittered(x, 0.2, 0.1, 1, k)[c] - x[c]), 0.02);
 }
 
-TEST(Sampling, pulledInside) {
+TEST(Sampling, PullsSamplesInside) {
   const SphereDistance ball(1);
   const MeshDistance bust(bustMesh(), "bust");
   for (std::uint64_t k = 0; k < 500; k++) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// What it encloses; negative where it looks inward.
+/// Enclosed volume; negative if the mesh faces inward.
 double volumeOf(const TriangleMesh& m) {
   double v = 0;
   for (const auto& t : m.triangles) v += dot(m.vertices[t[0]], cross(m.vertices[t[1]], m.vertices[t[2]])) / 6;
@@ -57,7 +57,7 @@ TEST(ShapeMesh, HasTheAreaAndVolumeOfSimpleShapes) {
   }
 }
 
-TEST(ShapeMesh, TurnsWhatIsTakenAwayAndKeepsNestedPlaces) {
+TEST(ShapeMesh, ReversesSubtractedShapesAndKeepsNestedPlaces) {
   Shape cut = shapeOf(ShapeKind::Difference), hole = shapeOf(ShapeKind::Sphere),
         plane = shapeOf(ShapeKind::HalfSpace);
   hole.radius = 0.4;
@@ -72,7 +72,7 @@ TEST(ShapeMesh, TurnsWhatIsTakenAwayAndKeepsNestedPlaces) {
   half.move = {10, 0, 0};
   const TriangleMesh m = shapeMesh(half, 1e-3, {});
   Bounds seen{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
-  // the plane, over all of the ball
+  // the plane, across the whole ball
   for (std::size_t k = m.triangles.size() - 2; k < m.triangles.size(); k++)
     for (const std::uint32_t v : m.triangles[k])
       for (int a = 0; a < 3; a++)

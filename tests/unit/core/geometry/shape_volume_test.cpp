@@ -13,7 +13,7 @@ double volumeOf(const Shape& shape) {
   return shapeVolumes(one, {}, all).front();
 }
 
-/// Of a union of the shape alone, whose volume no formula gives.
+/// Volume of a union of the shape alone, which has no formula and is sampled.
 double sampledVolumeOf(const Shape& shape) {
   Shape joined;
   joined.kind = ShapeKind::Union;
@@ -21,7 +21,7 @@ double sampledVolumeOf(const Shape& shape) {
   return volumeOf(joined);
 }
 
-TEST(ShapeVolume, OfShapesWhoseVolumeIsKnown) {
+TEST(ShapeVolume, IsExactForKnownShapes) {
   Shape s;
   s.kind = ShapeKind::Box;
   s.size = {0.3, 0.02, 0.1};  // a plate far thinner than long

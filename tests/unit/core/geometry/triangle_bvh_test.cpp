@@ -17,13 +17,13 @@ TriangleMesh soup(int n) {
     const auto v = static_cast<std::uint32_t>(3 * t);
     m.triangles.push_back({v, v + 1, v + 2});
   }
-  // without area: a point, a segment
+  // triangles without area: a point, a segment
   m.triangles.push_back({0, 0, 0});
   m.triangles.push_back({3, 4, 3});
   return m;
 }
 
-TEST(TriangleBvh, closestPointsAreThoseOfBruteForce) {
+TEST(TriangleBvh, ClosestPointsEqualBruteForce) {
   const TriangleMesh m = soup(500);
   const TriangleBvh tree(m);
   for (std::uint64_t k = 0; k < 2000; k++) {
@@ -37,7 +37,7 @@ TEST(TriangleBvh, closestPointsAreThoseOfBruteForce) {
   }
 }
 
-TEST(TriangleBvh, closestPointOfATriangleInAllItsRegions) {
+TEST(TriangleBvh, ClosestPointOfATriangleInAllItsRegions) {
   const Vec3d a{0, 0, 0}, b{1, 0, 0}, c{0, 2, 0};
   const auto is = [&](const Vec3d& x, const Vec3d& p) {
     EXPECT_LT(length(closestPointOfTriangle(a, b, c, x) - p), 1e-14) << x.x << " " << x.y << " " << x.z;
@@ -49,7 +49,7 @@ TEST(TriangleBvh, closestPointOfATriangleInAllItsRegions) {
   is({0.5, -1, -2}, {0.5, 0, 0});
   is({-1, 1, 0}, {0, 1, 0});
   is({1.4, 1.2, 0}, {0.6, 0.8, 0});
-  // an obtuse one, from beyond its long edge, and one without area
+  // an obtuse triangle from beyond its long edge, and one without area
   EXPECT_LT(length(closestPointOfTriangle({0, 0, 0}, {4, 0, 0}, {2, 0.1, 0}, {3.9, 1, 0}) -
                    Vec3d{3.850374065, 0.007481297, 0}),
             1e-6);
@@ -57,7 +57,7 @@ TEST(TriangleBvh, closestPointOfATriangleInAllItsRegions) {
             1e-14);
 }
 
-TEST(TriangleBvh, windingNumbersAreThoseOfBruteForce) {
+TEST(TriangleBvh, WindingNumbersEqualBruteForce) {
   const TriangleMesh m = soup(1500), ball = ballMesh({0.1, 0.2, 0.3}, 0.7, 0.06);
   double worst = 0, worstBall = 0;
   const TriangleBvh tree(m), ballTree(ball);
@@ -74,7 +74,7 @@ TEST(TriangleBvh, windingNumbersAreThoseOfBruteForce) {
   EXPECT_LT(worstBall, 0.1);
 }
 
-TEST(TriangleBvh, equalTrianglesMakeNoDeepTree) {
+TEST(TriangleBvh, EqualTrianglesMakeNoDeepTree) {
   TriangleMesh m;
   m.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   m.triangles.assign(100000, {0, 1, 2});

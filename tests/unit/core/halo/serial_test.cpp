@@ -34,7 +34,7 @@ TEST(SerialCellHalo, RefusesAnAxisWhereACellWouldMeetItsOwnImage) {
   EXPECT_NO_THROW(SerialCellHalo(plainGrid({8, 2, 1}, 1)));
 }
 
-TEST(SerialReducer, PassesNaNOnAsInfinity) {
+TEST(SerialReducer, ReducesNaNToInfinity) {
   SerialReducer all;
   double values[3] = {-1, std::numeric_limits<double>::quiet_NaN(), 5};
   all.maximum(values);

@@ -45,7 +45,7 @@ struct Lump {
 
 }  // namespace
 
-TEST(Enthalpy, InverseOfTemperature) {
+TEST(Enthalpy, IsTheInverseOfTemperature) {
   const Material m = wax();
   for (double T : {1.0, 250.0, 319.999, 320.0, 322.0, 329.9, 330.0, 400.0, 3000.0})
     EXPECT_NEAR(thermalOf(m, enthalpyOf(m, T)).temperature, T, 1e-10 * T);
@@ -65,7 +65,7 @@ TEST(Enthalpy, RisesContinuouslyWithTemperature) {
     fraction = f;
   }
   EXPECT_EQ(fraction, 1);
-  // what it takes from 300 K to 350 K
+  // enthalpy from 300 K to 350 K
   EXPECT_NEAR(enthalpyOf(m, 350) - enthalpyOf(m, 300), 20 * 2000 + 10 * 2250 + 2e5 + 20 * 2500, 1e-6);
 }
 
@@ -78,12 +78,12 @@ TEST(Enthalpy, PureSubstanceStaysAtItsMeltingPoint) {
     EXPECT_DOUBLE_EQ(t.liquid, f);
   }
   EXPECT_DOUBLE_EQ(thermalOf(m, m.latentHeat + 2500).temperature, 301);
-  m.latentHeat = 0;  // no band at all
+  m.latentHeat = 0;  // no melting range
   EXPECT_EQ(thermalOf(m, 0).liquid, 1);
   EXPECT_EQ(thermalOf(m, -1e-9).liquid, 0);
 }
 
-TEST(Enthalpy, MaterialsThatDoNotMelt) {
+TEST(Enthalpy, MaterialsMayHaveNoMeltingPoint) {
   Material m;
   m.heatCapacity = {500, 4000};
   EXPECT_EQ(thermalOf(m, enthalpyOf(m, 321)).liquid, 1);  // no elasticity: a liquid
@@ -93,7 +93,7 @@ TEST(Enthalpy, MaterialsThatDoNotMelt) {
   EXPECT_DOUBLE_EQ(enthalpyOf(m, 321), 321 * 500);
 }
 
-// Heat at a constant rate: the plateau takes L / rate.
+// Heating at a constant rate: the plateau takes L / rate.
 TEST(Heat, LatentHeatPlateau) {
   Material m = wax();
   m.liquidus = m.solidus;
@@ -136,8 +136,8 @@ TEST(Phase, MeltsAtOneAndFreezesAtZero) {
   EXPECT_EQ(l.w.counters.frozen, 1);
 }
 
-// docs/validation/stability.md B14: a fraction that wavers does not flip the phase.
-TEST(Phase, HysteresisKeepsWaveringParticles) {
+// docs/validation/stability.md B14: an oscillating fraction does not change the phase.
+TEST(Phase, HysteresisKeepsThePhaseOfOscillatingFractions) {
   Material m = wax();
   m.hysteresis = 0.3;  // melts at 0.7, freezes at 0.3
   Lump l(m, 300);
@@ -153,7 +153,7 @@ TEST(Phase, HysteresisKeepsWaveringParticles) {
   EXPECT_FALSE(flips(0.69));
 }
 
-// With no width left (0.5) a particle must not freeze and melt at the same fraction.
+// With a width of zero (0.5) a particle must not freeze and melt at the same fraction.
 TEST(Phase, LargestHysteresisStillHasAnOrder) {
   Material m = wax();
   m.hysteresis = 0.5;
@@ -182,7 +182,7 @@ TEST(Heat, PapersModelHasTheTemperatureAsState) {
                    0.04 * 1000 * 2000);
 }
 
-TEST(Heat, PhaseOfTheStartFollowsTheTemperatureAlsoWithoutHeat) {
+TEST(Heat, InitialPhaseFollowsTheTemperatureWithoutHeat) {
   Lump l(wax(), 300);
   l.w.modules.heat = l.w.modules.melting = false;
   l.w.scene.bodies[0].temperature = 500;
@@ -193,7 +193,7 @@ TEST(Heat, PhaseOfTheStartFollowsTheTemperatureAlsoWithoutHeat) {
   EXPECT_EQ(l.p().phase[0], Solid);
 }
 
-TEST(Heat, SurfacesLoseWhatNewtonAndStefanSay) {
+TEST(Heat, SurfacesFollowNewtonsAndStefansLaws) {
   Material m = wax();
   m.convection = 20;
   m.emissivity = 0.9;
@@ -208,13 +208,13 @@ TEST(Heat, SurfacesLoseWhatNewtonAndStefanSay) {
                           (20 * (300 - 600.0) + 0.9 * 5.670374419e-8 * (std::pow(300, 4) - std::pow(600, 4)));
   EXPECT_NEAR(l.p().heatFlow[0], expected, 1e-6 * std::abs(expected));
   EXPECT_NEAR(l.w.ledger.heatIn.value(), expected * 1e-6, 1e-12 * std::abs(expected));
-  l.p().exposure[0] = 0.4f;  // the noise inside a liquid is not a surface
+  l.p().exposure[0] = 0.4f;  // noise inside a liquid is no surface
   l.p().heatFlow[0] = 0;
   addOuterHeat(l.w, 1);
   EXPECT_EQ(l.p().heatFlow[0], 0);
 }
 
-// However long the step: cooling ends at the ambient, not below.
+// Cooling ends at the ambient temperature for any step.
 TEST(Heat, SurfacesDoNotOvershoot) {
   Material m;
   m.convection = 1e6;

@@ -33,8 +33,8 @@ TYPED_TEST(Kernels, VanishAtTheSupportAndBeyond) {
   }
 }
 
-/// Sums over a simple cubic lattice of h / dx: rho / rho0, first derivative of x, second derivative of x^2
-/// / 2.
+/// Sums over a simple cubic lattice with spacing ratio h / dx: rho / rho0, first derivative of x, second
+/// derivative of x^2 / 2.
 template<class Kernel> void latticeOperators(double ratio, double out[3]) {
   const int n = static_cast<int>(ratio) + 1;
   out[0] = out[1] = out[2] = 0;
@@ -49,8 +49,7 @@ template<class Kernel> void latticeOperators(double ratio, double out[3]) {
       }
 }
 
-// Known figures of the simple cubic lattice for MCG03's kernels, computed independently (numpy) to four
-// digits.
+// Values of MCG03's kernels on the simple cubic lattice to four digits, computed independently with numpy.
 TEST(Lattice, OperatorsHaveTheKnownErrors) {
   const double ratio[] = {1.5, 2, 2.5, 3, 4};
   const double known[][5] = {{.9494, 1.0098, .9954, 1.0022, 1.0000},

@@ -4,8 +4,8 @@
 
 namespace thaw::test {
 
-// Known limits of MCG03's Laplacian: viscous 0.118, heat 0.117 h^2.
-TEST(Lattice, StableStepsOfDiffusion) {
+// Stability limits of MCG03's Laplacian: viscous 0.118, heat 0.117 h^2.
+TEST(Lattice, DiffusionStepsAreStableToTheKnownLimit) {
   Numerics n;
   n.conduction = Conduction::Plain;
   n.kernel = KernelKind::Mcg03;
@@ -21,8 +21,8 @@ TEST(Lattice, StableStepsOfDiffusion) {
   EXPECT_NEAR(stableHeatStep(n), 0.0778, 0.0005);
 }
 
-// docs/validation/accuracy.md: the viscosity kernel's Laplacian on the lattice.
-TEST(Lattice, LaplacianOfAQuadraticField) {
+// The viscosity kernel's Laplacian on the lattice (docs/validation/accuracy.md).
+TEST(Lattice, LaplacianOfAQuadraticFieldIsKnown) {
   Numerics n;
   n.kernel = KernelKind::Mcg03;
   for (const auto& [support, expected] :
@@ -37,8 +37,8 @@ TEST(Lattice, LaplacianOfAQuadraticField) {
   EXPECT_DOUBLE_EQ(stableHeatStep(n), normalised * scale);
 }
 
-// The weight's scale, from sums by another program: close to the continuum's where layers slide, whatever the
-// lattice at rest has.
+// The scale of the weight, computed by independent sums: close to the continuum's where layers slide,
+// whatever the lattice at rest gives.
 TEST(Lattice, WeightOfTheViscosityIsCalibratedOnSlidingLayers) {
   Numerics n;
   n.support = 2;

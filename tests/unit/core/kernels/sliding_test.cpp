@@ -1,12 +1,12 @@
-// Layers of the lattice that slide over each other fill more than at rest with few neighbours, and not with
-// more (incompressible solver).
+// Sliding lattice layers have a higher relative density than at rest with few neighbours, but not with more
+// (incompressible solver).
 #include <gtest/gtest.h>
 
 #include "core/kernels/lattice.hpp"
 
 namespace thaw {
 
-TEST(SlidingLattice, FillsALittleMoreAtASupportOfTwo) {
+TEST(SlidingLattice, HasAHigherDensityAtASupportOfTwo) {
   Numerics n;
   EXPECT_GT(slidingLatticeSum(n), 1.001 * latticeSum(n));
   EXPECT_LT(slidingLatticeSum(n), 1.01 * latticeSum(n));

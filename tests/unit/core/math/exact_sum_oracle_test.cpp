@@ -23,7 +23,7 @@ double exact(const std::vector<double>& terms) {
 
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
 
-TEST(ExactSumOracle, keepsSingleTerms) {
+TEST(ExactSumOracle, KeepsSingleTerms) {
   for (double x : {0.0, 1.0, -1.0, 0.1, -1e300, 1e-300, 5e-324, -5e-324, std::numeric_limits<double>::max(),
                    std::numeric_limits<double>::min(), -std::numeric_limits<double>::max(), 4294967296.0,
                    -4294967295.0, 0x1.fffffffffffffp31})
@@ -34,7 +34,7 @@ TEST(ExactSumOracle, keepsSingleTerms) {
   }
 }
 
-TEST(ExactSumOracle, agreesWithWideIntegers) {
+TEST(ExactSumOracle, AgreesWithWideIntegers) {
   std::mt19937_64 random(7);
   for (int trial = 0; trial < 3000; trial++) {
     __int128 sum = 0;
@@ -51,13 +51,13 @@ TEST(ExactSumOracle, agreesWithWideIntegers) {
   }
 }
 
-TEST(ExactSumOracle, staysExactOverManyTerms) {
+TEST(ExactSumOracle, StaysExactOverManyTerms) {
   ExactSum s;
   for (int k = 0; k < 2000000; k++) s.add(-0.1);
   const double head = -200000.0;
   ExactSum rest = s;
   rest.add(-head);
-  // 0.1 is that over 2^55
+  // 0.1 is this integer over 2^55
   const __int128 expected = (static_cast<__int128>(200000) << 55) -
                             static_cast<__int128>(3602879701896397) * 2000000;
   EXPECT_EQ(rest.value(), std::ldexp(static_cast<double>(expected), -55));
@@ -68,7 +68,7 @@ TEST(ExactSumOracle, staysExactOverManyTerms) {
   EXPECT_EQ(s.value(), std::ldexp(exact({head, rest.value()}), 62));
 }
 
-TEST(ExactSumOracle, notFiniteStaysNaN) {
+TEST(ExactSumOracle, NotFiniteStaysNaN) {
   for (double bad : {inf, -inf, std::numeric_limits<double>::quiet_NaN()}) {
     ExactSum s;
     s.add(1);

@@ -20,14 +20,14 @@ double sumOf(const std::vector<double>& v) {
 
 }  // namespace
 
-TEST(ExactSum, singleValuesComeBack) {
+TEST(ExactSum, SingleValuesAreUnchanged) {
   for (const double x : {0.0, 1.0, -1.0, 0.1, -1e300, DBL_MAX, -DBL_MAX, DBL_MIN, 4.9406564584124654e-324,
                          -4.9406564584124654e-324, 1e-310, 3.0e-17})
     EXPECT_EQ(sumOf({x}), x);
   EXPECT_EQ(ExactSum{}.value(), 0);
 }
 
-TEST(ExactSum, noRounding) {
+TEST(ExactSum, SumsHaveNoRounding) {
   EXPECT_EQ(sumOf({1e300, 1, -1e300}), 1);
   EXPECT_EQ(sumOf({DBL_MAX, DBL_MAX, -DBL_MAX}), DBL_MAX);
   EXPECT_EQ(sumOf({1, 1e-300, -1}), 1e-300);
@@ -35,7 +35,7 @@ TEST(ExactSum, noRounding) {
   EXPECT_TRUE(std::isinf(sumOf({DBL_MAX, DBL_MAX})));
 }
 
-TEST(ExactSum, roundsOnceToNearestEven) {
+TEST(ExactSum, RoundsOnceToNearestEven) {
   const double ulp = DBL_EPSILON;
   EXPECT_EQ(sumOf({1, ulp / 2}), 1);
   EXPECT_EQ(sumOf({1, ulp / 2, 1e-300}), 1 + ulp);
@@ -43,7 +43,7 @@ TEST(ExactSum, roundsOnceToNearestEven) {
   EXPECT_EQ(sumOf({-1, -ulp / 2, -1e-300}), -1 - ulp);
 }
 
-TEST(ExactSum, orderAndPartitionDoNotMatter) {
+TEST(ExactSum, OrderAndPartitionDoNotMatter) {
   std::mt19937_64 random(5);
   std::vector<double> v;
   for (int n = 0; n < 4000; n++)
@@ -70,7 +70,7 @@ TEST(ExactSum, orderAndPartitionDoNotMatter) {
   EXPECT_EQ(sumOf(v), 0);
 }
 
-TEST(ExactSum, nonFiniteIsNotHidden) {
+TEST(ExactSum, NonFiniteIsNotHidden) {
   EXPECT_TRUE(std::isnan(sumOf({1, NAN})));
   EXPECT_TRUE(std::isnan(sumOf({INFINITY, -5})));
   EXPECT_TRUE(std::isnan(sumOf({-INFINITY})));

@@ -5,7 +5,7 @@
 namespace thaw {
 namespace {
 
-TEST(HashRandom, isUniformAndIndependent) {
+TEST(HashRandom, IsUniformAndIndependent) {
   double mean = 0, correlation = 0;
   const int n = 100000;
   for (int k = 0; k < n; k++) {

@@ -16,8 +16,8 @@ TEST(Sort, CellsAscendAndIdsAscendWithinACell) {
   }
 }
 
-/// Shares of a spacing by which particles move: few change their cell (rows move in place), some, most (all
-/// are merged).
+/// Displacements in spacings: few particles change their cell (rows move in place), some do, or most (all are
+/// merged).
 class SortMoved : public testing::TestWithParam<double> {};
 
 TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
@@ -27,7 +27,7 @@ TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
     for (std::size_t i = 0; i < p.owned; i++) {
       p.position[i].x += GetParam() * 0.01 *
                          (hashed(p.id[i] + 7919 * static_cast<std::uint64_t>(round)) - 0.5);
-      p.mass[i] = static_cast<double>(p.id[i]);  // the columns of all widths are to follow
+      p.mass[i] = static_cast<double>(p.id[i]);  // columns of all widths must follow
       p.velocity[i] = Vec3d{1, 2, 3} * p.mass[i];
       p.material[i] = static_cast<std::uint16_t>(p.id[i] % 999);
     }
@@ -35,7 +35,7 @@ TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
     Migration m;
     m.departed = {3, 17, static_cast<std::uint32_t>(p.owned - 1 - round)};
     const std::size_t last = p.owned;
-    if (round % 3 == 0) {  // two come
+    if (round % 3 == 0) {  // two arrive
       p.resize(last + 2, 0);
       m.arrivals = 2;
       for (std::size_t i = last; i < last + 2; i++) {
@@ -65,8 +65,8 @@ TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
     EXPECT_EQ(total, p.owned);
   }
 }
-// Born here in another rank's cell: it departs with the rows that came, and nothing else moves.
-TEST(Sort, WhatCameAndDepartedAtOnceIsDropped) {
+// A particle created here in another rank's cell departs with the arrived rows; nothing else moves.
+TEST(Sort, RowsThatArriveAndDepartAtOnceAreDropped) {
   Block b(6, 0.1);
   Continuum& p = b.particles;
   const std::size_t before = p.owned;
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Moves, SortMoved, testing::Values(0.0, 1e-3, 0.02, 0.4,
 
 class Search : public testing::TestWithParam<const char*> {};
 
-/// Lists of every `stride`th row against all pairs.
+/// Checks the lists of every `stride`th row against all pairs.
 void expectBruteForce(const Block& b, std::uint32_t stride) {
   const Continuum& p = b.particles;
   const double h = b.grid.support;
@@ -100,7 +100,7 @@ void expectBruteForce(const Block& b, std::uint32_t stride) {
   }
 }
 
-TEST_P(Search, FindsWhatBruteForceFindsInCellAndIdOrder) {
+TEST_P(Search, EqualsBruteForceInCellAndIdOrder) {
   const PairKernels* k = pairKernels(GetParam());
   if (k == nullptr) GTEST_SKIP() << "this processor has no " << GetParam();
   Block b(11, 0.45, 2.3);
@@ -108,8 +108,8 @@ TEST_P(Search, FindsWhatBruteForceFindsInCellAndIdOrder) {
   expectBruteForce(b, 13);
 }
 
-// Hundreds of rows in a cell: many rounds of 32 for a particle, and more of them than there was room for.
-TEST_P(Search, FindsWhatBruteForceFindsInCrowdedCells) {
+// Hundreds of rows per cell: many rounds of 32 per particle, more than the initial capacity.
+TEST_P(Search, EqualsBruteForceInCrowdedCells) {
   const PairKernels* k = pairKernels(GetParam());
   if (k == nullptr) GTEST_SKIP() << "this processor has no " << GetParam();
   Block b(17, 0.45);
@@ -124,7 +124,7 @@ TEST_P(Search, FindsWhatBruteForceFindsInCrowdedCells) {
 }
 INSTANTIATE_TEST_SUITE_P(InstructionSets, Search, testing::Values("base", "avx2", "avx512"));
 
-TEST(Search, OneParticleAndNone) {
+TEST(Search, HandlesOneParticleAndNone) {
   Block one(1, 0);
   one.findNeighbours(*pairKernels());
   EXPECT_EQ(one.lists.groups, 1u);
@@ -136,7 +136,7 @@ TEST(Search, OneParticleAndNone) {
   EXPECT_EQ(none.lists.groups, 0u);
 }
 
-TEST(Search, AllInOneCell) {
+TEST(Search, HandlesAllParticlesInOneCell) {
   Block b(6, 0.3);
   for (std::size_t i = 0; i < b.particles.owned; i++)
     b.particles.position[i] = b.particles.position[i] * 0.1 + Vec3d{0.02, 0.02, 0.02};

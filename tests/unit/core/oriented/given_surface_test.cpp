@@ -1,4 +1,4 @@
-// The surface that given points with normals suggest.
+// The surface through given points with normals.
 #include "core/oriented/given_surface.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// On an ellipsoid of these half axes, along a spiral: evenly.
+/// Points on an ellipsoid with these half axes, evenly along a spiral.
 GivenPoints onEllipsoid(int count, const Vec3d& axes) {
   GivenPoints g;
   for (int k = 0; k < count; k++) {
@@ -34,19 +34,19 @@ double worstOff(const GivenPoints& g, const Vec3d& axes) {
     EXPECT_TRUE(projectOnGiven(g, place, normal));
     const Vec3d q{place.x / axes.x, place.y / axes.y, place.z / axes.z},
         slope{q.x / axes.x, q.y / axes.y, q.z / axes.z};
-    worst = std::max(worst, std::abs(dot(q, q) - 1) / (2 * length(slope)));  // distance, of first order
+    worst = std::max(worst, std::abs(dot(q, q) - 1) / (2 * length(slope)));  // distance, to first order
     EXPECT_GT(dot(normal, normalized(slope)), 0.97);
   }
   return worst;
 }
 
-TEST(GivenSurface, OfASphereIsASphere) { EXPECT_LT(worstOff(onSphere(60), {0.3, 0.3, 0.3}), 1e-12); }
+TEST(GivenSurface, SpherePointsGiveASphere) { EXPECT_LT(worstOff(onSphere(60), {0.3, 0.3, 0.3}), 1e-12); }
 
-TEST(GivenSurface, OfAnEllipsoidComesNearerWithMorePoints) {
+TEST(GivenSurface, ConvergesToAnEllipsoid) {
   const Vec3d axes{0.3, 0.25, 0.2};
   const double few = worstOff(onEllipsoid(80, axes), axes), many = worstOff(onEllipsoid(320, axes), axes);
   EXPECT_LT(few, 2e-3);
-  EXPECT_LT(many, 0.25 * few);  // at half the distance: of second order at least
+  EXPECT_LT(many, 0.25 * few);  // at half the distance: second order at least
 }
 
 TEST(GivenSurface, GoesThroughItsPointsAndEndsBeyondThem) {
@@ -60,9 +60,9 @@ TEST(GivenSurface, GoesThroughItsPointsAndEndsBeyondThem) {
   EXPECT_FALSE(projectOnGiven(g, far, normal));
 }
 
-// Two thirds of them evenly, the others where the surface through them would err most: none is far from all,
-// and no two are in one place.
-TEST(GivenSurface, ThinnedPointsAreAsManyAsAskedForAndLeaveNoPlaceOut) {
+// Two thirds of the thinned points are even, the others are where the surface would err most. No region is
+// left out, and no two points coincide.
+TEST(GivenSurface, ThinningKeepsTheRequestedNumberAndCoversTheSurface) {
   OrientedBody b;
   b.shape.kind = ShapeKind::Mesh;
   b.shape.mesh = "builtin:head";
@@ -84,8 +84,7 @@ TEST(GivenSurface, ThinnedPointsAreAsManyAsAskedForAndLeaveNoPlaceOut) {
     for (const Vec3d& kept : few.places) nearest = std::min(nearest, length(x - kept));
     farthest = std::max(farthest, nearest);
   }
-  EXPECT_LT(farthest, 5.5 * 0.04);  // the distance of points of two thirds of 5 %, if they were even: 1 /
-                                    // sqrt(.033)
+  EXPECT_LT(farthest, 5.5 * 0.04);  // distance of even points, two thirds of 5 %: 1 / sqrt(0.033)
 }
 
 }  // namespace

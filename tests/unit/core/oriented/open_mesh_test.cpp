@@ -1,4 +1,4 @@
-// A mesh as the source of an oriented body: an open one as it is, a closed one by its distance as shapes.
+// A mesh as the source of an oriented body: an open one as it is, a closed one by its distance function.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ MadePoints pointsOf(const TriangleMesh& m, OrientedBody b = ofMesh("m")) {
   return makePoints(b, spacing, 1, [&](const std::string&) { return m; });
 }
 
-/// A bowl: the lower half of a ball of .3 m.
+/// A bowl: the lower half of a ball of 0.3 m.
 TriangleMesh bowl() {
   TriangleMesh m = ballMesh({}, 0.3, 0.04);
   std::erase_if(m.triangles, [&](const auto& t) {
@@ -47,7 +47,7 @@ double nearestPair(const MadePoints& m) {
   return 1;
 }
 
-TEST(OpenMesh, IsTakenAsItIs) {
+TEST(OpenMesh, IsUsedUnchanged) {
   const TriangleMesh mesh = bowl();
   const TriangleBvh tree(mesh);
   const MadePoints m = pointsOf(mesh);
@@ -58,8 +58,8 @@ TEST(OpenMesh, IsTakenAsItIs) {
     turned = std::min(turned, dot(m.normals[i], there.normal));
     low = std::min(low, m.places[i].z), high = std::max(high, m.places[i].z);
   }
-  EXPECT_LT(off, 1e-9) << "none is on a lid";
-  EXPECT_GT(turned, 0.8) << "smooth ones, on triangles of two spacings";
+  EXPECT_LT(off, 1e-9) << "no particle closes the opening";
+  EXPECT_GT(turned, 0.8) << "smooth normals on triangles of two spacings";
   EXPECT_LT(low, -0.29);
   EXPECT_GT(high, -spacing) << "up to the border";
   double area = 0;
@@ -68,12 +68,12 @@ TEST(OpenMesh, IsTakenAsItIs) {
                                mesh.vertices[t[2]] - mesh.vertices[t[0]]));
   const double cells = area / (0.86602540378443865 * spacing * spacing);
   EXPECT_NEAR(static_cast<double>(m.places.size()), cells, 0.05 * cells);
-  EXPECT_GT(nearestPair(m), 0.8) << "a lid over the border, or two layers, would have pairs in one place";
+  EXPECT_GT(nearestPair(m), 0.8) << "a closed border or two layers would have coincident pairs";
   ASSERT_EQ(m.notes.size(), 1u);
   EXPECT_NE(m.notes[0].find("mesh 'm': open ("), std::string::npos) << m.notes[0];
 }
 
-TEST(OpenMesh, FlatOnesAndSingleQuadsHaveNoVolumeAndNeedNone) {
+TEST(OpenMesh, FlatMeshesNeedNoVolume) {
   const MadePoints m = pointsOf(quad(0.2));
   EXPECT_NEAR(static_cast<double>(m.places.size()), 115, 10);
   for (const Vec3d& n : m.normals) EXPECT_EQ(n, (Vec3d{0, 0, 1}));
@@ -83,7 +83,7 @@ TEST(OpenMesh, FlatOnesAndSingleQuadsHaveNoVolumeAndNeedNone) {
   EXPECT_EQ(pointsOf(quad(0.2), few).notes, m.notes);
 }
 
-TEST(OpenMesh, WhatIsMendedIsTold) {
+TEST(OpenMesh, RepairsAreReported) {
   TriangleMesh m = quad(0.1);
   m.vertices.push_back({0.05, 0.05, 0.1});
   m.triangles.push_back({2, 0, 4});  // at the diagonal of the quad
@@ -97,7 +97,7 @@ TEST(OpenMesh, WhatIsMendedIsTold) {
                                      "turned to agree with their neighbours"});
 }
 
-TEST(OpenMesh, ClosedOnesAreCoveredAsShapes) {
+TEST(OpenMesh, ClosedMeshesAreSampledAsShapes) {
   TriangleMesh ball = ballMesh({}, 0.1, 0.02);
   const auto load = [&](const std::string&) { return ball; };
   const MadePoints m = makePoints(ofMesh("m"), spacing, 1, load),
@@ -110,9 +110,8 @@ TEST(OpenMesh, ClosedOnesAreCoveredAsShapes) {
             std::vector<std::string>{"mesh 'm': 1 shell turned the right side out"});
 }
 
-// What thaw writes of a surface is a surface for thaw: its particles are where a mesh of such particles has
-// them, and stay there.
-TEST(OpenMesh, ASurfaceThatIsReadBackKeepsItsSize) {
+// An exported surface can be read as a surface: its particles keep their positions.
+TEST(OpenMesh, ReimportedSurfaceKeepsItsSize) {
   TriangleMesh m = quad(0.2);
   for (int k = 0; k < 3; k++) {
     const MadePoints p = pointsOf(m);

@@ -1,4 +1,4 @@
-// Forces and torques against finite differences of the energy; what the four potentials are zero for.
+// Forces and torques against finite differences of the energy, and the zeros of the four potentials.
 #include "core/oriented/pair_potential.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// What a contact of an oriented surface stores before a particle is through: more than it comes with,
-// whatever the masses and spacings.
+// The contact of an oriented surface stores more energy than the kinetic energy of a particle before the
+// particle is through, for any masses and spacings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,25 +46,25 @@ TEST(OrientedContactPlan, FollowsTheBonds) {
   EXPECT_NEAR(b / a, 1e5, 1);
 }
 
-// The slope that bounds the step is that of the force, and is known before contact begins.
-TEST(OrientedContactPlan, SeesContactComing) {
+// The stiffness that limits the step is that of the force, and is known before contact begins.
+TEST(OrientedContactPlan, IncludesApproachingContact) {
   const Scene s = sceneOf(0.01, 1e5, 10);
   const OrientedContact c = planOrientedContact(s, liquidMaterials(s))[0];
   TouchLaw law = contactLaw(c, 0, 1e-3, 1e-4);
-  law.restitution = 1;  // the dashpot is no slope
+  law.restitution = 1;  // the dashpot adds no stiffness
   const double depth = 0.5 * c.room, d = 1e-8;
   const double difference = (touchOf(law, depth + d, {0, 0, 1}, {}).force.z -
                              touchOf(law, depth - d, {0, 0, 1}, {}).force.z) /
                             (2 * d);
   EXPECT_NEAR(touchOf(law, depth, {0, 0, 1}, {}).slope, difference, 1e-6 * difference);
-  EXPECT_EQ(slopeAhead(law, -1e-3, -1), 0);  // a tenth of a millimetre a step
+  EXPECT_EQ(slopeAhead(law, -1e-3, -1), 0);  // a tenth of a millimetre per step
   EXPECT_GT(slopeAhead(law, -1e-3, -20), 0);
-  EXPECT_EQ(slopeAhead(law, -1e-3, 20), 0);  // it leaves
+  EXPECT_EQ(slopeAhead(law, -1e-3, 20), 0);  // it separates
 }
 
-// Toward obstacles: the push is the slope of its energy, the slope that of the push; at full depth it is more
-// than bonds can pull and has stored more than a particle comes with.
-TEST(OrientedContactPlan, HoldsASurfaceOffObstacles) {
+// Toward obstacles: force and stiffness are the derivatives of one energy. At full depth the force exceeds
+// the strength of bonds, and the stored energy exceeds the kinetic energy of a particle.
+TEST(OrientedContactPlan, KeepsASurfaceOffObstacles) {
   for (const double density : {0.1, 100.0}) {
     Scene s = sceneOf(0.01, 1e5, 10);
     s.oriented[0].density = density;

@@ -1,4 +1,4 @@
-// When a relaxation is given up, and when not.
+// Conditions that end a relaxation without rest.
 #include "core/oriented/relax_progress.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-/// The iteration at which a relaxation with these figures is given up; -1: never, of so many.
+/// Iteration at which a relaxation with these figures ends; -1 if it does not end within `most`.
 template<class Force, class Particles>
 std::int64_t endOf(std::int64_t most, const Force& force, const Particles& particles) {
   RelaxProgress p;
@@ -17,7 +17,7 @@ std::int64_t endOf(std::int64_t most, const Force& force, const Particles& parti
   return -1;
 }
 
-TEST(RelaxProgress, EndsWhereNothingGetsBetter) {
+TEST(RelaxProgress, EndsWithoutImprovement) {
   const auto always = [](std::int64_t n) { return [n](std::int64_t) { return n; }; };
   EXPECT_LT(endOf(
                 100000, [](std::int64_t k) { return 2 + std::sin(static_cast<double>(k)); }, always(900)),
@@ -25,13 +25,13 @@ TEST(RelaxProgress, EndsWhereNothingGetsBetter) {
   EXPECT_EQ(endOf(
                 100000, [](std::int64_t) { return 1.0; }, always(900)),
             relaxPatience(900));
-  // who comes and who goes: no growth
+  // births balance deaths: no growth
   EXPECT_LT(endOf(
                 100000, [](std::int64_t) { return 1.0; }, [](std::int64_t k) { return 1000 + k % 15; }),
             2 * relaxPatience(1000));
 }
 
-TEST(RelaxProgress, GoesOnWhereSomethingDoes) {
+TEST(RelaxProgress, ContinuesWithImprovement) {
   EXPECT_EQ(endOf(
                 100000, [](std::int64_t k) { return std::exp(-2e-4 * static_cast<double>(k)); },
                 [](std::int64_t) { return 900; }),
@@ -39,7 +39,7 @@ TEST(RelaxProgress, GoesOnWhereSomethingDoes) {
   EXPECT_EQ(endOf(
                 100000, [](std::int64_t) { return 1.0; }, [](std::int64_t k) { return 1000 + k / 10; }),
             -1);
-  // at rest with few, which was before the others came
+  // at rest with few particles, before others are added
   EXPECT_EQ(
       endOf(
           3000, [](std::int64_t k) { return k < 10 ? 0.0 : 1e3 * std::exp(-1e-3 * static_cast<double>(k)); },
@@ -47,8 +47,9 @@ TEST(RelaxProgress, GoesOnWhereSomethingDoes) {
       -1);
 }
 
-TEST(RelaxProgress, OfWhatIsBoundedThereIsAnEnd) {
-  // the slowest that still counts: a tenth less, and a fiftieth more, each at the last moment
+TEST(RelaxProgress, BoundedProgressEnds) {
+  // the slowest progress that still counts: a tenth less force, a fiftieth more particles, each at the last
+  // moment
   RelaxProgress p;
   std::int64_t particles = 1000, k = 0, waited = 0;
   double force = 1;

@@ -7,8 +7,8 @@
 namespace thaw {
 namespace {
 
-// On a lattice any distance keeps a few of many points or all: the search for one that keeps the wanted share
-// ended with all.
+// On a lattice any distance keeps either few points or all. The search for the wanted share must not end with
+// all.
 TEST(ThinPoints, KeepsTheWantedShareOfALattice) {
   MadePoints m;
   for (int j = 0; j < 18; j++)

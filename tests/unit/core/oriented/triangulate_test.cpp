@@ -33,7 +33,7 @@ TEST(Triangulate, SphereIsClosed) {
     EXPECT_GT(dot(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]), points[t[0]]), 0);
 }
 
-TEST(Triangulate, CutsAndGroupsSeparate) {
+TEST(Triangulate, CutsAndGroupsSeparateParts) {
   std::vector<Vec3d> points, normals;
   std::vector<std::uint64_t> sides;
   for (int j = 0; j < 9; j++)
@@ -45,14 +45,14 @@ TEST(Triangulate, CutsAndGroupsSeparate) {
   const std::vector<double> spacing(points.size(), 1.0);
   const auto whole = triangulate({points, normals, spacing, {}, {}}),
              cut = triangulate({points, normals, spacing, {}, sides});
-  // and 7 at the teeth of the left and right borders, where nothing is in the sphere from outside
+  // plus 7 at the teeth of the left and right borders, where the outside of the sphere is empty
   EXPECT_EQ(whole.size(), 8u * 9 * 2 + 7);
   EXPECT_EQ(cut.size(), 8u * 8 * 2 + 14);
   for (const auto& t : cut) EXPECT_TRUE(sides[t[0]] == sides[t[1]] && sides[t[1]] == sides[t[2]]);
 }
 
 using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
-/// How often triangles run along each directed edge.
+/// Number of triangles that run along each directed edge.
 Edges directed(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   Edges sides;
   for (const auto& t : triangles)
@@ -68,8 +68,8 @@ std::size_t borderOf(const Edges& sides) {
   return border;
 }
 
-// A fold as sharp as its spacing, all places off by a quarter of it: the test of each triangle by itself
-// gives edges with three, and holes.
+// A fold as sharp as its spacing, with positions displaced by a quarter of it. Testing each triangle alone
+// gives edges with three triangles, and holes.
 constexpr int foldSize = 24;
 OrientedPoints foldOf(std::uint64_t seed, double steep, std::vector<Vec3d>& points,
                       std::vector<Vec3d>& normals, std::vector<double>& spacing) {
@@ -88,18 +88,18 @@ OrientedPoints foldOf(std::uint64_t seed, double steep, std::vector<Vec3d>& poin
   return {points, normals, spacing, {}, {}};
 }
 
-TEST(Triangulate, AnEdgeHasTwoTrianglesAtMostAndHolesAreFilled) {
+TEST(Triangulate, EdgesHaveAtMostTwoTrianglesAndHolesAreFilled) {
   std::vector<Vec3d> points, normals;
   std::vector<double> spacing;
   const auto triangles = triangulate(foldOf(0, 1.4, points, normals, spacing));
   const std::size_t border = borderOf(directed(triangles));
   EXPECT_GT(triangles.size(), 1000u);
-  EXPECT_LT(border, 4u * foldSize + 20);  // the rim alone
+  EXPECT_LT(border, 4u * foldSize + 20);  // only the rim
 }
 
-// Where a hole's corners are joined by other triangles already no ear is free: these go, and it is closed
-// with what they leave.
-TEST(Triangulate, HolesInSharpFoldsAreClosedAnew) {
+// Where other triangles join a hole's corners, no ear is free: these are removed, and the larger hole is
+// closed.
+TEST(Triangulate, HolesInSharpFoldsAreClosed) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 60; seed++) {
     std::vector<Vec3d> points, normals;
@@ -137,7 +137,7 @@ TEST(Triangulate, ACurveIsJoinedToALine) {
   for (std::uint32_t k = 0; k < 29; k++) EXPECT_TRUE(lines[k][0] == k && lines[k][1] == k + 1);
 }
 
-TEST(PointTree, NearestAreThoseOfAPlainSearch) {
+TEST(PointTree, NearestEqualAPlainSearch) {
   std::vector<Vec3d> points;
   for (std::uint64_t k = 0; k < 600; k++)
     points.push_back({randomUniform(1, Purpose::Test, k), randomUniform(2, Purpose::Test, k),

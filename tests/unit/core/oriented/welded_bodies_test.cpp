@@ -1,4 +1,4 @@
-// Events that a weld has left without particles, in the order in which events are done.
+// Events of bodies that a weld has left without particles, in the order of their execution.
 #include "core/oriented/welded_bodies.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct Bodies {
     e.time = time;
     s.oriented[static_cast<std::size_t>(body)].events.push_back(e);
   }
-  /// "b.0: b in a by 0.1", a piece for each.
+  /// Text such as "b.0: b in a by 0.1" for each event.
   std::string found() const {
     std::string text;
     for (const EventOfWelded& f : eventsOfWelded(s))
@@ -36,7 +36,7 @@ struct Bodies {
   }
 };
 
-TEST(WeldedBodies, EventsBeforeTheWeldAndOfTheWholeAreGood) {
+TEST(WeldedBodies, AcceptsEventsBeforeTheWeldAndOfTheWhole) {
   Bodies x;
   x.weld(0, 1, 0.2);
   x.cut(1, 0.1);
@@ -45,7 +45,7 @@ TEST(WeldedBodies, EventsBeforeTheWeldAndOfTheWholeAreGood) {
   EXPECT_EQ(x.found(), "");
 }
 
-TEST(WeldedBodies, EventsAfterItNameNobody) {
+TEST(WeldedBodies, FindsLaterEventsOfWeldedBodies) {
   Bodies x;
   x.weld(0, 1, 0.2);
   x.cut(1, 0.3);
@@ -55,7 +55,7 @@ TEST(WeldedBodies, EventsAfterItNameNobody) {
   EXPECT_EQ(x.found(), "b.0: b in a by 0.2, c.0: b in a by 0.2, a.1: b in a by 0.2, b.1: b in a by 0.2");
 }
 
-TEST(WeldedBodies, TheWholeMayBeWeldedInItsTurn) {
+TEST(WeldedBodies, WholeMayBeWeldedAgain) {
   Bodies x;
   x.weld(0, 1, 0.1);
   x.weld(2, 0, 0.2);
@@ -65,9 +65,9 @@ TEST(WeldedBodies, TheWholeMayBeWeldedInItsTurn) {
   EXPECT_EQ(x.found(), "a.1: a in c by 0.2, b.0: b in c by 0.1");
 }
 
-TEST(WeldedBodies, AtOneTimeTheOrderIsThatOfTheScene) {
+TEST(WeldedBodies, SimultaneousEventsFollowTheOrderOfTheScene) {
   Bodies x;
-  x.weld(1, 0, 0.1);  // after what a does at that time
+  x.weld(1, 0, 0.1);  // after the event of a at that time
   x.cut(0, 0.1);
   x.cut(2, 0.1);
   EXPECT_EQ(x.found(), "");

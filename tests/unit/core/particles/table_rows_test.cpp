@@ -14,7 +14,7 @@ struct Small : Table {
   Column<double> owned_{*this, "owned", "1", Keep::State, "of owned rows", Rows::Owned};
 };
 
-TEST(Table, GhostsHaveNoRowsOfFieldsThatNobodyAsksOfThem) {
+TEST(Table, GhostsHaveNoRowsOfOwnedFields) {
   Small t;
   t.resize(5, 0);
   t.activate(t.everywhere);
@@ -29,7 +29,7 @@ TEST(Table, GhostsHaveNoRowsOfFieldsThatNobodyAsksOfThem) {
   for (std::size_t i = 0; i < order.size(); i++) EXPECT_EQ(t.owned_[i], static_cast<double>(order[i]));
 }
 
-TEST(Table, ExchangesRefuseThem) {
+TEST(Table, ExchangesRefuseOwnedFields) {
   Small t;
   std::vector<AnyColumn*> chosen;
   t.activate(t.everywhere);

@@ -18,7 +18,7 @@ std::vector<std::int64_t> pointsOf(const SignedDistance& shape, const SampleLatt
   return points;
 }
 
-TEST(CellShares, OfWholeCellsAreWhole) {
+TEST(CellShares, WholeCellsAreFull) {
   const BoxDistance box({0.6, 0.4, 0.3});
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);
@@ -26,8 +26,8 @@ TEST(CellShares, OfWholeCellsAreWhole) {
   for (const std::int32_t s : cellShares(box, l, points)) EXPECT_EQ(s, wholeCell);
 }
 
-TEST(CellShares, OfABoxOfNoWholeNumberOfCellsHoldIt) {  // 5.35 cells: six points, the outer cells are two
-                                                        // thirds full
+TEST(CellShares, HoldTheVolumeOfABoxWithPartialCells) {  // 5.35 cells: six points, the outer cells are two
+                                                         // thirds full
   const BoxDistance box({0.535, 0.4, 0.4});
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);
@@ -35,11 +35,11 @@ TEST(CellShares, OfABoxOfNoWholeNumberOfCellsHoldIt) {  // 5.35 cells: six point
   const std::vector<std::int32_t> shares = cellShares(box, l, points);
   for (std::size_t k = 0; k < points.size(); k++) {
     const std::int64_t i = points[k] % l.count[0];
-    EXPECT_EQ(shares[k], i == 0 || i == 5 ? 48 : 64);  // of four layers of samples three
+    EXPECT_EQ(shares[k], i == 0 || i == 5 ? 48 : 64);  // three of four layers of samples
   }
 }
 
-TEST(CellShares, OfABallAreItsVolumeAndAsManyRanksAsOneGiveThem) {
+TEST(CellShares, HoldTheVolumeOfABallOnAnyNumberOfRanks) {
   const SphereDistance ball(0.83);
   const SampleLattice l = sampleLattice(ball, 0.1);
   const std::vector<std::int64_t> points = pointsOf(ball, l);
@@ -47,7 +47,7 @@ TEST(CellShares, OfABallAreItsVolumeAndAsManyRanksAsOneGiveThem) {
   const double volume = 4.0 / 3 * 3.14159265358979 * 0.83 * 0.83 * 0.83, cells = volume / 1e-3;
   EXPECT_NEAR(static_cast<double>(std::accumulate(shares.begin(), shares.end(), std::int64_t{0})) / wholeCell,
               cells, 0.002 * cells);
-  // what is nearest to a point is its share, by a finer lattice of samples
+  // the share of a point is its nearest region, by a finer lattice of samples
   std::int32_t least = wholeCell, most = wholeCell;
   for (std::size_t k = 0; k < points.size(); k++) {
     least = std::min(least, shares[k]), most = std::max(most, shares[k]);

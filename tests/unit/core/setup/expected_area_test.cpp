@@ -7,12 +7,12 @@
 namespace thaw {
 namespace {
 
-TEST(ExpectedArea, IsThatOfBoxesAndNearlyThatOfOthers) {
+TEST(ExpectedArea, IsExactForBoxesAndCloseForOthers) {
   constexpr double pi = 3.14159265358979323846;
   const auto areaOf = [](const Shape& s) { return expectedArea({makeSignedDistance(s)}); };
   Shape box;
   box.size = {12, 10, 6};
-  EXPECT_NEAR(areaOf(box), 504, 1e-6);  // by the mean over all directions it was a third less
+  EXPECT_NEAR(areaOf(box), 504, 1e-6);  // a mean over all directions would give a third less
   box.size = {16, 16, 1};
   EXPECT_NEAR(areaOf(box), 576, 1e-6);
   box.rotate = {0.3, 0.5, 0.7};
@@ -27,7 +27,7 @@ TEST(ExpectedArea, IsThatOfBoxesAndNearlyThatOfOthers) {
   cut.parts[0].size = {12, 10, 8};
   cut.parts[0].rotate = {};
   EXPECT_NEAR(areaOf(cut) / (592 + 36 * pi), 1, 0.02);
-  Shape bust;  // of a mesh it is known
+  Shape bust;  // a mesh has a known area
   bust.kind = ShapeKind::Mesh;
   bust.mesh = "builtin:bust";
   EXPECT_EQ(areaOf(bust), thaw::areaOf(builtinMesh(bust.mesh)));

@@ -1,4 +1,4 @@
-// Numbers of particles and vertices before they are made, against those that are made.
+// Estimated numbers of particles and vertices against the created ones.
 #include "core/setup/expected_rows.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ Scene sceneOf(double spacing) {
   return s;
 }
 
-TEST(ExpectedRows, OfOrientedBodiesAreAboutThoseThatAreMade) {
+TEST(ExpectedRows, ApproximateThoseOfOrientedBodies) {
   Scene s = sceneOf(0.02);
   for (int k = 0; k < 6; k++) s.oriented.emplace_back();
   s.oriented[0].source = OrientedSource::Patch;
@@ -41,7 +41,7 @@ TEST(ExpectedRows, OfOrientedBodiesAreAboutThoseThatAreMade) {
   }
 }
 
-TEST(ExpectedRows, OfSheetsAreThoseThatAreMade) {
+TEST(ExpectedRows, EqualThoseOfSheets) {
   Scene s = sceneOf(0.03);
   for (const SheetMesh mesh :
        {SheetMesh::Grid, SheetMesh::Sphere, SheetMesh::Head, SheetMesh::Dome, SheetMesh::Forehead}) {
@@ -62,9 +62,9 @@ TEST(ExpectedRows, NoSpacingOverflows) {
   for (const ExpectedRows& e : expectedRows(s, {})) EXPECT_GT(e.rows, 1e23);
 }
 
-// A surface that is much finer than the scene's spacing, of which nothing else is: cells are as long as its
-// particles see, or each would hold thousands.
-TEST(ExpectedRows, CellsFollowTheFinestWhereThereIsNoContinuum) {
+// A surface that is much finer than the scene's spacing, without a continuum: cells follow the range of its
+// particles, or each would hold thousands.
+TEST(ExpectedRows, CellsFollowTheFinestBodyWithoutAContinuum) {
   Scene s = sceneOf(0.05);
   s.oriented.emplace_back().spacing = 1e-3;
   EXPECT_LT(makeGrid(s).edge.x, 5e-3);
@@ -72,7 +72,7 @@ TEST(ExpectedRows, CellsFollowTheFinestWhereThereIsNoContinuum) {
   EXPECT_GE(makeGrid(s).edge.x, 0.05 * s.numerics.support);
 }
 
-TEST(MadePoints, APatchThatIsScaledKeepsItsSpacing) {
+TEST(MadePoints, ScaledPatchKeepsItsSpacing) {
   OrientedBody b;
   b.source = OrientedSource::Patch;
   b.shape.scale = 2;

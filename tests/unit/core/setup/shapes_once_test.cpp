@@ -1,5 +1,5 @@
-// A mesh is read, mended and its tree made once in a start: of 100,000 triangles that takes as long as ten
-// steps.
+// A mesh is read and repaired and its tree built once per start. For 100,000 triangles that takes as long as
+// ten steps.
 #include <gtest/gtest.h>
 
 #include "core/halo/serial.hpp"
@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-TEST(Shapes, OfBodiesAreMadeOnce) {
+TEST(Shapes, AreBuiltOncePerBody) {
   World w;
   Scene& s = w.scene;
   s.spacing = 0.1;

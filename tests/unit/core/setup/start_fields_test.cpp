@@ -1,4 +1,4 @@
-// Velocities and temperatures of the start that vary with position; the automatic sound speed.
+// Initial velocities and temperatures that vary with position; the automatic sound speed.
 #include <gtest/gtest.h>
 
 #include "core/fluid/liquid_materials.hpp"
@@ -14,7 +14,7 @@ PositionField fieldOf(const char* key, std::function<double(const Vec3d&)> value
   return {"f(x, y, z)", key, {"fields.toml", 7, 3}, std::move(value)};
 }
 
-/// Water in a box of 1 m edges around `middle`, 20 spacings a side, without gravity.
+/// Water in a box of 1 m edges around `middle`, 20 spacings per side, without gravity.
 Scene waterBox(const Vec3d& middle = {}) {
   Scene s;
   s.spacing = 0.1;
@@ -65,7 +65,7 @@ TEST(StartFields, ParticlesHaveTheLinearFieldOnTopOfVelocityAndSpin) {
   }
 }
 
-TEST(StartFields, ExpressionsAreOfThePlaceInTheScene) {
+TEST(StartFields, ExpressionsUseScenePositions) {
   Scene s = waterBox({0.3, 0, 0});
   s.bodies[0].velocityField.component[1] = fieldOf("body.box.velocity.y",
                                                    [](const Vec3d& x) { return x.x * x.z; });
@@ -77,8 +77,8 @@ TEST(StartFields, ExpressionsAreOfThePlaceInTheScene) {
   }
 }
 
-// Its box is 10.5 spacings wide, and has 10 layers of liquid.
-TEST(StartFields, TheExpectedSpeedIsThatOfTheFastestParticle) {
+// Its box is 10.5 spacings wide and has 10 layers of liquid.
+TEST(StartFields, ExpectedSpeedIsThatOfTheFastestParticle) {
   Scene s = waterBox();
   s.bodies[0].shape.size = {1.05, 1.05, 1.05};
   s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x",
@@ -90,7 +90,7 @@ TEST(StartFields, TheExpectedSpeedIsThatOfTheFastestParticle) {
   EXPECT_DOUBLE_EQ(expectedFlow(run.w.scene).speed, fastest);
 }
 
-TEST(StartFields, RelaxedParticlesAndThoseAcrossASideHaveTheFieldOfTheirPlace) {
+TEST(StartFields, RelaxedAndWrappedParticlesHaveTheFieldOfTheirPosition) {
   Scene s = waterBox({1.8, 0, 0});  // reaches over the side at x = 2
   s.domain.side[0][0] = s.domain.side[0][1] = Side::Periodic;
   s.bodies[0].packing = Packing::Relaxed;
@@ -128,7 +128,7 @@ TEST(StartFields, ATemperatureFieldSwitchesHeatOnAndDecidesAboutPhases) {
     EXPECT_EQ(run.particles().phase[i] == Liquid, run.particles().position[i].z > 0);
 }
 
-TEST(StartFields, ValuesThatAreNoneAreAnErrorWithItsPlace) {
+TEST(StartFields, InvalidValuesAreErrorsWithTheirPlace) {
   Scene s = waterBox();
   s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x", [](const Vec3d& x) {
     return x.x < -0.4 && x.y < -0.4 && x.z < -0.3 ? NAN : 1.0;
@@ -152,7 +152,7 @@ TEST(StartFields, ValuesThatAreNoneAreAnErrorWithItsPlace) {
 
 namespace {
 
-/// A jet upward out of a disc of 0.25 m, where the domain begins.
+/// An upward jet out of a disc of 0.25 m at the border of the domain.
 Scene jet() {
   Scene s = waterBox();
   s.bodies.clear();
@@ -169,7 +169,7 @@ Scene jet() {
 
 }  // namespace
 
-TEST(StartFields, AnEmitterSwirlsAndIsWarmByPlace) {
+TEST(StartFields, EmitterFieldsVaryWithPosition) {
   Scene s = jet();
   s.materials[0].conductivity = {1e-9, 1e-9};
   s.emitters[0].velocityField.linear = true;
@@ -181,7 +181,7 @@ TEST(StartFields, AnEmitterSwirlsAndIsWarmByPlace) {
   ASSERT_GT(run.particles().owned, 100u);
   for (std::size_t i = 0; i < run.particles().owned; i++) {
     const Vec3d x = run.particles().position[i], v = run.particles().velocity[i];
-    const Vec3d opening = x - v * (x.z / 2);  // where it leaves
+    const Vec3d opening = x - v * (x.z / 2);  // position in the opening
     EXPECT_NEAR(v.x, -2 * opening.y, 1e-9);
     EXPECT_NEAR(v.y, 2 * opening.x, 1e-9);
     EXPECT_EQ(v.z, 2);
@@ -191,7 +191,7 @@ TEST(StartFields, AnEmitterSwirlsAndIsWarmByPlace) {
   EXPECT_LT(std::abs(run.books().energyResidual), 0.02 * run.books().energyScale);
 }
 
-TEST(StartFields, AnEmitterRefusesAProfileAndASpreadInItsNozzle) {
+TEST(StartFields, EmitterRefusesAProfileAndASpreadInItsNozzle) {
   Scene s = jet();
   s.emitters[0].velocityField.component[2] = fieldOf("emitter.jet.velocity.z",
                                                      [](const Vec3d& x) { return x.x; });
@@ -223,7 +223,7 @@ TEST(ExpectedSpeed, CountsTheFastestParticleOfSpinsAndFields) {
   EXPECT_NEAR(speedOf(s), 9.5, 1e-9);
 }
 
-TEST(ExpectedSpeed, CountsEmittersWithTheirFallAndTheColumnsThatTheyFill) {
+TEST(ExpectedSpeed, CountsFallsAndFilledColumnsOfEmitters) {
   Scene s = jet();
   s.domain.gravity = {0, 0, -10};
   s.emitters[0].direction = {0, 0, -1};
@@ -245,7 +245,7 @@ TEST(ExpectedSpeed, IsEnoughForTheColumnOfABody) {
   EXPECT_LE(10 * height / (v * v / s.numerics.maxDensityError), s.numerics.maxDensityError);  // g H / c^2
 }
 
-TEST(ExpectedSpeed, CountsObstaclesThatMoveTurnAndLift) {
+TEST(ExpectedSpeed, CountsMovingTurningAndLiftingObstacles) {
   Scene s = waterBox();
   Obstacle o;
   o.name = "mixer";
@@ -267,7 +267,7 @@ TEST(ExpectedSpeed, CountsObstaclesThatMoveTurnAndLift) {
               1e-6);  // the box is 2.5 m above the bottom of the domain
 }
 
-TEST(ExpectedSpeed, TensionCountsWhereItIsFaster) {
+TEST(ExpectedSpeed, CountsTensionIfFaster) {
   Scene s = waterBox();
   s.materials[0].surfaceTension = 5000;
   Simulation run(s);

@@ -41,7 +41,7 @@ std::string warningOf(const Scene& s) {
 
 }  // namespace
 
-TEST(ThinWalls, OfLessThanTwoSpacingsAreReportedWithTheirPlace) {
+TEST(ThinWalls, BelowTwoSpacingsAreReportedWithTheirPlace) {
   const std::string one = warningOf(glassOfWater(1));
   EXPECT_EQ(one.find("glass.toml body 'glass': "), 0u) << one;
   EXPECT_NE(one.find("about 0.01 m at ("), std::string::npos) << one;

@@ -13,15 +13,15 @@ __extension__ typedef __float128 Quad;
 
 Quad size(Quad x) { return x < 0 ? -x : x; }
 
-/// exp of the 3x3 matrix of (y, y', force): scaled, by its series, and squared, in quad precision: 1e-30 and
-/// knows no special case.
+/// exp of the 3x3 matrix of (y, y', force) by its scaled and squared series, in quad precision: error 1e-30,
+/// no special cases.
 struct Reference {
   Quad hold, keep, yield, push;
 };
 Reference reference(const SpringLaw& law, double dt) {
   const Quad m = law.mass, c = law.damping, k = law.stiffness;
   Quad a[3][3] = {{0, dt, 0}, {-k / m * dt, -c / m * dt, dt / m}, {0, 0, 0}};
-  // in units in which the rows are alike
+  // in units that make the rows comparable
   Quad norm = 0;
   for (auto& row : a)
     for (const Quad x : row) norm = std::max(norm, size(x));
@@ -33,8 +33,7 @@ Reference reference(const SpringLaw& law, double dt) {
   Quad scale = 1;
   for (int i = 0; i < halvings; i++) scale /= 2;
   Quad e[3][3] = {}, term[3][3] = {};
-  for (int i = 0; i < 3; i++)
-    term[i][i] = 1;  // e holds exp - 1, so that small parts are not lost while squaring
+  for (int i = 0; i < 3; i++) term[i][i] = 1;  // e holds exp - 1, so that squaring keeps small parts
   const auto times = [](Quad(&x)[3][3], Quad(&y)[3][3], Quad(&out)[3][3]) {
     for (int i = 0; i < 3; i++)
       for (int j = 0; j < 3; j++) {
@@ -62,7 +61,7 @@ Reference reference(const SpringLaw& law, double dt) {
   return {e[0][1], 1 + e[1][1], e[0][2], e[1][2]};
 }
 
-/// Relative to the value, or for what swings through 0 to its amplitude.
+/// Error relative to the value, or to the amplitude where the value oscillates through 0.
 double error(double got, Quad expected, Quad amplitude) {
   return static_cast<double>(size(got - expected) / std::max(size(expected), amplitude));
 }
@@ -77,8 +76,7 @@ TEST(ExactStep, AllRegimesToThirteenDigits) {
         for (const double dt : {1.0, 1e-3, 17.0}) {
           const SpringLaw law{mass, c * mass / dt, w * w * mass / (dt * dt)};
           if (c > 60 && w > 60)
-            continue;  // all is over within the step: the reference would need thousands of halvings of
-                       // nothing
+            continue;  // the motion ends within the step: the reference would need thousands of halvings
           const ExactStep x = exactStep(law, dt);
           const Reference r = reference(law, dt);
           const bool swings = c < 2 * w;
@@ -94,7 +92,7 @@ TEST(ExactStep, AllRegimesToThirteenDigits) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-TEST(ExactStep, ThroughTheDoubleRoot) {
+TEST(ExactStep, IsContinuousThroughTheDoubleRoot) {
   double worst = 0;
   for (const double a : {0.01, 0.3, 0.999, 1.0, 1.5, 4.0, 20.0})
     for (const double beside : {0.0, 1e-16, -1e-16, 1e-12, -1e-12, 1e-8, -1e-8, 1e-4, -1e-4, 1e-2, -1e-2}) {
@@ -107,7 +105,7 @@ TEST(ExactStep, ThroughTheDoubleRoot) {
   EXPECT_LT(worst, 1e-13);
 }
 
-TEST(ExactStep, Limits) {
+TEST(ExactStep, HasTheKnownLimits) {
   const ExactStep ballistic = exactStep({2, 0, 0}, 3);
   EXPECT_DOUBLE_EQ(ballistic.hold, 3);
   EXPECT_DOUBLE_EQ(ballistic.keep, 1);
@@ -126,7 +124,7 @@ TEST(ExactStep, Limits) {
     EXPECT_NEAR(x.push / none.push, 1, 3 * m + 1e-15) << m;
     EXPECT_NEAR(x.hold, m * none.push, 1e-7 * m);
   }
-  for (const double k : {1e-8, 1e-12, 1e-16, 1e-30, 1e-300}) {  // to a drag without a spring
+  for (const double k : {1e-8, 1e-12, 1e-16, 1e-30, 1e-300}) {  // toward a drag without a spring
     const ExactStep x = exactStep({1, 3, k}, 3), none = exactStep({1, 3, 0}, 3);
     EXPECT_NEAR(x.yield / none.yield, 1, 3 * k + 1e-15);
     EXPECT_NEAR(x.keep / none.keep, 1, 1e4 * k + 1e-13);  // keep is e^-9
@@ -135,7 +133,7 @@ TEST(ExactStep, Limits) {
   EXPECT_THROW(exactStep({1, -1, 0}, 1), std::invalid_argument);
 }
 
-TEST(ExactStep, TwoStepsAreOneOfTwice) {
+TEST(ExactStep, TwoStepsEqualOneOfTwiceTheLength) {
   for (const SpringLaw law :
        {SpringLaw{1, 0, 0}, SpringLaw{1, 0, 40}, SpringLaw{1, 0.3, 40}, SpringLaw{1, 2, 1},
         SpringLaw{1, 30, 2}, SpringLaw{0, 3, 2}, SpringLaw{1e-9, 3, 2}, SpringLaw{2, 5, 0}})
@@ -158,7 +156,7 @@ TEST(ExactStep, TwoStepsAreOneOfTwice) {
     }
 }
 
-/// The largest growth a step of the map with a neighbour force of slope kappa.
+/// Largest growth per step of the map with a neighbour force of stiffness kappa.
 double growth(const SpringLaw& law, double kappa, double dt) {
   const ExactStep x = exactStep(law, dt);
   const SplitPush s = splitPush(law, x, dt);
@@ -174,7 +172,7 @@ double growth(const SpringLaw& law, double kappa, double dt) {
   return disc >= 0 ? std::abs(trace / 2) + std::sqrt(disc) : std::sqrt(det);
 }
 
-TEST(ExactStep, StableLimitIsTheLimit) {
+TEST(ExactStep, StableLimitIsTight) {
   for (const SpringLaw law : {SpringLaw{1, 0, 0}, SpringLaw{1, 0, 40}, SpringLaw{1, 3, 40},
                               SpringLaw{1, 30, 2}, SpringLaw{0, 3, 2}, SpringLaw{2, 5, 0}})
     for (const double kappa : {0.5, 10.0, 1e4}) {
@@ -192,7 +190,7 @@ TEST(ExactStep, StableLimitIsTheLimit) {
             << law.damping << " " << law.stiffness << " " << kappa;
       }
     }
-  EXPECT_NEAR(stableStep({2, 0, 0}, 50), 2 / std::sqrt(50.0 / 2), 1e-9);  // leap-frog's
+  EXPECT_NEAR(stableStep({2, 0, 0}, 50), 2 / std::sqrt(50.0 / 2), 1e-9);  // the limit of leap-frog
   const SpringLaw law{1, 0, 0};
   const ExactStep x = exactStep(law, 0.1);
   EXPECT_DOUBLE_EQ(splitPush(law, x, 0.1).before, 0.05);

@@ -1,4 +1,4 @@
-// Nearest points by shares of corners: of a triangle, and of two edges.
+// Nearest points of a triangle and of two edges, as weights of corners.
 #include "core/sheet/nearest_points.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-TEST(NearestPoints, SharesAreThoseOfTheNearestPoint) {
+TEST(NearestPoints, WeightsGiveTheNearestPoint) {
   std::uint64_t n = 0;
   const auto random = [&] { return 2 * randomUniform(7, Purpose::Jitter, n++) - 1; };
   const auto place = [&] { return Vec3d{random(), random(), random()}; };
@@ -25,7 +25,7 @@ TEST(NearestPoints, SharesAreThoseOfTheNearestPoint) {
   }
 }
 
-TEST(NearestPoints, OfEdgesAreNoFurtherThanAnyOthers) {
+TEST(NearestPoints, NoOtherPointsOfTwoEdgesAreNearer) {
   std::uint64_t n = 0;
   const auto random = [&] { return 2 * randomUniform(7, Purpose::Jitter, n++) - 1; };
   const auto place = [&] { return Vec3d{random(), random(), random()}; };

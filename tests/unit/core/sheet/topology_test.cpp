@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-/// All triangles as the rings tell them, each from its smallest corner.
+/// All triangles of the rings, each starting at its smallest corner.
 std::set<std::array<std::uint32_t, 3>> trianglesOf(const SheetTopology& t) {
   std::set<std::array<std::uint32_t, 3>> all;
   for (std::uint32_t v = 0; v + 1 < t.first.size(); v++)
@@ -36,7 +36,7 @@ void expectSameTriangles(const TriangleMesh& mesh) {
             static_cast<std::ptrdiff_t>(3 * mesh.triangles.size()));
 }
 
-TEST(SheetTopology, Closed) {
+TEST(SheetTopology, RingsOfAClosedMeshAreComplete) {
   const TriangleMesh mesh = sphereSheet(1, 0.1);
   const SheetTopology t = sheetTopology(mesh);
   expectSameTriangles(mesh);
@@ -52,7 +52,7 @@ TEST(SheetTopology, Closed) {
       EXPECT_EQ(t.ring[k].next, (k - t.first[v] + 1) % (t.first[v + 1] - t.first[v]));
 }
 
-TEST(SheetTopology, BordersAndComponents) {
+TEST(SheetTopology, FindsBordersAndComponents) {
   TriangleMesh mesh = gridSheet(1, 0.6, 0.1);
   const std::size_t n = mesh.vertices.size();
   expectSameTriangles(mesh);
@@ -72,7 +72,7 @@ TEST(SheetTopology, BordersAndComponents) {
   EXPECT_EQ(t.component[n], 1u);
 }
 
-TEST(SheetTopology, FansThatMeetInAPoint) {
+TEST(SheetTopology, SplitsFansThatTouchInAPoint) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
@@ -82,13 +82,13 @@ TEST(SheetTopology, FansThatMeetInAPoint) {
   EXPECT_EQ(t.closed.size(), 1u);
 }
 
-TEST(SheetTopology, Refusals) {
+TEST(SheetTopology, RefusesInvalidMeshes) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
-  EXPECT_THROW(sheetTopology(mesh), ShapeError);  // three at an edge
+  EXPECT_THROW(sheetTopology(mesh), ShapeError);  // three triangles at an edge
   mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
-  EXPECT_THROW(sheetTopology(mesh), ShapeError);  // face different sides
+  EXPECT_THROW(sheetTopology(mesh), ShapeError);  // opposite orientations
   mesh.triangles = {{0, 1, 2}};
   EXPECT_THROW(sheetTopology(mesh), ShapeError);  // vertices without triangles
   mesh.vertices.resize(3);
@@ -99,7 +99,7 @@ TEST(SheetTopology, Refusals) {
   EXPECT_THROW(sheetTopology(mesh), ShapeError);
 }
 
-TEST(SheetMeshes, AreWhatTheyAreCalled) {
+TEST(SheetMeshes, HaveTheirNamedShapes) {
   const TriangleMesh head = headSheet(1, 0.05), dome = domeSheet(0.5, 0.3, 0.05, 12, 0.02),
                      brow = foreheadSheet(1, 1, 0.6, 0.05, 0.02, 5);
   const SheetTopology h = sheetTopology(head), d = sheetTopology(dome), b = sheetTopology(brow);
@@ -107,7 +107,7 @@ TEST(SheetMeshes, AreWhatTheyAreCalled) {
   EXPECT_GT(h.volume[0], 0);
   EXPECT_EQ(d.closed, std::vector<std::uint8_t>{0});
   EXPECT_EQ(b.closed, std::vector<std::uint8_t>{0});
-  // even triangles: the smallest vertex has not much less than the mean
+  // even triangles: the smallest vertex area is near the mean
   for (const SheetTopology* t : {&h, &d, &b}) {
     double sum = 0, least = 1e9;
     for (const double a : t->area) sum += a, least = std::min(least, a);

@@ -14,7 +14,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// Lists of all pairs, in id order.
+/// Neighbour lists of all pairs, in order of ids.
 NeighbourLists allPairs(std::size_t n) {
   NeighbourLists lists;
   lists.groups = (n + 7) / 8;
@@ -46,7 +46,7 @@ void fillParticles(SolidBody& b, const std::vector<Vec3d>& points) {
   }
 }
 
-/// Puts requests into the bonds, as BondHalo::relink does.
+/// Adds requested bonds as BondHalo::relink does.
 void addBonds(SolidBody& b, const std::vector<BondRequest>& requests) {
   Bonds& bonds = b.bonds;
   std::vector<std::vector<BondRequest>> of(b.solids.owned);
@@ -75,7 +75,7 @@ void addBonds(SolidBody& b, const std::vector<BondRequest>& requests) {
   refreshReference(b.work, b.solids, b.bonds, true);
 }
 
-/// Both ends ask for the same bond with the same bits.
+/// Checks that both ends request the same bond with the same bits.
 void expectSymmetric(const std::vector<BondRequest>& requests) {
   std::map<std::pair<std::uint64_t, std::uint64_t>, BondRequest> all;
   for (const BondRequest& r : requests) EXPECT_TRUE(all.insert({{r.slot, r.neighbourId}, r}).second);
@@ -99,7 +99,7 @@ BondForming forming(const SolidBody& b, BondRule rule) {
 
 }  // namespace
 
-TEST(BondForming, startBondsBodiesApart) {
+TEST(BondForming, StartBondsBodiesSeparately) {
   const auto points = lattice({6, 3, 3}, 0.1, 0.2);
   BodyOptions options;
   options.freezing = true;
@@ -120,7 +120,7 @@ TEST(BondForming, startBondsBodiesApart) {
   for (const BondRequest& r : requests) EXPECT_TRUE(r.reverse == -r.reference);
 }
 
-TEST(BondForming, freezingJoinsWithoutStressJump) {
+TEST(BondForming, FreezingJoinsWithoutStressJump) {
   // the lower half is an old, deformed solid; the upper half freezes onto it
   const auto points = lattice({5, 5, 6}, 0.1, 0.2);
   const auto old = [&](std::size_t i) { return i < 75; };
@@ -157,10 +157,11 @@ TEST(BondForming, freezingJoinsWithoutStressJump) {
   EXPECT_NEAR(after, exact, 1e-12 * exact);
   for (std::size_t s = 0; s < points.size(); s++)
     EXPECT_LT(largest(b->solids.deformation[s] - (old(s) ? before[s] : identity3<double>())), 1e-10) << s;
-  EXPECT_NEAR(totalEnergy(*b), energy, 0.2 * energy);  // hourglass stiffness of the old end is spread anew
+  EXPECT_NEAR(totalEnergy(*b), energy, 0.2 * energy);  // the hourglass stiffness of the old end is
+                                                       // redistributed
 }
 
-TEST(BondForming, weldingOfBodies) {
+TEST(BondForming, WeldsOnlyAllowedBodies) {
   Material m = elasticMaterial(), weldable = elasticMaterial();
   weldable.weld = true;
   const std::vector<Vec3d> points{{0, 0, 0}, {0.09, 0, 0}, {0.18, 0, 0}, {0.31, 0, 0}};
@@ -180,7 +181,7 @@ TEST(BondForming, weldingOfBodies) {
     EXPECT_EQ(
         formBonds(b->particles, b->solids, b->bonds, allPairs(4), forming(*b, BondRule::Freezing), freezing),
         weld ? 1 : 0);
-    // 0-1, 1-2, too
+    // 0-1 and 1-2 as well
     EXPECT_EQ(
         formBonds(b->particles, b->solids, b->bonds, allPairs(4), forming(*b, BondRule::Welding), welding),
         weld ? 3 : 0);
@@ -194,7 +195,7 @@ TEST(BondForming, weldingOfBodies) {
   }
 }
 
-TEST(BondForming, frameOfInvertedParticleIsNotUsed) {
+TEST(BondForming, FrameOfInvertedParticleIsNotUsed) {
   const Vec3d x{0.1, 0.2, 0.3};
   EXPECT_TRUE(referenceIn(identity3<double>(), x) == x);
   EXPECT_TRUE(referenceIn({{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, x) == x);

@@ -1,4 +1,4 @@
-// Slots and bonds of one process: edits of the graph, and what the elastic step keeps of it (several ranks:
+// Solids and bonds of one process: changes of the graph and data that the elastic step caches (several ranks:
 // tests/mpi/bond_halo_test.cpp).
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(IdTable, IsAMap) {
   }
 }
 
-/// A lattice of particles, all solid and bonded over the same distance.
+/// A lattice of solid particles, bonded over the same distance.
 struct Lattice {
   Scene scene;
   Modules modules;
@@ -86,7 +86,7 @@ struct Lattice {
       if (b.there(slot, k)) ids.insert(s.id[b.neighbour[b.at(slot, k)]]);
     return ids;
   }
-  /// What was renewed slot by slot is what is computed from nothing.
+  /// Checks that incremental updates equal a full computation.
   void expectFreshWork() {
     ElasticWork fresh;
     Continuum p2;
@@ -107,7 +107,7 @@ struct Lattice {
   }
 };
 
-TEST(BondGraph, MeltsAndFreezes) {
+TEST(BondGraph, FollowsMeltingAndFreezing) {
   Lattice l;
   EXPECT_FALSE(l.relink({}, false));
   const std::size_t n = l.points.size();
@@ -136,7 +136,7 @@ TEST(BondGraph, MeltsAndFreezes) {
   l.expectFreshWork();
 }
 
-TEST(BondGraph, BrokenBondsGo) {
+TEST(BondGraph, BrokenBondsAreRemoved) {
   Lattice l;
   const std::uint32_t slot = l.p.slot[30];
   const std::size_t at = l.b.at(slot, 2);
@@ -147,13 +147,13 @@ TEST(BondGraph, BrokenBondsGo) {
   l.b.cut(slot, 2);
   EXPECT_TRUE(l.relink({}, false));
   EXPECT_FALSE(l.b.broken);
-  EXPECT_EQ(l.b.neighbour[at], next);  // the order of the others stays
+  EXPECT_EQ(l.b.neighbour[at], next);  // the order of the others is kept
   EXPECT_EQ(l.bondedTo(slot).count(l.s.id[other]), 0u);
   EXPECT_EQ(l.bondedTo(other).count(1030), 0u);
   l.expectFreshWork();
 }
 
-TEST(BondGraph, MoreBondsThanRoom) {
+TEST(BondGraph, GrowsWithTheNumberOfBonds) {
   Lattice l(Precision::Double);
   std::vector<BondRequest> q;
   for (std::size_t j = 0; j < l.points.size(); j++)
@@ -168,7 +168,7 @@ TEST(BondGraph, MoreBondsThanRoom) {
   l.expectFreshWork();
 }
 
-TEST(BondGraph, AllMeltAndComeBackFromRecords) {
+TEST(BondGraph, RestoresAllBondsFromRecords) {
   Lattice l;
   SolidRecords records;
   std::vector<std::set<std::uint64_t>> before;

@@ -1,4 +1,4 @@
-// MLS gradient: exact for linear fields, blind to rotation, sound where neighbourhoods are singular.
+// MLS gradient: exact for linear fields, invariant under rotation, finite in singular neighbourhoods.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -21,7 +21,7 @@ double largestForce(const SolidBody& b) {
 
 }  // namespace
 
-TEST(Deformation, patchTestOnJitteredLattice) {
+TEST(Deformation, GradientIsExactOnAJitteredLattice) {
   const auto points = lattice({6, 5, 7}, 0.1, 0.25);
   const Mat3d g{{{0.1, -0.05, 0.2}, {0.07, -0.12, 0.03}, {-0.02, 0.15, 0.08}}};
   for (const Precision precision : {Precision::Double, Precision::Single}) {
@@ -38,7 +38,7 @@ TEST(Deformation, patchTestOnJitteredLattice) {
   }
 }
 
-TEST(Deformation, rigidRotationHasNoStrainNoForceNoEnergy) {
+TEST(Deformation, RigidRotationHasNoStrainNoForceNoEnergy) {
   const auto points = lattice({5, 5, 5}, 0.1, 0.2);
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
     Material m = elasticMaterial();
@@ -46,7 +46,7 @@ TEST(Deformation, rigidRotationHasNoStrainNoForceNoEnergy) {
     m.volumeStiffness = 1e5;
     m.hourglass = 0.3;
     const auto b = makeBody(points, {m});
-    // force of a strain of one, as a scale
+    // scale: the force of a strain of one
     const double scale = 1e6 * 0.1 * 0.1;
     for (int degrees = 0; degrees <= 360; degrees += 30) {
       const Mat3d r = rotation({1, 2, -0.5}, degrees * 3.14159265358979323846 / 180);
@@ -60,7 +60,7 @@ TEST(Deformation, rigidRotationHasNoStrainNoForceNoEnergy) {
   }
 }
 
-TEST(Deformation, momentumAndAngularMomentum) {
+TEST(Deformation, ConservesMomentumAndAngularMomentum) {
   const auto points = lattice({6, 5, 4}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     Material soft = elasticMaterial(3e5, 0.4), hard = elasticMaterial(2e6, 0.1);
@@ -87,7 +87,7 @@ TEST(Deformation, momentumAndAngularMomentum) {
   }
 }
 
-TEST(Deformation, periodicBodyFeelsNoSeam) {
+TEST(Deformation, PeriodicSidesHaveNoEffectOnABody) {
   const auto points = lattice({6, 6, 6}, 0.1);
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     BodyOptions options;
@@ -95,7 +95,7 @@ TEST(Deformation, periodicBodyFeelsNoSeam) {
     options.period = {0.6, 0.6, 0.6};
     const auto b = makeBody(points, {elasticMaterial()}, options);
     EXPECT_EQ(b->bonds.capacity, 18);
-    // moved by more than a period's fraction and wrapped
+    // moved by more than a fraction of the period and wrapped
     moveAll(*b, points, [&](const Vec3d& x) {
       Vec3d y = x + Vec3d{0.233, 0.411, 0.05};
       for (int a = 0; a < 3; a++) y[a] = y[a] >= 0.6 ? y[a] - 0.6 : y[a];
@@ -108,9 +108,8 @@ TEST(Deformation, periodicBodyFeelsNoSeam) {
   }
 }
 
-/// Across the sides at the start, and turned there by half a turn: some particles cross a side one way and
-/// some the other.
-TEST(Deformation, aBodyAcrossPeriodicSidesMayTurn) {
+/// A body across the periodic sides turns by half a turn, so that particles cross a side both ways.
+TEST(Deformation, BodyAcrossPeriodicSidesTurnsFreely) {
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     BodyOptions options;
     options.precision = precision;
@@ -137,9 +136,9 @@ TEST(Deformation, aBodyAcrossPeriodicSidesMayTurn) {
   }
 }
 
-TEST(Deformation, singularNeighbourhoodsAreCountedAndStayFinite) {
+TEST(Deformation, SingularNeighbourhoodsAreCountedAndStayFinite) {
   const auto count = [](SolidBody& b) { return refreshReference(b.work, b.solids, b.bonds, true); };
-  // sheet: stretch in its plane and rotate
+  // sheet: in-plane stretch and rotation
   const auto sheet = lattice({6, 6, 1}, 0.1);
   const auto b = makeBody(sheet, {elasticMaterial()});
   EXPECT_EQ(count(*b), 36);
@@ -157,7 +156,7 @@ TEST(Deformation, singularNeighbourhoodsAreCountedAndStayFinite) {
     const Mat3d ftf = transpose(c->solids.deformation[s]) * c->solids.deformation[s];
     EXPECT_LT(largest(ftf - Mat3d{{{1.44, 0, 0}, {0, 1, 0}, {0, 0, 1}}}), 1e-12);
   }
-  // lonely particle, and one with three neighbours
+  // an isolated particle, and one with three neighbours
   const auto lonely = makeBody({{0, 0, 0}, {5, 0, 0}}, {elasticMaterial()});
   EXPECT_EQ(lonely->bonds.capacity, 0);
   EXPECT_EQ(count(*lonely), 2);
@@ -167,13 +166,13 @@ TEST(Deformation, singularNeighbourhoodsAreCountedAndStayFinite) {
   BodyOptions shortSupport;
   shortSupport.support = 1.3;
   const auto d = makeBody(three, {elasticMaterial()}, shortSupport);
-  EXPECT_EQ(count(*d), 3);  // the corner sees three directions, the others one
+  EXPECT_EQ(count(*d), 3);  // the corner has three directions, the others one
   moveAll(*d, three, [&](const Vec3d& x) { return r * x; });
   computeForces(*d);
   EXPECT_LT(largestForce(*d), 1e-8);
 }
 
-TEST(Deformation, inversionIsCountedAndUndone) {
+TEST(Deformation, InversionIsCountedAndUndone) {
   const auto points = lattice({4, 4, 4}, 0.1);
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
     Material m = elasticMaterial();
@@ -181,12 +180,13 @@ TEST(Deformation, inversionIsCountedAndUndone) {
     const auto b = makeBody(points, {m});
     moveAll(*b, points, [](const Vec3d& x) { return Vec3d{-x.x, x.y, x.z}; });
     EXPECT_EQ(computeForces(*b).inverted, 64);
-    if (law == ElasticLaw::Green) EXPECT_LT(totalEnergy(*b), 1e-9);  // the papers' law does not feel it
+    if (law == ElasticLaw::Green)
+      EXPECT_LT(totalEnergy(*b), 1e-9);  // the papers' law does not detect inversion
     else EXPECT_GT(totalEnergy(*b), 1e3);
   }
 }
 
-TEST(Deformation, sameBitsForEveryInstructionSet) {
+TEST(Deformation, SameBitsForEveryInstructionSet) {
   const auto points = lattice({5, 6, 7}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single})
     for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
@@ -211,7 +211,7 @@ TEST(Deformation, sameBitsForEveryInstructionSet) {
     }
 }
 
-TEST(Moment, completionKeepsHandedness) {
+TEST(Moment, CompletionKeepsHandedness) {
   const MomentInverse m = invertMoment({1, 1, 0, 0, 0, 0});
   EXPECT_EQ(m.rank, 2);
   const Mat3d f = completeGradient(Mat3d{}, m.inverse, 2);
@@ -221,11 +221,10 @@ TEST(Moment, completionKeepsHandedness) {
   EXPECT_EQ(invertMoment({}).rank, 0);
 }
 
-// What a start books of bodies that rest in their reference is found without a look at the bonds: the same
-// bits.
-TEST(Deformation, atTheReferenceTheShortWayHasTheSameBits) {
+// Bodies at rest in their reference need no pass over the bonds at the start: the same bits.
+TEST(Deformation, ShortcutAtTheReferenceHasTheSameBits) {
   auto points = lattice({5, 4, 5}, 0.1, 0.2);
-  points.push_back({2, 0, 0});  // alone
+  points.push_back({2, 0, 0});  // isolated
   points.push_back({3, 0, 0});  // a row of two
   points.push_back({3.1, 0, 0.02});
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {

@@ -1,5 +1,5 @@
-// Neighbourhoods that are almost flat, or almost a line, as frozen crumbs have them: their forces are the
-// derivative of their energy, and keep momentum and spin.
+// Nearly flat or nearly linear neighbourhoods, as in frozen fragments: forces are the derivative of the
+// energy and conserve momentum and angular momentum.
 #include <gtest/gtest.h>
 
 #include "tests/support/solid_body.hpp"
@@ -67,19 +67,19 @@ TEST(FlatNeighbourhoods, ForcesOfALayerAreTheDerivativeOfItsEnergy) {
   }
 }
 
-TEST(FlatNeighbourhoods, APlasticLayer) {
+TEST(FlatNeighbourhoods, ForcesOfAPlasticLayerAreTheDerivativeOfItsEnergy) {
   Material m = elasticMaterial();
-  m.yieldStrain = {1e3, 1e3};  // it does not flow now
+  m.yieldStrain = {1e3, 1e3};  // no plastic flow here
   const std::vector<Vec3d> points = layer(2);
   const auto b = makeBody(points, {m});
-  // with shear across the plane
+  // with plastic shear across the plane
   for (std::size_t s = 0; s < b->solids.owned; s++)
     b->solids.plasticInverse[s] = {{{0.02, 0.005, -0.015}, {0.005, -0.01, 0.02}, {-0.015, 0.02, -0.01}}};
   moveAll(*b, points, [&](const Vec3d& x) { return x + Vec3d{0.1 * x.y, 0.05 * x.x, 1.5 * x.x * x.y}; });
   EXPECT_LT(mismatch(*b), 1e-5);
 }
 
-TEST(FlatNeighbourhoods, ARowThatIsNotStraightTurnsFreely) {
+TEST(FlatNeighbourhoods, BentRowTurnsFreely) {
   std::vector<Vec3d> points;
   for (std::size_t k = 0; k < 6; k++)
     points.push_back(Vec3d{0.1 * static_cast<double>(k), 0, 0} + 0.003 * noise3(k, 3));
@@ -88,7 +88,7 @@ TEST(FlatNeighbourhoods, ARowThatIsNotStraightTurnsFreely) {
   const Mat3d about = rotation({1, 0, 0}, 2.0), r = rotation({1, 2, -0.5}, 1.3);
   moveAll(*b, points, [&](const Vec3d& x) { return r * (about * x); });
   computeForces(*b);
-  EXPECT_LT(forceScale(*b), 1e-6);  // N; of a strain of one 1e4
+  EXPECT_LT(forceScale(*b), 1e-6);  // N; a strain of one gives 1e4
   moveAll(*b, points, [&](const Vec3d& x) {
     return r * (about * Vec3d{1.1 * x.x, x.y, x.z + 0.3 * x.x * x.x});
   });

@@ -10,7 +10,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// Living bonds of each pair, from both ends.
+/// Intact bonds of a pair, counted from both ends.
 std::int64_t bondsOf(const SolidBody& b, std::size_t i, std::size_t j) {
   std::int64_t n = 0;
   for (int k = 0; k < b.bonds.capacity; k++)
@@ -27,7 +27,7 @@ std::int64_t ends(const SolidBody& b) {
 
 }  // namespace
 
-TEST(Fracture, bothEndsDecideAlikeAndTheLedgerClosesExactly) {
+TEST(Fracture, BothEndsDecideEquallyAndTheLedgerClosesExactly) {
   const auto points = lattice({8, 4, 4}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single})
     for (const bool freezing : {false, true}) {
@@ -52,7 +52,7 @@ TEST(Fracture, bothEndsDecideAlikeAndTheLedgerClosesExactly) {
         for (std::size_t j = 0; j < i; j++) EXPECT_EQ(bondsOf(*b, i, j), bondsOf(*b, j, i));
       for (std::size_t s = 0; s < points.size(); s++) after += slotEnergy(b->work, b->solids, b->bonds, s);
       EXPECT_NEAR(energy - after, jump.value(), 1e-12 * energy);
-      // phase 1 was repeated where bonds broke: forces are the derivative of what is left
+      // phase 1 was repeated where bonds broke: forces are the derivative of the remaining energy
       computeElasticForces(b->work, b->solids, b->bonds, b->step, SolidPart::Inner);
       EXPECT_NEAR(totalEnergy(*b), after, (precision == Precision::Double ? 1e-12 : 1e-4) * after);
       Vec3d sum{};
@@ -63,7 +63,7 @@ TEST(Fracture, bothEndsDecideAlikeAndTheLedgerClosesExactly) {
     }
 }
 
-TEST(Fracture, unstretchedBodyKeepsItsBonds) {
+TEST(Fracture, UnstretchedBodyKeepsItsBonds) {
   const auto points = lattice({4, 4, 4}, 0.1, 0.2);
   Material m = elasticMaterial();
   m.breakStretch = 1.0001;
@@ -76,7 +76,7 @@ TEST(Fracture, unstretchedBodyKeepsItsBonds) {
   EXPECT_EQ(jump.value(), 0);
 }
 
-TEST(Fracture, bondsWithinTheContactDistanceStay) {
+TEST(Fracture, BondsWithinTheContactDistanceStay) {
   const auto points = lattice({4, 4, 4}, 0.06);
   Material m = elasticMaterial();
   m.breakStretch = 1.25;
@@ -90,12 +90,12 @@ TEST(Fracture, bondsWithinTheContactDistanceStay) {
     for (std::size_t j = 0; j < i; j++) {
       const Vec3d d = points[i] - points[j];
       if (std::abs(d.y) + std::abs(d.z) > 1e-9) continue;
-      if (std::abs(d.x) < 0.07) EXPECT_GT(bondsOf(*b, i, j), 0);  // 0.084 apart: contact would push
+      if (std::abs(d.x) < 0.07) EXPECT_GT(bondsOf(*b, i, j), 0);  // 0.084 apart: contact would repel
       else EXPECT_EQ(bondsOf(*b, i, j), 0);
     }
 }
 
-TEST(Fracture, bodyTornApartIsTwoFreePieces) {
+TEST(Fracture, BodyTornApartIsTwoFreePieces) {
   const auto points = lattice({6, 3, 3}, 0.1);
   Material m = elasticMaterial();
   m.breakStretch = 1.5;

@@ -1,5 +1,5 @@
-// What the elastic step keeps of bonds, found for eight slots at once: the bits of one slot at a time, with
-// every instruction set.
+// Data that the elastic step caches for bonds, computed for eight solids at once: the same bits as one at a
+// time, with every instruction set.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -25,8 +25,7 @@ Kept keptOf(const SolidBody& b, std::size_t s) {
           b.work.singularLanes[s / lanes] >> s % lanes & 1u};
 }
 
-/// Slots that differ when their groups are found again by these kernels, one slot at a time being what they
-/// are compared with.
+/// Number of solids whose data differ between these kernels and one solid at a time.
 std::size_t differing(SolidBody& b, const char* kernels) {
   for (std::size_t s = 0; s < b.solids.owned; s++) refreshSlot(b.work, b.solids, b.bonds, s);
   std::vector<Kept> alone;
@@ -48,7 +47,7 @@ std::size_t differing(SolidBody& b, const char* kernels) {
   return different;
 }
 
-TEST(GroupMoments, AreThoseOfSingleSlots) {
+TEST(GroupMoments, EqualThoseOfSingleSolids) {
   std::vector<Vec3d> crumbs = lattice({4, 4, 3}, 0.1, 0.2);
   // a plane: rank 2
   for (std::size_t k = 0; k < 12; k++) crumbs.push_back({1.0 + 0.1 * double(k % 4), 0.1 * double(k / 4), 0});

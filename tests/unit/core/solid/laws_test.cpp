@@ -1,5 +1,5 @@
-// Material laws against finite differences of their energies, and the whole body's forces against those of
-// its energy.
+// Stresses of material laws against finite differences of their energies, and forces of a body against its
+// energy.
 #include <gtest/gtest.h>
 
 #include "core/solid/laws/corotated.hpp"
@@ -19,7 +19,7 @@ Mat3d noiseMatrix(std::uint64_t n, double size) {
 
 }  // namespace
 
-TEST(Laws, stressIsDerivativeOfEnergy) {
+TEST(Laws, StressIsDerivativeOfEnergy) {
   for (const ElasticLaw law : allLaws)
     for (std::uint64_t n = 0; n < 20; n++) {
       Material m = elasticMaterial(1.0, 0.3);
@@ -27,7 +27,7 @@ TEST(Laws, stressIsDerivativeOfEnergy) {
       m.volumeStiffness = 0.7;
       const ElasticConstants c = elasticConstants(m, 0);
       const Mat3d plastic{{{-0.05, 0.02, 0.03}, {-0.04, 0.01, -0.02}, {0.01, -0.03, 0.04}}};
-      const Mat3d g = noiseMatrix(n, n < 15 ? 0.4 : 1.5);  // the last ones far away or inverted
+      const Mat3d g = noiseMatrix(n, n < 15 ? 0.4 : 1.5);  // the last ones are far away or inverted
       const ElasticResponse r = elasticResponse(c, g, plastic);
       for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
@@ -43,7 +43,7 @@ TEST(Laws, stressIsDerivativeOfEnergy) {
     }
 }
 
-TEST(Laws, smallStrainsFollowHooke) {
+TEST(Laws, SmallStrainsFollowHooke) {
   const Mat3d g{{{1e-6, 2e-6, 0}, {0, -1e-6, 1e-6}, {2e-6, 0, 3e-6}}};
   for (const ElasticLaw law : allLaws) {
     Material m = elasticMaterial(2e6, 0.35);
@@ -56,7 +56,7 @@ TEST(Laws, smallStrainsFollowHooke) {
   }
 }
 
-TEST(Laws, objectiveUnderRotation) {
+TEST(Laws, ObjectiveUnderRotation) {
   const Mat3d r = rotation({1, -2, 0.4}, 2.2), one = identity3<double>();
   for (const ElasticLaw law : allLaws) {
     Material m = elasticMaterial();
@@ -69,7 +69,7 @@ TEST(Laws, objectiveUnderRotation) {
   }
 }
 
-TEST(Laws, nearestRotationOfInvertedAndSingular) {
+TEST(Laws, NearestRotationOfInvertedAndSingular) {
   const Mat3d r = rotation({0.3, 1, 2}, 0.7);
   for (const Vec3d d : {Vec3d{1.2, 0.9, 1.1}, Vec3d{1.5, 1, -0.4}, Vec3d{1, 1, 0}, Vec3d{2, 1, 1e-9}}) {
     const Mat3d s{{{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}}};
@@ -79,8 +79,8 @@ TEST(Laws, nearestRotationOfInvertedAndSingular) {
   EXPECT_NEAR(determinant(zero), 1, 1e-12);
 }
 
-// Eight lanes of several laws, some of them inverted: each has the energy that it has alone.
-TEST(Laws, lanesOfAGroupDoNotDependOnEachOther) {
+// Eight lanes of several laws, some inverted: each has the energy that it has alone.
+TEST(Laws, LanesOfAGroupDoNotDependOnEachOther) {
   const auto points = lattice({5, 3, 3}, 0.1, 0.2);
   for (const double yield : {never, 0.01}) {
     std::vector<Material> materials;
@@ -112,7 +112,7 @@ TEST(Laws, lanesOfAGroupDoNotDependOnEachOther) {
   }
 }
 
-TEST(Laws, forcesAreDerivativesOfTotalEnergy) {
+TEST(Laws, ForcesAreDerivativesOfTotalEnergy) {
   const auto points = lattice({4, 3, 3}, 0.1, 0.2);
   for (const ElasticLaw law : allLaws)
     for (const bool freezing : {false, true}) {

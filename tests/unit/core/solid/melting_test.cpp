@@ -8,7 +8,7 @@
 using namespace thaw;
 using namespace thaw::test;
 
-TEST(Melting, bondsGoAtBothEndsAndTheirEnergyIsBooked) {
+TEST(Melting, RemovesBondsAtBothEndsAndRecordsTheirEnergy) {
   const auto points = lattice({6, 5, 5}, 0.1, 0.2);
   const auto b = makeBody(points, {elasticMaterial()});
   Continuum& p = b->particles;
@@ -37,9 +37,9 @@ TEST(Melting, bondsGoAtBothEndsAndTheirEnergyIsBooked) {
       const bool liquidEnd = p.phase[s] == Liquid || p.phase[b->bonds.neighbour[at]] == Liquid;
       EXPECT_FALSE(b->bonds.there(s, k) && liquidEnd);
     }
-  // what was booked is what the next force evaluation finds
+  // the recorded energy is that of the next force evaluation
   computeForces(*b);
   EXPECT_NEAR(totalEnergy(*b), after, 1e-10 * before);
-  // once more: nothing is left to drop
+  // once more: no bond is left to remove
   EXPECT_EQ(dropMeltedBonds(b->work, p, b->solids, b->bonds, jump), 0);
 }

@@ -1,4 +1,4 @@
-// A body cut in two with remote rows, exchanged by hand: the same bits as the whole body, through plastic
+// A body in two parts with manually exchanged remote rows gives the bits of the whole body, through plastic
 // flow, re-reference, fracture and damping.
 #include <gtest/gtest.h>
 
@@ -12,8 +12,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// The slots with these ids of a whole body that has not moved yet, and remote rows for what they are bonded
-/// to.
+/// The solids of `whole`, still at rest, with these ids, and remote rows for their bonds.
 std::unique_ptr<SolidBody> partOf(const SolidBody& whole, const std::vector<std::size_t>& ids) {
   auto part = std::make_unique<SolidBody>();
   SolidBody& b = *part;
@@ -39,7 +38,7 @@ std::unique_ptr<SolidBody> partOf(const SolidBody& whole, const std::vector<std:
   b.bonds.capacity = whole.bonds.capacity;
   const std::size_t room = (ids.size() + lanes - 1) / lanes * lanes *
                            static_cast<std::size_t>(b.bonds.capacity);
-  b.bonds.neighbour.assign(room, 0xffffffu);  // what lies behind the last slot must not matter
+  b.bonds.neighbour.assign(room, 0xffffffu);  // entries after the last solid must not matter
   b.bonds.eachReal([&](BondReals& r) { r.assign(room, 1e30); });
   for (std::size_t s = 0; s < ids.size(); s++)
     for (int k = 0; k < b.bonds.capacity; k++) {
@@ -54,7 +53,7 @@ std::unique_ptr<SolidBody> partOf(const SolidBody& whole, const std::vector<std:
   return part;
 }
 
-/// Remote rows of `to` from the owned rows of `from`.
+/// Copies owned rows of `from` to remote rows of `to`.
 void exchange(SolidBody& from, SolidBody& to, ColumnList (*columns)(Solids&)) {
   std::map<std::uint64_t, std::size_t> owner;
   for (std::size_t s = 0; s < from.solids.owned; s++) owner[from.solids.id[s]] = s;
@@ -88,9 +87,9 @@ void step(std::vector<SolidBody*> parts, Counts& counts) {
   for (SolidBody* b : parts) computeElasticForces(b->work, b->solids, b->bonds, b->step, SolidPart::Boundary);
 }
 
-// Groups whose bonds have one reference do not read the way back (ElasticWork::ownFrames). Which groups these
-// are depends on who shares them, so it may change no bit, however far a body is deformed.
-TEST(SolidParts, TheWayBackOfOneReferenceChangesNoBit) {
+// Groups whose bonds have one reference skip the inverse map (ElasticWork::ownFrames). The grouping depends
+// on the ranks, so it may not change any bit, for any deformation.
+TEST(SolidParts, SkippedInverseMapChangesNoBit) {
   for (const Precision precision : {Precision::Single, Precision::Double}) {
     BodyOptions options;
     options.precision = precision;
@@ -113,7 +112,7 @@ TEST(SolidParts, TheWayBackOfOneReferenceChangesNoBit) {
 
 }  // namespace
 
-TEST(SolidParts, sameBitsInOneAndInTwo) {
+TEST(SolidParts, TwoPartsHaveTheBitsOfTheWhole) {
   const auto points = lattice({9, 5, 9}, 0.1, 0.2);
   Material m = elasticMaterial(1e5, 0.3), other = elasticMaterial(3e5, 0.2);
   m.yieldStrain = {0.02, 0.02};
@@ -127,7 +126,7 @@ TEST(SolidParts, sameBitsInOneAndInTwo) {
   for (const Precision precision : {Precision::Single, Precision::Double}) {
     BodyOptions options;
     options.precision = precision;
-    // some groups of 8 slots have one material, some have several, and others in the parts than in the whole
+    // some groups of 8 solids have one material and some several, and the parts are grouped differently
     options.material = [](std::size_t i) { return i / 45 > 5 ? 1 : i / 45 > 3 ? 2 : i % 45 / 9 > 2 ? 1 : 0; };
     const auto whole = makeBody(points, {m, other, third}, options);
     std::vector<std::size_t> near, far;

@@ -22,7 +22,7 @@ ElasticConstants yielding(ElasticLaw law, double yield, double creep = never, do
   return elasticConstants(m, 0);
 }
 
-/// Cauchy stress, Pa, of F with this plastic state.
+/// Cauchy stress (Pa) of F with this plastic state.
 Sym3d stressOf(const ElasticConstants& c, const Mat3d& f, const Mat3d& plasticInverse) {
   const Mat3d elastic = elasticGradient(f - one, plasticInverse);
   return cauchyStress(elasticResponse(c, elastic).stress, elastic);
@@ -33,7 +33,7 @@ double sizeOf(const ElasticConstants& c, const Sym3d& stress) {
   return norm(stress - Sym3d{p, p, p, 0, 0, 0}) / (2 * c.mu);
 }
 
-/// One material point, driven by its deformation gradient.
+/// A material point driven by its deformation gradient.
 struct Point {
   ElasticConstants c;
   PlasticState state{};
@@ -53,8 +53,7 @@ struct Point {
 
 Mat3d stretches(double x, double yz) { return {{{x, 0, 0}, {0, yz, 0}, {0, 0, yz}}}; }
 
-/// Presses (or draws) along x to this stretch while the sides are free: their stretch is where the stress
-/// across is zero.
+/// Compresses or stretches along x while the sides are free: their stretch makes the lateral stress zero.
 void driveUniaxially(Point& p, double along) {
   double side[2] = {p.f.row[1].y, p.f.row[1].y * 1.001}, across[2];
   for (int n = 0; n < 60; n++) {
@@ -77,7 +76,7 @@ Mat3d noiseMatrix(std::uint64_t n, double size) {
 
 }  // namespace
 
-TEST(Plasticity, uniaxialCompressionToHalfHoldsThePlateau) {
+TEST(Plasticity, UniaxialCompressionToHalfHoldsThePlateau) {
   for (const ElasticLaw law : allLaws)
     for (const double yield : {0.002, 0.01, 0.05}) {
       Point p{yielding(law, yield)};
@@ -91,7 +90,7 @@ TEST(Plasticity, uniaxialCompressionToHalfHoldsThePlateau) {
     }
 }
 
-TEST(Plasticity, simpleShearTo200PercentHoldsThePlateau) {
+TEST(Plasticity, SimpleShearTo200PercentHoldsThePlateau) {
   for (const ElasticLaw law : allLaws)
     for (const double yield : {0.002, 0.01, 0.05}) {
       Point p{yielding(law, yield)};
@@ -106,17 +105,17 @@ TEST(Plasticity, simpleShearTo200PercentHoldsThePlateau) {
     }
 }
 
-TEST(Plasticity, hardeningFollowsTheEquivalentPlasticStrain) {
+TEST(Plasticity, HardeningFollowsTheEquivalentPlasticStrain) {
   for (const ElasticLaw law : allLaws) {
     Point p{yielding(law, 0.01, never, 5e4)};
     for (double x = 1; x > 0.5; x -= 0.005) driveUniaxially(p, x);
     const double expected = std::sqrt(6.0) * p.c.mu * 0.01 + 5e4 * p.state.path;
     EXPECT_NEAR(-p.stress().xx, expected, 1e-7 * expected) << int(law);
-    EXPECT_NEAR(p.state.path, -std::log(p.f.row[0].x), expected / 1e6 + 0.01);  // less the elastic strain
+    EXPECT_NEAR(p.state.path, -std::log(p.f.row[0].x), expected / 1e6 + 0.01);  // without the elastic strain
   }
 }
 
-TEST(Plasticity, rotationsDoNotMatter) {
+TEST(Plasticity, RotationsDoNotMatter) {
   for (const ElasticLaw law : allLaws) {
     Point still{yielding(law, 0.01, 300)}, turned{still};
     for (int n = 1; n <= 50; n++) {
@@ -131,7 +130,7 @@ TEST(Plasticity, rotationsDoNotMatter) {
   }
 }
 
-TEST(Plasticity, creepDoesNotDependOnTheStep) {
+TEST(Plasticity, CreepDoesNotDependOnTheStep) {
   for (const ElasticLaw law : allLaws)
     for (const double yield : {1e-9, 0.01}) {
       const Mat3d f = one + Mat3d{{{0.08, 0.05, 0}, {0, -0.03, 0.02}, {0.01, 0, -0.06}}};
@@ -144,7 +143,7 @@ TEST(Plasticity, creepDoesNotDependOnTheStep) {
     }
 }
 
-TEST(Plasticity, steadyFlowHasTheViscosityOfTheCreepRate) {
+TEST(Plasticity, SteadyFlowHasTheViscosityOfTheCreepRate) {
   // |dev sigma| = 2 eta |d|, eta = G / creep
   for (const ElasticLaw law : allLaws)
     for (const double dt : {1e-4, 1e-3}) {
@@ -154,8 +153,8 @@ TEST(Plasticity, steadyFlowHasTheViscosityOfTheCreepRate) {
     }
 }
 
-// Groups are evaluated again where one of their slots takes a new reference; the others must not change.
-TEST(Plasticity, evaluationWithoutFlowHasTheSameBits) {
+// Groups are evaluated again if one of their solids takes a new reference. The others must not change.
+TEST(Plasticity, EvaluationWithoutFlowHasTheSameBits) {
   for (const ElasticLaw law : allLaws) {
     PlasticState state{};
     for (std::uint64_t n = 0; n < 50; n++) {
@@ -167,7 +166,7 @@ TEST(Plasticity, evaluationWithoutFlowHasTheSameBits) {
   }
 }
 
-TEST(Plasticity, limitIsKept) {
+TEST(Plasticity, LimitIsKept) {
   for (const ElasticLaw law : allLaws) {
     ElasticConstants c = yielding(law, 0.01);
     c.maxPlastic = 0.05;
@@ -183,7 +182,7 @@ TEST(Plasticity, limitIsKept) {
   }
 }
 
-TEST(Plasticity, lossIsWorkLessStoredEnergy) {
+TEST(Plasticity, LossIsWorkLessStoredEnergy) {
   for (const ElasticLaw law : allLaws) {
     Point p{yielding(law, 0.01, 50, 2e4)};
     double work = 0;
@@ -201,7 +200,7 @@ TEST(Plasticity, lossIsWorkLessStoredEnergy) {
   }
 }
 
-TEST(Plasticity, WhatIsNotLookedAtIsBelowYield) {
+TEST(Plasticity, SkippedGroupsAreBelowYield) {
   for (const ElasticLaw law : allLaws)
     for (const double poisson : {0.0, 0.3, 0.45, 0.49})
       for (std::uint64_t n = 0; n < 300; n++) {
@@ -211,15 +210,15 @@ TEST(Plasticity, WhatIsNotLookedAtIsBelowYield) {
         ElasticConstants c = elasticConstants(m, 0);
         Mat3d g = noiseMatrix(n, 0.0005 * static_cast<double>(1 + n % 100));
         const double mean = (g.row[0].x + g.row[1].y + g.row[2].z) / 3;
-        g = g + (0.002 * noise(n, 40) - mean) * one;  // under high pressure some laws are not stable
+        g = g + (0.002 * noise(n, 40) - mean) * one;  // some laws are unstable under high pressure
         c.yield = sizeOf(c, stressOf(c, one + g, {})) * (1 - 1e-9);
         EXPECT_TRUE(plasticFlow(c, g, {}, {}, 1).flows) << int(law) << ' ' << poisson << ' ' << n;
       }
 }
 
-// Green strain weakens below 0.577 of the length: what is pressed beyond that in one step is past its yield
+// Green strain weakens below 0.577 of the length. A body compressed beyond that in one step is past its yield
 // stress, not below it.
-TEST(Plasticity, aLawThatWeakensYieldsAtOnce) {
+TEST(Plasticity, WeakeningLawYieldsAtOnce) {
   for (const ElasticLaw law : allLaws)
     for (const double pressed : {0.58, 0.4, 0.1}) {
       Point p{yielding(law, 0.03)};
@@ -228,13 +227,13 @@ TEST(Plasticity, aLawThatWeakensYieldsAtOnce) {
     }
 }
 
-TEST(Plasticity, invertedAndFlatStayAsTheyAre) {
+TEST(Plasticity, InvertedAndFlatStayAsTheyAre) {
   for (const ElasticLaw law : allLaws)
     for (const double x : {-0.5, 0.0})
       EXPECT_FALSE(plasticFlow(yielding(law, 0.01), stretches(x, 1) - one, {}, {}, 1).flows);
 }
 
-TEST(Plasticity, pushForwardKeepsTheStress) {
+TEST(Plasticity, PushForwardKeepsTheStress) {
   for (const ElasticLaw law : allLaws) {
     Point p{yielding(law, 0.05)};
     const Mat3d f = one + Mat3d{{{0.3, 0.5, 0}, {0, -0.2, 0.3}, {0.1, 0, 0.1}}};
@@ -245,7 +244,7 @@ TEST(Plasticity, pushForwardKeepsTheStress) {
   }
 }
 
-TEST(Plasticity, loadingABodyGivesThePlateauAndRecordsTheLoss) {
+TEST(Plasticity, LoadingABodyGivesThePlateauAndRecordsTheLoss) {
   const auto points = lattice({4, 4, 4}, 0.1, 0.2);
   for (const ElasticLaw law : allLaws) {
     Material m = elasticMaterial(1e6, 0.3);

@@ -20,7 +20,7 @@ Material softPlastic() {
 
 }  // namespace
 
-TEST(Rereference, keepsEnergyAndStressAndIsObjective) {
+TEST(Rereference, ConservesEnergyAndStressAndIsObjective) {
   const auto points = lattice({5, 4, 4}, 0.1, 0.2);
   const Mat3d f{{{1.6, 0.1, 0}, {0, 0.8, 0.1}, {0, 0, 0.8}}};
   Mat3d unturned{};
@@ -46,21 +46,21 @@ TEST(Rereference, keepsEnergyAndStressAndIsObjective) {
       EXPECT_LT(largest(b->solids.deformation[s] - identity3<double>()), 1e-12);
       EXPECT_LT(largest(identity3<double>() + b->solids.referenceGradient[s] - r * f), 1e-12);
       EXPECT_EQ(b->solids.volume[s], 0.1 * 0.1 * 0.1);
-      // the stress turns with the body
+      // the stress rotates with the body
       const Mat3d back = transpose(r) * (full(b->solids.stress[s]) * r);
       if (largest(unturned) == 0) unturned = back;
       EXPECT_LT(largest(back - unturned), 1e-11 * largest(unturned));
       for (int k = 0; k < b->bonds.capacity; k++) {
         const std::size_t at = b->bonds.at(s, k);
-        EXPECT_EQ(b->bonds.rx[at], -b->bonds.x[at]);  // each end knows the other's new vector (0 where there
-                                                      // is no bond)
+        EXPECT_EQ(b->bonds.rx[at], -b->bonds.x[at]);  // each end has the other's new vector (0 without a
+                                                      // bond)
       }
     }
   }
 }
 
-TEST(Rereference, neighboursFollowSingleSlots) {
-  // only some slots re-reference: momentum must stay, and forces must stay the derivative of the energy
+TEST(Rereference, NeighboursFollowSingleSolids) {
+  // only some solids re-reference: momentum is conserved, and forces remain the derivative of the energy
   const auto points = lattice({6, 4, 4}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     BodyOptions options;
@@ -105,12 +105,12 @@ TEST(Rereference, neighboursFollowSingleSlots) {
   }
 }
 
-// A blow that presses a plastic body nearly flat: the present configuration would be a bad reference.
-TEST(Rereference, ANeighbourhoodThatIsPressedFlatWaits) {
+// An impact compresses a plastic body nearly flat. That configuration would be a bad reference.
+TEST(Rereference, FlattenedNeighbourhoodsAreDeferred) {
   const auto points = lattice({5, 4, 4}, 0.1, 0.2);
   for (const auto& [height, follows] : {std::pair{0.6, true}, {0.3, false}, {0.03, false}, {-0.6, false}}) {
     Material m = softPlastic();
-    m.law = ElasticLaw::NeoHookean;  // Green strain is not stable at 0.6 of its volume
+    m.law = ElasticLaw::NeoHookean;  // Green strain is unstable at 0.6 of the volume
     const auto b = makeBody(points, {m});
     b->step.dt = 1e-3;
     moveAll(*b, points, [&, h = height](const Vec3d& x) { return Vec3d{x.x, x.y, h * x.z}; });

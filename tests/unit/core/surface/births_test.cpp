@@ -1,4 +1,4 @@
-// Surfels that are born among those of a solid that bends, melts or tears.
+// Surfels that are born on a solid that bends, melts or tears.
 #include "core/surface/births.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ namespace {
 using test::SettleRig;
 using test::SurfelRig;
 
-/// A flat sheet of surfels .1 apart that follow their places of the start, and have been stretched, sheared
-/// and turned since.
+/// A flat sheet of surfels 0.1 apart that follow their initial positions, stretched, sheared and rotated
+/// since.
 struct Stretched {
   SurfelRig rig{test::surfelScene(0.1)};
   Mat3d map{};
@@ -48,9 +48,9 @@ struct Stretched {
   }
 };
 
-// It was placed as if nothing were strained: in the next update it was carried from there, by the strain
-// times its distance off where it was born.
-TEST(Births, WhatFollowsKnowsWhereItWouldHaveBeenAtTheStart) {
+// The reference position of a newborn includes the strain of its surroundings. Otherwise the next update
+// moves the newborn by the strain times its distance from the parent.
+TEST(Births, NewbornsGetTheInitialPositionOfTheUndeformedSheet) {
   const Mat3d turned{{{0.6, 0, 0.8}, {0, 1, 0}, {-0.8, 0, 0.6}}},
       strained{{{2.1, 0.7, 0}, {-0.3, 0.8, 0}, {0, 0, 1}}};
   Stretched sheet(turned * strained);
@@ -61,9 +61,9 @@ TEST(Births, WhatFollowsKnowsWhereItWouldHaveBeenAtTheStart) {
   }
 }
 
-// Half molten surfels stand off the particles' surface by what is left of their marks: what is born among
-// them before the iterations settled wholly, and was a rag under or over their sheet.
-TEST(Births, WhatIsBornInAnUpdateSettlesAsThoseAroundIt) {
+// Half-molten surfels keep a distance from the particles' surface by their detail height. Newborns that
+// relaxed fully would be detached below or above the sheet.
+TEST(Births, NewbornsRelaxLikeTheirNeighbours) {
   SurfelRig rig(test::surfelScene(0.1));
   Surfels& s = rig.surfels();
   s.activate(s.liquid);
@@ -72,14 +72,14 @@ TEST(Births, WhatIsBornInAnUpdateSettlesAsThoseAroundIt) {
   rig.add({0, 0, 0.3}, {0, 0, 1});
   EXPECT_EQ(s.carried[0], (Vec3d{0, 0, 0.3}));
   EXPECT_EQ(s.carriedNormal[0], (Vec3d{0, 0, 1}));
-  s.activate(s.loose);  // the face of a crack settles
+  s.activate(s.loose);  // the face of a crack relaxes
   rig.add({0.1, 0, 0.3}, {0, 0, 1});
   EXPECT_EQ(s.loose[1], 1);
   EXPECT_EQ(s.carriedNormal[1], Vec3d{});
 }
 
-// Newborns of the start go back onto the body: the mean of the planes of two faces is on neither.
-TEST(Births, OfTheStartAreOnTheMesh) {
+// Newborns at the start are projected onto the body: the mean plane of two faces lies on neither.
+TEST(Births, AtTheStartAreOnTheMesh) {
   Scene scene = test::surfelScene(0.1);
   scene.bodies.emplace_back();
   scene.bodies[0].shape.kind = ShapeKind::Mesh;

@@ -14,7 +14,7 @@ namespace {
 
 using test::SettleRig;
 
-/// A ball of radius 6 with bumps of .3 on its surfels, of a liquid fraction that all of it has.
+/// A ball of radius 6 with bumps of 0.3 on its surfels and a uniform liquid fraction.
 struct Bumpy {
   SettleRig rig{0.5, 12};
   static double bump(const Vec3d& e) { return 0.3 * std::sin(4 * e.x) * std::sin(4 * e.y + 1); }
@@ -45,7 +45,7 @@ struct Bumpy {
     blendSurfels(rig.w);
     middle += by;
   }
-  /// Share of the bumps that is in places, by their projection on what they were.
+  /// Remaining share of the bumps, by projection onto the initial ones.
   double left() const {
     const Surfels& s = rig.w.surface.surfels;
     double with = 0, all = 0, mean = 0;
@@ -61,8 +61,8 @@ struct Bumpy {
   Vec3d middle{};
 };
 
-/// b rises to `most` in some updates, and stays for as many: at any rate the same is left.
-TEST(Blend, MarksDoNotDependOnTheNumberOfUpdates) {
+/// b rises to `most` in some updates and stays for as many. The remaining share does not depend on the rate.
+TEST(Blend, DetailDoesNotDependOnTheNumberOfUpdates) {
   for (const double most : {0.3, 0.6}) {
     double first = 0;
     for (const int updates : {1, 4, 20}) {
@@ -74,7 +74,7 @@ TEST(Blend, MarksDoNotDependOnTheNumberOfUpdates) {
       std::printf("b %.1f, %2d updates: %.4f of the bumps left\n", most, 2 * updates, left);
       if (updates == 1) first = left;
       EXPECT_NEAR(left, first, 0.03);
-      EXPECT_NEAR(left, 1 - most, 0.06);  // the smooth surface has some of their shape
+      EXPECT_NEAR(left, 1 - most, 0.06);  // the smooth surface contains part of their shape
       const Surfels& s = ball.rig.w.surface.surfels;
       double detail = 0;
       for (std::size_t i = 0; i < s.owned; i++)
@@ -84,7 +84,7 @@ TEST(Blend, MarksDoNotDependOnTheNumberOfUpdates) {
   }
 }
 
-TEST(Blend, WhatFreezesKeepsTheDetailThatItHas) {
+TEST(Blend, FrozenSurfacesKeepTheirDetail) {
   Bumpy ball;
   const Surfels& s = ball.rig.w.surface.surfels;
   for (const double b : {0.2, 0.5, 0.5}) ball.update(b);
@@ -94,20 +94,19 @@ TEST(Blend, WhatFreezesKeepsTheDetailThatItHas) {
   const std::vector<Vec3d> before(s.position.data(), s.position.data() + s.owned);
   for (int k = 0; k < 3; k++) ball.update(0);
   for (std::size_t i = 0; i < s.owned; i++) EXPECT_LT(length(s.position[i] - before[i]), 1e-12);
-  for (int k = 0; k < 4; k++) ball.update(0.5);  // molten again, it loses half of what it had kept
+  for (int k = 0; k < 4; k++) ball.update(0.5);  // molten again, it loses half of the rest
   EXPECT_NEAR(ball.left(), 0.5 * half, 0.06);
   ball.update(1);
   for (std::size_t i = 0; i < s.owned; i++) EXPECT_EQ(s.detail[i], 0);
 }
 
-/// What is half-molten and flows loses the marks that were carried along with it, at any rate of updates;
-/// what is solid does not.
-TEST(Blend, KneadingWipesMarksOfWhatIsMolten) {
+/// Half-molten material that flows loses its detail at any rate of updates; solid material keeps it.
+TEST(Blend, DeformationErasesDetailOfMoltenSurfaces) {
   const auto knead = [](double liquid, int updates) {
     Bumpy ball;
     Surfels& s = ball.rig.w.surface.surfels;
     ball.update(liquid);
-    for (int k = 0; k < updates; k++) {  // a strain of 1 in all, without the motion
+    for (int k = 0; k < updates; k++) {  // a total strain of 1, without the motion
       s.activate(s.carried);
       s.activate(s.carriedNormal);
       s.activate(s.strain);

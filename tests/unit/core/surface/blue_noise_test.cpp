@@ -17,8 +17,8 @@ struct Spread {
   double least = 1e300, mean = 0, hole = 0;
 };  // over the spacing
 
-/// Brute force: distances of each place from its nearest, and of many points of the mesh from the nearest
-/// place, each of one side.
+/// Distances of each sample to its nearest, and of many points of the mesh to the nearest sample, on each
+/// side. Brute force.
 Spread spreadOf(const TriangleMesh& mesh, const std::vector<MeshSample>& s, double spacing) {
   const auto normal = [&](std::uint32_t t) {
     const auto& c = mesh.triangles[t];
@@ -93,7 +93,7 @@ TEST(BlueNoise, SamplesTheBustOntoTheSculpture) {
   const std::clock_t t1 = std::clock();
   const std::vector<SurfaceSample> all = sampleShape(shape, {}, spacing, 1);
   const std::clock_t t2 = std::clock();
-  std::printf("bust: %zu triangles, %zu places in %.3f s of CPU; as a body in %.3f s\n",
+  std::printf("bust: %zu triangles, %zu samples in %.3f s of CPU; as a body in %.3f s\n",
               mesh.triangles.size(), s.size(), static_cast<double>(t1 - t0) / CLOCKS_PER_SEC,
               static_cast<double>(t2 - t1) / CLOCKS_PER_SEC);
   ASSERT_EQ(all.size(), s.size());
@@ -120,7 +120,7 @@ TEST(BlueNoise, NormalsOfSliversAreThoseOfTheirSurroundings) {
     }
   }
   std::printf("normals: %.3f degrees in the mean, %.3f at most, of %.0f\n", mean / n, worst, n);
-  EXPECT_LT(mean / n, 0.85);  // without the care for slivers .856 and 53.4
+  EXPECT_LT(mean / n, 0.85);  // without slivers' corrections 0.856 and 53.4
   EXPECT_LT(worst, 10);
 }
 

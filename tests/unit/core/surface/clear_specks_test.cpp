@@ -12,7 +12,7 @@ using namespace test;
 
 constexpr std::uint32_t red = 0x3040e0, blue = 0xe05030;
 
-/// A sheet of 30 x 30 surfels; its colour by place in the row and the column.
+/// A sheet of 30 x 30 surfels, coloured by row and column.
 struct Sheet : SurfelRig {
   static Scene scene() {
     Scene s = surfelScene(0.1);
@@ -41,8 +41,8 @@ struct Sheet : SurfelRig {
   }
 };
 
-TEST(ClearSpecks, TakesThoseThatAreAloneAndNothingElse) {
-  // one by one, and a pair somewhere
+TEST(ClearSpecks, ReplacesOnlyIsolatedColours) {
+  // single surfels, and a pair
   const auto specks = [](int j, int k) {
     return (j % 5 == 2 && k % 5 == 2) || (j == 14 && k == 10) ? red : blue;
   };
@@ -50,7 +50,7 @@ TEST(ClearSpecks, TakesThoseThatAreAloneAndNothingElse) {
   EXPECT_EQ(sheet.count(red), 37);
   sheet.clear();
   EXPECT_EQ(sheet.count(red), 0);
-  // the mean around, with other specks in it
+  // the mean around, including other isolated colours
   for (const std::uint32_t c : sheet.colours())
     EXPECT_LT(std::abs(static_cast<int>(c & 255) - static_cast<int>(blue & 255)), 60);
   Sheet half([](int j, int) { return j < 15 ? red : blue; }),
@@ -67,8 +67,8 @@ TEST(ClearSpecks, TakesThoseThatAreAloneAndNothingElse) {
   EXPECT_EQ(solid.colours(), before);
 }
 
-/// Grown among others a surfel has their colour, in the mean; far from all, that of its material.
-TEST(ClearSpecks, BirthsHaveTheMeanColourOfThoseAround) {
+/// A newborn takes the mean colour of its neighbours, or that of its material without any.
+TEST(ClearSpecks, BirthsHaveTheMeanColourOfTheirNeighbours) {
   Sheet half([](int j, int) { return j < 15 ? red : blue; });
   SurfaceParticles& p = half.world.surface.particles;
   p.resize(1, 0);

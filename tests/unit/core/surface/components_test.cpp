@@ -21,7 +21,7 @@ TEST(Components, ACubeIsOneBody) {  // B19: S_rest alone finds six
   EXPECT_NEAR(rig.components()[0].volume, 1, 0.001);
 }
 
-TEST(Components, TwoBodiesThatTouchAtTheStartAreTwo) {
+TEST(Components, TouchingBodiesAreSeparateAtTheStart) {
   SerialSurfaceRig rig;
   rig.world.scene.surface.merge = MergeRule::None;
   rig.box({-1, -0.3, -0.3}, {10, 6, 6});
@@ -64,7 +64,7 @@ TEST(Components, ADumbbellPulledApartSplitsOnce) {
   EXPECT_EQ(rig.world.surface.counters.lost, 0);
 }
 
-TEST(Components, ALabelThatChangesIsLogged) {
+TEST(Components, LabelChangesAreLogged) {
   SerialSurfaceRig rig;
   rig.ball({0, 0, 0}, 0.5);
   rig.update();
@@ -100,7 +100,7 @@ TEST(Components, ADropWithoutSurfelsIsListed) {
   EXPECT_GE(rig.p().position[rows[0]].z, 1.0);
 }
 
-TEST(Components, AParticleInTheSurfaceStaysThoughNoneIsNear) {
+TEST(Components, ParticleInsideTheSurfaceKeepsItsComponent) {
   SerialSurfaceRig rig;
   for (int z = -2; z < 2; z++)
     for (int y = -2; y < 2; y++)
@@ -126,11 +126,11 @@ TEST(Components, SurfelsWithoutParticlesAreDeletedAndCounted) {
   EXPECT_EQ(rig.world.surface.counters.lost, static_cast<std::int64_t>(rig.surfels - before));
 }
 
-TEST(Components, FreshParticlesTakeTheComponentThatTheyTouch) {
+TEST(Components, NewParticlesTakeTheComponentThatTheyTouch) {
   SerialSurfaceRig rig;
   rig.ball({0, 0, 0}, 0.5, 1);
   rig.ball({1.2, 0, 0}, 0.3, 1 + rig.particles);
-  // a column that stands on the first: hand over hand
+  // a column on the first ball, connected step by step
   for (int k = 0; k < 4; k++) rig.particle({0, 0, 0.55 + 0.1 * k});
   rig.particle({0, 0, -1.5});
   rig.update();
@@ -141,7 +141,7 @@ TEST(Components, FreshParticlesTakeTheComponentThatTheyTouch) {
   EXPECT_EQ(rig.world.surface.counters.splits, 0);
 }
 
-TEST(Components, FreshParticlesTakeWhatTheSceneLetsJoin) {  // four of another body that come beside a ball
+TEST(Components, NewParticlesFollowTheMergeRules) {  // four particles of another body next to a ball
   struct Rule {
     MergeRule merge;
     bool ballIsLiquid, theyAreLiquid, join;
@@ -154,7 +154,7 @@ TEST(Components, FreshParticlesTakeWhatTheSceneLetsJoin) {  // four of another b
     rig.world.scene.surface.merge = r.merge;
     rig.liquid = r.ballIsLiquid;
     rig.ball({0, 0, 0}, 0.5, 1);
-    rig.particle({0, 0, -0.55});  // and one of its own
+    rig.particle({0, 0, -0.55});  // and one of its own body
     rig.body = 1;
     rig.liquid = r.theyAreLiquid;
     const std::uint64_t first = rig.particles;

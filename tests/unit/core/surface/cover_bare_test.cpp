@@ -1,4 +1,4 @@
-// A solid that tears: the faces of the crack get a surface, and each piece is closed.
+// A tearing solid: the faces of the crack get a surface, and each piece is closed.
 #include "core/surface/cover_bare.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ struct TornBar : SurfaceWorld {
           if (coloured) bar.colours.assign(bar.vertices.size(), 0x2030c0);
           return bar;
         }) {}
-  /// Two pieces go apart by this much, along a crack that is not straight.
+  /// Moves two pieces apart along a curved crack.
   void pull(double by) {
     for (std::size_t i = 0; i < w.particles.owned; i++) {
       Vec3d& x = w.particles.position[i];
@@ -57,7 +57,7 @@ struct TornBar : SurfaceWorld {
     }
     return side[w.particles.id[i]];
   }
-  /// What a crack does to those who had bonds across it (bond_graph.cpp).
+  /// Applies the effect of a crack to particles with bonds across it (bond_graph.cpp).
   void cut() {
     const Continuum& p = w.particles;
     for (std::size_t i = 0; i < p.owned; i++)
@@ -69,9 +69,9 @@ struct TornBar : SurfaceWorld {
   std::vector<char> side;
 };
 
-/// The largest distance, over the spacing, from the places of a surface that is grown anew around the same
-/// particles to the nearest surfel of the same side, and from the surfels to that surface; and how open the
-/// new one is by its areas (SurfaceComponent::open), at the most.
+/// Largest distance, over the spacing, between the surface and a new one grown around the same particles, in
+/// both directions and on the same side. `open`: largest openness of the new one by its areas
+/// (SurfaceComponent::open).
 struct AwayFromFresh {
   double hole = 0, off = 0, open = 0;
 };
@@ -109,7 +109,7 @@ AwayFromFresh awayFromFresh(TornBar& torn, double inside) {
   return away;
 }
 
-TEST(CoverBare, ATornBarHasTwoClosedPieces) {
+TEST(CoverBare, TornBarHasTwoClosedPieces) {
   for (const bool mesh : {false, true}) {
     TornBar bar(mesh);
     const Surface& s = bar.w.surface;
@@ -126,13 +126,12 @@ TEST(CoverBare, ATornBarHasTwoClosedPieces) {
     for (const SurfaceComponent& c : s.components) {
       std::printf(
           "%s: %lld particles, %lld surfels, volume %.4f of the particles' (whole bar %.4f), open %.4f "
-          "(grown anew at most %.4f)\n",
+          "(new surface at most %.4f)\n",
           mesh ? "mesh" : "grown", static_cast<long long>(c.particles), static_cast<long long>(c.surfels),
           c.volume / c.particleVolume, volume, c.open, open);
       EXPECT_NEAR(c.volume / c.particleVolume / volume, 1, mesh ? 0.03 : 0.02);
-      EXPECT_LT(c.open, mesh ? 0.03 : std::max(0.01, 1.1 * open));  // the skin of a mesh ends in a step over
-                                                                    // the face, half a spacing of particles
-                                                                    // high
+      EXPECT_LT(c.open, mesh ? 0.03 : std::max(0.01, 1.1 * open));  // the skin of a mesh ends in a step of
+                                                                    // half a particle spacing over the face
     }
     std::printf(
         "%zu surfels, then %zu, %lld births, %lld deaths; %.3f spacings at most from a fresh surface to "
@@ -141,8 +140,8 @@ TEST(CoverBare, ATornBarHasTwoClosedPieces) {
         static_cast<long long>(s.counters.deaths), hole, off);
     if (mesh) { EXPECT_GT(static_cast<double>(old), 0.75 * static_cast<double>(before)); }
     EXPECT_LT(hole, mesh ? 1.2 : 1.0);
-    EXPECT_LT(off, mesh ? 1.9 : 1.2);  // of the mesh's edges, too, that a grown surface rounds
-    // and all stays as it is
+    EXPECT_LT(off, mesh ? 1.9 : 1.2);  // includes the mesh's edges, which a grown surface rounds
+    // and it stays as it is
     const std::int64_t changes = s.counters.births + s.counters.deaths;
     for (int k = 0; k < 3; k++) bar.pull(0);
     std::printf("at rest: %lld births and deaths more\n",
@@ -163,7 +162,7 @@ TEST(CoverBare, FacesOfACrackInheritTheColoursOfTheMesh) {
     EXPECT_EQ(f.colour[i], 0x2030c0u) << i;
   }
   EXPECT_GT(born, 400u);
-  // a chip that comes off, and small drops, too
+  // also with a detached chip and small drops
   std::size_t moved = 0;
   for (std::size_t i = 0; i < bar.w.particles.owned && moved < 3; i++)
     if (const Vec3d x = bar.w.particles.position[i]; x.x > 0.9 && x.y > 0.3 && x.z > 0.1)
@@ -178,9 +177,9 @@ TEST(CoverBare, FacesOfACrackInheritTheColoursOfTheMesh) {
   for (std::size_t i = 0; i < f.owned; i++) EXPECT_EQ(f.colour[i], 0x2030c0u) << i;
 }
 
-/// A bar that is squeezed across until its particles' colour has its surface elsewhere keeps its own, since
-/// no bond is lost: no second skin grows.
-TEST(CoverBare, WhatIsSqueezedAndHoldsTogetherGrowsNoSecondSkin) {
+/// A bar compressed across until the colour field's surface lies elsewhere keeps its own. No bond is lost, so
+/// no second skin grows.
+TEST(CoverBare, CompressedBodyGrowsNoSecondSkin) {
   for (const bool intact : {true, false}) {
     TornBar bar(true, false, 0.02);
     if (!intact) std::fill_n(bar.w.solids.bared.data(), bar.w.solids.owned, std::uint8_t{1});
@@ -203,9 +202,9 @@ TEST(CoverBare, WhatIsSqueezedAndHoldsTogetherGrowsNoSecondSkin) {
   }
 }
 
-/// Swung through strains of a fifth and back in ten updates a turn, its surfels are where they began: nothing
-/// is added up.
-TEST(FollowStart, WhatSwingsAndComesBackHasItsMarks) {
+/// A bar that swings through strains of a fifth in ten updates per cycle: its surfels return to their initial
+/// places, and no error accumulates.
+TEST(FollowStart, OscillatingBodyKeepsItsDetail) {
   TornBar bar(true);
   const Surfels& f = bar.w.surface.surfels;
   const std::vector<Vec3d> start(bar.w.particles.position.data(),
@@ -223,7 +222,7 @@ TEST(FollowStart, WhatSwingsAndComesBackHasItsMarks) {
   double worst = 0, turned = 0;
   std::size_t old = 0;
   for (std::size_t i = 0; i < f.owned; i++) {
-    if (!before.contains(f.id[i])) continue;  // born where it was stretched most
+    if (!before.contains(f.id[i])) continue;  // born at the largest stretch
     old++;
     const auto& [place, normal] = before[f.id[i]];
     worst = std::max(worst, length(f.position[i] - place) / 0.05);
@@ -236,7 +235,7 @@ TEST(FollowStart, WhatSwingsAndComesBackHasItsMarks) {
   EXPECT_LT(turned, 1e-9);
 }
 
-TEST(CoverBare, AChipOfSixParticlesHasASurface) {
+TEST(CoverBare, ChipOfSixParticlesGetsASurface) {
   SurfelRig rig(surfelScene(0.05));
   SurfaceParticles& p = rig.world.surface.particles;
   for (const Vec3d& x : {Vec3d{-0.46, 0.08, 0.08},

@@ -54,10 +54,10 @@ TEST(Displace, AffineMotionIsExact) {
   affineMotionIsExact(true);
 }
 
-// A body bends about a line by 60 degrees in 12 updates, within two spacings: discs stay in the plane of
-// those around them. With the mean of the particles' gradients, which is smoother than what places are
-// carried by, they stand out by up to 12 degrees.
-TEST(Displace, NormalsTurnAsPlacesDo) {
+// A body bends about a line by 60 degrees in 12 updates, within two spacings. Discs must stay in the plane of
+// their neighbours. The mean of the particles' gradients is smoother than the displacement of positions and
+// would leave them up to 12 degrees out of plane.
+TEST(Displace, NormalsTurnWithPositions) {
   SettleRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) {
     return std::abs(x.x) < 6 && std::abs(x.y) < 3 && x.z < 0 && x.z > -3;
@@ -76,7 +76,7 @@ TEST(Displace, NormalsTurnAsPlacesDo) {
   for (int update = 0; update < 12; update++) {
     const double a = pi / 3 / 12;
     for (std::size_t i = 0; i < p.owned; i++) {
-      // what lies at x0 > 1 turns by a, what is at x0 < -1 stays
+      // x0 > 1 turns by a, x0 < -1 stays
       const double x0 = from[p.id[i]], turn = a * std::clamp(0.5 + 0.5 * x0, 0.0, 1.0);
       const Vec3d x = p.position[i];
       p.displacement[i] = Vec3d{std::cos(turn) * x.x + std::sin(turn) * x.z, x.y,
@@ -141,13 +141,13 @@ TEST(Displace, SheetsRowsAndSingleParticlesTurnAsRigidBodies) {
     for (std::size_t i = 0; i < p.owned; i++) p.displacement[i] = turn(p.position[i]) - p.position[i];
     carry(rig);
     ASSERT_EQ(rig.w.surface.surfels.owned, 1u);
-    const Vec3d wanted = kind == 2 ? at + Vec3d{0, 0, 0.4} : turn(at);  // one particle knows of no turn
+    const Vec3d wanted = kind == 2 ? at + Vec3d{0, 0, 0.4} : turn(at);  // one particle defines no rotation
     EXPECT_LT(length(rig.w.surface.surfels.position[0] - wanted), 1e-12) << kind;
   }
 }
 
-// A plate of one layer turns by a right angle while its ripples swing through: they say nothing of how thick
-// it is, and its sides stay apart.
+// A plate of one layer turns by a right angle while its ripples reverse. They do not affect its thickness,
+// and its sides stay apart.
 TEST(Displace, ARippledPlateKeepsItsThickness) {
   SettleRig rig;
   std::vector<double> ripple;
@@ -180,7 +180,7 @@ TEST(Displace, ARippledPlateKeepsItsThickness) {
   }
   for (std::size_t i = 0; i < s.owned; i++) {
     const double side = (s.id[i] - 1000) < s.owned / 2 ? -1 : 1;
-    EXPECT_NEAR(-side * s.position[i].y, 0.5, 0.15);  // its plane is x, z now
+    EXPECT_NEAR(-side * s.position[i].y, 0.5, 0.15);  // its plane is x, z at the end
   }
 }
 
@@ -188,8 +188,8 @@ TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
   SettleRig rig;
   for (int k = -1; k <= 1; k++) rig.addParticle({double(k), 0, 0}, {0.5, 0, 0});
   rig.addSurfel({0, 0, 3.9}, {0, 0, 1});
-  rig.addSurfel({0, 0, 4.4}, {0, 0, 1});       // only the first one is near
-  rig.addSurfel({10, 0, 0}, {0, 0, 1});        // nobody is
+  rig.addSurfel({0, 0, 4.4}, {0, 0, 1});       // only the first surfel is near
+  rig.addSurfel({10, 0, 0}, {0, 0, 1});        // no surfel is near
   rig.addSurfel({0, 0.3, 3.9}, {0, 0, 1}, 7);  // particles of another component
   carry(rig);
   const Surfels& s = rig.w.surface.surfels;
@@ -198,7 +198,7 @@ TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
   EXPECT_EQ(rig.w.surface.counters.lost, 2);
 }
 
-TEST(Displace, NobodyAtAll) {
+TEST(Displace, HandlesAnEmptySurface) {
   SettleRig rig;
   carry(rig);
   rig.addSurfel({0, 0, 1}, {0, 0, 1});
@@ -219,7 +219,7 @@ TEST(Displace, SameBitsForEveryInstructionSet) {
     for (std::size_t i = 0; i < p.owned; i++)
       p.displacement[i] = 0.1 * Vec3d{std::sin(p.position[i].y), p.position[i].x * p.position[i].z,
                                       std::cos(p.position[i].x)};
-    // what is liquid turns otherwise
+    // the liquid part turns differently
     for (std::size_t i = 0; i < p.owned; i++) p.liquid[i] = p.position[i].z > 0 ? 1.0f : 0.0f;
     carry(rig);
     const Surfels& s = rig.w.surface.surfels;
@@ -231,9 +231,9 @@ TEST(Displace, SameBitsForEveryInstructionSet) {
   }
 }
 
-// Melt falls off a solid: what covers the solid stays with it. By the mean of all particles it sank into the
-// solid, here by a tenth of what the melt falls, and so in each update.
-TEST(Displace, TheSurfaceOfASolidGoesWithTheSolid) {
+// Melt falls off a solid, and the surface of the solid stays with it. The mean motion of all particles would
+// draw it into the solid by a tenth of the melt's fall per update.
+TEST(Displace, SurfaceOfASolidMovesWithTheSolid) {
   SettleRig rig;
   rig.addLattice(5, {},
                  [](const Vec3d& x) { return std::abs(x.x) < 5 && std::abs(x.y) < 5 && std::abs(x.z) < 3; });
@@ -254,7 +254,7 @@ TEST(Displace, TheSurfaceOfASolidGoesWithTheSolid) {
   }
 }
 
-TEST(Displace, FreshParticlesAndOtherComponentsDoNotPull) {
+TEST(Displace, NewParticlesAndOtherComponentsHaveNoEffect) {
   SettleRig rig;
   rig.addLattice(3, {}, [](const Vec3d& x) { return length(x) < 3; });
   rig.addParticle({0.5, 0.5, 0.5}, {9, 9, 9}, noComponent);

@@ -24,7 +24,7 @@ SurfaceComponent measured(SurfelRig& rig) {
   return s.components.at(0);
 }
 
-/// What sum x.n A / 3 says.
+/// Volume as the sum x.n A / 3.
 double byNormals(const Surfels& f) {
   double volume = 0;
   for (std::size_t i = 0; i < f.owned; i++) volume += dot(f.position[i], f.normal[i]) * f.area[i] / 3;
@@ -33,7 +33,7 @@ double byNormals(const Surfels& f) {
 
 }  // namespace
 
-TEST(Facets, SpheresOfSmallDrops) {
+TEST(Facets, VolumesOfSmallDropsAreExact) {
   for (const double particles : {1.0, 2.0, 3.0, 4.0, 20.0}) {
     const double volume = particles * 1e-3;
     SurfelRig rig(surfelScene(0.05));
@@ -44,9 +44,9 @@ TEST(Facets, SpheresOfSmallDrops) {
   }
 }
 
-// A film with a round rim, whose normals begin to turn two spacings before it, as smoothing has them turn:
-// most of sum x.n A is the rim's.
-TEST(Facets, AFilmWhoseNormalsAreSmooth) {
+// A film with a round rim whose smoothed normals begin to turn two spacings before it. Most of sum x.n A
+// belongs to the rim.
+TEST(Facets, VolumeOfAFilmWithSmoothNormalsIsExact) {
   const double d = 0.05, t = 0.06, R = 1;
   SurfelRig rig(surfelScene(d));
   for (int y = -30; y <= 30; y++)
@@ -75,11 +75,11 @@ TEST(Facets, AFilmWhoseNormalsAreSmooth) {
   std::printf("film: by facets %+.1f %%, by normals %+.1f %%, open %.4f\n", 100 * (c.volume / exact - 1),
               100 * (byNormals(rig.surfels()) / exact - 1), c.open);
   EXPECT_NEAR(c.volume, exact, 0.03 * exact);
-  EXPECT_GT(std::abs(byNormals(rig.surfels()) / exact - 1), 0.15);  // else this is no trial
+  EXPECT_GT(std::abs(byNormals(rig.surfels()) / exact - 1), 0.15);  // the case is sensitive to the measure
 }
 
-// Seen from its rim a hole of any width takes away what is over it, and no cone down to the middle.
-TEST(Facets, ABallWithAHole) {
+// From its rim, a hole of any width removes only the part above it, not a cone to the centre.
+TEST(Facets, HoleOfABallRemovesOnlyItsCap) {
   const double angle = pi / 6, h = 1 - std::cos(angle), exact = 4.0 / 3 * pi - pi * h * h * (3 - h) / 3;
   SurfelRig rig(surfelScene(0.08));
   for (const SurfacePoint& p : test::spherePoints(2200, 1))
@@ -89,7 +89,7 @@ TEST(Facets, ABallWithAHole) {
   EXPECT_GT(c.open, 0.03);
 }
 
-/// A disc of surfels in the plane of height z, up to `radius`.
+/// Adds a disc of surfels at height z, up to `radius`.
 void addDisc(SurfelRig& rig, double radius, double z, double up) {
   const double d = rig.world.surface.spacing;
   const auto n = static_cast<std::uint64_t>(pi * radius * radius / (0.85 * d * d));
@@ -103,10 +103,9 @@ void addDisc(SurfelRig& rig, double radius, double z, double up) {
   }
 }
 
-// Films that are so thin that what turns round their rim is one ring, which hangs together with none of the
-// two sides: all along the rim there is a hole. Seen from the middle of the film, along it, half of its
-// volume is missing.
-TEST(Facets, AFilmWithHolesAllAlongItsRim) {
+// Films so thin that the rim is one ring of surfels, connected to neither side: there is a hole all along the
+// rim. Measured from the middle of the film, half of its volume would be missing.
+TEST(Facets, VolumeOfAFilmWithAnOpenRimIsExact) {
   const double d = 0.05, R = 12 * d;
   for (const double thick : {0.5, 0.8})
     for (const double tilt : {0.0, 0.7}) {
@@ -135,9 +134,8 @@ TEST(Facets, AFilmWithHolesAllAlongItsRim) {
     }
 }
 
-// Drops on a floor that they meet at a sharp angle: none of the surfels above hangs together with one on the
-// floor.
-TEST(Facets, CapsOnAFloor) {
+// Drops that meet a floor at a sharp angle: no surfel above is connected to one on the floor.
+TEST(Facets, VolumesOfCapsOnAFloorAreExact) {
   const double d = 0.05, a = 12 * d;
   for (const double angle : {30.0, 45.0, 60.0, 90.0, 120.0}) {
     const double t = angle * pi / 180, R = a / std::sin(t), middle = -R * std::cos(t), h = R + middle,
@@ -152,8 +150,8 @@ TEST(Facets, CapsOnAFloor) {
   }
 }
 
-// Edges bulge by what the planes that meet there hold over the facets.
-TEST(Facets, ABox) {
+// Edges gain the volume between the planes that meet there and the facets.
+TEST(Facets, VolumeOfABoxIncludesItsEdges) {
   const double d = 0.1;
   SurfelRig rig(surfelScene(d));
   for (int a = 0; a < 3; a++)

@@ -13,7 +13,7 @@ using test::SettleRig;
 TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
   SettleRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5.5; });
-  rig.addParticle({0, 0, 6.5}, {}, 9);  // of another body
+  rig.addParticle({0, 0, 6.5}, {}, 9);  // another body
   rig.place();
   readyParticles(rig.w, rig.ranks->halos(), rig.tools);
   const SurfaceParticles& p = rig.w.surface.particles;
@@ -52,7 +52,7 @@ TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
   }
 }
 
-TEST(FieldProbe, NewtonEndsOnTheSurfaceOrSaysThatThereIsNone) {
+TEST(FieldProbe, NewtonFindsTheSurfaceOrReportsNone) {
   SettleRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5.5; });
   rig.place();
@@ -73,9 +73,9 @@ TEST(FieldProbe, NewtonEndsOnTheSurfaceOrSaysThatThereIsNone) {
   }
 }
 
-// Other ranks' particles are here as far as the cells around one's own go, and on fewer ranks farther: what
-// is asked at places far from home must not tell.
-TEST(FieldProbe, SeesTheSameWhateverIsThereFarFromHome) {
+// The particles of other ranks are present as far as the surrounding cells, and farther on fewer ranks.
+// Queries far from the owned cells must not depend on that.
+TEST(FieldProbe, DoesNotDependOnRemoteParticles) {
   std::vector<FieldHere> found;
   for (const bool more : {false, true}) {
     SettleRig rig;

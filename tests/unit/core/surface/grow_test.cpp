@@ -51,7 +51,7 @@ TEST(Grow, CoversABallOfParticlesWithoutAHole) {
       s.owned, law, farthest / R, hole, inward);
   EXPECT_LT(farthest, 0.05 * R);
   EXPECT_LT(inward, 0.1);
-  EXPECT_LT(hole, 1.1);  // of the ball itself, which is not quite the surface
+  EXPECT_LT(hole, 1.1);  // relative to the ball, which differs slightly from the surface
   EXPECT_GT(static_cast<double>(s.owned), 0.6 * law);
   EXPECT_LT(static_cast<double>(s.owned), 1.5 * law);
 }
@@ -75,7 +75,7 @@ TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
     placeRows(rig.world.surface.grid, rig.ranks->particles, p, rig.world.surface.particleCells,
               rig.tools.sort);
     const double R = std::cbrt(0.75e-3 * static_cast<double>(n) / 3.14159265358979);
-    for (int update = 0; update < 2; update++) {  // it comes anew in each
+    for (int update = 0; update < 2; update++) {  // a new surface in each update
       measureComponents(rig.world.surface, rig.ranks->halos().all);
       renewSurfels(rig.world, rig.ranks->halos(), rig.tools);
       const Surfels& s = rig.surfels();

@@ -1,4 +1,4 @@
-// No surfel is in an obstacle at the end of an update, whatever piece it is of.
+// At the end of an update no surfel of any component is inside an obstacle.
 #include "core/surface/keep_out.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-/// Of all surfels, over their spacing.
+/// Largest depth of a surfel inside an obstacle, over the spacing.
 double deepest(const World& w) {
   double most = 0;
   for (std::size_t i = 0; i < w.surface.surfels.owned; i++)
@@ -39,7 +39,7 @@ Obstacle& addBoxObstacle(Scene& s, const Vec3d& low, const Vec3d& high) {
   return s.obstacles.back();
 }
 
-/// Particles within a quarter of a spacing of a wall are moved off it, as the step would.
+/// Projects particles within a quarter of a spacing of a wall off it, as a step does.
 void keepParticlesOut(World& w) {
   for (std::size_t i = 0; i < w.particles.owned; i++)
     for (const Wall& wall : w.walls.list) {
@@ -49,7 +49,7 @@ void keepParticlesOut(World& w) {
     }
 }
 
-TEST(KeepOut, LiquidThatFlattensRoundAPegOnTheFloor) {
+TEST(KeepOut, HoldsForLiquidThatFlattensAroundAPeg) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.4, -0.4, 0.1}, {0.4, 0.4, 0.8});
   addBoxObstacle(s, {0.05, -0.1, 0}, {0.25, 0.1, 0.09});
@@ -72,7 +72,7 @@ TEST(KeepOut, LiquidThatFlattensRoundAPegOnTheFloor) {
   }
 }
 
-TEST(KeepOut, DropsOfAFewParticles) {
+TEST(KeepOut, HoldsForDropsOfAFewParticles) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.1, -0.1, 0}, {0, 0, 0.1});  // one particle
   addBox(s, {0.5, 0, 0}, {0.7, 0.2, 0.1});  // four
@@ -87,7 +87,7 @@ TEST(KeepOut, DropsOfAFewParticles) {
   }
 }
 
-TEST(KeepOut, SolidsDipInAndKeepTheirShape) {
+TEST(KeepOut, DippingSolidsKeepTheirShape) {
   Scene s = aboveFloor(1e5);
   Body& bar = addBox(s, {-0.4, -0.4, 0.05}, {0.4, 0.4, 0.65});
   bar.shape = Shape{}, bar.shape.kind = ShapeKind::Mesh, bar.shape.mesh = "bar";
@@ -120,7 +120,7 @@ TEST(KeepOut, NothingComesThroughAThinWall) {
   Surfels& f = world.w.surface.surfels;
   std::int64_t through = 0;
   for (std::size_t i = 0; i < f.owned; i++)
-    if (f.normal[i].z < -0.9) f.position[i].z = -0.07, through++;  // beyond it
+    if (f.normal[i].z < -0.9) f.position[i].z = -0.07, through++;  // beyond the wall
   ASSERT_GT(through, 50);
   gatherParticles(world.w, 0);
   const SurfaceParticles& p = world.w.surface.particles;
@@ -131,9 +131,9 @@ TEST(KeepOut, NothingComesThroughAThinWall) {
   EXPECT_LT(deepest(world.w), 0.05);
 }
 
-/// A liquid that has gone apart in all directions, to twice its volume. (One that is torn:
-/// tests/output/torn_film_test.sh.)
-TEST(KeepOut, FilmsThatHaveGoneApartKeepTheirVolume) {
+/// A liquid that has expanded in all directions to twice its volume. tests/output/torn_film_test.sh covers
+/// tearing.
+TEST(KeepOut, TornFilmsKeepTheirVolume) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.6, -0.6, 0.0}, {0.6, 0.6, 0.2});
   SurfaceWorld world(s);
@@ -152,8 +152,8 @@ TEST(KeepOut, FilmsThatHaveGoneApartKeepTheirVolume) {
   EXPECT_LT(c.open, 0.03);
 }
 
-/// A few particles that lie flat: on the floor below them their colour falls off to the side. They are too
-/// far apart for a level of their volume, so that offsets draw them in.
+/// A few particles in a flat drop: below them the colour falls off to the side. They are too far apart for a
+/// level with their volume, so that offsets draw the surface in.
 TEST(KeepOut, FlatDropsKeepTheirFloor) {
   for (const double apart : {1.0, 1.3}) {
     Scene s = aboveFloor(0);

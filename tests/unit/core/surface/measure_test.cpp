@@ -6,7 +6,7 @@
 using namespace thaw;
 using namespace thaw::test;
 
-TEST(Measure, AreaAndVolumeOfABall) {
+TEST(Measure, AreaAndVolumeOfABallAreExact) {
   for (const double R : {0.2, 0.4, 0.8, 1.6}) {  // 2, 4, 8, 16 spacings
     SerialSurfaceRig rig;
     rig.world.scene.surface.keepVolume = 0;
@@ -22,7 +22,7 @@ TEST(Measure, AreaAndVolumeOfABall) {
   }
 }
 
-TEST(Measure, ABallAcrossAPeriodicSide) {
+TEST(Measure, BallAcrossAPeriodicSideIsInOnePiece) {
   double volume[2], area[2];
   for (int shifted = 0; shifted < 2; shifted++) {
     SurfaceRig rig;
@@ -41,7 +41,7 @@ TEST(Measure, ABallAcrossAPeriodicSide) {
 
 namespace {
 
-/// A box along x in a domain of 4 m, from `low` on, measured with periodic sides along x.
+/// A box along x from `low` in a domain of 4 m, measured with periodic sides along x.
 SurfaceComponent measuredBox(double low, int cells) {
   SurfaceRig rig;
   rig.world.scene.surface.keepVolume = 0;
@@ -59,9 +59,9 @@ SurfaceComponent measuredBox(double low, int cells) {
 
 }  // namespace
 
-// Taken the shortest way from the particle that names it, at one end, the far end of a body longer than half
-// the domain was thought on the other side.
-TEST(Measure, ALongBodyAcrossAPeriodicSideIsTakenInOnePiece) {
+// The far end of a body longer than half the domain must not be assigned to the other side by the shortest
+// way from the particle that names it.
+TEST(Measure, LongBodyAcrossAPeriodicSideIsInOnePiece) {
   const SurfaceComponent whole = measuredBox(-1.5, 28);
   EXPECT_NEAR(whole.centroid.x, -0.1, 1e-9);
   for (const double low : {-0.3, 0.9, 1.7}) {
@@ -74,7 +74,7 @@ TEST(Measure, ALongBodyAcrossAPeriodicSideIsTakenInOnePiece) {
   }
 }
 
-TEST(Measure, WhatGoesRoundHasItsCentroidInTheMiddleAndItsVolume) {
+TEST(Measure, SpanningComponentHasItsCentroidInTheMiddleAndItsVolume) {
   SurfaceRig rig;
   rig.world.scene.surface.keepVolume = 0;
   for (int a = 0; a < 2; a++)
@@ -97,7 +97,7 @@ TEST(Measure, WhatGoesRoundHasItsCentroidInTheMiddleAndItsVolume) {
   EXPECT_NEAR(c.volume / 6.4 - 1, 0, 1e-6);
 }
 
-TEST(KeepVolume, ABallAndAFlattenedBall) {
+TEST(KeepVolume, RestoresABallAndAFlattenedBall) {
   for (const double flat : {1.0, 0.5}) {
     const double wide = 1 / std::sqrt(flat);
     SerialSurfaceRig rig;
@@ -123,8 +123,8 @@ TEST(KeepVolume, ABallAndAFlattenedBall) {
   }
 }
 
-// A flat drop answers to an offset by twice its area: the next one knows.
-TEST(KeepVolume, OffsetsFollowHowTheVolumeAnswered) {
+// A flat drop responds to an offset with twice its area. The next offset accounts for that.
+TEST(KeepVolume, OffsetsFollowTheResponseOfTheVolume) {
   SerialSurfaceRig rig;
   Surface& s = rig.world.surface;
   s.spacing = 1;
@@ -139,9 +139,9 @@ TEST(KeepVolume, OffsetsFollowHowTheVolumeAnswered) {
   EXPECT_NEAR(c.raised, 0.05, 1e-12);
 }
 
-// Where the level of the iterations can follow no farther the surface is moved all the same.
-TEST(KeepVolume, BeyondWhatTheLevelMayFollow) {
-  for (const double swollen : {1.2, 0.85}) {  // particles that have come apart, or closer
+// Beyond the range of the iteration level the surface is offset directly.
+TEST(KeepVolume, OffsetsBeyondTheRangeOfTheLevel) {
+  for (const double swollen : {1.2, 0.85}) {  // particles that have expanded or contracted
     const double end = swollen > 1 ? -mostDrawnIn : mostRaised;
     SerialSurfaceRig rig;
     rig.ball({0, 0, 0}, 0.8);
@@ -153,12 +153,12 @@ TEST(KeepVolume, BeyondWhatTheLevelMayFollow) {
       rig.update();
       const SurfaceComponent& c = rig.components()[0];
       EXPECT_NEAR(c.volume / c.particleVolume, 1, 2e-3) << swollen;
-      EXPECT_NEAR(c.raised, end * rig.dx, 0.1 * rig.dx);  // it did not need less
+      EXPECT_NEAR(c.raised, end * rig.dx, 0.1 * rig.dx);  // it needs at least this
     }
   }
 }
 
-TEST(KeepVolume, WhatFrozeIsDrawnToItsVolumeButNotWhatNeverMeltedNorAMeshsDetail) {
+TEST(KeepVolume, AppliesToFrozenSurfacesButNotToUnmeltedOrDetailedOnes) {
   for (const int way : {0, 1, 2}) {  // frozen, never liquid, frozen under a mesh's detail
     SerialSurfaceRig rig;
     rig.liquid = false;

@@ -12,7 +12,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// Two balls of radius 0.5 whose surfaces overlap by this much (m) along x.
+/// Two balls of radius 0.5 whose surfaces overlap by `overlap` (m) along x.
 void twoBalls(SurfaceRig& rig, double overlap) {
   rig.ball({-0.5, 0, 0}, 0.5, 1);
   rig.ball({0.5 - overlap, 0.02, 0.01}, 0.5, 1 + rig.particles);
@@ -41,7 +41,7 @@ TEST(Merge, BallsJoinOnlyWhenAParticleIsInside) {
   EXPECT_EQ(met.world.surface.events[0].label, 1u);
   EXPECT_GT(met.world.surface.counters.deaths, 0);
   EXPECT_EQ(met.components()[0].surfels + met.world.surface.counters.deaths, surfels);
-  // none of one ball is left inside the other
+  // no surfel of one ball is left inside the other
   for (std::size_t i = 0; i < met.f().owned; i++) {
     const Vec3d x = met.f().position[i];
     EXPECT_GT(std::max(length(x - Vec3d{-0.5, 0, 0}), length(x - Vec3d{0.35, 0.02, 0.01})), 0.5 - 1e-9);
@@ -50,8 +50,8 @@ TEST(Merge, BallsJoinOnlyWhenAParticleIsInside) {
 }
 
 TEST(Merge, LiquidsThatTouchJoinAndDoNotFlicker) {
-  // two balls come together and part again in steps of a tenth of a spacing, with trembling: one merge, one
-  // split, wherever they turn round
+  // Two balls approach and separate in steps of a tenth of a spacing, with noise: one merge and one split,
+  // wherever they turn.
   for (const double turn : {0.5}) {
     Scene s;
     s.spacing = 0.1;
@@ -69,7 +69,7 @@ TEST(Merge, LiquidsThatTouchJoinAndDoNotFlicker) {
     }
     SurfaceWorld balls(s);
     ASSERT_EQ(balls.components().size(), 2u);
-    const auto gap = [&] {  // of the particles, in spacings
+    const auto gap = [&] {  // distance of the particles, in spacings
       double low = 1e300, high = -1e300;
       for (std::size_t i = 0; i < balls.w.particles.owned; i++) {
         const double x = balls.place(i).x;
@@ -106,7 +106,7 @@ TEST(Merge, LiquidsThatTouchJoinAndDoNotFlicker) {
   }
 }
 
-TEST(Merge, TheSceneSaysWhatJoins) {
+TEST(Merge, SceneRulesDecideMerges) {
   for (const bool liquid : {false, true})
     for (const MergeRule rule : {MergeRule::Liquid, MergeRule::All, MergeRule::None}) {
       SerialSurfaceRig rig;
@@ -118,7 +118,7 @@ TEST(Merge, TheSceneSaysWhatJoins) {
       EXPECT_EQ(rig.components().size(), joins ? 1u : 2u);
       EXPECT_EQ(rig.world.surface.counters.merges, joins ? 1 : 0);
       if (joins) continue;
-      // kept apart: what was inside the other has gone back halfway
+      // kept apart: surfels inside the other ball have moved back halfway
       EXPECT_EQ(rig.world.surface.counters.deaths, 0);
       double deepest = 0;
       for (std::size_t i = 0; i < rig.f().owned; i++) {
@@ -129,11 +129,11 @@ TEST(Merge, TheSceneSaysWhatJoins) {
     }
 }
 
-TEST(Merge, ADropFallsIntoAPool) {
+TEST(Merge, DropMergesIntoAPool) {
   SerialSurfaceRig rig;
   rig.box({-1, -1, -1}, {20, 20, 10}, 1);
   rig.ball({0.01, 0.02, 0.1}, 0.3, 1 + rig.particles);
-  rig.particle({0, 0, 1.5}, 1 + rig.particles);  // another one, far away and without a surface
+  rig.particle({0, 0, 1.5}, 1 + rig.particles);  // another drop, far away and without a surface
   rig.update();
   ASSERT_EQ(rig.components().size(), 2u);
   EXPECT_EQ(rig.world.surface.counters.merges, 1);
@@ -146,7 +146,7 @@ TEST(Merge, ADropFallsIntoAPool) {
   }
 }
 
-TEST(Inside, OfACubeAndAThinSheet) {
+TEST(Inside, IsExactForACubeAndAThinSheet) {
   for (const int layers : {10, 1}) {
     SerialSurfaceRig rig;
     const double z = 0.1 * layers;
@@ -174,7 +174,7 @@ TEST(Inside, OfACubeAndAThinSheet) {
   }
 }
 
-TEST(NearSheets, GapSheetAndFold) {
+TEST(NearSheets, FindsGapSheetAndFold) {
   const Vec3d up{0, 0, 1}, down{0, 0, -1}, side{1, 0, 0};
   EXPECT_EQ(facing({0.1, 0, 0.3}, up, down), Facing::AcrossGap);
   EXPECT_EQ(facing({0.1, 0, -0.3}, up, down), Facing::AcrossSheet);
@@ -184,9 +184,9 @@ TEST(NearSheets, GapSheetAndFold) {
 
 namespace {
 
-/// Two fingers of one component, four layers thick, with surfels half a spacing over the particles, whose
-/// surfaces are then `gap` spacings apart. Means of how far they settle over the outermost particles, in
-/// spacings, in the gap and outside.
+/// Two fingers of one component, four layers thick, with surfels half a spacing above the particles, so that
+/// their surfaces are `gap` spacings apart. Returns the mean height of relaxed surfels above the outermost
+/// particles in spacings, in the gap and outside.
 struct Fingers {
   double inside = 0, outside = 0;
   std::size_t surfelsInside = 0;
@@ -222,10 +222,10 @@ Fingers fingersApart(double gap) {
 
 }  // namespace
 
-TEST(NearSheets, FingersOfOneBodyDoNotBlend) {
+TEST(NearSheets, FingersOfOneBodyDoNotMerge) {
   for (const double gap : {3.0, 2.0, 1.0, 0.5}) {
     const Fingers f = fingersApart(gap);
-    std::printf("gap %.1f: %zu surfels in it, %.3f spacings over the particles, outside %.3f\n", gap,
+    std::printf("gap %.1f: %zu surfels in it, %.3f spacings above the particles, outside %.3f\n", gap,
                 f.surfelsInside, f.inside, f.outside);
     EXPECT_GT(f.surfelsInside, 500u);
     EXPECT_NEAR(f.inside, f.outside, gap > 2 ? 0.05 : 0.2);

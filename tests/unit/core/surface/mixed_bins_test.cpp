@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-TEST(MixedBins, HoldAllThatHaveAnotherLabelInReach) {
+TEST(MixedBins, HoldAllWithAnotherLabelInReach) {
   for (const int labels : {1, 2, 5}) {
     std::vector<Vec3d> x;
     std::vector<std::uint64_t> label;
@@ -33,7 +33,7 @@ TEST(MixedBins, HoldAllThatHaveAnotherLabelInReach) {
     }
     if (labels == 1) EXPECT_EQ(all, 0u);
     else EXPECT_GT(needed, 100u);
-    EXPECT_LT(all, 5 * needed + 1);  // and not much else
+    EXPECT_LT(all, 5 * needed + 1);  // and few others
   }
 }
 

@@ -1,4 +1,4 @@
-// Sheets of one solid that are nearer to each other than the colour field is wide
+// Surfaces of one solid that are closer to each other than the width of the colour field
 // (docs/validation/stability.md B20, B22).
 #include "core/surface/near_gaps.hpp"
 
@@ -13,8 +13,8 @@ namespace {
 
 using namespace test;
 
-/// A block of 1.2 x 0.8 x 0.6 m with a slot of `layers` layers of particles in the middle of its height, open
-/// on three sides.
+/// A block of 1.2 x 0.8 x 0.6 m with a slot of `layers` particle layers at half its height, open on three
+/// sides.
 Scene slotted(int layers, bool solid = true) {
   Scene s = emptyScene(0.1, {-2, -2, -2}, {2, 2, 2});
   s.domain.gravity = {};
@@ -32,7 +32,7 @@ Scene slotted(int layers, bool solid = true) {
   return s;
 }
 
-/// Surfels that look into the slot, away from its ends, and the worst of their heights off its faces.
+/// Surfels inside the slot, away from its ends, and their largest distance from its faces.
 struct InSlot {
   int below = 0, above = 0;
   double off = 0;
@@ -49,7 +49,7 @@ InSlot lookInto(const World& w, double half) {
   return in;
 }
 
-TEST(NearGaps, SheetsOfASolidHaveASurfaceEach) {
+TEST(NearGaps, SheetsOfASolidHaveSeparateSurfaces) {
   SurfaceWorld world(slotted(2));
   const std::size_t surfels = world.w.surface.surfels.owned;
   const double law = 0.6 * 0.4 / (0.05 * 0.05 * 0.866);
@@ -57,7 +57,7 @@ TEST(NearGaps, SheetsOfASolidHaveASurfaceEach) {
   EXPECT_GT(at.below, 0.6 * law);
   EXPECT_GT(at.above, 0.6 * law);
   EXPECT_LT(at.off, 0.02);       // a fifth of a spacing
-  for (int k = 0; k < 4; k++) {  // it turns
+  for (int k = 0; k < 4; k++) {  // the block turns
     for (std::size_t i = 0; i < world.w.particles.owned; i++) {
       const Vec3d x = world.place(i);
       world.place(i) = {0.8 * x.x - 0.6 * x.z, x.y, 0.6 * x.x + 0.8 * x.z};
@@ -69,8 +69,8 @@ TEST(NearGaps, SheetsOfASolidHaveASurfaceEach) {
   }
 }
 
-TEST(NearGaps, AShellOfTwoLayersKeepsItsSurface) {  // the colour field is nowhere what it is on a ball: at
-                                                    // rest the first update deleted all of it
+TEST(NearGaps, ShellOfTwoLayersKeepsItsSurface) {  // the colour field never reaches that of a ball here, so
+                                                   // that a fixed level would delete the surface
   Scene s = slotted(2);
   Shape& shell = s.bodies[0].shape;
   for (Shape& part : shell.parts) part = Shape{}, part.kind = ShapeKind::Sphere;
@@ -84,7 +84,7 @@ TEST(NearGaps, AShellOfTwoLayersKeepsItsSurface) {  // the colour field is nowhe
   EXPECT_NEAR(world.components()[0].volume / world.components()[0].particleVolume, 1, 0.01);
 }
 
-TEST(NearGaps, AreThoseOfSolidsThatTheFieldDoesNotSee) {
+TEST(NearGaps, AreGapsOfSolidsBelowTheFieldsResolution) {
   const auto gaps = [](const Scene& s) {
     SurfaceWorld world(s);
     gatherParticles(world.w, 0);
@@ -95,17 +95,17 @@ TEST(NearGaps, AreThoseOfSolidsThatTheFieldDoesNotSee) {
   };
   EXPECT_EQ(gaps(slotted(1)).solid.size(), 1u);
   EXPECT_EQ(gaps(slotted(2)).solid.size(), 1u);
-  EXPECT_EQ(gaps(slotted(4)).solid.size(), 0u) << "five spacings from layer to layer";
+  EXPECT_EQ(gaps(slotted(4)).solid.size(), 0u) << "layers are five spacings apart";
   EXPECT_EQ(gaps(slotted(2, false)).solid.size(), 0u);
   EXPECT_EQ(gaps(slotted(2, false)).liquid, std::vector<std::uint64_t>{1});
   EXPECT_EQ(SurfaceWorld(slotted(2, false)).tools.lumps, std::vector<std::uint64_t>{1})
-      << "a liquid closes, and that is told";
+      << "a liquid gap closes, with a warning";
   Scene ball = slotted(2);
   ball.bodies[0].shape = Shape{};
   ball.bodies[0].shape.kind = ShapeKind::Sphere;
   ball.bodies[0].shape.radius = 0.7;
   EXPECT_EQ(gaps(ball).solid.size(), 0u);
-  Scene bowl = ball;  // concave, but nothing of it is across
+  Scene bowl = ball;  // concave, but without an opposite side
   bowl.bodies[0].shape.kind = ShapeKind::Difference;
   bowl.bodies[0].shape.parts = {ball.bodies[0].shape, ball.bodies[0].shape};
   bowl.bodies[0].shape.parts[1].move = {0, 0, 0.9};

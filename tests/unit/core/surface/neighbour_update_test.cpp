@@ -1,5 +1,5 @@
-// K05 updates the neighbourhoods of surfels by neighbours of neighbours; here they are searched for in bins,
-// with a margin. What each finds, and costs.
+// K05 updates the neighbourhoods of surfels by neighbours of neighbours; thaw searches bins with a margin.
+// Compares the neighbours found and the time of both.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -22,7 +22,7 @@ std::vector<std::vector<std::uint32_t>> within(const Surfels& s, const RowLists&
   return found;
 }
 
-/// The neighbours of now among those of then and their neighbours.
+/// The current neighbours among the earlier neighbours and their neighbours.
 std::vector<std::vector<std::uint32_t>> byNeighbours(const Surfels& s,
                                                      const std::vector<std::vector<std::uint32_t>>& then,
                                                      double radius) {
@@ -54,10 +54,10 @@ std::size_t missing(const std::vector<std::vector<std::uint32_t>>& all,
 
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-TEST(NeighbourUpdate, ListsWithAMarginFindAllThatNeighboursOfNeighboursMiss) {
+TEST(NeighbourUpdate, ListsWithAMarginFindAllNeighbours) {
   const double d = 0.05, radius = 3 * d, margin = 2 * d;
   SurfelRig rig(surfelScene(d));
-  // two balls that come together by .2 spacings an iteration, their surfels shuffling along
+  // two balls approach by 0.2 spacings per iteration, with moving surfels
   const std::size_t each = 6000;
   for (const double side : {-1.0, 1.0})
     for (const SurfacePoint& p : spherePoints(each, 1))
@@ -114,7 +114,7 @@ TEST(NeighbourUpdate, ListsWithAMarginFindAllThatNeighboursOfNeighboursMiss) {
       100 * static_cast<double>(missedByChain) / static_cast<double>(pairs),
       1e6 * chainTime / 30 / static_cast<double>(s.owned));
   EXPECT_EQ(missedByLists, 0u);
-  EXPECT_GT(missedByChain, 0u);  // what comes near from another sheet is nobody's neighbour before
+  EXPECT_GT(missedByChain, 0u);  // surfels of an approaching sheet have no common neighbour before
   EXPECT_LT(listTime, chainTime);
 }
 

@@ -1,4 +1,4 @@
-// What the settling of surfels reads and leaves: levels, normals of few neighbours, fields, detail.
+// Inputs and outputs of surfel relaxation: levels, normals of few neighbours, fields, detail.
 #include "core/surface/relax.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ void addBall(SettleRig& rig, double R, double noise = 0.1) {
   rig.place();
 }
 
-TEST(Relax, LevelTableKnowsItsSlope) {
+TEST(Relax, LevelTableHasItsDerivative) {
   LevelTable table;
   table.fill();
   for (const double x : {0.1, 0.35, 0.5, 0.7}) {
@@ -39,7 +39,7 @@ TEST(Relax, LevelTableKnowsItsSlope) {
   }
 }
 
-TEST(Relax, DegenerateNeighbourhoods) {
+TEST(Relax, DegenerateNeighbourhoodsStayFinite) {
   for (SmoothingForm form : {SmoothingForm::Sphere, SmoothingForm::Plane}) {
     SettleRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     const auto finite = [&] {
@@ -50,7 +50,7 @@ TEST(Relax, DegenerateNeighbourhoods) {
         EXPECT_NEAR(dot(s.normal[i], s.tangent[i]), 0, 1e-9);
       }
     };
-    rig.settle(3);  // nothing at all
+    rig.settle(3);  // nothing
     rig.addSurfel({0, 0, 1}, {0, 0, 1});
     rig.place();
     rig.settle(3);  // one surfel, no particle
@@ -64,7 +64,7 @@ TEST(Relax, DegenerateNeighbourhoods) {
     rig.settle(3);
     finite();
     if (form == SmoothingForm::Plane) { EXPECT_GT(rig.w.surface.counters.keptNormals, 0); }
-    for (int k = 0; k < 3; k++) rig.addSurfel({0, 1, 0}, {0, 1, 0});  // at one place
+    for (int k = 0; k < 3; k++) rig.addSurfel({0, 1, 0}, {0, 1, 0});  // at one position
     rig.place();
     rig.settle(3);
     finite();
@@ -75,7 +75,7 @@ TEST(Relax, DegenerateNeighbourhoods) {
   }
 }
 
-TEST(Relax, WhereNeighboursHaveNoPlaneTheNormalStays) {  // B23
+TEST(Relax, NormalIsKeptWithoutAPlaneOfNeighbours) {  // B23
   SettleRig rig(0.5, 12, [](Scene& s) {
     s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5,
     s.surface.smoothing = SmoothingForm::Plane;
@@ -83,7 +83,7 @@ TEST(Relax, WhereNeighboursHaveNoPlaneTheNormalStays) {  // B23
   const Vec3d up = normalized({0.3, 0.4, 1});
   rig.addSurfel({0, 0, 0}, up);
   for (int a = 0; a < 3; a++)
-    for (const double side : {-0.5, 0.5}) {  // alike in all directions: three equal eigenvalues
+    for (const double side : {-0.5, 0.5}) {  // isotropic: three equal eigenvalues
       Vec3d x{};
       x[a] = side;
       rig.addSurfel(x, up);

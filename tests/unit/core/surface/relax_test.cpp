@@ -40,8 +40,9 @@ void addBall(SettleRig& rig, double R, double noise = 0.1) {
   rig.place();
 }
 
-TEST(Relax, BallOfLatticeParticles) {  // limits at R/dx = 16; the lattice has 0.57 % more volume
-                                       // than the ball
+TEST(Relax, BallOfLatticeParticlesIsAccurate) {  // limits at R/dx = 16; the lattice has 0.57 % more volume
+                                                 // than the
+                                                 // ball
   SettleRig rig;
   addBall(rig, 16);
   const double particles = static_cast<double>(rig.w.surface.particles.owned);
@@ -97,7 +98,7 @@ TEST(Relax, PlanesAndSpheresAreAtRestUnderSmoothing) {
     flat.settle(200);
     const Surfels& s = flat.w.surface.surfels;
     for (std::size_t i = 0; i < s.owned; i++)
-      EXPECT_NEAR(s.position[i].z, 0.2 * s.position[i].x, 0.02) << "the bump goes";
+      EXPECT_NEAR(s.position[i].z, 0.2 * s.position[i].x, 0.02) << "the bump vanishes";
   }
 }
 
@@ -132,8 +133,8 @@ TEST(Relax, SameBitsForEveryInstructionSetAndGrouping) {
       if (first.empty()) first = now;
       EXPECT_TRUE(sameBits(first, now)) << isa;
     }
-    // the surfels of half of the ball alone are grouped otherwise; one iteration from the same places with
-    // all around
+    // half of the ball's surfels alone are grouped differently: one iteration from the same positions with
+    // all neighbours
     SettleRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     SettleRig half(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     addBall(rig, 5);
@@ -162,11 +163,11 @@ TEST(Relax, LocalStopGivesWhatAllSurfelsGive) {
     sum += length(at - y.at(id)) / static_cast<double>(x.size());
     height = std::max(height, std::abs(length(at) - length(y.at(id))));
   }
-  EXPECT_LT(sum, 10 * 0.01 * 0.5);  // along the surface they go on to shuffle
+  EXPECT_LT(sum, 10 * 0.01 * 0.5);  // tangential motion continues
   EXPECT_LT(height, 2 * 0.01 * 0.5 + 0.02);
 }
 
-TEST(Relax, SolidsAreLeftAlone) {
+TEST(Relax, SolidsAreUnchanged) {
   SettleRig rig;
   addBall(rig, 5);
   Surfels& s = rig.w.surface.surfels;
@@ -181,7 +182,7 @@ TEST(Relax, SolidsAreLeftAlone) {
   EXPECT_EQ(rig.tools.relax.times.surfels, 0);
 }
 
-TEST(Relax, ObstaclesAndLeastLevel) {
+TEST(Relax, RespectsObstaclesAndTheLowestLevel) {
   SettleRig rig;
   addFloor(rig, -4);
   addBall(rig, 5);
@@ -201,8 +202,8 @@ TEST(Relax, ObstaclesAndLeastLevel) {
   EXPECT_GT(z, 5);
 }
 
-// A wall that holds a surfel back does not have it creep along, by the few degrees that its normal is off the
-// wall's.
+// A wall that holds a surfel back must not make it creep along, although its normal deviates from the wall's
+// by a few degrees.
 TEST(Relax, LiquidOnAWallComesToRest) {
   SettleRig rig;
   addFloor(rig, -4);

@@ -12,12 +12,12 @@ namespace {
 
 using namespace test;
 
-TEST(RenameTwins, NewOnesGetAnotherIdByTheirPlace) {
+TEST(RenameTwins, DuplicatesGetAnIdByTheirPosition) {
   const auto make = [](bool twisted) {
     SurfelRig rig(surfelScene(0.1));
     for (int k = 0; k < 10; k++) rig.add({0.1 * k, 0, 0}, {0, 0, 1});
     std::vector<Vec3d> places{{1, 1, 1}, {2, 1, 1}, {1.5, 1, 1}, {0, 1, 1}};
-    // of an old one, of each other, free
+    // the id of an old surfel, an id shared by two new ones, a free id
     std::vector<std::uint64_t> ids{rig.surfels().id[3], surfelBit | birthBit | 77, surfelBit | birthBit | 77,
                                    surfelBit | birthBit | 78};
     if (twisted) std::reverse(places.begin(), places.end()), std::reverse(ids.begin(), ids.end());
@@ -38,7 +38,7 @@ TEST(RenameTwins, NewOnesGetAnotherIdByTheirPlace) {
     return byPlace;
   };
   const auto one = make(false), other = make(true);
-  EXPECT_EQ(one, other);  // in whatever order they come
+  EXPECT_EQ(one, other);  // independent of their order
   EXPECT_EQ(one.at(0), surfelBit | birthBit | 78);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-TEST(Resample, ABallOfBlueNoiseStaysAsItIs) {
+TEST(Resample, BlueNoiseBallIsUnchanged) {
   SurfelRig rig(surfelScene(0.1));
   for (const SurfacePoint& p : spherePoints(1450, 1)) rig.add(p.position, p.normal);
   const Resampled r = rig.resample(8);
@@ -123,7 +123,7 @@ TEST(Resample, BirthsOfACallAreCappedAndCounted) {  // B18
   EXPECT_GT(first.births, cap - cap / 20);
   EXPECT_EQ(rig.world.surface.counters.capped, 1);
   EXPECT_EQ(static_cast<std::int64_t>(rig.surfels().owned), before + first.births - first.deaths);
-  // the calls after it go on where it ended
+  // later calls continue where it ended
   Resampled last;
   for (int k = 0; k < 4 && !last.finished; k++) last = call();
   EXPECT_TRUE(last.finished);
@@ -157,14 +157,14 @@ TEST(Resample, EdgesRodsAndSheetsComeToRest) {
                 static_cast<long long>(first.deaths), static_cast<long long>(second.births + second.deaths),
                 out / 0.1);
     EXPECT_EQ(second.births + second.deaths, 0);
-    // what is thinner than the spacing has edges everywhere
+    // bodies thinner than the spacing have edges everywhere
     EXPECT_LT(out, std::min(high.z - low.z, high.y - low.y) < 0.1 ? 0.05 : 0.012);
   }
 }
 
 TEST(Resample, DensityFollowsCurvature) {
-  // wanted is half a radian from surfel to surfel, .5 R, where that is less than the spacing of .08: on a
-  // ball of .1 .05, on one of .4 the spacing
+  // The target is half a radian between surfels, 0.5 R, if that is less than the spacing of 0.08: 0.05 on a
+  // ball of 0.1, the spacing on one of 0.4.
   for (const double adapt : {0.0, 0.4})
     for (const double R : {0.1, 0.4}) {
       Scene scene = surfelScene(0.08);
@@ -189,7 +189,8 @@ TEST(Resample, DensityFollowsCurvature) {
       const double hole = rig.largestHole(spherePoints(4000, R)),
                    each = area / static_cast<double>(s.owned) / (0.08 * 0.08);
       std::printf(
-          "adapt %.1f, R %.1f: %zu surfels, mean radius %.3f (wanted %.3f), area of each %.3f, largest hole "
+          "adapt %.1f, R %.1f: %zu surfels, mean radius %.3f (wanted %.3f), area per surfel %.3f, largest "
+          "hole "
           "%.3f spacings\n",
           adapt, R, s.owned, radius, wanted, each, hole);
       EXPECT_NEAR(radius, wanted, 0.11 * wanted);
@@ -199,7 +200,7 @@ TEST(Resample, DensityFollowsCurvature) {
     }
 }
 
-TEST(Resample, FewOpenSurfelsInATableOfTheirOwnGiveTheSameBits) {
+TEST(Resample, SeparateTableOfFewOpenSurfelsGivesTheSameBits) {
   std::vector<std::byte> state[2];
   std::int64_t births[2];
   for (const bool apart : {false, true}) {
@@ -214,7 +215,7 @@ TEST(Resample, FewOpenSurfelsInATableOfTheirOwnGiveTheSameBits) {
     };
     std::fill_n(rig.surfels().calm.data(), rig.surfels().owned, 0.0f);
     births[apart] = thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 30, near).births;
-    EXPECT_EQ(rig.tools.openRegion.rows.empty(), !apart);  // it was taken
+    EXPECT_EQ(rig.tools.openRegion.rows.empty(), !apart);  // the separate table was used
     EXPECT_FALSE(rig.tools.openRegion.taken);
     const Surfels& s = rig.surfels();
     const std::size_t bytes = s.stateBytes();

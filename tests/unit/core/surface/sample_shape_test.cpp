@@ -1,4 +1,4 @@
-// The surfaces of solids that are not meshes begin as their shapes.
+// Surfaces of solids with shapes instead of meshes are sampled from their shapes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ using namespace test;
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Spacing 1 m, surfels half of that apart.
+/// A scene with a spacing of 1 m and surfels half of that apart.
 Scene solidScene() {
   Scene s = emptyScene(1, {-20, -20, -20}, {20, 20, 20});
   s.domain.gravity = {};
@@ -59,8 +59,8 @@ double farthestOff(const World& w) {
   return off;
 }
 
-/// How far a place of the shape is from the nearest surfel at the most, in their spacings: of places that the
-/// shape's distance finds.
+/// Largest distance in surfel spacings between a point of the shape, found by its distance function, and the
+/// nearest surfel.
 double largestHole(const World& w, const SignedDistance& shape) {
   const Surfels& f = w.surface.surfels;
   const Bounds b = shape.bounds();
@@ -82,7 +82,7 @@ double largestHole(const World& w, const SignedDistance& shape) {
   return hole / w.surface.spacing;
 }
 
-TEST(SampleShape, SolidsHaveTheAreaVolumeAndPlaceOfTheirShapes) {
+TEST(SampleShape, SolidsMatchAreaVolumeAndPositionOfTheirShapes) {
   struct Exact {
     const char* name;
     Shape shape;
@@ -96,7 +96,7 @@ TEST(SampleShape, SolidsHaveTheAreaVolumeAndPlaceOfTheirShapes) {
   torus.radius2 = 3;
   aslant.rotate = {0.3, 0.5, 0.7};
   const Shape box = boxOf({-6, -5, -3}, {6, 5, 3}), rod = cylinderOf(3, 14);
-  // grown from particles -29 %
+  // a grown surface would be -29 % off
   for (const Exact& e :
        {Exact{"plate of one layer", boxOf({-8, -8, -0.5}, {8, 8, 0.5}), 576, 256},
         {"box", box, 504, 720},  // -14 %
@@ -120,7 +120,7 @@ TEST(SampleShape, SolidsHaveTheAreaVolumeAndPlaceOfTheirShapes) {
     EXPECT_LT(off, 1e-6) << e.name;
     EXPECT_LT(hole, 1.1) << e.name;
     const std::size_t surfels = world.w.surface.surfels.owned;
-    for (int k = 0; k < 2; k++) world.update();  // and at rest it stays so
+    for (int k = 0; k < 2; k++) world.update();  // and stays so at rest
     EXPECT_EQ(world.w.surface.surfels.owned, surfels) << e.name;
     EXPECT_LT(farthestOff(world.w), 1e-6) << e.name;
   }
@@ -135,12 +135,12 @@ TEST(SampleShape, NormalsAreThoseOfTheFaces) {
     for (const SurfaceSample& s : sampleShape(shape, {}, 0.5, 1)) {
       Vec3d n;
       solid->distance(s.position + 0.1 * s.normal, &n);
-      ASSERT_GT(dot(n, s.normal), 0.999994);  // .2 degrees
+      ASSERT_GT(dot(n, s.normal), 0.999994);  // 0.2 degrees
     }
   }
 }
 
-TEST(SampleShape, ABodyHasTheSameSamplesWhereverItIs) {
+TEST(SampleShape, SamplesDoNotDependOnThePosition) {
   const Shape here = cylinderOf(3, 4);
   Shape there = here;
   there.move = {0.1, 0.7, 12.3};
@@ -150,21 +150,21 @@ TEST(SampleShape, ABodyHasTheSameSamplesWhereverItIs) {
     ASSERT_LT(length(a[k].position + there.move - b[k].position), 1e-12);
 }
 
-TEST(SampleShape, PlatesThatFaceEachOtherKeepTheirPlaces) {  // grown from particles they were .25 spacings
-                                                             // off, as each is alone
+TEST(SampleShape, FacingPlatesKeepTheirPositions) {  // a surface grown from particles would be 0.25
+                                                     // spacings off, since each plate is alone
   for (const double gap : {1.2, 0.0}) {
     Scene s = solidScene();
     for (const double side : {-1.0, 1.0})
       addBody(s, boxOf({-8, -8, side * (1 + 0.5 * gap) - 1}, {8, 8, side * (1 + 0.5 * gap) + 1}));
     SurfaceWorld world(s);
     ASSERT_EQ(world.components().size(), 2u);
-    EXPECT_LT(farthestOff(world.w), gap > 0 ? 1e-6 : 0.1) << gap;  // where they touch surfels near the rim
-                                                                   // count as pressed into each other
+    EXPECT_LT(farthestOff(world.w), gap > 0 ? 1e-6 : 0.1) << gap;  // where the plates touch, surfels near the
+                                                                   // rim count as pressed into each other
     for (const SurfaceComponent& c : world.components()) EXPECT_NEAR(c.area / 640, 1, 0.01);
   }
 }
 
-TEST(SampleShape, AThinRodAslantIsOneComponentAndItsPiecesAreTold) {
+TEST(SampleShape, ThinTiltedRodIsOneComponentAndItsPiecesAreReported) {
   Scene s = solidScene();
   Shape rod = cylinderOf(0.6, 20);
   rod.rotate = {20 * pi / 180, 30 * pi / 180, 0};
@@ -178,12 +178,12 @@ TEST(SampleShape, AThinRodAslantIsOneComponentAndItsPiecesAreTold) {
   SurfaceWorld grown(s);
   EXPECT_EQ(grown.components().size(), 3u);
   EXPECT_EQ(grown.tools.pieces.size(), 1u);
-  Scene two = solidScene();  // what is apart by its shape is not told
+  Scene two = solidScene();  // bodies whose shapes are separate give no warning
   addBody(two, combined(ShapeKind::Union, boxOf({-6, -2, -2}, {-1, 2, 2}), boxOf({1, -2, -2}, {6, 2, 2})));
   EXPECT_TRUE(SurfaceWorld(two).tools.pieces.empty());
 }
 
-TEST(SampleShape, HasNoFaceWhereABodyMeetsItselfAcrossAPeriodicSide) {
+TEST(SampleShape, BodiesJoinedAcrossAPeriodicSideHaveNoFaceThere) {
   Scene s = solidScene();
   s.domain.min = {-9, -20, -20};
   s.domain.max = {9, 20, 20};
@@ -195,7 +195,7 @@ TEST(SampleShape, HasNoFaceWhereABodyMeetsItselfAcrossAPeriodicSide) {
   for (std::size_t i = 0; i < f.owned; i++) ASSERT_LT(std::abs(f.normal[i].x), 0.5);
 }
 
-TEST(SampleShape, WhatFollowsParticlesIsGrown) {
+TEST(SampleShape, LiquidSurfacesAreGrown) {
   Scene s = solidScene();
   addBody(s, boxOf({-6, -5, -3}, {6, 5, 3}));
   EXPECT_TRUE(isSampled(s, 0));
@@ -212,12 +212,12 @@ TEST(SampleShape, WhatFollowsParticlesIsGrown) {
   EXPECT_TRUE(isSampled(molten, 0));
 }
 
-TEST(SampleShape, WhatHasMeltedHoldsItsOwnVolume) {  // a ball of R/dx = 5 has 552 particles, 5 % more than
-                                                     // its shape holds
+TEST(SampleShape, MoltenBodiesHoldTheirOwnVolume) {  // a ball of R/dx = 5 has 552 particles, 5 % more than
+                                                     // the volume of its shape
   Scene s = solidScene();
   Material& m = s.materials[0];
   m.viscosity = {1, 1};
-  m.heatSource = 1e-9;  // so that there is heat
+  m.heatSource = 1e-9;  // switches heat on
   m.solidus = 300;
   m.liquidus = 310;
   Shape ball;
@@ -232,7 +232,7 @@ TEST(SampleShape, WhatHasMeltedHoldsItsOwnVolume) {  // a ball of R/dx = 5 has 5
   EXPECT_NEAR(world.components()[0].wantedVolume / exact, 1, 0.01);
   for (std::size_t i = 0; i < world.w.solids.owned; i++)
     world.w.solids.deformation[i] = 0.99 * identity3<double>();
-  for (int k = 0; k < 3; k++) {  // pressed together it is to hold less, but not less with each update
+  for (int k = 0; k < 3; k++) {  // the target falls once under compression, not with each update
     world.update();
     EXPECT_NEAR(world.components()[0].wantedVolume / exact, 0.99 * 0.99 * 0.99, 0.01) << k;
   }

@@ -1,4 +1,4 @@
-// When an update is due.
+// Conditions for an update of the surface.
 #include "core/surface/surface_due.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST(SurfaceDue, CountsStepsAndMoves) {
   EXPECT_TRUE(surfaceDue(w, 0));
 }
 
-TEST(SurfaceDue, TheShortestWayRoundCountsAndFreshParticlesDoNot) {
+TEST(SurfaceDue, UsesTheNearestImageAndIgnoresNewParticles) {
   World w;
   Continuum& p = w.particles;
   for (AnyColumn* c : {static_cast<AnyColumn*>(&p.position), static_cast<AnyColumn*>(&p.surfacePlace),
@@ -33,9 +33,9 @@ TEST(SurfaceDue, TheShortestWayRoundCountsAndFreshParticlesDoNot) {
   p.resize(3, 0);
   w.grid.periodic[0] = true;
   w.grid.period = {1, 0, 0};
-  p.position[0] = {0.05, 0, 0}, p.surfacePlace[0] = {0.95, 0, 0}, p.component[0] = 1;  // over the side
+  p.position[0] = {0.05, 0, 0}, p.surfacePlace[0] = {0.95, 0, 0}, p.component[0] = 1;  // across the side
   p.position[1] = {0, 0, 0.05}, p.surfacePlace[1] = {0, 0, 0}, p.component[1] = 1;
-  p.position[2] = {0.5, 7, 7};  // has just come in
+  p.position[2] = {0.5, 7, 7};  // new particle
   EXPECT_NEAR(largestSurfaceMove2(w), 0.01, 1e-15);
 }
 

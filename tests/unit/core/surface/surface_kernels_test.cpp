@@ -19,7 +19,7 @@ double random(std::uint64_t k, std::uint64_t what, double low, double high) {
   return low + (high - low) * randomUniform(3, Purpose::Test, k, what);
 }
 
-/// Every set of kernels that this machine has.
+/// All kernel sets that this machine supports.
 std::vector<const SurfaceKernels*> sets() {
   std::vector<const SurfaceKernels*> all;
   for (const char* name : {"base", "avx2", "avx512"})
@@ -34,7 +34,7 @@ std::vector<Vec3d> places(std::size_t n) {
   return x;
 }
 
-TEST(SurfaceKernels, FindWhatIsNearABox) {
+TEST(SurfaceKernels, FindSurfelsNearABox) {
   const NearBox box{{0.3f, -0.2f, 0.1f}, {0.5f, 0.2f, 0.0f}, 0.49f};
   for (const std::uint32_t n : {0u, 1u, 7u, 8u, 9u, 500u}) {
     std::vector<float> x[3];
@@ -58,13 +58,13 @@ TEST(SurfaceKernels, FindWhatIsNearABox) {
   }
 }
 
-TEST(SurfaceKernels, SeeWhichPlacesOfACircleAreOpen) {
+TEST(SurfaceKernels, FindOpenPartsOfACircle) {
   std::array<float, circlePlaces> cosine, sine;
   for (std::size_t k = 0; k < circlePlaces; k++)
     cosine[k] = std::cos(0.2618f * static_cast<float>(k)),
     sine[k] = std::sin(0.2618f * static_cast<float>(k));
   const CirclePlaces flat{cosine.data(), sine.data(), {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, -0.3f};
-  // discs to the right, the last one of another side: what is left of them is open
+  // discs to the right, the last one on another side: the rest of the circle is open
   const std::vector<float> discs{0.9f, 0.3f, 0, 0, 0, 1, 0.9f, -0.3f, 0.1f, 0, 0, 1, -1, 0, 0, 0, 0, -1};
   std::array<float, circlePlaces> first{}, open{};
   for (const SurfaceKernels* k : sets()) {
@@ -83,7 +83,7 @@ TEST(SurfaceKernels, SeeWhichPlacesOfACircleAreOpen) {
   }
 }
 
-TEST(SurfaceKernels, AddUpThePatchAsOneByOne) {
+TEST(SurfaceKernels, SumThePatchWithTheBitsOfSingleTerms) {
   const std::vector<Vec3d> at = places(21), of = places(8);
   std::vector<double> disc;
   for (std::size_t j = 0; j < at.size(); j++)
@@ -114,7 +114,7 @@ TEST(SurfaceKernels, AddUpThePatchAsOneByOne) {
   }
 }
 
-TEST(DiscsOver, CoverWhatLiesUnderThem) {
+TEST(DiscsOver, CoverPointsBelowThem) {
   DiscsOver discs(1, 1.8);
   const Vec3d up{0, 0, 1};
   EXPECT_FALSE(discs.covers(up));
@@ -129,7 +129,7 @@ TEST(DiscsOver, CoverWhatLiesUnderThem) {
   EXPECT_FALSE(discs.covers(up));
 }
 
-TEST(RowBlock, HasAllInReachAndLittleElse) {
+TEST(RowBlock, HasAllInReachAndFewOthers) {
   const std::vector<Vec3d> x = places(4000);
   Bins bins;
   fillBins(x.data(), x.size(), 0.6, bins);

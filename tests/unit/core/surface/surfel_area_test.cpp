@@ -13,8 +13,7 @@ struct Flat {
   double x, y;
 };
 
-/// Of the part of a square of half a side of 2 around `at` that is nearer to it than to any other: cut one
-/// after another.
+/// Area of the Voronoi cell of `at` within a square of half-width 2, by successive cuts.
 double voronoiArea(const std::vector<Flat>& all, const Flat& at) {
   std::vector<Flat> cell{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   for (const Flat& o : all) {
@@ -38,7 +37,7 @@ double voronoiArea(const std::vector<Flat>& all, const Flat& at) {
   return 0.5 * twice;
 }
 
-/// Surfels of a sheet at z = 0, on a hexagonal lattice shaken by up to `noise`.
+/// A sheet of surfels at z = 0 on a hexagonal lattice, displaced by up to `noise`.
 std::vector<Flat> addSheet(SettleRig& rig, double noise) {
   std::vector<Flat> all;
   const double d = rig.w.surface.spacing;
@@ -63,7 +62,7 @@ std::vector<double> areas(SettleRig& rig, const SurfaceKernels* kernels) {
   return {rig.w.surface.surfels.area.data(), rig.w.surface.surfels.area.data() + rig.w.surface.surfels.owned};
 }
 
-TEST(SurfelArea, IsThatOfTheVoronoiCell) {
+TEST(SurfelArea, EqualsTheVoronoiCell) {
   for (const double noise : {0.0, 0.1, 0.2}) {
     SettleRig rig;
     const std::vector<Flat> all = addSheet(rig, noise);
@@ -78,7 +77,7 @@ TEST(SurfelArea, IsThatOfTheVoronoiCell) {
     int inner = 0;
     for (std::size_t i = 0; i < s.owned; i++) {
       const Vec3d x = s.position[i];
-      if (std::abs(x.x) > 4 || std::abs(x.y) > 3.5) continue;  // cells that end at other surfels
+      if (std::abs(x.x) > 4 || std::abs(x.y) > 3.5) continue;  // cells bounded by surfels only
       inner++;
       EXPECT_NEAR(first[i], voronoiArea(all, {x.x, x.y}), 1e-13) << noise;
     }
@@ -86,7 +85,7 @@ TEST(SurfelArea, IsThatOfTheVoronoiCell) {
   }
 }
 
-TEST(SurfelArea, TwoAtOnePlaceHaveFiniteAreas) {
+TEST(SurfelArea, CoincidentSurfelsHaveFiniteAreas) {
   SettleRig rig;
   addSheet(rig, 0.1);
   const double before = [&] {

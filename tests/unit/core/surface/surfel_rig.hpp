@@ -1,4 +1,4 @@
-// A surface of surfels alone, without MPI, for tests.
+// A surface without particles and without MPI, for tests.
 #pragma once
 #include <array>
 #include <cmath>
@@ -53,12 +53,12 @@ struct SurfelRig {
     r.radius = world.surface.spacing;
     appendSurfels(surfels(), {r});
   }
-  Resampled resample(std::int64_t rounds) {  // tests move surfels by hand: all are looked at
+  Resampled resample(std::int64_t rounds) {  // the test moves surfels directly, so all are checked
     std::fill_n(surfels().calm.data(), surfels().owned, 0.0f);
     return thaw::resample(world, ranks->halos(), tools, rounds);
   }
 
-  /// Largest distance, over the spacing, from points of the true surface to the nearest surfel on the same
+  /// Largest distance, over the spacing, from points of the exact surface to the nearest surfel on the same
   /// side.
   double largestHole(const std::vector<SurfacePoint>& truth) {
     Surfels& s = surfels();
@@ -75,7 +75,7 @@ struct SurfelRig {
   std::uint64_t next = 1;
 };
 
-/// Points of a unit ball's surface, spread by a spiral.
+/// n points on a ball's surface, along a spiral.
 inline std::vector<SurfacePoint> spherePoints(std::size_t n, double radius) {
   std::vector<SurfacePoint> p;
   for (std::size_t k = 0; k < n; k++) {

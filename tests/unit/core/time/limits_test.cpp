@@ -10,7 +10,7 @@
 namespace thaw::test {
 namespace {
 
-/// Steps from 0 to the end as a run does. Returns the number of steps.
+/// Steps from 0 to the end as in a run. Returns the number of steps.
 int runClock(Clock& c, double dt, std::vector<double>& hits, double& shortest) {
   int steps = 0;
   if (frameDue(c)) hits.push_back(c.time), c.frame++;
@@ -70,14 +70,14 @@ TEST(Clock, FrameTimesDoNotDependOnTheEnd) {
       until.every = beyond.every = every;
       char text[32];
       std::snprintf(text, sizeof text, "%.10g", static_cast<double>(k) * every);
-      until.end = std::strtod(text, nullptr);  // as a scene file has it
+      until.end = std::strtod(text, nullptr);  // as read from a scene file
       beyond.end = 1000;
       ASSERT_EQ(frameTime(until, k), frameTime(beyond, k)) << text;
       ASSERT_EQ(frameTime(until, k), until.end) << text;
     }
 }
 
-TEST(Clock, FramesThatNobodyWroteDoNotStopIt) {
+TEST(Clock, MissedFramesDoNotStopIt) {
   Clock c;
   c.end = 1;
   c.every = 0.25;
@@ -98,7 +98,7 @@ TEST(Clock, StepsBetweenFramesAreEqual) {
   Clock c;
   c.end = 1;
   c.every = 0.04;
-  c.dt = 9e-4;  // 44.4 of them
+  c.dt = 9e-4;  // 44.4 steps per frame
   int steps = 0;
   for (; c.time < c.end && steps < 10000; steps++) {
     c.stepDt = nextStep(c);
@@ -110,7 +110,7 @@ TEST(Clock, StepsBetweenFramesAreEqual) {
   EXPECT_EQ(c.time, 1);
 }
 
-TEST(Clock, AFixedStepIsKeptWhereNothingCutsIt) {
+TEST(Clock, FixedStepIsKeptBetweenFrames) {
   Clock c;
   c.end = 1e9;
   c.dt = 1.83e-4;
@@ -121,7 +121,7 @@ TEST(Clock, AFixedStepIsKeptWhereNothingCutsIt) {
   }
 }
 
-TEST(Clock, AWaveringLimitChangesNoStep) {
+TEST(Clock, OscillatingLimitChangesNoStep) {
   Clock c;
   c.end = 1;
   c.every = 0.04;
@@ -136,7 +136,7 @@ TEST(Clock, AWaveringLimitChangesNoStep) {
     c.time = timeAfter(c, dt);
     while (frameDue(c)) c.frame++;
   }
-  EXPECT_LE(changes, 2);  // the first step is one
+  EXPECT_LE(changes, 2);  // one of them is the first step
   EXPECT_EQ(c.time, 1);
   c.dt = 0;
   EXPECT_EQ(nextStep(c), 0);
@@ -156,7 +156,7 @@ TEST(Clock, FollowsALimitThatFallsAndRises) {
   EXPECT_NEAR(nextStep(c), 0.591, 1e-6);
 }
 
-TEST(StepLimits, OfALiquid) {
+TEST(StepLimits, MatchTheFormulasOfALiquid) {
   Scene s = oneMaterial();
   s.materials[0].surfaceTension = 0.07;
   s.materials[0].conductivity = {3, 3};
@@ -189,7 +189,7 @@ TEST(StepLimits, MaterialsWithoutParticlesDoNotCount) {
   EXPECT_DOUBLE_EQ(materialLimits(s, m, liquidMaterials(s)).value[0], alone / 100);
 }
 
-TEST(StepLimits, HeatBesideABetterConductor) {
+TEST(StepLimits, HeatFollowsTheBetterConductor) {
   Scene s = oneMaterial();
   s.materials[0].conductivity = {1, 1};
   Modules m;
@@ -200,13 +200,13 @@ TEST(StepLimits, HeatBesideABetterConductor) {
   const double alone = heat();
   s.materials.push_back(s.materials[0]);
   s.materials[1].conductivity = {1e6, 1e6};
-  s.materials[1].heatCapacity = {1e12, 1e12};  // so that it does not rule itself
+  s.materials[1].heatCapacity = {1e12, 1e12};  // so that it does not set the limit itself
   s.bodies.emplace_back();
   s.bodies[1].material = 1;
   EXPECT_NEAR(heat(), alone / 2, 1e-5 * alone);
 }
 
-TEST(StepLimits, ViscosityBesideAThickerHeavierMaterial) {
+TEST(StepLimits, ViscosityFollowsTheMeanOfTwoMaterials) {
   Scene s = oneMaterial();  // 2 Pa s
   s.materials[0].density = 10;
   Modules m;
@@ -214,12 +214,12 @@ TEST(StepLimits, ViscosityBesideAThickerHeavierMaterial) {
   const auto viscous = [&] { return materialLimits(s, m, liquidMaterials(s))[Limit::Viscous]; };
   const double alone = viscous();
   s.materials.push_back(s.materials[0]);
-  s.materials[1].density = 1e9;  // so that it does not rule itself
+  s.materials[1].density = 1e9;  // so that it does not set the limit itself
   s.materials[1].viscosity = {200, 200};
   s.bodies.emplace_back();
   s.bodies[1].material = 1;
   EXPECT_EQ(viscous(), alone);      // harmonic mean
-  s.materials[0].young = {1e5, 0};  // a light solid in that liquid, dragged by the mean of both
+  s.materials[0].young = {1e5, 0};  // a light solid in that liquid, dragged with the mean of both
   EXPECT_EQ(viscous(), alone);
   s.materials[1].viscosity = {1, 1};
   EXPECT_NEAR(viscous(), alone * 2 / (2 * 2 * 1 / (2. + 1)), 1e-12);
@@ -234,7 +234,7 @@ TEST(StepLimits, ViscosityBesideAThickerHeavierMaterial) {
   EXPECT_NEAR(viscous(), printed / 50.5, 1e-9 * printed);  // arithmetic mean
 }
 
-TEST(StepLimits, SoundOfCompressedTait) {
+TEST(StepLimits, SoundFollowsCompressionWithTait) {
   World w;
   w.scene = oneMaterial();
   w.modules.fluid = true;
@@ -252,7 +252,7 @@ TEST(StepLimits, SoundOfCompressedTait) {
   EXPECT_EQ(soundStiffening(w), 1);
 }
 
-TEST(StepLimits, ImplicitViscosityHasNone) {
+TEST(StepLimits, ImplicitViscosityHasNoLimit) {
   Scene s = oneMaterial();
   s.materials[0].viscosity = {1e5, 1e5};
   Modules m;
@@ -264,7 +264,7 @@ TEST(StepLimits, ImplicitViscosityHasNone) {
   EXPECT_LT(materialLimits(s, m, liquidMaterials(s))[Limit::Viscous], never);
 }
 
-TEST(StepLimits, OfParticles) {
+TEST(StepLimits, UseTheRatesOfParticles) {
   World w;
   w.scene = oneMaterial();
   w.scene.materials[0].viscosityTable = {{300, 10}, {400, 50}, {500, 1}};  // not monotone
@@ -274,7 +274,7 @@ TEST(StepLimits, OfParticles) {
                        static_cast<AnyColumn*>(&p.material), static_cast<AnyColumn*>(&p.phase),
                        static_cast<AnyColumn*>(&p.temperature)})
     p.activate(*c);
-  EXPECT_EQ(particleLimits(w, largestRates(w), 0.04).smallest(), Limit::Sound);  // nothing: all are never
+  EXPECT_EQ(particleLimits(w, largestRates(w), 0.04).smallest(), Limit::Sound);  // no limit at all
   EXPECT_EQ(particleLimits(w, largestRates(w), 0.04).value[0], never);
   p.resize(2, 0);
   p.velocity[1] = {3, 0, 4};

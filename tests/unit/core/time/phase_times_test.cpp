@@ -20,7 +20,7 @@ TEST(PhaseTimes, AnInnerTimerStopsTheOuterOne) {
   const double wall = std::chrono::duration<double>(PhaseTimes::Clock::now() - start).count();
   EXPECT_GE(t[StepPhase::Exchange], 0.02);
   EXPECT_GE(t[StepPhase::Forces], 0.005);
-  EXPECT_LE(t[StepPhase::Forces] + t[StepPhase::Exchange], wall);  // nothing counted twice
+  EXPECT_LE(t[StepPhase::Forces] + t[StepPhase::Exchange], wall);  // no time counts twice
   EXPECT_DOUBLE_EQ(t.total(), t[StepPhase::Forces] + t[StepPhase::Exchange]);
   EXPECT_EQ(t.current, StepPhase::None);
 }

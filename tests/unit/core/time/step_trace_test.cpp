@@ -16,7 +16,7 @@ TEST(StepTrace, KeepsTheLastStepsInOrder) {
                 100);
   }
   const std::vector<TraceEvent> e = trace.events();
-  ASSERT_EQ(e.size(), 5u);  // of steps 5, 6, 7
+  ASSERT_EQ(e.size(), 5u);  // steps 5, 6, 7
   EXPECT_EQ(e.front().step, 5);
   EXPECT_EQ(e.back().step, 7);
   EXPECT_EQ(e.back().name, 1);
@@ -34,11 +34,11 @@ TEST(StepTrace, IsBounded) {
   EXPECT_EQ(trace.dropped(), 10);
   trace.beginStep(1);
   trace.beginStep(2);
-  EXPECT_EQ(trace.dropped(), 0);  // gone with their step
+  EXPECT_EQ(trace.dropped(), 0);  // removed with their step
   EXPECT_TRUE(trace.events().empty());
 }
 
-TEST(StepTrace, GetsTheLapsOfPhases) {
+TEST(StepTrace, RecordsTheLapsOfPhases) {
   StepTrace trace(2);
   PhaseTimes times;
   times.start();

@@ -1,4 +1,4 @@
-// Contact of particles with walls: springs, dashpots, friction, projection, motion, and their books.
+// Contact of particles with walls: springs, dashpots, friction, projection, motion, and energy budget.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double dt = 1e-3;  // the contact limit is 5e-3
 
-/// Ground whose normal leans by an angle in the x-z plane.
+/// Ground whose normal is inclined in the x-z plane.
 struct Slope : SignedDistance {
   Vec3d n;
   explicit Slope(double angle) : n{std::sin(angle), 0, std::cos(angle)} {}
@@ -47,20 +47,20 @@ TEST(WallContact, PerfectRestitutionKeepsEnergyOverManyBounces) {
     r.step(dt);
     worst = std::max(worst, std::abs(r.mechanical() - e));
   }
-  EXPECT_LT(worst, 0.02 * scale);  // the energy of leap-frog swings, but does not drift
+  EXPECT_LT(worst, 0.02 * scale);  // the leap-frog energy oscillates without drift
   EXPECT_LT(std::abs(r.mechanical() - e), 0.02 * scale);
   EXPECT_EQ(r.dissipated(), 0);
 }
 
-TEST(WallContact, BouncesAsTheRestitutionSays) {
+TEST(WallContact, BouncesWithItsRestitution) {
   for (double e : {0.9, 0.5, 0.3}) {
     WallRig r;
-    r.w.scene.materials[0].young = {1e6, 1e6};  // hard: gravity does not matter during the contact
+    r.w.scene.materials[0].young = {1e6, 1e6};  // stiff: gravity is negligible during contact
     r.add(std::make_shared<Ground>()).restitution = e;
     r.addParticle({0, 0, 0.55}, {0, 0, 0});
     r.start();
     const double start = r.mechanical(), rest = 0.05;  // centres rest half a spacing above the wall
-    // the same part of the contact limit
+    // at the same fraction of the contact limit
     EXPECT_NEAR(std::sqrt((bounceHeight(r, 0.3 * dt) - rest) / 0.5), e, 0.06) << e;
     EXPECT_NEAR(r.mechanical() + r.dissipated(), start, 0.01 * std::abs(start));
   }
@@ -91,7 +91,7 @@ TEST(WallContact, ImpulseIsTheChangeOfMomentumToRounding) {
   EXPECT_LT(length(momentum() - before - given), 1e-12 * length(given));
 }
 
-TEST(WallContact, FrictionOnAnIncline) {
+TEST(WallContact, FrictionHoldsUpToItsAngle) {
   const double angle = 0.4;  // tan = 0.423
   for (double mu : {0.0, 0.2, 0.7}) {
     WallRig r;
@@ -108,8 +108,8 @@ TEST(WallContact, FrictionOnAnIncline) {
     if (free > 0) {
       EXPECT_NEAR(speed, free, 0.02 * free) << mu;
     } else {
-      EXPECT_GE(speed, 0);  // friction never turns motion round
-      // what is left is the creep of the regularised law
+      EXPECT_GE(speed, 0);  // friction never reverses the motion
+      // the rest is the creep of the regularised law
       EXPECT_LT(speed, 1.1 * m * g * std::sin(angle) / std::sqrt(1e5 * 0.1 * m));
     }
   }
@@ -138,7 +138,7 @@ TEST(WallContact, FrictionStopsASliderWithoutReversal) {
   EXPECT_NEAR(r.mechanical() + r.dissipated(), energy, 1e-4);
 }
 
-TEST(WallContact, DeepParticlesArePutOutAndBooked) {
+TEST(WallContact, DeepParticlesAreProjectedOutAndRecorded) {
   WallRig r;
   Obstacle& o = r.add(std::make_shared<Ground>());
   o.motion = {{0, {0, 0, 0}, {}}, {1, {0.1, 0, 0.2}, {}}};
@@ -172,12 +172,12 @@ TEST(WallContact, MovingWallsCarryAndDoWork) {
   EXPECT_GT(r.w.ledger.wallWork.value(), 9.81 * 0.2);
 }
 
-TEST(WallContact, RotatingWall) {
+TEST(WallContact, RotatingWallHasItsVelocityField) {
   WallRig r;
   Obstacle& o = r.add(std::make_shared<Ground>());
   o.motion = {{0, {}, {}}, {1, {0, 0, 0.1}, {0.2, 0.3, 1.0}}};
   r.start();
-  // the velocity of a point is the difference of its places
+  // the velocity of a point is the derivative of its position
   const Vec3d x{0.3, -0.2, 0.1};
   const auto place = [&](double t) {
     moveWalls(r.w.walls, t);
@@ -200,7 +200,7 @@ TEST(WallContact, ObstaclesDisappear) {
   EXPECT_TRUE(r.contacts.list.empty());
 }
 
-TEST(WallContact, ContactsAreThoseOfBruteForce) {
+TEST(WallContact, ContactsEqualBruteForce) {
   WallRig r;
   r.w.scene.domain.side = {{{Side::Wall, Side::Wall}, {Side::Wall, Side::Open}, {Side::Open, Side::Open}}};
   addDomainWalls(r.w.scene.domain, r.w.walls);

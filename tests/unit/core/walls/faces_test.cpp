@@ -13,8 +13,8 @@ namespace {
 
 constexpr double h = 0.2, dx = 0.1;
 
-/// A block with a box cut out of it, open at the top: its inner side is at x = -1 and 1, y = -0.5 and 0.5, z
-/// = 0.
+/// A block with a box cut out of it, open at the top. The inner sides are at x = -1 and 1, y = -0.5 and 0.5,
+/// z = 0.
 CombinedDistance tank() {
   const auto block = std::make_shared<BoxDistance>(Vec3d{4, 3, 2});
   const auto hole = std::make_shared<PlacedDistance>(std::make_shared<BoxDistance>(Vec3d{2, 1, 4}),
@@ -47,7 +47,7 @@ TEST(Faces, AnInnerCornerHasThree) {
   EXPECT_NEAR(f.face[1].distance + f.face[2].distance, 0.09 + 0.07, 1e-12);
 }
 
-TEST(Faces, APointInsideTheWallSeesBoth) {
+TEST(Faces, PointInsideTheWallHasBoth) {
   const Faces f = facesWithin(tank(), {-0.95, 0, -0.02}, h, dx);
   ASSERT_EQ(f.count, 2U);
   expectFace(f.face[0], -0.02, {0, 0, 1});

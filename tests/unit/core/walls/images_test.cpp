@@ -31,13 +31,13 @@ Shape cube(const Vec3d& middle, const Vec3d& size = {0.2, 0.2, 0.2}) {
   return s;
 }
 
-TEST(WallImages, stayAwayFromWhatIsFarFromPeriodicSides) {
+TEST(WallImages, AreAbsentFarFromPeriodicSides) {
   Walls walls = oneWall(cube({0.5, 0.05, 1}));
   addWallImages(box({0}), 0.1, walls);
   EXPECT_EQ(walls.list.size(), 1u);
 }
 
-TEST(WallImages, lieAPeriodAwayAcrossEachSideAndCorner) {
+TEST(WallImages, LieAPeriodAwayAcrossEachSideAndCorner) {
   Walls walls = oneWall(cube({0.95, 0.05, 1}));
   addWallImages(box({0, 1}), 0.1, walls);
   ASSERT_EQ(walls.list.size(), 4u);
@@ -52,13 +52,13 @@ TEST(WallImages, lieAPeriodAwayAcrossEachSideAndCorner) {
   for (std::size_t k = 1; k < 4; k++) EXPECT_EQ(walls.list[k].originalAt(k), 0u);
 }
 
-TEST(WallImages, followWhatMovesThroughSeveralPeriods) {
+TEST(WallImages, FollowMotionOverSeveralPeriods) {
   Walls walls = oneWall(cube({0.5, 1, 1}), {{0, {}, {}}, {1, {2.5, 0, 0}, {0, 0, 6}}});
   addWallImages(box({0}), 0.1, walls);
   for (double t = 0; t <= 1; t += 0.125) {
     moveWalls(walls, t);
     const Vec3d middle = fromRest(walls.list[0].pose, {0.5, 1, 1});
-    int around = 0;  // copies whose middle is in the domain
+    int around = 0;  // images whose centre is in the domain
     for (const Wall& wall : walls.list) {
       const Vec3d at = fromRest(wall.pose, {0.5, 1, 1});
       around += at.x >= 0 && at.x < 1;
@@ -68,7 +68,7 @@ TEST(WallImages, followWhatMovesThroughSeveralPeriods) {
   }
 }
 
-TEST(WallImages, areNotMadeOfWhatSpansTheDomain) {
+TEST(WallImages, AreAbsentForObstaclesThatSpanTheDomain) {
   Shape plane;
   plane.kind = ShapeKind::HalfSpace;
   for (const Shape& shape : {cube({0.5, 1, 0}, {1, 2, 0.2}), cube({0.5, 1, 0}, {3, 5, 0.2}), plane}) {
@@ -79,7 +79,7 @@ TEST(WallImages, areNotMadeOfWhatSpansTheDomain) {
   }
 }
 
-TEST(WallImages, reportPlanesThatMeetAStep) {
+TEST(WallImages, ReportPlanesWithAStepAtASide) {
   Shape plane;
   plane.kind = ShapeKind::HalfSpace;
   plane.point = {0, 0, 2};

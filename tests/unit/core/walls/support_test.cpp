@@ -1,4 +1,4 @@
-// Walls in place of the support that liquids miss: filling at corners, pressure, drag, heat.
+// Walls replace the missing support of liquids: relative density at corners, pressure, drag, heat.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ double fillingBeside(std::initializer_list<Plane> planes) {
 
 }  // namespace
 
-TEST(WallFilling, CornersAndWallsThatCoincide) {
+TEST(WallFilling, CoincidingWallsCountOnce) {
   const Plane floor({0, 0, 1}, -0.05), left({1, 0, 0}, -0.05), back({0, 1, 0}, -0.05),
       ceiling({0, 0, -1}, -0.05), same({0, 0, 1}, -0.05), behind({0, 0, 1}, -0.12);
   const double one = fillingBeside({floor});
@@ -41,15 +41,15 @@ TEST(WallFilling, CornersAndWallsThatCoincide) {
   EXPECT_NEAR(fillingBeside({floor, ceiling}), 2 * one, 1e-6);
   EXPECT_NEAR(fillingBeside({floor, same}), one, 1e-6);
   EXPECT_NEAR(fillingBeside({floor, behind}), one, 1e-6);
-  // what two walls share is a share of each one's filling: not quite that of one, since filling is not linear
-  // in it
+  // The shared part of two walls is a fraction of each one's contribution. The sum deviates slightly from one
+  // wall, since the contribution is not linear in it.
   EXPECT_NEAR(fillingBeside({behind, floor}), one, 0.01 * one);
   EXPECT_NEAR(fillingBeside({behind, floor, left}), fillingBeside({floor, left}), 0.01 * one);
 }
 
-// Through the particle itself two planes at any angle leave out angle / 2 pi; one alone stands for t of the
-// half.
-TEST(WallFilling, AnglesBetweenWalls) {
+// Two planes at any angle through the particle leave out angle / 2 pi. One alone contributes a fraction t of
+// the half-space.
+TEST(WallFilling, FollowsTheAngleBetweenWalls) {
   const double one = fillingBeside({Plane({0, 0, 1}, 0)});
   for (double angle : {0.3, 1.0, 2.0, 2.9}) {
     const double both = fillingBeside({Plane({0, 0, 1}, 0), Plane({std::sin(angle), 0, std::cos(angle)}, 0)});
@@ -73,11 +73,11 @@ TEST(WallPressure, CoincidingWallsPushOnce) {
   EXPECT_NEAR(push(2), push(1), 1e-9 * push(1));
 }
 
-TEST(WallDrag, StopsWithoutOvershootAndSlipsWhereAsked) {
+TEST(WallDrag, StopsWithoutOvershootAndSlipsIfRequested) {
   for (bool slip : {false, true}) {
     WallRig r;
     r.w.scene.domain.gravity = {};
-    r.w.scene.materials[0].viscosity = {1e5, 1e5};  // far above what an explicit step of this size could do
+    r.w.scene.materials[0].viscosity = {1e5, 1e5};  // far above the explicit limit of this step
     r.add(std::make_shared<Ground>()).slip = slip;
     r.addParticle({0, 0, 0.05}, {1, 0, 0}, Liquid);
     r.firstStep = 1e-2;
@@ -96,8 +96,8 @@ TEST(WallDrag, StopsWithoutOvershootAndSlipsWhereAsked) {
   }
 }
 
-// Couette: a layer half a spacing above a wall, in a linear profile, is dragged as hard as the layer above
-// pulls: mu u / d per area.
+// Couette flow: in a linear profile the wall drag on a layer half a spacing above it equals the pull of the
+// layer above, mu u / d per area.
 TEST(WallDrag, IsTheShearStressOfALinearProfile) {
   WallRig r;
   r.w.scene.domain.gravity = {};
@@ -112,7 +112,7 @@ TEST(WallDrag, IsTheShearStressOfALinearProfile) {
   EXPECT_NEAR(drag, 2 * 2.0 * 0.1 * 0.1, 0.001 * 2 * 2.0 * 0.1 * 0.1);
 }
 
-TEST(WallHeat, FlowsAsFouriersLawSaysAndDoesNotOvershoot) {
+TEST(WallHeat, FollowsFouriersLawWithoutOvershoot) {
   WallRig r;
   r.w.scene.domain.gravity = {};
   r.w.scene.materials[0].conductivity = {3, 3};
@@ -129,14 +129,14 @@ TEST(WallHeat, FlowsAsFouriersLawSaysAndDoesNotOvershoot) {
   for (std::size_t i = 0; i < 2; i++) p.heatFlow[i] = 0, p.temperature[i] = 300;
   addWallHeat({r.w, r.tables, r.liquids, 1e9, 1e9}, r.contacts);
   for (std::size_t i = 0; i < 2; i++) EXPECT_LE(p.heatFlow[i] * 1e9 / (p.mass[i] * 1000), 100 * (1 + 1e-12));
-  // a poor contact: all of the resistance is in it
+  // a poor contact has all of the resistance
   r.w.walls.list[0].properties.conductance = 1e-3;
   for (std::size_t i = 0; i < 2; i++) p.heatFlow[i] = 0, p.temperature[i] = 300;
   addWallHeat({r.w, r.tables, r.liquids, 1e-9, 1e-9}, r.contacts);
   EXPECT_NEAR(p.heatFlow[0] + p.heatFlow[1], 1e-3 * 100 * 0.01, 0.3 * 1e-3);
 }
 
-TEST(WallHeat, AnInsulatingWallInTheSamePlaceTakesNothingOfIt) {
+TEST(WallHeat, CoincidingInsulatorTakesNoHeat) {
   const auto flow = [](int cold) {
     WallRig r;
     r.w.scene.materials[0].conductivity = {3, 3};

@@ -1,5 +1,5 @@
-// Wall tables against brute-force sums over finely sampled layers, and against the lattice whose missing half
-// they stand for.
+// Wall tables against brute-force sums over finely sampled layers, and against the lattice half-space that
+// they replace.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,8 +23,8 @@ Numerics numericsOf(KernelKind kernel, double spacing) {
   return n;
 }
 
-/// The same sums over squares of edge 1/n on each layer (support radius 1).
-// drag: of the pairwise viscosity, in the continuum's scale
+/// The same sums over squares of edge 1/n on each layer (support radius 1). `drag` is the pairwise viscosity
+/// in the continuum's scale.
 template<class Kernel> WallIntegrals bruteForce(double spacing, double d, int n) {
   WallIntegrals sum;
   const double a = 1.0 / n;
@@ -71,8 +71,8 @@ template<class Kernel> void expectTables(KernelKind kind) {
   }
 }
 
-/// Sums over the lattice half-space at and above a particle half a spacing from a wall, and the wall's in
-/// place of the rest.
+/// Sums over the lattice half-space at and above a particle half a spacing from a wall, and the wall's
+/// contribution for the other half.
 template<class Kernel> struct Half {
   double filling = 0, push = 0, full = 0, heat = 0;
   explicit Half(double spacing) {
@@ -100,7 +100,7 @@ TEST(WallTables, AgreeWithFineSampling) {
   expectTables<Mcg03>(KernelKind::Mcg03);
 }
 
-TEST(WallTables, PushIsTheSlopeOfFilling) {
+TEST(WallTables, PushIsTheDerivativeOfTheDensity) {
   for (KernelKind kind : {KernelKind::WendlandC2, KernelKind::CubicSpline})
     for (double d : {0.05, 0.25, 0.5, 0.7}) {
       const double e = 1e-5, slope = (wallIntegrals(numericsOf(kind, 0.5), d - e).filling -
@@ -116,14 +116,14 @@ TEST(WallTables, PushIsTheSlopeOfFilling) {
     }
 }
 
-// A particle half a spacing from a wall hardly knows that there is no lattice behind it.
-TEST(WallTables, StandForTheMissingHalfOfTheLattice) {
+// A particle half a spacing from a wall is hardly affected by the missing lattice.
+TEST(WallTables, ReplaceTheMissingHalfOfTheLattice) {
   const double spacing = 0.5;
   const auto check = [&](auto kernel, KernelKind kind, double tolerance) {
     const Half<decltype(kernel)> half(spacing);
     const WallIntegrals w = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing);
     EXPECT_NEAR(half.filling + w.filling, half.full, tolerance * half.full);
-    EXPECT_NEAR(w.push, half.push, 4 * tolerance * half.push);  // a uniform pressure does not push
+    EXPECT_NEAR(w.push, half.push, 4 * tolerance * half.push);  // a uniform pressure has no force
     // a linear profile does not change
     EXPECT_NEAR(0.5 * spacing * w.conduct, half.heat, 4 * tolerance * half.heat);
   };
@@ -132,7 +132,7 @@ TEST(WallTables, StandForTheMissingHalfOfTheLattice) {
   check(Mcg03{}, KernelKind::Mcg03, 0.05);
 }
 
-// Layers half a spacing and whole spacings above a wall, in a linear profile, feel its shear stress.
+// Layers at half a spacing and whole spacings above a wall have the shear stress of a linear profile.
 TEST(WallTables, DragIsTheShearStress) {
   for (double support : {1.5, 2.0, 2.5, 3.0}) {
     const Numerics n = numericsOf(KernelKind::WendlandC2, 1 / support);

@@ -1,4 +1,4 @@
-// Columns that are packed come back bit by bit, whole and in pieces, and take the memory that varies.
+// Packed columns are restored bit by bit, whole and in parts. Only columns that vary take memory.
 #include "core/watch/packed_columns.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,7 @@
 namespace thaw {
 namespace {
 
-/// Rows that look like a scene's: ids that count, places in a box, velocities of both signs, one mass,
-/// material 0.
+/// Rows as in a scene: ascending ids, positions in a box, velocities of both signs, one mass, material 0.
 void fill(Continuum& p, std::size_t rows, std::uint32_t seed) {
   for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position),
                        static_cast<AnyColumn*>(&p.velocity), static_cast<AnyColumn*>(&p.mass),
@@ -55,8 +54,8 @@ void expectSameState(const Table& a, const Table& b) {
   }
 }
 
-TEST(PackedColumns, ComeBackBitByBit) {
-  PackedTable packed;  // the same for all: memory is used again
+TEST(PackedColumns, AreRestoredBitByBit) {
+  PackedTable packed;  // reused by all cases, with its memory
   for (const std::size_t rows :
        {std::size_t{5000}, std::size_t{0}, std::size_t{1}, std::size_t{3}, packedBlock - 1, packedBlock,
         packedBlock + 1, 2 * packedBlock, std::size_t{7001}}) {
@@ -65,11 +64,11 @@ TEST(PackedColumns, ComeBackBitByBit) {
     packState(from, packed);
     unpackState(packed, to);
     expectSameState(from, to);
-    EXPECT_FALSE(to.filling.active) << "is no state";
+    EXPECT_FALSE(to.filling.active) << "the relative density is not part of the state";
   }
 }
 
-TEST(PackedColumns, GhostsAreNotKept) {
+TEST(PackedColumns, LeaveOutGhosts) {
   Continuum from, to;
   fill(from, 40, 1);
   from.resize(40, 9);
@@ -81,7 +80,7 @@ TEST(PackedColumns, GhostsAreNotKept) {
   expectSameState(from, to);
 }
 
-TEST(PackedColumns, AnyRowsAreUnpackedAlone) {
+TEST(PackedColumns, UnpackAnyRows) {
   Continuum p;
   fill(p, 3 * packedBlock + 77, 5);
   PackedTable packed;
@@ -104,7 +103,7 @@ TEST(PackedColumns, AnyRowsAreUnpackedAlone) {
   }
 }
 
-TEST(PackedColumns, WhatAllRowsShareIsKeptOnce) {
+TEST(PackedColumns, StoreConstantBytesOnce) {
   Continuum p;
   fill(p, 20 * packedBlock, 8);
   PackedTable packed;
@@ -118,8 +117,8 @@ TEST(PackedColumns, WhatAllRowsShareIsKeptOnce) {
   EXPECT_LT(of(p.mass), 0.1);
   EXPECT_LT(of(p.material), 0.1);
   EXPECT_LT(of(p.id), 3);
-  EXPECT_LT(of(p.position), 22) << "24 as it is";
-  EXPECT_LT(of(p.velocity), 17) << "24 as it is; z is 0";
+  EXPECT_LT(of(p.position), 22) << "24 unpacked";
+  EXPECT_LT(of(p.velocity), 17) << "24 unpacked; z is 0";
   EXPECT_LT(of(p.liquid), 3);
   EXPECT_LT(packed.bytes(), p.owned * p.stateBytes() * 3 / 4);
 }

@@ -1,4 +1,4 @@
-// The watch: what its factor does over failures and good states, and whom it names.
+// The stability monitor: its step factor over failures and snapshots, and the particle that it names.
 #include "core/watch/watch.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
+TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   World w;
   w.clock.dt = 0.4;
   w.clock.end = 1000;
@@ -23,7 +23,7 @@ TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
   EXPECT_EQ(w.watch.factor, 0.5);
   EXPECT_EQ(w.watch.failures, 1);
   failed = w.watch;
-  w.clock.dt = 0.4;  // back again
+  w.clock.dt = 0.4;  // rollback
   w.watch = {};
   halveStep(w, failed, 5);
   EXPECT_EQ(w.clock.dt, 0.1);
@@ -36,7 +36,7 @@ TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
   EXPECT_EQ(nextFactor(w.watch), 0.25) << "not yet";
   acceptState(w, {});
   EXPECT_EQ(w.watch.halvings, 1);
-  EXPECT_EQ(w.watch.failures, 1) << "one retry less counts";
+  EXPECT_EQ(w.watch.failures, 1) << "one retry fewer counts";
   for (int step = 0; step < 7; step++) {
     const double next = nextFactor(w.watch);
     EXPECT_LE(next, 1.1 * w.watch.factor);
@@ -47,11 +47,11 @@ TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
   for (int good = 0; good < 100; good++) acceptState(w, {});
   EXPECT_EQ(w.watch.halvings, 0);
   EXPECT_EQ(w.watch.failures, 0);
-  EXPECT_EQ(w.watch.patience, 1) << "all is forgotten";
+  EXPECT_EQ(w.watch.patience, 1) << "all failures are forgiven";
 }
 
-// Good states come arbitrarily close to a failure that no step mends.
-TEST(Watch, GoodStatesBeforeAFailureDoNotForgiveIt) {
+// Snapshots come arbitrarily close to a failure that no step prevents.
+TEST(Watch, SnapshotsBeforeAFailureDoNotForgiveIt) {
   World w;
   WatchBounds b;
   w.clock.dt = 1;
@@ -75,7 +75,7 @@ TEST(Watch, GoodStatesBeforeAFailureDoNotForgiveIt) {
   EXPECT_TRUE(mayRetry(w, b));
 }
 
-TEST(Watch, NoRetryTakesAStepBelowTheWatchedOne) {
+TEST(Watch, NoRetryTakesAStepBelowTheLimit) {
   World w;
   WatchBounds b;
   b.step = 0.2;
@@ -90,7 +90,7 @@ TEST(Watch, NoRetryTakesAStepBelowTheWatchedOne) {
   EXPECT_TRUE(retryTooShort(w, b));
 }
 
-TEST(Watch, HalvesWhatFramesHaveCut) {
+TEST(Watch, HalvesStepsCutByFrames) {
   World w;
   w.clock.dt = 1;
   w.clock.every = 0.3;
@@ -99,9 +99,9 @@ TEST(Watch, HalvesWhatFramesHaveCut) {
   EXPECT_EQ(w.clock.dt, 0.125) << "half of the first power of two below 0.3";
 }
 
-// It halved 60 times, to no effect: half of an infinite step is one; and 1 << halvings overflowed in the
-// message.
-TEST(Watch, HalvesTheWayBetweenFramesWhereNothingLimitsTheStep) {
+// An infinite step has no half. The number of halvings must stay below 63, since the message has 1 <<
+// halvings.
+TEST(Watch, HalvesTheFrameIntervalWithoutAStepLimit) {
   World w;
   w.clock.dt = never;
   w.clock.every = 0.3;
@@ -117,10 +117,10 @@ TEST(Watch, HalvesTheWayBetweenFramesWhereNothingLimitsTheStep) {
   WatchState often;
   often.halvings = 100;
   halveStep(w, often, 0);
-  EXPECT_LT(w.watch.halvings, 63) << "the message says 1 << halvings";
+  EXPECT_LT(w.watch.halvings, 63) << "the message has 1 << halvings";
 }
 
-TEST(Watch, ALongLimitOfHeatIsNoMeasureOfTheStep) {
+TEST(Watch, IgnoresALongHeatLimit) {
   Scene s;
   s.spacing = 0.01;
   s.domain.gravity = {};
@@ -136,7 +136,7 @@ TEST(Watch, ALongLimitOfHeatIsNoMeasureOfTheStep) {
   EXPECT_DOUBLE_EQ(watchBounds(s, {}, {}, l).step, s.numerics.watchStep * 1e-3);
 }
 
-TEST(Watch, AlarmsOfReducedValues) {
+TEST(Watch, FindsFailuresOfReducedValues) {
   World w;
   w.grid.support = 0.1;
   WatchBounds b;
@@ -150,24 +150,24 @@ TEST(Watch, AlarmsOfReducedValues) {
   l[Limit::Elastic] = 1.1e-6;
   EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None);
   w.watch.factor = 0.5, w.watch.halvings = 1;
-  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Step) << "half of the limit";
+  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Step) << "half of the limit is reported";
   w.watch = {};
   w.scene.numerics.fixedStep = 1e-3;
-  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None) << "a fixed step is not that of the limits";
+  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None) << "a fixed step ignores the limits";
   l[Limit::Speed] = supportsPerStep * 0.1 / 10.1;
   EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Speed);
   b.speed = never;
   EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None);
 }
 
-TEST(Watch, EnergyFromNowhereSinceTheLastGoodState) {
+TEST(Watch, FindsUnexplainedEnergySinceTheLastSnapshot) {
   World w;
   SerialReducer all;
   WatchBounds b;
   b.expected = 2, b.energy = 0.5;
   LedgerReport books;
   books.now.mass = 1;       // 2 J at the expected speed
-  books.energyScale = 100;  // of the whole run
+  books.energyScale = 100;  // over the whole run
   w.watch.residual = 5;
   books.energyResidual = 5.9;
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
@@ -179,7 +179,7 @@ TEST(Watch, EnergyFromNowhereSinceTheLastGoodState) {
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Energy) << "not a number";
 }
 
-TEST(Watch, EnergyFromNowhereThatGrowsSlowly) {
+TEST(Watch, FindsSlowlyGrowingUnexplainedEnergy) {
   World w;
   SerialReducer all;
   WatchBounds b;
@@ -187,13 +187,13 @@ TEST(Watch, EnergyFromNowhereThatGrowsSlowly) {
   LedgerReport books;
   books.now.mass = 1;  // 200 J at the expected speed, 2 J at a tenth of it
   books.energyScale = 10;
-  for (int good = 0; good < 10; good++) {  // half a joule each time: nothing of 200 J
+  for (int good = 0; good < 10; good++) {  // half a joule each time, which is little of 200 J
     books.energyResidual = 0.5 * good;
     EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << good;
     acceptState(w, books);
   }
   EXPECT_EQ(w.watch.largest, 10);
-  books.energyScale = 1;  // the largest there was counts
+  books.energyScale = 1;  // the largest earlier scale counts
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
   books.energyResidual = 5.1;
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Growth);
@@ -201,7 +201,7 @@ TEST(Watch, EnergyFromNowhereThatGrowsSlowly) {
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
   books.energyResidual = 5.6;
   w.watch.residual = 5.7;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "it has become less";
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "it has decreased";
   w.watch.residual = 5.5;
   b.energy = never;
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "not watched";
@@ -210,7 +210,7 @@ TEST(Watch, EnergyFromNowhereThatGrowsSlowly) {
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "lost";
 }
 
-TEST(Watch, TheSuspectOfEqualsHasTheLowestId) {
+TEST(Watch, NamesTheLowestIdAmongEquals) {
   World w;
   Continuum& p = w.particles;
   for (AnyColumn* c : p.columns)
@@ -229,7 +229,7 @@ TEST(Watch, TheSuspectOfEqualsHasTheLowestId) {
   EXPECT_EQ(findSuspect(w, Alarm::NotFinite, Limit::Speed, all).row, 0u);
 }
 
-TEST(Watch, AKeptStateIsBroughtBack) {
+TEST(Watch, RestoresASnapshot) {
   World w;
   GoodState kept;
   StepTools tools;
@@ -245,7 +245,7 @@ TEST(Watch, AKeptStateIsBroughtBack) {
   keepState(w, kept);
   for (std::size_t c = 0; c < p.columns.size(); c++)
     EXPECT_EQ(kept.particles.columns[c].there, p.columns[c] == &p.id || p.columns[c] == &p.position)
-        << p.columns[c]->name << "; filling is computed anew";
+        << p.columns[c]->name << "; the relative density is recomputed";
   p.position[1] = {};
   w.clock.step = 9;
   emptyWorld(w, tools);

@@ -1,4 +1,4 @@
-// What `thaw check` says of the accuracy suite: with the scene's own keys, and only what it can use.
+// Figures of the accuracy suite in `thaw check`: with the scene's own keys, and only applicable settings.
 #include "io/commands/frontier.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Frontier, NamesTheMaterialsOfTheScene) {
   EXPECT_EQ(text.find("martin_moyce"), std::string::npos) << text;
 }
 
-TEST(Frontier, KeysAreThoseThatSetTakes) {
+TEST(Frontier, KeysHaveTheFormOfSet) {
   const std::string text = linesOf(body("a", "water", 0)) + linesOf(body("a", "steel", 0));
   EXPECT_NE(text.find("numerics."), std::string::npos) << text;
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
@@ -43,14 +43,14 @@ TEST(Frontier, KeysAreThoseThatSetTakes) {
     const std::string key = text.substr(start, at - start);
     EXPECT_TRUE(key == "quality" || key.rfind("numerics.", 0) == 0 || key.rfind("material.", 0) == 0) << key;
   }
-  // it is on a lattice
+  // the packing is a lattice already
   EXPECT_EQ(linesOf(body("a", "water", 0) + "[material.oil]\nsurface_tension = 0.03\n").find("packing"),
             std::string::npos);
   const std::string drop = linesOf(body("a", "water", 0) + "packing = 'relaxed'\n");
   EXPECT_EQ(drop.find("numerics.body"), std::string::npos) << drop;
 }
 
-TEST(Frontier, AdviceIsShortAndLeavesAloneWhatTheSceneHasChosen) {
+TEST(Frontier, AdviceIsShortAndKeepsExplicitChoices) {
   const auto adviceOf = [](const std::string& rest) {
     const Scene s = readScene(
         sceneFilesOf("test.toml", "spacing = 0.1\nend = 1\n[material.steel]\nyoung = 1e5\n" + rest));
@@ -78,7 +78,7 @@ TEST(Frontier, AdviceIsShortAndLeavesAloneWhatTheSceneHasChosen) {
     EXPECT_EQ(line.find("cfl_elastic"), std::string::npos) << line;
 }
 
-TEST(Frontier, AdviceIsOfCasesThatMoveAsTheSceneDoes) {
+TEST(Frontier, AdviceComesFromSimilarCases) {
   const auto adviceOf = [](const std::string& domain, const std::string& liquid) {
     const Scene s = readScene(sceneFilesOf(
         "test.toml", "spacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [2, 2, 2]\n" + domain +
@@ -101,7 +101,7 @@ TEST(Frontier, AdviceIsOfCasesThatMoveAsTheSceneDoes) {
   EXPECT_FALSE(has(adviceOf(walls + "\ngravity = [0, 0, 0]", dam), "liquid that falls"));
 }
 
-TEST(Frontier, LeavesThePackingOfTheScene) {
+TEST(Frontier, KeepsThePackingOfTheScene) {
   const std::string scene =
       "spacing = 0.1\nend = 1\n[domain]\ngravity = [0, 0, 0]\n[material.water]\nsurface_tension = 0.07\n" +
       body("a", "water", 0) + "packing = 'relaxed'\n";
@@ -110,7 +110,7 @@ TEST(Frontier, LeavesThePackingOfTheScene) {
     EXPECT_EQ(one.line.find("packing"), std::string::npos) << one.line;
 }
 
-TEST(Frontier, SubstepsAreForSolidsThatCannotMeet) {
+TEST(Frontier, SubstepsAreForSolidsWithoutContact) {
   const std::string water = body("w", "water", -0.6);
   EXPECT_NE(linesOf(water + body("a", "steel", 0)).find("elastic_substeps="), std::string::npos);
   EXPECT_EQ(linesOf(water + body("a", "steel", 0) + body("b", "steel", 0.6)).find("elastic_substeps="),

@@ -1,4 +1,4 @@
-// Lines that a run begins with.
+// The first lines of a run's output.
 #include <gtest/gtest.h>
 
 #include "io/commands/resolution_line.hpp"
@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-TEST(ResolutionLine, TellsTheSpacingsInEffectAndWhatHasChangedThem) {
+TEST(ResolutionLine, NamesTheSpacingsAndTheirOverrides) {
   Scene s;
   s.spacing = 0.02;
   EXPECT_EQ(resolutionLine(s, {"end=3", "surface.iso_level=0.5"}), "spacing 0.02 m; quality standard");
@@ -22,7 +22,7 @@ TEST(ResolutionLine, TellsTheSpacingsInEffectAndWhatHasChangedThem) {
       "--set quality=preview, --set oriented.skin.spacing = 0.005)");
 }
 
-TEST(ShortText, IsNeverHalfACharacter) {
+TEST(ShortText, NeverSplitsACharacter) {
   EXPECT_EQ(shortText("abc", 3), "abc");
   EXPECT_EQ(shortText("abcd", 3), "abc...");
   EXPECT_EQ(shortText("ab\xC3\xA9"

@@ -1,4 +1,4 @@
-// What thaw compare says of files that have little in common.
+// Output of thaw compare for files with little in common.
 #include <gtest/gtest.h>
 
 #include "io/compare/compare.hpp"
@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-TEST(Describe, TellsAFewOfEachKindAndCountsTheRest) {
+TEST(Describe, ListsAFewOfEachTypeAndCountsTheRest) {
   Comparison c;
   c.general.push_back("step: A 3, B 4");
   for (int k = 0; k < 60; k++)

@@ -1,5 +1,5 @@
-// What `thaw export` and `thaw render` make of sheets and oriented particles, across periodic sides, and of
-// frames without a surface.
+// `thaw export` and `thaw render` of sheets and oriented particles, across periodic sides, and of frames
+// without a surface.
 #include <cstring>
 
 #include "io/commands/render.hpp"
@@ -14,7 +14,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// A square of two triangles, and a triangle of another sheet.
+/// Two triangles of a square, and a triangle of another sheet.
 fs::path writeSheets(const fs::path& path) {
   const std::vector<Vec3d> places{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                   {0, 0, 2}, {1, 0, 2}, {0, 1, 2}};
@@ -34,7 +34,7 @@ fs::path writeSheets(const fs::path& path) {
 
 }  // namespace
 
-TEST_F(Export, PicturesShowInOnePieceWhatCrossesAPeriodicSide) {
+TEST_F(Export, PicturesShowBodiesAcrossPeriodicSidesInOnePiece) {
   PeriodicSides sides;
   sides.is[0] = true;
   sides.min = {0, -1, 0}, sides.period = {3, 2, 2};
@@ -52,7 +52,7 @@ TEST_F(Export, PicturesShowInOnePieceWhatCrossesAPeriodicSide) {
   EXPECT_LT(widest(readFrameView(frame, "surface", sides)), 1.01f);
 }
 
-TEST_F(Export, SheetsWithTheirTriangles) {
+TEST_F(Export, SheetsKeepTheirTriangles) {
   const fs::path frame = writeSheets(folder / "frames" / "cloth_sheet_000001.hdf");
   for (const std::string as : {"ply", "obj"}) {
     const fs::path out = folder / ("cloth." + as);
@@ -74,7 +74,7 @@ TEST_F(Export, SheetsWithTheirTriangles) {
   EXPECT_EQ(run(frame, "pov", folder / "cloth.pov"), 2);
 }
 
-/// Two flat rows and a curve of oriented particles, rows in another order: `turn` of them further.
+/// Two flat rows and a curve of oriented particles. `turn` rotates the order of the rows.
 fs::path writeOriented(const fs::path& path, std::size_t turn) {
   std::vector<Vec3d> places;
   std::vector<std::uint32_t> groups;
@@ -110,8 +110,8 @@ fs::path writeOriented(const fs::path& path, std::size_t turn) {
   return path;
 }
 
-// Rows lie on the ranks in any order; a curve has no triangles.
-TEST_F(Export, OrientedInTheOrderOfIdsWithLinesOfCurves) {
+// Rows are on the ranks in any order. A curve has no triangles.
+TEST_F(Export, OrientedParticlesAreInIdOrderWithLinesOfCurves) {
   for (const std::string as : {"ply", "obj", "vtp"}) {
     std::string first;
     for (const std::size_t turn : {0, 5, 13}) {
@@ -146,7 +146,7 @@ TEST_F(Export, ReadsItsFrames) {
             std::string::npos);
 }
 
-TEST_F(Export, TheSurfaceIsDrawnWhereThereIsOne) {
+TEST_F(Export, SurfaceIsDrawnIfPresent) {
   const fs::path particles = particleFrame(1);
   EXPECT_EQ(findFrames(folder), std::vector<fs::path>{particles});
   EXPECT_NE(

@@ -1,4 +1,4 @@
-// The files of `thaw export`, read back, and its errors.
+// Files of `thaw export`, read back, and its errors.
 #include <cstring>
 
 #include "io/commands/render.hpp"
@@ -25,8 +25,8 @@ TEST_F(Export, MeshesAreReadBack) {
   EXPECT_NE(text.find("o component_9\n"), std::string::npos);
 }
 
-// The sides are those of the scene that the frame keeps.
-TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrTold) {
+// The sides are those of the scene stored in the frame.
+TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrReported) {
   const auto across = [&](const std::string& name, auto addSurfels) {
     SurfelSamples s;
     addSurfels(s);
@@ -69,7 +69,7 @@ TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrTold) {
   EXPECT_NEAR(volumeOf(readMesh((folder / "rod.ply").string())), 0.12, 0.01 * 0.12);
 }
 
-TEST_F(Export, CubesWiderThanABodyAreTold) {
+TEST_F(Export, CubesWiderThanABodyAreReported) {
   ExportOptions o;
   o.input = surfaceFrame(1), o.as = "ply";
   for (const double cell : {1.0, 10.0}) {
@@ -86,7 +86,7 @@ TEST_F(Export, CubesWiderThanABodyAreTold) {
   }
 }
 
-TEST_F(Export, DiscsAreWhereTheSurfelsAre) {
+TEST_F(Export, DiscsLieOnTheSurfels) {
   const fs::path frame = surfaceFrame(1);
   ASSERT_EQ(run(frame, "ply-discs"), 0);
   const TriangleMesh m = readMesh((folder / "export" / "wax_surface_000001.discs.ply").string());
@@ -99,7 +99,7 @@ TEST_F(Export, DiscsAreWhereTheSurfelsAre) {
       EXPECT_NEAR(d.x * surfels.normals[i].x + d.y * surfels.normals[i].y + d.z * surfels.normals[i].z, 0,
                   1e-6);
     }
-  // Seen from outside the corners go round against the clock.
+  // Corners run counterclockwise seen from outside.
   for (std::size_t t = 0; t < m.triangles.size(); t += 91) {
     const auto& c = m.triangles[t];
     const Vec3f& n = surfels.normals[c[0] / 8];
@@ -117,7 +117,7 @@ TEST_F(Export, VtpAndPovHoldEverySurfel) {
   for (const char* name : {"normal", "radius", "color", "id", "component", "liquid", "temperature", "detail",
                            "connectivity", "offsets", "Points"})
     EXPECT_NE(vtp.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
-  // The points stand where their element says, behind their length.
+  // The points are where their element states, after their length.
   const std::size_t element = vtp.find("Name=\"Points\""),
                     offset = std::stoul(vtp.substr(vtp.find("offset=\"", element) + 8));
   const char* points = vtp.data() + vtp.find("<AppendedData encoding=\"raw\">\n_") + 31 + offset;
@@ -135,7 +135,7 @@ TEST_F(Export, VtpAndPovHoldEverySurfel) {
   EXPECT_NE(pov.find("light_source {"), std::string::npos);
 }
 
-TEST_F(Export, AllFramesOfARunAndEveryErrorIsSaid) {
+TEST_F(Export, ExportsAllFramesAndReportsEveryError) {
   surfaceFrame(0), surfaceFrame(1);
   const fs::path particles = particleFrame(0);
   EXPECT_EQ(run(folder, "ply", folder / "meshes"), 0);
@@ -152,7 +152,7 @@ TEST_F(Export, AllFramesOfARunAndEveryErrorIsSaid) {
   }
 }
 
-TEST_F(Export, AFilmIsMadeOrTheCommandSaid) {
+TEST_F(Export, FilmIsMadeOrItsCommandIsPrinted) {
   const std::vector<fs::path> pictures{folder / "a_000001.png", folder / "a_000002.png"};
   for (const fs::path& p : pictures) writePng(Image(65, 41, {200, 100, 0}), p);
   const std::string command = movieCommand(pictures, folder / "a.mp4", 25);

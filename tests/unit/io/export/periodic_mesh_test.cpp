@@ -1,5 +1,5 @@
-// Closed meshes of components that cross periodic sides: in one piece, or cut at the sides and capped where
-// they go all the way round.
+// Closed meshes of components that cross periodic sides: in one piece, or cut at the sides and capped if they
+// go all the way round.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -18,7 +18,7 @@ PeriodicSides sidesOf(bool x, bool y, bool z) { return {{x, y, z}, {-0.1, 0, 0.2
 
 struct Surfaces {
   SurfaceFrame frame;
-  /// Surfels, wrapped into the domain as a run has them.
+  /// Adds surfels, wrapped into the domain as in a run.
   void put(const SurfelSamples& s, const PeriodicSides& sides, bool inward = false) {
     for (std::size_t i = 0; i < s.size(); i++) {
       Vec3d x{s.positions[i].x, s.positions[i].y, s.positions[i].z};
@@ -32,7 +32,7 @@ struct Surfaces {
       frame.colours.push_back({10, 20, 30});
     }
   }
-  /// Of the faces of a box, where `keep` says so.
+  /// Adds surfels on the faces of a box where `keep` is true.
   template<class Keep> void addBox(const TriangleMesh& box, const PeriodicSides& sides, Keep keep) {
     SurfelSamples all, kept;
     sampleMesh(all, box, spacing, false, 5);
@@ -67,7 +67,7 @@ std::array<double, 2> rangeOf(const TriangleMesh& mesh, int axis) {
 
 }  // namespace
 
-TEST(PeriodicMesh, ABallOverACornerIsInOnePiece) {
+TEST(PeriodicMesh, BallAcrossACornerIsInOnePiece) {
   const PeriodicSides sides = sidesOf(true, true, true);
   for (const Vec3d centre : {Vec3d{-0.13, 1.31, 0.22}, Vec3d{0.88, 0.02, 1.07}, Vec3d{0.4, 0.6, 0.6}}) {
     Surfaces s;
@@ -83,16 +83,16 @@ TEST(PeriodicMesh, ABallOverACornerIsInOnePiece) {
       middle[a] = 0.5 * (low + high);
       EXPECT_TRUE(middle[a] > sides.min[a] - 0.01 && middle[a] < sides.min[a] + sides.period[a] + 0.01) << a;
     }
-    // the same ball with no such sides in another place
+    // the same ball elsewhere without periodic sides
     Surfaces alone;
     alone.addBall(middle, 0.3, {});
     EXPECT_NEAR(volumeOf(alone.mesh({}).mesh), volumeOf(m.mesh), 1e-3 * ballVolume(0.3));
   }
 }
 
-TEST(PeriodicMesh, WhatGoesRoundIsCutAtTheSidesAndCapped) {
+TEST(PeriodicMesh, SpanningComponentsAreCutAtTheSidesAndCapped) {
   const PeriodicSides sides = sidesOf(true, false, false);
-  // longer than the domain: its ends are left out
+  // longer than the domain, so that its ends are left out
   const TriangleMesh rod = boxMesh({-1.5, 0.4, 0.5}, {1.9, 0.7, 0.8});
   Surfaces s;
   s.addBox(rod, sides, [](const Vec3d& x) { return x.x >= -0.1 && x.x < 0.9; });
@@ -102,7 +102,7 @@ TEST(PeriodicMesh, WhatGoesRoundIsCutAtTheSidesAndCapped) {
   EXPECT_NEAR(volumeOf(m.mesh), 0.09, 0.01 * 0.09);
   EXPECT_NEAR(rangeOf(m.mesh, 0)[0], -0.1, 1e-12);
   EXPECT_NEAR(rangeOf(m.mesh, 0)[1], 0.9, 1e-12);
-  double cap = 0;  // area of what looks along x, on the plane
+  double cap = 0;  // area on the plane that faces along x
   for (const auto& t : m.mesh.triangles) {
     const Vec3d area = 0.5 * cross(m.mesh.vertices[t[1]] - m.mesh.vertices[t[0]],
                                    m.mesh.vertices[t[2]] - m.mesh.vertices[t[0]]);
@@ -115,7 +115,7 @@ TEST(PeriodicMesh, WhatGoesRoundIsCutAtTheSidesAndCapped) {
   EXPECT_NEAR(cap, 0.09, 0.01 * 0.09);
 }
 
-TEST(PeriodicMesh, APoolIsOneBlockWithItsBubblesAndDrops) {
+TEST(PeriodicMesh, PoolIsOneBlockWithItsBubblesAndDrops) {
   const PeriodicSides sides = sidesOf(true, true, false);
   const TriangleMesh pool = boxMesh({-2, -2, 0.3}, {3, 3, 0.8});
   Surfaces s;
@@ -128,7 +128,7 @@ TEST(PeriodicMesh, APoolIsOneBlockWithItsBubblesAndDrops) {
   EXPECT_NEAR(volumeOf(m.mesh), volume, 0.005 * volume);
 }
 
-TEST(PeriodicMesh, AHollowIsPlacedInItsBody) {
+TEST(PeriodicMesh, CavityIsPlacedInItsBody) {
   const PeriodicSides sides = sidesOf(false, true, false);
   Surfaces s;
   s.addBall({0.4, 1.2, 0.6}, 0.35, sides);
@@ -140,7 +140,7 @@ TEST(PeriodicMesh, AHollowIsPlacedInItsBody) {
   EXPECT_NEAR(volumeOf(m.mesh), ballVolume(0.35) - ballVolume(0.15), 0.01 * ballVolume(0.35));
 }
 
-TEST(PeriodicMesh, AroundAHollowAloneTheBodyFillsTheDomain) {
+TEST(PeriodicMesh, BodyFillsTheDomainAroundASingleCavity) {
   const PeriodicSides sides = sidesOf(true, true, true);
   Surfaces s;
   s.addBall({0.9, 0, 0.6}, 0.3, sides, true);
@@ -151,10 +151,10 @@ TEST(PeriodicMesh, AroundAHollowAloneTheBodyFillsTheDomain) {
   EXPECT_NEAR(volumeOf(m.mesh), volume, 0.005 * volume);
 }
 
-TEST(PeriodicMesh, NearItsOwnImageIsNotRound) {
+TEST(PeriodicMesh, BodyNearItsOwnImageIsNotSpanning) {
   const PeriodicSides sides = sidesOf(true, false, false);
   Surfaces s;
-  // a gap of 2.3 spacings: under two it would be cut, and as right
+  // a gap of 2.3 spacings; below two it would be cut, equally correct
   s.addBox(boxMesh({0.2, 0.4, 0.5}, {1.13, 0.7, 0.8}), sides, [](const Vec3d&) { return true; });
   const ComponentMesh m = s.mesh(sides);
   expectShells(m.mesh, 1);

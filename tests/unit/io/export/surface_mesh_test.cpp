@@ -1,4 +1,4 @@
-// Closed meshes of surfels: watertight, where the surfels are, one for each component.
+// Closed meshes of surfels: watertight, at the surfels, one per component.
 #include "io/export/surface_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ ComponentMesh only(const SurfelSamples& s, double cell = 1) {
   return meshOfComponent(f, rowsByComponent(f).at(0), f.colours, {}, cell);
 }
 
-/// The largest and the mean distance (m) from the vertices to a mesh.
+/// Largest and mean distance (m) of the vertices from a mesh.
 std::pair<double, double> awayFrom(const TriangleMesh& mesh, const TriangleMesh& truth) {
   const TriangleBvh bvh(truth);
   double largest = 0, sum = 0;
@@ -42,7 +42,7 @@ std::pair<double, double> awayFrom(const TriangleMesh& mesh, const TriangleMesh&
 
 }  // namespace
 
-TEST(SurfaceMesh, OfABallIsABall) {
+TEST(SurfaceMesh, BallGivesABall) {
   for (const double ratio : {8.0, 16.0}) {  // radius over spacing
     SurfelSamples s;
     const double radius = 0.5, spacing = radius / ratio;
@@ -68,7 +68,7 @@ TEST(SurfaceMesh, OfABallIsABall) {
   }
 }
 
-TEST(SurfaceMesh, OfACubeKeepsFacesAndEdges) {
+TEST(SurfaceMesh, CubeKeepsFacesAndEdges) {
   SurfelSamples s;
   const TriangleMesh box = boxMesh({-0.5, -0.5, 0}, {0.5, 0.5, 1});
   sampleMesh(s, box, 0.05, false, 1);
@@ -76,11 +76,11 @@ TEST(SurfaceMesh, OfACubeKeepsFacesAndEdges) {
   expectClosed(m.mesh);
   EXPECT_NEAR(volumeOf(m.mesh), 1, 0.01);
   const auto [largest, mean] = awayFrom(m.mesh, box);
-  EXPECT_LT(largest, 0.6 * 0.05);  // at edges and corners; on faces nothing
+  EXPECT_LT(largest, 0.6 * 0.05);  // at edges and corners; zero on faces
   EXPECT_LT(mean, 0.03 * 0.05);
 }
 
-TEST(SurfaceMesh, OfABustFollowsIt) {
+TEST(SurfaceMesh, FollowsABust) {
   SurfelSamples s;
   const TriangleMesh truth = bustMesh();
   sampleMesh(s, truth, 0.01, true, 1);
@@ -92,7 +92,7 @@ TEST(SurfaceMesh, OfABustFollowsIt) {
   }
 }
 
-TEST(SurfaceMesh, EachOfThousandsOfComponentsHasItsOwn) {
+TEST(SurfaceMesh, ThousandsOfComponentsHaveAMeshEach) {
   SurfelSamples s;
   std::map<std::uint64_t, double> volumes;
   for (std::uint64_t k = 0; k < 2000; k++) {
@@ -104,8 +104,7 @@ TEST(SurfaceMesh, EachOfThousandsOfComponentsHasItsOwn) {
   const std::vector<ComponentRows> components = rowsByComponent(f);
   ASSERT_EQ(components.size(), 2000u);
   std::uint64_t before = 0;
-  double fewest = 0, few = 0;  // largest errors of volume, of less than 24 surfels (down to twelve) and of
-                               // more
+  double fewest = 0, few = 0;  // largest relative volume errors with 12 to 23 surfels and with more
   for (const ComponentRows& c : components) {
     EXPECT_GT(c.component, before);
     before = c.component;
@@ -120,7 +119,7 @@ TEST(SurfaceMesh, EachOfThousandsOfComponentsHasItsOwn) {
   EXPECT_LT(few, 0.02);
 }
 
-TEST(SurfaceMesh, SheetsNearEachOtherStayApart) {
+TEST(SurfaceMesh, NearbySheetsStaySeparate) {
   SurfelSamples s;  // a plate one spacing thick
   const TriangleMesh plate = boxMesh({0, 0, 0}, {1, 1, 0.05});
   sampleMesh(s, plate, 0.05, false, 1);
@@ -129,9 +128,8 @@ TEST(SurfaceMesh, SheetsNearEachOtherStayApart) {
   EXPECT_NEAR(volumeOf(m.mesh), 0.05, 0.005);
 }
 
-// Whose surfel is nearest by its middle is a matter of chance there: behind a crease of the bust there was a
-// bubble of 48 triangles.
-TEST(SurfaceMesh, BehindACrackNarrowerThanSurfelsAreApartThereAreNoBubbles) {
+// The nearest surfel centre is arbitrary there, which must not make bubbles, as behind a crease of the bust.
+TEST(SurfaceMesh, CracksNarrowerThanTheSpacingMakeNoBubbles) {
   for (std::uint64_t seed = 1; seed <= 3; seed++) {
     SurfelSamples s;
     sampleMesh(s, boxMesh({0, 0, 0}, {1, 1, 0.4}), 0.05, false, 1, seed);
@@ -143,7 +141,7 @@ TEST(SurfaceMesh, BehindACrackNarrowerThanSurfelsAreApartThereAreNoBubbles) {
   }
 }
 
-TEST(SurfaceMesh, WhatEnclosesNothingIsEmptyAndHolesAreClosed) {
+TEST(SurfaceMesh, OpenSurfacesAreEmptyAndHolesAreClosed) {
   SurfelSamples s;
   s.add({0, 0, 0}, {0, 0, 1}, 0.1, 1);
   s.add({NAN, 0, 0}, {0, 0, 1}, 0.1, 1);

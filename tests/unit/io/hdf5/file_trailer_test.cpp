@@ -1,4 +1,4 @@
-// The trailer of files: what it notices, and files without one.
+// The trailer of files: damage that it detects, and files without one.
 #include "io/hdf5/file_trailer.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ struct FileTrailerOf : testing::Test {
   }
 };
 
-TEST_F(FileTrailerOf, EveryByteButRowsCounts) {
+TEST_F(FileTrailerOf, DetectsChangesOfEveryByteExceptRows) {
   const std::string body = "superblock" + std::string(100, 'r') + "header";
   put(body);
   appendTrailer(path, {{10, 100}});
@@ -43,7 +43,7 @@ TEST_F(FileTrailerOf, EveryByteButRowsCounts) {
     std::string s = whole;
     s[k] = static_cast<char>(s[k] ^ 4);
     put(s);
-    // without the magic there is no trailer
+    // no trailer without the magic
     const bool rows = k >= 10 && k < 110, magic = k + 8 >= whole.size();
     if (magic) EXPECT_FALSE(checkTrailer(path)) << k;
     else EXPECT_EQ(refused(), !rows) << k;
@@ -52,7 +52,7 @@ TEST_F(FileTrailerOf, EveryByteButRowsCounts) {
   EXPECT_FALSE(checkTrailer(path));
 }
 
-TEST_F(FileTrailerOf, Hdf5IgnoresItAndBytesThatAreNotOneAreRefused) {
+TEST_F(FileTrailerOf, IsIgnoredByHdf5AndOtherBytesAreRefused) {
   {
     H5File file = H5File::create(path);
     file.writeText("/text", "wax");

@@ -32,7 +32,7 @@ std::string errorOf(const std::function<void()>& work) {
 
 }  // namespace
 
-TEST(H5File, GivesBackWhatWasWritten) {
+TEST(H5File, RoundTripsData) {
   const Folder folder;
   const std::string path = folder.path + "/f.hdf", text = "W\u00e4rme\nline 2";
   const std::vector<double> values{1, 2, 3, 4, 5, 6};
@@ -90,7 +90,7 @@ TEST(H5File, ErrorsNameFileAndReason) {
   EXPECT_NE(errorOf([&] { file.integer("/", "n"); }).find("attribute n"), std::string::npos);
 }
 
-TEST(H5File, AFullDiskShowsAtTheEndAndTheProcessLivesOn) {
+TEST(H5File, FullDiskIsAnErrorAtTheEndAndTheProcessContinues) {
   const Folder folder;
   std::signal(SIGXFSZ, SIG_IGN);
   struct rlimit old {
@@ -108,7 +108,7 @@ TEST(H5File, AFullDiskShowsAtTheEndAndTheProcessLivesOn) {
   EXPECT_NE(error.find("File too large"), std::string::npos) << error;
 }
 
-TEST(Checksum, OfPartsAddsUpAndDependsOnPlaceAndEveryBit) {
+TEST(Checksum, IsAdditiveOverPartsAndDependsOnPositionAndEveryBit) {
   std::vector<std::uint64_t> v(100);
   for (std::size_t k = 0; k < v.size(); k++) v[k] = k * k;
   const std::uint64_t whole = checksumRows(v.data(), {0, 100}, 8);
@@ -122,7 +122,7 @@ TEST(Checksum, OfPartsAddsUpAndDependsOnPlaceAndEveryBit) {
   EXPECT_NE(checksumRows(bytes, {0, 3}, 1), checksumRows(other, {0, 3}, 1));
 }
 
-TEST(TextFile, IsReplacedAsAWhole) {
+TEST(TextFile, IsReplacedAtomically) {
   const Folder folder;
   const std::string path = folder.path + "/s.json";
   replaceTextFile(path, "one");

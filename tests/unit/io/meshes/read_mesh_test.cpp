@@ -53,7 +53,7 @@ std::string asciiStl(const TriangleMesh& m) {
   return s + "endsolid a box with a name\n";
 }
 
-/// Quads, extra properties and elements.
+/// A box of quads with extra properties and elements.
 std::string ply(bool ascii, bool big, bool normals = false) {
   const std::string format = ascii ? "ascii" : big ? "binary_big_endian" : "binary_little_endian";
   std::string s = "ply\nformat " + format +
@@ -65,7 +65,7 @@ std::string ply(bool ascii, bool big, bool normals = false) {
   const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                            {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   for (int c = 0; c < 8; c++) {
-    const double n[3] = {c & 1 ? 2.0 : -2.0, c & 2 ? 2.0 : -2.0, c & 4 ? 2.0 : -2.0};  // not of length 1
+    const double n[3] = {c & 1 ? 2.0 : -2.0, c & 2 ? 2.0 : -2.0, c & 4 ? 2.0 : -2.0};  // not normalised
     if (ascii)
       s += std::to_string(c & 1) + " 255 " + std::to_string(c >> 1 & 1) + ".0 " + std::to_string(c >> 2) +
            "e0" +
@@ -109,7 +109,7 @@ std::string message(const std::string& content, const std::string& file = "m.obj
 
 #define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
-TEST(ReadMesh, obj) {
+TEST(ReadMesh, ReadsObj) {
   const TriangleMesh m = parseMesh(goodObj, "m.obj");
   EXPECT_EQ(m.vertices.size(), 4u);
   EXPECT_EQ(m.triangles.size(), 4u);
@@ -122,7 +122,7 @@ TEST(ReadMesh, obj) {
   EXPECT_EQ(fan.triangles[2], (std::array<std::uint32_t, 3>{0, 3, 4}));
 }
 
-TEST(ReadMesh, plyOfEveryKind) {
+TEST(ReadMesh, ReadsAllPlyFormats) {
   for (const auto& [ascii, big] : {std::pair{true, false}, {false, false}, {false, true}}) {
     const TriangleMesh m = parseMesh(ply(ascii, big), "m.ply");
     EXPECT_EQ(m.vertices.size(), 8u);
@@ -131,7 +131,7 @@ TEST(ReadMesh, plyOfEveryKind) {
   }
 }
 
-TEST(ReadMesh, NormalsOfPlyOfEveryKind) {
+TEST(ReadMesh, ReadsNormalsOfAllPlyFormats) {
   for (const auto& [ascii, big] : {std::pair{true, false}, {false, false}, {false, true}}) {
     const TriangleMesh m = parseMesh(ply(ascii, big, true), "m.ply");
     ASSERT_EQ(m.normals.size(), 12u);
@@ -145,7 +145,7 @@ TEST(ReadMesh, NormalsOfPlyOfEveryKind) {
   }
 }
 
-TEST(ReadMesh, NormalsOfObjAreOfCorners) {
+TEST(ReadMesh, ReadsNormalsOfObjPerCorner) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const TriangleMesh m = parseMesh(
       points +
@@ -153,7 +153,7 @@ TEST(ReadMesh, NormalsOfObjAreOfCorners) {
       "m.obj");
   ASSERT_EQ(m.normals.size(), 4u);
   EXPECT_EQ(m.normals[0][2], (Vec3d{0, 0, -1}));
-  EXPECT_EQ(m.normals[1][0], Vec3d{});  // says nothing
+  EXPECT_EQ(m.normals[1][0], Vec3d{});  // a zero normal is undefined
   EXPECT_NEAR(length(m.normals[2][0] - normalized(Vec3d{1, 1, 1})), 0, 1e-15);
   EXPECT_EQ(m.normals[2][2], Vec3d{});
   EXPECT_EQ(m.normals[3][2], (Vec3d{0, 0, -1}));
@@ -168,7 +168,7 @@ TEST(ReadMesh, NormalsOfObjAreOfCorners) {
   EXPECT_SAYS(message(points + "f 1//x 2 3\n"), "m.obj:5: expected a normal index");
 }
 
-TEST(ReadMesh, NormalsOfPlyThatAreNotFinite) {
+TEST(ReadMesh, RefusesNonFiniteNormalsOfPly) {
   const std::string head =
       " 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float "
       "nx\nproperty float ny\nproperty float nz\n"
@@ -185,7 +185,7 @@ TEST(ReadMesh, NormalsOfPlyThatAreNotFinite) {
                                    ": expected a part of a normal, found a number that is not finite");
 }
 
-TEST(ReadMesh, stlOfBothKinds) {
+TEST(ReadMesh, ReadsBothStlFormats) {
   const TriangleMesh box = boxMesh({0, 0, 0}, {1, 2, 3});
   for (const std::string& s : {binaryStl(box), binaryStl(box, "solid is what many binary ones say"),
                                asciiStl(box), asciiStl(box) + asciiStl(box)}) {
@@ -197,14 +197,14 @@ TEST(ReadMesh, stlOfBothKinds) {
   }
 }
 
-TEST(ReadMesh, sameInEveryLocale) {
+TEST(ReadMesh, IgnoresTheLocale) {
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
     if (std::setlocale(LC_ALL, name)) break;
   EXPECT_EQ(parseMesh("v 0 0 0\nv 1.5 0 0\nv 0 1 0\nf 1 2 3", "m.obj").vertices[1].x, 1.5);
   std::setlocale(LC_ALL, "C");
 }
 
-TEST(ReadMesh, brokenObj) {
+TEST(ReadMesh, RefusesBrokenObj) {
   EXPECT_SAYS(message(""), "m.obj: the file is empty");
   EXPECT_SAYS(message("hello world\n"), "no vertices");
   EXPECT_SAYS(message("v 0 0 0\nv 1 0 0\n"), "no faces");
@@ -224,7 +224,7 @@ TEST(ReadMesh, brokenObj) {
   EXPECT_SAYS(message(std::string("v 0 0 0\n\0\1\2", 11)), "neither");
 }
 
-TEST(ReadMesh, brokenPly) {
+TEST(ReadMesh, RefusesBrokenPly) {
   EXPECT_SAYS(message("ply\n"), "end_header");
   EXPECT_SAYS(message("ply\nformat ascii 1.0\nelement vertex"), "m.obj:3: ");
   EXPECT_SAYS(message("ply\nformat weird 1.0\nend_header\n"), "m.obj:2: expected the format");
@@ -276,7 +276,7 @@ TEST(ReadMesh, brokenPly) {
   EXPECT_SAYS(message("nothing", "m.ply"), "m.ply:1: expected the line 'ply'");
 }
 
-TEST(ReadMesh, brokenStl) {
+TEST(ReadMesh, RefusesBrokenStl) {
   const TriangleMesh box = boxMesh({0, 0, 0}, {1, 2, 3});
   std::string s = binaryStl(box);
   EXPECT_SAYS(message(s.substr(0, s.size() - 1), "m.stl"), "the file has 683");
@@ -303,8 +303,8 @@ TEST(ReadMesh, brokenStl) {
               "equal corners");
 }
 
-/// Whatever a file is cut to or whatever byte of it changes: a mesh or a message, and no crash.
-TEST(ReadMesh, damagedFilesNeverCrash) {
+/// Truncated files and files with one changed byte give a mesh or a message, never a crash.
+TEST(ReadMesh, DamagedFilesNeverCrash) {
   const TriangleMesh box = boxMesh({0, 0, 0}, {1, 2, 3});
   for (const std::string& s :
        {goodObj, ply(true, false), ply(false, false), ply(false, true), ply(true, false, true),
@@ -312,7 +312,7 @@ TEST(ReadMesh, damagedFilesNeverCrash) {
     for (std::size_t n = 0; n < s.size(); n++)
       for (const char* file : {"m.obj", "m.stl", "m.ply"}) {
         const std::string said = message(s.substr(0, n), file);
-        // faces of an OBJ may be missing; so may the name at the end of an STL
+        // faces of an OBJ file may be missing, and so may the name at the end of an STL file
         if (n + 25 < s.size() && said == "none") { EXPECT_TRUE(s == goodObj) << n; }
       }
     for (std::uint64_t k = 0; k < 4000; k++) {
@@ -330,7 +330,7 @@ TEST(ReadMesh, damagedFilesNeverCrash) {
   }
 }
 
-TEST(ReadMesh, files) {
+TEST(ReadMesh, ReadsFilesAndNamesErrors) {
   EXPECT_THROW(readMesh("/there/is/no/such/file.obj"), MeshError);
   EXPECT_THROW(readMesh("/tmp"), MeshError);
   EXPECT_THROW(readMesh("/dev/zero"), MeshError);

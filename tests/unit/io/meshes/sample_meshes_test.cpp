@@ -1,5 +1,5 @@
-// Scanned and modelled meshes that are not part of the project: tried where they are (THAW_MESHES or
-// ../shared/meshes).
+// Scanned and modelled meshes that are not part of the project, in the folder THAW_SAMPLE_MESHES. The tests
+// are skipped without it.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -19,16 +19,11 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::filesystem::path meshFile(const char* name) {
-  const char* folder = std::getenv("THAW_MESHES");
-  return (folder ? std::filesystem::path(folder)
-                 : std::filesystem::path(THAW_SOURCE_DIR) / "../shared/meshes") /
-         name;
-}
-
 void tryMesh(const char* name) {
-  const auto path = meshFile(name);
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+  const char* folder = std::getenv("THAW_SAMPLE_MESHES");
+  if (!folder) GTEST_SKIP() << "THAW_SAMPLE_MESHES does not name a folder of sample meshes";
+  const auto path = std::filesystem::path(folder) / name;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "THAW_SAMPLE_MESHES: there is no " << path;
   const double t0 = seconds();
   const TriangleMesh m = readMesh(path.string());
   const double t1 = seconds();
@@ -39,13 +34,13 @@ void tryMesh(const char* name) {
   const SampleLattice lattice = sampleLattice(d, spacing);
   const Samples samples = sampleShape(d, lattice, {0, lattice.rows()});
   const double t3 = seconds();
-  std::printf("%s: %lld triangles, read %.3f s, made ready %.3f s, %zu samples in %.3f s\n", name,
+  std::printf("%s: %lld triangles, read %.3f s, prepared in %.3f s, %zu samples in %.3f s\n", name,
               static_cast<long long>(r.triangles), t1 - t0, t2 - t1, samples.number.size(), t3 - t2);
   std::vector<std::string> notes;
   d.addNotes(notes);
   for (const std::string& n : notes) std::printf("  %s\n", n.c_str());
   EXPECT_NEAR(static_cast<double>(samples.number.size()), 50000, 500);
-  // inside or not: as the sum over all triangles has it, but where it is undecided itself
+  // compares with the sum over all triangles, which decides inside and outside
   MeshReport report;
   const TriangleMesh solid = repairMesh(m, report);
   double worst = 0;
@@ -60,7 +55,7 @@ void tryMesh(const char* name) {
   EXPECT_EQ(differences, 0);
   EXPECT_LT(worst, 0.1);
   std::printf("  winding number: largest error %.4f\n", worst);
-  // near-surface queries, as obstacles ask them
+  // near-surface queries, as for obstacles
   const double t4 = seconds();
   double sum = 0;
   const int n = 100000;
@@ -70,8 +65,8 @@ void tryMesh(const char* name) {
               (seconds() - t4) * 1e9 / n, sum);
 }
 
-TEST(SampleMeshes, nefertiti) { tryMesh("nefertiti.obj"); }
-TEST(SampleMeshes, spot) { tryMesh("spot.obj"); }
+TEST(SampleMeshes, Nefertiti) { tryMesh("nefertiti.obj"); }
+TEST(SampleMeshes, Spot) { tryMesh("spot.obj"); }
 
 }  // namespace
 }  // namespace thaw

@@ -1,5 +1,5 @@
-// Discs in parts: on the surface between the surfels, without holes; none where it is flat or ends in a sharp
-// edge.
+// Discs in parts lie on the surface between the surfels without holes. Flat regions and sharp edges have
+// none.
 #include "io/render/curved_discs.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ struct Ball {
 
 }  // namespace
 
-TEST(CurvedDiscs, OfADropOfTwentyFourSurfelsCoverItsSphere) {
+TEST(CurvedDiscs, CoverTheSphereOfADropOfTwentyFourSurfels) {
   const Ball drop(24), directions(2000);
   const std::vector<DiscPart> parts = curvedDiscs(drop.discs(), {}, [](std::uint32_t) { return 0.01f; });
   EXPECT_EQ(parts.size(), 24u * 37u);
@@ -47,7 +47,7 @@ TEST(CurvedDiscs, OfADropOfTwentyFourSurfelsCoverItsSphere) {
   }
 }
 
-TEST(CurvedDiscs, FlatOnesAndSharpEdgesStayWhole) {
+TEST(CurvedDiscs, StayWholeOnFlatFacesAndSharpEdges) {
   std::vector<Vec3f> positions, normals;  // two faces of a cube
   for (int i = 0; i < 10; i++)
     for (int j = 0; j < 10; j++) {

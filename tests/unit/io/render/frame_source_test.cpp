@@ -59,7 +59,7 @@ std::string errorOf(const std::function<void()>& what) {
 
 }  // namespace
 
-TEST_F(FrameSource, ReadsPlacesTimeAndAField) {
+TEST_F(FrameSource, ReadsPositionsTimeAndAField) {
   const fs::path path = writeFrame("a_0.hdf", 0.25, 10);
   FrameView view = readFrameView(path, "temperature");
   EXPECT_EQ(view.time, 0.25);
@@ -105,7 +105,7 @@ TEST_F(FrameSource, EveryErrorNamesTheFile) {
             std::string::npos);
 }
 
-TEST_F(FrameSource, TheCommandWritesPicturesAndSaysWhatIsWrong) {
+TEST_F(FrameSource, CommandWritesPicturesAndReportsErrors) {
   for (int n = 0; n < 3; n++) writeFrame("a_" + std::to_string(n) + ".hdf", n, 25);
   RenderOptions options;
   options.input = folder;

@@ -21,7 +21,7 @@ Image pictureOf(const FrameView& v, const Vec3d& from) {
 
 Rgb middle(const Image& image) { return image.at(60, 60); }
 
-TEST(MeshFaces, ShowTheSideThatIsSeen) {
+TEST(MeshFaces, ShowTheVisibleSide) {
   FrameView v;
   const Vec3f up{0, 0, 1};
   addFace({FaceCorner{{-1, -1, 0}, up, red, blue}, {{1, -1, 0}, up, red, blue}, {{0, 1, 0}, up, red, blue}},
@@ -31,14 +31,14 @@ TEST(MeshFaces, ShowTheSideThatIsSeen) {
   EXPECT_GT(below.b, 1.5 * below.r);
 }
 
-/// A strip folded back on itself, seen across the fold: as discs it had samples of its dark inside, and of
-/// nothing.
+/// A strip folded back on itself, seen across the fold. Its picture has no samples of the dark inside or the
+/// background.
 TEST(MeshFaces, LeaveNoGapsAtAFold) {
   std::vector<Vec3f> x;
   std::vector<std::array<std::uint32_t, 3>> t;
   for (int k = 0; k <= 40; k++) {
     const float s = 0.05f * static_cast<float>(k);  // 0 to 1 along the lower layer, and back along the upper
-                                                    // one, .02 above it
+                                                    // one, 0.02 above it
     for (const float y : {-0.5f, 0.5f})
       x.push_back({0.5f - std::min(s, 2 - s), y, k < 20 ? -0.02f : k == 20 ? 0.0f : 0.02f});
     const auto n = static_cast<std::uint32_t>(2 * k);

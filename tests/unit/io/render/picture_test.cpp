@@ -24,7 +24,7 @@ Image readPng(const std::filesystem::path& path) {
   return image;
 }
 
-/// Weights of the sRGB channels in luminance, decoded roughly.
+/// Luminance from weighted sRGB channels, approximately decoded.
 double luminance(Rgb c) {
   const auto d = [](std::uint8_t x) { return std::pow(x / 255.0, 2.2); };
   return 0.2126 * d(c.r) + 0.7152 * d(c.g) + 0.0722 * d(c.b);
@@ -38,7 +38,7 @@ int inked(const Image& image) {
 
 }  // namespace
 
-TEST(Png, ComesBackAsItWasWritten) {
+TEST(Png, RoundTripsExactly) {
   Image image(37, 23);
   for (int y = 0; y < 23; y++)
     for (int x = 0; x < 37; x++)
@@ -51,7 +51,7 @@ TEST(Png, ComesBackAsItWasWritten) {
   std::filesystem::remove(path);
 }
 
-TEST(Png, NamesTheFileThatCannotBeWritten) {
+TEST(Png, ErrorsNameTheFile) {
   try {
     writePng(Image(2, 2), "/no/such/folder/a.png");
     FAIL();
@@ -62,7 +62,7 @@ TEST(Png, NamesTheFileThatCannotBeWritten) {
   EXPECT_THROW(writePng(Image(), std::filesystem::path(testing::TempDir()) / "x.png"), std::runtime_error);
 }
 
-TEST(Png, AFullDiskIsAnError) {
+TEST(Png, FullDiskIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const auto path = std::filesystem::path(testing::TempDir()) / "thaw_full.png",
              part = std::filesystem::path(path.string() + ".part");
@@ -123,7 +123,7 @@ TEST(Ticks, AreRoundNumbersInsideTheRange) {
   }
 }
 
-TEST(ColourBar, OfAConstantFieldHasTheColourThatThePictureHas) {
+TEST(ColourBar, MatchesThePictureForAConstantField) {
   for (const double value : {0.0, 5.0}) {
     const ColourScale scale{value, value, ColourMap::Sea, "", ""};
     Image image(120, 400, {255, 255, 255});
@@ -137,7 +137,7 @@ TEST(ColourBar, OfAConstantFieldHasTheColourThatThePictureHas) {
   }
 }
 
-TEST(Text, LeavesInkWhereItShould) {
+TEST(Text, DrawsInsideItsBox) {
   Image image(200, 40, {255, 255, 255});
   drawText(image, 100, 30, "1 W/(m K)", {14, {0, 0, 0}, Align::Centre});
   EXPECT_GT(inked(image), 100);
@@ -150,7 +150,7 @@ TEST(Text, LeavesInkWhereItShould) {
   EXPECT_EQ(textWidth("", 14), 0);
 }
 
-TEST(Text, IsFittedToWhatRoomThereIs) {
+TEST(Text, IsFittedToTheAvailableRoom) {
   EXPECT_EQ(fittedText("a title", 14, 1000), "a title");
   const std::string text =
       "one of a good many words, with \xC3\xA9\xC3\xA9\xC3\xA9 in it, and then some more of them";
@@ -163,11 +163,11 @@ TEST(Text, IsFittedToWhatRoomThereIs) {
     EXPECT_TRUE(text.starts_with(begins) && (static_cast<unsigned char>(text[begins.size()]) & 0xC0) != 0x80)
         << fitted;
   }
-  EXPECT_GT(textWidth(fittedText(text, 14, 300), 14), 280) << "as much as there is room for";
+  EXPECT_GT(textWidth(fittedText(text, 14, 300), 14), 280) << "it fills the available room";
 }
 
-// A title of a thousand characters drew the time far beyond the picture's edge.
-TEST(Caption, TellsTheTimeHoweverLongTheTitleIs) {
+// A long title must not move the time out of the picture.
+TEST(Caption, ShowsTheTimeWithATitleOfAnyLength) {
   const auto drawn = [](const std::string& title, const std::string& time) {
     Image image(640, 480, {255, 255, 255});
     drawCaption(image, title, time);

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that goes when the test ends.
+/// A folder that is removed at the end of the test.
 struct Folder {
   fs::path path = fs::path(testing::TempDir()) /
                   ("thaw_render_" +
@@ -21,7 +21,7 @@ struct Folder {
   ~Folder() { fs::remove_all(path); }
 };
 
-/// Frame `n.hdf`: a cube of 6^3 particles at height n, as warm as it is high.
+/// Writes frame `n.hdf`: a cube of 6^3 particles at height n, with temperature proportional to height.
 FrameView cube(const fs::path& file, const std::string& field) {
   FrameView frame;
   const int n = std::stoi(file.stem().string());
@@ -78,7 +78,7 @@ TEST(RenderFrames, ThreadsDoNotChangeThePictures) {
   for (const fs::path& p : renderFrames(job, cube)) EXPECT_EQ(bytes(p), one[i++]) << p;
 }
 
-TEST(RenderFrames, AFrameThatCannotBeReadIsTheError) {
+TEST(RenderFrames, UnreadableFrameIsReported) {
   const Folder folder;
   const auto broken = [](const fs::path& file, const std::string& field) {
     if (file.stem() == "5") throw std::runtime_error(file.string() + ": truncated");
@@ -106,7 +106,7 @@ TEST(RenderFrames, EmptyFramesAndOneParticleAreDrawn) {
   EXPECT_EQ(renderFrames(job, cube).size(), 8u);
 }
 
-TEST(RenderFrames, AFewDropsThatFlewAwayDoNotMoveTheCamera) {
+TEST(RenderFrames, FewDistantDropsDoNotMoveTheCamera) {
   std::vector<Vec3f> x = cube("0.hdf", "").positions;
   for (int k = 0; k < 5; k++) x.insert(x.end(), x.begin(), x.begin() + 216);
   x.push_back({1000, 1000, 1000});
@@ -117,7 +117,7 @@ TEST(RenderFrames, AFewDropsThatFlewAwayDoNotMoveTheCamera) {
   EXPECT_TRUE(boxOfMost({}).empty());
 }
 
-TEST(ParallelFor, DoesEachPieceOnceAndPassesErrorsOn) {
+TEST(ParallelFor, RunsEachPieceOnceAndForwardsErrors) {
   std::vector<int> done(1000, 0);
   parallelFor(done.size(), 4, [&](std::size_t i) { done[i]++; });
   for (int d : done) EXPECT_EQ(d, 1);

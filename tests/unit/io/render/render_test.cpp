@@ -60,7 +60,7 @@ TEST(Render, ASphereIsWhereTheCameraProjectsIt) {
   EXPECT_NEAR(changed, 3.14159 * radius * radius, 0.25 * 3.14159 * radius * radius);
 }
 
-TEST(Render, AFloorShowsTheShadowAndHidesWhatIsBelow) {
+TEST(Render, FloorShowsShadowsAndHidesParticlesBelow) {
   RenderStyle style = smallStyle();
   style.floors.push_back({{0, 0, 0}, {0, 0, 1}});
   const Image empty = picture({}, {}, 0.2f, style), ball = picture({{0, 0, 0.6f}}, {1}, 0.3f, style),
@@ -78,7 +78,7 @@ TEST(Render, AFloorShowsTheShadowAndHidesWhatIsBelow) {
             30);
 }
 
-TEST(Render, LeavesOutWhatIsNotFiniteOrBehindTheCamera) {
+TEST(Render, OmitsNonFiniteParticlesAndThoseBehindTheCamera) {
   const RenderStyle style = smallStyle();
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   const Image none = picture({}, {}, 0.2f, style);

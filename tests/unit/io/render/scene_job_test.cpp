@@ -36,7 +36,7 @@ SceneFiles files() {
 
 }  // namespace
 
-TEST(SceneJob, TheSceneComesBackFromItsTextWithIncludesAndOverrides) {
+TEST(SceneJob, SceneTextRoundTripsWithIncludesAndOverrides) {
   const Scene scene = readScene(files(), {"spacing=\"3 mm\""});
   const Scene back = sceneOfText(scene.text, "pot");
   EXPECT_EQ(back.title, "A pot of wax");
@@ -48,12 +48,12 @@ TEST(SceneJob, TheSceneComesBackFromItsTextWithIncludesAndOverrides) {
   EXPECT_THROW(sceneOfText("# ---- pot.toml\nspacing = [", "pot"), SceneErrors);
 }
 
-TEST(SceneJob, TakesWhatTheSceneSays) {
+TEST(SceneJob, UsesTheSettingsOfTheScene) {
   Scene scene = readScene(files(), {});
   scene.domain.side[2][0] = Side::Wall;
   Obstacle glass;
   glass.shape.kind = ShapeKind::Glass;
-  glass.temperature = 400;  // so that the scene has heat
+  glass.temperature = 400;  // switches heat on
   glass.until = 0.5;
   glass.motion = {{0, {}, {}}, {1, {0, 0, 2}, {}}};
   Obstacle slope;

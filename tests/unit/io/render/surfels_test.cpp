@@ -28,8 +28,8 @@ SurfelInput inputOf(const SurfelSamples& s, std::span<const Rgb> colours = {}) {
 
 int brightness(Rgb a) { return a.r + a.g + a.b; }
 
-/// Pixels of the background that are enclosed by the body: a flood from the border does not reach them.
-/// Surfels are painted red.
+/// Background pixels enclosed by the body, which a flood fill from the border does not reach. Surfels are
+/// painted red.
 int holesIn(const SurfelSamples& s, RenderStyle style) {
   const std::vector<Rgb> red(s.size(), Rgb{255, 0, 0});
   const Image image = renderSurfels(inputOf(s, red), style, {SurfelPaint::Surface}),
@@ -77,7 +77,7 @@ double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PE
 
 }  // namespace
 
-TEST(Surfels, NoHoleShows) {
+TEST(Surfels, HaveNoVisibleHoles) {
   for (const double spacing : {0.2, 0.05, 0.02})
     EXPECT_EQ(holesIn(ball(0.5, spacing), styleFor(ball(0.5, spacing), 480, 360)), 0) << spacing;
   for (const double spacing : {0.1, 0.04})
@@ -86,7 +86,7 @@ TEST(Surfels, NoHoleShows) {
     const SurfelSamples s = bust(spacing);
     RenderStyle style = styleFor(s, 480, 360);
     EXPECT_EQ(holesIn(s, style), 0) << spacing;
-    // from all around
+    // from all directions
     for (const Vec3d& from : {Vec3d{0, -3, 0.5}, Vec3d{-2, -2, 1.5}, Vec3d{3, 0, 0.2}, Vec3d{0.2, 2.5, 2}}) {
       style.camera.from = from;
       style.camera.at = {0, 0, 0.5};
@@ -95,7 +95,7 @@ TEST(Surfels, NoHoleShows) {
   }
 }
 
-TEST(Surfels, ABallIsWhereItIsProjected) {
+TEST(Surfels, BallIsDrawnAtItsProjection) {
   const SurfelSamples s = ball(0.5, 0.04);
   const RenderStyle style = styleFor(s, 320, 240);
   const std::vector<Rgb> red(s.size(), Rgb{255, 0, 0});
@@ -104,7 +104,7 @@ TEST(Surfels, ABallIsWhereItIsProjected) {
   const View view = viewOf(style.camera, style.width, style.height);
   float x, y;
   const float z = view.project({0, 0, 0.5f}, x, y);
-  // the outline, near the picture's middle
+  // the outline, near the picture's centre
   const float radius = view.focal * 0.5f / std::sqrt(z * z - 0.25f);
   for (int j = 0; j < style.height; j++)
     for (int i = 0; i < style.width; i++) {
@@ -114,7 +114,7 @@ TEST(Surfels, ABallIsWhereItIsProjected) {
     }
 }
 
-/// Nothing stands out of a cube's edges, and its faces are even.
+/// Nothing protrudes over a cube's edges, and its faces are even.
 TEST(Surfels, EdgesAreSharp) {
   const SurfelSamples s = cube(0.1);
   RenderStyle style = styleFor(s, 400, 300);
@@ -122,7 +122,7 @@ TEST(Surfels, EdgesAreSharp) {
   const Image none = renderSurfels({}, style, {}),
               one = renderSurfels(inputOf(s, red), style, {SurfelPaint::Surface});
   const View view = viewOf(style.camera, style.width, style.height);
-  // A pixel belongs to the cube if its ray meets the box, and surely not if it misses one that is larger by a
+  // A pixel belongs to the cube if its ray meets the box. It must not if the ray misses a box larger by a
   // pixel.
   const auto meets = [&](float px, float py, double margin) {
     const Vec3f ray = view.ray(px, py);
@@ -144,10 +144,10 @@ TEST(Surfels, EdgesAreSharp) {
       missing += !drawn && meets(static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f, -1.5 * pixel);
     }
   EXPECT_EQ(missing, 0);
-  EXPECT_LE(outside, 12);  // of some 20,000; without the cuts: 1,000 and more
+  EXPECT_LE(outside, 12);  // about 20,000 pixels; without the cuts at edges 1,000 and more are outside
 }
 
-/// A ball is shaded smoothly: brightness along a row rises and falls once, without steps.
+/// A ball is shaded smoothly: brightness along a row rises and falls once without steps.
 TEST(Surfels, ShadingIsSmooth) {
   const SurfelSamples s = ball(0.5, 0.06);
   RenderStyle style = styleFor(s, 640, 480);
@@ -159,7 +159,7 @@ TEST(Surfels, ShadingIsSmooth) {
   int largest = 0;
   for (int i = static_cast<int>(x) - r; i < static_cast<int>(x) + r; i++)
     largest = std::max(largest, std::abs(brightness(image.at(i, row)) - brightness(image.at(i + 1, row))));
-  EXPECT_LE(largest, 14);  // of 765
+  EXPECT_LE(largest, 14);  // the range is 765
 }
 
 TEST(Surfels, ShadowsFallAndAreSoft) {
@@ -179,7 +179,7 @@ TEST(Surfels, ShadowsFallAndAreSoft) {
   EXPECT_GT(half, 100);
 }
 
-TEST(Surfels, TheNearerHidesTheFartherAndBodiesDoNotBlend) {
+TEST(Surfels, NearerBodiesHideFartherOnesWithoutBlending) {
   SurfelSamples s;
   sampleBall(s, {0, 0, 0}, 0.4, 0.05, 1);
   const std::size_t first = s.size();
@@ -200,7 +200,7 @@ TEST(Surfels, TheNearerHidesTheFartherAndBodiesDoNotBlend) {
         << int(p.r) << ' ' << int(p.g) << ' ' << int(p.b);
 }
 
-TEST(Surfels, PaintsWhatIsAskedFor) {
+TEST(Surfels, UseTheRequestedColours) {
   SurfelSamples s = ball(0.5, 0.1);
   const RenderStyle style = styleFor(s, 160, 120);
   const std::vector<Rgb> green(s.size(), Rgb{0, 200, 0});
@@ -227,7 +227,7 @@ TEST(Surfels, ThreadsDoNotChangeThePicture) {
   EXPECT_EQ(renderSurfels(inputOf(s), style, {}).pixels.size(), 200u * 150u);
 }
 
-TEST(Surfels, LeavesOutWhatIsNotFiniteAndRefusesWhatDoesNotFit) {
+TEST(Surfels, OmitNonFiniteSurfelsAndRefuseMismatchedSpans) {
   SurfelSamples s = ball(0.5, 0.1);
   const RenderStyle style = styleFor(s, 160, 120);
   const Image image = renderSurfels(inputOf(s), style, {});
@@ -245,17 +245,17 @@ TEST(Surfels, LeavesOutWhatIsNotFiniteAndRefusesWhatDoesNotFit) {
   EXPECT_THROW(renderSurfels(inputOf(s), style, {SurfelPaint::Values}), std::invalid_argument);
 }
 
-/// The bar: 60,000 surfels at 1280 x 960 in under a second of one core. Seconds are those of a machine and
-/// its other guests: told where they are asked for.
+/// The target: 60,000 surfels at 1280 x 960 in under a second of one core. Seconds depend on the machine and
+/// its load, so they are measured on request only.
 TEST(Surfels, SixtyThousandTakeLessThanASecond) {
   if (std::getenv("THAW_TIMES") == nullptr)
-    GTEST_SKIP() << "looks at seconds where THAW_TIMES=1 says that the machine is idle";
+    GTEST_SKIP() << "measures seconds only with THAW_TIMES=1, on an idle machine";
   const SurfelSamples s = bust(0.0046);
   EXPECT_GT(s.size(), 58000u);
   RenderStyle style = styleFor(s, 1280, 960);
   style.floors.push_back({});
   Image image;
-  double seconds = 1e9;  // the least of three: others share the core's caches
+  double seconds = 1e9;  // minimum of three, since other processes share the core's caches
   for (int k = 0; k < 3; k++) {
     const double before = processorSeconds();
     image = renderSurfels(inputOf(s), style, {});

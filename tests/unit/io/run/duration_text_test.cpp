@@ -9,7 +9,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(DurationText, hasAUnitThatFits) {
+TEST(DurationText, HasASuitableUnit) {
   EXPECT_EQ(durationText(0.123), "0.12 s");
   EXPECT_EQ(durationText(12), "12 s");
   EXPECT_EQ(durationText(600), "10 min");
@@ -20,7 +20,7 @@ TEST(DurationText, hasAUnitThatFits) {
     EXPECT_EQ(durationText(endless), "more than 1000 years");
 }
 
-TEST(CountText, isShort) {
+TEST(CountText, IsShort) {
   EXPECT_EQ(countText(0), "0");
   EXPECT_EQ(countText(123456), "123456");
   EXPECT_EQ(countText(7.84e149), "7.8e+149");

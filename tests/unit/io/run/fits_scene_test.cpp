@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// A sheet of nine vertices and an oriented particle with an anchor, as a checkpoint may bring them.
+/// A sheet of nine vertices and an oriented particle with an anchor, as in a checkpoint.
 struct Restored {
   World w;
   SerialReducer all;
@@ -38,9 +38,9 @@ struct Restored {
   std::size_t strange() { return misfits(w, all).size(); }
 };
 
-TEST(FitsScene, WhatTheSceneMakes) { EXPECT_EQ(Restored().strange(), 0u); }
+TEST(FitsScene, AcceptsTheSceneItself) { EXPECT_EQ(Restored().strange(), 0u); }
 
-TEST(FitsScene, VerticesBeyondTheMesh) {
+TEST(FitsScene, CountsVerticesBeyondTheMesh) {
   Restored r;
   Sheets& s = r.w.sheets.rows;
   const auto with = [&](auto& value, auto other) {
@@ -58,11 +58,11 @@ TEST(FitsScene, VerticesBeyondTheMesh) {
   EXPECT_EQ(r.strange(), 0u);
 }
 
-TEST(FitsScene, AnchorsAndBodiesThatAreNotThere) {
+TEST(FitsScene, CountsMissingAnchorsAndBodies) {
   Restored r;
   r.w.oriented.rows.anchor[0] = 1;
   EXPECT_EQ(r.strange(), 1u);
-  r.w.oriented.rows.flags[0] = 0;  // as of what was born: no anchor holds it, whatever the column says
+  r.w.oriented.rows.flags[0] = 0;  // as for newborn particles: no anchor holds it, whatever the column has
   EXPECT_EQ(r.strange(), 0u);
   r.w.oriented.rows.flags[0] = heldPlace;
   r.w.oriented.rows.anchor[0] = noAnchor;
@@ -71,14 +71,14 @@ TEST(FitsScene, AnchorsAndBodiesThatAreNotThere) {
   EXPECT_EQ(r.strange(), 1u);
 }
 
-TEST(FitsScene, ACutToComeWithTheNumberOfOneThatHasBeenMade) {
+TEST(FitsScene, CountsFutureCutsWithTheNumberOfAnEarlierOne) {
   Restored r;
   r.w.oriented.rows.cutSides[0] = 2;
   EXPECT_EQ(r.strange(), 1u);
   r.w.oriented.rows.cutSides[0] = 2 << 2;
   EXPECT_EQ(r.strange(), 0u);
   r.w.oriented.rows.cutSides[0] = 2;
-  r.w.clock.time = 1;  // it is that one
+  r.w.clock.time = 1;  // the cut was made
   EXPECT_EQ(r.strange(), 0u);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 bool has(const std::string& line, const std::string& text) { return line.find(text) != std::string::npos; }
 
-TEST(ProgressLine, ShowsWhatTheSceneHas) {
+TEST(ProgressLine, ShowsOnlyPresentParts) {
   LedgerReport l;
   l.rows[sheetKind] = 81;
   const std::string sheets = progressLine({}, l);
@@ -26,7 +26,7 @@ TEST(ProgressLine, ShowsWhatTheSceneHas) {
   EXPECT_TRUE(has(progressLine({}, {}), "  particles 0  "));
 }
 
-TEST(ProgressLine, SharesOfNothingAreNoPercentages) {
+TEST(ProgressLine, HasNoPercentagesOfZero) {
   LedgerReport l;
   l.energyScale = l.energyResidual = 6.9e-18;
   l.energyRounding = 1e-14;
@@ -35,7 +35,7 @@ TEST(ProgressLine, SharesOfNothingAreNoPercentages) {
   l.energyScale = l.energyResidual = 6.9e-3;
   EXPECT_TRUE(has(progressLine({}, l), "residual +6.9e-03 J (+1.0e+00)"));
   EXPECT_EQ(warningsOf({}, l).size(), 1u);
-  l.energyLargest = 100 * l.energyScale;  // it was livelier before
+  l.energyLargest = 100 * l.energyScale;  // the energy was larger before
   EXPECT_TRUE(warningsOf({}, l).empty());
 }
 
@@ -54,7 +54,7 @@ TEST(ProgressLine, FitsOnATerminal) {
   EXPECT_LE(progressLine(p, l).size(), 160u) << progressLine(p, l);
 }
 
-TEST(Warnings, SayThroughWhichSideParticlesLeft) {
+TEST(Warnings, NameTheSidesWhereParticlesLeft) {
   Counters c;
   c.left = 15;
   c.leftThrough[2][1] = 12, c.leftThrough[0][0] = 3;
@@ -97,16 +97,16 @@ TEST_F(ProgressLog, HasAValueForEachColumn) {
   EXPECT_TRUE(has(lines()[1], ",7,6.5,")) << lines()[1];
 }
 
-TEST_F(ProgressLog, GoesBackAndOn) {
+TEST_F(ProgressLog, ContinuesAfterARollback) {
   beginProgressLog(out);
   for (const std::int64_t step : {0, 50, 120}) add(step);
-  std::ofstream(progressLogPath(out), std::ios::app) << "130,0.5";  // killed as it wrote
+  std::ofstream(progressLogPath(out), std::ios::app) << "130,0.5";  // a kill in the middle of a line
   cutProgressLog(out, 100);
   add(110);
   ASSERT_EQ(lines().size(), 4u);
   EXPECT_EQ(lines()[2].substr(0, 3), "50,");
   EXPECT_EQ(lines()[3].substr(0, 4), "110,");
-  std::ofstream(progressLogPath(out)) << "step,other\n5,6\n";  // of another version
+  std::ofstream(progressLogPath(out)) << "step,other\n5,6\n";  // a log of another version
   cutProgressLog(out, 100);
   EXPECT_EQ(lines().size(), 1u);
   EXPECT_TRUE(has(lines()[0], "step,time_s"));

@@ -1,4 +1,4 @@
-// The lock of a run's folder: live, dead and other hosts' holders, and starts at the same time.
+// The lock of a run's folder: live and dead holders, other hosts, and simultaneous starts.
 #include "io/run/run_lock.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ struct RunLockOf : testing::Test {
     fs::create_directories(out);
     std::ofstream(file) << j.dump() << "\n";
   }
-  /// The process, and one that has its number but not its start.
+  /// The process, and one with its number but another start time.
   static Json lockOf(long pid, long long began, const std::string& host = ownProcess().host) {
     return {{"host", host},
             {"pid", pid},
@@ -46,7 +46,7 @@ struct RunLockOf : testing::Test {
   }
 };
 
-TEST_F(RunLockOf, ALiveHolderIsNamedAndTheEndRemovesTheLock) {
+TEST_F(RunLockOf, LiveHolderIsNamedAndTheEndRemovesTheLock) {
   {
     RunLock lock;
     EXPECT_EQ(lock.take({.out = out, .ranks = 3}), "");
@@ -66,7 +66,7 @@ TEST_F(RunLockOf, ADeadHolderIsReplaced) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(0);
   ::waitpid(child, nullptr, 0);
-  // gone; another process has its number
+  // dead; another process has its number
   for (const Json& j : {lockOf(child, 1), lockOf(::getpid(), ownProcess().began - 1)}) {
     leave(j);
     RunLock lock;
@@ -83,13 +83,13 @@ TEST_F(RunLockOf, AnotherHostsLockNeedsForce) {
     fs::create_directories(out);
     std::ofstream(file) << text;
     EXPECT_NE(error({.out = out, .patience = 0}).find("--force"), std::string::npos) << text;
-    EXPECT_TRUE(fs::exists(file)) << "a refused start leaves it";
+    EXPECT_TRUE(fs::exists(file)) << "a refused start leaves the lock";
     RunLock lock;
     EXPECT_NE(lock.take({.out = out, .force = true, .patience = 0}).find("(--force)"), std::string::npos);
   }
 }
 
-TEST_F(RunLockOf, ALockThatWasTakenByForceIsLeft) {
+TEST_F(RunLockOf, LockTakenByForceIsKept) {
   RunLock lock;
   lock.take({.out = out});
   leave(lockOf(7, 7, "elsewhere"));
@@ -97,8 +97,8 @@ TEST_F(RunLockOf, ALockThatWasTakenByForceIsLeft) {
   EXPECT_EQ(lockHolder(out)->process.host, "elsewhere");
 }
 
-// Of starts at the same time one gets the folder, be it free or held by a dead process.
-TEST_F(RunLockOf, OneOfManyStartsGetsTheFolder) {
+// Exactly one of simultaneous starts gets the folder, whether it is free or a dead process has locked it.
+TEST_F(RunLockOf, OneOfSimultaneousStartsGetsTheFolder) {
   const pid_t dead = ::fork();
   if (dead == 0) ::_exit(0);
   ::waitpid(dead, nullptr, 0);
@@ -115,7 +115,7 @@ TEST_F(RunLockOf, OneOfManyStartsGetsTheFolder) {
       if (children.back() != 0) continue;
       char c;
       ::close(go[1]), ::close(stay[1]);
-      [[maybe_unused]] const auto began = ::read(go[0], &c, 1);  // until the parent closes it
+      [[maybe_unused]] const auto began = ::read(go[0], &c, 1);  // blocks until the parent closes the pipe
       RunLock lock;
       try {
         lock.take({.out = out, .patience = 0.2});
@@ -127,7 +127,7 @@ TEST_F(RunLockOf, OneOfManyStartsGetsTheFolder) {
     ::close(go[0]), ::close(stay[0]);
     ::close(go[1]);
     int taken = 0;
-    for (int k = 0; k < 7; k++) {  // the losers end; the one that has the folder waits
+    for (int k = 0; k < 7; k++) {  // the losers end; the winner waits
       int status = 0;
       ::waitpid(-1, &status, 0);
       taken += status == 0;
@@ -136,7 +136,7 @@ TEST_F(RunLockOf, OneOfManyStartsGetsTheFolder) {
     ::close(stay[1]);
     int status = 1;
     ::waitpid(-1, &status, 0);
-    EXPECT_EQ(status, 0) << "one gets it";
+    EXPECT_EQ(status, 0) << "one start gets the folder";
   }
   EXPECT_TRUE(fs::is_empty(out));
 }

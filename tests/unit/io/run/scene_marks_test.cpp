@@ -20,7 +20,7 @@ Scene sample() {
   return s;
 }
 
-TEST(SceneMarks, WhatMayChange) {
+TEST(SceneMarks, AllowedChangesAreAccepted) {
   const CheckpointValues then = sceneMarks(sample());
   Scene s = sample();
   EXPECT_TRUE(sceneDifferences(then, s).empty());
@@ -34,7 +34,7 @@ TEST(SceneMarks, WhatMayChange) {
   EXPECT_TRUE(sceneDifferences(then, s).empty());
 }
 
-TEST(SceneMarks, WhatMayNot) {
+TEST(SceneMarks, OtherChangesAreRefused) {
   const CheckpointValues then = sceneMarks(sample());
   const auto refused = [&](auto&& change) {
     Scene s = sample();
@@ -53,7 +53,7 @@ TEST(SceneMarks, WhatMayNot) {
   EXPECT_TRUE(refused([](Scene& s) { s.emitters[0].rate = 2; }));
 }
 
-TEST(SceneMarks, CoefficientsOfKindsMayChangeAndAreTold) {
+TEST(SceneMarks, BodyTypeCoefficientsMayChangeAndAreReported) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.oriented.emplace_back().name = "film";
@@ -67,11 +67,11 @@ TEST(SceneMarks, CoefficientsOfKindsMayChangeAndAreTold) {
   ASSERT_GE(changes.size(), 3u);
   EXPECT_EQ(changes[0], "oriented.film.cocircular was 1, and is 2 now (SI)");
   EXPECT_EQ(changes[1], "sheet.cloth.warp was 0, and is 7 now (SI)");
-  s.sheets[0].mass = 9;  // vertices keep theirs
+  s.sheets[0].mass = 9;  // existing vertices keep their mass
   EXPECT_FALSE(sceneDifferences(then, s).empty());
 }
 
-TEST(SceneMarks, WhatMakesOrientedBodiesMayNotChange) {
+TEST(SceneMarks, SourcesOfOrientedBodiesMayNotChange) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   s.oriented[0].points = {{0, 0, 0}, {1, 0, 0}};
@@ -85,14 +85,14 @@ TEST(SceneMarks, WhatMakesOrientedBodiesMayNotChange) {
   EXPECT_FALSE(refused([](OrientedBody&) {}));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.width = 2; }));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.thin = 0.5; }));
-  EXPECT_TRUE(refused([](OrientedBody& b) { b.density = 2; }));  // particles keep theirs
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.density = 2; }));  // existing particles keep their density
   EXPECT_TRUE(refused([](OrientedBody& b) { b.points[1].z = 1; }));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.shape.move.x = 1; }));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].region.move.x = 1; }));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].normal = true; }));
 }
 
-TEST(SceneMarks, AreToldInTheWordsOfTheScene) {
+TEST(SceneMarks, AreReportedInTheWordsOfTheScene) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   s.oriented[0].source = OrientedSource::Control;
@@ -110,7 +110,7 @@ TEST(SceneMarks, AreToldInTheWordsOfTheScene) {
   EXPECT_EQ(changes[0], "sheet.shell.elastic_limit was 0.01, and is \"never\" now (SI)");
 }
 
-TEST(SceneMarks, WhatSaysHowBodiesBeginIsToldAsWithoutEffect) {
+TEST(SceneMarks, InitialStatesAreReportedAsWithoutEffect) {
   Scene s = sample();
   for (Material& m : s.materials) m.soundSpeed = 10;
   s.oriented.emplace_back().name = "film";
@@ -126,7 +126,7 @@ TEST(SceneMarks, WhatSaysHowBodiesBeginIsToldAsWithoutEffect) {
   EXPECT_EQ(changes[1], "oriented.film.relax was 0, and is 7 now (SI)");
 }
 
-TEST(SceneMarks, AStartThatChangesTheAutomaticSoundSpeedIsACoefficient) {
+TEST(SceneMarks, AutomaticSoundSpeedIsACoefficient) {
   Scene s = sample();
   s.domain.gravity = {};
   const CheckpointValues then = sceneMarks(s);
@@ -135,7 +135,7 @@ TEST(SceneMarks, AStartThatChangesTheAutomaticSoundSpeedIsACoefficient) {
   EXPECT_EQ(changes, std::vector<std::string>{"numerics.expected_speed was 1, and is 3 now (SI)"});
 }
 
-TEST(SceneMarks, CoefficientsOfMaterialsAreTold) {
+TEST(SceneMarks, MaterialCoefficientsAreReported) {
   Scene s = sample();
   const CheckpointValues then = sceneMarks(s);
   s.materials[0].young.solid = 2e5;
@@ -159,19 +159,19 @@ TEST(SceneMarks, ClampsMayNotChange) {
   EXPECT_TRUE(changesOfTheStart(sceneMarks(held), held).empty());
 }
 
-TEST(SceneMarks, SettingsOfTheSurfaceAreTold) {
+TEST(SceneMarks, SurfaceSettingsAreReported) {
   Scene s = sample();
   s.surface.on = true;
   const CheckpointValues then = sceneMarks(s);
   s.surface.adapt = 0.5;
   s.surface.source = SurfelSource::Particles;
   EXPECT_EQ(settingChanges(then, s, 0).size(), 1u);
-  EXPECT_TRUE(coefficientChanges(then, s).empty());  // forces are not found anew for it
+  EXPECT_TRUE(coefficientChanges(then, s).empty());  // forces are not recomputed for it
   EXPECT_EQ(changesOfTheStart(then, s).size(), 1u);
 }
 
-/// The words that the scene file has, for whatever is chosen there.
-TEST(SceneMarks, ChoicesAreToldByTheirWords) {
+/// Choices are reported by the words of the scene file.
+TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   Scene s = sample();
   s.surface.on = true;
   s.sheets.emplace_back().name = "cloth";
@@ -191,8 +191,8 @@ TEST(SceneMarks, ChoicesAreToldByTheirWords) {
   std::swap(other.materials[0], other.materials[1]);
   EXPECT_EQ(sceneDifferences(then, other),
             (std::vector<std::string>{"domain.periodic.x was false, and is true now",  // the tap's material
-                                                                                       // has the same name,
-                                                                                       // and another place
+                                                                                       // keeps its name and
+                                                                                       // has another place
                                       "material.oil was 1, and is 0 now (place in the list)",
                                       "material.wax was 0, and is 1 now (place in the list)",
                                       "numerics.heat was \"enthalpy\", and is \"paper\" now",
@@ -239,7 +239,7 @@ TEST(SceneMarks, ChoicesAreToldByTheirWords) {
                                       "body.bust.shape.kind was \"box\", and is \"torus\" now"}));
 }
 
-TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
+TEST(SceneMarks, MessageNamesTheKeyAndBothValues) {
   Scene s = sample();
   const CheckpointValues then = sceneMarks(s);
   s.spacing = 0.02;
@@ -247,7 +247,7 @@ TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
   EXPECT_EQ(sceneDifferences(then, s)[0].rfind("spacing was 0.01, and is 0.02 now", 0), 0u);
 }
 
-TEST(SceneMarks, HalfSpacesGoByPointAndNormal) {
+TEST(SceneMarks, HalfSpacesAreComparedByPointAndNormal) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.sheets[0].regions.emplace_back().shape.kind = ShapeKind::HalfSpace;
@@ -263,7 +263,7 @@ TEST(SceneMarks, HalfSpacesGoByPointAndNormal) {
   EXPECT_EQ(sceneDifferences(then, other).size(), 2u);
 }
 
-TEST(SceneMarks, MeshesGoByTheirContents) {
+TEST(SceneMarks, MeshesAreComparedByContent) {
   TriangleMesh cloth{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, moved = cloth, turned = cloth;
   moved.vertices[2].y = 1.1;
   turned.triangles[0] = {0, 2, 1};
@@ -282,7 +282,7 @@ TEST(SceneMarks, MeshesGoByTheirContents) {
   EXPECT_EQ(sceneDifferences(then, sceneOf("/a/cloth.obj", turned)).size(), 1u);
 }
 
-TEST(SceneMarks, WhatActsFromOutsideIsTold) {
+TEST(SceneMarks, ExternalActionsAreReported) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.sheets[0].brushes.emplace_back();
@@ -300,7 +300,8 @@ TEST(SceneMarks, WhatActsFromOutsideIsTold) {
   EXPECT_EQ(told([](Scene& o) { o.sheets[0].wrapTo = "pan"; }), 1u);
   EXPECT_EQ(told([](Scene& o) { o.sheets[0].brushes[0].motion.push_back({1, {1, 0, 0}, {}}); }), 7u);
   EXPECT_EQ(told([](Scene& o) { o.oriented[0].cfl = 1; }), 1u);
-  EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].radius = 7; }), 1u);  // its region has one, too
+  EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].radius = 7; }), 1u);  // its region has a radius as
+                                                                              // well
   EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].region.radius = 7; }), 1u);
   EXPECT_EQ(told([](Scene& o) { o.obstacles[0].shape.move.z = 1; }), 1u);
   EXPECT_EQ(told([](Scene& o) { o.obstacles[0].temperature = 500; }), 1u);
@@ -309,7 +310,7 @@ TEST(SceneMarks, WhatActsFromOutsideIsTold) {
   EXPECT_EQ(told([](Scene& o) { o.materials[0].emissivity = 1; }), 1u);
 }
 
-TEST(SceneMarks, EventsThatHaveBeenAreToldAsWithoutEffect) {
+TEST(SceneMarks, PastEventsAreReportedAsWithoutEffect) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   const CheckpointValues then = sceneMarks(s);
@@ -319,12 +320,12 @@ TEST(SceneMarks, EventsThatHaveBeenAreToldAsWithoutEffect) {
   EXPECT_FALSE(changesOfPastEvents(then, s, 1).empty());
   EXPECT_TRUE(settingChanges(then, s, 1).empty());
   Scene later = s;
-  later.oriented[0].events[0].time = 2;  // it has been, and will be once more
+  later.oriented[0].events[0].time = 2;  // it has happened and will happen again
   EXPECT_FALSE(settingChanges(sceneMarks(s), later, 1.5).empty());
-  EXPECT_FALSE(settingChanges(sceneMarks(later), s, 1.5).empty());  // it was to be, and will not be
+  EXPECT_FALSE(settingChanges(sceneMarks(later), s, 1.5).empty());  // it was to happen and will not
 }
 
-TEST(SceneMarks, OfManyBodiesAnyChangeIsSeen) {
+TEST(SceneMarks, ChangesAmongManyBodiesAreFound) {
   Scene s = sample();
   for (int k = 0; k < 150; k++) s.bodies.emplace_back().name = "ball " + std::to_string(k);
   const CheckpointValues then = sceneMarks(s);
@@ -336,7 +337,7 @@ TEST(SceneMarks, OfManyBodiesAnyChangeIsSeen) {
   EXPECT_EQ(changesOfTheStart(then, other).size(), 1u);
 }
 
-TEST(SceneMarks, ACheckpointWithoutMarksIsRefused) { EXPECT_FALSE(sceneDifferences({}, sample()).empty()); }
+TEST(SceneMarks, CheckpointWithoutRecordIsRefused) { EXPECT_FALSE(sceneDifferences({}, sample()).empty()); }
 
 }  // namespace
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// The log of components stays whole when a run goes back or on.
+// The log of components stays whole when a run rolls back or continues.
 #include "io/run/surface_log.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ struct Log : ::testing::Test {
 
 }  // namespace
 
-TEST_F(Log, IsCutAtAStep) {
+TEST_F(Log, IsTruncatedAtAStep) {
   beginComponentLog(out);
   frame(0, 0);
   frame(1, 12);
@@ -44,7 +44,7 @@ TEST_F(Log, IsCutAtAStep) {
   EXPECT_NE(whole.find("1,12,0.1,5,10,20,1.5,2.5,0.30000000000000004,4.5,1,2,3,0,0\n"), std::string::npos)
       << whole;
   frame(2, 25);
-  std::ofstream(componentLogPath(out), std::ios::app) << "3,4";  // killed while it wrote
+  std::ofstream(componentLogPath(out), std::ios::app) << "3,4";  // a kill in the middle of a line
   cutComponentLog(out, 24);
   EXPECT_EQ(text(componentLogPath(out)), whole);
   frame(2, 25);
@@ -55,7 +55,7 @@ TEST_F(Log, IsCutAtAStep) {
   EXPECT_EQ(text(componentLogPath(out)).find("frame,step,time_s,component"), 0u);
 }
 
-TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
+TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
   World w;
   VolumeHeld noted;
   beginComponentLog(out);
@@ -73,7 +73,7 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
   }
   const VolumeHeld held = cutComponentLog(out, 10);
   ASSERT_TRUE(held.any);
-  EXPECT_EQ(held.ofParticles.off, noted.ofParticles.off);  // the same bits as of a run that was not cut
+  EXPECT_EQ(held.ofParticles.off, noted.ofParticles.off);  // the same bits as in an uninterrupted run
   EXPECT_EQ(held.ofWanted.off, noted.ofWanted.off);
   EXPECT_NEAR(held.ofParticles.off, -0.03, 1e-12);
   EXPECT_EQ(held.ofParticles.time, 0.1);
@@ -89,7 +89,7 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
   EXPECT_EQ(held.missing.missed, 429);
   EXPECT_EQ(held.missed, 829);  // 400 at the first frame
   EXPECT_EQ(held.particles, 866);
-  EXPECT_EQ(held.open.off, 0.008);  // of a piece of 29 nobody asks
+  EXPECT_EQ(held.open.off, 0.008);  // a component of 29 particles does not count
   EXPECT_EQ(held.open.label, 7u);
   EXPECT_EQ(held.unsure, 0);
   const std::vector<std::string> lines = volumeHeldLines(held);
@@ -109,7 +109,7 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
       << volumeHeldWarning(held);
 }
 
-TEST(VolumeHeld, WarnsOfSmallPiecesAndOfTheSum) {
+TEST(VolumeHeld, WarnsAboutSmallComponentsAndTheSum) {
   const auto warning = [](std::vector<SurfaceComponent> components) {
     for (SurfaceComponent& c : components) c.wantedVolume = c.particleVolume;
     VolumeHeld held;
@@ -130,7 +130,7 @@ TEST(VolumeHeld, WarnsOfSmallPiecesAndOfTheSum) {
   EXPECT_TRUE(volumeHeldLines({}).empty());
 }
 
-TEST(VolumeHeld, TellsOfSurfacesThatDoNotClose) {
+TEST(VolumeHeld, WarnsAboutOpenSurfaces) {
   SurfaceComponent body{7, 100, 900, 1, 1, 1, 4, {}}, sure{9, 300, 900, 1, 3, 3, 4, {}};
   body.wantedVolume = 1, body.open = 0.03;
   sure.wantedVolume = 3, sure.open = 0.002;
@@ -161,7 +161,7 @@ TEST_F(Log, KeepsLinesOfEarlierVersions) {
   EXPECT_EQ(text(componentLogPath(out)), once);
 }
 
-TEST_F(Log, OfEventsIsTheState) {
+TEST_F(Log, EventsFollowTheState) {
   writeEventLog(out, {{3, 0.5, SurfaceEventKind::Split, 1, 7},
                       {4, 0.75, SurfaceEventKind::Merge, 1, 7},
                       {5, 1, SurfaceEventKind::Renamed, 2, 1}});

@@ -1,5 +1,4 @@
-// What is said of oriented bodies and sheets that mean nothing: refused with its place, or, where it is only
-// without effect, a warning.
+// Invalid oriented bodies and sheets are refused with their place; ineffective settings give a warning.
 #include <gtest/gtest.h>
 
 #include "io/scene/read_scene.hpp"
@@ -20,7 +19,7 @@ std::string errorOf(const std::string& text) {
   return "";
 }
 
-TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
+TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
   const struct {
     std::string text, line;
   } table[] = {
@@ -159,20 +158,21 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
   EXPECT_EQ(errorOf("[[oriented]]\ncontrol = [[0, 0, 0], [0.4, 0, 0], [0, 0.4, 0]]\ngrowth = "
                     "\"borders\"\nmost = 500\n"),
             "")
-      << "points that are not what the surface is filled up to";
+      << "control points do not bound the growth";
   EXPECT_EQ(errorOf(patch + cloth), "");
-  EXPECT_EQ(errorOf(cloth + "warp = 10\nwarp_direction = [1, 1, 0]\n"), "") << "on the bias";
-  EXPECT_EQ(errorOf(cloth + "wind_density = 1\n"), "") << "air at rest drags";
-  EXPECT_EQ(errorOf(cloth + "mass = 0\nstiffness = 1\n"), "") << "nothing but its springs";
+  EXPECT_EQ(errorOf(cloth + "warp = 10\nwarp_direction = [1, 1, 0]\n"), "")
+      << "a direction on the bias is valid";
+  EXPECT_EQ(errorOf(cloth + "wind_density = 1\n"), "") << "air at rest has drag";
+  EXPECT_EQ(errorOf(cloth + "mass = 0\nstiffness = 1\n"), "") << "springs alone are valid";
   EXPECT_EQ(errorOf(cloth + "damping = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = "
                             "0\n[[obstacle]]\nsphere = { radius = 0.1 }\n"),
             "")
-      << "it creeps there";
+      << "overdamped motion is valid";
   EXPECT_EQ(errorOf(cloth + "stiffness = 1\nelastic_limit = 0.01\nplasticity = 0\n"), "")
-      << "as scenes/sheet/shell.toml is varied";
+      << "a variation of scenes/sheet/shell.toml";
 }
 
-TEST(OrientedColours, AreThoseOfTheSceneOrFollowTheNumberOfTheBody) {
+TEST(OrientedColours, ComeFromTheSceneOrTheBodyNumber) {
   const Scene s = readScene(sceneFilesOf("s.toml", head + patch +
                                                        "[[oriented]]\nname = \"b\"\ncurve = { from = [0, 0, "
                                                        "0.5], to = [0.5, 0, 0.5] }\ncolour = \"#102030\"\n"));
@@ -181,7 +181,7 @@ TEST(OrientedColours, AreThoseOfTheSceneOrFollowTheNumberOfTheBody) {
   EXPECT_NE(colourOf(s.oriented[0], 0), colourOf(s.oriented[0], 1));
 }
 
-TEST(OrientedFields, ThatBeginAtTheEndAreWarnedOf) {
+TEST(OrientedFields, WarnWhenTheyBeginAtTheEnd) {
   const std::string field = "[[oriented.field]]\npush = [1, 0, 0]\nfrom = ";
   EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "0.9\n"))).empty());
   EXPECT_EQ(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "1\n"))),
@@ -199,7 +199,7 @@ TEST(Planar, IsForCurves) {
   EXPECT_NE(doc.find("| `planar` |  | true, false | false |"), std::string::npos);
 }
 
-TEST(BadKinds, WhatHasNoEffectIsAWarning) {
+TEST(BadBodyTypes, IneffectiveSettingsAreWarnings) {
   const Scene s = readScene(
       sceneFilesOf("s.toml", head + patch +
                                  "[[oriented.event]]\nkind = \"cut\"\ntime = 3\nplane = { point = [0, 0, 0] "

@@ -1,4 +1,4 @@
-// What the reader says of scenes that are wrong: every message with its place, all of a file at once.
+// Messages of the reader for wrong scenes: each with its place, all of a file at once.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-/// A scene that is right; cases replace parts of it.
+/// A valid scene; cases replace parts of it.
 const std::string good = R"(spacing = "2 cm"
 end = "1 s"
 [domain]
@@ -48,14 +48,14 @@ void expectOnly(const std::vector<std::string>& lines, const std::string& line) 
   EXPECT_EQ(lines[0], line);
 }
 
-TEST(BadScene, TheGoodOneIsGood) {
+TEST(BadScene, ValidSceneIsAccepted) {
   const Scene s = readScene(sceneFilesOf("s.toml", good));
   EXPECT_EQ(s.spacing, 0.02);
   EXPECT_EQ(s.bodies.size(), 1u);
   EXPECT_EQ(s.materials[0].young.solid, 2e4);
 }
 
-TEST(BadScene, EveryMistakeHasItsMessageAndPlace) {
+TEST(BadScene, EveryErrorHasAMessageWithItsPlace) {
   const struct {
     const char *what, *by, *line;
   } table[] = {
@@ -99,7 +99,7 @@ TEST(BadScene, EveryMistakeHasItsMessageAndPlace) {
   for (const auto& t : table) expectOnly(errorsOf(with(t.what, t.by)), t.line);
 }
 
-TEST(BadScene, DuplicateNames) {
+TEST(BadScene, DuplicateNamesAreErrors) {
   const std::string again = "[[body]]\nname = \"block\"\nbox = {}\nmaterial = \"jelly\"\n";
   expectOnly(errorsOf(good + again), "s.toml:15:1: error: a second body is called 'block'");
   const std::vector<std::string> twice = errorsOf("spacing = 1\n" + good);
@@ -118,7 +118,7 @@ TEST(BadScene, AllErrorsAtOnceInTheirOrder) {
   EXPECT_EQ(lines.back(), "s.toml:7:1: error: unknown key 'yuong' in material.jelly; did you mean 'young'?");
 }
 
-TEST(BadScene, Overrides) {
+TEST(BadScene, ErrorsOfOverridesNameThem) {
   expectOnly(errorsOf(good, {"spacng=3"}),
              "--set spacng=3: error: unknown key 'spacng'; did you mean 'spacing'?");
   expectOnly(errorsOf(good, {"spacing=-3"}), "--set spacing=-3: error: spacing: must be > 0 m, got -3");
@@ -134,7 +134,7 @@ TEST(BadScene, Overrides) {
             -1);
 }
 
-TEST(BadScene, TextsThatAreNoScene) {
+TEST(BadScene, InvalidTextsAreErrors) {
   const auto starts = [](const std::string& text, const std::string& with) {
     const std::vector<std::string> lines = errorsOf(text);
     ASSERT_FALSE(lines.empty()) << with;
@@ -146,8 +146,7 @@ TEST(BadScene, TextsThatAreNoScene) {
   starts(std::string((16u << 20) + 1, '\n'), "s.toml: error: larger than 16 MiB");
   starts("\xff\xfe\x01\x02", "s.toml:1:1: error: ");
   starts("# nothing but this\n", "s.toml:1:1: error: there is nothing to simulate");
-  for (std::size_t cut = 1; cut < good.size(); cut++) {  // a file that ends too early is an error, or is a
-                                                         // scene with that much in it
+  for (std::size_t cut = 1; cut < good.size(); cut++) {  // a truncated file is an error, or a shorter scene
     try {
       readScene(sceneFilesOf("s.toml", good.substr(0, cut)));
     } catch (const SceneErrors& e) { EXPECT_FALSE(e.lines.empty()); }
@@ -155,7 +154,7 @@ TEST(BadScene, TextsThatAreNoScene) {
   EXPECT_FALSE(errorsOf(good.substr(0, good.find("material = "))).empty());
 }
 
-TEST(BadScene, Includes) {
+TEST(BadScene, ErrorsOfIncludesNameTheFile) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / ("thaw_bad_scene_" + std::to_string(::getpid()));
   fs::create_directories(folder);

@@ -7,7 +7,7 @@
 
 using namespace thaw;
 
-TEST(SceneDocumentation, DocsSceneMdIsWhatTheTableOfKeysSays) {
+TEST(SceneDocumentation, DocsSceneMdMatchesTheTableOfKeys) {
   std::ifstream file(THAW_SOURCE_DIR "/docs/scene.md");
   std::ostringstream text;
   text << file.rdbuf();
@@ -15,7 +15,7 @@ TEST(SceneDocumentation, DocsSceneMdIsWhatTheTableOfKeysSays) {
       << "docs/scene.md is out of date; write it with: build/release/thaw docs > docs/scene.md";
 }
 
-TEST(SceneDocumentation, TheExampleIsAScene) {
+TEST(SceneDocumentation, ExampleIsAValidScene) {
   const Scene s = readScene(sceneFilesOf("jelly.toml", exampleScene()));
   ASSERT_EQ(s.bodies.size(), 1u);
   EXPECT_GT(s.materials[0].young.solid, 0);

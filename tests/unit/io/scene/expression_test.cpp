@@ -47,12 +47,12 @@ TEST(Expression, HasTheValuesOfItsFunctions) {
 TEST(Expression, ReadsDecimalPointsInAnyLocale) {
   const char* before = std::setlocale(LC_ALL, nullptr);
   const std::string kept = before ? before : "C";
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where it is not installed nothing changes
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // no effect if the locale is not installed
   EXPECT_EQ(valueOf("1.5*x", {2, 0, 0}), 3);
   std::setlocale(LC_ALL, kept.c_str());
 }
 
-TEST(Expression, SaysWhatIsWrongAndWhere) {
+TEST(Expression, ErrorsNameTheProblemAndThePlace) {
   EXPECT_EQ(parseExpression("20*q").error, "unknown name \"q\" at character 4");
   EXPECT_EQ(parseExpression("20*").error, "it ends too early");
   EXPECT_NE(parseExpression("(x").error, "");
@@ -64,7 +64,7 @@ TEST(Expression, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(parseExpression(std::string(2000, '(')).error, "");
 }
 
-TEST(Expression, IsKnownFromAQuantity) {
+TEST(Expression, IsDistinguishedFromAQuantity) {
   for (const char* quantity : {"20 degC", "300 K", "300", "2e3", "20 degX", "5 m/s", "-2e-3", "4 1/s"})
     EXPECT_FALSE(looksLikeExpression(quantity)) << quantity;
   for (const char* expression : {"z", "300 + 20*z", "2*q", "sin(", "-x", "1/0", "2 / 3", "3-2"})
@@ -92,7 +92,7 @@ TEST(SceneFields, AreReadFromTablesAndTexts) {
   EXPECT_EQ(e.temperatureField.value({1, 0, 0}), 301);
 }
 
-TEST(SceneFields, MistakesAreOneMessageWithItsPlace) {
+TEST(SceneFields, ErrorsAreOneMessageWithItsPlace) {
   EXPECT_EQ(errorOf("velocity = { x = '20*q' }\n"),
             "test.toml:8:18: error: body.drop.velocity.x: expected an expression of x, y and z (m, without "
             "units; its value is in m/s), got \"20*q\": unknown name \"q\" at character 4");

@@ -1,5 +1,4 @@
-// Damaged copies of scenes/melt.toml: each is a scene with sound values or a list of errors; nothing else
-// ever happens.
+// Damaged copies of scenes/melt.toml give a scene with valid values or a list of errors, and nothing else.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -20,8 +19,8 @@ std::string textOf(const std::string& path) {
   return text.str();
 }
 
-/// A few edits: bytes, lines, cuts, and words that are likely to hurt. Of std::mt19937_64 alone, which is the
-/// same everywhere.
+/// Applies a few changes: bytes, lines, truncation, and critical words. Uses only std::mt19937_64, which is
+/// the same everywhere.
 std::string damaged(std::string s, std::mt19937_64& random) {
   const auto below = [&](std::size_t n) {
     return static_cast<std::size_t>(random() % std::max<std::size_t>(1, n));
@@ -57,7 +56,7 @@ std::string damaged(std::string s, std::mt19937_64& random) {
       case 2: s.insert(at, words[below(std::size(words))]); break;
       case 3: s.insert(at, s.substr(below(s.size()), below(60))); break;
       case 4: s.resize(at); break;
-      case 5: {  // a value in place of another
+      case 5: {  // another value
         const std::size_t equals = s.find('=', at);
         if (equals == s.npos) break;
         s.replace(equals + 1, s.find('\n', equals) == s.npos ? s.npos : s.find('\n', equals) - equals - 1,
@@ -70,7 +69,7 @@ std::string damaged(std::string s, std::mt19937_64& random) {
   return s;
 }
 
-/// What a scene may hold after reading, whatever was in the file.
+/// Checks the values of a scene after reading any file.
 void expectSound(const Scene& s, const std::string& text) {
   bool good = std::isfinite(s.spacing) && s.spacing > 0 && std::isfinite(s.end) && s.end >= 0 &&
               s.output.every > 0 && (!s.bodies.empty() || !s.emitters.empty());
@@ -108,7 +107,7 @@ TEST(SceneFuzz, DamagedScenesAreScenesOrListsOfErrors) {
   EXPECT_GT(rejected, 1000);
 }
 
-TEST(SceneFuzz, DamagedOverrides) {
+TEST(SceneFuzz, DamagedOverridesAreValuesOrErrors) {
   const SceneFiles files = sceneFilesOf("melt.toml", textOf(THAW_SOURCE_DIR "/scenes/melt.toml"));
   std::mt19937_64 random(7);
   for (int k = 0; k < 1000; k++) {

@@ -1,4 +1,4 @@
-// What the table of keys says of its keys.
+// Descriptions in the table of keys.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ KeyDescription keyOf(const std::string& table, const std::string& key) {
 
 bool says(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
 
-TEST(KeyWords, nameTheKeysWithTwoValues) {
+TEST(KeyWords, NameTheKeysWithTwoValues) {
   for (const char* key :
        {"viscosity", "young", "poisson", "yield_strain", "creep_rate", "conductivity", "heat_capacity"})
     EXPECT_TRUE(says(keyOf("material.NAME", key).range, "{ solid = ..., liquid = ... }")) << key;
@@ -26,20 +26,20 @@ TEST(KeyWords, nameTheKeysWithTwoValues) {
     EXPECT_FALSE(says(keyOf("material.NAME", key).range, "solid =")) << key;
 }
 
-TEST(KeyWords, sayHowTwoRestitutionsMeet) {
+TEST(KeyWords, ExplainHowRestitutionsCombine) {
   EXPECT_TRUE(says(keyOf("obstacle", "restitution").about, "the smaller of this and the material's"));
   EXPECT_TRUE(says(keyOf("material.NAME", "restitution").about, "the smaller of the two"));
 }
 
-TEST(KeyWords, giveTheOrderOfTensors) {
+TEST(KeyWords, GiveTheOrderOfTensors) {
   EXPECT_TRUE(says(keyOf("output", "fields").about, "xx, yy, zz, xy, yz, xz"));
 }
 
-TEST(KeyWords, sayHowThinAPeriodicSlabMayBe) {
+TEST(KeyWords, GiveTheSmallestPeriodicThickness) {
   EXPECT_TRUE(says(keyOf("domain.sides", "z").about, "6 spacings if `numerics.support` is 2"));
 }
 
-TEST(KeyWords, theManualHasLimitsAndAPaste) {
+TEST(KeyWords, ManualHasLimitsAndAnExample) {
   const std::string text = sceneDocumentation();
   EXPECT_TRUE(says(text, "at most 16384 characters"));
   EXPECT_TRUE(says(text, "Bingham"));

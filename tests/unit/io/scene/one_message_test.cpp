@@ -1,5 +1,5 @@
-// A mistake has one message: each value of a scene that uses many keys is replaced by what it cannot be, and
-// only that is told, not what would follow of it.
+// An error has one message. Each value of a scene with many keys is replaced by an invalid one; only that
+// value is reported, not its consequences.
 #include <gtest/gtest.h>
 
 #include <toml++/toml.h>
@@ -91,7 +91,7 @@ colour = "speed"
 fields = ["velocity", "id"]
 )";
 
-/// As `--set` takes them, of all that is in the scene.
+/// All keys of a scene in the form of `--set`.
 void collectKeys(const toml::table& t, const std::string& before, std::vector<std::string>& keys) {
   for (const auto& [key, node] : t) {
     const std::string path = before + std::string(key.str());
@@ -105,7 +105,7 @@ void collectKeys(const toml::table& t, const std::string& before, std::vector<st
   }
 }
 
-TEST(OneMessage, OfEachWrongValue) {
+TEST(OneMessage, ForEachInvalidValue) {
   const SceneFiles files = sceneFilesOf("rich.toml", rich);
   ASSERT_NO_THROW(readScene(files));
   std::vector<std::string> keys;
@@ -119,7 +119,7 @@ TEST(OneMessage, OfEachWrongValue) {
       } catch (const SceneErrors& e) {
         refused++;
         EXPECT_EQ(e.lines.size(), 1u) << e.what();
-        // the value's place, not that of what follows
+        // the place of the value, not of a consequence
         EXPECT_EQ(e.lines[0].find("--set " + key), 0u) << e.lines[0];
       }
     }

@@ -1,5 +1,5 @@
-// quality picks the defaults of [numerics]; keys that are given win. Liquid that fills a periodic box gets
-// choices of its own.
+// `quality` selects the defaults of [numerics]; explicit keys take precedence. Liquid that fills a periodic
+// box has its own defaults.
 #include <gtest/gtest.h>
 
 #include "io/scene/read_scene.hpp"
@@ -35,7 +35,7 @@ TEST(Quality, PicksDefaults) {
   EXPECT_GT(sceneOf("quality = 'reference'").materials[0].hourglass, Material().hourglass);
 }
 
-TEST(Quality, KeysThatAreGivenWin) {
+TEST(Quality, ExplicitKeysTakePrecedence) {
   const Scene s = sceneOf("quality = 'reference'", "precision = 'single'\ncfl_sound = 0.3");
   EXPECT_EQ(s.numerics.precision, Precision::Single);
   EXPECT_EQ(s.numerics.cflSound, 0.3);
@@ -65,7 +65,7 @@ TEST(Quality, ReferenceCarriesTheDensityOfEmittedLiquid) {
 
 TEST(Quality, UnknownWordIsAnError) { EXPECT_THROW(sceneOf("quality = 'best'"), SceneErrors); }
 
-TEST(FullBox, LiquidThatFillsAPeriodicBox) {
+TEST(FullBox, HasItsOwnDefaults) {
   const Numerics full = sceneOf("", "", periodic).numerics, open = sceneOf("").numerics;
   for (const Numerics& n : {full, open}) {
     EXPECT_EQ(n.density, DensityForm::Continuity);
@@ -76,7 +76,7 @@ TEST(FullBox, LiquidThatFillsAPeriodicBox) {
   EXPECT_EQ(sceneOf("").bodies[0].packing, Packing::Lattice);
 }
 
-TEST(FullBox, LeavesWhatTheSceneChooses) {
+TEST(FullBox, KeepsExplicitChoices) {
   const Numerics n = sceneOf("", "density = 'summation'\ntensile_limit = 0.5", periodic).numerics;
   EXPECT_EQ(n.density, DensityForm::Summation);
   EXPECT_EQ(n.tensileLimit, 0.5);

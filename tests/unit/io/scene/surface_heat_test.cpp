@@ -1,4 +1,4 @@
-// Convection and radiation need a surface that can be told from the inside.
+// Convection and radiation need a support radius that separates surface from inside.
 #include <gtest/gtest.h>
 
 #include "io/scene/read_scene.hpp"

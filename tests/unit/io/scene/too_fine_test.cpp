@@ -1,5 +1,5 @@
-// Spacings that no machine has room for: one message, at the line that says them, with the number of
-// particles.
+// Spacings that exceed any machine's memory give one message with the number of particles, at the line that
+// sets them.
 #include <gtest/gtest.h>
 
 #include "io/scene/read_scene.hpp"
@@ -22,7 +22,7 @@ std::string body(const std::string& shape) {
   return "[[body]]\nname = \"b\"\nmaterial = \"j\"\n" + shape + "\n";
 }
 
-/// Is it one line that begins and goes on like this?
+/// True if the text is one line that begins with `begins` and contains the rest.
 testing::AssertionResult saysOnce(const std::string& text, const std::string& begins,
                                   const std::string& has) {
   const std::string e = errorOf(text);
@@ -31,7 +31,7 @@ testing::AssertionResult saysOnce(const std::string& text, const std::string& be
   return testing::AssertionFailure() << "got: " << e;
 }
 
-TEST(TooFine, BodiesAreToldAtTheSpacing) {
+TEST(TooFine, BodiesAreReportedAtTheSpacing) {
   const std::string fine = "spacing = 1e-9\n" + around;
   EXPECT_TRUE(saysOnce(fine + body("box = { size = [1, 1, 1] }"),
                        "s.toml:1:11: error: spacing: at 1e-09 m body 'b' would take some 1.0e+27 particles, "
@@ -54,7 +54,7 @@ TEST(TooFine, BodiesAreToldAtTheSpacing) {
   EXPECT_EQ(errorOf("spacing = 0.01\n" + around + body("box = { size = [1, 1, 1] }")), "");
 }
 
-TEST(TooFine, SurfacesAndSheetsAreToldAtTheirOwnSpacingOrThatOfTheScene) {
+TEST(TooFine, SurfacesAndSheetsAreReportedAtTheSpacingThatApplies) {
   for (const char* source :
        {"patch = { width = 0.4, depth = 0.4 }", "disc = { radius = 0.4 }", "sphere = { radius = 0.4 }",
         "mesh = \"builtin:head\"", "curve = { from = [-0.4, 0, 0], to = [0.4, 0, 0], bulge = 0.1 }",
@@ -77,7 +77,7 @@ TEST(TooFine, SurfacesAndSheetsAreToldAtTheirOwnSpacingOrThatOfTheScene) {
       "GB of memory"));
 }
 
-TEST(TooFine, ADomainThatIsTooLargeIsOne) {
+TEST(TooFine, TooLargeDomainIsReported) {
   EXPECT_TRUE(
       saysOnce("spacing = 0.01\nend = 1\n[domain]\nmin = [-1, -1, -1]\nmax = [1e6, 1, "
                "1]\n[material.j]\nyoung = \"20 kPa\"\n" +

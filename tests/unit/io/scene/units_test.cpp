@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-TEST(Units, Values) {
+TEST(Units, KnownUnitsHaveTheirValues) {
   const struct {
     const char* text;
     double value;
@@ -76,19 +76,19 @@ TEST(Units, Values) {
 }
 
 TEST(Units, DecimalFactorsGiveTheNearestDouble) {
-  EXPECT_EQ(parseQuantity("7 cm").value, 0.07);  // 7 * 0.01 is not
+  EXPECT_EQ(parseQuantity("7 cm").value, 0.07);  // 7 * 0.01 differs
   EXPECT_EQ(parseQuantity("1.1 mm").value, 1.1 / 1000);
   EXPECT_EQ(parseQuantity("35 ms").value, 0.035);
 }
 
-TEST(Units, BareNumbers) {
+TEST(Units, BareNumbersAreInSiUnits) {
   const Quantity q = parseQuantity("2.5e3");
   EXPECT_EQ(q.error, "");
   EXPECT_FALSE(q.hasUnit);
   EXPECT_EQ(q.value, 2500);
 }
 
-TEST(Units, Errors) {
+TEST(Units, ErrorsNameTheProblem) {
   const struct {
     const char *text, *error;
   } table[] = {
@@ -109,7 +109,7 @@ TEST(Units, Errors) {
   for (const auto& t : table) EXPECT_EQ(parseQuantity(t.text).error, t.error) << t.text;
 }
 
-TEST(Units, InfinityIsNotFinite) {  // the reader of keys rejects what is not finite
+TEST(Units, InfinityIsNotFinite) {  // the reader of keys rejects non-finite values
   EXPECT_FALSE(std::isfinite(parseQuantity("inf m").value));
   EXPECT_FALSE(std::isfinite(parseQuantity("nan s").value));
   EXPECT_FALSE(std::isfinite(parseQuantity("1 Gm^9 Gm^9 Gm^9 Gm^9").value));
