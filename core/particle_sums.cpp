@@ -98,7 +98,12 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.spreading = p.spreading.data();
   if (w.modules.continuity) s.stiffness = t.liquids[0].stiffness;
   if (w.modules.corrected) s.moment = p.moment.data(), s.flow = p.flow.data();
-  if (p.wetting.active) s.wetting = p.wetting.data();
+  if (p.wetting.active) {
+    s.wetting = p.wetting.data();
+    s.solidShare = p.solidShare.data();
+    s.liquidNearby = p.liquidNearby.data();
+  }
+  s.relief = p.relief.active;
   if (p.solidNormal.active) s.solidNormal = p.solidNormal.data();
   s.pull = t.records.pull.data();
   s.surfaceGradient = p.surfaceGradient.data();

@@ -124,6 +124,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.tension) recordEnergyLeft(w, t);
   ColumnList toGhosts{&p.filling};
   if (p.correction.active) toGhosts.push_back(&p.correction);
+  if (p.relief.active) toGhosts.push_back(&p.relief);
   if (w.modules.surfaceEnergy) {
     toGhosts.push_back(&p.surfacePull);
     toGhosts.push_back(&p.surfaceDraw);

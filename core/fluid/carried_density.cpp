@@ -4,6 +4,7 @@
 
 #include "core/fluid/connected_density.hpp"
 #include "core/fluid/free_surface.hpp"
+#include "core/fluid/lattice_relief.hpp"
 #include "core/fluid/particle_pressure.hpp"
 
 namespace thaw {
@@ -85,6 +86,10 @@ Sym3d correctionOf(const Sym3f& moment, double filling) {
           k * xy,          k * (m.xy * m.xz - m.xx * m.yz),          k * xz};
 }
 
+/// Share of the difference to liquid nearby that a solid's density makes up per acoustic time h/c [A12]. The
+/// liquid nearby is that of the step before, so a share near 1 would feed sound.
+constexpr double towardsLiquidNearby = 0.5;
+
 struct CarryContext {
   World& world;
   const std::vector<LiquidMaterial>& liquids;
@@ -134,9 +139,12 @@ void carry(const CarryContext& x, std::size_t i) {
   const double before = p.compression[i], flow = before + p.densityRate[i] * x.dt;
   const double summed = static_cast<double>(p.filling[i]);
   double spread = p.spreading[i] * x.dt;
-  if (p.atSurface.active && liquidFraction(p, i) == 1)
-    spread += driftCorrection(summed - 1 - flow - spread, flow + spread, layerOf(p, i),
-                              m.soundSpeed * x.dt / x.world.grid.support);
+  const bool solid = p.wetting.active && liquidFraction(p, i) == 0;
+  const double steps = m.soundSpeed * x.dt / x.world.grid.support;
+  if (solid)
+    spread += std::min(1.0, towardsLiquidNearby * steps) * (static_cast<double>(p.liquidNearby[i]) - before);
+  else if (p.atSurface.active && liquidFraction(p, i) == 1)
+    spread += driftCorrection(summed - 1 - flow - spread, flow + spread, layerOf(p, i), steps);
   const auto slope = [&](double y) {
     return pressureOf(n.eos, m.stiffness, 1 + y, n.tensileLimit) / ((1 + y) * (1 + y));
   };
@@ -187,6 +195,7 @@ void carryDensity(World& w, const StepTools& t, double dt) {
     if (w.modules.corrected) correct(x, i);
     carry(x, i);
   }
+  if (p.relief.active) findLatticeRelief(w, t);
   if (p.atSurface.active) shiftAlongWalls(w, t);
 }
 

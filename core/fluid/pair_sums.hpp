@@ -94,6 +94,9 @@ struct PairSums {
   double *densityRate = nullptr, *spreading = nullptr;  ///< 1/s
   Vec3f* crowding = nullptr;       ///< 1, h times the gradient of the relative density; null: not needed
   float* wetting = nullptr;        ///< 1, sum V W of liquid; null: no solids
+  float* solidShare = nullptr;     ///< 1, sum V W of solids over its lattice value; together with wetting
+  float* liquidNearby = nullptr;   ///< 1, mean carried compression of liquid neighbours; with wetting
+  bool relief = false;             ///< records have forces of core/fluid/lattice_relief.hpp
   Vec3f* solidNormal = nullptr;    ///< 1, away from solid neighbours; null: no solids
   Vec3f* surfaceNormal = nullptr;  ///< 1, away from neighbours at the free surface, together with
                                    ///< gradientSize, h sum V |grad W|; null: not needed

@@ -82,17 +82,25 @@ void density(const PairSums& in, GroupRange range) {
   });
 }
 
-template<bool Viscous, bool Laplacian, bool Heat, bool Carried>
+template<bool Viscous, bool Laplacian, bool Heat, bool Carried, bool Relief = false>
 void forcesIn(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
-    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat, Carried> term{
-        records<Real>(in.place),       records<Real>(in.motion),          records<Real>(in.state),
-        records<Real>(in.diagonal),    records<Real>(in.mixed),           &in,
-        Lanes<Real>(pressure * h * h), Lanes<Real>(h / lengthUnit<Real>), Lanes<Real>(in.viscousWeight.scale),
-        in.conductionScale * h};
+    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat, Carried, Relief> term{
+        records<Real>(in.place),
+        records<Real>(in.motion),
+        records<Real>(in.state),
+        records<Real>(in.diagonal),
+        records<Real>(in.mixed),
+        &in,
+        Lanes<Real>(pressure * h * h),
+        Lanes<Real>(h / lengthUnit<Real>),
+        Lanes<Real>(in.viscousWeight.scale),
+        in.conductionScale * h,
+        Lanes<Real>(in.fillingScale * h * h * h / lengthUnit<Real>),
+        Lanes<Real>(lengthUnit<Real> / h)};
     sweep(*in.lists, range, term, Groups::Wet);
     if constexpr (Heat) {
       Conduction<Real, decltype(kernel)> dry{records<Real>(in.place), records<Real>(in.state), &in,
@@ -102,6 +110,7 @@ void forcesIn(const PairSums& in, GroupRange range) {
   });
 }
 template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& in, GroupRange range) {
+  if (in.relief) return forcesIn<Viscous, Laplacian, Heat, true, true>(in, range);
   in.carried ? forcesIn<Viscous, Laplacian, Heat, true>(in, range)
              : forcesIn<Viscous, Laplacian, Heat, false>(in, range);
 }

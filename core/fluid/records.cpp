@@ -153,9 +153,11 @@ void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::s
       rows<Real>(r.diagonal)[i] = {zz, of(d.xy), of(d.xz), of(d.yz)};
       continue;
     }
-    rows<Real>(r.diagonal)[i] = {xx, yy, zz, Real(0)};
-    rows<Real>(r.mixed)[i] = {of(d.xy), of(d.xz), of(d.yz), Real(0)};
+    const Vec3f relief = p.relief.active ? p.relief[i] : Vec3f{};
+    rows<Real>(r.diagonal)[i] = {xx, yy, zz, Real(relief.x)};
+    rows<Real>(r.mixed)[i] = {of(d.xy), of(d.xz), of(d.yz), Real(relief.y)};
     Four<Real>& state = rows<Real>(r.state)[i];
+    state.a = Real(relief.z);
     state.b = std::abs(state.b);  // the sign is for the density sums only
     if (substeps && takesSubsteps(p, i))
       put(rows<Real>(r.motion)[i], p.velocity[i], rows<Real>(r.motion)[i].d);

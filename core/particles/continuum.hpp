@@ -57,6 +57,12 @@ struct Continuum : Table {
       "sum V W over liquid neighbours and the particle itself; 0: no liquid nearby", Rows::Owned};
   Column<Vec3f> solidNormal{*this, "solidNormal", "1", Keep::Transient,
       "weighted direction away from solid neighbours; 0 without any", Rows::Owned};
+  Column<float> solidShare{*this, "solidShare", "1", Keep::Transient,
+      "share of solid neighbours in the relative density", Rows::Owned};
+  Column<float> liquidNearby{*this, "liquidNearby", "1", Keep::Transient,
+      "carried relative density of liquid neighbours minus 1, extrapolated to the particle", Rows::Owned};
+  Column<Vec3f> relief{*this, "relief", "N", Keep::Transient,
+      "force on liquid from all its solid neighbours (core/fluid/lattice_relief.hpp)"};
   Column<Vec3d> travel{*this, "travel", "m/s", Keep::State,
       "mean velocity over the step, of particles with substeps"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State,

@@ -19,12 +19,12 @@ void activateFields(World& w, StepTools& t) {
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
   on(m.continuity, {&p.compression, &p.densityRate, &p.spreading});
   on(m.corrected, {&p.moment, &p.midCorrection, &p.correction, &p.flow});
-  on(m.continuity && m.solid, {&p.wetting});
+  on(m.continuity && m.solid, {&p.wetting, &p.solidShare, &p.liquidNearby});
   on(m.continuity && m.substeps, {&p.travel});
   on(m.xsph || m.shifting, {&p.smoothing});
   on(m.shifting, {&p.crowding});
   on(m.shifting && m.continuity, {&p.atSurface, &p.surfaceNormal, &p.gradientSize});
-  on(m.shifting && m.continuity && m.solid, {&p.solidNormal});
+  on(m.shifting && m.continuity && m.solid, {&p.solidNormal, &p.relief});
   on(m.incompressible,
      {&p.holding, &p.steadying, &p.pressureKick, &p.drag, &p.trialPressure, &p.trialVelocity});
   on(m.surfaceHeat, {&p.exposure});

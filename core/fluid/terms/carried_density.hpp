@@ -36,7 +36,7 @@ struct CarriedDensity {
   };
   struct Sum {
     L filling = L(0.0), closest = L(1.0), rate = L(0.0), spread = L(0.0), column = L(0.0), size = L(0.0),
-      wetting = L(0.0);
+      wetting = L(0.0), solids = L(0.0), nearby = L(0.0), depth = L(0.0);
     Vector crowding, surface, solid, flow[3];
     L moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)};
   };
@@ -77,6 +77,7 @@ struct CarriedDensity {
         wet = fi + fj - fi * fj;
         dry = L(1.0) - fj;
         s.wetting += w * fj;
+        s.solids += w * dry;
       }
       if constexpr (Surfaces) {
         s.size -= g * q;
@@ -102,6 +103,8 @@ struct CarriedDensity {
       if constexpr (Mixed) {
         s.spread += both * (j.state.a - i.state.a);
         s.column += both * down;
+        s.nearby += w * size(j.state.b) * j.state.a;
+        s.depth += w * size(j.state.b) * down;
       } else {
         s.spread += both * (j.motion.d - i.motion.d + down);
       }
@@ -142,9 +145,16 @@ struct CarriedDensity {
     if constexpr (Mixed) {
       const double c2 = m.soundSpeed * m.soundSpeed;
       spread = (in->stiffness * spread + m.stiffness / c2 * static_cast<double>(s.column[l])) / m.stiffness;
-      if (in->wetting)
-        in->wetting[row] = static_cast<float>(static_cast<double>(s.wetting[l]) +
-                                              static_cast<double>(size(i.state.b)[l]));
+      if (in->wetting) {
+        const double liquid = static_cast<double>(s.wetting[l]);
+        in->wetting[row] = static_cast<float>(liquid + static_cast<double>(size(i.state.b)[l]));
+        in->solidShare[row] = static_cast<float>(scale * static_cast<double>(s.solids[l]));
+        in->liquidNearby[row] = liquid > 0 ? static_cast<float>(
+                                                 (in->stiffness * static_cast<double>(s.nearby[l]) +
+                                                  m.stiffness / c2 * static_cast<double>(s.depth[l])) /
+                                                 (m.stiffness * liquid))
+                                           : 0;
+      }
     }
     in->spreading[row] = in->diffusion * 0.5 * m.soundSpeed / h * spread;
   }

@@ -16,13 +16,17 @@ namespace {
 /// Carried: pressure is a tensor, p / (relative density)^2 times the gradient correction, the inverse moment
 /// (Bonet & Lok 1999). The force is the adjoint of the corrected divergence, so pairs conserve momentum and
 /// energy. It is not central. The pressure of a solid near liquid acts only between that solid and liquids.
-template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false>
+/// Relief: diagonal.d, mixed.d and state.a are the force on liquid from all its solid neighbours
+/// (core/fluid/lattice_relief.hpp), divided among the pairs by V W of the solids.
+template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false,
+         bool Relief = false>
 struct Forces {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *state, *diagonal, *mixed;
   const PairSums* in;
   L pressureScale, viscousScale, viscousWeight;  ///< viscousScale: per lengthUnit
   double heatScale;
+  L reliefScale, reliefPower;  ///< lattice sums of W to 1, over lengthUnit; 1/m, lengthUnit over the support
   static constexpr double unit = lengthUnit<Real>;
   struct Data {
     Lanes4<Real> place, motion, state, diagonal, mixed;
@@ -63,6 +67,16 @@ struct Forces {
       s.x -= wide(k * dot3(xx, xy, xz, dx, dy, dz));
       s.y -= wide(k * dot3(xy, yy, yz, dx, dy, dz));
       s.z -= wide(k * dot3(xz, yz, zz, dx, dy, dz));
+    }
+    if constexpr (Relief) {
+      const L w = reliefScale * Kernel::w(q, q2), toI = w * (L(1.0) - fj) * j.place.d,
+              toJ = w * (L(1.0) - fi) * i.place.d;
+      const L fx = toI * i.diagonal.d - toJ * j.diagonal.d, fy = toI * i.mixed.d - toJ * j.mixed.d,
+              fz = toI * i.state.a - toJ * j.state.a;
+      s.x += wide(fx);
+      s.y += wide(fy);
+      s.z += wide(fz);
+      s.lost -= reliefPower * (fx * ux + fy * uy + fz * uz);
     }
     const L mui = i.motion.d, muj = j.motion.d;
     if constexpr (!Viscous && Carried) {
