@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Cost of body types that a scene does not have: instructions per step under callgrind, by folder of the function.
 
-  scripts/bench kinds [--steps 6]
+  scripts/bench body_types [--steps 6]
 
 Each scene has one body type: liquid, oriented particles or a sheet. Steps N/2 + 1 ... N are counted as the
-difference of two runs, inside thaw::step. A function belongs to core/oriented, core/sheet or core/kinds if an
+difference of two runs, inside thaw::step. A function belongs to core/oriented, core/sheet or core/body_types if an
 object of that folder defines it. Inlined functions count where they are inlined, so that tests for absent
 body types in step.cpp are in `rest`. Needs valgrind.
 """
@@ -20,16 +20,16 @@ import tempfile
 
 root = pathlib.Path(__file__).resolve().parent.parent
 build = pathlib.Path(os.environ.get("THAW_BUILD", root / "build/release"))
-SCENES = [("continuum alone", "dam_break", ["spacing=0.04"], ("oriented", "sheet", "kinds")),
+SCENES = [("continuum alone", "dam_break", ["spacing=0.04"], ("oriented", "sheet", "body_types")),
           ("oriented alone", "oriented/relax_plane", ["spacing=0.04"], ("sheet",)),
           ("sheet alone", "sheet/skin", ["sheet.skin.spacing=0.006"], ("oriented",))]
-FOLDERS = ("oriented", "sheet", "kinds")
+FOLDERS = ("oriented", "sheet", "body_types")
 
 
 def functionsOf(folder):
     objects = sorted((build / "CMakeFiles/thaw_core.dir/core" / folder).glob("*.o"))
     if not objects:
-        sys.exit(f"kinds: no objects of core/{folder} in {build}; build thaw first")
+        sys.exit(f"body_types: no objects of core/{folder} in {build}; build thaw first")
     listed = subprocess.run(["nm", "-C", "--defined-only", *map(str, objects)], capture_output=True, text=True, check=True).stdout
     return {m.group(1) for m in re.finditer(r"^[0-9a-f]+ [tT] (.*)$", listed, re.M)}  # no weak ones
 
@@ -60,7 +60,7 @@ def count(scene, settings, steps, folders):
 
 
 parser = argparse.ArgumentParser()
-parser.add_argument("--csv", default="kinds.csv")
+parser.add_argument("--csv", default="body_types.csv")
 parser.add_argument("--steps", type=int, default=6)
 options = parser.parse_args()
 if not shutil.which("valgrind"):
@@ -69,8 +69,8 @@ names = {f: functionsOf(f) for f in FOLDERS}
 missed = False
 with open(options.csv, "w", newline="") as file:
     out = csv.writer(file)
-    out.writerow(["case", "instructions_a_step", "oriented", "sheet", "kinds", "rest", "of_absent_kinds", "target_of_absent_kinds"])
-    print(f"{'scene':18} {'a step':>14} {'oriented':>12} {'sheet':>12} {'kinds':>12} {'rest':>12}")
+    out.writerow(["case", "instructions_a_step", "oriented", "sheet", "body_types", "rest", "of_absent_kinds", "target_of_absent_kinds"])
+    print(f"{'scene':18} {'a step':>14} {'oriented':>12} {'sheet':>12} {'body_types':>12} {'rest':>12}")
     for name, scene, settings, absent in SCENES:
         first, all1 = count(scene, settings, options.steps // 2, names)
         both, all2 = count(scene, settings, options.steps, names)
@@ -80,6 +80,6 @@ with open(options.csv, "w", newline="") as file:
         of = sum(each[f] for f in absent)
         missed = missed or of > 0 or every <= 0
         out.writerow([name, round(every), *(round(each[f]) for f in FOLDERS), round(every - sum(each.values())), round(of), 0])
-        print(f"{name:18} {every:14,.0f} {each['oriented']:12,.0f} {each['sheet']:12,.0f} {each['kinds']:12,.0f} {every - sum(each.values()):12,.0f}   of absent body types: {of:,.0f}")
+        print(f"{name:18} {every:14,.0f} {each['oriented']:12,.0f} {each['sheet']:12,.0f} {each['body_types']:12,.0f} {every - sum(each.values()):12,.0f}   of absent body types: {of:,.0f}")
 if missed:
-    sys.exit("kinds: a scene spends instructions on body types that it does not have")
+    sys.exit("body_types: a scene spends instructions on body types that it does not have")

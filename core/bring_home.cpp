@@ -43,7 +43,7 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
         p.mass[i] = plan.particleMass;
         p.material[i] = static_cast<std::uint16_t>(emitter.material);
         p.body[i] = static_cast<std::uint16_t>(source);
-        if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, temperature, 1);
+        if (p.enthalpy.active) p.enthalpy[i] = ledgerEnthalpy(w.scene.numerics.heat, m, temperature, 1);
         if (p.temperature.active) p.temperature[i] = temperature;
         p.cell[i] = p.nextCell[i] = cell;
         if (p.slot.active) p.slot[i] = noSlot;
@@ -52,7 +52,7 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
       }
     }
   }
-  settlePhase(w.scene, w.modules, p, had, p.owned);
+  setPhase(w.scene, w.modules, p, had, p.owned);
   return p.owned - had;
 }
 
@@ -70,7 +70,7 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
 }
 
 /// Frees buffers sized for the old partition.
-void fitMemory(World& w, StepTools& t) {
+void freeOldBuffers(World& w, StepTools& t) {
   w.particles.shrink(1.0 / 64);
   w.neighbours = {};
   t.records = {};
@@ -83,7 +83,7 @@ bool needsOrder(const World& w, const StepTools& t) {
   return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface;
 }
 
-bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
+bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   // The clock still shows the beginning of the step.
@@ -103,7 +103,7 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   // across ranks, need not migrate.
   const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
   const bool partitioned = std::exchange(t.newPartition, false);
-  if (std::exchange(t.looseMemory, partitioned)) giveBackFreed();
+  if (std::exchange(t.looseMemory, partitioned)) trimFreedMemory();
   const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
   t.mayLeave = true;
   findCells(w, t.leaving, moves, open);
@@ -130,15 +130,15 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
     m.departed = std::move(gone);
   }
   if (w.modules.sleep)
-    for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
+    for (std::size_t i = before; i < p.owned; i++) t.sleep.recomputeAll = t.sleep.recomputeAll || p.sleep[i] == asleep;
   m.arrivals += emitted;
   ColumnList stale{};  // columns that this step recomputes before they are read
   // Both contacts read the last acceleration.
-  if (dt > 0 && !w.modules.sheet && !w.modules.meeting) stale.push_back(&p.acceleration);
+  if (dt > 0 && !w.modules.sheet && !w.modules.orientedContact) stale.push_back(&p.acceleration);
   if (!w.modules.sleep) stale.push_back(&p.interaction);
   if (ordered) sortByCell(p, m, t.sort, w.cells, stale);
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
-  if (partitioned) fitMemory(w, t);
+  if (partitioned) freeOldBuffers(w, t);
   t.times.lap(StepPhase::Sort);
   return leftSlots;
 }

@@ -42,7 +42,7 @@ struct StepTools {
   const PairKernels* kernels = nullptr;
   std::vector<LiquidMaterial> liquids;
   StepLimits fixedLimits;  ///< from materials
-  WatchBounds watch;
+  MonitorLimits watch;
   std::vector<EmitterPlan> emitters;
   std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< shapes of the bodies until they are
                                                               ///< sampled; meshes are slow to make
@@ -54,14 +54,14 @@ struct StepTools {
                                  ///< (terms/density.hpp)
   double stableViscousStep = 0;  ///< largest stable dt nu / h^2 on the lattice
   double conductionScale = 1;    ///< for heat conduction, see kernels/lattice.hpp
-  double fillingScale = 1;       ///< perLatticeSum / h^3
+  double relativeDensityScale = 1;       ///< perLatticeSum / h^3
   SortBuffers sort;
   SearchBuffers search;
   PairRecords records;
   std::vector<std::uint8_t> inner, liquidCells;
   std::size_t ghostRoom = 1024;  ///< rows reserved for ghosts between the owned rows and the dummy row
   ClosePairs closePairs;
-  std::vector<ContactResistance> contactResistance;
+  std::vector<DissipativeForce> contactResistance;
   WallContacts wallContacts;
   std::vector<WallContact> substepContacts;  ///< solids that may touch a wall in this step
   double longestContact = never;  ///< s, limit of a substep by wall contacts of solids, from materials
@@ -97,7 +97,7 @@ struct Requests {
 struct StepOutcome {
   Limit limitedBy = Limit::Scene;
   Requests wanted;            ///< by any rank
-  Alarm alarm = Alarm::None;  ///< result of the stability monitor
+  Failure failure = Failure::None;  ///< result of the stability monitor
   bool finite = true;         ///< false: some value is not finite; `bad` is its row on the rank that has it
   bool badHere = false;
   std::size_t bad = 0;
@@ -117,7 +117,7 @@ StepTools makeTools(const World& world);
 void evaluate(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Reduces the limits of all ranks and sets the next step in the clock. Collective.
-StepOutcome vote(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests wanted);
+StepOutcome reduceStep(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests wanted);
 
 /// One leap-frog step of Clock::dt, shortened to hit the next frame time. Requires: accelerations, from one
 /// call of evaluate and vote before the first step. Collective; the same bits on any number of ranks.

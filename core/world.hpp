@@ -71,7 +71,7 @@ struct World {
   Clock clock;
   Ledger ledger;
   Counters counters;
-  WatchState watch;
+  MonitorState watch;
   Surface surface;
   OrientedBodies oriented;
   SheetBodies sheets;

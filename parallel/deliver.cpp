@@ -2,12 +2,12 @@
 
 namespace thaw {
 
-std::vector<WordList> MpiReducer::deliver(std::vector<WordList> lists) {
+std::vector<WordStream> MpiReducer::sparseAllToAll(std::vector<WordStream> lists) {
   constexpr int kind = 26;
   if (comm_.size() == 1) return lists;
   WordMessages out;
-  for (WordList& l : lists) out.to(l.rank) = std::move(l.words);
-  std::vector<WordList> in;
+  for (WordStream& l : lists) out.to(l.rank) = std::move(l.words);
+  std::vector<WordStream> in;
   for (const Message& m : sparseExchange(comm_, out.messages(), kind, MessagesFor::Rows))
     in.push_back({m.rank, wordsOf(m)});
   return in;

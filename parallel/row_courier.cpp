@@ -4,13 +4,13 @@
 
 namespace thaw {
 
-void MpiRowCourier::sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values,
+void MpiRowScatter::scatterBack(std::span<const std::uint64_t> source, std::span<const std::uint64_t> values,
                              std::span<std::uint64_t> here) {
   constexpr int kind = 24;
   WordMessages out;
-  for (std::size_t k = 0; k < home.size(); k++) {
-    const int rank = static_cast<int>(home[k] >> 32);
-    const std::uint64_t row = home[k] & 0xffffffffu;
+  for (std::size_t k = 0; k < source.size(); k++) {
+    const int rank = static_cast<int>(source[k] >> 32);
+    const std::uint64_t row = source[k] & 0xffffffffu;
     if (rank == comm_.rank()) {
       here[row] = values[k];
       continue;

@@ -1,4 +1,4 @@
-// RowCourier over MPI.
+// RowScatter over MPI.
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "parallel/cell_halo.hpp"
@@ -6,10 +6,10 @@
 
 namespace thaw {
 
-class MpiRowCourier : public RowCourier {
+class MpiRowScatter : public RowScatter {
  public:
-  explicit MpiRowCourier(const Communicator& comm) : comm_(comm) {}
-  void sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values,
+  explicit MpiRowScatter(const Communicator& comm) : comm_(comm) {}
+  void scatterBack(std::span<const std::uint64_t> source, std::span<const std::uint64_t> values,
                 std::span<std::uint64_t> here) override;
 
  private:
@@ -20,10 +20,10 @@ class MpiRowCourier : public RowCourier {
 struct SurfaceRanks {
   MpiReducer all;
   MpiCellHalo surfels, particles;
-  MpiRowCourier courier;
+  MpiRowScatter scatter;
   SurfaceRanks(const Communicator& comm, const CellGrid& grid)
-      : all(comm), surfels(comm, grid), particles(comm, grid), courier(comm) {}
-  SurfaceHalos halos() { return {all, surfels, particles, courier}; }
+      : all(comm), surfels(comm, grid), particles(comm, grid), scatter(comm) {}
+  SurfaceHalos halos() { return {all, surfels, particles, scatter}; }
 };
 
 }  // namespace thaw

@@ -29,7 +29,7 @@ inline const char* purposeName(MessagesFor purpose) {
   return names[static_cast<std::size_t>(purpose)];
 }
 
-struct Traffic {
+struct CommunicationStatistics {
   struct Sum {
     std::int64_t messages = 0, bytes = 0;  ///< sent to other ranks
     double waited = 0;                     ///< s

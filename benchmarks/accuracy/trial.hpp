@@ -57,7 +57,7 @@ struct Case {
   const char* about;                       ///< one line: setup, reference and source
   const char* scene = nullptr;             ///< file in scenes/
   std::function<void(Trial&)> place = {};  ///< moves particles before bonds are made (jitter)
-  std::function<void(Trial&)> start = {};  ///< velocities, displacements, temperatures at time 0; takeStock
+  std::function<void(Trial&)> start = {};  ///< velocities, displacements, temperatures at time 0; initializeForces
                                            ///< follows
   std::function<void(Trial&)> watch = {};  ///< called after every step
   std::function<std::vector<Figure>(Trial&)> measure;

@@ -68,6 +68,6 @@ void findLeaving(const Domain& d, Rows& p, std::size_t begin, std::size_t end,
 }
 
 template void findLeaving(const Domain&, Continuum&, std::size_t, std::size_t, std::vector<std::uint32_t>&);
-template void findLeaving(const Domain&, KindRows&, std::size_t, std::size_t, std::vector<std::uint32_t>&);
+template void findLeaving(const Domain&, BodyTypeRows&, std::size_t, std::size_t, std::vector<std::uint32_t>&);
 
 }  // namespace thaw

@@ -31,7 +31,7 @@ class Reducer {
   virtual void sum(std::span<std::int64_t> values) = 0;  ///< element-wise over ranks
   /// Sends each list to its rank, at most one per rank; returns the received lists, ascending by rank.
   /// Collective.
-  virtual std::vector<WordList> deliver(std::vector<WordList> lists) = 0;
+  virtual std::vector<WordStream> sparseAllToAll(std::vector<WordStream> lists) = 0;
 };
 
 /// Cells: ownership, migration of particles, and copies of the surrounding cells ("ghosts").
@@ -118,7 +118,7 @@ struct BondPair {
 };
 
 /// Work of a relink beyond the changes visible in the tables.
-struct Relink {
+struct BondUpdate {
   std::span<const BondRequest> requests;  ///< bonds to make, appended to their slots in this order
   bool changedHere = false;  ///< on this rank, a particle's phase changed or a particle with a slot left the
                              ///< domain
@@ -148,7 +148,7 @@ class BondHalo {
   /// have volume 0, which the caller sets. Remote rows then have their id only. Requires: sorted particles
   /// without departed rows, whose phase changed at most once since the last relink. Collective. Returns false
   /// at once if nothing changed on any rank.
-  virtual bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) = 0;
+  virtual bool rebuildBonds(const BondedRows& particles, Solids& solids, Bonds& bonds, const BondUpdate& work) = 0;
 
   /// Sends columns of Solids from owned rows to their remote copies. The rules of beginRefresh apply.
   virtual void begin(Solids& solids, std::span<AnyColumn* const> columns) = 0;

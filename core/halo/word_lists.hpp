@@ -10,17 +10,17 @@
 namespace thaw {
 
 /// rank: destination or source.
-struct WordList {
+struct WordStream {
   int rank = 0;
   std::vector<std::uint64_t> words;
 };
 
 /// One list per destination rank.
-struct WordLists {
-  std::vector<WordList> lists;
+struct WordStreams {
+  std::vector<WordStream> lists;
   std::vector<int> placeOf;  // index in `lists` per rank; -1: none
 
-  explicit WordLists(int ranks) : placeOf(static_cast<std::size_t>(ranks), -1) {}
+  explicit WordStreams(int ranks) : placeOf(static_cast<std::size_t>(ranks), -1) {}
   std::vector<std::uint64_t>& to(int rank) {
     int& at = placeOf[static_cast<std::size_t>(rank)];
     if (at < 0) {

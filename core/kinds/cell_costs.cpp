@@ -37,7 +37,7 @@ CellCosts costOfCells(const World& w, const RowCosts& costs) {
     return sum;
   };
   addCells(w.particles, w.cells, ofParticles, list);
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable& cells) {
+  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& r, const CellTable& cells) {
     addCells(
         r, cells, [&](std::size_t c) { return costs.kind[kind] * static_cast<double>(cells.count[c]); },
         list);

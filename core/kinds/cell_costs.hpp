@@ -15,7 +15,7 @@ struct CellCosts {
 /// Cost of a row in any unit, > 0: of liquid and solid continuum particles, and of each body type.
 struct RowCosts {
   double liquid = 1, solid = 1;
-  std::array<double, kindCount> kind;
+  std::array<double, bodyTypeCount> kind;
   RowCosts() { kind.fill(1); }
 };
 CellCosts costOfCells(const World& world, const RowCosts& costs);

@@ -4,13 +4,13 @@
 
 namespace thaw {
 
-void addKindRow(const World& w, std::size_t kind, std::size_t i, ExactBalance& b) {
-  const KindRows& r = kind == orientedKind ? static_cast<const KindRows&>(w.oriented.rows) : w.sheets.rows;
+void addBodyTypeRow(const World& w, std::size_t kind, std::size_t i, ExactBalance& b) {
+  const BodyTypeRows& r = kind == orientedType ? static_cast<const BodyTypeRows&>(w.oriented.rows) : w.sheets.rows;
   const double m = r.mass[i];
   const Vec3d &x = r.position[i], &v = r.velocity[i];
   Vec3d angular = m * cross(x, v);
   double kinetic = 0.5 * m * dot(v, v);
-  if (kind == orientedKind) {
+  if (kind == orientedType) {
     const Oriented& o = w.oriented.rows;
     angular += o.inertia[i] * o.spin[i];
     kinetic += 0.5 * o.inertia[i] * dot(o.spin[i], o.spin[i]);

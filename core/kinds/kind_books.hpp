@@ -6,7 +6,7 @@
 namespace thaw {
 
 /// Adds row i of a body type (core/kinds/kinds.hpp) to a balance: mass, momentum, kinetic energy with
-/// rotation, gravitational potential, and KindRows::energy as elastic energy.
-void addKindRow(const World& world, std::size_t kind, std::size_t i, ExactBalance& balance);
+/// rotation, gravitational potential, and BodyTypeRows::energy as elastic energy.
+void addBodyTypeRow(const World& world, std::size_t kind, std::size_t i, ExactBalance& balance);
 
 }  // namespace thaw

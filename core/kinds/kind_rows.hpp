@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-struct KindRows : Table {
+struct BodyTypeRows : Table {
   using Table::Table;
   // clang-format off
   Column<std::uint64_t> id{*this, "id", "1", Keep::State,
@@ -24,7 +24,7 @@ struct KindRows : Table {
 };
 
 /// Activates the shared columns.
-inline void activateKind(KindRows& r) {
+inline void activateBodyType(BodyTypeRows& r) {
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{&r.id, &r.position, &r.velocity, &r.mass, &r.body,
                                                         &r.energy, &r.dissipated, &r.cell, &r.nextCell})
     r.activate(*c);

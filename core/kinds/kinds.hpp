@@ -7,14 +7,14 @@
 
 namespace thaw {
 
-inline constexpr std::size_t orientedKind = 0, sheetKind = 1, kindCount = 2;
+inline constexpr std::size_t orientedType = 0, sheetType = 1, bodyTypeCount = 2;
 /// names of groups in files, frames and messages
-inline constexpr std::array<const char*, kindCount> kindNames{"oriented", "sheet"};
+inline constexpr std::array<const char*, bodyTypeCount> bodyTypeNames{"oriented", "sheet"};
 
 /// Calls use(number, rows, cells) for each body type in the scene. If World is const, so are rows and cells.
-template<class W, class Use> void eachKind(W& w, Use&& use) {
-  if (w.oriented.rows.id.active) use(orientedKind, w.oriented.rows, w.oriented.cells);
-  if (w.sheets.rows.id.active) use(sheetKind, w.sheets.rows, w.sheets.cells);
+template<class W, class Use> void forEachBodyType(W& w, Use&& use) {
+  if (w.oriented.rows.id.active) use(orientedType, w.oriented.rows, w.oriented.cells);
+  if (w.sheets.rows.id.active) use(sheetType, w.sheets.rows, w.sheets.cells);
 }
 
 }  // namespace thaw

@@ -17,11 +17,11 @@ namespace {
 
 /// Migrates and sorts one body type; rows in `leaving` (ascending, with noCell as their next cell) are
 /// dropped.
-void placeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, KindRows& r, CellTable& cells) {
+void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, BodyTypeRows& r, CellTable& cells) {
   const std::size_t before = r.owned;
   Migration m = halos.kinds[kind]->migrate(r, {r.nextCell.data(), r.owned});
   computeCellKeys(w.grid, r, before, r.owned);
-  if (kind == sheetKind)
+  if (kind == sheetType)
     halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
   if (!t.leaving.empty()) {
     std::vector<std::uint32_t> gone;
@@ -34,8 +34,8 @@ void placeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, KindRows&
 
 }  // namespace
 
-void bringKindsHome(World& w, Halos halos, StepTools& t, double dt) {
-  eachKind(w, [&](std::size_t kind, KindRows& r, CellTable& cells) {
+void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
+  forEachBodyType(w, [&](std::size_t kind, BodyTypeRows& r, CellTable& cells) {
     halos.kinds[kind]->follow(halos.cells);
     if (r.ghosts > 0) r.resize(r.owned, 0);
     for (std::size_t i = 0; i < r.owned; i++)
@@ -44,22 +44,22 @@ void bringKindsHome(World& w, Halos halos, StepTools& t, double dt) {
     computeCellKeys(w.grid, r);
     // evaluateOriented removes oriented rows, after it has the energy of their pairs
     t.leaving.clear();
-    if (kind != orientedKind) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
-    if (kind == sheetKind) closeLeavers(w, t.leaving, dt);
+    if (kind != orientedType) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
+    if (kind == sheetType) finaliseRemoved(w, t.leaving, dt);
     for (const std::uint32_t i : t.leaving) {
-      addKindRow(w, kind, i, w.ledger.left);
+      addBodyTypeRow(w, kind, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);
       countLeaving(w.scene.domain, r.position[i], w.counters);
     }
-    if (kind == sheetKind) forgetSlotsAtStart(w.sheets, !t.leaving.empty());
-    placeRows(w, halos, t, kind, r, cells);
+    if (kind == sheetType) clearSlotsAtStart(w.sheets, !t.leaving.empty());
+    redistributeRows(w, halos, t, kind, r, cells);
   });
 }
 
-void placeOriented(World& w, Halos halos, StepTools& t) {
+void redistributeOriented(World& w, Halos halos, StepTools& t) {
   Oriented& o = w.oriented.rows;
   if (o.ghosts > 0) o.resize(o.owned, 0);
-  computeCellKeys(w.grid, static_cast<KindRows&>(o));
+  computeCellKeys(w.grid, static_cast<BodyTypeRows&>(o));
   // rows born since the last sort are at the end, without a cell; their number makes sortByCell treat them as
   // arrivals
   std::size_t fresh = 0;
@@ -71,27 +71,27 @@ void placeOriented(World& w, Halos halos, StepTools& t) {
       dead.push_back(static_cast<std::uint32_t>(i));
     }
   const std::size_t before = o.owned;
-  Migration m = halos.kinds[orientedKind]->migrate(o, {o.nextCell.data(), o.owned});
-  computeCellKeys(w.grid, static_cast<KindRows&>(o), before, o.owned);
+  Migration m = halos.kinds[orientedType]->migrate(o, {o.nextCell.data(), o.owned});
+  computeCellKeys(w.grid, static_cast<BodyTypeRows&>(o), before, o.owned);
   std::vector<std::uint32_t> gone;
   std::merge(m.departed.begin(), m.departed.end(), dead.begin(), dead.end(), std::back_inserter(gone));
   m.departed = std::move(gone);
   m.arrivals += fresh;
-  sortByCell(static_cast<KindRows&>(o), m, t.sort, w.oriented.cells);
+  sortByCell(static_cast<BodyTypeRows&>(o), m, t.sort, w.oriented.cells);
 }
 
-void activateKinds(World& w) {
+void activateBodyTypes(World& w) {
   if (w.modules.oriented) activateOriented(w);
   if (w.modules.sheet) activateSheets(w);
 }
 
-std::vector<std::vector<Vec3d>> sampleKinds(World& w, Halos halos, StepTools& t, const MeshLoader& load,
+std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools& t, const MeshLoader& load,
                                             std::vector<SceneWarning>& warnings) {
   t.oriented.begins = true;
   std::vector<std::vector<Vec3d>> oriented;
   if (w.modules.oriented) oriented = sampleOriented(w, halos, load, warnings);
   if (w.modules.sheet) sampleSheets(w, halos, load);
-  eachKind(w, [&](std::size_t, KindRows& r, CellTable& cells) {
+  forEachBodyType(w, [&](std::size_t, BodyTypeRows& r, CellTable& cells) {
     for (std::size_t i = 0; i < r.owned; i++) wrapPlace(w.grid, w.scene.domain, r.position[i]);
     computeCellKeys(w.grid, r);
     Migration all;
@@ -101,9 +101,9 @@ std::vector<std::vector<Vec3d>> sampleKinds(World& w, Halos halos, StepTools& t,
   return oriented;
 }
 
-bool finiteKinds(const World& w) {
+bool bodyTypesAreFinite(const World& w) {
   bool finite = true;
-  eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) {
+  forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
     for (std::size_t i = 0; i < r.owned; i++) {
       const Vec3d &x = r.position[i], &v = r.velocity[i];
       finite = finite && std::isfinite(x.x + x.y + x.z + v.x + v.y + v.z);
@@ -112,13 +112,13 @@ bool finiteKinds(const World& w) {
   return finite;
 }
 
-void emptyKinds(World& w) {
-  eachKind(w, [](std::size_t, KindRows& r, CellTable& cells) {
+void clearBodyTypes(World& w) {
+  forEachBodyType(w, [](std::size_t, BodyTypeRows& r, CellTable& cells) {
     r.resize(r.owned, 0);
     r.resize(0, 0);
     cells = {};
   });
-  if (w.modules.sheet) emptyEdges(w.sheets);
+  if (w.modules.sheet) clearEdges(w.sheets);
 }
 
 }  // namespace thaw

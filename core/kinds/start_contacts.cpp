@@ -12,9 +12,9 @@ namespace {
 
 constexpr double within = 1 - 1e-9;  // factor of the reach: exact contact distance does not count
 
-struct Meetings {
+struct ContactWarnings {
   const World& w;
-  const ToldPairs& told;
+  const ReportedPairs& reported;
   Reducer& all;
   std::vector<SceneWarning>& warnings;
 
@@ -39,7 +39,7 @@ struct Meetings {
     return {n[0], n[1]};
   }
 
-  template<class Is> bool tellVertices(std::size_t sheet, double reach, const std::string& other, Is&& is) {
+  template<class Is> bool warnOfVertices(std::size_t sheet, double reach, const std::string& other, Is&& is) {
     const auto [n, of] = count(sheet, is);
     if (n > 0) tell(sheet, std::to_string(n) + " of its " + std::to_string(of) + " vertices", reach, other);
     return n > 0;
@@ -49,8 +49,8 @@ struct Meetings {
     const double reach = within * w.sheets.plans[sheet].thickness;
     for (const Wall& wall : w.walls.list) {
       const std::string other = "obstacle '" + wall.properties.name + "'";
-      if (!wall.present || told.count({name(sheet), other})) continue;
-      tellVertices(sheet, reach, other, [&](const Vec3d& x, bool clamped) {
+      if (!wall.present || reported.count({name(sheet), other})) continue;
+      warnOfVertices(sheet, reach, other, [&](const Vec3d& x, bool clamped) {
         return !clamped && wall.shape->distanceWithin(toRest(wall.pose, x), reach) < reach;
       });
     }
@@ -72,7 +72,7 @@ struct Meetings {
     all.sum(n);
     for (std::size_t b = 0; b < n.size(); b++) {
       const std::string other = "body '" + w.scene.bodies[b].name + "'";
-      if (n[b] > 0 && !told.count({name(sheet), other}))
+      if (n[b] > 0 && !reported.count({name(sheet), other}))
         tell(sheet, std::to_string(n[b]) + " particles", reach, other);
     }
   }
@@ -82,8 +82,8 @@ struct Meetings {
       const OrientedBody& body = w.scene.oriented[k];
       const std::string other = "oriented body '" + body.name + "'";
       const double reach = within * 0.5 * (w.sheets.plans[sheet].thickness + spacingOf(w.scene, body));
-      if (!told.count({name(sheet), other}))
-        tellVertices(sheet, reach, other,
+      if (!reported.count({name(sheet), other}))
+        warnOfVertices(sheet, reach, other,
                      [&](const Vec3d& x, bool) { return !trees[k]->within(x, reach).empty(); });
     }
   }
@@ -91,13 +91,13 @@ struct Meetings {
   /// Each pair once: vertices of the later sheet, or of the earlier one if none is near.
   void sheets(std::size_t sheet, const std::vector<std::unique_ptr<TriangleBvh>>& faces) {
     for (std::size_t k = 0; k < sheet; k++) {
-      if (told.count({name(sheet), name(k)})) continue;
+      if (reported.count({name(sheet), name(k)})) continue;
       const double reach = within * 0.5 * (w.sheets.plans[sheet].thickness + w.sheets.plans[k].thickness);
       const auto near = [&](std::size_t of) {
         return
             [&, of](const Vec3d& x, bool) { return faces[of]->closest(x, reach).distance2 < reach * reach; };
       };
-      if (!tellVertices(sheet, reach, name(k), near(k))) tellVertices(k, reach, name(sheet), near(sheet));
+      if (!warnOfVertices(sheet, reach, name(k), near(k))) warnOfVertices(k, reach, name(sheet), near(sheet));
     }
   }
 };
@@ -105,13 +105,13 @@ struct Meetings {
 }  // namespace
 
 void warnOfStartContacts(const World& w, const std::vector<std::vector<Vec3d>>& oriented,
-                         const ToldPairs& told, Reducer& all, std::vector<SceneWarning>& warnings) {
+                         const ReportedPairs& reported, Reducer& all, std::vector<SceneWarning>& warnings) {
   std::vector<std::unique_ptr<PointTree>> trees;
   for (const std::vector<Vec3d>& places : oriented) trees.push_back(std::make_unique<PointTree>(places));
   std::vector<std::unique_ptr<TriangleBvh>> faces;
   if (w.sheets.plans.size() > 1)
     for (const SheetPlan& plan : w.sheets.plans) faces.push_back(std::make_unique<TriangleBvh>(plan.mesh));
-  Meetings meetings{w, told, all, warnings};
+  ContactWarnings meetings{w, reported, all, warnings};
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
     meetings.walls(n);
     meetings.bodies(n);

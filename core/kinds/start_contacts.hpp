@@ -10,12 +10,12 @@
 namespace thaw {
 
 /// Pairs of a sheet and another object, by name, with a more severe warning.
-using ToldPairs = std::set<std::pair<std::string, std::string>>;
+using ReportedPairs = std::set<std::pair<std::string, std::string>>;
 
 /// Appends a warning for each sheet that starts within contact distance of an obstacle, body, oriented body
 /// or other sheet. `oriented`: positions of each oriented body's particles. The same on any number of ranks.
 /// Collective.
 void warnOfStartContacts(const World& world, const std::vector<std::vector<Vec3d>>& oriented,
-                         const ToldPairs& told, Reducer& all, std::vector<SceneWarning>& warnings);
+                         const ReportedPairs& reported, Reducer& all, std::vector<SceneWarning>& warnings);
 
 }  // namespace thaw

@@ -17,22 +17,22 @@ constexpr double deep = 0.5;    // fraction of the thickness: static contacts ar
 constexpr double close = 0.6;
 
 /// Names of a body and its rows, and its contact.
-struct Who {
+struct RowOwner {
   SourcePlace where;
   std::string name;
   const char* rows;
   double thickness;     // m, contact distance to an obstacle
-  std::string drawnTo;  // target of its wrap, which pulls rows out as well as on
+  std::string wrapTargetName;  // target of its wrap, which pulls rows out as well as on
 };
 
-std::string counted(std::int64_t n, std::int64_t all, const Who& who) {
+std::string counted(std::int64_t n, std::int64_t all, const RowOwner& who) {
   return who.name + ": " + std::to_string(n) + " of its " + std::to_string(all) + " " + who.rows;
 }
 
 /// Counts rows of each body for which `is(row, k)`, for each k of a list, over all ranks: [body][k], then the
 /// total of rows.
 template<class Is>
-std::vector<std::vector<std::int64_t>> countRows(const KindRows& rows, std::size_t bodies, std::size_t things,
+std::vector<std::vector<std::int64_t>> countRows(const BodyTypeRows& rows, std::size_t bodies, std::size_t things,
                                                  Reducer& all, Is&& is) {
   std::vector<std::int64_t> n(bodies * (things + 1), 0);
   for (std::size_t i = 0; i < rows.owned; i++) {
@@ -48,9 +48,9 @@ std::vector<std::vector<std::int64_t>> countRows(const KindRows& rows, std::size
   return counts;
 }
 
-void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& whose,
+void warnOfPlaces(const World& w, const BodyTypeRows& rows, const std::vector<RowOwner>& whose,
                   const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all,
-                  SceneProblems& problems, std::vector<SceneWarning>& warnings, ToldPairs& told) {
+                  SceneProblems& problems, std::vector<SceneWarning>& warnings, ReportedPairs& reported) {
   const auto inBodies = countRows(rows, whose.size(), shapes.size(), all, [&](std::size_t i, std::size_t k) {
     return shapes[k] && shapes[k]->inside(rows.position[i]);
   });
@@ -64,10 +64,10 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
       if (w.walls.list[k].isImage()) counts[w.walls.list[k].imageOf] += std::exchange(counts[k], 0);
 
   // a cloth through a ball stays there: contact pushes vertices to the nearest side
-  const auto tellInside = [&](const Who& who, const std::string& text, const Body& body) {
+  const auto warnOfInside = [&](const RowOwner& who, const std::string& text, const Body& body) {
     if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature))
       warnings.push_back({who.where, text + "; contact will push its liquid away"});
-    else if (who.drawnTo == body.name) return;
+    else if (who.wrapTargetName == body.name) return;
     else if (w.scene.numerics.overlap == OverlapRule::Keep)
       warnings.push_back({who.where, text + ", where they stay trapped"});
     else
@@ -80,14 +80,14 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
     for (std::size_t k = 0; k < shapes.size(); k++)
       if (inBodies[b][k] > 0) {
         const std::string body = "body '" + w.scene.bodies[k].name + "'";
-        told.insert({whose[b].name, body});
-        tellInside(whose[b], counted(inBodies[b][k], n, whose[b]) + " start inside " + body,
+        reported.insert({whose[b].name, body});
+        warnOfInside(whose[b], counted(inBodies[b][k], n, whose[b]) + " start inside " + body,
                    w.scene.bodies[k]);
       }
     for (std::size_t k = 0; k < w.walls.list.size(); k++) {
       if (inWalls[b][k] == 0) continue;
       const std::string wall = "obstacle '" + w.walls.list[k].properties.name + "'";
-      told.insert({whose[b].name, wall});
+      reported.insert({whose[b].name, wall});
       warnings.push_back({whose[b].where, counted(inWalls[b][k], n, whose[b]) +
                                               " start deeper than half of its thickness in contact with " +
                                               wall + ": contact adds energy"});
@@ -104,8 +104,8 @@ struct Other {
 
 /// Warns about rows that start deep in contact with an earlier body of `others`. first: index of the first
 /// body of `whose` there.
-void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std::vector<Other>& others,
-                  std::size_t first, Reducer& all, std::vector<SceneWarning>& warnings, ToldPairs& told) {
+void warnOfOthers(const BodyTypeRows& rows, const std::vector<RowOwner>& whose, const std::vector<Other>& others,
+                  std::size_t first, Reducer& all, std::vector<SceneWarning>& warnings, ReportedPairs& reported) {
   if (first + whose.size() < 2) return;
   std::vector<std::unique_ptr<PointTree>> trees;
   for (std::size_t k = 0; k + 1 < first + whose.size(); k++)
@@ -118,7 +118,7 @@ void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std
   for (std::size_t b = 0; b < whose.size(); b++)
     for (std::size_t k = 0; k < first + b; k++)
       if (counts[b][k] > 0) {
-        told.insert({whose[b].name, others[k].name});
+        reported.insert({whose[b].name, others[k].name});
         warnings.push_back({whose[b].where, counted(counts[b][k], counts[b].back(), whose[b]) +
                                                 " start nearer to " + others[k].name +
                                                 " than 0.6 of the contact distance: contact adds energy"});
@@ -127,7 +127,7 @@ void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std
 
 }  // namespace
 
-std::vector<SceneWarning> kindStartWarnings(const World& w,
+std::vector<SceneWarning> bodyTypeStartWarnings(const World& w,
                                             const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                                             const std::vector<std::vector<Vec3d>>& oriented, Reducer& all,
                                             SceneProblems& problems) {
@@ -140,13 +140,13 @@ std::vector<SceneWarning> kindStartWarnings(const World& w,
     others.push_back({&w.sheets.plans[n].mesh.vertices, "sheet '" + w.scene.sheets[n].name + "'",
                       w.sheets.plans[n].thickness});
   std::vector<SceneWarning> warnings;
-  ToldPairs told;
-  std::vector<Who> whose;
+  ReportedPairs reported;
+  std::vector<RowOwner> whose;
   for (const OrientedBody& b : w.scene.oriented)
     whose.push_back(
         {b.where, "oriented body '" + b.name + "'", "particles", b.thickness * spacingOf(w.scene, b), ""});
-  if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, problems, warnings, told);
-  if (w.modules.oriented) warnOfOthers(w.oriented.rows, whose, others, 0, all, warnings, told);
+  if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, problems, warnings, reported);
+  if (w.modules.oriented) warnOfOthers(w.oriented.rows, whose, others, 0, all, warnings, reported);
   if (!w.modules.sheet) return warnings;
   const Sheets& s = w.sheets.rows;
   whose.clear();
@@ -154,9 +154,9 @@ std::vector<SceneWarning> kindStartWarnings(const World& w,
     whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices",
                      w.sheets.plans[n].thickness,
                      w.scene.sheets[n].wrap != 0 ? w.scene.sheets[n].wrapTo : ""});
-  warnOfPlaces(w, s, whose, shapes, all, problems, warnings, told);
-  warnOfOthers(s, whose, others, oriented.size(), all, warnings, told);
-  warnOfStartContacts(w, oriented, told, all, warnings);
+  warnOfPlaces(w, s, whose, shapes, all, problems, warnings, reported);
+  warnOfOthers(s, whose, others, oriented.size(), all, warnings, reported);
+  warnOfStartContacts(w, oriented, reported, all, warnings);
   const auto free = countRows(s, whose.size(), 1, all, [&](std::size_t i, std::size_t) {
     return !(s.clamped.active && s.clamped[i]);
   });
@@ -164,7 +164,7 @@ std::vector<SceneWarning> kindStartWarnings(const World& w,
     if (free[n][0] == 0)
       warnings.push_back({whose[n].where, whose[n].name + ": all of its " + std::to_string(free[n][1]) +
                                               " vertices are clamped: it does not move"});
-    if (const LeftOut& out = w.sheets.plans[n].leftOut; out.triangles + out.vertices > 0)
+    if (const DroppedElements& out = w.sheets.plans[n].droppedElements; out.triangles + out.vertices > 0)
       warnings.push_back(
           {whose[n].where,
            whose[n].name + ": " + std::to_string(out.triangles) +

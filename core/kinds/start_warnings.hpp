@@ -24,7 +24,7 @@ struct SceneWarning {
 /// particles);
 /// - sheets within contact distance of anything (start_contacts.hpp).
 /// Requires: walls at time 0. The same on any number of ranks. Collective.
-std::vector<SceneWarning> kindStartWarnings(const World& world,
+std::vector<SceneWarning> bodyTypeStartWarnings(const World& world,
                                             const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                                             const std::vector<std::vector<Vec3d>>& oriented, Reducer& all,
                                             SceneProblems& problems);

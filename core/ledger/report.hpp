@@ -11,7 +11,7 @@ struct LedgerReport {
   Balance now, initial, entered, left;
   double dissipated = 0, wallWork = 0, heatIn = 0, phaseJump = 0, restartJump = 0;  // J
   Vec3d wallImpulse{}, gravityImpulse{};                                            // N s
-  Vec3d underWay{};  ///< N s, impulse in flight: contacts gave it to vertices and particles, and give it to
+  Vec3d impulseInFlight{};  ///< N s, impulse in flight: contacts gave it to vertices and particles, and give it to
                      ///< oriented particles in the next step
   double massResidual = 0;    ///< kg
   Vec3d momentumResidual{};   ///< kg m/s

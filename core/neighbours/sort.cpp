@@ -181,12 +181,12 @@ void closeGaps(Continuum& p, const Migration& migration) {
 template void computeCellKeys(const CellGrid&, Continuum&, std::size_t, std::size_t);
 template void computeCellKeys(const CellGrid&, Surfels&, std::size_t, std::size_t);
 template void computeCellKeys(const CellGrid&, SurfaceParticles&, std::size_t, std::size_t);
-template void computeCellKeys(const CellGrid&, KindRows&, std::size_t, std::size_t);
+template void computeCellKeys(const CellGrid&, BodyTypeRows&, std::size_t, std::size_t);
 template void listCells(const Continuum&, CellTable&);
 template void sortByCell(Continuum&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
 template void sortByCell(Surfels&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
 template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&,
                          std::span<AnyColumn* const>);
-template void sortByCell(KindRows&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
+template void sortByCell(BodyTypeRows&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
 
 }  // namespace thaw

@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-void addApart(std::vector<SurfaceSample>& samples, double apart, MadePoints& m) {
+void addPoissonDiscs(std::vector<SurfaceSample>& samples, double apart, SampledPoints& m) {
   if (samples.empty()) return;
   std::sort(samples.begin(), samples.end(),
             [](const SurfaceSample& a, const SurfaceSample& b) { return a.rank < b.rank; });

@@ -14,6 +14,6 @@ struct SurfaceSample {
 
 /// Adds samples in the order of their ranks. A sample is skipped if a point, old or new, is nearer than
 /// `apart` (m) and faces the same way: thin bodies have two sides.
-void addApart(std::vector<SurfaceSample>& samples, double apart, MadePoints& points);
+void addPoissonDiscs(std::vector<SurfaceSample>& samples, double apart, SampledPoints& points);
 
 }  // namespace thaw

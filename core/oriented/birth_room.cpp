@@ -16,7 +16,7 @@ namespace {
 constexpr double below = 0.4;
 constexpr double unit = 1.0 / (1 << 30);  // integer unit of the sums, which makes them independent of order
 
-bool inObstacle(const World& w, const BirthPlace& b) {
+bool inObstacle(const World& w, const BirthSite& b) {
   const double reach = std::max(b.apart, 1e-3 * w.scene.spacing);
   return std::any_of(w.walls.list.begin(), w.walls.list.end(), [&](const Wall& wall) {
     if (!wall.present) return false;
@@ -26,7 +26,7 @@ bool inObstacle(const World& w, const BirthPlace& b) {
 }
 
 /// Returns the sites of all ranks in rank order; `mine` is the index of this rank's first one.
-std::vector<Vec3d> gather(const std::vector<BirthPlace>& places, Reducer& all, std::size_t& mine) {
+std::vector<Vec3d> gather(const std::vector<BirthSite>& places, Reducer& all, std::size_t& mine) {
   std::vector<std::int64_t> counts(static_cast<std::size_t>(all.size()), 0);
   counts[static_cast<std::size_t>(all.rank())] = static_cast<std::int64_t>(places.size());
   all.sum(counts);
@@ -60,7 +60,7 @@ void eachImage(const CellGrid& g, const Domain& d, const Vec3d& x, double reach,
 }
 
 /// Adds the kernel fractions that this rank's particles of each solid body fill at a position, in units.
-void addShares(const World& w, const Vec3d& place, std::int64_t* shares) {
+void addSolidFractions(const World& w, const Vec3d& place, std::int64_t* shares) {
   const Continuum& p = w.particles;
   const double s = w.scene.spacing;
   std::vector<RowSpan> ranges;
@@ -69,22 +69,22 @@ void addShares(const World& w, const Vec3d& place, std::int64_t* shares) {
     for (const RowSpan& r : ranges)
       for (std::uint32_t j = r.begin; j < std::min(r.end, static_cast<std::uint32_t>(p.owned)); j++)
         if (p.phase[j] == Solid && p.body[j] < w.scene.bodies.size())
-          shares[p.body[j]] += std::llround(solidShare(length(p.position[j] - x), s) / unit);
+          shares[p.body[j]] += std::llround(solidFraction(length(p.position[j] - x), s) / unit);
   });
 }
 
 }  // namespace
 
-std::vector<char> takenPlaces(const World& w, const std::vector<BirthPlace>& places, Reducer& all) {
+std::vector<char> blockedSites(const World& w, const std::vector<BirthSite>& places, Reducer& all) {
   std::vector<char> taken(places.size());
   for (std::size_t k = 0; k < places.size(); k++) taken[k] = inObstacle(w, places[k]);
-  if (!w.modules.meeting || !w.modules.solid || w.scene.bodies.empty()) return taken;
+  if (!w.modules.orientedContact || !w.modules.solid || w.scene.bodies.empty()) return taken;
   std::size_t mine = 0;
   const std::vector<Vec3d> everywhere = gather(places, all, mine);
   if (everywhere.empty()) return taken;
   const std::size_t bodies = w.scene.bodies.size();
   std::vector<std::int64_t> shares(everywhere.size() * bodies, 0);
-  for (std::size_t k = 0; k < everywhere.size(); k++) addShares(w, everywhere[k], shares.data() + k * bodies);
+  for (std::size_t k = 0; k < everywhere.size(); k++) addSolidFractions(w, everywhere[k], shares.data() + k * bodies);
   all.sum(shares);
   for (std::size_t k = 0; k < places.size(); k++)
     for (std::size_t b = 0; b < bodies; b++)

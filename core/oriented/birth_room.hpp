@@ -5,7 +5,7 @@
 namespace thaw {
 
 /// Candidate position of a new particle of an oriented body.
-struct BirthPlace {
+struct BirthSite {
   std::size_t body = 0;
   Vec3d place{};
   double apart = 0;  ///< m, least distance from obstacles
@@ -15,6 +15,6 @@ struct BirthPlace {
 /// continuum body that is solid there. Rows may lie outside of their rank's cells while surfaces relax, so
 /// all ranks test the sites of all ranks; the result does not depend on their number. Requires: current
 /// walls, and cells of the owned particles. Collective.
-std::vector<char> takenPlaces(const World& world, const std::vector<BirthPlace>& places, Reducer& all);
+std::vector<char> blockedSites(const World& world, const std::vector<BirthSite>& places, Reducer& all);
 
 }  // namespace thaw

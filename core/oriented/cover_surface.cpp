@@ -54,7 +54,7 @@ void eachNearSurface(const SignedDistance& shape, double fine, const Vec3i& low,
 
 }  // namespace
 
-MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed) {
+SampledPoints sampleSurface(const SignedDistance& shape, double spacing, std::uint64_t seed) {
   const double fine = spacing / 3, apart = 0.75 * spacing;
   const Bounds box = shape.bounds();
   const Vec3d size = box.max - box.min;
@@ -81,22 +81,22 @@ MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64
                                  static_cast<std::uint64_t>(i);
     samples.push_back({randomBits(seed, Purpose::OrientedSample, number), x, n});
   });
-  MadePoints m;
-  addApart(samples, apart, m);
-  spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
+  SampledPoints m;
+  addPoissonDiscs(samples, apart, m);
+  relaxPoints(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
     const double d = shape.distanceWithin(place, spacing, &n);
     place -= d * n;
   });
   return m;
 }
 
-MadePoints coverMesh(const TriangleMesh& mesh, double spacing, std::uint64_t seed) {
+SampledPoints sampleOpenMesh(const TriangleMesh& mesh, double spacing, std::uint64_t seed) {
   const MeshNormals normals(mesh);
   const TriangleBvh tree(mesh);
-  MadePoints m;
+  SampledPoints m;
   for (const MeshSample& s : blueNoise(mesh, spacing, seed))
     addPoint(m, s.position, normals.at(s.position, s.triangle));
-  spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
+  relaxPoints(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
     const ClosestPoint there = tree.closest(place);
     place = there.point;
     n = normals.at(place, there.triangle);

@@ -9,10 +9,10 @@ namespace thaw {
 /// Returns points on a surface, about a spacing apart: lattice points near it are projected, selected in a
 /// hashed order, and moved apart along it. Throws std::invalid_argument if the surface is infinite or too
 /// large for its spacing.
-MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed);
+SampledPoints sampleSurface(const SignedDistance& shape, double spacing, std::uint64_t seed);
 
 /// Returns the same for the triangles of a mesh, which may be open. Points reach its border, and their
 /// density is that of a hexagonal lattice. Normals are those of the mesh.
-MadePoints coverMesh(const TriangleMesh& mesh, double spacing, std::uint64_t seed);
+SampledPoints sampleOpenMesh(const TriangleMesh& mesh, double spacing, std::uint64_t seed);
 
 }  // namespace thaw

@@ -10,50 +10,50 @@ constexpr double strength = 4;  // ratio of the spring constant to the body's st
 
 bool follows(const World& w, const StepTools& t, std::size_t i) {
   const Oriented& o = w.oriented.rows;
-  return !t.oriented.given[o.body[i]].points.empty() && !(o.flags[i] & heldPlace);
+  return !t.oriented.given[o.body[i]].points.empty() && !(o.flags[i] & fixedPosition);
 }
 
 /// Finds the nearest position on the interpolated surface; false if it is farther than `lost` spacings.
-bool placeOnGiven(const World& w, const StepTools& t, std::size_t i, Vec3d& place, Vec3d& normal) {
+bool nearestOnInterpolant(const World& w, const StepTools& t, std::size_t i, Vec3d& place, Vec3d& normal) {
   const Oriented& o = w.oriented.rows;
   place = o.position[i], normal = axisOf(o.orientation[i]);
   const double far = lost * t.oriented.potentials[o.body[i]].spacing;
-  return projectOnGiven(t.oriented.given[o.body[i]], place, normal) &&
+  return projectOnInterpolant(t.oriented.given[o.body[i]], place, normal) &&
          dot(place - o.position[i], place - o.position[i]) < far * far;
 }
 
 }  // namespace
 
-bool strayed(const World& w, const StepTools& t, std::size_t i) {
+bool isOffInterpolant(const World& w, const StepTools& t, std::size_t i) {
   Vec3d place, normal;
-  return follows(w, t, i) && !placeOnGiven(w, t, i, place, normal);
+  return follows(w, t, i) && !nearestOnInterpolant(w, t, i, place, normal);
 }
 
-std::int64_t findPlacesOnGiven(World& w, const StepTools& t) {
+std::int64_t projectRowsOnInterpolant(World& w, const StepTools& t) {
   Oriented& o = w.oriented.rows;
   std::int64_t dead = 0;
   for (std::size_t i = 0; i < o.owned; i++) {
     if (!follows(w, t, i)) continue;
-    if (Vec3d place, normal; placeOnGiven(w, t, i, place, normal)) {
-      o.home[i] = place;
-      o.homeTurn[i] = towards(normal);
+    if (Vec3d place, normal; nearestOnInterpolant(w, t, i, place, normal)) {
+      o.restPosition[i] = place;
+      o.restOrientation[i] = towards(normal);
       continue;
     }
-    letGo(w, i, 0);
+    removeRow(w, i, 0);
     dead++;
   }
   w.counters.orientedDeaths += dead;
   return dead;
 }
 
-void followGiven(const World& w, const StepTools& t, std::vector<Vec3d>& force, std::vector<Vec3d>& torque) {
+void addInterpolantForces(const World& w, const StepTools& t, std::vector<Vec3d>& force, std::vector<Vec3d>& torque) {
   const Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
     if (!follows(w, t, i)) continue;
     const double k = strength * w.scene.oriented[o.body[i]].stiffness,
                  s = t.oriented.potentials[o.body[i]].spacing;
-    const Vec3d n = axisOf(o.homeTurn[i]);
-    force[i] -= (k * dot(o.position[i] - o.home[i], n)) * n;
+    const Vec3d n = axisOf(o.restOrientation[i]);
+    force[i] -= (k * dot(o.position[i] - o.restPosition[i], n)) * n;
     torque[i] += (k * s * s) * cross(o.normal[i], n);
   }
 }

@@ -41,7 +41,7 @@ double kernel(double r2) { return r2 > 0 ? 0.5 * r2 * std::log(r2) : 0; }  // r^
 
 }  // namespace
 
-void readyGiven(GivenPoints& g) {
+void buildInterpolant(PointInterpolant& g) {
   g.tree = std::make_shared<const PointTree>(g.points);
   g.apart = 0;
   if (g.points.size() < 2) return;
@@ -107,7 +107,7 @@ std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points) {
   return normals;
 }
 
-bool projectOnGiven(const GivenPoints& g, Vec3d& place, Vec3d& normal) {
+bool projectOnInterpolant(const PointInterpolant& g, Vec3d& place, Vec3d& normal) {
   for (int pass = 0; pass < 4; pass++) {
     const std::vector<std::uint32_t> near = g.tree->nearest(place, blended + 1);
     if (near.empty() || length(g.points[near[0]] - place) > g.reach * g.apart) return false;

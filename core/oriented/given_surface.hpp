@@ -9,7 +9,7 @@
 namespace thaw {
 
 /// Given points and their local interpolants; the same on all ranks.
-struct GivenPoints {
+struct PointInterpolant {
   std::vector<Vec3d> points, normals;
   std::shared_ptr<const PointTree> tree;
   std::vector<HermitePiece> pieces;  ///< one per point; empty where the system is singular
@@ -18,7 +18,7 @@ struct GivenPoints {
 };
 
 /// Builds tree, mean distance and pieces.
-void readyGiven(GivenPoints& given);
+void buildInterpolant(PointInterpolant& given);
 
 /// Returns unit normals of points without any. Each is the normal of the plane of the 12 nearest points. A
 /// minimal spanning tree over differences of normals orients them, from the highest point (normal up) on
@@ -27,7 +27,7 @@ std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points);
 
 /// Moves a position onto the interpolated surface and returns the normal there. False if no point is within
 /// reach or the interpolant has no surface.
-bool projectOnGiven(const GivenPoints& given, Vec3d& place, Vec3d& normal);
+bool projectOnInterpolant(const PointInterpolant& given, Vec3d& place, Vec3d& normal);
 
 /// Thin plate through points (Duchon 1977): height over the plane of best fit; see sampleControl.
 struct ThinPlate {

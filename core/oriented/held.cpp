@@ -25,10 +25,10 @@ Quat turnOf(const Mat3d& m) {
 
 }  // namespace
 
-void moveHeld(World& w, double time, double dt) {
+void moveAnchored(World& w, double time, double dt) {
   Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
-    if (!(o.flags[i] & (heldPlace | heldNormal))) continue;
+    if (!(o.flags[i] & (fixedPosition | fixedOrientation))) continue;
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const OrientedAnchor* anchor = o.anchor[i] == noAnchor ? nullptr : &body.anchors[o.anchor[i]];
     if (anchor && time > anchor->until) {
@@ -36,12 +36,12 @@ void moveHeld(World& w, double time, double dt) {
       continue;
     }
     const Pose pose = anchor ? poseAt(anchor->motion, time) : Pose{};
-    if (o.flags[i] & heldPlace) {
-      o.position[i] = fromRest(pose, o.home[i]);
+    if (o.flags[i] & fixedPosition) {
+      o.position[i] = fromRest(pose, o.restPosition[i]);
       o.velocity[i] = pose.moved && dt > 0 ? velocityAt(pose, o.position[i]) : Vec3d{};
     }
-    if (o.flags[i] & heldNormal) {
-      o.orientation[i] = pose.moved ? unitQuat(turnOf(pose.rotation) * o.homeTurn[i]) : o.homeTurn[i];
+    if (o.flags[i] & fixedOrientation) {
+      o.orientation[i] = pose.moved ? unitQuat(turnOf(pose.rotation) * o.restOrientation[i]) : o.restOrientation[i];
       o.spin[i] = pose.moved && dt > 0 ? pose.angularVelocity : Vec3d{};
     }
   }

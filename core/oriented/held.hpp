@@ -9,6 +9,6 @@ inline constexpr std::uint16_t noAnchor = 0xffff;
 
 /// Moves fixed rows to where their anchors are at a time (s), dt after the last call, and sets their velocity
 /// and spin. Releases rows of anchors that have ended.
-void moveHeld(World& world, double time, double dt);
+void moveAnchored(World& world, double time, double dt);
 
 }  // namespace thaw

@@ -2,10 +2,10 @@
 
 namespace thaw {
 
-HeldBefore rememberHeld(const World& w, double dt) {
+StateBefore stateBefore(const World& w, double dt) {
   const Oriented& o = w.oriented.rows;
   const auto copy = [&](const auto& column, auto& to) { to.assign(column.data(), column.data() + o.owned); };
-  HeldBefore b;
+  StateBefore b;
   b.dt = dt;
   copy(o.velocity, b.velocity);
   copy(o.position, b.place);
@@ -15,7 +15,7 @@ HeldBefore rememberHeld(const World& w, double dt) {
   return b;
 }
 
-void bookHeld(World& w, const HeldBefore& b, const OrientedWork& t, double weight) {
+void recordAnchorWork(World& w, const StateBefore& b, const OrientedWork& t, double weight) {
   const Oriented& o = w.oriented.rows;
   // a force acts over half of the displacement before it and half of that after it (trapezoidal rule);
   // implicit forces vary linearly over the step
@@ -28,7 +28,7 @@ void bookHeld(World& w, const HeldBefore& b, const OrientedWork& t, double weigh
   };
   for (std::size_t i = 0; i < o.owned; i++) {
     double work = 0;
-    if (b.flags[i] & heldPlace) {
+    if (b.flags[i] & fixedPosition) {
       const Vec3d weightForce = o.mass[i] * w.scene.domain.gravity,
                   impulse = o.mass[i] * (o.velocity[i] - b.velocity[i]) - b.dt * (t.acting[i] + weightForce);
       for (int a = 0; a < 3; a++)
@@ -39,7 +39,7 @@ void bookHeld(World& w, const HeldBefore& b, const OrientedWork& t, double weigh
               dot(pullOf(t.acting[i], o.force[i]) + weightForce - contact,
                   wayOf(o.position[i] - b.place[i], b.velocity[i]));
     }
-    if (b.flags[i] & heldNormal)
+    if (b.flags[i] & fixedOrientation)
       work += 0.5 * o.inertia[i] * (dot(o.spin[i], o.spin[i]) - dot(b.spin[i], b.spin[i])) -
               dot(pullOf(t.actingTorque[i], o.torque[i]),
                   wayOf(turnBetween(b.turn[i], o.orientation[i]), b.spin[i]));

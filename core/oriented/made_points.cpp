@@ -23,7 +23,7 @@ namespace {
 constexpr double rowHeight = 0.86602540378443865;
 // Spacings around a control point that are fixed with it: two rings of particles. A bent surface would pull
 // one ring out of itself.
-constexpr double heldAround = 2.2;
+constexpr double fixedRadius = 2.2;
 
 /// Calls use(x, y) for a hexagonal lattice over a rectangle around the origin.
 template<class Use> void eachOfLattice(double width, double depth, double spacing, Use&& use) {
@@ -48,8 +48,8 @@ template<class Use> void eachOfFlat(const OrientedBody& b, double spacing, Use&&
   });
 }
 
-MadePoints flatPatch(const OrientedBody& b, double spacing) {
-  MadePoints m;
+SampledPoints flatPatch(const OrientedBody& b, double spacing) {
+  SampledPoints m;
   Pose pose = poseOf(b.shape.move, b.shape.rotate);
   pose.moved = true;
   eachOfFlat(b, spacing, [&](double x, double y) {
@@ -74,13 +74,13 @@ bool inHull(const std::vector<double>& x, const std::vector<double>& y, double p
 /// spacings apart, which are then moved apart. A lattice lifted onto the plate would be stretched, and tear,
 /// where the plate is steep. Particles near a control point are fixed with it, position and normal; the
 /// potentials would flatten the plate otherwise.
-MadePoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t seed) {
+SampledPoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t seed) {
   const ThinPlate plate = thinPlate(b.points);
-  MadePoints m;
+  SampledPoints m;
   double reach = 0;
   for (std::size_t k = 0; k < plate.x.size(); k++) {
     reach = std::max({reach, std::abs(plate.x[k]), std::abs(plate.y[k])});
-    addPoint(m, b.points[k], plate.normal(plate.x[k], plate.y[k]), heldPlace);
+    addPoint(m, b.points[k], plate.normal(plate.x[k], plate.y[k]), fixedPosition);
   }
   std::vector<SurfaceSample> samples;
   eachOfLattice(2 * reach + spacing, 2 * reach + spacing, spacing / 4, [&](double x, double y) {
@@ -88,8 +88,8 @@ MadePoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t see
       samples.push_back(
           {randomBits(seed, Purpose::OrientedSample, samples.size()), plate.at(x, y), plate.normal(x, y)});
   });
-  addApart(samples, 0.75 * spacing, m);
-  spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
+  addPoissonDiscs(samples, 0.75 * spacing, m);
+  relaxPoints(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
     const Vec3d d = place - plate.origin;
     const double x = dot(d, plate.u), y = dot(d, plate.v);
     place = plate.at(x, y);
@@ -97,13 +97,13 @@ MadePoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t see
   });
   for (std::size_t i = 0; i < m.places.size(); i++)
     for (const Vec3d& point : b.points)
-      if (length(m.places[i] - point) < heldAround * spacing) m.held[i] = heldPlace | heldNormal;
+      if (length(m.places[i] - point) < fixedRadius * spacing) m.held[i] = fixedPosition | fixedOrientation;
   return m;
 }
 
 /// Samples a parabola in y = 0, with particles a spacing apart along it.
-MadePoints curve(const OrientedBody& b, double spacing) {
-  MadePoints m;
+SampledPoints curve(const OrientedBody& b, double spacing) {
+  SampledPoints m;
   const Vec3d chord = b.to - b.from, up{-chord.z / length(chord), 0, chord.x / length(chord)};
   const auto at = [&](double s) { return b.from + s * chord + (4 * b.bulge * s * (1 - s)) * up; };
   constexpr int fine = 20000;
@@ -125,7 +125,7 @@ MadePoints curve(const OrientedBody& b, double spacing) {
   return m;
 }
 
-void noteRepairs(const Shape& shape, const MeshReport& report, MadePoints& m) {
+void noteRepairs(const Shape& shape, const MeshReport& report, SampledPoints& m) {
   if (std::string text = describeRepairs(shape.mesh, report); !text.empty())
     m.notes.push_back(std::move(text));
 }
@@ -140,21 +140,21 @@ std::optional<PlacedMesh> openMesh(const Shape& shape, const MeshLoader& load) {
   return {};
 }
 
-MadePoints coverShape(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load) {
+SampledPoints sampleBodyShape(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load) {
   if (const std::optional<PlacedMesh> open = openMesh(shape, load)) {
-    MadePoints m = coverMesh(open->mesh, spacing, seed);
+    SampledPoints m = sampleOpenMesh(open->mesh, spacing, seed);
     noteRepairs(shape, open->report, m);
     return m;
   }
   const std::shared_ptr<const SignedDistance> solid = makeSignedDistance(shape, load);
-  MadePoints m = coverSurface(*solid, spacing, seed);
+  SampledPoints m = sampleSurface(*solid, spacing, seed);
   solid->addNotes(m.notes);
   return m;
 }
 
 }  // namespace
 
-double cellShareOf(const OrientedBody& b, double spacing) {
+double areaFactorOf(const OrientedBody& b, double spacing) {
   if (b.source != OrientedSource::Patch && b.source != OrientedSource::Disc) return 1;
   std::int64_t count = 0;
   eachOfFlat(b, spacing, [&](double, double) { count++; });
@@ -164,22 +164,22 @@ double cellShareOf(const OrientedBody& b, double spacing) {
   return count > 0 ? area / (rowHeight * spacing * spacing * static_cast<double>(count)) : 1;
 }
 
-MadePoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load) {
+SampledPoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load) {
   const PlacedMesh placed = makePlacedSurface(shape, load);
   const MeshNormals normals(placed.mesh);
-  MadePoints m;
+  SampledPoints m;
   noteRepairs(shape, placed.report, m);
   for (const MeshSample& s : blueNoise(placed.mesh, spacing, seed))
     addPoint(m, s.position, normals.at(s.position, s.triangle));
   return m;
 }
 
-MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed, const MeshLoader& load) {
-  MadePoints m;
+SampledPoints samplePoints(const OrientedBody& b, double spacing, std::uint64_t seed, const MeshLoader& load) {
+  SampledPoints m;
   switch (b.source) {
     case OrientedSource::Surface:
       if (b.thin < 1 && b.shape.kind == ShapeKind::Mesh) m = sampleMesh(b.shape, spacing, seed, load);
-      else m = coverShape(b.shape, spacing, seed, load);
+      else m = sampleBodyShape(b.shape, spacing, seed, load);
       break;
     case OrientedSource::Patch:
     case OrientedSource::Disc: m = flatPatch(b, spacing); break;
@@ -189,12 +189,12 @@ MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed,
       const std::vector<Vec3d> normals = b.normals.empty() ? normalsOf(b.points) : b.normals;
       for (std::size_t k = 0; k < b.points.size(); k++)
         addPoint(m, b.points[k], normalized(normals[k]),
-                 b.growth != OrientedGrowth::None ? heldPlace | heldNormal : 0);
+                 b.growth != OrientedGrowth::None ? fixedPosition | fixedOrientation : 0);
     }
   }
   if (b.thin < 1 && !m.places.empty()) {
     std::vector<std::string> notes = std::move(m.notes);
-    m = thinned(m, b.thin, seed);
+    m = thinPoints(m, b.thin, seed);
     m.notes = std::move(notes);
   }
   if (m.places.empty())

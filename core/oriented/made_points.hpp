@@ -8,14 +8,14 @@
 namespace thaw {
 
 /// Sampled points, one per particle in the order of their numbers; the same on all ranks.
-struct MadePoints {
+struct SampledPoints {
   std::vector<Vec3d> places, normals;
   std::vector<std::uint8_t> held;  ///< Oriented::flags of given points and control points
   std::vector<std::string> notes;  ///< repairs of meshes, a sentence each
   double reach = 0;  ///< m, after thinning the largest distance of a surface position from the points, else 0
 };
 
-inline void addPoint(MadePoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t held = 0) {
+inline void addPoint(SampledPoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t held = 0) {
   m.places.push_back(x);
   m.normals.push_back(n);
   m.held.push_back(held);
@@ -23,14 +23,14 @@ inline void addPoint(MadePoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t
 
 /// Samples a body: a shape's surface or an open mesh, a hexagonal patch or disc, points, a thin plate through
 /// control points, or a curve. Throws std::invalid_argument, ShapeError.
-MadePoints makePoints(const OrientedBody& body, double spacing, std::uint64_t seed, const MeshLoader& load);
+SampledPoints samplePoints(const OrientedBody& body, double spacing, std::uint64_t seed, const MeshLoader& load);
 
 /// Returns the OrientedBody::cellShare for which the particles' areas sum to that of the patch or disc; 1 for
 /// other sources.
-double cellShareOf(const OrientedBody& body, double spacing);
+double areaFactorOf(const OrientedBody& body, double spacing);
 
 /// Returns evenly spread points of an open or closed mesh with its normals (blueNoise). Throws ShapeError and
 /// exceptions of the loader.
-MadePoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load);
+SampledPoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load);
 
 }  // namespace thaw

@@ -33,14 +33,14 @@ std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_
 
 /// Returns particles of `other` on overlapping rims of a weld: free ones nearer to one of `group` than
 /// `apart` (m).
-std::vector<std::uint32_t> crowdedOut(const World& w, const OrientedLists& lists, std::uint32_t group,
+std::vector<std::uint32_t> overlappingRows(const World& w, const OrientedLists& lists, std::uint32_t group,
                                       std::uint32_t other, double apart) {
   const Oriented& o = w.oriented.rows;
   std::vector<std::uint32_t> rows;
   for (std::size_t i = 0; i < o.owned; i++) {
     bool crowded = false;
     for (std::uint32_t k = lists.first[i];
-         o.group[i] == other && !(o.flags[i] & heldPlace) && k < lists.first[i + 1]; k++) {
+         o.group[i] == other && !(o.flags[i] & fixedPosition) && k < lists.first[i + 1]; k++) {
       const Vec3d r = o.position[lists.list[k]] - o.position[i];
       crowded = crowded || (o.group[lists.list[k]] == group && dot(r, r) < apart * apart);
     }
@@ -102,9 +102,9 @@ std::vector<EventDue> eventsBetween(const Scene& s, double from, double to) {
   return list;
 }
 
-bool operationDue(const Scene& s, double from, double to) { return !eventsBetween(s, from, to).empty(); }
+bool eventsDue(const Scene& s, double from, double to) { return !eventsBetween(s, from, to).empty(); }
 
-void operate(World& w, Halos halos, StepTools& t, double from, double to) {
+void applyEvents(World& w, Halos halos, StepTools& t, double from, double to) {
   Oriented& o = w.oriented.rows;
   const std::vector<EventDue> list = eventsBetween(w.scene, from, to);
   for (const EventDue& due : list) {
@@ -122,7 +122,7 @@ void operate(World& w, Halos halos, StepTools& t, double from, double to) {
     std::vector<std::uint32_t> dead;
     if (e.kind == OrientedEventKind::Weld) {
       met[0] = pairsOf(o, t.oriented.lists, group, other);
-      dead = crowdedOut(w, t.oriented.lists, group, other, weldApart * p.spacing);
+      dead = overlappingRows(w, t.oriented.lists, group, other, weldApart * p.spacing);
     }
     for (std::size_t i = 0; i < o.owned; i++) {
       const Vec3d x = o.position[i];
@@ -144,19 +144,19 @@ void operate(World& w, Halos halos, StepTools& t, double from, double to) {
         o.cutSides[i] |= side << (2 * cutNumber(w.scene, due.body, due.event));
       }
     }
-    for (const std::uint32_t i : dead) letGo(w, i, from > -never ? to - from : 0);
+    for (const std::uint32_t i : dead) removeRow(w, i, from > -never ? to - from : 0);
     w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
     // the next event requires current rows on all ranks
-    if (e.kind == OrientedEventKind::Weld && &due != &list.back()) readyAgain(w, halos, t);
+    if (e.kind == OrientedEventKind::Weld && &due != &list.back()) redistributeAndUpdate(w, halos, t);
     halos.all.sum(met);
     if (met[0] == 0 || (e.kind == OrientedEventKind::Cut && met[1] == 0))
       t.oriented.idle.push_back({due.body, due.event});
   }
 }
 
-void readyAgain(World& w, Halos halos, StepTools& t) {
-  placeOriented(w, halos, t);
-  readyOriented(w, halos, t);
+void redistributeAndUpdate(World& w, Halos halos, StepTools& t) {
+  redistributeOriented(w, halos, t);
+  updateNeighbours(w, halos, t);
 }
 
 }  // namespace thaw

@@ -13,11 +13,11 @@ struct EventDue {
 std::vector<EventDue> eventsBetween(const Scene& scene, double from, double to);
 
 /// Returns whether an event lies in (from, to].
-bool operationDue(const Scene& scene, double from, double to);
+bool eventsDue(const Scene& scene, double from, double to);
 
 /// Applies the events in (from, to] (s) to the owned rows, in order. Each row is changed by its own position,
 /// group and normal alone, so the result does not depend on the number of ranks.
-void operate(World& world, Halos halos, StepTools& tools, double from, double to);
+void applyEvents(World& world, Halos halos, StepTools& tools, double from, double to);
 
 /// Returns the number of a cut among all cuts, at most 32: its two bits in Oriented::cutSides.
 int cutNumber(const Scene& scene, std::size_t body, std::size_t event);
@@ -31,6 +31,6 @@ double distanceToPath(const std::vector<Vec3d>& path, const Vec3d& x);
 
 /// Redistributes rows and rebuilds ghosts and neighbour lists, after flags, groups or rows have changed.
 /// Collective.
-void readyAgain(World& world, Halos halos, StepTools& tools);
+void redistributeAndUpdate(World& world, Halos halos, StepTools& tools);
 
 }  // namespace thaw

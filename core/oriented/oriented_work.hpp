@@ -23,8 +23,8 @@ struct OrientedWork {
   std::vector<PairPotential> potentials;   ///< one per body
   std::vector<OrientedContact> contacts;   ///< one per body, with the continuum; empty without contact
   std::vector<ObstacleContact> obstacles;  ///< one per body, with obstacles
-  double atObstacles2 = 0;  ///< 1/s^2, largest squared frequency of this rank's rows at obstacle barriers
-  std::vector<GivenPoints> given;  ///< one per body; empty for others
+  double obstacleFrequency2 = 0;  ///< 1/s^2, largest squared frequency of this rank's rows at obstacle barriers
+  std::vector<PointInterpolant> given;  ///< one per body; empty for others
   /// per body and field; null: everywhere
   std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions;
   double time = 0;  ///< s, time of the current forces
@@ -46,7 +46,7 @@ struct OrientedWork {
   std::int64_t relaxed = 0;       ///< iterations of relaxation at the start
   std::int64_t relaxing = 0;      ///< particles in relaxation, on all ranks
   RelaxProgress relaxProgress;    ///< convergence of the relaxation
-  bool atRest = false, relaxStopped = false, gotNowhere = false;  ///< reason of its end, if before the last
+  bool atRest = false, relaxStopped = false, relaxStalled = false;  ///< reason of its end, if before the last
                                                                   ///< iteration; the same on all ranks
   std::function<bool(std::int64_t done)> stopRelaxing;  ///< called on each rank before each iteration; true
                                                         ///< on any rank ends relaxation. Empty: never
@@ -62,7 +62,7 @@ struct OrientedWork {
   struct Field {
     std::size_t body, field;
   };
-  std::vector<Field> idleFields;  ///< fields without a particle at their start; cleared when reported
+  std::vector<Field> unusedFields;  ///< fields without a particle at their start; cleared when reported
   std::int64_t solves = 0, iterations = 0;  ///< statistics of the implicit integrator
 };
 

@@ -41,7 +41,7 @@ constexpr double openAngle = 1.95;
 constexpr double fromObstacles = 0.5;
 constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
 
-struct Offer {
+struct BirthCandidate {
   bool there = false;
   Vec3d place{}, normal{};
 };
@@ -65,7 +65,7 @@ bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::
 /// or torn. Surfaces at rest or in vibration have none: the gap's sphere or column is occupied, the ring is
 /// full, or a birth costs more than a bond. Particles that fly apart are no surface.
 bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j,
-           const Offer& at, int leastBeside, bool planar) {
+           const BirthCandidate& at, int leastBeside, bool planar) {
   const Vec3d r = o.position[j] - o.position[i], apart = o.velocity[j] - o.velocity[i];
   const double far = length(r), rise = steepest * far;
   if (!planar && (std::abs(dot(o.normal[i], r)) > rise || std::abs(dot(o.normal[j], r)) > rise ||
@@ -96,11 +96,11 @@ bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, st
 
 /// Returns the candidate half way on the arc to the neighbour across the widest gap. The particle of lower id
 /// makes it.
-Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, const PairPotential& p,
+BirthCandidate candidateInGap(const World& w, const StepTools& t, const OrientedBody& body, const PairPotential& p,
                  std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
-  Offer best;
+  BirthCandidate best;
   // given points may be isolated, and ends of a line have one neighbour
   const int leastBeside = body.planar || !t.oriented.given[o.body[i]].points.empty() ? 0 : leastInRing;
   double widest = body.gap * p.spacing;
@@ -112,17 +112,17 @@ Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, c
       continue;
     const Vec3d n = normalized(o.normal[i] + o.normal[j]);
     // middle of the arc
-    const Offer offer{true, o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n, n};
-    if (!isGap(o, l, p, i, j, offer, leastBeside, body.planar)) continue;
+    const BirthCandidate candidate{true, o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n, n};
+    if (!isGap(o, l, p, i, j, candidate, leastBeside, body.planar)) continue;
     widest = far;
-    best = offer;
+    best = candidate;
   }
   return best;
 }
 
 /// Returns a candidate a spacing away in the widest angle without neighbours, 60 degrees from the nearest
 /// one, on the arc of the neighbours' normals.
-Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, std::size_t i) {
+BirthCandidate candidateAtBorder(const World& w, const StepTools& t, const PairPotential& p, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
   const Vec3d n = o.normal[i], e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0},
@@ -154,18 +154,18 @@ Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, 
   const Vec3d way = std::cos(at) * u + std::sin(at) * v;
   // rad, turn of the normal over a spacing
   const double turn = std::clamp(weight > 0 ? bend / weight * p.spacing : 0, -0.7, 0.7);
-  Offer offer{true, o.position[i] + p.spacing * (std::cos(0.5 * turn) * way - std::sin(0.5 * turn) * n),
+  BirthCandidate candidate{true, o.position[i] + p.spacing * (std::cos(0.5 * turn) * way - std::sin(0.5 * turn) * n),
               std::cos(turn) * n + std::sin(turn) * way};
-  const GivenPoints& given = t.oriented.given[o.body[i]];
-  if (!given.points.empty() && !projectOnGiven(given, offer.place, offer.normal)) return {};
-  if (dot(offer.normal, n) < 0.2 || !isFree(o, l, i, offer.place, clearance * p.spacing)) return {};
-  return offer;
+  const PointInterpolant& given = t.oriented.given[o.body[i]];
+  if (!given.points.empty() && !projectOnInterpolant(given, candidate.place, candidate.normal)) return {};
+  if (dot(candidate.normal, n) < 0.2 || !isFree(o, l, i, candidate.place, clearance * p.spacing)) return {};
+  return candidate;
 }
 
 /// Corrects the impulse of gravity for rows that enter or leave. The ledger assumes half kicks
 /// (core/time/integrate.cpp), but oriented particles get gravity at the start of a step: a newborn has none
 /// of it, a removed particle all.
-void bookWeight(World& w, std::size_t i, double time) {
+void recordGravityImpulse(World& w, std::size_t i, double time) {
   for (int a = 0; a < 3; a++)
     if (const double impulse = w.oriented.rows.mass[i] * w.scene.domain.gravity[a] * time; impulse != 0)
       w.ledger.gravityImpulse[a].add(impulse);
@@ -179,7 +179,7 @@ std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int
   const std::size_t bodies = members.size();
   const auto born = [&](const std::vector<std::uint64_t>& limit) {
     std::vector<std::int64_t> n(bodies, 0);
-    for (const std::uint32_t i : parents) n[o.body[i]] += o.offerRank[i] <= limit[o.body[i]];
+    for (const std::uint32_t i : parents) n[o.body[i]] += o.candidateRank[i] <= limit[o.body[i]];
     all.sum(n);
     return n;
   };
@@ -198,40 +198,40 @@ std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int
   return limit;
 }
 
-void giveBirth(World& w, const PairPotential& p, std::size_t parent, const Offer& offer, double dt) {
+void insertCandidate(World& w, const PairPotential& p, std::size_t parent, const BirthCandidate& candidate, double dt) {
   Oriented& o = w.oriented.rows;
   const std::size_t i = o.owned;
   o.resize(i + 1, 0);
   o.id[i] = bornBit | randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[parent],
                                  static_cast<std::uint64_t>(w.clock.step) + 1) >>
                           1;
-  o.position[i] = offer.place;
+  o.position[i] = candidate.place;
   o.velocity[i] = o.velocity[parent];
   o.mass[i] = orientedMass(w.scene.oriented[o.body[parent]], p.spacing);
   o.inertia[i] = w.scene.oriented[o.body[parent]].inertia * o.mass[i] * p.spacing * p.spacing;
   o.body[i] = o.body[parent];
   o.group[i] = o.group[parent];
   o.cutSides[i] = o.cutSides[parent];
-  o.orientation[i] = o.homeTurn[i] = towards(offer.normal);
-  o.home[i] = offer.place;
-  o.flags[i] |= w.modules.meeting ? newborn | emerging : newborn;
-  addKindRow(w, orientedKind, i, w.ledger.entered);
-  bookWeight(w, i, -0.5 * dt);
+  o.orientation[i] = o.restOrientation[i] = towards(candidate.normal);
+  o.restPosition[i] = candidate.place;
+  o.flags[i] |= w.modules.orientedContact ? newborn | emerging : newborn;
+  addBodyTypeRow(w, orientedType, i, w.ledger.entered);
+  recordGravityImpulse(w, i, -0.5 * dt);
   w.counters.orientedBirths++;
 }
 
 }  // namespace
 
-void letGo(World& w, std::size_t i, double dt) {
+void removeRow(World& w, std::size_t i, double dt) {
   Oriented& o = w.oriented.rows;
   o.energy[i] = 0;
-  addKindRow(w, orientedKind, i, w.ledger.left);
+  addBodyTypeRow(w, orientedType, i, w.ledger.left);
   w.ledger.dissipated.add(o.dissipated[i]);
-  bookWeight(w, i, 0.5 * dt);
-  o.mass[i] = 0;  // dropped by placeOriented
+  recordGravityImpulse(w, i, 0.5 * dt);
+  o.mass[i] = 0;  // dropped by redistributeOriented
 }
 
-bool populationDue(const World& w, double dt) {
+bool adaptSamplingDue(const World& w, double dt) {
   bool due = false;
   if (dt == 0) return due;
   for (const OrientedBody& b : w.scene.oriented)
@@ -239,7 +239,7 @@ bool populationDue(const World& w, double dt) {
   return due;
 }
 
-bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
+bool adaptSampling(World& w, Halos halos, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
   const std::uint64_t step = static_cast<std::uint64_t>(w.clock.step);
@@ -247,55 +247,55 @@ bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
   for (std::size_t i = 0; i < o.owned; i++) members[o.body[i]]++;
   halos.all.sum(members);
   // all criteria use columns that ghosts carry
-  std::vector<Offer> offers(o.owned);
+  std::vector<BirthCandidate> candidates(o.owned);
   std::vector<std::uint32_t> parents, dead;
-  std::vector<BirthPlace> places;
+  std::vector<BirthSite> places;
   for (std::size_t i = 0; i < o.owned; i++) {
-    o.offerRank[i] = 0;
-    o.offer[i] = {};
+    o.candidateRank[i] = 0;
+    o.candidate[i] = {};
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     if (body.growth == OrientedGrowth::None || members[o.body[i]] >= body.most) continue;
     const PairPotential& p = t.oriented.potentials[o.body[i]];
-    offers[i] = offerInGap(w, t, body, p, i);
+    candidates[i] = candidateInGap(w, t, body, p, i);
     double apart = 0;
-    if (!offers[i].there && body.growth == OrientedGrowth::Borders) {
-      offers[i] = offerAtBorder(w, t, p, i);
+    if (!candidates[i].there && body.growth == OrientedGrowth::Borders) {
+      candidates[i] = candidateAtBorder(w, t, p, i);
       apart = fromObstacles * body.thickness * p.spacing;
     }
-    if (!offers[i].there) continue;
-    if (!w.scene.domain.holds(offers[i].place) && !w.grid.periodic[0] && !w.grid.periodic[1] &&
+    if (!candidates[i].there) continue;
+    if (!w.scene.domain.holds(candidates[i].place) && !w.grid.periodic[0] && !w.grid.periodic[1] &&
         !w.grid.periodic[2])
       continue;
     parents.push_back(static_cast<std::uint32_t>(i));
-    places.push_back({o.body[i], offers[i].place, apart});
+    places.push_back({o.body[i], candidates[i].place, apart});
   }
-  const std::vector<char> taken = takenPlaces(w, places, halos.all);
+  const std::vector<char> taken = blockedSites(w, places, halos.all);
   for (std::size_t k = 0; k < parents.size(); k++) {
     const std::uint32_t i = parents[k];
     if (taken[k]) continue;
-    o.offer[i] = offers[i].place - o.position[i];
-    o.offerRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i], step) >> 1);
+    o.candidate[i] = candidates[i].place - o.position[i];
+    o.candidateRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i], step) >> 1);
   }
-  halos.kinds[orientedKind]->beginRefresh(o, ColumnList{&o.offer, &o.offerRank});
-  halos.kinds[orientedKind]->finishRefresh(o);
+  halos.kinds[orientedType]->beginRefresh(o, ColumnList{&o.candidate, &o.candidateRank});
+  halos.kinds[orientedType]->finishRefresh(o);
 
   parents.clear();
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const PairPotential& p = t.oriented.potentials[o.body[i]];
-    bool wins = o.offerRank[i] > 0, dies = strayed(w, t, i);
+    bool wins = o.candidateRank[i] > 0, dies = isOffInterpolant(w, t, i);
     const std::uint64_t own = randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[i], step);
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];
       if (!sameSurface(o, i, j)) continue;
       const Vec3d r = o.position[j] - o.position[i];
-      if (wins && o.offerRank[j] > 0 && o.offerRank[j] < o.offerRank[i]) {
-        const Vec3d d = r + o.offer[j] - o.offer[i];
+      if (wins && o.candidateRank[j] > 0 && o.candidateRank[j] < o.candidateRank[i]) {
+        const Vec3d d = r + o.candidate[j] - o.candidate[i];
         wins = dot(d, d) >= 0.81 * p.spacing * p.spacing;
       }
-      if (body.crowd > 0 && !(o.flags[i] & heldPlace) && isNeighbour(o, p, i, j) &&
+      if (body.crowd > 0 && !(o.flags[i] & fixedPosition) && isNeighbour(o, p, i, j) &&
           dot(r, r) < body.crowd * body.crowd * p.spacing * p.spacing)
-        dies = dies || (o.flags[j] & heldPlace) ||
+        dies = dies || (o.flags[j] & fixedPosition) ||
                own < randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[j], step);
     }
     if (dies) dead.push_back(static_cast<std::uint32_t>(i));
@@ -304,14 +304,14 @@ bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
   if (std::any_of(w.scene.oriented.begin(), w.scene.oriented.end(),
                   [](const OrientedBody& b) { return b.growth != OrientedGrowth::None; })) {
     const std::vector<std::uint64_t> limit = rankLimits(w, members, parents, halos.all);
-    std::erase_if(parents, [&](std::uint32_t i) { return o.offerRank[i] > limit[o.body[i]]; });
+    std::erase_if(parents, [&](std::uint32_t i) { return o.candidateRank[i] > limit[o.body[i]]; });
   }
   std::int64_t changed = static_cast<std::int64_t>(parents.size() + dead.size());
   halos.all.sum({&changed, 1});
   if (changed == 0) return false;
   o.resize(o.owned, 0);
-  for (const std::uint32_t i : parents) giveBirth(w, t.oriented.potentials[o.body[i]], i, offers[i], dt);
-  for (const std::uint32_t i : dead) letGo(w, i, dt);
+  for (const std::uint32_t i : parents) insertCandidate(w, t.oriented.potentials[o.body[i]], i, candidates[i], dt);
+  for (const std::uint32_t i : dead) removeRow(w, i, dt);
   w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
   return true;
 }

@@ -8,7 +8,7 @@ namespace thaw {
 /// Moves free points apart along the surface, by repulsion within `range` from free and fixed ones. All move
 /// at once, so order does not matter. project(place, normal) projects a position onto the surface and sets
 /// its normal.
-template<class Project> void spreadOut(double range, MadePoints& m, const Project& project) {
+template<class Project> void relaxPoints(double range, SampledPoints& m, const Project& project) {
   constexpr int passes = 60;
   for (int pass = 0; pass < passes; pass++) {
     const PointTree tree(m.places);

@@ -126,7 +126,7 @@ struct Obstacle {
 };
 
 /// Drives particles to a temperature anywhere in the domain: K05's freezing while pouring.
-struct Tempering {
+struct Thermostat {
   SourcePlace where;
   int material = -1;            // index into Scene::materials; -1: all
   double start = 0, over = 0;   // s, the enthalpy changes linearly over this time; over 0: within one step
@@ -306,7 +306,7 @@ struct Scene {
   std::vector<SheetBody> sheets;
   std::vector<Emitter> emitters;
   std::vector<Obstacle> obstacles;
-  std::vector<Tempering> temperings;
+  std::vector<Thermostat> thermostats;
   SurfaceSettings surface;
   Output output;
 };

@@ -19,7 +19,7 @@ struct SourcePlace {
 };
 
 /// Fingerprint of a mesh file. It detects a different mesh under the same name (io/run/mesh_marks.hpp).
-struct MeshMark {
+struct MeshFingerprint {
   double vertices = 0, triangles = 0, checksum = 0;
 };
 
@@ -48,7 +48,7 @@ struct Shape {
   double thickness = 0.01;         // m, Glass: wall and floor
   Vec3d point{}, normal{0, 0, 1};  // HalfSpace: solid on the side against the normal
   std::string mesh;                // Mesh: absolute path
-  MeshMark meshMark;               // Mesh: set when a run begins
+  MeshFingerprint meshFingerprint;               // Mesh: set when a run begins
   std::vector<Shape> parts;        // Union: all; Difference: first minus the others; Intersection
   // placement: x = move + R(axis, angle) * (scale * x_shape); rotations about x, then y, then z
   double scale = 1;

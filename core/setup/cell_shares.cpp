@@ -15,9 +15,9 @@ struct Cell {
   std::int64_t at[3];
 };
 
-class CellShares {
+class CellFractions {
  public:
-  CellShares(const SignedDistance& shape, const SampleLattice& l) : shape_(shape), l_(l) {}
+  CellFractions(const SignedDistance& shape, const SampleLattice& l) : shape_(shape), l_(l) {}
 
   std::int32_t of(std::int64_t point) {
     const Cell c = cellOf(point);
@@ -97,11 +97,11 @@ class CellShares {
 
 }  // namespace
 
-std::vector<std::int32_t> cellShares(const SignedDistance& shape, const SampleLattice& l,
+std::vector<std::int32_t> cellFractions(const SignedDistance& shape, const SampleLattice& l,
                                      const std::vector<std::int64_t>& points) {
   std::vector<std::int32_t> shares(points.size(), wholeCell);
   if (shape.hasGaps()) return shares;
-  CellShares cells(shape, l);
+  CellFractions cells(shape, l);
   for (std::size_t i = 0; i < points.size(); i++) shares[i] = cells.of(points[i]);
   return shares;
 }

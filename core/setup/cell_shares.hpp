@@ -12,7 +12,7 @@ namespace thaw {
 /// of its own cell, and of the inside of surrounding cells whose middles are outside, divided among the
 /// nearest points. points: inside points of the lattice (i + count[0] * row). 64 for all points of a shape
 /// with gaps.
-std::vector<std::int32_t> cellShares(const SignedDistance& shape, const SampleLattice& lattice,
+std::vector<std::int32_t> cellFractions(const SignedDistance& shape, const SampleLattice& lattice,
                                      const std::vector<std::int64_t>& points);
 
 /// Value of a whole cell (64ths).

@@ -8,7 +8,7 @@
 
 namespace thaw {
 
-inline constexpr double mostRowsOfKind = 2e9;  ///< per body; its points and vertices have 32-bit numbers
+inline constexpr double mostRowsPerBody = 2e9;  ///< per body; its points and vertices have 32-bit numbers
                                                ///< during set-up
 
 struct ExpectedRows {

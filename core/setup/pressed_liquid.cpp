@@ -29,7 +29,7 @@ double excused(float summed) {
 
 }  // namespace
 
-std::vector<SceneWarning> pressedLiquids(const World& w, const StepTools& t, Reducer& all) {
+std::vector<SceneWarning> compressedLiquids(const World& w, const StepTools& t, Reducer& all) {
   std::vector<SceneWarning> warnings;
   const std::size_t bodies = w.scene.bodies.size();
   const double speed = expectedSpeed(w.scene);
@@ -43,7 +43,7 @@ std::vector<SceneWarning> pressedLiquids(const World& w, const StepTools& t, Red
     if (p.phase[i] != Liquid || p.body[i] >= bodies) continue;
     sums[2 * p.body[i]]++;
     const double density = w.modules.continuity ? excused(w.startDensity[i])
-                                                : static_cast<double>(p.filling[i]);
+                                                : static_cast<double>(p.relativeDensity[i]);
     if (!(density > 1)) continue;
     const double stiffness = t.liquids[p.material[i]].stiffness / w.scene.materials[p.material[i]].density;
     const double energy = compressionEnergy(w.scene.numerics.eos, stiffness, density, 0) / (speed * speed);

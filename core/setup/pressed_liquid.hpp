@@ -14,6 +14,6 @@ struct StepTools;
 /// burst at more than a tenth of the largest expected speed: its lattice, of whole spacings, is wider than
 /// the space between walls and other bodies. Call it after the first evaluation. The same on any number of
 /// ranks. Collective.
-std::vector<SceneWarning> pressedLiquids(const World& world, const StepTools& tools, Reducer& all);
+std::vector<SceneWarning> compressedLiquids(const World& world, const StepTools& tools, Reducer& all);
 
 }  // namespace thaw

@@ -19,7 +19,7 @@ double falloff(double r2, double radius) {
 
 }  // namespace
 
-std::vector<BrushTouch> brushStroke(const SheetBrush& b, double time, double dt) {
+std::vector<BrushSample> brushSamples(const SheetBrush& b, double time, double dt) {
   const double from = time - 0.5 * dt, to = time + 0.5 * dt;
   std::vector<double> ends{from};  // pieces of constant velocity and factor slope
   for (const Keyframe& k : b.motion)
@@ -33,9 +33,9 @@ std::vector<BrushTouch> brushStroke(const SheetBrush& b, double time, double dt)
   };
   if (!(dt > 0) || (ends.size() == 2 && length(centreAt(to) - centreAt(from)) == 0)) {
     const double factor = b.inTime.at(time);
-    return factor != 0 ? std::vector<BrushTouch>{{centreAt(time), factor}} : std::vector<BrushTouch>{};
+    return factor != 0 ? std::vector<BrushSample>{{centreAt(time), factor}} : std::vector<BrushSample>{};
   }
-  std::vector<BrushTouch> stroke;
+  std::vector<BrushSample> stroke;
   for (std::size_t k = 0; k + 1 < ends.size(); k++) {
     const double over = ends[k + 1] - ends[k];
     if (!(over > 0)) continue;
@@ -50,9 +50,9 @@ std::vector<BrushTouch> brushStroke(const SheetBrush& b, double time, double dt)
   return stroke;
 }
 
-Vec3d brushPressure(const SheetBrush& b, const std::vector<BrushTouch>& stroke, const Vec3d& place) {
+Vec3d brushPressure(const SheetBrush& b, const std::vector<BrushSample>& stroke, const Vec3d& place) {
   double share = 0;
-  for (const BrushTouch& t : stroke) {
+  for (const BrushSample& t : stroke) {
     const Vec3d d = place - t.centre;
     if (const double f = falloff(dot(d, d), b.radius); f > 0) share += t.share * f;
   }

@@ -7,7 +7,7 @@
 namespace thaw {
 
 /// Sample of a brush on its path, and its fraction of the pressure.
-struct BrushTouch {
+struct BrushSample {
   Vec3d centre{};
   double share = 0;
 };
@@ -15,9 +15,9 @@ struct BrushTouch {
 /// Returns samples of a brush whose mean is its pressure over dt (s) around `time` (s). Successive steps
 /// cover the whole path. It is one sample at `time` if dt is 0, or if the brush is at rest and its factor
 /// constant.
-std::vector<BrushTouch> brushStroke(const SheetBrush& brush, double time, double dt);
+std::vector<BrushSample> brushSamples(const SheetBrush& brush, double time, double dt);
 
 /// Returns the pressure (Pa) at a position.
-Vec3d brushPressure(const SheetBrush& brush, const std::vector<BrushTouch>& stroke, const Vec3d& place);
+Vec3d brushPressure(const SheetBrush& brush, const std::vector<BrushSample>& stroke, const Vec3d& place);
 
 }  // namespace thaw

@@ -37,7 +37,7 @@ double fastestRate(const SheetBody& b, const SpringLaw& l, double from) {
   return c > 0 ? k / c : 0;
 }
 
-double changeLimit(const SheetBody& b, double now, double swing, double of) {
+double timeFactorStepLimit(const SheetBody& b, double now, double swing, double of) {
   double limit = never;
   for (std::size_t f = 0; f < sheetFactors; f++) {
     if (b.inTime[f].points.empty() || !(b.*sheetCoefficients[f].value != 0)) continue;
@@ -45,13 +45,13 @@ double changeLimit(const SheetBody& b, double now, double swing, double of) {
     const bool alone = kind == SheetFactor::Damping || kind == SheetFactor::Stiffness;
     limit = std::min(limit, limitOf(b.inTime[f], now,
                                     alone                                     ? swing
-                                    : f >= firstChanging && f <= lastChanging ? of
+                                    : f >= firstEnergyFactor && f <= lastEnergyFactor ? of
                                                                               : 0));
   }
   return limit;
 }
 
-void findFactors(World& w, double dt) {
+void updateTimeFactors(World& w, double dt) {
   const double time = w.clock.time + dt, until = time + growth * w.clock.dt;  // end of the next step
   w.sheets.factors.resize(w.scene.sheets.size());
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++)
@@ -62,14 +62,14 @@ void findFactors(World& w, double dt) {
     }
 }
 
-void activateChanging(World& w) {
+void activateTimeFactors(World& w) {
   for (const SheetBody& b : w.scene.sheets)
-    for (std::size_t f = firstChanging; f <= lastChanging; f++)
+    for (std::size_t f = firstEnergyFactor; f <= lastEnergyFactor; f++)
       if (!b.inTime[f].points.empty() && b.*sheetCoefficients[f].value > 0)
         w.sheets.rows.activate(w.sheets.rows.changing);
 }
 
-void bookChanging(World& w, double from, double to) {
+void recordFactorWork(World& w, double from, double to) {
   Sheets& s = w.sheets.rows;
   if (!s.changing.active) return;
   std::vector<std::array<double, sheetFactors>> half(w.scene.sheets.size());
@@ -78,8 +78,8 @@ void bookChanging(World& w, double from, double to) {
       half[n][f] = 0.5 * (w.scene.sheets[n].inTime[f].at(to) - w.scene.sheets[n].inTime[f].at(from));
   addByCell(w.sheets.cells, s.owned, w.ledger.wallWork, [&](std::size_t i) {
     double work = 0;
-    for (std::size_t f = firstChanging; f <= lastChanging; f++)
-      work += half[s.body[i]][f] * changingOf(s, i, static_cast<SheetFactor>(f));
+    for (std::size_t f = firstEnergyFactor; f <= lastEnergyFactor; f++)
+      work += half[s.body[i]][f] * factorEnergyOf(s, i, static_cast<SheetFactor>(f));
     return work;
   });
 }

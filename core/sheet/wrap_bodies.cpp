@@ -14,7 +14,7 @@ namespace {
 constexpr double blunt = 0.2;  // least denominator of a direction, over sum w r
 
 /// Rows of a body of any type on this rank.
-struct Wrapped {
+struct WrapBody {
   World& w;
   WrapTarget target;
   const CellTable& cells() const {
@@ -55,7 +55,7 @@ struct Wrapped {
       if (w.scene.oriented[target.index].planar) force.y = 0;
       o.force[j] += force;
       o.external[j] += force;
-      o.resisting[j] += force;  // wrap has no stored energy: its work is recorded as dissipation
+      o.dissipativeForce[j] += force;  // wrap has no stored energy: its work is recorded as dissipation
     } else {
       Sheets& s = w.sheets.rows;
       s.load[j] += force / s.area[j];
@@ -65,12 +65,12 @@ struct Wrapped {
 };
 
 /// Returns its cells on this rank, ascending by key.
-std::vector<WrapPart> cellsOf(const Wrapped& body) {
-  std::vector<WrapPart> parts;
+std::vector<WrapCell> cellsOf(const WrapBody& body) {
+  std::vector<WrapCell> parts;
   const CellTable& t = body.cells();
   for (std::size_t c = 0; c < t.key.size(); c++) {
     if (t.first[c] >= body.owned()) continue;
-    WrapPart p{t.key[c], 0, {}};
+    WrapCell p{t.key[c], 0, {}};
     for (std::size_t j = t.first[c]; j < t.first[c] + t.count[c]; j++)
       if (body.has(j)) {
         p.share += body.share(j);
@@ -87,7 +87,7 @@ std::vector<WrapPart> cellsOf(const Wrapped& body) {
 struct Wrap {
   World& w;
   std::size_t sheet;
-  const std::vector<WrapPart>& parts;
+  const std::vector<WrapCell>& parts;
   const PointTree& tree;
   double unit;  // N, unit of all forces
   double twoCells;
@@ -125,24 +125,24 @@ struct Wrap {
   }
 };
 
-void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n) {
+void wrapSheet(World& w, Halos halos, const SheetVelocities& now, std::size_t n) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   const SheetBody& body = w.scene.sheets[n];
   const FactorsNow& factors = b.factors[n];
   const std::size_t f = placeOf(SheetFactor::Wrap);
   if (factors.now[f] == 0 && factors.most[f] == 0) return;
-  const Wrapped wrapped{w, b.plans[n].wrapTarget};
+  const WrapBody wrapped{w, b.plans[n].wrapTarget};
   const double cell = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
   std::vector<Vec3d> places;
   for (std::size_t i = 0; i < s.owned; i++)
     if (s.body[i] == n) places.push_back(s.position[i]);
-  const std::vector<WrapPart> cells = cellsOf(wrapped);
+  const std::vector<WrapCell> cells = cellsOf(wrapped);
   const WrapSurface surface = findWrapSurface(halos.all, w.grid, cells, places, 2 * cell);
   if (!surface.any) return;  // the target body is gone
-  const std::vector<WrapPart>& parts = surface.near;
+  const std::vector<WrapCell>& parts = surface.near;
   std::vector<Vec3d> middles;
-  for (const WrapPart& p : parts) middles.push_back(p.middle);
+  for (const WrapCell& p : parts) middles.push_back(p.middle);
   const PointTree tree(middles);
   double area = 0;
   for (const double a : b.plans[n].topology.area) area += a;
@@ -166,11 +166,11 @@ void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
     s.outside[i] += load;
   }
   const CellTable& t = wrapped.cells();
-  for (const WrapPull& p : returnPulls(halos.all, surface, pulls)) {
+  for (const WrapForce& p : reduceWrapForces(halos.all, surface, pulls)) {
     const auto c = static_cast<std::size_t>(std::lower_bound(t.key.begin(), t.key.end(), p.key) -
                                             t.key.begin());
     const double share =
-        std::lower_bound(cells.begin(), cells.end(), p.key, [](const WrapPart& x, std::uint64_t key) {
+        std::lower_bound(cells.begin(), cells.end(), p.key, [](const WrapCell& x, std::uint64_t key) {
           return x.key < key;
         })->share;
     const Vec3d force = unit * Vec3d{static_cast<double>(p.units.x), static_cast<double>(p.units.y),
@@ -182,11 +182,11 @@ void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
 
 }  // namespace
 
-void addBodyWrap(World& w, Halos halos, const SheetVelocities& now) {
+void addShrinkWrap(World& w, Halos halos, const SheetVelocities& now) {
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
     if (const WrapKind kind = w.sheets.plans[n].wrapTarget.kind;
         kind != WrapKind::Normal && kind != WrapKind::Obstacle)
-      wrapRound(w, halos, now, n);
+      wrapSheet(w, halos, now, n);
 }
 
 }  // namespace thaw

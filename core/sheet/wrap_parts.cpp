@@ -21,12 +21,12 @@ int ownerOf(std::uint64_t block, int ranks) {
 }
 
 constexpr std::size_t wordsOfPart = 5;
-void addPart(std::vector<std::uint64_t>& words, const WrapPart& p) {
+void addPart(std::vector<std::uint64_t>& words, const WrapCell& p) {
   words.push_back(p.key);
   addNumber(words, p.share);
   addPlace(words, p.middle);
 }
-WrapPart partAt(const std::vector<std::uint64_t>& words, std::size_t k) {
+WrapCell partAt(const std::vector<std::uint64_t>& words, std::size_t k) {
   return {words[k], numberAt(words, k + 1), placeAt(words, k + 2)};
 }
 
@@ -34,9 +34,9 @@ const auto byKey = [](const auto& a, const auto& b) { return a.key < b.key; };
 
 /// Returns messages with cells for the owners of their blocks, and, without a share, for the owners of
 /// adjacent blocks.
-std::vector<WordList> tellBlocks(const std::vector<WrapPart>& cells, int ranks) {
-  WordLists out(ranks);
-  for (const WrapPart& p : cells) {
+std::vector<WordStream> messagesToBlocks(const std::vector<WrapCell>& cells, int ranks) {
+  WordStreams out(ranks);
+  for (const WrapCell& p : cells) {
     const Vec3i c = cellOfKey(p.key);
     const std::uint64_t block = blockOf(c);
     addPart(out.to(ownerOf(block, ranks)), p);
@@ -52,9 +52,9 @@ std::vector<WordList> tellBlocks(const std::vector<WrapPart>& cells, int ranks) 
 }
 
 /// Returns the received cells that lie on the surface.
-std::vector<WrapSurface::Listed> surfaceOf(const std::vector<WordList>& told) {
+std::vector<WrapSurface::Listed> surfaceOf(const std::vector<WordStream>& received) {
   std::vector<WrapSurface::Listed> known;
-  for (const WordList& l : told)
+  for (const WordStream& l : received)
     for (std::size_t k = 0; k < l.words.size(); k += wordsOfPart)
       known.push_back({partAt(l.words, k), l.rank});
   // a cell may arrive for several blocks: the entry with a share sorts first
@@ -147,11 +147,11 @@ std::vector<std::uint64_t> blocksNear(const std::vector<Block>& vertices, const 
 
 }  // namespace
 
-WrapSurface findWrapSurface(Reducer& all, const CellGrid& grid, const std::vector<WrapPart>& cells,
+WrapSurface findWrapSurface(Reducer& all, const CellGrid& grid, const std::vector<WrapCell>& cells,
                             const std::vector<Vec3d>& places, double beyond) {
   const int ranks = all.size();
   WrapSurface s;
-  s.listed = surfaceOf(all.deliver(tellBlocks(cells, ranks)));
+  s.listed = surfaceOf(all.sparseAllToAll(messagesToBlocks(cells, ranks)));
   const auto listedBlock = [&](std::size_t k) { return blockOf(cellOfKey(s.listed[k].part.key)); };
   const std::vector<Block> surface = gatherBlocks(
       all, blocksOf(s.listed.size(), listedBlock, [&](std::size_t k) { return s.listed[k].part.middle; }));
@@ -160,24 +160,24 @@ WrapSurface findWrapSurface(Reducer& all, const CellGrid& grid, const std::vecto
   const std::vector<Block> vertices = blocksOf(
       places.size(), [&](std::size_t k) { return blockOf(cellOf(grid, places[k])); },
       [&](std::size_t k) { return places[k]; });
-  WordLists ask(ranks), answer(ranks);
+  WordStreams ask(ranks), answer(ranks);
   for (const std::uint64_t block : blocksNear(vertices, surface, beyond))
     ask.to(ownerOf(block, ranks)).push_back(block);
   std::map<std::uint64_t, std::vector<std::size_t>> inBlock;
   for (std::size_t k = 0; k < s.listed.size(); k++) inBlock[listedBlock(k)].push_back(k);
-  for (const WordList& l : all.deliver(std::move(ask.lists)))
+  for (const WordStream& l : all.sparseAllToAll(std::move(ask.lists)))
     for (const std::uint64_t block : l.words)
       for (const std::size_t k : inBlock[block]) addPart(answer.to(l.rank), s.listed[k].part);
-  for (const WordList& l : all.deliver(std::move(answer.lists)))
+  for (const WordStream& l : all.sparseAllToAll(std::move(answer.lists)))
     for (std::size_t k = 0; k < l.words.size(); k += wordsOfPart) s.near.push_back(partAt(l.words, k));
   std::sort(s.near.begin(), s.near.end(), byKey);
   return s;
 }
 
-std::vector<WrapPull> returnPulls(Reducer& all, const WrapSurface& s,
+std::vector<WrapForce> reduceWrapForces(Reducer& all, const WrapSurface& s,
                                   const std::vector<std::int64_t>& units) {
   const int ranks = all.size();
-  WordLists back(ranks), home(ranks);
+  WordStreams back(ranks), home(ranks);
   for (std::size_t k = 0; k < s.near.size(); k++) {
     const std::int64_t* u = units.data() + 3 * k;
     if (u[0] == 0 && u[1] == 0 && u[2] == 0) continue;
@@ -186,15 +186,15 @@ std::vector<WrapPull> returnPulls(Reducer& all, const WrapSurface& s,
     for (int a = 0; a < 3; a++) words.push_back(std::bit_cast<std::uint64_t>(u[a]));
   }
   const auto pullAt = [](const std::vector<std::uint64_t>& words, std::size_t k) {
-    WrapPull p{words[k], {}};
+    WrapForce p{words[k], {}};
     for (int a = 0; a < 3; a++)
       p.units[a] = std::bit_cast<std::int64_t>(words[k + 1 + static_cast<std::size_t>(a)]);
     return p;
   };
   std::vector<Vec3<std::int64_t>> sums(s.listed.size());
-  for (const WordList& l : all.deliver(std::move(back.lists)))
+  for (const WordStream& l : all.sparseAllToAll(std::move(back.lists)))
     for (std::size_t k = 0; k < l.words.size(); k += 4) {
-      const WrapPull p = pullAt(l.words, k);
+      const WrapForce p = pullAt(l.words, k);
       const auto at = std::lower_bound(s.listed.begin(), s.listed.end(), p.key,
                                        [](const auto& x, std::uint64_t key) { return x.part.key < key; });
       sums[static_cast<std::size_t>(at - s.listed.begin())] += p.units;
@@ -204,8 +204,8 @@ std::vector<WrapPull> returnPulls(Reducer& all, const WrapSurface& s,
     words.push_back(s.listed[k].part.key);
     for (int a = 0; a < 3; a++) words.push_back(std::bit_cast<std::uint64_t>(sums[k][a]));
   }
-  std::vector<WrapPull> pulls;
-  for (const WordList& l : all.deliver(std::move(home.lists)))
+  std::vector<WrapForce> pulls;
+  for (const WordStream& l : all.sparseAllToAll(std::move(home.lists)))
     for (std::size_t k = 0; k < l.words.size(); k += 4) pulls.push_back(pullAt(l.words, k));
   std::sort(pulls.begin(), pulls.end(), byKey);
   return pulls;

@@ -28,7 +28,7 @@ void BondGraph::moveColumns(const SolidTables& t) {
     s.changed[slot] = 1;
     t.particles.slot[row] = slot;
   }
-  for (const std::uint32_t r : bereft_) s.bare(now_[r]);
+  for (const std::uint32_t r : lostBonds_) s.markExposed(now_[r]);
   s.owned = newOwned_;
   s.resize(newOwned_, newRows_ - newOwned_);
 }
@@ -67,10 +67,10 @@ std::int64_t BondGraph::walkGroup(const SolidTables& t, std::size_t g) {
       if (kept < k) copyBond(b, b.at(s, k), b.at(s, kept));
       kept++;
     }
-    clearPlaces(b, s, kept, used_[s]);
+    clearEntries(b, s, kept, used_[s]);
     used_[s] = static_cast<std::uint16_t>(kept);
     t.solids.changed[s] = 1;
-    t.solids.bare(s);
+    t.solids.markExposed(s);
   }
   return met;
 }
@@ -136,7 +136,7 @@ void BondGraph::finish(const SolidTables& t) {
 std::size_t BondGraph::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t(0) + ... + (v.capacity() * sizeof(v[0]))); };
   return rowOf_.bytes() + of(ids_, owner_, references_, used_, boundary_, now_, leaving_, departed_, movers_,
-                             unnamed_, relocated_, newRemotes_, bereft_, aliases_, released_, fresh_, marked_,
+                             unnamed_, relocated_, newRemotes_, lostBonds_, aliases_, released_, fresh_, marked_,
                              isMarked_, touched_, isAlias_, turned_, renumbered_);
 }
 

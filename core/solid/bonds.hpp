@@ -58,7 +58,7 @@ struct Bonds {
            slot % lanes;
   }
   /// Returns true if this entry of an owned slot holds a bond.
-  bool there(std::size_t slot, int k) const {
+  bool hasBond(std::size_t slot, int k) const {
     return vectors ? weight[at(slot, k)] > 0 : neighbour[at(slot, k)] != slot;
   }
   /// Breaks a bond: sums skip it from now on, and the next relink drops it.

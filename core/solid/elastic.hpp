@@ -65,7 +65,7 @@ struct ElasticWork {
   std::vector<std::uint8_t> stretched;        ///< by group, from phase 1: some bond may exceed its limit
                                               ///< (fracture.hpp)
   AlignedVector<double> perTrace, perWeight;  ///< by owned slot: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
-  AlignedVector<double> grip;  ///< by owned slot, 1/m: bound of the strain-displacement operator
+  AlignedVector<double> strainBound;  ///< by owned slot, 1/m: bound of the strain-displacement operator
                                ///< (elasticStepLimit)
   // Sleep (core/sleep/sleep.hpp).
   bool sleeping = false;  ///< active groups are innerAwake and boundaryAwake
@@ -73,8 +73,8 @@ struct ElasticWork {
   std::vector<std::uint8_t> held;     ///< by owned slot: plastic strain is fixed
   std::vector<double> groupStretch2;  ///< by group: largest squared stretch of the last evaluation
   // Velocity and drag by row, if bonds are damped; float or double by precision.
-  AlignedVector<float> motion4;
-  AlignedVector<double> motion4d;
+  AlignedVector<float> velocityDrag;
+  AlignedVector<double> velocityDragDouble;
 };
 
 /// Calls work(first, last) for the active owned slots: all, or those of awake groups.
@@ -167,20 +167,20 @@ void computeCauchyStress(const ElasticWork& work, Solids& solids);
 /// Bound of the strain-displacement operator of a slot: sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1 X_j|, in 1/m,
 /// the strain per metre of neighbour displacement. The largest frequency of a body is below sqrt(0.45) c_p
 /// times it (measured squares: 0.21 on a lattice, 0.25-0.35 in disorder, 0.45 in a crumpled sheet). Faces and
-/// corners of a lattice have up to latticeGrip / spacing for bonds of at least 1.5 spacings.
-inline constexpr double latticeGrip = 4.75;
-inline constexpr double flatGrip = 1.4;  ///< factor for rows and sheets of particles: the frequency of a pair
+/// corners of a lattice have up to latticeStrainBound / spacing for bonds of at least 1.5 spacings.
+inline constexpr double latticeStrainBound = 4.75;
+inline constexpr double flatStrainFactor = 1.4;  ///< factor for rows and sheets of particles: the frequency of a pair
                                          ///< is c_p times the bound
 /// Largest bound over the owned slots (1/m), each times the largest stretch of Fp^-1, by which plastic flow
 /// changed the reference.
-double largestGrip(const ElasticWork& work, const Solids& solids);
+double largestStrainBound(const ElasticWork& work, const Solids& solids);
 /// Returns the number of owned slots whose moment matrix has rank < 3.
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids);
 
 /// Largest stable time step (s) of all materials that can be solid, and of bond damping: cflElastic * d /
-/// c_p. d is the spacing, or latticeGrip / grip for neighbourhoods less even than a lattice. c_p is that of
+/// c_p. d is the spacing, or latticeStrainBound / grip for neighbourhoods less even than a lattice. c_p is that of
 /// the stiffest state, with hourglass control, volume force and, for Green strain, stiffening by the given
 /// squared stretch.
-double elasticStepLimit(const Scene& scene, double maxStretch2 = 1, double grip = 0);
+double elasticStepLimit(const Scene& scene, double maxStretch2 = 1, double strainBound = 0);
 
 }  // namespace thaw

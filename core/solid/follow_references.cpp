@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-void followReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
+void copyReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
                       std::span<const std::uint32_t> groups, SlotRange flagged) {
   for (const std::uint32_t g : groups)
     for (std::size_t s = g * static_cast<std::size_t>(lanes), end = std::min(s + lanes, solids.owned);
@@ -14,7 +14,7 @@ void followReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
       for (int k = 0; k < work.bondCount[g]; k++) {
         const std::size_t b = bonds.at(s, k);
         const std::size_t other = bonds.neighbour[b];
-        if (!bonds.there(s, k) || other < flagged.begin || other >= flagged.end ||
+        if (!bonds.hasBond(s, k) || other < flagged.begin || other >= flagged.end ||
             solids.rereferenced[other] == 0)
           continue;
         work.ownFrames[g] = 1;
@@ -25,11 +25,11 @@ void followReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
       }
 }
 
-void followRemoteReferences(ElasticWork& work, const Solids& solids, Bonds& bonds) {
+void copyRemoteReferences(ElasticWork& work, const Solids& solids, Bonds& bonds) {
   if (!solids.rereferenced.active) return;
   bool any = false;
   for (std::size_t s = solids.owned; s < solids.size(); s++) any = any || solids.rereferenced[s] != 0;
-  if (any) followReferences(work, solids, bonds, work.boundary, {solids.owned, solids.size()});
+  if (any) copyReferences(work, solids, bonds, work.boundary, {solids.owned, solids.size()});
 }
 
 }  // namespace thaw

@@ -11,7 +11,7 @@ class SerialBondHalo : public BondHalo {
  public:
   void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
                const Migration& migration) override;
-  bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
+  bool rebuildBonds(const BondedRows& particles, Solids& solids, Bonds& bonds, const BondUpdate& work) override;
   void begin(Solids&, std::span<AnyColumn* const>) override {}
   void finish(Solids&) override {}
 

@@ -65,7 +65,7 @@ struct Solids : Table {
       "stored elastic, volume and hourglass energy; migrates with the slot, also right after a restart"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::Transient,
       "lost to plastic flow and bond damping in this step"};
-  Column<std::uint8_t> bared{*this, "bared", "1", Keep::State,
+  Column<std::uint8_t> exposed{*this, "bared", "1", Keep::State,
       "lost a bond, froze, or touched liquid: the initial surface may no longer cover it; only with a "
       "surface"};
   Column<std::uint8_t> melted{*this, "melted", "1", Keep::Transient,
@@ -78,8 +78,8 @@ struct Solids : Table {
 
   /// Marks a slot that lost a bond. It is marked at the loss, since a migrating slot keeps no trace of lost
   /// bonds.
-  void bare(std::size_t slot) {
-    if (bared.active) bared[slot] = 1;
+  void markExposed(std::size_t slot) {
+    if (exposed.active) exposed[slot] = 1;
   }
 };
 

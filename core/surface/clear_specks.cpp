@@ -61,7 +61,7 @@ std::vector<std::uint32_t> clearedColours(const Surface& s, const Bins& bins) {
 
 }  // namespace
 
-void clearSpecks(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void clearIsolatedColours(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   if (!f.liquid.active || !coloursMayDiffer(w.scene) || !several(f, halos.all)) return;

@@ -11,6 +11,6 @@ struct SurfaceTools;
 /// other colour. A liquid surfel whose colour is rare among its neighbours on its side of the component takes
 /// their mean colour. Borders between colours and spots of several surfels remain; solids keep their colours.
 /// Does nothing in scenes of one colour. Places the surfels. Collective.
-void clearSpecks(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void clearIsolatedColours(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -29,26 +29,26 @@ constexpr double neighbourReach = 1.7;
 /// outermost particles.
 constexpr double surfelReach = 1.8;
 /// At a true opening, the colour half a spacing farther out is below this share of its level.
-constexpr double fallsTo = 0.75;
+constexpr double openingDrop = 0.75;
 /// Largest deviation of the colour from its level at a grown surfel, over the level: a third of a spacing
 /// outward, half a spacing inward. Surfels of a mesh may lie 0.8 spacings outward.
-constexpr double hangsOver = 0.2, liesUnder = 0.4, meshOver = 0.5;
+constexpr double mostOutward = 0.2, mostInward = 0.4, mostMeshOutward = 0.5;
 /// A spur is a mesh surfel at the edge of a grown crack face. It stands more than spurHeight spacings above
 /// the nearest surfel of the face within spurReach, although the two meet at a convex edge. Only fully solid
 /// surfels count, because the detail of a melting mesh fades unevenly.
-constexpr double finHeight = 0.2, finReach = 1.5, finTurn = 0.7;
+constexpr double spurHeight = 0.2, spurReach = 1.5, spurTurn = 0.7;
 /// Grown surfels within this many spacings of new ones relax with them.
-constexpr double looseReach = 2.5;
+constexpr double relaxingReach = 2.5;
 constexpr int mostRounds = 3;
 /// Liquid of the same component within this many spacings is adjacent to a solid particle.
-constexpr double wetReach = 2;
+constexpr double liquidReach = 2;
 /// A surfel with a reference position within this many spacings covers a particle.
-constexpr double keptWithin = 1.2;
+constexpr double coverReach = 1.2;
 
 /// Marks solid particles beside liquid as not covered. They may lose their surface to the liquid, or share
 /// it, and would be exposed when the liquid drains. A cold particle below surfels that follow their reference
 /// stays covered. Requires: surfels with ghosts and bins.
-void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p) {
+void uncoverBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p) {
   const Surfels& f = w.surface.surfels;
   if (!p.covered.active || !p.liquid.active) return;
   constexpr float wet = 0.02f;
@@ -61,14 +61,14 @@ void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p
     if (!p.covered[i]) continue;
     bool beside = flows[i];
     if (!beside)
-      forRowsWithin(liquid, p.position[i], wetReach * w.scene.spacing,
+      forRowsWithin(liquid, p.position[i], liquidReach * w.scene.spacing,
                     [&](std::uint32_t j, double) { beside = beside || p.component[j] == p.component[i]; });
     if (!beside) continue;
     bool kept = false;
     if (!flows[i])
-      forRowsWithin(t.relax.surfelBins, p.position[i], keptWithin * w.scene.spacing,
+      forRowsWithin(t.relax.surfelBins, p.position[i], coverReach * w.scene.spacing,
                     [&](std::uint32_t j, double) {
-                      kept = kept || (f.component[j] == p.component[i] && follows(f, j));
+                      kept = kept || (f.component[j] == p.component[i] && hasReference(f, j));
                     });
     p.covered[i] = kept;
   }
@@ -77,7 +77,7 @@ void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p
 /// Appends seed surfels around exposed owned particles to `rows`. Particles that the initial surface still
 /// covers are skipped. Where a solid is bent or compressed, that surface deviates from the colour's
 /// iso-surface, and seeds would form a second skin. Requires: surfels with ghosts and bins.
-void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
+void seedExposed(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
@@ -89,14 +89,14 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   const double far = 1.2 * dx + std::hypot(reach, largest);
   SeedDirections seeds(w);
   FreeDirections free;
-  DiscsOver near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
+  DiscCover near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
   RowBlock block;
   FieldProbe probe(w, t);
   std::array<Vec3d, FieldProbe::most> direction;
   std::array<int, FieldProbe::most> number;
   std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
   const Bins& bins = t.relax.particleBins;
-  const auto looked = [&](std::uint32_t i) {
+  const auto mayBeSeeded = [&](std::uint32_t i) {
     if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour ||
         (p.covered.active && p.covered[i]))
       return false;
@@ -138,7 +138,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
         box.add(places[1]);
         probe.around(box, p.component[i], x);
         probe.at(places.data(), 2, field.data());
-        if (field[1].value <= fallsTo * field[0].level) rows.push_back(seedSurfel(w, i, number[k], *at[k]));
+        if (field[1].value <= openingDrop * field[0].level) rows.push_back(seedSurfel(w, i, number[k], *at[k]));
       }
       n = 0;
     };
@@ -154,28 +154,28 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
     if (n > 0) tryAll();
   };
   for (std::size_t b = 0; b < bins.size(); b++) {
-    std::uint32_t asking = 0;
+    std::uint32_t seedable = 0;
     PlaceBox box{};
     for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
-      if (looked(bins.row[k])) {
-        if (asking++ == 0) box = {bins.at[k], bins.at[k]};
+      if (mayBeSeeded(bins.row[k])) {
+        if (seedable++ == 0) box = {bins.at[k], bins.at[k]};
         box.add(bins.at[k]);
       }
-    if (asking == 0) continue;
+    if (seedable == 0) continue;
     block.find(t.relax.surfelBins, box, dx);
     for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
-      if (looked(bins.row[k])) seed(bins.row[k]);
+      if (mayBeSeeded(bins.row[k])) seed(bins.row[k]);
   }
 }
 
 /// Marks surfels of solids that left the surface: surfels beyond the edge of a crack, and surfels inside a
 /// crack that opened. Mesh surfels are tested only beside grown faces. Requires: surfels with ghosts.
-void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) {
+void findDetached(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) {
   const Surfels& f = w.surface.surfels;
-  const double reach = ragReach * w.scene.spacing;
+  const double reach = detachedReach * w.scene.spacing;
   const auto solid = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.5f; };
   const auto cold = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.02f; };
-  const auto softens = [&](std::size_t i) { return !cold(i) && f.softened.active && f.softened[i] > 0; };
+  const auto softens = [&](std::size_t i) { return !cold(i) && f.maxLiquidFraction.active && f.maxLiquidFraction[i] > 0; };
   std::vector<Vec3d> grown;
   std::vector<std::uint32_t> row;
   for (std::uint32_t i = 0; i < f.size(); i++)
@@ -183,18 +183,18 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   Bins bins;
   fillBins(grown.data(), grown.size(), reach, bins);
   dead.assign(f.owned, 0);
-  std::vector<std::uint8_t> asked(f.owned, 0);
+  std::vector<std::uint8_t> probed(f.owned, 0);
   RowBlock block;
   // All grown surfels of this rank are tested, except those that follow their reference. Another sheet nearby
   // may disturb the colour there.
   for (std::uint32_t i = 0; i < f.owned; i++)
-    if (f.detail[i] < 0.5f && solid(i) && !(f.follows.active && f.follows[i])) asked[i] = 1;
+    if (f.detail[i] < 0.5f && solid(i) && !(f.hasReference.active && f.hasReference[i])) probed[i] = 1;
   if (!grown.empty())
     forBlocks(t.relax.surfelBins, bins, reach, block, [&](std::uint32_t i, RowBlock& around) {
       if (i >= f.owned || !solid(i) || f.detail[i] < 0.5f) return;
       // Meshes resolve more than particles do and lie up to a spacing above the particles' surface.
       bool beside = false;
-      double nearest2 = finReach * finReach * w.scene.spacing * w.scene.spacing;
+      double nearest2 = spurReach * spurReach * w.scene.spacing * w.scene.spacing;
       std::uint32_t face = 0xffffffffu;
       for (const std::uint32_t k : around.around(f.position[i], reach)) {
         const std::uint32_t j = row[around.row[k]];
@@ -203,7 +203,7 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
         if (d2 > reach * reach || f.component[j] != f.component[i]) continue;
         beside = true;
         if (!(f.id[j] & birthBit) || !cold(i)) continue;
-        if (dot(f.normal[i], f.normal[j]) > finTurn || d2 > nearest2 ||
+        if (dot(f.normal[i], f.normal[j]) > spurTurn || d2 > nearest2 ||
             (d2 == nearest2 && face != 0xffffffffu && f.id[j] > f.id[face]))
           continue;
         nearest2 = d2;
@@ -213,53 +213,53 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
       if (face != 0xffffffffu) {
         const Vec3d d = f.position[i] - f.position[face];
         // The face lies behind the surfel: a convex edge.
-        if (dot(d, f.normal[face]) > finHeight * w.scene.spacing && dot(d, f.normal[i]) > 0) {
+        if (dot(d, f.normal[face]) > spurHeight * w.scene.spacing && dot(d, f.normal[i]) > 0) {
           dead[i] = 1;
           return;
         }
       }
-      asked[i] = 1;
+      probed[i] = 1;
     });
-  forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
+  forFieldAtSurfels(w, t, probed, [&](std::size_t i, const FieldHere& c) {
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
     // A mesh may begin half a spacing inside the particles' surface. The iterations move softening surfels
     // outward from there.
-    dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2
-                                  : under < -hangsOver || (under > liesUnder && !softens(i)) || along < 0.5;
+    dead[i] = f.detail[i] >= 0.5f ? under < -mostMeshOutward || along < -0.2
+                                  : under < -mostOutward || (under > mostInward && !softens(i)) || along < 0.5;
   });
 }
 
 /// Lets grown surfels near new ones relax, because an opening crack moves the surface beside its new faces.
 /// Requires: surfels with ghosts.
-void loosenAround(const World& w, Surfels& f) {
-  const double reach = looseReach * w.scene.spacing;
-  std::vector<Vec3d> loose;
+void relaxAroundNew(const World& w, Surfels& f) {
+  const double reach = relaxingReach * w.scene.spacing;
+  std::vector<Vec3d> relaxesOnce;
   std::vector<std::uint64_t> component;
   for (std::size_t i = 0; i < f.size(); i++)
-    if (f.loose[i]) loose.push_back(f.position[i]), component.push_back(f.component[i]);
+    if (f.relaxesOnce[i]) relaxesOnce.push_back(f.position[i]), component.push_back(f.component[i]);
   Bins bins;
-  fillBins(loose.data(), loose.size(), reach, bins);
-  for (std::size_t i = 0; i < f.owned && !loose.empty(); i++) {
-    if (f.loose[i] || f.detail[i] >= 0.5f) continue;
+  fillBins(relaxesOnce.data(), relaxesOnce.size(), reach, bins);
+  for (std::size_t i = 0; i < f.owned && !relaxesOnce.empty(); i++) {
+    if (f.relaxesOnce[i] || f.detail[i] >= 0.5f) continue;
     forRowsWithin(bins, f.position[i], reach,
-                  [&](std::uint32_t j, double) { f.loose[i] |= component[j] == f.component[i]; });
+                  [&](std::uint32_t j, double) { f.relaxesOnce[i] |= component[j] == f.component[i]; });
   }
 }
 
 }  // namespace
 
-std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
+std::int64_t resurfaceExposed(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
-  readyParticles(w, halos, t);
+  prepareParticles(w, halos, t);
   const bool coloured = coloursMayDiffer(w.scene);
   const auto look = [&] {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
     ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.detail};
     if (f.liquid.active) columns.push_back(&f.liquid);
-    if (f.loose.active) columns.push_back(&f.loose);
-    if (f.follows.active) columns.push_back(&f.follows);
+    if (f.relaxesOnce.active) columns.push_back(&f.relaxesOnce);
+    if (f.hasReference.active) columns.push_back(&f.hasReference);
     if (coloured) columns.push_back(&f.colour);
     addGhosts(halos.surfels, f, s.surfelCells, columns);
     fillBins(s.grid, s.surfelCells, f.position.data(), surfelReach * w.scene.spacing, t.relax.surfelBins);
@@ -267,24 +267,24 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
   std::int64_t all = 0;
   for (int round = 0; round < mostRounds; round++) {
     look();
-    if (round == 0) bareBesideLiquid(w, t, s.particles);
+    if (round == 0) uncoverBesideLiquid(w, t, s.particles);
     std::vector<std::uint8_t> dead;
-    findRags(w, t, dead);
+    findDetached(w, t, dead);
     std::int64_t count[2] = {0, std::count(dead.begin(), dead.end(), 1)};
     halos.all.sum({count + 1, 1});
     if (count[1] > 0) {
-      dropSurfels(s, dead);
+      removeSurfels(s, dead);
       look();
     }
     std::vector<SurfelRow> rows;
     // Without deletions, all seeds would be rejected again.
-    if (round == 0 || count[1] > 0) seedBare(w, t, rows);
+    if (round == 0 || count[1] > 0) seedExposed(w, t, rows);
     if (coloured) inheritColours(w, t.relax.surfelBins, rows);
     count[0] = static_cast<std::int64_t>(rows.size());
     halos.all.sum({count, 1});
     f.resize(f.owned, 0);
     if (count[0] > 0) {
-      f.activate(f.loose);
+      f.activate(f.relaxesOnce);
       addSurfels(f, rows, w.scene.seed, halos.all);
     }
     s.counters.births += count[0];
@@ -294,7 +294,7 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
   }
   if (all > 0) {
     look();
-    loosenAround(w, f);
+    relaxAroundNew(w, f);
     f.resize(f.owned, 0);
   }
   return all;

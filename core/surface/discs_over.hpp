@@ -10,11 +10,11 @@
 namespace thaw {
 
 /// Surfels around a particle, relative to it (m), as separate arrays for vector instructions.
-class DiscsOver {
+class DiscCover {
  public:
   /// `spacing` (m) of the particles. Discs more than `reach` spacings above or below a position do not cover
   /// it.
-  DiscsOver(double spacing, double reach)
+  DiscCover(double spacing, double reach)
       : most_(static_cast<float>(reach * spacing)), half_(static_cast<float>(0.5 * spacing)) {}
   void clear() { size_ = 0, closed_ = false; }
   void add(const Vec3d& d, const Vec3d& n, double r) {

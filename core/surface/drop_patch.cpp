@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-std::vector<SurfelRow> dropPatch(std::uint64_t component, const Vec3d& centre, double volume,
+std::vector<SurfelRow> dropSphere(std::uint64_t component, const Vec3d& centre, double volume,
                                  double spacing) {
   constexpr double pi = 3.14159265358979323846, goldenAngle = 2.39996322972865332;
   const double R = std::cbrt(0.75 * volume / pi), area = 4 * pi * R * R, perSurfel = std::sqrt(0.75);

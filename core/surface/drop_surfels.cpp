@@ -2,7 +2,7 @@
 
 namespace thaw {
 
-std::int64_t dropSurfels(Surface& s, std::span<const std::uint8_t> dead) {
+std::int64_t removeSurfels(Surface& s, std::span<const std::uint8_t> dead) {
   Surfels& f = s.surfels;
   std::vector<std::uint32_t> kept;
   kept.reserve(f.owned);

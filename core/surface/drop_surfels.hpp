@@ -9,6 +9,6 @@ namespace thaw {
 
 /// Removes the owned surfels with dead[row] != 0, and all ghosts. The others keep their order, and
 /// `surfelCells` lists their cells. Returns the number of removed surfels. Not collective.
-std::int64_t dropSurfels(Surface& surface, std::span<const std::uint8_t> dead);
+std::int64_t removeSurfels(Surface& surface, std::span<const std::uint8_t> dead);
 
 }  // namespace thaw

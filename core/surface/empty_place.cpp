@@ -76,7 +76,7 @@ bool pastEdge(const Patch& patch, const SurfacePoint& p, double distance) {
 }
 
 /// Returns whether p lies on no disc around it and near no disc's plane. Between faces that meet at an edge,
-/// the mean of their planes (ontoSurface) may lie deep below both. Births there would continue as a second
+/// the mean of their planes (projectToPatch) may lie deep below both. Births there would continue as a second
 /// sheet behind the surface. Only surfels with mesh detail are tested, because the edges of thin grown plates
 /// are rounder than their discs.
 bool offAllDiscs(const Patch& patch, const SurfacePoint& p, double distance) {
@@ -110,19 +110,19 @@ double widestGap(const Patch& patch, const SurfacePoint& p, double reach) {
   return widest;
 }
 
-Crowding crowdingOf(const Patch& patch, double reach) {
+SamplingDensity samplingDensityOf(const Patch& patch, double reach) {
   const Surfels& s = *patch.surfels;
   const std::size_t i = patch.centre;
   const double r = s.radius[i], law = neighboursPerArea * (reach / r) * (reach / r),
                count = static_cast<double>(patch.rows.size());
-  Crowding c;
+  SamplingDensity c;
   c.thin = count < tooFew * law;
-  c.closest = follows(s, i) ? crowdedAtSolid : count > tooMany * law ? crowdedAtMany : crowdedAt;
+  c.closest = hasReference(s, i) ? crowdedAtSolid : count > tooMany * law ? crowdedAtMany : crowdedAt;
   for (const std::uint32_t j : patch.rows) c.crowded = c.crowded || tooClose(s, i, j, c.closest);
   return c;
 }
 
-std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance) {
+std::optional<SurfacePoint> uncoveredPoint(Patch& patch, double distance) {
   static const Circle circle;
   const Vec3d centre = patch.surfels->position[patch.centre];
   const std::array<float, directions> open = openDirections(patch, distance, circle);
@@ -135,7 +135,7 @@ std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance) {
   std::size_t n = 0;
   const auto look = [&] {
     // Points may have left the surface at edges, where the curvature changes.
-    ontoSurface(patch, some.data(), n, 2.5 * distance);
+    projectToPatch(patch, some.data(), n, 2.5 * distance);
     for (std::size_t m = 0; m < n; m++) {
       const SurfacePoint& p = around[of[m]] = some[m];
       const Vec3d d = p.position - centre;

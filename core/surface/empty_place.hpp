@@ -8,7 +8,7 @@
 namespace thaw {
 
 /// Sampling density at a surfel.
-struct Crowding {
+struct SamplingDensity {
   bool crowded = false;  ///< a neighbour is too close
   bool thin = false;     ///< there are too few neighbours
   double closest = 0;    ///< least distance over the smaller of the two radii
@@ -22,12 +22,12 @@ inline bool tooClose(const Surfels& s, std::size_t i, std::size_t j, double clos
 
 /// Returns the sampling density for the surfels of the patch within `reach` (m), at most three radii.
 /// Thresholds are in resample.hpp.
-Crowding crowdingOf(const Patch& patch, double reach);
+SamplingDensity samplingDensityOf(const Patch& patch, double reach);
 
 /// Returns the middle of the longest uncovered arc on the circle of radius `distance` (m) around the patch's
 /// centre, on the surface. No point of the arc has a surfel within `distance`. Requires: a patch of 2.5 times
 /// the distance.
-std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance);
+std::optional<SurfacePoint> uncoveredPoint(Patch& patch, double distance);
 
 /// Returns the widest angle (rad) without a surfel of the patch within `reach` (m), seen from p in its
 /// tangent plane. Below pi, p lies between surfels; above, it lies outside of a border.

@@ -13,7 +13,7 @@ constexpr double deepest = 1.5, past = 0.2, beside = 0.8;
 
 }  // namespace
 
-double filmRoom(const Surfels& f, const Bins& bins, std::size_t i, double spacing, double slack) {
+double filmOffsetLimit(const Surfels& f, const Bins& bins, std::size_t i, double spacing, double slack) {
   const double reach = spacing * std::hypot(deepest, beside) + slack, most = deepest * spacing,
                widest2 = beside * beside * spacing * spacing;
   double least = std::numeric_limits<double>::infinity();

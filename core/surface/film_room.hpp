@@ -12,6 +12,6 @@ inline constexpr double thinnestFilm = 0.4;
 /// their distance over thinnestFilm. It is negative if they are closer, and infinity without an opposite
 /// side. Bins hold surfels and ghosts, which may have moved by `slack` (m) since; positions and normals are
 /// current.
-double filmRoom(const Surfels& surfels, const Bins& bins, std::size_t i, double spacing, double slack);
+double filmOffsetLimit(const Surfels& surfels, const Bins& bins, std::size_t i, double spacing, double slack);
 
 }  // namespace thaw

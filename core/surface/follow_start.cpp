@@ -29,13 +29,13 @@ Found findPartners(const World& w, const Bins& bins, std::size_t i, const Period
                    std::vector<Partner>& partners) {
   const Surfels& s = w.surface.surfels;
   const SurfaceParticles& p = w.surface.particles;
-  const double reach = followReach * w.scene.spacing, reach2 = reach * reach;
+  const double reach = referenceReach * w.scene.spacing, reach2 = reach * reach;
   partners.clear();
   bool bare = false;
   forRowsWithin(bins, s.position[i], w.surface.particleSupport, [&](std::uint32_t j, double) {
     // The particle came after the start.
-    if (p.component[j] != s.component[i] || (!p.covered[j] && p.startPlace[j] == Vec3d{})) return;
-    const Vec3d then = minimumImage(p.startPlace[j] - s.startPlace[i], periods);
+    if (p.component[j] != s.component[i] || (!p.covered[j] && p.referencePosition[j] == Vec3d{})) return;
+    const Vec3d then = minimumImage(p.referencePosition[j] - s.referencePosition[i], periods);
     const double share = 1 - dot(then, then) / reach2;
     if (!(share > 0)) return;
     bare = bare || !p.covered[j];
@@ -67,9 +67,9 @@ bool fit(const std::vector<Partner>& partners, AffineMap& map) {
 }
 
 /// Rotates the frame. Returns false, without a change, if the tangents become collinear.
-bool turnFrame(const Mat3d& gradient, const Vec3d& startNormal, const Vec3d& startTangent, Vec3d& normal,
+bool turnFrame(const Mat3d& gradient, const Vec3d& referenceNormal, const Vec3d& referenceTangent, Vec3d& normal,
                Vec3d& tangent) {
-  const Vec3d a = gradient * startTangent, b = gradient * cross(startNormal, startTangent), n = cross(a, b);
+  const Vec3d a = gradient * referenceTangent, b = gradient * cross(referenceNormal, referenceTangent), n = cross(a, b);
   const double size = length(n);
   if (!(size > 1e-6 * length(a) * length(b))) return false;
   normal = n / size;
@@ -79,36 +79,36 @@ bool turnFrame(const Mat3d& gradient, const Vec3d& startNormal, const Vec3d& sta
 
 }  // namespace
 
-void keepStart(World& w) {
+void recordReference(World& w) {
   Surfels& s = w.surface.surfels;
-  if (!s.follows.active) return;
-  for (std::size_t i = 0; i < w.particles.owned; i++) w.particles.surfaceStart[i] = w.particles.position[i];
+  if (!s.hasReference.active) return;
+  for (std::size_t i = 0; i < w.particles.owned; i++) w.particles.surfaceStartPosition[i] = w.particles.position[i];
   for (std::size_t i = 0; i < s.owned; i++) {
-    s.follows[i] = !(s.liquid.active && s.liquid[i] >= wet);
-    s.startPlace[i] = s.position[i];
-    s.startNormal[i] = s.normal[i];
-    s.startTangent[i] = s.tangent[i];
+    s.hasReference[i] = !(s.liquid.active && s.liquid[i] >= wet);
+    s.referencePosition[i] = s.position[i];
+    s.referenceNormal[i] = s.normal[i];
+    s.referenceTangent[i] = s.tangent[i];
   }
 }
 
-void followStart(World& w, const Bins& bins) {
+void moveByReference(World& w, const Bins& bins) {
   Surfels& s = w.surface.surfels;
-  if (!s.follows.active) return;
+  if (!s.hasReference.active) return;
   const Periods periods = periodsOf(w.surface.grid);
   std::vector<Partner> partners;
   AffineMap map;
   for (std::size_t i = 0; i < s.owned; i++) {
-    if (!s.follows[i]) continue;
+    if (!s.hasReference[i]) continue;
     const Found found = s.liquid.active && s.liquid[i] >= wet ? Found::Bare
                                                               : findPartners(w, bins, i, periods, partners);
     if (found == Found::Bare) {
-      s.follows[i] = 0;
-      s.startPlace[i] = s.startNormal[i] = s.startTangent[i] = {};
+      s.hasReference[i] = 0;
+      s.referencePosition[i] = s.referenceNormal[i] = s.referenceTangent[i] = {};
       continue;
     }
     if (found == Found::TooFew || !fit(partners, map)) continue;
     s.carried[i] = map.now - map.gradient * map.then;
-    turnFrame(map.gradient, s.startNormal[i], s.startTangent[i], s.normal[i], s.tangent[i]);
+    turnFrame(map.gradient, s.referenceNormal[i], s.referenceTangent[i], s.normal[i], s.tangent[i]);
   }
 }
 

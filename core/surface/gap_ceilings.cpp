@@ -53,23 +53,23 @@ double mostDot(const PlaceBox& n, const PlaceBox& d) {
 
 // Few surfels face another one. Bins whose normals cannot differ by the angle of twoSheets are excluded
 // first.
-void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins& bins, double reach,
+void findGapCutoffs(Surface& s, const std::vector<std::uint8_t>& free, const Bins& bins, double reach,
                   bool again) {
   Surfels& f = s.surfels;
   constexpr float none = std::numeric_limits<float>::infinity();
   const double rounding = 1e-9;
-  std::vector<std::uint32_t> asking;
+  std::vector<std::uint32_t> queries;
   std::vector<std::size_t> facingBins;
   const std::vector<BinFrame> frames = framesOf(f, bins);
   for (std::size_t b = 0; b < bins.size(); b++) {
-    asking.clear();
+    queries.clear();
     for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) {
       const std::uint32_t i = bins.row[k];
-      if (i >= f.owned || (again && (!free[i] || f.ceiling[i] == none))) continue;
-      f.ceiling[i] = none;
-      if (free[i]) asking.push_back(i);
+      if (i >= f.owned || (again && (!free[i] || f.gapCutoff[i] == none))) continue;
+      f.gapCutoff[i] = none;
+      if (free[i]) queries.push_back(i);
     }
-    if (asking.empty()) continue;
+    if (queries.empty()) continue;
     const BinFrame& own = frames[b];
     facingBins.clear();
     forBinsAround(bins, own.place.low, own.place.high, reach, [&](std::size_t other) {
@@ -79,7 +79,7 @@ void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins&
           mostDot(own.normal, {o.place.low - own.place.high, o.place.high - own.place.low}) > 0)
         facingBins.push_back(other);
     });
-    for (const std::uint32_t i : asking) {
+    for (const std::uint32_t i : queries) {
       const Vec3d x = f.position[i], n = f.normal[i];
       double lowest = std::numeric_limits<double>::infinity();
       for (const std::size_t other : facingBins) {
@@ -102,16 +102,16 @@ void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins&
             lowest = height;
         }
       }
-      if (lowest < reach) f.ceiling[i] = static_cast<float>(std::max(lowest, leastCeiling * s.spacing));
+      if (lowest < reach) f.gapCutoff[i] = static_cast<float>(std::max(lowest, leastGapCutoff * s.spacing));
     }
   }
 }
 
-void packCeilings(const Surface& s, const GroupLists& lists, GapCeilings& c) {
+void packGapCutoffs(const Surface& s, const GroupLists& lists, GapCutoffs& c) {
   const Surfels& f = s.surfels;
   c.any = false;
   c.height.resize(f.size());
-  for (std::size_t i = 0; i < f.owned; i++) c.height[i] = f.ceiling[i] / static_cast<float>(s.grid.support);
+  for (std::size_t i = 0; i < f.owned; i++) c.height[i] = f.gapCutoff[i] / static_cast<float>(s.grid.support);
   c.ofGroup.assign(lists.groups(), 0);
   for (std::size_t g = 0; g < lists.groups(); g++)
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(lists.lanes[g]); lane++)

@@ -10,18 +10,18 @@
 
 namespace thaw {
 
-/// Finds Surfels::ceiling of owned surfels in `free`: the height of the lowest facing surfel directly above
+/// Finds Surfels::gapCutoff of owned surfels in `free`: the height of the lowest facing surfel directly above
 /// (near_sheets.hpp), or infinity without one within `reach` (m). With `again`, only surfels with a finite
 /// value are updated, because sheets approach slowly. Requires: bins of surfels and ghosts.
-void findCeilings(Surface& surface, const std::vector<std::uint8_t>& free, const Bins& bins, double reach,
+void findGapCutoffs(Surface& surface, const std::vector<std::uint8_t>& free, const Bins& bins, double reach,
                   bool again);
 
 /// Gap cutoffs for the force sums, in support radii of the grid, and a flag for each group with a finite one.
-struct GapCeilings {
+struct GapCutoffs {
   bool any = false;
   std::vector<float> height;
   std::vector<std::uint8_t> ofGroup;
 };
-void packCeilings(const Surface& surface, const GroupLists& lists, GapCeilings& ceilings);
+void packGapCutoffs(const Surface& surface, const GroupLists& lists, GapCutoffs& gapCutoffs);
 
 }  // namespace thaw

@@ -33,7 +33,7 @@ std::uint64_t lookUp(const std::vector<Pair>& list, std::uint64_t key) {
 
 }  // namespace
 
-void keepEnclosed(World& w, SurfaceHalos halos, ComponentTools& t) {
+void attachEnclosed(World& w, SurfaceHalos halos, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
@@ -46,7 +46,7 @@ void keepEnclosed(World& w, SurfaceHalos halos, ComponentTools& t) {
     if (p.component[i] == noComponent || std::binary_search(covered.begin(), covered.end(), p.part[i]))
       continue;
     findSides(f, t.surfelBins, p.position[i], p.component[i], false, s.particleSupport, inside, sides);
-    if (sides.empty() || sides[0].distance >= 0 || sides[0].asked < leastAsked) continue;
+    if (sides.empty() || sides[0].distance >= 0 || sides[0].discsUsed < leastDiscs) continue;
     const std::uint64_t part = f.part[sides[0].nearest];
     // Otherwise those surfels have no particles and will be deleted.
     if (part >> 63 == 0) into.push_back({p.part[i], part});

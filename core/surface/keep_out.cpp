@@ -11,10 +11,10 @@ constexpr int mostPushes = 8;
 /// radius for their particles.
 constexpr double thin = 1.5;
 /// Distance to a wall in spacings of surfels within which a surfel that faces it lies on it.
-constexpr double onIt = 0.02;
+constexpr double onWallDistance = 0.02;
 
 /// Distance for surfels that rest on a wall, and the cosine of the largest angle between normal and wall.
-constexpr double standsOn = 0.1, squarely = 0.7;
+constexpr double restingDistance = 0.1, restingCosine = 0.7;
 
 /// Projects x out of one wall. Returns whether it was inside.
 bool outOf(const World& w, const Wall& wall, const Vec3d& outward, Vec3d& x) {
@@ -123,7 +123,7 @@ void turnTo(Surfels& f, std::size_t i, const Vec3d& normal) {
 
 }  // namespace
 
-Vec3d outOfWalls(const World& w, const Vec3d& at, const Vec3d& outward) {
+Vec3d projectedOutOfWalls(const World& w, const Vec3d& at, const Vec3d& outward) {
   Vec3d x = at;
   for (int round = 0, pushes = 1; round < mostPushes && pushes > 0; round++) {
     pushes = 0;
@@ -144,31 +144,31 @@ bool inWall(const World& w, const Vec3d& x) {
 }
 
 bool facesWall(const World& w, const Vec3d& x, const Vec3d& normal, Vec3d& into) {
-  return facesWallWithin(w, x, normal, onIt * w.surface.spacing, 0.3, into);
+  return facesWallWithin(w, x, normal, onWallDistance * w.surface.spacing, 0.3, into);
 }
 
-void findStanding(World& w, const std::vector<std::uint8_t>& listed) {
+void alignWithWalls(World& w, const std::vector<std::uint8_t>& listed) {
   Surfels& f = w.surface.surfels;
-  if (!f.pressed.active) return;
-  f.activate(f.standing);
+  if (!f.wallOffset.active) return;
+  f.activate(f.wallAligned);
   for (std::size_t i = 0; i < f.owned; i++) {
     Vec3d into;
-    f.standing[i] = listed[i] && facesWallWithin(w, f.position[i], f.normal[i], standsOn * w.surface.spacing,
-                                                 squarely, into);
-    if (f.standing[i]) turnTo(f, i, into);
+    f.wallAligned[i] = listed[i] && facesWallWithin(w, f.position[i], f.normal[i], restingDistance * w.surface.spacing,
+                                                 restingCosine, into);
+    if (f.wallAligned[i]) turnTo(f, i, into);
   }
 }
 
-void keepOutOfWalls(World& w, const Bins& particleBins) {
+void projectOutOfWalls(World& w, const Bins& particleBins) {
   Surfels& f = w.surface.surfels;
-  if (!f.pressed.active) return;
+  if (!f.wallOffset.active) return;
   const ThinWalls thinWalls(w, particleBins);
   for (std::size_t i = 0; i < f.owned; i++) {
-    const Vec3d from = f.position[i], to = thinWalls.back(i, outOfWalls(w, from, f.normal[i])),
+    const Vec3d from = f.position[i], to = thinWalls.back(i, projectedOutOfWalls(w, from, f.normal[i])),
                 push = to - from;
     if (dot(push, push) > 0) {
       f.position[i] = to;
-      f.pressed[i] = (1 - liquidShare(f, i)) * push;
+      f.wallOffset[i] = (1 - liquidShare(f, i)) * push;
     }
     Vec3d into;
     if (!(liquidShare(f, i) > 0.5) || !facesWall(w, to, f.normal[i], into)) continue;
@@ -176,19 +176,19 @@ void keepOutOfWalls(World& w, const Bins& particleBins) {
   }
 }
 
-void keepOutAgain(World& w) {
+void reprojectOutOfWalls(World& w) {
   Surfels& f = w.surface.surfels;
-  if (!f.pressed.active) return;
+  if (!f.wallOffset.active) return;
   for (std::size_t i = 0; i < f.owned; i++) {
-    f.position[i] = outOfWalls(w, f.position[i], f.normal[i]);
+    f.position[i] = projectedOutOfWalls(w, f.position[i], f.normal[i]);
     Vec3d into;
     f.onWall[i] = facesWall(w, f.position[i], f.normal[i], into);
   }
 }
 
-void releasePressed(Surfels& f) {
-  if (!f.pressed.active) return;
-  for (std::size_t i = 0; i < f.owned; i++) f.position[i] -= f.pressed[i], f.pressed[i] = {};
+void removeWallOffsets(Surfels& f) {
+  if (!f.wallOffset.active) return;
+  for (std::size_t i = 0; i < f.owned; i++) f.position[i] -= f.wallOffset[i], f.wallOffset[i] = {};
 }
 
 }  // namespace thaw

@@ -7,10 +7,10 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Projects surfels that stopped at the margin (heldAtMargin), far from the surface, along the gradient of
+/// Projects surfels that stopped at the margin (stoppedAtMargin), far from the surface, along the gradient of
 /// the colour field. Forces would need a search for each margin of the distance. Partly molten surfaces have
 /// many such surfels, because blendSurfels keeps only the liquid share of each update's motion. Surfels below
 /// a gap are left to the forces. Surfels have no order and no ghosts afterwards. Collective.
-void leapOntoSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void projectDistantSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -19,7 +19,7 @@ std::vector<Range> rangesOf(const Bins& bins, const std::uint64_t* label) {
 
 }  // namespace
 
-std::vector<std::uint8_t> mixedBins(const Bins& of, const std::uint64_t* ofLabel, const Bins& among,
+std::vector<std::uint8_t> multiLabelBins(const Bins& of, const std::uint64_t* ofLabel, const Bins& among,
                                     const std::uint64_t* label, double reach) {
   const std::vector<Range> own = rangesOf(of, ofLabel), others = rangesOf(among, label);
   Range all;

@@ -19,11 +19,11 @@ constexpr double detour = 1.5;
 constexpr double inDirection = 0.9;
 
 /// Neighbourhood of one particle.
-class Around {
+class NeighbourPaths {
  public:
-  explicit Around(const World& w) : world_(w), near_(neighbour * w.scene.spacing) {}
+  explicit NeighbourPaths(const World& w) : world_(w), near_(neighbour * w.scene.spacing) {}
 
-  bool acrossAGap(std::size_t i, const Bins& bins, const SeedDirections& seeds) {
+  bool hasGap(std::size_t i, const Bins& bins, const SeedDirections& seeds) {
     const SurfaceParticles& p = world_.surface.particles;
     const double reach = world_.surface.particleSupport;
     at_.assign(1, Vec3d{});
@@ -93,10 +93,10 @@ std::vector<std::uint64_t> ofAll(Reducer& all, const std::vector<std::uint64_t>&
 
 }  // namespace
 
-NearGaps findNearGaps(const World& w, const Bins& bins, Reducer& all) {
+NarrowGaps findNarrowGaps(const World& w, const Bins& bins, Reducer& all) {
   const SurfaceParticles& p = w.surface.particles;
-  NearGaps mine;
-  Around around(w);
+  NarrowGaps mine;
+  NeighbourPaths around(w);
   SeedDirections seeds(w);
   for (std::size_t i = 0; i < p.owned; i++) {
     if (isSampled(w.scene, p.body[i]) || p.component[i] == noComponent || p.colour[i] >= innerColour)
@@ -104,7 +104,7 @@ NearGaps findNearGaps(const World& w, const Bins& bins, Reducer& all) {
     std::vector<std::uint64_t>& known = p.liquid.active && p.liquid[i] >= 0.5f ? mine.liquid : mine.solid;
     if (std::find(known.begin(), known.end(), p.component[i]) != known.end()) continue;
     seeds.turn(p.id[i]);
-    if (around.acrossAGap(i, bins, seeds)) known.push_back(p.component[i]);
+    if (around.hasGap(i, bins, seeds)) known.push_back(p.component[i]);
   }
   return {ofAll(all, mine.solid), ofAll(all, mine.liquid)};
 }

@@ -11,14 +11,14 @@
 namespace thaw {
 
 /// Labels, ascending, of components with a gap between two of their solid or liquid particles.
-struct NearGaps {
+struct NarrowGaps {
   std::vector<std::uint64_t> solid, liquid;
 };
 
 /// Finds components with narrow gaps, which the colour field would merge. A particle of a body with a grown
 /// surface has a gap to a particle of its component within h_ps behind an empty place if no path connects
 /// them, or only one of 1.5 times their distance. Steps of a path are at most the distance of lattice
-/// neighbours. Requires: particle colours, bins and ghosts (readyParticles). Collective.
-NearGaps findNearGaps(const World& world, const Bins& particleBins, Reducer& all);
+/// neighbours. Requires: particle colours, bins and ghosts (prepareParticles). Collective.
+NarrowGaps findNarrowGaps(const World& world, const Bins& particleBins, Reducer& all);
 
 }  // namespace thaw

@@ -37,15 +37,15 @@ inline void addToSectors(const CellGrid& g, double least, const Vec3d& x, Sector
 }
 
 /// Position of a component's cut along each axis.
-struct OnePiece {
+struct PeriodicCut {
   /// The component occupies every sector of a periodic axis and has no gap.
   std::array<bool, 3> round{};
   /// m, relative to the low side: middle of the widest gap, where the domain is cut; 0 without a gap
   Vec3d from{};
 };
 
-inline OnePiece onePiece(const CellGrid& g, double least, const Sectors& sectors) {
-  OnePiece p;
+inline PeriodicCut findPeriodicCut(const CellGrid& g, double least, const Sectors& sectors) {
+  PeriodicCut p;
   for (int a = 0; a < 3; a++) {
     if (!g.periodic[a]) continue;
     const int n = sectorCount(g, a, least);
@@ -64,7 +64,7 @@ inline OnePiece onePiece(const CellGrid& g, double least, const Sectors& sectors
 
 /// Returns x shifted by periods to its place in the unwrapped component: along periodic axes between the cut
 /// and one period beyond.
-inline Vec3d placeIn(const CellGrid& g, const OnePiece& p, Vec3d x) {
+inline Vec3d unwrappedPosition(const CellGrid& g, const PeriodicCut& p, Vec3d x) {
   for (int a = 0; a < 3; a++) {
     if (!g.periodic[a]) continue;
     double u = withinPeriod(g, a, x[a]);

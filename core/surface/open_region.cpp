@@ -25,8 +25,8 @@ template<class Row> void appendRows(const Surfels& from, std::size_t n, Row row,
 
 }  // namespace
 
-void takeRegion(Surface& s, const Bins& bins, const std::vector<std::uint8_t>& open, double radius,
-                double reach, OpenRegion& r) {
+void extractActiveSet(Surface& s, const Bins& bins, const std::vector<std::uint8_t>& open, double radius,
+                double reach, ActiveSet& r) {
   Surfels& f = s.surfels;
   constexpr double far = std::numeric_limits<double>::infinity();
   std::vector<double> depth2(f.size(), far);
@@ -55,15 +55,15 @@ void takeRegion(Surface& s, const Bins& bins, const std::vector<std::uint8_t>& o
   r.taken = true;
 }
 
-bool regionHolds(const OpenRegion& r, Reducer& all) {
+bool activeSetSuffices(const ActiveSet& r, Reducer& all) {
   double out = 0;
   for (std::size_t i = 0; i < r.surfels.owned; i++)
-    if (r.surfels.calm[i] == 0 && r.surfels.depth[i] > r.deepest) out = 1;
+    if (r.surfels.resampleMargin[i] == 0 && r.surfels.depth[i] > r.deepest) out = 1;
   all.maximum({&out, 1});
   return out == 0;
 }
 
-void returnRegion(Surface& s, OpenRegion& r) {
+void returnActiveSet(Surface& s, ActiveSet& r) {
   if (!r.taken) return;
   Surfels& f = s.surfels;
   std::vector<std::uint32_t> kept;

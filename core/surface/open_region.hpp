@@ -12,7 +12,7 @@ namespace thaw {
 /// all surfels would cost more than the round. The table holds all surfels within `radius` of the initially
 /// open ones, on the ranks that own them. Neighbourhoods are complete within `radius` less the reach of an
 /// inspection.
-struct OpenRegion {
+struct ActiveSet {
   std::int64_t few = 12;  ///< used if less than one surfel in so many is open; 0: never
   bool taken = false;
   Surfels surfels;
@@ -23,13 +23,13 @@ struct OpenRegion {
 
 /// Extracts the active set. `open` flags all rows, ghosts included. Surface::surfels loses its ghosts.
 /// Surfels of the set have no order and no ghosts. Requires: ghosts and bins of Surface::surfels.
-void takeRegion(Surface& surface, const Bins& bins, const std::vector<std::uint8_t>& open, double radius,
-                double reach, OpenRegion& region);
+void extractActiveSet(Surface& surface, const Bins& bins, const std::vector<std::uint8_t>& open, double radius,
+                double reach, ActiveSet& region);
 
 /// Returns whether all open surfels have complete neighbourhoods, on all ranks. Collective.
-bool regionHolds(const OpenRegion& region, Reducer& all);
+bool activeSetSuffices(const ActiveSet& region, Reducer& all);
 
 /// Returns the surfels of the active set to Surface::surfels, which has no order afterwards.
-void returnRegion(Surface& surface, OpenRegion& region);
+void returnActiveSet(Surface& surface, ActiveSet& region);
 
 }  // namespace thaw

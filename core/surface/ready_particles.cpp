@@ -57,17 +57,17 @@ std::vector<double> weightsOf(const SurfaceParticles& p) {
 void placeParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, t.sort);
-  t.relax.particlesReady = false;
+  t.relax.particlesPrepared = false;
 }
 
-void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  if (t.relax.particlesReady) return;
-  t.relax.particlesReady = true;
+void prepareParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  if (t.relax.particlesPrepared) return;
+  t.relax.particlesPrepared = true;
   if (!t.relax.level.filled()) t.relax.level.fill();
   Surface& s = w.surface;
   SurfaceParticles& p = s.particles;
   p.resize(p.owned, 0);
-  ColumnList columns{&p.id, &p.position, &p.component, &p.volume, &p.share, &p.body};
+  ColumnList columns{&p.id, &p.position, &p.component, &p.volume, &p.volumeRatio, &p.body};
   if (p.fill.active) columns.push_back(&p.fill);
   if (p.liquid.active) columns.push_back(&p.liquid);
   if (p.temperature.active) columns.push_back(&p.temperature);
@@ -113,7 +113,7 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
 }
 
 void sampleFields(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  readyParticles(w, halos, t);
+  prepareParticles(w, halos, t);
   Surfels& s = w.surface.surfels;
   const SurfaceParticles& p = w.surface.particles;
   if (!s.liquid.active && !s.temperature.active) return;

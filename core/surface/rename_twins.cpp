@@ -29,7 +29,7 @@ std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer
   std::vector<Born> born;
   std::vector<std::uint8_t> seen(piece);
   for (std::size_t from = 0; from < numbers.total; from += piece) {
-    const std::vector<std::uint64_t> ids = gatherPiece(all, mine, numbers, from,
+    const std::vector<std::uint64_t> ids = gatherChunk(all, mine, numbers, from,
                                                        std::min(numbers.total, from + piece));
     born.clear();
     for (std::size_t k = 0; k < ids.size(); k++) born.push_back({ids[k], from + k});
@@ -53,7 +53,7 @@ std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer
 
 }  // namespace
 
-std::int64_t renameTwins(Surfels& s, std::size_t first, std::uint64_t seed, Reducer& all,
+std::int64_t makeIdsUnique(Surfels& s, std::size_t first, std::uint64_t seed, Reducer& all,
                          const Surfels* others) {
   std::int64_t renamed = 0;
   for (;;) {

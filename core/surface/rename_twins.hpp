@@ -10,7 +10,7 @@ namespace thaw {
 /// result is the same on any number of ranks. New ids are exchanged in chunks of 65,536 to bound memory. With
 /// a million births, one run in 2e7 has a duplicate. Returns the number of replaced ids on all ranks.
 /// Collective.
-std::int64_t renameTwins(Surfels& surfels, std::size_t first, std::uint64_t seed, Reducer& all,
+std::int64_t makeIdsUnique(Surfels& surfels, std::size_t first, std::uint64_t seed, Reducer& all,
                          const Surfels* others = nullptr);
 
 }  // namespace thaw

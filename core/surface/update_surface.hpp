@@ -18,11 +18,11 @@ struct SurfaceTools {
   SortBuffers sort;
   MeshLoader load;        ///< loads the bodies' meshes; set before startSurface
   RowLists surfelsOf;     ///< neighbours of surfels that resampling inspects
-  OpenRegion openRegion;  ///< active set of later rounds
+  ActiveSet activeSet;  ///< active set of later rounds
   TopologyTools topology;
   RelaxTools relax;  ///< for displacement and iterations
   /// labels, ascending, of liquids whose close sheets startSurface has merged
-  std::vector<std::uint64_t> lumps;
+  std::vector<std::uint64_t> mergedSheets;
   /// bodies with several pieces at the start, although no layer is missing between them
   std::vector<BodyPieces> pieces;
   SurfaceTimes times;  ///< all updates of this process, without the start

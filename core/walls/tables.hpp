@@ -15,10 +15,10 @@ namespace thaw {
 /// field that is linear across the wall's surface (Morris 1997), z the depth of a layer. drag: the same for a
 /// velocity along the wall with the scene's viscosity, scaled so that layers of particles half a spacing and
 /// whole spacings above a wall, in a linear profile, have the total stress mu du/dz. space: filling before
-/// asLiquidsFeelIt. momentShare: sum V z |dW/dz| (1), the wall's part of the moment along the normal; z:
+/// forLiquids. momentShare: sum V z |dW/dz| (1), the wall's part of the moment along the normal; z:
 /// distance to a layer.
 struct WallIntegrals {
-  double filling = 0, push = 0, conduct = 0, drag = 0, space = 0, momentShare = 0;
+  double relativeDensity = 0, push = 0, conduct = 0, drag = 0, space = 0, momentShare = 0;
 };
 
 struct WallTables {
@@ -35,7 +35,7 @@ struct WallTables {
     const double t = x - k;
     const WallIntegrals &a = at[static_cast<std::size_t>(k)], &b = at[static_cast<std::size_t>(k) + 1];
     const auto between = [t](double from, double to) { return from + t * (to - from); };
-    return {between(a.filling, b.filling), between(a.push, b.push),   between(a.conduct, b.conduct),
+    return {between(a.relativeDensity, b.relativeDensity), between(a.push, b.push),   between(a.conduct, b.conduct),
             between(a.drag, b.drag),       between(a.space, b.space), between(a.momentShare, b.momentShare)};
   }
 };
@@ -48,14 +48,14 @@ WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 /// twice the wall's own, as if the wall had the liquid's pressure. This balances a uniform pressure, which
 /// the plain push does not. The push remains the derivative of the relative density, so static walls do no
 /// work. Doubling the push alone makes water at rest boil.
-WallIntegrals asLiquidsFeelIt(const WallIntegrals& wall, double filling0);
+WallIntegrals forLiquids(const WallIntegrals& wall, double filling0);
 
 /// Distance in spacings below which the contribution for liquids continues along its tangent. The unlimited
 /// form is twice as steep a quarter of a spacing from the wall and four times on it, so that few particles in
 /// an impact would limit the step of all.
 inline constexpr double softBelow = 0.42;
 
-/// Makes tables of asLiquidsFeelIt down to softBelow, and of its tangent below; push stays the derivative of
+/// Makes tables of forLiquids down to softBelow, and of its tangent below; push stays the derivative of
 /// filling. conduct and drag use distances of at least a quarter of a spacing. Interpolation is accurate to
 /// 1e-5.
 WallTables makeWallTables(const Numerics& numerics);

@@ -18,7 +18,7 @@ template<class Add> Vec3d forceOf(Continuum& p, std::size_t row, Add add) {
 
 }  // namespace
 
-ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
+ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
   Continuum& p = w.particles;
   const double dt = w.clock.stepDt;
   const std::vector<Vec3d> force(p.force.data(), p.force.data() + p.owned),
@@ -26,7 +26,7 @@ ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
   const Ledger ledger = w.ledger;
   const Counters counters = w.counters;
   Vec3d rest = forceOf(w, i);
-  ForceShares f;
+  ForceTerms f;
   if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned) {
     f.elastic = length(w.solids.force[p.slot[i]]);
     rest -= w.solids.force[p.slot[i]];
@@ -53,7 +53,7 @@ ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
          }));
     f.viscosity = length(rest);
     if (w.modules.incompressible && dt > 0)
-      f.pressure = std::max(f.pressure, p.mass[i] * length(p.pressureKick[i]) / dt);
+      f.pressure = std::max(f.pressure, p.mass[i] * length(p.pressureImpulse[i]) / dt);
   }
   std::copy(force.begin(), force.end(), p.force.data());
   std::copy(velocity.begin(), velocity.end(), p.velocity.data());

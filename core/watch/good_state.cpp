@@ -34,7 +34,7 @@ void copyState(const Table& from, Table& to, std::size_t owned, std::size_t ghos
   }
 }
 
-void copyBooks(const World& from, World& to) {
+void copyLedger(const World& from, World& to) {
   to.clock = from.clock;
   to.ledger = from.ledger;
   to.counters = from.counters;
@@ -58,7 +58,7 @@ void copyKinds(const World& from, World& to) {
 
 }  // namespace
 
-void keepState(const World& w, GoodState& good) {
+void takeSnapshot(const World& w, Snapshot& good) {
   if (!w.solids.energyKnown || !w.compressionKnown)
     throw std::logic_error("stored energies must be computed before a snapshot");
   World& kept = good.world;
@@ -73,7 +73,7 @@ void keepState(const World& w, GoodState& good) {
   kept.bonds = w.bonds;
   copySurface(w.surface, kept.surface);
   copyKinds(w, kept);
-  copyBooks(w, kept);
+  copyLedger(w, kept);
 }
 
 void emptyWorld(World& w, StepTools& t) {
@@ -84,7 +84,7 @@ void emptyWorld(World& w, StepTools& t) {
   w.bonds.clear();
   w.cells = {};
   emptySurface(w.surface);
-  emptyKinds(w);
+  clearBodyTypes(w);
   t.elastic.capacity = 0;  // everything derived from bonds is recomputed
   t.requests.clear();
   t.leaving.clear();
@@ -92,14 +92,14 @@ void emptyWorld(World& w, StepTools& t) {
   t.maxStretch2 = 1;
 }
 
-std::vector<std::byte> bringBack(const GoodState& good, World& w) {
+std::vector<std::byte> restoreSnapshot(const Snapshot& good, World& w) {
   const World& kept = good.world;
   Continuum& p = w.particles;
   unpackState(good.particles, p);
   if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
   copySurface(kept.surface, w.surface);
   copyKinds(kept, w);
-  copyBooks(kept, w);
+  copyLedger(kept, w);
   SolidRecords records;
   for (std::size_t i = 0; kept.particles.slot.active && i < p.owned; i++)
     if (kept.particles.slot[i] != noSlot)

@@ -13,7 +13,7 @@ constexpr double inObstacle = 0.25;  // spacings; thin surfaces penetrate as dee
 
 }  // namespace
 
-std::vector<Sunken> findSunken(World& w, Halos halos) {
+std::vector<Interpenetration> findInterpenetrations(World& w, Halos halos) {
   const std::size_t bodies = w.scene.bodies.size();
   Continuum& p = w.particles;
   const Oriented& o = w.oriented.rows;
@@ -33,23 +33,23 @@ std::vector<Sunken> findSunken(World& w, Halos halos) {
       for (const RowSpan& r : ranges)
         for (std::uint32_t j = r.begin; j < r.end; j++)
           if (p.phase[j] == Solid && p.body[j] < bodies)
-            full[p.body[j]] += solidShare(length(p.position[j] - o.position[i]), s);
+            full[p.body[j]] += solidFraction(length(p.position[j] - o.position[i]), s);
       for (std::size_t b = 0; b < bodies; b++) count[o.body[i] * bodies + b] += full[b] > inside;
     }
   }
   halos.all.sum(count);
-  std::vector<Sunken> found;
+  std::vector<Interpenetration> found;
   for (std::size_t k = 0; k < count.size(); k++)
     if (count[k] > 0) found.push_back({k / bodies, k % bodies, count[k]});
   return found;
 }
 
-std::vector<Sunken> findSunkenInObstacles(const World& w, Reducer& all) {
+std::vector<Interpenetration> findObstacleInterpenetrations(const World& w, Reducer& all) {
   const Oriented& o = w.oriented.rows;
   const std::size_t walls = w.walls.list.size();
   std::vector<std::int64_t> count(w.scene.oriented.size() * walls, 0);
   for (std::size_t i = 0; i < o.owned; i++) {
-    if (o.flags[i] & heldPlace) continue;
+    if (o.flags[i] & fixedPosition) continue;
     const double deep = inObstacle * spacingOf(w.scene, w.scene.oriented[o.body[i]]);
     for (std::size_t k = 0; k < walls; k++) {
       const Wall& wall = w.walls.list[k];
@@ -60,7 +60,7 @@ std::vector<Sunken> findSunkenInObstacles(const World& w, Reducer& all) {
     }
   }
   if (!count.empty()) all.sum(count);
-  std::vector<Sunken> found;
+  std::vector<Interpenetration> found;
   for (std::size_t k = 0; k < count.size(); k++)
     if (count[k] > 0) found.push_back({k / walls, k % walls, count[k]});
   return found;

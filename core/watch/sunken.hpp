@@ -6,7 +6,7 @@
 namespace thaw {
 
 /// An oriented body and a continuum body.
-struct Sunken {
+struct Interpenetration {
   std::size_t oriented = 0, body = 0;
   std::int64_t count = 0;  ///< particles of the oriented body, over all ranks
 };
@@ -16,10 +16,10 @@ struct Sunken {
 /// holds). Also counts particles of a surface that a solid passes through. The same on any number of ranks.
 /// Requires: a world between two steps, with the ghosts of the last one; it refreshes their phase.
 /// Collective.
-std::vector<Sunken> findSunken(World& world, Halos halos);
+std::vector<Interpenetration> findInterpenetrations(World& world, Halos halos);
 
 /// Returns free oriented particles more than a quarter of their spacing inside an obstacle (`body`: its wall
 /// number), drawn into it or initially there. Collective.
-std::vector<Sunken> findSunkenInObstacles(const World& world, Reducer& all);
+std::vector<Interpenetration> findObstacleInterpenetrations(const World& world, Reducer& all);
 
 }  // namespace thaw

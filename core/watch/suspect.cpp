@@ -9,35 +9,35 @@ namespace thaw {
 namespace {
 
 /// Returns the quantity by which a particle is judged for this failure; the largest wins.
-double guilt(const World& w, Alarm alarm, Limit limitedBy, std::size_t i) {
+double failureMeasure(const World& w, Failure failure, Limit limitedBy, std::size_t i) {
   const Continuum& p = w.particles;
   const bool solid = p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned;
   const double speed2 = dot(p.velocity[i], p.velocity[i]);
   const Vec3d x = p.position[i], f = forceOf(w, i);
   double g = speed2;
-  if (alarm == Alarm::NotFinite && !std::isfinite(x.x + x.y + x.z + f.x + f.y + f.z)) g = never;
-  if (alarm == Alarm::Density)
-    g = p.phase[i] == Liquid && p.filling.active ? static_cast<double>(p.filling[i]) : 0;
-  if (alarm == Alarm::Step && limitedBy != Limit::Speed) g = dot(p.acceleration[i], p.acceleration[i]);
-  if (alarm == Alarm::Step && limitedBy == Limit::Elastic) {
+  if (failure == Failure::NotFinite && !std::isfinite(x.x + x.y + x.z + f.x + f.y + f.z)) g = never;
+  if (failure == Failure::Density)
+    g = p.phase[i] == Liquid && p.relativeDensity.active ? static_cast<double>(p.relativeDensity[i]) : 0;
+  if (failure == Failure::Step && limitedBy != Limit::Speed) g = dot(p.acceleration[i], p.acceleration[i]);
+  if (failure == Failure::Step && limitedBy == Limit::Elastic) {
     g = 0;
     for (int k = 0; solid && k < 3; k++)
       g += dot(w.solids.deformation[p.slot[i]].row[k], w.solids.deformation[p.slot[i]].row[k]);
   }
-  if (alarm == Alarm::Inverted) g = solid ? -determinant(w.solids.deformation[p.slot[i]]) : -never;
-  if (alarm == Alarm::Energy || alarm == Alarm::Growth)
+  if (failure == Failure::Inverted) g = solid ? -determinant(w.solids.deformation[p.slot[i]]) : -never;
+  if (failure == Failure::Energy || failure == Failure::Growth)
     g = 0.5 * speed2 + (solid && w.solids.energy.active ? w.solids.energy[p.slot[i]] / p.mass[i] : 0);
   return std::isnan(g) ? never : g;
 }
 
 }  // namespace
 
-Suspect findSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& all) {
+FailingParticle findFailingParticle(const World& w, Failure failure, Limit limitedBy, Reducer& all) {
   const Continuum& p = w.particles;
-  Suspect s;
+  FailingParticle s;
   double most = -never;
   for (std::size_t i = 0; i < p.owned; i++) {
-    const double g = guilt(w, alarm, limitedBy, i);
+    const double g = failureMeasure(w, failure, limitedBy, i);
     if (g < most || (g == most && s.here && p.id[i] > p.id[s.row])) continue;
     s = {true, i, 0};
     most = g;
@@ -52,8 +52,8 @@ Suspect findSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& all) 
     all.maximum({&lowest, 1});
     s.here = s.here && half == lowest;
   }
-  if (alarm == Alarm::Inverted) s.value = -s.value;
-  else if (alarm != Alarm::Density && alarm != Alarm::Energy && alarm != Alarm::Growth)
+  if (failure == Failure::Inverted) s.value = -s.value;
+  else if (failure != Failure::Density && failure != Failure::Energy && failure != Failure::Growth)
     s.value = std::sqrt(std::max(0.0, s.value));
   return s;
 }

@@ -5,13 +5,13 @@
 
 namespace thaw {
 
-struct Suspect {
+struct FailingParticle {
   bool here = false;    ///< this rank owns it
   std::size_t row = 0;  ///< its row on that rank
   double value = 0;     ///< value that caused the failure: m/s, relative density, det F, J/kg; over all ranks
 };
 
 /// Collective; the same particle on any number of ranks. No rank has it if there are no particles.
-Suspect findSuspect(const World& world, Alarm alarm, Limit limitedBy, Reducer& all);
+FailingParticle findFailingParticle(const World& world, Failure failure, Limit limitedBy, Reducer& all);
 
 }  // namespace thaw

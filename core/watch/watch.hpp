@@ -12,14 +12,14 @@ namespace thaw {
 
 /// Kinds of failure. NotFinite: also a particle that would cross its support radius in a step. Energy:
 /// unexplained gain since the last snapshot. Growth: unexplained gain since the run began, however slow.
-enum class Alarm { None, NotFinite, Speed, Density, Step, Inverted, Energy, Growth };
+enum class Failure { None, NotFinite, Speed, Density, Step, Inverted, Energy, Growth };
 
 /// Limits of the scene, constant over the run. `never` or 0: not monitored.
-struct WatchBounds {
+struct MonitorLimits {
   double expected = 0;   ///< m/s, largest speed due to initial motion, gravity, emitters and obstacles, or a
                          ///< tenth of the slowest wave speed
   double speed = never;  ///< m/s
-  double filling = never;  ///< 1, relative density of a liquid
+  double relativeDensity = never;  ///< 1, relative density of a liquid
   double step = 0;  ///< s, fraction of the shorter of the materials' limit and that of the expected speed
   double inverted = never;  ///< 1, fraction of the solid particles whose law cannot recover
   double energy = never;    ///< 1, relative to the energy scale
@@ -27,18 +27,18 @@ struct WatchBounds {
 
 /// Computes the limits. The speed limit is Numerics::watchSpeed times the sum of the expected speed and a
 /// tenth of the fastest wave speed: motion released from stress is slower.
-WatchBounds watchBounds(const Scene& scene, const Modules& modules,
+MonitorLimits monitorLimits(const Scene& scene, const Modules& modules,
                         const std::vector<LiquidMaterial>& liquids, const StepLimits& materials);
 
 /// Returns the largest relative density of this rank's liquid particles.
-double largestFilling(const World& world);
+double largestRelativeDensity(const World& world);
 
 /// Checks reduced values after the time-step reduction. limits: of all ranks, before Numerics::fixedStep and
-/// WatchState::factor; filling: largest relative density of all ranks. The result is equal on all ranks.
-Alarm alarmOf(const World& world, const WatchBounds& bounds, const StepLimits& limits, double filling);
+/// MonitorState::factor; filling: largest relative density of all ranks. The result is equal on all ranks.
+Failure failureOf(const World& world, const MonitorLimits& bounds, const StepLimits& limits, double relativeDensity);
 
 /// Checks the energy budget at a possible snapshot:
-/// - Energy: the unexplained gain since the last snapshot exceeds WatchBounds::energy times the largest of
+/// - Energy: the unexplained gain since the last snapshot exceeds MonitorLimits::energy times the largest of
 /// the ledger's terms at that snapshot, the external work so far, and the kinetic energy of all mass at the
 /// expected speed.
 /// - Growth: the same since the run began, relative to the largest ledger term so far, and at least the
@@ -46,24 +46,24 @@ Alarm alarmOf(const World& world, const WatchBounds& bounds, const StepLimits& l
 /// - Inverted: the fraction of solid particles with det F <= 0 whose law (Green strain without volume force)
 /// has no restoring force.
 /// Energy losses do not count: they make no run unstable and are in the ledger's residual. Collective.
-Alarm checkBooks(const World& world, const WatchBounds& bounds, const LedgerReport& books, Reducer& all);
+Failure checkEnergyBudget(const World& world, const MonitorLimits& bounds, const LedgerReport& budget, Reducer& all);
 
 /// Returns the factor of the next step, one step closer to 2^-halvings.
-double nextFactor(const WatchState& watch);
+double nextFactor(const MonitorState& watch);
 
-/// Accepts the state as a snapshot. After WatchState::patience snapshots since the latest failure, and past
-/// the time WatchState::passed, the step doubles and the number of counted failures decreases.
-void acceptState(World& world, const LedgerReport& books);
+/// Accepts the state as a snapshot. After MonitorState::patience snapshots since the latest failure, and past
+/// the time MonitorState::passed, the step doubles and the number of counted failures decreases.
+void acceptState(World& world, const LedgerReport& budget);
 
 /// Returns true if a failed run may retry with half the step: not after Numerics::retries, and not with a
-/// step below WatchBounds::step.
-bool mayRetry(const World& world, const WatchBounds& bounds);
-/// Returns true if half the step is below WatchBounds::step.
-bool retryTooShort(const World& world, const WatchBounds& bounds);
+/// step below MonitorLimits::step.
+bool mayRetry(const World& world, const MonitorLimits& bounds);
+/// Returns true if half the step is below MonitorLimits::step.
+bool retryTooShort(const World& world, const MonitorLimits& bounds);
 
 /// Halves the step after a rollback. failed: monitor state of the failed run; failedAt: its time (s). The
 /// step is counted from the time between frames if that is shorter. The failure counts as passed
 /// Numerics::retryEvery full steps after that time.
-void halveStep(World& world, const WatchState& failed, double failedAt);
+void halveStep(World& world, const MonitorState& failed, double failedAt);
 
 }  // namespace thaw

@@ -4,15 +4,15 @@
 
 namespace thaw {
 
-struct WatchState {
+struct MonitorState {
   double factor = 1;  ///< 1, multiplies the step limit or the fixed step; grows by a tenth per step up to
                       ///< 2^-halvings
   std::int64_t halvings = 0;   ///< number of active halvings of the step
   std::int64_t failures = 0;   ///< rollbacks whose halving is still active; at most Numerics::retries
-  std::int64_t patience = 1;   ///< snapshots required in succession before the step doubles; each failure
+  std::int64_t requiredSnapshots = 1;   ///< snapshots required in succession before the step doubles; each failure
                                ///< doubles it
-  std::int64_t calm = 0;       ///< snapshots since the last failure or doubling
-  std::int64_t goodStep = -1;  ///< step of the last snapshot; -1: none
+  std::int64_t snapshotsSinceChange = 0;       ///< snapshots since the last failure or doubling
+  std::int64_t snapshotStep = -1;  ///< step of the last snapshot; -1: none
   double residual = 0;         ///< J, LedgerReport::energyResidual of the last snapshot
   double scale = 0;            ///< J, LedgerReport::energyScale of the last snapshot
   double largest = 0;          ///< J, largest energyScale of all snapshots since the run began

@@ -4,14 +4,14 @@
 
 namespace thaw {
 
-void straddle(MarchedBand& band, double most) {
+void offsetVertices(MarchedBand& band, double most) {
   ComponentMesh& m = band.mesh;
   std::vector<Vec3d>& vertices = m.mesh.vertices;
   std::vector<double> area(vertices.size()), bulge(vertices.size());
   const auto normal = [&](std::uint32_t v) { return Vec3d{m.normals[v].x, m.normals[v].y, m.normals[v].z}; };
   for (const auto& t : m.mesh.triangles) {
-    const int held = band.held[t[0]] & band.held[t[1]] & band.held[t[2]];
-    if (held != 0) continue;  // flat, on a cut
+    const int fixedAxes = band.fixedAxes[t[0]] & band.fixedAxes[t[1]] & band.fixedAxes[t[2]];
+    if (fixedAxes != 0) continue;  // flat, on a cut
     double height = 0;
     for (std::size_t k = 0; k < 3; k++)
       height += dot(vertices[t[(k + 1) % 3]] - vertices[t[k]], normal(t[(k + 1) % 3]) - normal(t[k])) / 24;
@@ -19,10 +19,10 @@ void straddle(MarchedBand& band, double most) {
     for (const std::uint32_t v : t) area[v] += size, bulge[v] += size * height;
   }
   for (std::uint32_t v = 0; v < vertices.size(); v++)
-    if (area[v] > 0 && !(band.held[v] & MarchedBand::onCap)) {
+    if (area[v] > 0 && !(band.fixedAxes[v] & MarchedBand::onCap)) {
       Vec3d move = std::clamp(bulge[v] / area[v], -most, most) * normal(v);
       for (int a = 0; a < 3; a++)
-        if (band.held[v] >> a & 1) move[a] = 0;
+        if (band.fixedAxes[v] >> a & 1) move[a] = 0;
       vertices[v] += move;
     }
 }

@@ -8,6 +8,6 @@ namespace thaw {
 /// then lie on both sides of it, and the volume is correct to second order. Over an edge d between normals n
 /// and m the surface rises by d . (m - n) / 8 in the middle, over a triangle by the mean of its three edges.
 /// No vertex moves farther than `most` (m), nor off a cut; caps stay flat.
-void straddle(MarchedBand& band, double most);
+void offsetVertices(MarchedBand& band, double most);
 
 }  // namespace thaw

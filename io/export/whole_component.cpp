@@ -42,14 +42,14 @@ struct JoinedRows {
     return root;
   }
   /// Joins i with image n of j. If another image of j is joined already, the body joins its own image.
-  void join(std::uint32_t i, std::uint32_t j, const Image& n, std::array<bool, 3>& round) {
+  void join(std::uint32_t i, std::uint32_t j, const Image& n, std::array<bool, 3>& selfJoined) {
     const std::uint32_t a = find(i), b = find(j);
     const Image beside = image[i] + n - image[j];  // image of b relative to a
     if (a != b) {
       parent[b] = a, image[b] = beside;
       return;
     }
-    for (std::size_t axis = 0; axis < 3; axis++) round[axis] = round[axis] || beside[axis] != 0;
+    for (std::size_t axis = 0; axis < 3; axis++) selfJoined[axis] = selfJoined[axis] || beside[axis] != 0;
   }
   std::vector<std::uint32_t> parent;
   std::vector<Image> image;
@@ -88,7 +88,7 @@ struct Finder {
   const PeriodicSides& sides;
   std::vector<Vec3d> at;  // m, wrapped into the domain
   JoinedRows joined;
-  std::array<bool, 3> round{};
+  std::array<bool, 3> selfJoined{};
   bool crosses = false;  // some pair is joined across a side
 
   Vec3d normal(std::uint32_t i) const { return vectorOf(frame.normals[rows[i]]); }
@@ -103,7 +103,7 @@ struct Finder {
         const std::uint32_t j = near.row[k];
         if (dot(normal(i), normal(j)) < planeAgreement) return;
         crosses = crosses || near.image[k] != Image{};
-        joined.join(i, j, near.image[k], round);
+        joined.join(i, j, near.image[k], selfJoined);
       });
   }
 
@@ -147,7 +147,7 @@ struct Finder {
       std::stable_sort(pairs.begin(), pairs.end(),
                        [](const Pair& a, const Pair& b) { return a.distance2 < b.distance2; });
       for (const Pair& p : pairs)
-        if (joined.find(p.i) != joined.find(p.j)) joined.join(p.i, p.j, p.image, round);
+        if (joined.find(p.i) != joined.find(p.j)) joined.join(p.i, p.j, p.image, selfJoined);
     }
   }
 
@@ -155,7 +155,7 @@ struct Finder {
     joined.find(i);
     Image n = joined.image[i];
     for (std::size_t a = 0; a < 3; a++)
-      if (round[a]) n[a] = 0;
+      if (selfJoined[a]) n[a] = 0;
     return at[i] + shiftOf(sides, n);
   }
 };
@@ -184,9 +184,9 @@ PeriodicSides periodicSidesOf(const Domain& d) {
   return sides;
 }
 
-WholeComponent wholeComponent(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows,
+UnwrappedComponent unwrapComponent(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows,
                               const PeriodicSides& sides) {
-  WholeComponent whole;
+  UnwrappedComponent whole;
   for (const std::uint32_t i : rows) whole.positions.push_back(frame.positions[i]);
   if (!sides.any() || rows.empty()) return whole;
   Finder f{frame, rows, sides, whole.positions, JoinedRows(rows.size())};
@@ -195,17 +195,17 @@ WholeComponent wholeComponent(const SurfaceFrame& frame, const std::vector<std::
       if (sides.is[static_cast<std::size_t>(a)])
         x[a] -= sides.period[a] * std::floor((x[a] - sides.min[a]) / sides.period[a]);
   f.joinNear();
-  if (f.crosses && f.round != sides.is) f.joinParts();
+  if (f.crosses && f.selfJoined != sides.is) f.joinParts();
   for (std::uint32_t i = 0; i < rows.size(); i++) whole.positions[i] = f.placed(i);
-  whole.round = f.round;
-  if (f.round == std::array<bool, 3>{} && isHollow(frame, rows, whole.positions)) {
-    whole.round = sides.is;
+  whole.selfJoined = f.selfJoined;
+  if (f.selfJoined == std::array<bool, 3>{} && isHollow(frame, rows, whole.positions)) {
+    whole.selfJoined = sides.is;
     whole.positions = f.at;
   }
   Vec3d mean{};
   for (const Vec3d& x : whole.positions) mean += x / static_cast<double>(rows.size());
   for (int a = 0; a < 3; a++) {
-    if (!sides.is[static_cast<std::size_t>(a)] || whole.round[static_cast<std::size_t>(a)]) continue;
+    if (!sides.is[static_cast<std::size_t>(a)] || whole.selfJoined[static_cast<std::size_t>(a)]) continue;
     const double back = sides.period[a] * std::floor((mean[a] - sides.min[a]) / sides.period[a]);
     for (Vec3d& x : whole.positions) x[a] -= back;
   }

@@ -17,16 +17,16 @@ struct PeriodicSides {
 };
 PeriodicSides periodicSidesOf(const Domain& domain);
 
-struct WholeComponent {
+struct UnwrappedComponent {
   std::vector<Vec3d> positions;  ///< m, one per row
-  std::array<bool, 3> round{};   ///< per axis: joined to its own image; positions then stay in the domain
+  std::array<bool, 3> selfJoined{};   ///< per axis: joined to its own image; positions then stay in the domain
 };
 
 /// Returns the positions of a component's rows, moved by whole periods so that neighbours across sides lie
 /// together and the mean is in the domain. Surfels are joined within two radii if their normals agree.
 /// Separate surfaces (a hollow in a body) are placed by the nearest pair across the inside. If the surfels
 /// enclose only a hollow, the body extends through all periodic axes.
-WholeComponent wholeComponent(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows,
+UnwrappedComponent unwrapComponent(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows,
                               const PeriodicSides& sides);
 
 }  // namespace thaw

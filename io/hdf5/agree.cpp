@@ -21,7 +21,7 @@ void agree(MPI_Comm comm, const std::string& problem) {
   throw IoError(message);
 }
 
-void agreeOn(MPI_Comm comm, const std::function<void()>& work) {
+void runCollectively(MPI_Comm comm, const std::function<void()>& work) {
   std::string problem;
   try {
     work();
@@ -34,7 +34,7 @@ void agreeOn(MPI_Comm comm, const std::function<void()>& work) {
 void onFirstRank(MPI_Comm comm, const std::function<void()>& work) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
-  agreeOn(comm, [&] {
+  runCollectively(comm, [&] {
     if (rank == 0) work();
   });
 }

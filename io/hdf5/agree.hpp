@@ -14,7 +14,7 @@ void agree(MPI_Comm comm, const std::string& problem);
 
 /// Runs `work` on each rank, then calls agree. `work` must not call collective functions after code that may
 /// throw on some ranks only. Collective.
-void agreeOn(MPI_Comm comm, const std::function<void()>& work);
+void runCollectively(MPI_Comm comm, const std::function<void()>& work);
 
 /// Does the same with work of rank 0 alone.
 void onFirstRank(MPI_Comm comm, const std::function<void()>& work);

@@ -54,13 +54,13 @@ struct CheckpointHeader {
   Clock clock;                ///< without limitedBy
   std::string limitedBy;
   std::uint64_t particles = 0, solids = 0, bonds = 0, surfels = 0;
-  std::array<std::optional<std::uint64_t>, kindCount> kinds;  ///< rows of oriented bodies and sheets, if the
+  std::array<std::optional<std::uint64_t>, bodyTypeCount> kinds;  ///< rows of oriented bodies and sheets, if the
                                                               ///< file has them
   bool twoFrames = false;  ///< bonds have a reference at both ends; else all refer to one configuration
   Counters counters;
   Ledger ledger;
   SurfaceRecord surface;
-  WatchState watch;  ///< goodStep is -1 in files of versions without it
+  MonitorState watch;  ///< snapshotStep is -1 in files of versions without it
   CheckpointValues values;
   std::string code, commit, sceneName, sceneText;
   std::int64_t ranks = 0;
@@ -76,9 +76,9 @@ struct CheckpointSlice {
   Surfels surfels;                       ///< surfels [r S/P, (r+1) S/P)
   Oriented oriented;                     ///< active columns as above; unsorted
   Sheets sheets;
-  KindRows& kind(std::size_t k) { return k == orientedKind ? static_cast<KindRows&>(oriented) : sheets; }
-  const KindRows& kind(std::size_t k) const {
-    return k == orientedKind ? static_cast<const KindRows&>(oriented) : sheets;
+  BodyTypeRows& kind(std::size_t k) { return k == orientedType ? static_cast<BodyTypeRows&>(oriented) : sheets; }
+  const BodyTypeRows& kind(std::size_t k) const {
+    return k == orientedType ? static_cast<const BodyTypeRows&>(oriented) : sheets;
   }
   std::vector<std::string> warnings;  ///< about newer files that could not be used
 };
@@ -90,17 +90,17 @@ struct CheckpointSlice {
 std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& world, const RunStamp& stamp,
                             const CheckpointValues& values = {});
 
-std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const GoodState& kept,
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const Snapshot& kept,
                             const RunStamp& stamp, const CheckpointValues& values = {});
 
 /// Writes the snapshot of a checkpoint between two snapshots to OUT/checkpoint/good_<step>.hdf, in the same
 /// format. It comes before that checkpoint, which thus never names a missing file.
-std::string writeGoodState(const std::string& out, MPI_Comm comm, const GoodState& kept,
+std::string writeSnapshot(const std::string& out, MPI_Comm comm, const Snapshot& kept,
                            const RunStamp& stamp, const CheckpointValues& values = {});
-std::string goodStatePath(const std::string& out, std::int64_t step);
+std::string snapshotFilePath(const std::string& out, std::int64_t step);
 
 /// Removes snapshots that neither checkpoint of a run folder needs. One process only.
-void dropUnusedGoodStates(const std::string& out);
+void dropUnusedSnapshots(const std::string& out);
 
 /// Reads the share of each rank of a checkpoint and compares checksums. Throws the same IoError on all ranks
 /// if it is damaged. Collective.

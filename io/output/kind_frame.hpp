@@ -8,13 +8,13 @@
 namespace thaw {
 
 /// Returns the name of the frames and the index of a body type.
-inline std::string kindFrameName(const std::string& scene, std::size_t kind) {
-  return scene + "_" + kindNames[kind];
+inline std::string bodyTypeFrameName(const std::string& scene, std::size_t kind) {
+  return scene + "_" + bodyTypeNames[kind];
 }
 
 /// Returns a frame of the owned rows of a body type: position, id, velocity, body as <type>_body, and its own
 /// fields. In single precision.
-Frame kindFrameOf(const World& world, std::size_t kind);
+Frame bodyTypeFrameOf(const World& world, std::size_t kind);
 
 /// Add the fields of a body type (io/output/oriented_frame.cpp, io/output/sheet_frame.cpp).
 void addOrientedFields(const World& world, Frame& frame);
@@ -26,6 +26,6 @@ void addSheetTriangles(World& world, BondHalo& edges, std::uint64_t firstRow, Fr
 
 /// Returns what the points of a frame are: "particles", "surfels", "oriented" or "sheet". Frames of the last
 /// two have a field "<type>_body".
-std::string titleOfFrame(const H5File& file);
+std::string pointTypeOf(const H5File& file);
 
 }  // namespace thaw

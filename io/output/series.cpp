@@ -99,7 +99,7 @@ std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string
   return entries;
 }
 
-void forgetSeries(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries,
+void removeFramesAfter(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries,
                   double time) {
   std::vector<std::string> gone;
   for (; !entries.empty() && entries.back().time > time; entries.pop_back())

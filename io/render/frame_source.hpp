@@ -38,13 +38,13 @@ FrameView readFrameView(const std::filesystem::path& frame, const std::string& f
 
 /// Reads the same, and adds oriented particles of the same time in the folder, drawn as discs. spacing: m, of
 /// the particles. A frame of oriented particles is read alone.
-FrameView readWholeView(const std::filesystem::path& frame, const std::string& field, OrientedLook look,
+FrameView readFullView(const std::filesystem::path& frame, const std::string& field, OrientedLook look,
                         float spacing, const PeriodicSides& sides = {});
 
 /// Scene text stored in the frame by the run, and its name; empty if there is none.
-struct KeptScene {
+struct StoredScene {
   std::string name, text;
 };
-KeptScene keptSceneOf(const std::filesystem::path& frame);
+StoredScene storedSceneOf(const std::filesystem::path& frame);
 
 }  // namespace thaw

@@ -64,7 +64,7 @@ void addMesh(FrameView& view, const OrientedFrame& f,
 }
 
 /// Draws particles without a triangle (curves, isolated points, detached particles) as a ball with a normal.
-void addAlone(FrameView& view, const OrientedFrame& f,
+void addIsolated(FrameView& view, const OrientedFrame& f,
               std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<bool> shown(f.positions.size());
   for (const auto& t : triangles)
@@ -143,14 +143,14 @@ void addOriented(FrameView& view, const fs::path& frame, OrientedLook look) {
   }
   if (look == OrientedLook::Discs || look == OrientedLook::Axes) return;
   const auto triangles = triangulate(f.points());
-  addAlone(view, f, triangles);
+  addIsolated(view, f, triangles);
   if (look == OrientedLook::Mesh) return addMesh(view, f, triangles);
   std::uint32_t number = 5000;
   for (const auto& e : edgesOf(triangles))
     addRod(view, f.positions[e[0]], f.positions[e[1]], 0.05 * f.spacings[e[0]], paintOf(f, e[0]), number++);
 }
 
-void addKindBeside(FrameView& view, const fs::path& oriented, OrientedLook look, float spacing) {
+void addOrientedBeside(FrameView& view, const fs::path& oriented, OrientedLook look, float spacing) {
   if (view.normals.empty()) spheresToDiscs(view, 0.6f * spacing);
   if (view.values.empty()) view.values.assign(view.positions.size(), std::numeric_limits<float>::quiet_NaN());
   addOriented(view, oriented, look);

@@ -24,6 +24,6 @@ void addBall(FrameView& view, const Vec3f& place, float radius, Rgb colour, std:
 void addOriented(FrameView& view, const std::filesystem::path& frame, OrientedLook look);
 
 /// Adds it to a view of other body types.
-void addKindBeside(FrameView& view, const std::filesystem::path& oriented, OrientedLook look, float spacing);
+void addOrientedBeside(FrameView& view, const std::filesystem::path& oriented, OrientedLook look, float spacing);
 
 }  // namespace thaw

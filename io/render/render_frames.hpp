@@ -62,6 +62,6 @@ void addWalls(const Walls& walls, double time, RenderStyle& style);
 
 /// Returns a stable box for the camera: the middle 99.8 % of particles on each axis, without drops that flew
 /// away.
-ViewBox boxOfMost(const std::vector<Vec3f>& positions);
+ViewBox robustBox(const std::vector<Vec3f>& positions);
 
 }  // namespace thaw

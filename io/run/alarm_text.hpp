@@ -9,12 +9,12 @@ namespace thaw {
 
 /// Returns "a speed of 32.3 m/s exceeds numerics.watch_speed (...): particle 17 of body 'cube' at (x, y, z) m
 /// has ..., forces: ..." on the rank that owns the suspect. Sums the forces again (force_shares.hpp).
-std::string alarmText(World& world, StepTools& tools, const StepOutcome& failed, const Suspect& suspect);
+std::string failureText(World& world, StepTools& tools, const StepOutcome& failed, const FailingParticle& suspect);
 
 /// Returns the failed check and its bound, without a particle.
-std::string exceeded(const World& world, const StepTools& tools, const StepOutcome& failed);
+std::string failedCheck(const World& world, const StepTools& tools, const StepOutcome& failed);
 
 /// Returns on all ranks the text of the one rank where it is not empty. Collective.
-std::string fromOwner(const Communicator& comm, const std::string& text);
+std::string broadcastFromOwner(const Communicator& comm, const std::string& text);
 
 }  // namespace thaw

@@ -11,14 +11,14 @@
 namespace thaw {
 namespace {
 
-void addBlend(CheckpointValues& marks, const std::string& key, const Blend& b) {
-  marks[key + ".solid"] = b.solid;
-  marks[key + ".liquid"] = b.liquid;
+void addBlend(CheckpointValues& record, const std::string& key, const Blend& b) {
+  record[key + ".solid"] = b.solid;
+  record[key + ".liquid"] = b.liquid;
 }
 
 /// Adds an event of the past or the future. A change of a past event is reported and has no effect.
-void addEvent(CheckpointValues& marks, const std::string& at, const OrientedEvent& e) {
-  addNumbers(marks, at,
+void addEvent(CheckpointValues& record, const std::string& at, const OrientedEvent& e) {
+  addNumbers(record, at,
              {{"kind", static_cast<double>(e.kind)},
               {"time", e.time},
               {"tool", static_cast<double>(e.tool)},
@@ -26,18 +26,18 @@ void addEvent(CheckpointValues& marks, const std::string& at, const OrientedEven
               {"other", static_cast<double>(e.otherIndex)}});
   const bool cut = e.kind == OrientedEventKind::Cut;
   if (cut && e.tool == CutTool::Plane)
-    addVector(marks, at + "point", e.point), addVector(marks, at + "normal", e.normal);
-  if (cut && e.tool == CutTool::Stroke) addVector(marks, at + "direction", e.direction);
+    addVector(record, at + "point", e.point), addVector(record, at + "normal", e.normal);
+  if (cut && e.tool == CutTool::Stroke) addVector(record, at + "direction", e.direction);
   for (std::size_t k = 0; k < e.path.size(); k++)
-    addVector(marks, fmt::format("{}path.{}", at, k), e.path[k]);
-  if (e.tool == CutTool::Box) addShape(marks, at + "region.", e.region);
+    addVector(record, fmt::format("{}path.{}", at, k), e.path[k]);
+  if (e.tool == CutTool::Box) addShape(record, at + "region.", e.region);
 }
 
 }  // namespace
 
-void addCoefficients(CheckpointValues& marks, const Material& m) {
+void addCoefficients(CheckpointValues& record, const Material& m) {
   const std::string at = coefficient + ("material." + m.name + ".");
-  addNumbers(marks, at,
+  addNumbers(record, at,
              {{"density", m.density},
               {"surface_tension", m.surfaceTension},
               {"sound_speed", m.soundSpeed},
@@ -63,7 +63,7 @@ void addCoefficients(CheckpointValues& marks, const Material& m) {
               {"weld", m.weld}});
   for (std::size_t k = 0; k < m.viscosityTable.size(); k++) {
     const std::string row = fmt::format("{}viscosity.{}.", at, k);
-    addNumbers(marks, row,
+    addNumbers(record, row,
                {{"temperature", m.viscosityTable[k].first}, {"viscosity", m.viscosityTable[k].second}});
   }
   for (const auto& [key, blend] :
@@ -74,11 +74,11 @@ void addCoefficients(CheckpointValues& marks, const Material& m) {
                                                                    {"creep_rate", &m.creepRate},
                                                                    {"conductivity", &m.conductivity},
                                                                    {"heat_capacity", &m.heatCapacity}})
-    addBlend(marks, at + key, *blend);
+    addBlend(record, at + key, *blend);
 }
 
-void addSettings(CheckpointValues& marks, const SurfaceSettings& s) {
-  addNumbers(marks, std::string(setting) + "surface.",
+void addSettings(CheckpointValues& record, const SurfaceSettings& s) {
+  addNumbers(record, std::string(setting) + "surface.",
              {{"spacing", s.spacing},
               {"support", s.support},
               {"particle_support", s.particleSupport},
@@ -98,12 +98,12 @@ void addSettings(CheckpointValues& marks, const SurfaceSettings& s) {
               {"keep_volume", s.keepVolume},
               {"merge", static_cast<double>(s.merge)},
               {"link_length", s.linkLength}});
-  marks[std::string(ofStart) + "surface.source"] = static_cast<double>(s.source);
+  record[std::string(initialPrefix) + "surface.source"] = static_cast<double>(s.source);
 }
 
-void addCoefficients(CheckpointValues& marks, const SheetBody& b) {
+void addCoefficients(CheckpointValues& record, const SheetBody& b) {
   const std::string at = coefficient + ("sheet." + b.name + ".");
-  addNumbers(marks, at,
+  addNumbers(record, at,
              {{"plasticity", b.plasticity},
               {"elastic_limit", b.elasticLimit},
               {"rest_length", b.restLength},
@@ -117,30 +117,30 @@ void addCoefficients(CheckpointValues& marks, const SheetBody& b) {
               {"self_contact", b.selfContact},
               {"heat_capacity", b.heatCapacity},
               {"conductance", b.conductance}});
-  addVector(marks, at + "wind", b.wind);
+  addVector(record, at + "wind", b.wind);
   if (!b.wrapTo.empty())
-    marks[at + "wrap_to." + b.wrapTo] = 1;  // entries are numbers, so the name is part of the key
+    record[at + "wrap_to." + b.wrapTo] = 1;  // entries are numbers, so the name is part of the key
   for (std::size_t f = 0; f < sheetFactors; f++) {
     if (static_cast<SheetFactor>(f) == SheetFactor::Mass) continue;  // vertices keep their mass
     const auto& [key, value] = sheetCoefficients[f];
-    marks[at + key] = b.*value;
-    addInTime(marks, fmt::format("{}{}_in_time", at, key), b.inTime[f]);
+    record[at + key] = b.*value;
+    addInTime(record, fmt::format("{}{}_in_time", at, key), b.inTime[f]);
     for (std::size_t k = 0; k < b.regions.size(); k++)
-      marks[fmt::format("{}region.{}.{}", at, k, key)] = b.regions[k].factor[f];
+      record[fmt::format("{}region.{}.{}", at, k, key)] = b.regions[k].factor[f];
   }
   for (std::size_t k = 0; k < b.brushes.size(); k++) {
     const std::string brush = fmt::format("{}brush.{}.", at, k);
-    marks[brush + "radius"] = b.brushes[k].radius;
-    addVector(marks, brush + "centre", b.brushes[k].centre);
-    addVector(marks, brush + "pressure", b.brushes[k].pressure);
-    addInTime(marks, brush + "in_time", b.brushes[k].inTime);
-    addMotion(marks, brush, b.brushes[k].motion);
+    record[brush + "radius"] = b.brushes[k].radius;
+    addVector(record, brush + "centre", b.brushes[k].centre);
+    addVector(record, brush + "pressure", b.brushes[k].pressure);
+    addInTime(record, brush + "in_time", b.brushes[k].inTime);
+    addMotion(record, brush, b.brushes[k].motion);
   }
 }
 
-void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
+void addCoefficients(CheckpointValues& record, const OrientedBody& b) {
   const std::string at = coefficient + ("oriented." + b.name + ".");
-  addNumbers(marks, at,
+  addNumbers(record, at,
              {{"stiffness", b.stiffness},
               {"attract", b.attract},
               {"coplanar", b.plane},
@@ -161,7 +161,7 @@ void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
               {"thickness", b.thickness},
               {"friction", b.friction},
               {"integrator", static_cast<double>(b.integrator)}});
-  addNumbers(marks, setting + ("oriented." + b.name + "."),
+  addNumbers(record, setting + ("oriented." + b.name + "."),
              {{"growth", static_cast<double>(b.growth)},
               {"gap", b.gap},
               {"crowd", b.crowd},
@@ -170,55 +170,55 @@ void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
               {"cfl", b.cfl}});
   const std::string events = setting + ("oriented." + b.name + ".");
   for (std::size_t k = 0; k < b.events.size(); k++)
-    addEvent(marks, fmt::format("{}event.{}.", events, k), b.events[k]);
-  addVector(marks, at + "push", b.push);
+    addEvent(record, fmt::format("{}event.{}.", events, k), b.events[k]);
+  addVector(record, at + "push", b.push);
   for (std::size_t k = 0; k < b.fields.size(); k++) {
     const OrientedField& f = b.fields[k];
     const std::string field = fmt::format("{}field.{}.", at, k);
-    addNumbers(marks, field,
+    addNumbers(record, field,
                {{"pull", f.pull},
                 {"radius", f.radius},
                 {"pressure", f.pressure},
                 {"from", f.from},
                 {"until", f.until},
                 {"everywhere", f.everywhere}});
-    addVector(marks, field + "push", f.push);
-    addVector(marks, field + "point", f.point);
-    addInTime(marks, field + "in_time", f.inTime);
-    if (!f.everywhere) addShape(marks, field + "region.", f.region);
+    addVector(record, field + "push", f.push);
+    addVector(record, field + "point", f.point);
+    addInTime(record, field + "in_time", f.inTime);
+    if (!f.everywhere) addShape(record, field + "region.", f.region);
   }
   for (std::size_t k = 0; k < b.anchors.size(); k++) {
     const std::string anchor = fmt::format("{}anchor.{}.", at, k);
-    marks[anchor + "until"] = b.anchors[k].until;
-    addMotion(marks, anchor, b.anchors[k].motion);
+    record[anchor + "until"] = b.anchors[k].until;
+    addMotion(record, anchor, b.anchors[k].motion);
   }
 }
 
-void addCoefficients(CheckpointValues& marks, const Obstacle& o) {
+void addCoefficients(CheckpointValues& record, const Obstacle& o) {
   const std::string at = coefficient + ("obstacle." + o.name + ".");
-  addNumbers(marks, at,
+  addNumbers(record, at,
              {{"conductance", o.conductance},
               {"friction", o.friction},
               {"restitution", o.restitution},
               {"slip", o.slip},
               {"until", o.until}});
-  if (o.temperature) marks[at + "temperature"] = *o.temperature;
-  addShape(marks, at + "shape.", o.shape);
-  addMotion(marks, at, o.motion);
+  if (o.temperature) record[at + "temperature"] = *o.temperature;
+  addShape(record, at + "shape.", o.shape);
+  addMotion(record, at, o.motion);
 }
 
-void addCoefficients(CheckpointValues& marks, const Domain& d) {
+void addCoefficients(CheckpointValues& record, const Domain& d) {
   const std::string at = coefficient + std::string("domain.");
-  marks[at + "ambient"] = d.ambient;
+  record[at + "ambient"] = d.ambient;
   constexpr const char* ends[3][2] = {
       {"wall.x.low", "wall.x.high"}, {"wall.y.low", "wall.y.high"}, {"wall.z.low", "wall.z.high"}};
   for (std::size_t a = 0; a < 3; a++)
-    for (std::size_t end = 0; end < 2; end++) marks[at + ends[a][end]] = d.side[a][end] == Side::Wall;
+    for (std::size_t end = 0; end < 2; end++) record[at + ends[a][end]] = d.side[a][end] == Side::Wall;
 }
 
-void addCoefficients(CheckpointValues& marks, const Numerics& n) {
+void addCoefficients(CheckpointValues& record, const Numerics& n) {
   const auto number = [](auto choice) { return static_cast<double>(choice); };
-  addNumbers(marks, coefficient + std::string("numerics."),
+  addNumbers(record, coefficient + std::string("numerics."),
              {{"kernel", number(n.kernel)},
               {"precision", number(n.precision)},
               {"elastic_precision", number(n.elasticPrecision)},
@@ -236,7 +236,7 @@ void addCoefficients(CheckpointValues& marks, const Numerics& n) {
               {"conduction", number(n.conduction)},
               {"self_contact", n.selfContact},
               {"max_density_error", n.maxDensityError}});
-  addNumbers(marks, setting + std::string("numerics."),
+  addNumbers(record, setting + std::string("numerics."),
              {{"density_tolerance", n.densityTolerance},
               {"divergence_tolerance", n.divergenceTolerance},
               {"max_iterations", number(n.maxIterations)},
@@ -257,21 +257,21 @@ void addCoefficients(CheckpointValues& marks, const Numerics& n) {
               {"plastic_rereference", n.plasticRereference}});
 }
 
-void addExpectedSpeed(CheckpointValues& marks, const Scene& s) {
+void addExpectedSpeed(CheckpointValues& record, const Scene& s) {
   const auto automatic = [](const Material& m) { return canBeLiquid(m) && m.soundSpeed == 0; };
   if (std::any_of(s.materials.begin(), s.materials.end(), automatic))
-    marks[coefficient + std::string("numerics.expected_speed")] = expectedFlow(s).speed;
+    record[coefficient + std::string("numerics.expected_speed")] = expectedFlow(s).speed;
 }
 
-void addSettings(CheckpointValues& marks, const Emitter& e) {
+void addSettings(CheckpointValues& record, const Emitter& e) {
   const std::string at = setting + ("emitter." + e.name + ".");
-  addNumbers(marks, at, {{"end", e.end}, {"temperature", e.temperature}});
-  addField(marks, at + "temperature", e.temperatureField);
+  addNumbers(record, at, {{"end", e.end}, {"temperature", e.temperature}});
+  addField(record, at + "temperature", e.temperatureField);
 }
 
-void addSettings(CheckpointValues& marks, const Tempering& t, std::size_t number) {
+void addSettings(CheckpointValues& record, const Thermostat& t, std::size_t number) {
   addNumbers(
-      marks, fmt::format("{}temper.{}.", setting, number),
+      record, fmt::format("{}temper.{}.", setting, number),
       {{"material", t.material}, {"start", t.start}, {"over", t.over}, {"temperature", t.temperature}});
 }
 

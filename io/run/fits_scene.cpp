@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-std::int64_t strangeParticles(const World& w) {
+std::int64_t countUnknownParticles(const World& w) {
   const Continuum& p = w.particles;
   const std::size_t sources = w.scene.bodies.size() + w.scene.emitters.size();
   std::int64_t n = 0;
@@ -17,17 +17,17 @@ std::int64_t strangeParticles(const World& w) {
   return n;
 }
 
-std::int64_t strangeOriented(const World& w) {
+std::int64_t countUnknownOriented(const World& w) {
   const Oriented& o = w.oriented.rows;
   std::int64_t n = 0;
   for (std::size_t i = 0; i < o.owned; i++)  // Particles born later have no anchor and are free.
     n += o.body[i] >= w.scene.oriented.size() ||
-         ((o.flags[i] & (heldPlace | heldNormal)) && o.anchor[i] != noAnchor &&
+         ((o.flags[i] & (fixedPosition | fixedOrientation)) && o.anchor[i] != noAnchor &&
           o.anchor[i] >= w.scene.oriented[o.body[i]].anchors.size());
   return n;
 }
 
-std::int64_t strangeVertices(const World& w) {
+std::int64_t countUnknownVertices(const World& w) {
   const SheetBodies& s = w.sheets;
   const auto known = [&](std::size_t i) {
     const std::uint64_t sheet = s.rows.id[i] >> 40, vertex = s.rows.id[i] & ((std::uint64_t{1} << 40) - 1);
@@ -42,7 +42,7 @@ std::int64_t strangeVertices(const World& w) {
 }
 
 /// Adds a line for each future cut whose bits of Oriented::cutSides an earlier cut has used.
-void addTakenCuts(const World& w, Reducer& all, std::vector<std::string>& lines) {
+void addCutNumberConflicts(const World& w, Reducer& all, std::vector<std::string>& lines) {
   double used[32] = {};
   const Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++)
@@ -63,10 +63,10 @@ void addTakenCuts(const World& w, Reducer& all, std::vector<std::string>& lines)
 
 }  // namespace
 
-std::vector<std::string> misfits(const World& w, Reducer& all) {
-  std::int64_t strange[3] = {w.particles.id.active ? strangeParticles(w) : 0,
-                             w.modules.oriented ? strangeOriented(w) : 0,
-                             w.modules.sheet ? strangeVertices(w) : 0};
+std::vector<std::string> checkpointMismatches(const World& w, Reducer& all) {
+  std::int64_t strange[3] = {w.particles.id.active ? countUnknownParticles(w) : 0,
+                             w.modules.oriented ? countUnknownOriented(w) : 0,
+                             w.modules.sheet ? countUnknownVertices(w) : 0};
   all.sum(strange);
   constexpr const char* rows[3] = {"particles belong to a body, an emitter or a material",
                                    "oriented particles belong to a body or an anchor",
@@ -75,7 +75,7 @@ std::vector<std::string> misfits(const World& w, Reducer& all) {
   for (std::size_t k = 0; k < 3; k++)
     if (strange[k] > 0)
       lines.push_back(fmt::format("{} of its {} that the scene does not have", strange[k], rows[k]));
-  if (w.modules.oriented && lines.empty()) addTakenCuts(w, all, lines);
+  if (w.modules.oriented && lines.empty()) addCutNumberConflicts(w, all, lines);
   return lines;
 }
 

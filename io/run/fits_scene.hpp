@@ -11,6 +11,6 @@ namespace thaw {
 
 /// Returns a line for each kind of row that the scene lacks, counted over all ranks; the same on all ranks.
 /// Requires: restoreWorld, and the modules and sheets of the scene. Collective.
-std::vector<std::string> misfits(const World& world, Reducer& all);
+std::vector<std::string> checkpointMismatches(const World& world, Reducer& all);
 
 }  // namespace thaw

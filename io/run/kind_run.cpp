@@ -6,31 +6,31 @@
 
 namespace thaw {
 
-void writeKindFrames(Run& r) {
+void writeBodyTypeFrames(Run& r) {
   World& w = r.world;
-  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
-    const std::string name = kindFrameName(r.name, kind), file = frameName(name, w.clock.frame);
-    Frame f = kindFrameOf(w, kind);
-    if (kind == sheetKind) addSheetTriangles(w, *r.edges, spreadRows(r.comm.handle(), f.count).mine.first, f);
+  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
+    const std::string name = bodyTypeFrameName(r.name, kind), file = frameName(name, w.clock.frame);
+    Frame f = bodyTypeFrameOf(w, kind);
+    if (kind == sheetType) addSheetTriangles(w, *r.edges, spreadRows(r.comm.handle(), f.count).mine.first, f);
     writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
     onFirstRank(r.comm.handle(), [&] {
-      r.kindSeries[kind].push_back({file, w.clock.time});
-      writeSeries(seriesPath(r.options.out, name), r.kindSeries[kind]);
+      r.bodyTypeSeries[kind].push_back({file, w.clock.time});
+      writeSeries(seriesPath(r.options.out, name), r.bodyTypeSeries[kind]);
     });
   });
 }
 
-void resumeKindFrames(Run& r) {
+void resumeBodyTypeFrames(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
-    eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) {
-      r.kindSeries[kind] = framesPresent(r.options.out, kindFrameName(r.name, kind), r.world.clock.time);
+    forEachBodyType(r.world, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
+      r.bodyTypeSeries[kind] = framesPresent(r.options.out, bodyTypeFrameName(r.name, kind), r.world.clock.time);
     });
   });
 }
 
-void forgetKindFrames(Run& r) {
-  eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) {
-    forgetSeries(r.options.out, kindFrameName(r.name, kind), r.kindSeries[kind], r.world.clock.time);
+void removeBodyTypeFrames(Run& r) {
+  forEachBodyType(r.world, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
+    removeFramesAfter(r.options.out, bodyTypeFrameName(r.name, kind), r.bodyTypeSeries[kind], r.world.clock.time);
   });
 }
 

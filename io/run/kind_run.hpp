@@ -5,13 +5,13 @@
 namespace thaw {
 
 /// Writes the frame of each body type, and its line in the index. Collective.
-void writeKindFrames(Run& run);
+void writeBodyTypeFrames(Run& run);
 
 /// Restores the indices at a restart. Frames after the checkpoint are dropped from them and written again.
 /// Collective.
-void resumeKindFrames(Run& run);
+void resumeBodyTypeFrames(Run& run);
 
 /// Removes frames after the snapshot, at a rollback. First rank only.
-void forgetKindFrames(Run& run);
+void removeBodyTypeFrames(Run& run);
 
 }  // namespace thaw

@@ -14,21 +14,21 @@ std::string text(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})"
 
 }  // namespace
 
-std::string kindSuspect(const World& w, const StepTools& t, const StepOutcome& failed, Reducer& all) {
-  const Alarm alarm = failed.alarm;
+std::string bodyTypeSuspect(const World& w, const StepTools& t, const StepOutcome& failed, Reducer& all) {
+  const Failure failure = failed.failure;
   const Limit limitedBy = failed.limitedBy;
   if (!w.modules.kinds()) return {};
   double continuum = static_cast<double>(w.particles.owned);
   all.maximum({&continuum, 1});
-  double overran = w.oriented.overran ? 1 : 0;
-  all.maximum({&overran, 1});
-  const bool byLimit = (alarm == Alarm::Step &&
+  double exceededReach = w.oriented.exceededReach ? 1 : 0;
+  all.maximum({&exceededReach, 1});
+  const bool byLimit = (failure == Failure::Step &&
                         (limitedBy == Limit::Oriented || limitedBy == Limit::Sheet)) ||
-                       (alarm == Alarm::NotFinite && overran > 0);
-  const KindRows* rows = nullptr;
+                       (failure == Failure::NotFinite && exceededReach > 0);
+  const BodyTypeRows* rows = nullptr;
   std::size_t row = 0, kind = 0;
   double most = -1;
-  eachKind(w, [&](std::size_t number, const KindRows& r, const CellTable&) {
+  forEachBodyType(w, [&](std::size_t number, const BodyTypeRows& r, const CellTable&) {
     for (std::size_t i = 0; i < r.owned; i++) {
       const Vec3d &x = r.position[i], &v = r.velocity[i];
       const bool bad = !std::isfinite(x.x + x.y + x.z + v.x + v.y + v.z);
@@ -53,9 +53,9 @@ std::string kindSuspect(const World& w, const StepTools& t, const StepOutcome& f
   }
   if (!here) return {};
   const std::uint16_t body = rows->body[row];
-  const bool oriented = kind == orientedKind;
-  std::string what = exceeded(w, t, failed) + "; the fastest one";
-  if (overran > 0)
+  const bool oriented = kind == orientedType;
+  std::string what = failedCheck(w, t, failed) + "; the fastest one";
+  if (exceededReach > 0)
     what = "oriented particles moved further in a step than their forces reach; the fastest remaining one";
   if (most == never) what = "a value that is not a finite number";
   return fmt::format("{}: {} {} of '{}' at {} m has a velocity of {} m/s", what,

@@ -13,6 +13,6 @@ namespace thaw {
 /// the row, "" on the others. Names the row whose position or velocity is not finite. Names the fastest one
 /// without continuum, or if the body type limits the step. Returns "" if no row of these types failed.
 /// Collective; the same row on any number of ranks.
-std::string kindSuspect(const World& world, const StepTools& tools, const StepOutcome& failed, Reducer& all);
+std::string bodyTypeSuspect(const World& world, const StepTools& tools, const StepOutcome& failed, Reducer& all);
 
 }  // namespace thaw

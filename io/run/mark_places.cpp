@@ -22,7 +22,7 @@ struct Search {
 
 }  // namespace
 
-std::string placeOfMark(const Scene& s, const std::string& text) {
+std::string placeOfRecordKey(const Scene& s, const std::string& text) {
   Search search{text};
   for (const Material& m : s.materials) search.table("material." + m.name + ".", m.where);
   for (const Emitter& e : s.emitters) search.table("emitter." + e.name + ".", e.where);

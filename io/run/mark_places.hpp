@@ -8,6 +8,6 @@ namespace thaw {
 
 /// Returns " (scene.toml:14)": the line of the smallest table whose key begins the text
 /// ("sheet.c.region.0.point.x was ..."). Returns "" if none is known.
-std::string placeOfMark(const Scene& scene, const std::string& text);
+std::string placeOfRecordKey(const Scene& scene, const std::string& text);
 
 }  // namespace thaw

@@ -13,26 +13,26 @@
 
 namespace thaw {
 
-using MarkNumbers = std::initializer_list<std::pair<const char*, double>>;
+using RecordNumbers = std::initializer_list<std::pair<const char*, double>>;
 
-void addNumbers(CheckpointValues& marks, const std::string& at, MarkNumbers numbers);
+void addNumbers(CheckpointValues& record, const std::string& at, RecordNumbers numbers);
 
 /// Adds the keys "key.x", "key.y", "key.z".
-void addVector(CheckpointValues& marks, const std::string& key, const Vec3d& value);
+void addVector(CheckpointValues& record, const std::string& key, const Vec3d& value);
 
 /// Adds the geometry and the place of a shape and its parts. A mesh counts by the content of its file, not by
 /// its path.
-void addShape(CheckpointValues& marks, const std::string& at, const Shape& shape);
+void addShape(CheckpointValues& record, const std::string& at, const Shape& shape);
 
-void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTime& factor);
-void addMotion(CheckpointValues& marks, const std::string& at, const std::vector<Keyframe>& motion);
+void addInTime(CheckpointValues& record, const std::string& key, const FactorInTime& factor);
+void addMotion(CheckpointValues& record, const std::string& at, const std::vector<Keyframe>& motion);
 
 /// Adds a field of the start; an expression counts by a checksum of its text. Adds nothing for an unset
 /// field.
-void addField(CheckpointValues& marks, const std::string& key, const PositionField& field);
-void addField(CheckpointValues& marks, const std::string& at, const VelocityField& field);
+void addField(CheckpointValues& record, const std::string& key, const PositionField& field);
+void addField(CheckpointValues& record, const std::string& at, const VelocityField& field);
 
 /// Returns a checksum of keys and values.
-double checksumOf(const CheckpointValues& marks);
+double checksumOf(const CheckpointValues& record);
 
 }  // namespace thaw

@@ -10,9 +10,9 @@ namespace thaw {
 
 /// Translates entries of the restart record, which are all numbers. Keys come without the prefix that says
 /// whether they may change.
-class MarkWords {
+class RestartRecordText {
  public:
-  explicit MarkWords(const CheckpointValues& marks);
+  explicit RestartRecordText(const CheckpointValues& record);
   /// Returns a value as text: the word of a choice in quotes, true or false, the name of a material or an
   /// oriented body, "never", or the number.
   std::string text(const std::string& key, double value) const;
@@ -23,11 +23,11 @@ class MarkWords {
   std::string unit(const std::string& key) const;
 
  private:
-  bool isName(const std::string& key) const { return marks_.contains(key) && named(key); }
+  bool isName(const std::string& key) const { return record_.contains(key) && named(key); }
   static bool named(const std::string& key);
   std::string nameOf(const std::string& group, double place) const;
   const std::vector<std::string>* wordsOf(const std::string& key) const;
-  const CheckpointValues& marks_;
+  const CheckpointValues& record_;
   std::map<std::string, std::vector<std::string>> words_;  // keyed by the first and the last word of a key,
                                                            // as "surface merge"
 };

@@ -31,16 +31,16 @@ template<class Use> void eachShape(Scene& s, Use&& use) {
 
 }  // namespace
 
-MeshMark markOf(const TriangleMesh& mesh) {
+MeshFingerprint fingerprintOf(const TriangleMesh& mesh) {
   Checksum sum;
   for (const Vec3d& x : mesh.vertices) sum.add(x);
   for (const auto& t : mesh.triangles)
     for (const std::uint32_t v : t) sum.add(std::uint64_t{v});
-  return {static_cast<double>(mesh.vertices.size()), static_cast<double>(mesh.triangles.size()), sum.held()};
+  return {static_cast<double>(mesh.vertices.size()), static_cast<double>(mesh.triangles.size()), sum.asDouble()};
 }
 
-void markMeshes(Scene& scene, const MeshLoader& load) {
-  std::map<std::string, MeshMark> known;
+void fingerprintMeshes(Scene& scene, const MeshLoader& load) {
+  std::map<std::string, MeshFingerprint> known;
   SceneProblems problems;
   const auto mark = [&](auto&& again, Shape& s) -> void {
     for (Shape& part : s.parts) again(again, part);
@@ -48,10 +48,10 @@ void markMeshes(Scene& scene, const MeshLoader& load) {
     const auto [it, fresh] = known.try_emplace(s.mesh);
     if (fresh) {
       try {
-        it->second = markOf(isBuiltin(s.mesh) ? builtinMesh(s.mesh) : load(s.mesh));
+        it->second = fingerprintOf(isBuiltin(s.mesh) ? builtinMesh(s.mesh) : load(s.mesh));
       } catch (const std::exception& e) { problems.add(s.where, e.what()); }
     }
-    s.meshMark = it->second;
+    s.meshFingerprint = it->second;
   };
   eachShape(scene, [&](Shape& s) { mark(mark, s); });
   problems.raise();

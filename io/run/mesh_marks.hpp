@@ -6,10 +6,10 @@
 namespace thaw {
 
 /// Returns counts and checksum of the vertices and triangles of a file.
-MeshMark markOf(const TriangleMesh& mesh);
+MeshFingerprint fingerprintOf(const TriangleMesh& mesh);
 
-/// Fills Shape::meshMark of all meshes of a scene; reads each file once. Throws ShapeError with all files
+/// Fills Shape::meshFingerprint of all meshes of a scene; reads each file once. Throws ShapeError with all files
 /// that cannot be read.
-void markMeshes(Scene& scene, const MeshLoader& load);
+void fingerprintMeshes(Scene& scene, const MeshLoader& load);
 
 }  // namespace thaw

@@ -44,15 +44,15 @@ std::string hostName() {
 
 }  // namespace
 
-ProcessMark ownProcess() { return {hostName(), getpid(), statOf(getpid()).began}; }
+ProcessIdentity ownProcess() { return {hostName(), getpid(), statOf(getpid()).began}; }
 
-Presence presenceOf(const ProcessMark& p) {
-  if (p.pid <= 0 || p.host.empty() || p.host != hostName()) return Presence::Unknown;
-  if (kill(static_cast<pid_t>(p.pid), 0) != 0 && errno == ESRCH) return Presence::Gone;
+ProcessState processStateOf(const ProcessIdentity& p) {
+  if (p.pid <= 0 || p.host.empty() || p.host != hostName()) return ProcessState::Unknown;
+  if (kill(static_cast<pid_t>(p.pid), 0) != 0 && errno == ESRCH) return ProcessState::Gone;
   const Stat s = statOf(p.pid);
   const bool ended = s.state == 'Z' || s.state == 'X',
              another = p.began > 0 && s.began > 0 && s.began != p.began;
-  return ended || another ? Presence::Gone : Presence::Here;
+  return ended || another ? ProcessState::Gone : ProcessState::Here;
 }
 
 std::string utcNow() {
@@ -65,21 +65,21 @@ std::string utcNow() {
 }
 
 Json processJson() {
-  const ProcessMark p = ownProcess();
+  const ProcessIdentity p = ownProcess();
   return {{"host", p.host}, {"pid", p.pid}, {"began_ticks", p.began}, {"written", utcNow()}};
 }
 
 std::string runningText(const Json& summary) {
   if (!summary.contains("process")) return "running, or killed,";  // written by an earlier version
   const Json& j = summary["process"];
-  const ProcessMark p{j.at("host").get<std::string>(), j.at("pid").get<long>(),
+  const ProcessIdentity p{j.at("host").get<std::string>(), j.at("pid").get<long>(),
                       j.at("began_ticks").get<long long>()};
   const std::string who = fmt::format("process {} on {}", p.pid, p.host),
                     written = "last write at " + j.at("written").get<std::string>();
-  switch (presenceOf(p)) {
-    case Presence::Here: return fmt::format("running ({}; {}),", who, written);
-    case Presence::Gone: return fmt::format("killed ({} has ended; {}), last known", who, written);
-    case Presence::Unknown: break;
+  switch (processStateOf(p)) {
+    case ProcessState::Here: return fmt::format("running ({}; {}),", who, written);
+    case ProcessState::Gone: return fmt::format("killed ({} has ended; {}), last known", who, written);
+    case ProcessState::Unknown: break;
   }
   return fmt::format("running, or killed, on another host ({}; {}),", who, written);
 }

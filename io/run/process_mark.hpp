@@ -6,17 +6,17 @@
 namespace thaw {
 
 /// A Linux process. Its start separates it from a later process with the same number.
-struct ProcessMark {
+struct ProcessIdentity {
   std::string host;
   long pid = 0;
   long long began = 0;  ///< start in clock ticks since the boot of the host; 0 if unknown
 };
 
-ProcessMark ownProcess();
+ProcessIdentity ownProcess();
 
-enum class Presence { Here, Gone, Unknown };  ///< Unknown: on another host
+enum class ProcessState { Here, Gone, Unknown };  ///< Unknown: on another host
 /// Returns the presence of a process, as seen from this host.
-Presence presenceOf(const ProcessMark& process);
+ProcessState processStateOf(const ProcessIdentity& process);
 
 /// Returns the time, "2030-01-02T03:04:05Z".
 std::string utcNow();

@@ -13,11 +13,11 @@ namespace thaw {
 /// periods, frame interval, seed, the order of materials, bodies and emitters ("body.bust" = 0), and the
 /// geometry of bodies, sheets and oriented bodies. The others may change (coefficient_marks.hpp). Quantities
 /// without an entry (end, fields of frames, the stability monitor) may change without a report. Requires:
-/// markMeshes.
-CheckpointValues sceneMarks(const Scene& scene);
+/// fingerprintMeshes.
+CheckpointValues restartRecordOf(const Scene& scene);
 
 /// Returns a line for each difference that prevents a restart: "spacing was 0.01, and is 0.02 now".
-std::vector<std::string> sceneDifferences(const CheckpointValues& stored, const Scene& scene);
+std::vector<std::string> restartConflicts(const CheckpointValues& stored, const Scene& scene);
 
 /// Returns a line for each change at which forces and energies jump: coefficients of materials, sheets,
 /// oriented bodies, obstacles and walls, and choices of numerics.
@@ -28,9 +28,9 @@ std::vector<std::string> coefficientChanges(const CheckpointValues& stored, cons
 std::vector<std::string> settingChanges(const CheckpointValues& stored, const Scene& scene, double time);
 
 /// Returns a line for each change of an event that was before `time` (s) in both scenes. It has no effect.
-std::vector<std::string> changesOfPastEvents(const CheckpointValues& stored, const Scene& scene, double time);
+std::vector<std::string> pastEventChanges(const CheckpointValues& stored, const Scene& scene, double time);
 
 /// Returns a line for each change of the start of bodies. It has no effect.
-std::vector<std::string> changesOfTheStart(const CheckpointValues& stored, const Scene& scene);
+std::vector<std::string> initialStateChanges(const CheckpointValues& stored, const Scene& scene);
 
 }  // namespace thaw

@@ -38,7 +38,7 @@ struct RunSummary {
 };
 
 /// Gathers phases, imbalance, bytes, memory and counters over ranks. Collective.
-void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times, const Traffic& traffic,
+void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times, const CommunicationStatistics& traffic,
                    Reducer& all);
 
 inline constexpr const char* summaryName = "summary.json";

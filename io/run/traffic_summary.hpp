@@ -24,7 +24,7 @@ struct TrafficSummary {
 };
 
 /// Returns the traffic since `before`. Collective.
-TrafficSummary gatherTraffic(const Traffic& now, const Traffic& before, Reducer& all);
+TrafficSummary gatherTraffic(const CommunicationStatistics& now, const CommunicationStatistics& before, Reducer& all);
 
 nlohmann::ordered_json trafficJson(const TrafficSummary& traffic);
 

@@ -3,23 +3,23 @@
 . "$(dirname "$0")/../support/bad_input.sh"
 
 printf 'v 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nv 0 0 0.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >"$work/box.obj"
-rejects "oriented surface of tiny spacing" "surface.toml:6:1: error: oriented body 'ball': at a spacing of 1e-05 m .* particles, .*expected a spacing of at least" 2 run "$(kinds surface <<<"[[oriented]]
+rejects "oriented surface of tiny spacing" "surface.toml:6:1: error: oriented body 'ball': at a spacing of 1e-05 m .* particles, .*expected a spacing of at least" 2 run "$(bodyTypes surface <<<"[[oriented]]
 name = 'ball'
 sphere = { radius = 0.4 }
 spacing = 1e-5")"
-rejects "sheet of tiny spacing" "sheet.toml:6:1: error: sheet 'cloth': at a spacing of 1e-09 m .* vertices, .*expected a spacing of at least" 2 check "$(kinds sheet <<<"[[sheet]]
+rejects "sheet of tiny spacing" "sheet.toml:6:1: error: sheet 'cloth': at a spacing of 1e-09 m .* vertices, .*expected a spacing of at least" 2 check "$(bodyTypes sheet <<<"[[sheet]]
 name = 'cloth'
 grid = { width = 0.4, depth = 0.4 }
 spacing = 1e-9")"
-rejects "oriented surface far too fine for the domain's cells, too" "far.toml:6:1: error: oriented body 'ball': at a spacing of 1e-09 m .* particles, which take at least .* GB" 2 check "$(kinds far <<<"[[oriented]]
+rejects "oriented surface far too fine for the domain's cells, too" "far.toml:6:1: error: oriented body 'ball': at a spacing of 1e-09 m .* particles, which take at least .* GB" 2 check "$(bodyTypes far <<<"[[oriented]]
 name = 'ball'
 sphere = { radius = 0.4 }
 spacing = 1e-9")"
-rejects "oriented surface of a file far too fine" "far2.toml:6:1: error: oriented body 'ball': at a spacing of 1e-05 m .* particles, which take .* GB on a machine" 2 check "$(kinds far2 <<<"[[oriented]]
+rejects "oriented surface of a file far too fine" "far2.toml:6:1: error: oriented body 'ball': at a spacing of 1e-05 m .* particles, which take .* GB on a machine" 2 check "$(bodyTypes far2 <<<"[[oriented]]
 name = 'ball'
 mesh = '$work/box.obj'
 spacing = 1e-5")"
-rejects "sheet of the scene's tiny spacing" "^--set spacing=1e-9: error: spacing: sheet 'cloth': at a spacing of 1e-09 m .* vertices, which take at least .* GB" 2 run "$(kinds sheet2 <<<"[[sheet]]
+rejects "sheet of the scene's tiny spacing" "^--set spacing=1e-9: error: spacing: sheet 'cloth': at a spacing of 1e-09 m .* vertices, which take at least .* GB" 2 run "$(bodyTypes sheet2 <<<"[[sheet]]
 name = 'cloth'
 grid = { width = 0.4, depth = 0.4 }")" --set spacing=1e-9
 welded="[[oriented]]
@@ -33,7 +33,7 @@ other = 'b'
 name = 'b'
 patch = { width = 0.1, depth = 0.4 }
 place = { move = [0.3, 0, 0] }"
-welds() { rejects "$1" "$2" 2 "$3" "$(kinds "$4" <<<"$welded
+welds() { rejects "$1" "$2" 2 "$3" "$(bodyTypes "$4" <<<"$welded
 $5")"; }
 after="is part of 'a' by the weld at 0.001 s .line 9., and has no particles left"
 cut="[[oriented.event]]
@@ -50,32 +50,32 @@ patch = { width = 0.1, depth = 0.4 }
 kind = 'weld'
 other = 'b'
 time = 0.002"
-accepts "a cut before the weld" check "$(kinds early <<<"$welded
+accepts "a cut before the weld" check "$(bodyTypes early <<<"$welded
 $cut")"
-rejects "wind on a sheet without mass" "windy.toml:10:.*wind_density.*expected mass > 0" 2 check "$(kinds windy <<<"[[sheet]]
+rejects "wind on a sheet without mass" "windy.toml:10:.*wind_density.*expected mass > 0" 2 check "$(bodyTypes windy <<<"[[sheet]]
 grid = { width = 0.4, depth = 0.4 }
 mass = 0
 damping = 1
 wind_density = 1.2
 wind = [0, 0, 5]")"
-rejects "springs on a sheet without mass and damping" "slack.toml:8:.*mass.*neither mass nor damping" 2 check "$(kinds slack <<<"[[sheet]]
+rejects "springs on a sheet without mass and damping" "slack.toml:8:.*mass.*neither mass nor damping" 2 check "$(bodyTypes slack <<<"[[sheet]]
 grid = { width = 0.4, depth = 0.4 }
 mass = 0
 stiffness = 1000
 warp = 1")"
-rejects "emitter of tiny spacing" "emitter.toml:7:1: error: emitter 'tap': its opening has 3.6e\\+07 places" 2 check "$(kinds emitter <<<"[material.water]
+rejects "emitter of tiny spacing" "emitter.toml:7:1: error: emitter 'tap': its opening has 3.6e\\+07 places" 2 check "$(bodyTypes emitter <<<"[material.water]
 [[emitter]]
 name = 'tap'
 material = 'water'
 disc = { radius = 0.3 }")" --set spacing=1e-4
-rejects "emitter outside" "above.toml:7:1: error: emitter 'tap': [0-9]+ of its [0-9]+ positions of a layer lie outside of the domain, up to 0.5 m beyond its side z = 1 m; enlarge the domain or move the emitter" 2 run "$(kinds above <<<"[material.water]
+rejects "emitter outside" "above.toml:7:1: error: emitter 'tap': [0-9]+ of its [0-9]+ positions of a layer lie outside of the domain, up to 0.5 m beyond its side z = 1 m; enlarge the domain or move the emitter" 2 run "$(bodyTypes above <<<"[material.water]
 [[emitter]]
 name = 'tap'
 material = 'water'
 centre = [0, 0, 1.5]
 disc = { radius = 0.3 }")"
 
-rejects "emitter in an obstacle" "sunk.toml:7:1: error: emitter 'tap': [0-9]+ of its [0-9]+ positions of a layer lie in obstacle 'block'; move the emitter" 2 check "$(kinds sunk <<<"[material.water]
+rejects "emitter in an obstacle" "sunk.toml:7:1: error: emitter 'tap': [0-9]+ of its [0-9]+ positions of a layer lie in obstacle 'block'; move the emitter" 2 check "$(bodyTypes sunk <<<"[material.water]
 [[emitter]]
 name = 'tap'
 material = 'water'
@@ -115,7 +115,7 @@ box = { size = [0.2, 0.2, 0.2] }
 temperature = '-5 degC'"
 
 # output of check and info for a scene without continuum
-patch=$(kinds patch <<<"[[oriented]]
+patch=$(bodyTypes patch <<<"[[oriented]]
 patch = { width = 0.4, depth = 0.4 }")
 checked() {
   isAccepted "check of oriented particles alone" check "$patch"
@@ -193,7 +193,7 @@ heat_capacity = 1000
 name = 'lump'
 material = 'jelly'
 box = { size = [0.1, 0.1, 0.1] }"
-rejects "a sheet in a body" "body.toml:6:1: error: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump', where they would stay trapped; move them apart, or set numerics.overlap" 2 check "$(kinds body <<<"$lump")"
+rejects "a sheet in a body" "body.toml:6:1: error: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump', where they would stay trapped; move them apart, or set numerics.overlap" 2 check "$(bodyTypes body <<<"$lump")"
 warns "a sheet in a body that is to be" "kept.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump', where they stay trapped" kept "$lump
 [numerics]
 overlap = 'keep'"
@@ -208,18 +208,18 @@ place = { rotate_x = 0.3 }"
 warns "a surface in another" "films.toml:8:1: oriented body 'oriented 1': [0-9]+ of its [0-9]+ particles start nearer to oriented body 'oriented 0' than" films "$plate
 $plate
 place = { move = [0, 0, 0.012] }"
-rejects "a sheet's mesh that is missing" "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost <<<"[[sheet]]
+rejects "a sheet's mesh that is missing" "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: there is no such file" 2 check "$(bodyTypes lost <<<"[[sheet]]
 mesh = 'nowhere.obj'")"
-rejects "an oriented body's mesh that is missing" "lost2.toml:7:8: error: oriented body 'oriented 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost2 <<<"[[oriented]]
+rejects "an oriented body's mesh that is missing" "lost2.toml:7:8: error: oriented body 'oriented 0': .*nowhere.obj: there is no such file" 2 check "$(bodyTypes lost2 <<<"[[oriented]]
 mesh = 'nowhere.obj'")"
-rejects "an anchor's mesh that is missing" "lost3.toml:9:8: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: there is no such file" 2 check "$(kinds lost3 <<<"$plate
+rejects "an anchor's mesh that is missing" "lost3.toml:9:8: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: there is no such file" 2 check "$(bodyTypes lost3 <<<"$plate
 [[oriented.anchor]]
 mesh = 'nowhere.obj'")"
-rejects "a clamp's mesh that is missing" "lost4.toml:9:8: error: sheet 'sheet 0': a clamp: .*nowhere.obj: there is no such file" 2 run "$(kinds lost4 <<<"$cloth
+rejects "a clamp's mesh that is missing" "lost4.toml:9:8: error: sheet 'sheet 0': a clamp: .*nowhere.obj: there is no such file" 2 run "$(bodyTypes lost4 <<<"$cloth
 [[sheet.clamp]]
 mesh = 'nowhere.obj'")"
 rejects "the mesh of a body's clamp" "lost5.toml:[0-9]+:8: error: .*nowhere.obj" 2 check "$(scene lost5 '/^place/a [[body.clamp]]\nmesh = "nowhere.obj"')"
-rejects "more particles than most" "most.toml:6:1: error: oriented body 'oriented 0': it starts with [0-9]+ particles and .most. is 20; expected .most. to be at least the initial number" 2 check "$(kinds most <<<"$plate
+rejects "more particles than most" "most.toml:6:1: error: oriented body 'oriented 0': it starts with [0-9]+ particles and .most. is 20; expected .most. to be at least the initial number" 2 check "$(bodyTypes most <<<"$plate
 growth = 'gaps'
 most = 20")"
 

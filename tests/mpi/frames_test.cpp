@@ -199,7 +199,7 @@ TEST(Series, IsRebuiltFromTheExistingFrames) {
     EXPECT_EQ(back[2].time, 0.08);
     EXPECT_EQ(findSeries(folder.path), std::vector<std::string>{index});
     for (const bool run : {true, false}) {  // the second time the folder is absent
-      EXPECT_EQ(setAsideEarlierRun(folder.path), run);
+      EXPECT_EQ(moveEarlierRunAside(folder.path), run);
       EXPECT_FALSE(fs::exists(index));
       EXPECT_TRUE(fs::exists(folder.path + "/previous/frames/wax_000000.hdf"));
     }

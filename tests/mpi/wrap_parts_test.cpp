@@ -40,13 +40,13 @@ TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
   domain.max = {edge * size, edge * size, edge * size};
   CellGrid grid = makeGrid(domain, edge);
   grid.origin = {};
-  std::vector<WrapPart> mine, surface;
+  std::vector<WrapCell> mine, surface;
   for (int z = 0; z < size; z++)
     for (int y = 0; y < size; y++)
       for (int x = 0; x < size; x++) {
         const Vec3i c{x, y, z};
         if (!taken(c)) continue;
-        const WrapPart p{cellKey(c), 1 + 0.1 * x, middleOf(c)};
+        const WrapCell p{cellKey(c), 1 + 0.1 * x, middleOf(c)};
         // some ranks have no part
         if (static_cast<int>(mixBits(p.key) % 5) * all.size() / 5 == all.rank()) mine.push_back(p);
         if (!(taken({x + 1, y, z}) && taken({x - 1, y, z}) && taken({x, y + 1, z}) && taken({x, y - 1, z}) &&
@@ -61,10 +61,10 @@ TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
   const WrapSurface found = findWrapSurface(all, grid, mine, places, 2 * edge);
   EXPECT_TRUE(found.any);
   ASSERT_TRUE(std::is_sorted(found.near.begin(), found.near.end(),
-                             [](const WrapPart& a, const WrapPart& b) { return a.key < b.key; }));
+                             [](const WrapCell& a, const WrapCell& b) { return a.key < b.key; }));
   std::set<std::uint64_t> has, of;
-  for (const WrapPart& p : surface) of.insert(p.key);
-  for (const WrapPart& p : found.near) {
+  for (const WrapCell& p : surface) of.insert(p.key);
+  for (const WrapCell& p : found.near) {
     EXPECT_TRUE(of.contains(p.key));
     EXPECT_EQ(p.middle, middleOf(cellOfKey(p.key)));
     has.insert(p.key);
@@ -72,8 +72,8 @@ TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
   EXPECT_EQ(has.size(), found.near.size());
   for (const Vec3d& x : places) {
     double nearest = 1e300;
-    for (const WrapPart& p : surface) nearest = std::min(nearest, length(p.middle - x));
-    for (const WrapPart& p : surface)
+    for (const WrapCell& p : surface) nearest = std::min(nearest, length(p.middle - x));
+    for (const WrapCell& p : surface)
       ASSERT_TRUE(length(p.middle - x) > nearest + 2 * edge || has.contains(p.key));
   }
   // each rank draws its parts by one unit along x and by its rank along y
@@ -81,10 +81,10 @@ TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
   for (std::size_t k = 0; k < found.near.size(); k++) units.insert(units.end(), {1, all.rank(), -3});
   std::int64_t sums[3] = {0, 0, static_cast<std::int64_t>(found.near.size())};
   std::uint64_t last = 0;
-  for (const WrapPull& p : returnPulls(all, found, units)) {
+  for (const WrapForce& p : reduceWrapForces(all, found, units)) {
     EXPECT_GT(p.key, last);
     last = p.key;
-    EXPECT_TRUE(std::any_of(mine.begin(), mine.end(), [&](const WrapPart& m) { return m.key == p.key; }));
+    EXPECT_TRUE(std::any_of(mine.begin(), mine.end(), [&](const WrapCell& m) { return m.key == p.key; }));
     EXPECT_EQ(p.units.z, -3 * p.units.x);
     sums[0] += p.units.x;
   }

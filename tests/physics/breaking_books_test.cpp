@@ -24,11 +24,11 @@ double lostByBreaking(double dt) {
   test::addBox(s, {-0.2, -0.03, -0.03}, {0.2, 0.03, 0.03}).spin = {0, 0, 40};
   s.end = 0.03;
   Simulation r(s);
-  const double kinetic = r.books().now.kinetic;
+  const double kinetic = r.ledgerReport().now.kinetic;
   EXPECT_TRUE(r.run());
   EXPECT_GT(r.w.counters.brokenBonds, 100);
-  EXPECT_GT(r.books().phaseJump, 0.005 * kinetic);
-  return r.books().energyResidual / kinetic;
+  EXPECT_GT(r.ledgerReport().phaseJump, 0.005 * kinetic);
+  return r.ledgerReport().energyResidual / kinetic;
 }
 
 // Forces change at the end of a step. A break recorded as the bond energy alone would leave out the energy of

@@ -33,10 +33,10 @@ double lostByBlow(double restitution, double friction, double dt) {
   upper.spin = {0, 0, 5};
   s.end = 0.03;
   Simulation r(s);
-  const double kinetic = r.books().now.kinetic;
+  const double kinetic = r.ledgerReport().now.kinetic;
   EXPECT_TRUE(r.run());
-  EXPECT_GT(r.books().dissipated, 0.02 * kinetic);
-  return r.books().energyResidual / kinetic;
+  EXPECT_GT(r.ledgerReport().dissipated, 0.02 * kinetic);
+  return r.ledgerReport().energyResidual / kinetic;
 }
 
 TEST(ContactEnergy, DashpotsAndFrictionAreRecordedToSecondOrder) {

@@ -13,7 +13,7 @@ constexpr double dx = 0.0041, hot = 500;
 
 /// A puddle of the wax of scenes/melt.toml, four spacings deep, at 500 K, without outside heating. A cube of
 /// the same wax of `size` spacings starts 2.4 spacings above its particles.
-Scene puddleWithCrumb(double temperature, int size) {
+Scene puddleWithFragment(double temperature, int size) {
   Scene s = columnScene(dx, 0, 20 * dx);
   s.domain.side[2] = {Side::Wall, Side::Open};
   s.domain.gravity = {0, 0, -9.81};
@@ -28,13 +28,13 @@ Scene puddleWithCrumb(double temperature, int size) {
   return s;
 }
 
-struct Crumb {
+struct Fragment {
   double temperature = 0, nearest = never;
 };
 
 /// Mean temperature (K) of the second body, and its distance (dx) from the first.
-Crumb crumbOf(const Continuum& p) {
-  Crumb c;
+Fragment fragmentOf(const Continuum& p) {
+  Fragment c;
   double count = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.body[i] != 1) continue;
@@ -54,12 +54,12 @@ struct Warming {
 
 /// Time until the fragment is within 1.5 spacings, and until 0.9 of its temperature difference is gone.
 Warming warmingOf(double temperature, int size) {
-  Simulation run(puddleWithCrumb(temperature, size));
+  Simulation run(puddleWithFragment(temperature, size));
   Warming at;
   while (run.w.clock.time < run.w.scene.end) {
     if (!run.step()) return {};
     const double t = run.w.clock.time;
-    const Crumb c = crumbOf(run.particles());
+    const Fragment c = fragmentOf(run.particles());
     if (c.nearest < 1.5) at.touched = std::min(at.touched, t);
     if (c.temperature > temperature + 0.9 * (hot - temperature)) at.warm = std::min(at.warm, t);
     at.nearest = c.nearest;
@@ -67,7 +67,7 @@ Warming warmingOf(double temperature, int size) {
   double heat = 0;
   for (std::size_t i = 0; i < run.particles().owned; i++)
     heat += run.particles().mass[i] * run.particles().enthalpy[i];
-  at.heatLost = std::abs(run.books().heatResidual) / heat;
+  at.heatLost = std::abs(run.ledgerReport().heatResidual) / heat;
   return at;
 }
 

@@ -17,10 +17,10 @@ TEST(BodyTypeLedger, ClosesForADampedSheetThatLeavesTheDomain) {
   test::Simulation sim(s);
   ASSERT_TRUE(sim.run());
   ASSERT_EQ(sim.w.sheets.rows.owned, 0u);
-  const LedgerReport books = sim.books();
-  EXPECT_GT(books.dissipated, 0.05 * books.energyScale);
-  EXPECT_LT(std::abs(books.energyResidual), 1e-4 * books.energyScale);
-  EXPECT_LT(length(books.momentumResidual), 1e-12);
+  const LedgerReport ledgerReport = sim.ledgerReport();
+  EXPECT_GT(ledgerReport.dissipated, 0.05 * ledgerReport.energyScale);
+  EXPECT_LT(std::abs(ledgerReport.energyResidual), 1e-4 * ledgerReport.energyScale);
+  EXPECT_LT(length(ledgerReport.momentumResidual), 1e-12);
 }
 
 /// A fully clamped block, and a cloth or a net of oriented particles that falls on it.
@@ -46,9 +46,9 @@ TEST(BodyTypeLedger, ClampRecordsTheImpulseOfAClothOnItsBlock) {
   s.sheets[0].shape.move = {0, 0, 0.33};
   test::Simulation sim(s);
   ASSERT_TRUE(sim.run());
-  const LedgerReport books = sim.books();
-  EXPECT_GT(std::abs(books.wallImpulse.z), 1);  // it has landed
-  EXPECT_LT(length(books.momentumResidual), 1e-11 * std::abs(books.wallImpulse.z));
+  const LedgerReport ledgerReport = sim.ledgerReport();
+  EXPECT_GT(std::abs(ledgerReport.wallImpulse.z), 1);  // it has landed
+  EXPECT_LT(length(ledgerReport.momentumResidual), 1e-11 * std::abs(ledgerReport.wallImpulse.z));
 }
 
 TEST(BodyTypeLedger, ClampRecordsTheImpulseOfANetOnItsBlock) {
@@ -61,9 +61,9 @@ TEST(BodyTypeLedger, ClampRecordsTheImpulseOfANetOnItsBlock) {
   b.shape.move = {0, 0, 0.33};
   test::Simulation sim(s);
   ASSERT_TRUE(sim.run());
-  const LedgerReport books = sim.books();
-  EXPECT_GT(std::abs(books.wallImpulse.z), 0.1);
-  EXPECT_LT(length(books.momentumResidual), 1e-11 * std::abs(books.wallImpulse.z));
+  const LedgerReport ledgerReport = sim.ledgerReport();
+  EXPECT_GT(std::abs(ledgerReport.wallImpulse.z), 0.1);
+  EXPECT_LT(length(ledgerReport.momentumResidual), 1e-11 * std::abs(ledgerReport.wallImpulse.z));
 }
 
 TEST(BodyTypeLedger, PressureWorkFollowsTheMotionInSemiImplicitSteps) {
@@ -80,10 +80,10 @@ TEST(BodyTypeLedger, PressureWorkFollowsTheMotionInSemiImplicitSteps) {
   s.end = 0.1;
   test::Simulation sim(s);
   ASSERT_TRUE(sim.run());
-  const LedgerReport books = sim.books();
-  EXPECT_GT(books.wallWork, 0);
+  const LedgerReport ledgerReport = sim.ledgerReport();
+  EXPECT_GT(ledgerReport.wallWork, 0);
   // the loss of the scheme itself is smaller than this
-  EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.wallWork);
+  EXPECT_LT(std::abs(ledgerReport.energyResidual), 1e-3 * ledgerReport.wallWork);
 }
 
 /// A massless sphere under pressure, or pressed onto a ball.
@@ -108,19 +108,19 @@ Scene weightless(bool ball) {
 TEST(BodyTypeLedger, ContactOfAMasslessSheetCreatesNoEnergy) {
   test::Simulation sim(weightless(true));
   ASSERT_TRUE(sim.run());
-  const LedgerReport books = sim.books();
-  EXPECT_GT(books.dissipated, 0.05);
-  EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.energyScale);
+  const LedgerReport ledgerReport = sim.ledgerReport();
+  EXPECT_GT(ledgerReport.dissipated, 0.05);
+  EXPECT_LT(std::abs(ledgerReport.energyResidual), 1e-3 * ledgerReport.energyScale);
 }
 
 TEST(BodyTypeLedger, ExternalWorkOnAnEmptyBudgetIsNoFailure) {
   test::Simulation sim(weightless(false));
   while (sim.w.clock.step < 20) ASSERT_TRUE(sim.step());
-  const LedgerReport books = sim.books();
-  EXPECT_GT(books.wallWork, 0);
-  WatchBounds bounds;
+  const LedgerReport ledgerReport = sim.ledgerReport();
+  EXPECT_GT(ledgerReport.wallWork, 0);
+  MonitorLimits bounds;
   bounds.energy = 0.5;
-  EXPECT_EQ(checkBooks(sim.w, bounds, books, sim.all), Alarm::None);
+  EXPECT_EQ(checkEnergyBudget(sim.w, bounds, ledgerReport, sim.all), Failure::None);
 }
 
 /// A cloth whose middle has another mass falls on a floor.
@@ -140,10 +140,10 @@ TEST(BodyTypeLedger, ContactUsesTheMassOfTheRegion) {
     s.end = 0.4;
     test::Simulation sim(s);
     ASSERT_TRUE(sim.run());
-    const LedgerReport books = sim.books();
-    EXPECT_GT(books.dissipated, 0) << factor;
+    const LedgerReport ledgerReport = sim.ledgerReport();
+    EXPECT_GT(ledgerReport.dissipated, 0) << factor;
     // steps that do not resolve the impact give 28 %
-    EXPECT_LT(std::abs(books.energyResidual), 0.05 * books.energyScale) << factor;
+    EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.05 * ledgerReport.energyScale) << factor;
     for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++)
       ASSERT_GT(sim.w.sheets.rows.position[i].z, 0) << factor;
   }

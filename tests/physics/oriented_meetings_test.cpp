@@ -33,7 +33,7 @@ TEST(Oriented, ReleasedAnchorsUnderLoadKeepTheLedgerClosed) {
     s.end = 0.1;
     test::Simulation x(s);
     ASSERT_TRUE(x.run());
-    const LedgerReport r = x.books();
+    const LedgerReport r = x.ledgerReport();
     EXPECT_GT(length(r.gravityImpulse), 0);
     EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse)) << static_cast<int>(how);
   }
@@ -56,7 +56,7 @@ TEST(Oriented, LedgerRecordsWorkOfNormalAnchors) {
     s.end = 0.2;
     test::Simulation x(s);
     ASSERT_TRUE(x.run());
-    const LedgerReport r = x.books();
+    const LedgerReport r = x.ledgerReport();
     const double change = r.now.kinetic + r.now.elastic - r.initial.elastic;
     std::printf("work %.3e J, energy %.3e J more, residual %.1e J\n", r.wallWork, change, r.energyResidual);
     EXPECT_GT(change, 0);
@@ -80,21 +80,21 @@ TEST(Oriented, SheetPatchContactConservesMomentumAndEnergy) {
   s.numerics.maxStep = 2e-4;
   s.end = 0.3;
   test::Simulation x(s);
-  const LedgerReport before = x.books();
-  double underWay = 0;
+  const LedgerReport before = x.ledgerReport();
+  double impulseInFlight = 0;
   while (x.w.clock.time < s.end) {
     ASSERT_TRUE(x.step());
-    if (x.w.clock.step % 50 == 0) underWay = std::max(underWay, length(x.books().underWay));
+    if (x.w.clock.step % 50 == 0) impulseInFlight = std::max(impulseInFlight, length(x.ledgerReport().impulseInFlight));
   }
-  const LedgerReport after = x.books();
+  const LedgerReport after = x.ledgerReport();
   double patch = 0;
   const Oriented& o = x.w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) patch += o.mass[i] * o.velocity[i].z;
   EXPECT_LT(patch, 0.2 * before.now.momentum.z);  // most of the way down together
   // Contact applies its impulses by halves to vertices and at once to oriented particles. The impulse in
   // flight is part of the sum; steps that grow or shrink do not change it.
-  EXPECT_GT(underWay, 1e-6 * length(before.now.momentum));
-  EXPECT_LT(length(after.now.momentum + after.underWay - before.now.momentum),
+  EXPECT_GT(impulseInFlight, 1e-6 * length(before.now.momentum));
+  EXPECT_LT(length(after.now.momentum + after.impulseInFlight - before.now.momentum),
             1e-12 * length(before.now.momentum));
   EXPECT_LT(std::abs(after.energyResidual), 0.01 * before.now.kinetic);
 }
@@ -113,7 +113,7 @@ TEST(Oriented, BodyPatchContactConservesMomentum) {
     s.end = 0.15;
     test::Simulation x(s);
     ASSERT_TRUE(x.run());
-    const LedgerReport r = x.books();
+    const LedgerReport r = x.ledgerReport();
     EXPECT_GT(r.dissipated, 0);
     EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.initial.momentum)) << static_cast<int>(how);
     EXPECT_LT(std::abs(r.energyResidual), 0.02 * r.energyScale) << static_cast<int>(how);
@@ -138,7 +138,7 @@ TEST(Oriented, LedgerRecordsWorkOfMovingObstacles) {
     s.end = 0.3;
     test::Simulation x(s);
     ASSERT_TRUE(x.run());
-    const LedgerReport l = x.books();
+    const LedgerReport l = x.ledgerReport();
     double highest = 0;
     for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++)
       highest = std::max(highest, x.w.oriented.rows.position[i].z);
@@ -162,7 +162,7 @@ TEST(Oriented, RestsOnAnObstacle) {
     EXPECT_GT(o.position[i].z, 0);
     EXPECT_LT(o.position[i].z, 0.03);
   }
-  EXPECT_LT(std::abs(x.books().energyResidual), 0.05 * x.books().energyScale);
+  EXPECT_LT(std::abs(x.ledgerReport().energyResidual), 0.05 * x.ledgerReport().energyScale);
 }
 
 // A patch flies out of an open side, row by row. The ledger records the energy of its pairs with the rest.
@@ -176,7 +176,7 @@ TEST(Oriented, LedgerClosesWhenAPatchLeavesTheDomain) {
   test::Simulation x(s);
   const double rows = static_cast<double>(x.w.oriented.rows.owned);
   ASSERT_TRUE(x.run());
-  const LedgerReport r = x.books();
+  const LedgerReport r = x.ledgerReport();
   std::printf("%lld of %.0f left, residual %.2e of %.2e J\n", static_cast<long long>(x.w.counters.left), rows,
               r.energyResidual, r.energyScale);
   EXPECT_GT(static_cast<double>(x.w.counters.left), 0.2 * rows);

@@ -48,10 +48,10 @@ TEST(Sheets, TouchTheContinuumAndTakeItsHeat) {
   EXPECT_GT(hottest, 303);
   EXPECT_LT(hottest, 400);
   EXPECT_GT(lowest, 0.15);  // it lies on the box
-  const LedgerReport books = sim.books();
-  EXPECT_LT(length(books.momentumResidual), 1e-9);
-  EXPECT_LT(std::abs(books.energyResidual), 0.05 * books.energyScale);
-  EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
+  const LedgerReport ledgerReport = sim.ledgerReport();
+  EXPECT_LT(length(ledgerReport.momentumResidual), 1e-9);
+  EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.05 * ledgerReport.energyScale);
+  EXPECT_LT(std::abs(ledgerReport.heatResidual), 1e-9 * std::abs(ledgerReport.now.internal));
 }
 
 /// A block lies in a sagging net whose vertices are not above its particles.
@@ -132,7 +132,7 @@ TEST(Sheets, LedgerClosesForACubeOnANet) {
     b.clamp.push_back(rim);
     s.end = 0.25;
     test::Simulation sim(s);
-    const double most = test::worstOfBooks(sim, s.end);
+    const double most = test::worstResidual(sim, s.end);
     EXPECT_LT(most, 0.01) << turned;
   }
 }
@@ -159,13 +159,13 @@ TEST(Sheets, FrictionWithTrianglesKeepsAngularMomentum) {
     s.end = 0.2;
     test::Simulation sim(s);
     ASSERT_TRUE(sim.w.sheets.plans[0].byFaces);
-    const LedgerReport before = sim.books();
+    const LedgerReport before = sim.ledgerReport();
     ASSERT_TRUE(sim.run());
-    const LedgerReport books = sim.books();
+    const LedgerReport ledgerReport = sim.ledgerReport();
     const double scale = length(before.now.angularMomentum) + before.now.mass * 0.1;
-    EXPECT_LT(length(books.now.momentum - before.now.momentum), 1e-11 * scale) << rough;
-    EXPECT_LT(length(books.now.angularMomentum - before.now.angularMomentum), 1e-11 * scale) << rough;
-    EXPECT_LT(std::abs(books.energyResidual), 0.02 * books.energyScale) << rough;
+    EXPECT_LT(length(ledgerReport.now.momentum - before.now.momentum), 1e-11 * scale) << rough;
+    EXPECT_LT(length(ledgerReport.now.angularMomentum - before.now.angularMomentum), 1e-11 * scale) << rough;
+    EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.02 * ledgerReport.energyScale) << rough;
     const Sheets& v = sim.w.sheets.rows;
     for (std::size_t i = 0; i < v.owned; i++) way[rough] += (v.area[i] / 0.64) * v.velocity[i];
   }
@@ -219,7 +219,7 @@ TEST(Sheets, NothingGetsHotterThanItsHeatSource) {
     EXPECT_LE(hottest, 400) << spacing;
     EXPECT_GE(coldest, 300) << spacing;
     EXPECT_GT(warm, 20u) << spacing;
-    EXPECT_LT(std::abs(sim.books().heatResidual), 1e-9 * std::abs(sim.books().now.internal));
+    EXPECT_LT(std::abs(sim.ledgerReport().heatResidual), 1e-9 * std::abs(sim.ledgerReport().now.internal));
   }
 }
 
@@ -302,11 +302,11 @@ TEST(Sheets, ClothHoldsWaterForAnyVertexSpacing) {
     EXPECT_LT(lowest, -0.003) << spacing;  // the water loads it
     EXPECT_EQ(underSheet(sim.w), 0u) << spacing;
     EXPECT_GT(hottest, 301) << spacing;
-    const LedgerReport books = sim.books();
-    EXPECT_LT(length(books.momentumResidual), 1e-9);
-    EXPECT_LT(std::abs(books.energyResidual), 0.003 * books.energyScale) << spacing;
-    EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
-    EXPECT_EQ(books.liquidFraction, 1);  // continuum only: a cloth is neither liquid nor solid there
+    const LedgerReport ledgerReport = sim.ledgerReport();
+    EXPECT_LT(length(ledgerReport.momentumResidual), 1e-9);
+    EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.003 * ledgerReport.energyScale) << spacing;
+    EXPECT_LT(std::abs(ledgerReport.heatResidual), 1e-9 * std::abs(ledgerReport.now.internal));
+    EXPECT_EQ(ledgerReport.liquidFraction, 1);  // continuum only: a cloth is neither liquid nor solid there
   }
 }
 

@@ -15,12 +15,12 @@ namespace thaw::test {
 
 /// A world with the data that a surface update reads: spacing dx = 1, particle copies (component 1, liquid
 /// 1), surfels.
-struct SettleRig {
+struct RelaxRig {
   World w;
   std::unique_ptr<SerialSurfaceRanks> ranks;
   SurfaceTools tools;
 
-  explicit SettleRig(double surfelSpacing = 0.5, double half = 24,
+  explicit RelaxRig(double surfelSpacing = 0.5, double half = 24,
                      const std::function<void(Scene&)>& change = {}) {
     w.scene.spacing = 1;
     w.scene.domain.min = {-half, -half, -half};
@@ -45,7 +45,7 @@ struct SettleRig {
     p.component[i] = component;
     p.volume[i] = 1;
     p.liquid[i] = liquid;
-    p.home[i] = i;
+    p.source[i] = i;
   }
   void addSurfel(const Vec3d& x, const Vec3d& n, std::uint64_t component = 1, float liquid = 1) {
     Surfels& s = w.surface.surfels;
@@ -85,10 +85,10 @@ struct SettleRig {
   void place() {
     placeRows(w.surface.grid, ranks->surfels, w.surface.surfels, w.surface.surfelCells, tools.sort);
     placeRows(w.surface.grid, ranks->particles, w.surface.particles, w.surface.particleCells, tools.sort);
-    tools.relax.particlesReady = false;
+    tools.relax.particlesPrepared = false;
   }
-  Settled settle(std::int64_t iterations, bool all = true) {
-    return thaw::settle(w, ranks->halos(), tools, forceWeights(w.scene.surface), iterations, all);
+  RelaxationResult relaxSurfels(std::int64_t iterations, bool all = true) {
+    return thaw::relaxSurfels(w, ranks->halos(), tools, forceWeights(w.scene.surface), iterations, all);
   }
 };
 

@@ -11,27 +11,27 @@ namespace thaw {
 namespace {
 
 /// Points on an ellipsoid with these half axes, evenly along a spiral.
-GivenPoints onEllipsoid(int count, const Vec3d& axes) {
-  GivenPoints g;
+PointInterpolant onEllipsoid(int count, const Vec3d& axes) {
+  PointInterpolant g;
   for (int k = 0; k < count; k++) {
     const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z), a = 2.399963229728653 * k;
     const Vec3d u{r * std::cos(a), r * std::sin(a), z};
     g.points.push_back({axes.x * u.x, axes.y * u.y, axes.z * u.z});
     g.normals.push_back(normalized(Vec3d{u.x / axes.x, u.y / axes.y, u.z / axes.z}));
   }
-  readyGiven(g);
+  buildInterpolant(g);
   return g;
 }
-GivenPoints onSphere(int count) { return onEllipsoid(count, {0.3, 0.3, 0.3}); }
+PointInterpolant onSphere(int count) { return onEllipsoid(count, {0.3, 0.3, 0.3}); }
 
-double worstOff(const GivenPoints& g, const Vec3d& axes) {
+double worstOff(const PointInterpolant& g, const Vec3d& axes) {
   double worst = 0;
   for (int k = 0; k < 500; k++) {
     const double z = std::sin(0.7 * k), r = std::sqrt(1 - z * z);
     const Vec3d u{r * std::cos(1.9 * k), r * std::sin(1.9 * k), z};
     Vec3d normal = normalized(Vec3d{u.x / axes.x, u.y / axes.y, u.z / axes.z}),
           place = Vec3d{axes.x * u.x, axes.y * u.y, axes.z * u.z} + 0.02 * std::sin(5.0 * k) * normal;
-    EXPECT_TRUE(projectOnGiven(g, place, normal));
+    EXPECT_TRUE(projectOnInterpolant(g, place, normal));
     const Vec3d q{place.x / axes.x, place.y / axes.y, place.z / axes.z},
         slope{q.x / axes.x, q.y / axes.y, q.z / axes.z};
     worst = std::max(worst, std::abs(dot(q, q) - 1) / (2 * length(slope)));  // distance, to first order
@@ -50,14 +50,14 @@ TEST(GivenSurface, ConvergesToAnEllipsoid) {
 }
 
 TEST(GivenSurface, GoesThroughItsPointsAndEndsBeyondThem) {
-  const GivenPoints g = onSphere(60);
+  const PointInterpolant g = onSphere(60);
   for (std::size_t k = 0; k < g.points.size(); k++) {
     Vec3d place = g.points[k] + 0.01 * g.normals[k], normal = g.normals[k];
-    ASSERT_TRUE(projectOnGiven(g, place, normal));
+    ASSERT_TRUE(projectOnInterpolant(g, place, normal));
     EXPECT_LT(length(place - g.points[k]), 2e-3);
   }
   Vec3d far{1.5, 0, 0}, normal{1, 0, 0};
-  EXPECT_FALSE(projectOnGiven(g, far, normal));
+  EXPECT_FALSE(projectOnInterpolant(g, far, normal));
 }
 
 // Two thirds of the thinned points are even, the others are where the surface would err most. No region is
@@ -69,7 +69,7 @@ TEST(GivenSurface, ThinningKeepsTheRequestedNumberAndCoversTheSurface) {
   const auto places = sampleMesh(b.shape, 0.04, 3, {}).places;
   const std::size_t all = places.size();
   b.thin = 0.05;
-  const MadePoints few = makePoints(b, 0.04, 3, {});
+  const SampledPoints few = samplePoints(b, 0.04, 3, {});
   EXPECT_NEAR(static_cast<double>(few.places.size()), 0.05 * static_cast<double>(all),
               0.01 * static_cast<double>(all));
   double least = 1;

@@ -31,7 +31,7 @@ struct Sheet : SurfelRig {
       }
     placeRows(world.surface.grid, ranks->halos().surfels, surfels(), world.surface.surfelCells, tools.sort);
   }
-  void clear() { clearSpecks(world, ranks->halos(), tools); }
+  void clear() { clearIsolatedColours(world, ranks->halos(), tools); }
   std::vector<std::uint32_t> colours() {
     return {surfels().colour.data(), surfels().colour.data() + surfels().owned};
   }
@@ -41,7 +41,7 @@ struct Sheet : SurfelRig {
   }
 };
 
-TEST(ClearSpecks, ReplacesOnlyIsolatedColours) {
+TEST(ClearIsolatedColours, ReplacesOnlyIsolatedColours) {
   // single surfels, and a pair
   const auto specks = [](int j, int k) {
     return (j % 5 == 2 && k % 5 == 2) || (j == 14 && k == 10) ? red : blue;
@@ -68,7 +68,7 @@ TEST(ClearSpecks, ReplacesOnlyIsolatedColours) {
 }
 
 /// A newborn takes the mean colour of its neighbours, or that of its material without any.
-TEST(ClearSpecks, BirthsHaveTheMeanColourOfTheirNeighbours) {
+TEST(ClearIsolatedColours, BirthsHaveTheMeanColourOfTheirNeighbours) {
   Sheet half([](int j, int) { return j < 15 ? red : blue; });
   SurfaceParticles& p = half.world.surface.particles;
   p.resize(1, 0);

@@ -64,7 +64,7 @@ struct TornBar : SurfaceWorld {
       for (std::size_t j = 0; j < p.owned; j++)
         if (side[p.id[i]] != side[p.id[j]] &&
             length(p.position[i] - p.position[j]) < w.scene.numerics.bondSupport * w.scene.spacing)
-          w.solids.bared[p.slot[i]] = 1;
+          w.solids.exposed[p.slot[i]] = 1;
   }
   std::vector<char> side;
 };
@@ -109,7 +109,7 @@ AwayFromFresh awayFromFresh(TornBar& torn, double inside) {
   return away;
 }
 
-TEST(CoverBare, TornBarHasTwoClosedPieces) {
+TEST(ResurfaceExposed, TornBarHasTwoClosedPieces) {
   for (const bool mesh : {false, true}) {
     TornBar bar(mesh);
     const Surface& s = bar.w.surface;
@@ -152,7 +152,7 @@ TEST(CoverBare, TornBarHasTwoClosedPieces) {
   }
 }
 
-TEST(CoverBare, FacesOfACrackInheritTheColoursOfTheMesh) {
+TEST(ResurfaceExposed, FacesOfACrackInheritTheColoursOfTheMesh) {
   TornBar bar(true, true);
   for (int k = 0; k < 16; k++) bar.pull(0.025);
   const Surfels& f = bar.w.surface.surfels;
@@ -179,10 +179,10 @@ TEST(CoverBare, FacesOfACrackInheritTheColoursOfTheMesh) {
 
 /// A bar compressed across until the colour field's surface lies elsewhere keeps its own. No bond is lost, so
 /// no second skin grows.
-TEST(CoverBare, CompressedBodyGrowsNoSecondSkin) {
+TEST(ResurfaceExposed, CompressedBodyGrowsNoSecondSkin) {
   for (const bool intact : {true, false}) {
     TornBar bar(true, false, 0.02);
-    if (!intact) std::fill_n(bar.w.solids.bared.data(), bar.w.solids.owned, std::uint8_t{1});
+    if (!intact) std::fill_n(bar.w.solids.exposed.data(), bar.w.solids.owned, std::uint8_t{1});
     for (int k = 0; k < 10; k++) {
       for (std::size_t i = 0; i < bar.w.particles.owned; i++) {
         const Vec3d x = bar.place(i);
@@ -204,7 +204,7 @@ TEST(CoverBare, CompressedBodyGrowsNoSecondSkin) {
 
 /// A bar that swings through strains of a fifth in ten updates per cycle: its surfels return to their initial
 /// places, and no error accumulates.
-TEST(FollowStart, OscillatingBodyKeepsItsDetail) {
+TEST(ReferenceMotion, OscillatingBodyKeepsItsDetail) {
   TornBar bar(true);
   const Surfels& f = bar.w.surface.surfels;
   const std::vector<Vec3d> start(bar.w.particles.position.data(),
@@ -235,7 +235,7 @@ TEST(FollowStart, OscillatingBodyKeepsItsDetail) {
   EXPECT_LT(turned, 1e-9);
 }
 
-TEST(CoverBare, ChipOfSixParticlesGetsASurface) {
+TEST(ResurfaceExposed, ChipOfSixParticlesGetsASurface) {
   SurfelRig rig(surfelScene(0.05));
   SurfaceParticles& p = rig.world.surface.particles;
   for (const Vec3d& x : {Vec3d{-0.46, 0.08, 0.08},
@@ -256,7 +256,7 @@ TEST(CoverBare, ChipOfSixParticlesGetsASurface) {
   measureComponents(rig.world.surface, rig.ranks->halos().all);
   renewSurfels(rig.world, rig.ranks->halos(), rig.tools);
   resampleOnParticles(rig.world, rig.ranks->halos(), rig.tools, 10);
-  coverBare(rig.world, rig.ranks->halos(), rig.tools);
+  resurfaceExposed(rig.world, rig.ranks->halos(), rig.tools);
   EXPECT_GT(rig.surfels().owned, 20u);
 }
 

@@ -49,7 +49,7 @@ void keepParticlesOut(World& w) {
     }
 }
 
-TEST(KeepOut, HoldsForLiquidThatFlattensAroundAPeg) {
+TEST(WallProjection, HoldsForLiquidThatFlattensAroundAPeg) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.4, -0.4, 0.1}, {0.4, 0.4, 0.8});
   addBoxObstacle(s, {0.05, -0.1, 0}, {0.25, 0.1, 0.09});
@@ -72,7 +72,7 @@ TEST(KeepOut, HoldsForLiquidThatFlattensAroundAPeg) {
   }
 }
 
-TEST(KeepOut, HoldsForDropsOfAFewParticles) {
+TEST(WallProjection, HoldsForDropsOfAFewParticles) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.1, -0.1, 0}, {0, 0, 0.1});  // one particle
   addBox(s, {0.5, 0, 0}, {0.7, 0.2, 0.1});  // four
@@ -87,7 +87,7 @@ TEST(KeepOut, HoldsForDropsOfAFewParticles) {
   }
 }
 
-TEST(KeepOut, DippingSolidsKeepTheirShape) {
+TEST(WallProjection, DippingSolidsKeepTheirShape) {
   Scene s = aboveFloor(1e5);
   Body& bar = addBox(s, {-0.4, -0.4, 0.05}, {0.4, 0.4, 0.65});
   bar.shape = Shape{}, bar.shape.kind = ShapeKind::Mesh, bar.shape.mesh = "bar";
@@ -111,7 +111,7 @@ TEST(KeepOut, DippingSolidsKeepTheirShape) {
   EXPECT_NEAR(lowest(), before, 1e-9);
 }
 
-TEST(KeepOut, NothingComesThroughAThinWall) {
+TEST(WallProjection, NothingComesThroughAThinWall) {
   Scene s = aboveFloor(0);
   s.obstacles.clear();
   addBox(s, {-0.4, -0.4, 0.01}, {0.4, 0.4, 0.61});
@@ -126,14 +126,14 @@ TEST(KeepOut, NothingComesThroughAThinWall) {
   const SurfaceParticles& p = world.w.surface.particles;
   Bins bins;
   fillBins(p.position.data(), p.owned, 0.1, bins);
-  keepOutOfWalls(world.w, bins);
+  projectOutOfWalls(world.w, bins);
   for (std::size_t i = 0; i < f.owned; i++) EXPECT_GT(f.position[i].z, -0.01);
   EXPECT_LT(deepest(world.w), 0.05);
 }
 
 /// A liquid that has expanded in all directions to twice its volume. tests/output/torn_film_test.sh covers
 /// tearing.
-TEST(KeepOut, TornFilmsKeepTheirVolume) {
+TEST(WallProjection, TornFilmsKeepTheirVolume) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.6, -0.6, 0.0}, {0.6, 0.6, 0.2});
   SurfaceWorld world(s);
@@ -154,7 +154,7 @@ TEST(KeepOut, TornFilmsKeepTheirVolume) {
 
 /// A few particles in a flat drop: below them the colour falls off to the side. They are too far apart for a
 /// level with their volume, so that offsets draw the surface in.
-TEST(KeepOut, FlatDropsKeepTheirFloor) {
+TEST(WallProjection, FlatDropsKeepTheirFloor) {
   for (const double apart : {1.0, 1.3}) {
     Scene s = aboveFloor(0);
     addBox(s, {-0.1, -0.1, 0}, {0.1, 0.2, 0.1});  // six

@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-TEST(MixedBins, HoldAllWithAnotherLabelInReach) {
+TEST(MultiLabelBins, HoldAllWithAnotherLabelInReach) {
   for (const int labels : {1, 2, 5}) {
     std::vector<Vec3d> x;
     std::vector<std::uint64_t> label;
@@ -19,9 +19,9 @@ TEST(MixedBins, HoldAllWithAnotherLabelInReach) {
     Bins bins;
     fillBins(x.data(), x.size(), 0.7, bins);
     const double reach = 0.9;
-    const std::vector<std::uint8_t> mixed = mixedBins(bins, label.data(), bins, label.data(), reach);
+    const std::vector<std::uint8_t> mixed = multiLabelBins(bins, label.data(), bins, label.data(), reach);
     std::vector<std::uint8_t> named(x.size(), 0);
-    forMixed(bins, mixed, [&](std::uint32_t i) { named[i] = 1; });
+    forMultiLabel(bins, mixed, [&](std::uint32_t i) { named[i] = 1; });
     std::size_t needed = 0, all = 0;
     for (std::size_t i = 0; i < x.size(); i++) {
       bool other = false;

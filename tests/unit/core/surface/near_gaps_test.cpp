@@ -49,7 +49,7 @@ InSlot lookInto(const World& w, double half) {
   return in;
 }
 
-TEST(NearGaps, SheetsOfASolidHaveSeparateSurfaces) {
+TEST(NarrowGaps, SheetsOfASolidHaveSeparateSurfaces) {
   SurfaceWorld world(slotted(2));
   const std::size_t surfels = world.w.surface.surfels.owned;
   const double law = 0.6 * 0.4 / (0.05 * 0.05 * 0.866);
@@ -69,7 +69,7 @@ TEST(NearGaps, SheetsOfASolidHaveSeparateSurfaces) {
   }
 }
 
-TEST(NearGaps, ShellOfTwoLayersKeepsItsSurface) {  // the colour field never reaches that of a ball here, so
+TEST(NarrowGaps, ShellOfTwoLayersKeepsItsSurface) {  // the colour field never reaches that of a ball here, so
                                                    // that a fixed level would delete the surface
   Scene s = slotted(2);
   Shape& shell = s.bodies[0].shape;
@@ -84,21 +84,21 @@ TEST(NearGaps, ShellOfTwoLayersKeepsItsSurface) {  // the colour field never rea
   EXPECT_NEAR(world.components()[0].volume / world.components()[0].particleVolume, 1, 0.01);
 }
 
-TEST(NearGaps, AreGapsOfSolidsBelowTheFieldsResolution) {
+TEST(NarrowGaps, AreGapsOfSolidsBelowTheFieldsResolution) {
   const auto gaps = [](const Scene& s) {
     SurfaceWorld world(s);
     gatherParticles(world.w, 0);
     labelParticles(world.w, world.ranks->halos(), world.tools);
-    world.tools.relax.particlesReady = false;
-    readyParticles(world.w, world.ranks->halos(), world.tools);
-    return findNearGaps(world.w, world.tools.relax.particleBins, world.all);
+    world.tools.relax.particlesPrepared = false;
+    prepareParticles(world.w, world.ranks->halos(), world.tools);
+    return findNarrowGaps(world.w, world.tools.relax.particleBins, world.all);
   };
   EXPECT_EQ(gaps(slotted(1)).solid.size(), 1u);
   EXPECT_EQ(gaps(slotted(2)).solid.size(), 1u);
   EXPECT_EQ(gaps(slotted(4)).solid.size(), 0u) << "layers are five spacings apart";
   EXPECT_EQ(gaps(slotted(2, false)).solid.size(), 0u);
   EXPECT_EQ(gaps(slotted(2, false)).liquid, std::vector<std::uint64_t>{1});
-  EXPECT_EQ(SurfaceWorld(slotted(2, false)).tools.lumps, std::vector<std::uint64_t>{1})
+  EXPECT_EQ(SurfaceWorld(slotted(2, false)).tools.mergedSheets, std::vector<std::uint64_t>{1})
       << "a liquid gap closes, with a warning";
   Scene ball = slotted(2);
   ball.bodies[0].shape = Shape{};

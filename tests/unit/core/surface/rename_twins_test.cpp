@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-TEST(RenameTwins, DuplicatesGetAnIdByTheirPosition) {
+TEST(UniqueIds, DuplicatesGetAnIdByTheirPosition) {
   const auto make = [](bool twisted) {
     SurfelRig rig(surfelScene(0.1));
     for (int k = 0; k < 10; k++) rig.add({0.1 * k, 0, 0}, {0, 0, 1});
@@ -25,7 +25,7 @@ TEST(RenameTwins, DuplicatesGetAnIdByTheirPosition) {
       rig.add(places[k], {0, 0, 1});
       rig.surfels().id[rig.surfels().owned - 1] = ids[k];
     }
-    EXPECT_EQ(renameTwins(rig.surfels(), 10, 1, rig.ranks->halos().all), 3);
+    EXPECT_EQ(makeIdsUnique(rig.surfels(), 10, 1, rig.ranks->halos().all), 3);
     std::map<double, std::uint64_t> byPlace;
     std::set<std::uint64_t> all;
     for (std::size_t i = 0; i < rig.surfels().owned; i++) {
@@ -34,7 +34,7 @@ TEST(RenameTwins, DuplicatesGetAnIdByTheirPosition) {
     }
     EXPECT_EQ(all.size(), 14u);
     EXPECT_EQ(rig.surfels().id[3], surfelBit | 4);
-    EXPECT_EQ(renameTwins(rig.surfels(), 10, 1, rig.ranks->halos().all), 0);
+    EXPECT_EQ(makeIdsUnique(rig.surfels(), 10, 1, rig.ranks->halos().all), 0);
     return byPlace;
   };
   const auto one = make(false), other = make(true);

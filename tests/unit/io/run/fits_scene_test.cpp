@@ -33,9 +33,9 @@ struct Restored {
     for (std::size_t i = 0; i < 9; i++) s.id[i] = i;
     w.oriented.rows.resize(1, 0);
     w.oriented.rows.anchor[0] = 0;
-    w.oriented.rows.flags[0] = heldPlace;
+    w.oriented.rows.flags[0] = fixedPosition;
   }
-  std::size_t strange() { return misfits(w, all).size(); }
+  std::size_t strange() { return checkpointMismatches(w, all).size(); }
 };
 
 TEST(FitsScene, AcceptsTheSceneItself) { EXPECT_EQ(Restored().strange(), 0u); }
@@ -64,7 +64,7 @@ TEST(FitsScene, CountsMissingAnchorsAndBodies) {
   EXPECT_EQ(r.strange(), 1u);
   r.w.oriented.rows.flags[0] = 0;  // as for newborn particles: no anchor holds it, whatever the column has
   EXPECT_EQ(r.strange(), 0u);
-  r.w.oriented.rows.flags[0] = heldPlace;
+  r.w.oriented.rows.flags[0] = fixedPosition;
   r.w.oriented.rows.anchor[0] = noAnchor;
   EXPECT_EQ(r.strange(), 0u);
   r.w.oriented.rows.body[0] = 1;

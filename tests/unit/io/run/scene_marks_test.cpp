@@ -21,9 +21,9 @@ Scene sample() {
 }
 
 TEST(SceneMarks, AllowedChangesAreAccepted) {
-  const CheckpointValues then = sceneMarks(sample());
+  const CheckpointValues then = restartRecordOf(sample());
   Scene s = sample();
-  EXPECT_TRUE(sceneDifferences(then, s).empty());
+  EXPECT_TRUE(restartConflicts(then, s).empty());
   s.end = 7;
   s.materials[0].density = 1234;
   s.output.checkpoint = 1;
@@ -31,15 +31,15 @@ TEST(SceneMarks, AllowedChangesAreAccepted) {
   s.numerics.cflSound = 0.1;
   s.emitters[0].end = 3;
   s.obstacles.resize(1);
-  EXPECT_TRUE(sceneDifferences(then, s).empty());
+  EXPECT_TRUE(restartConflicts(then, s).empty());
 }
 
 TEST(SceneMarks, OtherChangesAreRefused) {
-  const CheckpointValues then = sceneMarks(sample());
+  const CheckpointValues then = restartRecordOf(sample());
   const auto refused = [&](auto&& change) {
     Scene s = sample();
     change(s);
-    return !sceneDifferences(then, s).empty();
+    return !restartConflicts(then, s).empty();
   };
   EXPECT_TRUE(refused([](Scene& s) { s.spacing = 0.02; }));
   EXPECT_TRUE(refused([](Scene& s) { s.numerics.support = 2.5; }));
@@ -57,18 +57,18 @@ TEST(SceneMarks, BodyTypeCoefficientsMayChangeAndAreReported) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.oriented.emplace_back().name = "film";
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   EXPECT_TRUE(coefficientChanges(then, s).empty());
   s.sheets[0].warp = 7;
   s.sheets[0].brushes.emplace_back();
   s.oriented[0].circle = 2;
-  EXPECT_TRUE(sceneDifferences(then, s).empty());
+  EXPECT_TRUE(restartConflicts(then, s).empty());
   const std::vector<std::string> changes = coefficientChanges(then, s);
   ASSERT_GE(changes.size(), 3u);
   EXPECT_EQ(changes[0], "oriented.film.cocircular was 1, and is 2 now (SI)");
   EXPECT_EQ(changes[1], "sheet.cloth.warp was 0, and is 7 now (SI)");
   s.sheets[0].mass = 9;  // existing vertices keep their mass
-  EXPECT_FALSE(sceneDifferences(then, s).empty());
+  EXPECT_FALSE(restartConflicts(then, s).empty());
 }
 
 TEST(SceneMarks, SourcesOfOrientedBodiesMayNotChange) {
@@ -76,11 +76,11 @@ TEST(SceneMarks, SourcesOfOrientedBodiesMayNotChange) {
   s.oriented.emplace_back().name = "film";
   s.oriented[0].points = {{0, 0, 0}, {1, 0, 0}};
   s.oriented[0].anchors.emplace_back();
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   const auto refused = [&](auto&& change) {
     Scene other = s;
     change(other.oriented[0]);
-    return !sceneDifferences(then, other).empty();
+    return !restartConflicts(then, other).empty();
   };
   EXPECT_FALSE(refused([](OrientedBody&) {}));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.width = 2; }));
@@ -99,10 +99,10 @@ TEST(SceneMarks, AreReportedInTheWordsOfTheScene) {
   s.oriented[0].points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   s.sheets.emplace_back().name = "shell";
   s.sheets.back().elasticLimit = 0.01;
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   s.oriented[0].points.push_back({1, 1, 0});
   s.sheets.back().elasticLimit = never;
-  const std::vector<std::string> made = sceneDifferences(then, s), changes = coefficientChanges(then, s);
+  const std::vector<std::string> made = restartConflicts(then, s), changes = coefficientChanges(then, s);
   ASSERT_EQ(made.size(), 2u);
   EXPECT_EQ(made[0], "oriented.film.control was 3, and is 4 now (SI)");
   EXPECT_EQ(made[1].rfind("oriented.film.control.checksum was ", 0), 0u) << made[1];
@@ -114,13 +114,13 @@ TEST(SceneMarks, InitialStatesAreReportedAsWithoutEffect) {
   Scene s = sample();
   for (Material& m : s.materials) m.soundSpeed = 10;
   s.oriented.emplace_back().name = "film";
-  const CheckpointValues then = sceneMarks(s);
-  EXPECT_TRUE(changesOfTheStart(then, s).empty());
+  const CheckpointValues then = restartRecordOf(s);
+  EXPECT_TRUE(initialStateChanges(then, s).empty());
   s.oriented[0].relax = 7;
   s.bodies[0].velocity.x = 3;
-  EXPECT_TRUE(sceneDifferences(then, s).empty());
+  EXPECT_TRUE(restartConflicts(then, s).empty());
   EXPECT_TRUE(coefficientChanges(then, s).empty());
-  const std::vector<std::string> changes = changesOfTheStart(then, s);
+  const std::vector<std::string> changes = initialStateChanges(then, s);
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_EQ(changes[0], "body.bust.velocity.x was 0, and is 3 now (SI)");
   EXPECT_EQ(changes[1], "oriented.film.relax was 0, and is 7 now (SI)");
@@ -129,7 +129,7 @@ TEST(SceneMarks, InitialStatesAreReportedAsWithoutEffect) {
 TEST(SceneMarks, AutomaticSoundSpeedIsACoefficient) {
   Scene s = sample();
   s.domain.gravity = {};
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   s.bodies[0].velocity.x = 3;
   const std::vector<std::string> changes = coefficientChanges(then, s);
   EXPECT_EQ(changes, std::vector<std::string>{"numerics.expected_speed was 1, and is 3 now (SI)"});
@@ -137,7 +137,7 @@ TEST(SceneMarks, AutomaticSoundSpeedIsACoefficient) {
 
 TEST(SceneMarks, MaterialCoefficientsAreReported) {
   Scene s = sample();
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   s.materials[0].young.solid = 2e5;
   EXPECT_EQ(coefficientChanges(then, s),
             std::vector<std::string>{"material.wax.young.solid was 0, and is 200000 now (SI)"});
@@ -147,27 +147,27 @@ TEST(SceneMarks, ClampsMayNotChange) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.sheets[0].clamp.emplace_back();
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   Scene let = s;
   let.sheets[0].clamp.clear();
-  EXPECT_FALSE(sceneDifferences(then, let).empty());
+  EXPECT_FALSE(restartConflicts(then, let).empty());
   Scene held = s;
   held.bodies[0].clamp.emplace_back();
-  EXPECT_FALSE(sceneDifferences(then, held).empty());
-  EXPECT_FALSE(sceneDifferences(sceneMarks(held), s).empty());
+  EXPECT_FALSE(restartConflicts(then, held).empty());
+  EXPECT_FALSE(restartConflicts(restartRecordOf(held), s).empty());
   held.bodies[0].clamp[0].move.z = 1;
-  EXPECT_TRUE(changesOfTheStart(sceneMarks(held), held).empty());
+  EXPECT_TRUE(initialStateChanges(restartRecordOf(held), held).empty());
 }
 
 TEST(SceneMarks, SurfaceSettingsAreReported) {
   Scene s = sample();
   s.surface.on = true;
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   s.surface.adapt = 0.5;
   s.surface.source = SurfelSource::Particles;
   EXPECT_EQ(settingChanges(then, s, 0).size(), 1u);
   EXPECT_TRUE(coefficientChanges(then, s).empty());  // forces are not recomputed for it
-  EXPECT_EQ(changesOfTheStart(then, s).size(), 1u);
+  EXPECT_EQ(initialStateChanges(then, s).size(), 1u);
 }
 
 /// Choices are reported by the words of the scene file.
@@ -179,7 +179,7 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   s.oriented[0].anchors.emplace_back();
   s.oriented[0].events.emplace_back().kind = OrientedEventKind::Weld;
   s.oriented[0].fields.emplace_back();
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   Scene other = s;
   other.numerics.heat = HeatModel::Paper;
   other.domain.side[0] = {Side::Periodic, Side::Periodic};
@@ -189,7 +189,7 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   other.oriented[0].shape.kind = ShapeKind::Intersection;
   other.oriented[0].anchors[0].normal = true;
   std::swap(other.materials[0], other.materials[1]);
-  EXPECT_EQ(sceneDifferences(then, other),
+  EXPECT_EQ(restartConflicts(then, other),
             (std::vector<std::string>{"domain.periodic.x was false, and is true now",  // the tap's material
                                                                                        // keeps its name and
                                                                                        // has another place
@@ -231,9 +231,9 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   other.bodies[0].packing = Packing::Relaxed;
   other.bodies[0].material = 1;
   other.bodies[0].shape.kind = ShapeKind::Torus;
-  EXPECT_EQ(changesOfTheStart(then, other),
+  EXPECT_EQ(initialStateChanges(then, other),
             std::vector<std::string>{"surface.source was \"automatic\", and is \"particles\" now"});
-  EXPECT_EQ(sceneDifferences(then, other),
+  EXPECT_EQ(restartConflicts(then, other),
             (std::vector<std::string>{"body.bust.material was \"wax\", and is \"oil\" now",
                                       "body.bust.packing was \"lattice\", and is \"relaxed\" now",
                                       "body.bust.shape.kind was \"box\", and is \"torus\" now"}));
@@ -241,10 +241,10 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
 
 TEST(SceneMarks, MessageNamesTheKeyAndBothValues) {
   Scene s = sample();
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   s.spacing = 0.02;
-  ASSERT_EQ(sceneDifferences(then, s).size(), 1u);
-  EXPECT_EQ(sceneDifferences(then, s)[0].rfind("spacing was 0.01, and is 0.02 now", 0), 0u);
+  ASSERT_EQ(restartConflicts(then, s).size(), 1u);
+  EXPECT_EQ(restartConflicts(then, s)[0].rfind("spacing was 0.01, and is 0.02 now", 0), 0u);
 }
 
 TEST(SceneMarks, HalfSpacesAreComparedByPointAndNormal) {
@@ -254,13 +254,13 @@ TEST(SceneMarks, HalfSpacesAreComparedByPointAndNormal) {
   s.bodies[0].shape.kind = ShapeKind::Difference;
   s.bodies[0].shape.parts.resize(2);
   s.bodies[0].shape.parts[1].kind = ShapeKind::HalfSpace;
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   Scene other = s;
   other.sheets[0].regions[0].shape.point.x = 0.1;
-  EXPECT_EQ(sceneDifferences(then, other).size(), 1u);
+  EXPECT_EQ(restartConflicts(then, other).size(), 1u);
   other = s;
   other.bodies[0].shape.parts[1].normal = {1, 0, 0};
-  EXPECT_EQ(sceneDifferences(then, other).size(), 2u);
+  EXPECT_EQ(restartConflicts(then, other).size(), 2u);
 }
 
 TEST(SceneMarks, MeshesAreComparedByContent) {
@@ -273,13 +273,13 @@ TEST(SceneMarks, MeshesAreComparedByContent) {
     s.sheets[0].mesh = SheetMesh::File;
     s.sheets[0].shape.kind = ShapeKind::Mesh;
     s.sheets[0].shape.mesh = path;
-    markMeshes(s, [&](const std::string&) { return mesh; });
+    fingerprintMeshes(s, [&](const std::string&) { return mesh; });
     return s;
   };
-  const CheckpointValues then = sceneMarks(sceneOf("/a/cloth.obj", cloth));
-  EXPECT_TRUE(sceneDifferences(then, sceneOf("/b/cloth.obj", cloth)).empty());
-  EXPECT_EQ(sceneDifferences(then, sceneOf("/a/cloth.obj", moved)).size(), 1u);
-  EXPECT_EQ(sceneDifferences(then, sceneOf("/a/cloth.obj", turned)).size(), 1u);
+  const CheckpointValues then = restartRecordOf(sceneOf("/a/cloth.obj", cloth));
+  EXPECT_TRUE(restartConflicts(then, sceneOf("/b/cloth.obj", cloth)).empty());
+  EXPECT_EQ(restartConflicts(then, sceneOf("/a/cloth.obj", moved)).size(), 1u);
+  EXPECT_EQ(restartConflicts(then, sceneOf("/a/cloth.obj", turned)).size(), 1u);
 }
 
 TEST(SceneMarks, ExternalActionsAreReported) {
@@ -289,11 +289,11 @@ TEST(SceneMarks, ExternalActionsAreReported) {
   s.oriented.emplace_back().name = "film";
   s.oriented[0].fields.emplace_back().everywhere = false;
   s.obstacles.emplace_back().name = "pan";
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   const auto told = [&](auto&& change) {
     Scene other = s;
     change(other);
-    EXPECT_TRUE(sceneDifferences(then, other).empty());
+    EXPECT_TRUE(restartConflicts(then, other).empty());
     return coefficientChanges(then, other).size() + settingChanges(then, other, 0).size();
   };
   EXPECT_EQ(told([](Scene&) {}), 0u);
@@ -313,31 +313,31 @@ TEST(SceneMarks, ExternalActionsAreReported) {
 TEST(SceneMarks, PastEventsAreReportedAsWithoutEffect) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   s.oriented[0].events.emplace_back().time = 1;
-  EXPECT_TRUE(changesOfPastEvents(then, s, 0.9).empty());
+  EXPECT_TRUE(pastEventChanges(then, s, 0.9).empty());
   EXPECT_FALSE(settingChanges(then, s, 0.9).empty());
-  EXPECT_FALSE(changesOfPastEvents(then, s, 1).empty());
+  EXPECT_FALSE(pastEventChanges(then, s, 1).empty());
   EXPECT_TRUE(settingChanges(then, s, 1).empty());
   Scene later = s;
   later.oriented[0].events[0].time = 2;  // it has happened and will happen again
-  EXPECT_FALSE(settingChanges(sceneMarks(s), later, 1.5).empty());
-  EXPECT_FALSE(settingChanges(sceneMarks(later), s, 1.5).empty());  // it was to happen and will not
+  EXPECT_FALSE(settingChanges(restartRecordOf(s), later, 1.5).empty());
+  EXPECT_FALSE(settingChanges(restartRecordOf(later), s, 1.5).empty());  // it was to happen and will not
 }
 
 TEST(SceneMarks, ChangesAmongManyBodiesAreFound) {
   Scene s = sample();
   for (int k = 0; k < 150; k++) s.bodies.emplace_back().name = "ball " + std::to_string(k);
-  const CheckpointValues then = sceneMarks(s);
+  const CheckpointValues then = restartRecordOf(s);
   Scene other = s;
   other.bodies.back().shape.move.x = 1;
-  EXPECT_EQ(sceneDifferences(then, other).size(), 1u);
+  EXPECT_EQ(restartConflicts(then, other).size(), 1u);
   other = s;
   other.bodies.back().velocity.x = 1;
-  EXPECT_EQ(changesOfTheStart(then, other).size(), 1u);
+  EXPECT_EQ(initialStateChanges(then, other).size(), 1u);
 }
 
-TEST(SceneMarks, CheckpointWithoutRecordIsRefused) { EXPECT_FALSE(sceneDifferences({}, sample()).empty()); }
+TEST(SceneMarks, CheckpointWithoutRecordIsRefused) { EXPECT_FALSE(restartConflicts({}, sample()).empty()); }
 
 }  // namespace
 }  // namespace thaw
