@@ -24,8 +24,8 @@
 #include "core/geometry/signed_distance.hpp"
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
-#include "core/surface/ready_particles.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace {
 

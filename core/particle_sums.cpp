@@ -75,7 +75,8 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.support = w.grid.support;
   s.relativeDensityScale = t.relativeDensityScale;
   s.selfExcess = t.selfExcess;
-  s.positionVolume = n.precision == Precision::Single ? t.records.fixed.data() : t.records.positionVolume.data();
+  s.positionVolume = n.precision == Precision::Single ? t.records.fixed.data()
+                                                      : t.records.positionVolume.data();
   s.velocityViscosity = t.records.velocityViscosity.data();
   s.pressurePhaseHeat = t.records.pressurePhaseHeat.data();
   s.surface = t.records.surface.data();
@@ -97,7 +98,8 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.densityRate = p.densityRate.data();
   s.densityDiffusionRate = p.densityDiffusionRate.data();
   if (w.modules.continuity) s.stiffness = t.liquids[0].stiffness;
-  if (w.modules.corrected) s.moment = p.moment.data(), s.negativeVelocityGradient = p.negativeVelocityGradient.data();
+  if (w.modules.corrected)
+    s.moment = p.moment.data(), s.negativeVelocityGradient = p.negativeVelocityGradient.data();
   if (p.liquidKernelSum.active) s.liquidKernelSum = p.liquidKernelSum.data();
   if (p.solidNormal.active) s.solidNormal = p.solidNormal.data();
   s.surfaceEnergyDerivatives = t.records.surfaceEnergyDerivatives.data();
@@ -182,7 +184,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   const PairSums s = pairSumsOf(w, t);
   PairSums dissipativeForce = s;
   if (p.drag.active)
-    dissipativeForce.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the step
+    dissipativeForce.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
+                                             // step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(dissipativeForce, range);
   if (w.modules.surfaceEnergy) {
     pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
@@ -191,7 +194,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   } else if (w.modules.tension) {
     t.kernels->tension(s, range);
   }
-  if (w.modules.artificialViscosity && !w.modules.uniform) t.kernels->artificialViscosity(dissipativeForce, range);
+  if (w.modules.artificialViscosity && !w.modules.uniform)
+    t.kernels->artificialViscosity(dissipativeForce, range);
   if (w.modules.xsph) t.kernels->smoothing(s, range);
   if (w.modules.surfaceHeat) t.kernels->freeSurfaceIndicator(s, range);
   if (w.modules.contact) {
@@ -279,7 +283,8 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
       bool together = false;
       for (std::uint32_t k = 0; k < lists.count[g] && !together; k++) {
         const std::uint32_t j = lists.row(g, k, l);
-        together = j != lists.dummy && std::memcmp(positionVolume + 4ull * i, positionVolume + 4ull * j, 12) == 0;
+        together = j != lists.dummy &&
+                   std::memcmp(positionVolume + 4ull * i, positionVolume + 4ull * j, 12) == 0;
       }
       if (!together) continue;
       Vec3d d;

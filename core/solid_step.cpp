@@ -44,7 +44,7 @@ BondForming bondForming(const World& w, const StepTools& t) {
   return forming;
 }
 
-/// Updates data after a relink that changed something on any rank.
+/// Updates data after a bond update that changed something on any rank.
 void updateBondData(World& w, Halos& halos, StepTools& t) {
   fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
   if (w.modules.sleep) forgetChangedSlots(w, t);
@@ -124,7 +124,8 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
     pairs.clear();
     if (w.bonds.vectors) formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, part(k));
     else pairAtStart(w.particles, w.neighbours, forming, pairs, part(k));
-    halos.bonds.rebuildBonds(w.particles, w.solids, w.bonds, {requests, false, pairs, mostNeighbours, remotes});
+    halos.bonds.rebuildBonds(w.particles, w.solids, w.bonds,
+                             {requests, false, pairs, mostNeighbours, remotes});
   }
   if (fieldsDeferred(w, t))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.activate(*c);

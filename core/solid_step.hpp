@@ -4,8 +4,8 @@
 
 namespace thaw {
 
-/// Updates the table of solids (BondHalo::rebuildBonds) and, if anything changed on any rank, the data derived from
-/// bonds. Collective.
+/// Updates the table of solids (BondHalo::rebuildBonds) and, if anything changed on any rank, the data
+/// derived from bonds. Collective.
 void rebuildSolidBonds(World& world, Halos halos, StepTools& tools, const BondUpdate& work);
 
 /// Drops the bonds of particles that melted in this step and records their elastic energy. Collective.

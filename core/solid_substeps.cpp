@@ -81,7 +81,8 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
   // Already handled.
   if (w.solids.rereferenced.active)
     std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});
-  if (w.particles.stepMeanVelocity.active) std::fill_n(w.particles.stepMeanVelocity.data(), w.particles.owned, Vec3d{});
+  if (w.particles.stepMeanVelocity.active)
+    std::fill_n(w.particles.stepMeanVelocity.data(), w.particles.owned, Vec3d{});
   findSubstepContacts(w, t.substepContacts);
   drift(w, span, far2);
   for (int k = 1; k < n; k++) {

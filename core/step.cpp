@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/ballot.hpp"
-#include "core/bring_home.hpp"
+#include "core/body_types/redistribute.hpp"
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/carried_density.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
-#include "core/kinds/place_kinds.hpp"
 #include "core/ledger/energy_left.hpp"
 #include "core/ledger/report.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/particle_sums.hpp"
+#include "core/redistribute.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/solid_step.hpp"
 #include "core/solid_substeps.hpp"
+#include "core/step_reduction.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/integrate.hpp"
 
@@ -59,7 +59,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   PhaseChanges changes;
   if (w.modules.melting) changes = changePhase(w);  // solid <-> liquid
   t.phaseChangedHere = changes.melted || changes.frozen;
-  t.frozeAnywhere = changes.frozen;  // both are reduced by vote
+  t.frozeAnywhere = changes.frozen;  // both are reduced by reduceStep
   t.meltedAnywhere = changes.melted;
   t.times.lap(StepPhase::Heat);
 
@@ -77,7 +77,8 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
 void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const bool leftSlots = redistribute(w, halos, t, dt);  // emit, remove, migrate, sort by (cell, id)
-  if (w.modules.solid) rebuildSolidBonds(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
+  if (w.modules.solid)
+    rebuildSolidBonds(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
   if (w.modules.kinds()) redistributeBodyTypes(w, halos, t, dt);
   if (w.modules.sheet) linkSheets(w, halos, t);
@@ -149,8 +150,8 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (w.modules.sheet) loadSheets(w, halos, t, dt);  // forces on vertices, and of vertices on particles
-  if (w.modules.orientedContact) addContinuumContact(w, t, dt);    // oriented particles and the continuum
-  if (w.modules.oriented) recordBirthContacts(w, t);    // contacts of particles born in this step
+  if (w.modules.orientedContact) addContinuumContact(w, t, dt);  // oriented particles and the continuum
+  if (w.modules.oriented) recordBirthContacts(w, t);             // contacts of particles born in this step
   if (w.modules.contact) recordResistance(walls, t.contactResistance);
   recordClamps(walls, t.wallContacts);
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // needs all other forces
@@ -177,7 +178,7 @@ StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Re
     reduction.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
   if (w.modules.kinds())
     reduction.negatedBodyTypeLimits = {w.modules.oriented ? -orientedStepLimit(w, t) : -never,
-                                w.modules.sheet ? -sheetStepLimit(w) : -never};
+                                       w.modules.sheet ? -sheetStepLimit(w) : -never};
   reduction.froze = t.frozeAnywhere;
   reduction.melted = t.meltedAnywhere;
   reduction.bad = here.badHere || !here.finite;
@@ -194,11 +195,13 @@ StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Re
   t.times.lap(StepPhase::Drift);
   reduceOverRanks(reduction, halos.all, w.modules);
   t.times.lap(StepPhase::Reduce);
-  for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++) limits.value[k] = -reduction.negatedLimits[k];
+  for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
+    limits.value[k] = -reduction.negatedLimits[k];
   for (std::size_t k = 0; k < bodyTypeLimits && w.modules.kinds(); k++)
     limits.value[reduction.negatedLimits.size() + k] = -reduction.negatedBodyTypeLimits[k];
   // From the largest values of all ranks: the minimum of their limits would depend on the partition.
-  if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, reduction.stretch2, reduction.strainBound);
+  if (w.modules.solid)
+    limits[Limit::Elastic] = elasticStepLimit(w.scene, reduction.stretch2, reduction.strainBound);
   // Limit of a substep.
   const double longest = std::min({limits[Limit::Elastic], t.longestContact, -reduction.negatedFastLimit});
   if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * longest;

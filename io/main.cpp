@@ -35,7 +35,8 @@ std::vector<std::string> reversedArguments(int argc, char** argv) {
   std::vector<std::string> all;
   for (int a = argc; a-- > 1;) {
     const std::string text = argv[a];
-    const bool pointFirst = text.size() > 2 && text[0] == '-' && text[1] == '.' && text[2] >= '0' && text[2] <= '9';
+    const bool pointFirst = text.size() > 2 && text[0] == '-' && text[1] == '.' && text[2] >= '0' &&
+                            text[2] <= '9';
     all.push_back(pointFirst ? "-0" + text.substr(1) : text);
   }
   return all;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/bring_home.hpp"
-#include "core/kinds/cell_costs.hpp"
+#include "core/body_types/cell_costs.hpp"
 #include "core/neighbours/list_cells.hpp"
+#include "core/redistribute.hpp"
 
 namespace thaw {
 

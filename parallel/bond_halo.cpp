@@ -140,7 +140,7 @@ void MpiBondHalo::queryOwners(const std::vector<std::uint64_t>& ids) {
   }
 }
 
-// Handles particles that migrated and particles that stopped being solid before the same relink: owners
+// Handles particles that migrated and particles that stopped being solid before the same bond update: owners
 // announced in the migration may be outdated.
 void MpiBondHalo::checkMoves(const Solids& s, const BondUpdate& work) {
   std::vector<std::uint64_t> ids = unknownIds(s, work, true);

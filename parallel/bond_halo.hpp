@@ -16,16 +16,17 @@ class MpiBondHalo : public BondHalo {
  public:
   explicit MpiBondHalo(const Communicator& comm) : comm_(comm), graph_(comm.rank()) {}
 
-  /// Throws std::logic_error if the slots of the last migration were not yet created by a relink.
+  /// Throws std::logic_error if the slots of the last migration were not yet created by a bond update.
   void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
                const Migration& migration) override;
-  bool rebuildBonds(const BondedRows& particles, Solids& solids, Bonds& bonds, const BondUpdate& work) override;
+  bool rebuildBonds(const BondedRows& particles, Solids& solids, Bonds& bonds,
+                    const BondUpdate& work) override;
   void begin(Solids& solids, std::span<AnyColumn* const> columns) override;
   void finish(Solids& solids) override;
 
   /// Adopts records (SolidRecords::bytes) of owned particles without a slot, read from a checkpoint on any
-  /// rank. If the particle migrates first, its record follows. The next relink creates the slots; records of
-  /// other particles are discarded.
+  /// rank. If the particle migrates first, its record follows. The next bond update creates the slots;
+  /// records of other particles are discarded.
   void adopt(std::vector<std::byte> records);
   const BondGraph& graph() const { return graph_; }
 
@@ -69,17 +70,18 @@ class MpiBondHalo : public BondHalo {
   BondLinks links_;
   SolidDirectory directory_;
   std::vector<PendingRecords> pendingRecords_;
-  std::vector<Found> found_;              // ascending by id
-  std::vector<Departure> departures_;     // until the next relink
-  std::vector<std::uint32_t> unslotted_;  // rows of particles that get a slot
-  std::vector<std::uint32_t> removed_;    // slots
+  std::vector<Found> found_;                   // ascending by id
+  std::vector<Departure> departures_;          // until the next bond update
+  std::vector<std::uint32_t> unslotted_;       // rows of particles that get a slot
+  std::vector<std::uint32_t> removed_;         // slots
   std::vector<std::uint64_t> meltedArrivals_;  // ids of particles that arrived but are no longer solid
-  std::vector<std::uint32_t> movedRows_;  // remote rows whose particle has migrated since the last relink
+  std::vector<std::uint32_t> movedRows_;       // remote rows whose particle has migrated since the last bond
+                                               // update
   std::vector<NewSlot> fresh_;
-  std::vector<const Found*> recordOf_;   // record of each fresh slot; nullptr: the particle just became solid
+  std::vector<const Found*> recordOf_;  // record of each fresh slot; nullptr: the particle just became solid
   std::vector<std::uint64_t> queriedIds_;  // ascending
   std::vector<std::uint64_t> queriedOwners_;
-  bool moved_ = false;         // solid particles migrated on some rank since the last relink
+  bool moved_ = false;         // solid particles migrated on some rank since the last bond update
   bool solidArrived_ = false;  // on this rank
 };
 

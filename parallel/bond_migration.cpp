@@ -41,8 +41,8 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
   if (comm_.size() == 1) return;
   int any = 0;
   for (std::size_t k = 0; k < m.departed.size(); k++) {
-    if (m.departedTo[k] < 0) continue;      // left the domain: relink detects it
-    if (p.liquid(m.departed[k])) continue;  // melted before it migrated: relink detects it
+    if (m.departedTo[k] < 0) continue;      // left the domain: rebuildBonds detects it
+    if (p.liquid(m.departed[k])) continue;  // melted before it migrated: rebuildBonds detects it
     const std::uint32_t slot = p.slot[m.departed[k]];
     if (slot != noSlot) departures_.push_back({slot, m.departedTo[k]});
     else any = any || !pendingRecords_.empty();

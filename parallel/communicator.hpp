@@ -9,7 +9,7 @@
 #include "core/halo/halo.hpp"
 #include "core/particles/column.hpp"
 #include "core/time/step_trace.hpp"
-#include "parallel/traffic.hpp"
+#include "parallel/communication_statistics.hpp"
 
 namespace thaw {
 

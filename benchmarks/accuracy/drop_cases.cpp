@@ -149,10 +149,12 @@ std::vector<Figure> measureLaplace(Trial& r) {
   };
   const double core = sum(r, [&](const World& x, std::size_t i) { return inside(x, i) ? 1.0 : 0.0; });
   const double relativeDensity = sum(r,
-                             [&](const World& x, std::size_t i) {
-                               return inside(x, i) ? static_cast<double>(x.particles.relativeDensity[i]) : 0.0;
-                             }) /
-                         std::max(core, 1.0);
+                                     [&](const World& x, std::size_t i) {
+                                       return inside(x, i)
+                                                  ? static_cast<double>(x.particles.relativeDensity[i])
+                                                  : 0.0;
+                                     }) /
+                                 std::max(core, 1.0);
   // Viscosity is zero at rest and left out. Pairwise cohesion is in the pair forces, so their virial is the
   // pressure. The other forms of tension act at the surface only: the pressure inside is that of the equation
   // of state. Both virials are reported as well.

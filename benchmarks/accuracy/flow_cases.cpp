@@ -20,7 +20,8 @@ double kineticEnergy(Trial& r) {
 void addResiduals(Trial& r, double energy, double speed, std::vector<Figure>& figures) {
   const LedgerReport ledgerReport = reportLedger(r.world, r.tools, r.all);
   figures.push_back({"energy residual", std::abs(ledgerReport.energyResidual) / energy, 0.01});
-  figures.push_back({"momentum residual", length(ledgerReport.momentumResidual) / (ledgerReport.now.mass * speed), 1e-9});
+  figures.push_back(
+      {"momentum residual", length(ledgerReport.momentumResidual) / (ledgerReport.now.mass * speed), 1e-9});
 }
 
 // ---- column at rest ---------------------------------------------------------------------------------------
@@ -103,9 +104,10 @@ std::vector<Figure> measureRitter(Trial& r) {
     squares += (depth - exact) * (depth - exact);
     n++;
   }
-  std::vector<Figure> f{{"L2(depth)", std::sqrt(squares / n)},
-                        {"depth at the gate", std::abs(gate - 4.0 / 9)},
-                        {"front speed", std::abs((recordedAt(r, t) - recordedAt(r, 0.5 * t)) / (0.5 * t) / 2 - 1)}};
+  std::vector<Figure> f{
+      {"L2(depth)", std::sqrt(squares / n)},
+      {"depth at the gate", std::abs(gate - 4.0 / 9)},
+      {"front speed", std::abs((recordedAt(r, t) - recordedAt(r, 0.5 * t)) / (0.5 * t) / 2 - 1)}};
   addResiduals(r, 0.5 * r.tools.mass, 1, f);
   return f;
 }
@@ -119,8 +121,8 @@ double frontError(const Trial& r, const std::vector<std::array<double, 2>>& poin
   double squares = 0;
   worst = 0;
   for (std::size_t k = from; k < points.size(); k++) {
-    const double error = recordedAt(r, std::clamp((points[k][0] + shift) * unit, 0.0, r.world.clock.time)) / a /
-                             points[k][1] -
+    const double error = recordedAt(r, std::clamp((points[k][0] + shift) * unit, 0.0, r.world.clock.time)) /
+                             a / points[k][1] -
                          1;
     squares += error * error;
     worst = std::max(worst, std::abs(error));
@@ -148,7 +150,7 @@ std::vector<Figure> measureMartinMoyce(Trial& r) {
                         {"shift of T", std::abs(best)},
                         {"RMS(Z) from the first point", ofFirst}};
   addResiduals(r, r.tools.mass * length(r.world.scene.domain.gravity) * a,
-           std::sqrt(2 * length(r.world.scene.domain.gravity) * a), f);
+               std::sqrt(2 * length(r.world.scene.domain.gravity) * a), f);
   return f;
 }
 

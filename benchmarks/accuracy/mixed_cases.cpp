@@ -11,7 +11,8 @@ std::vector<Figure> measurePlate(Trial& r) {
   const LedgerReport ledgerReport = reportLedger(r.world, r.tools, r.all);
   return {{"energy residual", std::abs(ledgerReport.energyResidual) / ledgerReport.now.kinetic, 0.01},
           {"elastic energy", ledgerReport.now.elastic / ledgerReport.now.kinetic},
-          {"momentum residual", length(ledgerReport.momentumResidual) / length(ledgerReport.gravityImpulse), 1e-6}};
+          {"momentum residual", length(ledgerReport.momentumResidual) / length(ledgerReport.gravityImpulse),
+           1e-6}};
 }
 
 }  // namespace

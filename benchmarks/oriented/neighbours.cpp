@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "benchmarks/oriented/tests.hpp"
+#include "core/body_types/redistribute.hpp"
 #include "core/geometry/point_tree.hpp"
-#include "core/kinds/place_kinds.hpp"
 
 namespace thaw::bench {
 

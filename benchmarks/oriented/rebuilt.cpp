@@ -4,7 +4,7 @@
 
 #include "benchmarks/oriented/tests.hpp"
 #include "core/geometry/point_tree.hpp"
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
 #include "core/oriented/triangulate.hpp"
 
 namespace thaw::bench {

@@ -219,7 +219,8 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   std::fprintf(
       out, "%.0f,%.2f,%.2f,%.2f,%s,%d\n", moved / N, 1e-9 * moved / (N / (rate * 1e6 * ranks)) / ranks / 1.0,
       1e-9 * copied, setUpSeconds / median(total),
-      limitingPhase(c, times, perNs, 1e9 * median(yard), goal.limit > 0 && median(ratio) >= goal.limit).c_str(),
+      limitingPhase(c, times, perNs, 1e9 * median(yard), goal.limit > 0 && median(ratio) >= goal.limit)
+          .c_str(),
       o.repeat);
   std::fflush(out);
 }

@@ -30,9 +30,10 @@ struct ContactContext {
   double step;  ///< s, current step; dashpots and friction remove at most a fifth of a pair's velocity in it
   ExactSum* frozen = nullptr;  ///< Ledger::phaseJump if a particle just froze on any rank: takes the contact
                                ///< energy that freezing creates (J)
-  std::vector<DissipativeForce>* dissipativeForce = nullptr;  ///< receives the dissipative force of every pair in
-                                                        ///< list order; not summed per row, since rows of a
-                                                        ///< group alternate none are added up
+  std::vector<DissipativeForce>* dissipativeForce = nullptr;  ///< receives the dissipative force of every
+                                                              ///< pair in list order; not summed per row,
+                                                              ///< since rows of a group alternate none are
+                                                              ///< added up
   std::int64_t* coincident = nullptr;  ///< counts pairs at the same position, once per end; nullptr if the
                                        ///< density sum counts them
 };

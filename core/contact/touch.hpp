@@ -21,11 +21,11 @@ struct TouchLaw {
 };
 
 struct Touch {
-  Vec3d force{};      ///< N/m^2 (or N) on the vertex
-  double energy = 0;  ///< J/m^2 (or J), stored
-  Vec3d dissipativeForce{};  ///< dissipative part of force; the loss is -resisting * velocity, with the velocity
-                      ///< after the kick of all forces
-  double slope = 0;   ///< N/m^3 (or N/m), stiffness that bounds the step, dashpot included
+  Vec3d force{};             ///< N/m^2 (or N) on the vertex
+  double energy = 0;         ///< J/m^2 (or J), stored
+  Vec3d dissipativeForce{};  ///< dissipative part of force; the loss is -resisting * velocity, with the
+                             ///< velocity after the kick of all forces
+  double slope = 0;          ///< N/m^3 (or N/m), stiffness that bounds the step, dashpot included
 };
 
 /// Coulomb friction (N/m^2, or N) at normal force `normal` and sliding velocity `slide`.

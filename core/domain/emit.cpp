@@ -99,7 +99,8 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
       while (plan.along[i] - plan.along[first] >= h) first++;
       for (std::size_t j = first; j < plan.layer.size() && plan.along[j] - plan.along[i] < h; j++) {
         if (k == 0 && i == j) continue;
-        const SurfaceKernelValue share = surfaceKernelAt((plan.layer[i] - plan.layer[j] + n * (k * distance)) / h);
+        const SurfaceKernelValue share = surfaceKernelAt(
+            (plan.layer[i] - plan.layer[j] + n * (k * distance)) / h);
         by.back()[i].gradient += share.gradient * volume;
         by.back()[i].colour += share.colour * volume;
       }

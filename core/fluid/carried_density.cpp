@@ -34,8 +34,8 @@ void shiftInside(World& w, const StepTools& t) {
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool inside = liquidFraction(p, i) == 1 && static_cast<double>(p.relativeDensity[i]) > 0.9;
     p.shiftingVelocity[i] = inside ? wide(p.concentrationGradient[i]) *
-                                  (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed)
-                            : Vec3d{};
+                                         (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed)
+                                   : Vec3d{};
   }
 }
 
@@ -151,7 +151,8 @@ void carry(const CarryContext& x, std::size_t i) {
 void noteSummedDensity(World& w, double dt) {
   constexpr std::int64_t everySteps = 16;
   if (dt == 0)
-    w.startDensity.assign(w.particles.relativeDensity.data(), w.particles.relativeDensity.data() + w.particles.owned);
+    w.startDensity.assign(w.particles.relativeDensity.data(),
+                          w.particles.relativeDensity.data() + w.particles.owned);
   if (dt != 0 && w.clock.step % everySteps != 0) return;
   const std::array<std::int64_t, 2> sums = connectedSums(w);
   w.counters.connected = sums[0];
@@ -159,7 +160,9 @@ void noteSummedDensity(World& w, double dt) {
 }
 
 /// True for liquid, partly molten particles, and solids near liquid. Such solids carry the liquid's density.
-bool carriesDensity(const Continuum& p, std::size_t i) { return p.liquidKernelSum.active ? p.liquidKernelSum[i] > 0 : true; }
+bool carriesDensity(const Continuum& p, std::size_t i) {
+  return p.liquidKernelSum.active ? p.liquidKernelSum[i] > 0 : true;
+}
 
 }  // namespace
 
@@ -177,7 +180,8 @@ void carryDensity(World& w, const StepTools& t, double dt) {
   const CarryContext x{w, t.liquids, dt, dt > 0 ? dt / (dt + w.clock.stepDt) : 0};
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.atSurface.active) p.shiftingVelocity[i] = shiftOf(w, t, i);
-    if (w.modules.sleep && t.sleep.steady[i]) continue;  // skipped: its sums are not computed and do not change
+    if (w.modules.sleep && t.sleep.steady[i])
+      continue;  // skipped: its sums are not computed and do not change
     if (!carriesDensity(p, i)) {
       resetCarriedDensity(x, i);
       continue;

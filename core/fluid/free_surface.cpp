@@ -78,7 +78,8 @@ Vec3d shiftOf(const World& w, const StepTools& t, std::size_t i) {
   double speed = w.scene.numerics.shifting * c;
   if (w.modules.corrected) {
     const double tension = compression < 0 ? c * std::sqrt(-compression) : 0;
-    speed = std::min(speed, perStrain * w.grid.support * strainRate(p.negativeVelocityGradient[i]) + perTension * tension);
+    speed = std::min(
+        speed, perStrain * w.grid.support * strainRate(p.negativeVelocityGradient[i]) + perTension * tension);
   }
   Vec3d u = wide(p.concentrationGradient[i]) * -speed;
   if (besideSurface(p, i)) {

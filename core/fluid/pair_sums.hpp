@@ -54,12 +54,13 @@ struct PairSums {
   double viscosity = 0, conductivity = 0, artificial = 0;  ///< for that liquid: Pa s, W/(m K), Pa s; 0: no
                                                            ///< artificial viscosity
   bool heat = false;                                       ///< forces include heat conduction
-  double conductionScale = 1;  ///< factor of heat conduction (kernels/lattice.hpp)
-  double support = 0;          ///< h, m
-  double relativeDensityScale = 0;  ///< h^-3 over the lattice sum: relative density is 1 on the lattice of the scene
-  double selfExcess = 0;    ///< subtracted from a particle's relative density, per V0 / h^3 of its own
-  const void* positionVolume = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the
-                                 ///< printed pressure)
+  double conductionScale = 1;       ///< factor of heat conduction (kernels/lattice.hpp)
+  double support = 0;               ///< h, m
+  double relativeDensityScale = 0;  ///< h^-3 over the lattice sum: relative density is 1 on the lattice of
+                                    ///< the scene
+  double selfExcess = 0;  ///< subtracted from a particle's relative density, per V0 / h^3 of its own
+  const void* positionVolume = nullptr;     ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3
+                                            ///< with the printed pressure)
   const void* velocityViscosity = nullptr;  ///< velocity (m/s), viscosity (Pa s)
   /// Pressure term (Pa): f p / (relative density)^2, printed: f p (for densities: carried compression in
   /// units of stiffness); liquid fraction f (for densities: -f at the free surface); temperature (K);
@@ -73,30 +74,31 @@ struct PairSums {
   Vec3d weight{};                 ///< m^2/s^2, h g
   const std::uint16_t* material = nullptr;
   const LiquidMaterial* liquids = nullptr;
-  double closeDistance = 0;  ///< for closePairs, in support radii
+  double closeDistance = 0;              ///< for closePairs, in support radii
   double freeSurfaceIndicatorScale = 0;  ///< m, scale of the free-surface indicator
   // Results, added to owned rows (float results are overwritten).
   float* relativeDensity = nullptr;
-  Vec3d* force = nullptr;         ///< N
-  double* heatFlow = nullptr;     ///< W
-  double* dissipation = nullptr;  ///< W
-  double* interaction = nullptr;  ///< J, half of each pair's potential energy
-  float* freeSurfaceIndicator = nullptr;      ///< 1
-  const void* surfaceEnergyDerivatives = nullptr;     ///< records of surface_energy.hpp: derivatives of the surface energy with
-                                  ///< respect to gradient and colour, Pa
-  Vec3d* surfaceGradient = nullptr;  ///< 1 (overwritten)
-  double* surfaceColour = nullptr;    ///< 1 (overwritten)
-  double stiffness = 0;              ///< Pa, of the first liquid: unit of carried compressions in records
-  Sym3f* moment = nullptr;           ///< 1, at mid-step; null: gradients are not corrected
-  Mat3f* negativeVelocityGradient = nullptr;             ///< 1/s, at mid-step; null: gradients are not corrected
+  Vec3d* force = nullptr;                          ///< N
+  double* heatFlow = nullptr;                      ///< W
+  double* dissipation = nullptr;                   ///< W
+  double* interaction = nullptr;                   ///< J, half of each pair's potential energy
+  float* freeSurfaceIndicator = nullptr;           ///< 1
+  const void* surfaceEnergyDerivatives = nullptr;  ///< records of surface_energy.hpp: derivatives of the
+                                                   ///< surface energy with respect to gradient and colour, Pa
+  Vec3d* surfaceGradient = nullptr;                ///< 1 (overwritten)
+  double* surfaceColour = nullptr;                 ///< 1 (overwritten)
+  double stiffness = 0;     ///< Pa, of the first liquid: unit of carried compressions in records
+  Sym3f* moment = nullptr;  ///< 1, at mid-step; null: gradients are not corrected
+  Mat3f* negativeVelocityGradient = nullptr;  ///< 1/s, at mid-step; null: gradients are not corrected
   /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: diagonal is zz xy xz yz; place has xx, motion yy.
   const void *pressureDiagonal = nullptr, *pressureOffDiagonal = nullptr;
   double *densityRate = nullptr, *densityDiffusionRate = nullptr;  ///< 1/s
-  Vec3f* concentrationGradient = nullptr;       ///< 1, h times the gradient of the relative density; null: not needed
+  Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density; null: not
+                                           ///< needed
   float* liquidKernelSum = nullptr;        ///< 1, sum V W of liquid; null: no solids
-  Vec3f* solidNormal = nullptr;    ///< 1, away from solid neighbours; null: no solids
-  Vec3f* surfaceNormal = nullptr;  ///< 1, away from neighbours at the free surface, together with
-                                   ///< gradientSize, h sum V |grad W|; null: not needed
+  Vec3f* solidNormal = nullptr;            ///< 1, away from solid neighbours; null: no solids
+  Vec3f* surfaceNormal = nullptr;          ///< 1, away from neighbours at the free surface, together with
+                                           ///< gradientSize, h sum V |grad W|; null: not needed
   float* gradientSize = nullptr;
   Vec3d* smoothed = nullptr;  ///< m/s, velocity change by XSPH
   Vec3d* impulse = nullptr;   ///< N s, of impulse (overwritten); for response the gradient of the relative
@@ -116,8 +118,8 @@ struct alignas(32) ViscousRecord {
 /// Start: also the diagonal blocks; Apply: the operator only; Force: also the dissipation.
 enum class ViscousPass { Start, Apply, Force };
 
-/// Input and output of the viscous operator of the implicit solver, besides PairSums::positionVolume. Rows without
-/// liquid neighbours are not written.
+/// Input and output of the viscous operator of the implicit solver, besides PairSums::positionVolume. Rows
+/// without liquid neighbours are not written.
 struct ViscousSums {
   ViscousPass pass = ViscousPass::Apply;
   const ViscousRecord* velocity = nullptr;  ///< all rows and the dummy

@@ -8,8 +8,8 @@
 #include "core/fluid/terms/colour_field.hpp"
 #include "core/fluid/terms/conduction.hpp"
 #include "core/fluid/terms/density.hpp"
-#include "core/fluid/terms/exposure.hpp"
 #include "core/fluid/terms/forces.hpp"
+#include "core/fluid/terms/free_surface_indicator.hpp"
 #include "core/fluid/terms/incompressible.hpp"
 #include "core/fluid/terms/smoothing.hpp"
 #include "core/fluid/terms/surface_energy.hpp"
@@ -89,14 +89,15 @@ void forcesIn(const PairSums& in, GroupRange range) {
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.relativeDensityScale * h * h * h;
     Forces<Real, decltype(kernel), Viscous, Laplacian, Heat, Carried> term{
-        records<Real>(in.positionVolume),       records<Real>(in.velocityViscosity),          records<Real>(in.pressurePhaseHeat),
-        records<Real>(in.pressureDiagonal),    records<Real>(in.pressureOffDiagonal),           &in,
-        Lanes<Real>(pressure * h * h), Lanes<Real>(h / lengthUnit<Real>), Lanes<Real>(in.viscousWeight.scale),
-        in.conductionScale * h};
+        records<Real>(in.positionVolume),      records<Real>(in.velocityViscosity),
+        records<Real>(in.pressurePhaseHeat),   records<Real>(in.pressureDiagonal),
+        records<Real>(in.pressureOffDiagonal), &in,
+        Lanes<Real>(pressure * h * h),         Lanes<Real>(h / lengthUnit<Real>),
+        Lanes<Real>(in.viscousWeight.scale),   in.conductionScale * h};
     sweep(*in.lists, range, term, Groups::Fluid);
     if constexpr (Heat) {
-      Conduction<Real, decltype(kernel)> dry{records<Real>(in.positionVolume), records<Real>(in.pressurePhaseHeat), &in,
-                                             in.conductionScale * h};
+      Conduction<Real, decltype(kernel)> dry{
+          records<Real>(in.positionVolume), records<Real>(in.pressurePhaseHeat), &in, in.conductionScale * h};
       sweep(*in.lists, range, dry, Groups::NonFluid);
     }
   });
@@ -151,12 +152,9 @@ void forces(const PairSums& in, GroupRange range) {
 template<class Real, ViscousPass pass>
 void viscousOf(const PairSums& in, const ViscousSums& out, GroupRange range) {
   const auto velocities = [](const ViscousRecord* r) { return reinterpret_cast<const Record<double>*>(r); };
-  ViscousOperator<Real, pass> term{records<Real>(in.positionVolume),
-                                   velocities(out.velocity),
-                                   velocities(out.middle),
-                                   &out,
-                                   in.support,
-                                   Lanes<Real>(in.viscousWeight.scale)};
+  ViscousOperator<Real, pass> term{
+      records<Real>(in.positionVolume),   velocities(out.velocity), velocities(out.middle), &out, in.support,
+      Lanes<Real>(in.viscousWeight.scale)};
   sweep(*in.lists, range, term, Groups::Fluid);
 }
 template<class Real> void viscousPass(const PairSums& in, const ViscousSums& out, GroupRange range) {
@@ -173,7 +171,8 @@ void viscous(const PairSums& in, const ViscousSums& out, GroupRange range) {
 
 template<class Real> void tensionOf(const PairSums& in, GroupRange range, bool colour) {
   if (colour) {
-    ColourField<Real> term{records<Real>(in.positionVolume), records<Real>(in.surface), records<Real>(in.pressurePhaseHeat), &in};
+    ColourField<Real> term{records<Real>(in.positionVolume), records<Real>(in.surface),
+                           records<Real>(in.pressurePhaseHeat), &in};
     sweep(*in.lists, range, term, Groups::Fluid);
   } else {
     Tension<Real> term{records<Real>(in.positionVolume), records<Real>(in.surface), &in, Cohesion::scale};
@@ -194,7 +193,8 @@ void surfaceColours(const PairSums& in, GroupRange range) {
 }
 
 template<class Real> void surfaceForcesOf(const PairSums& in, GroupRange range) {
-  SurfaceForces<Real> term{records<Real>(in.positionVolume), records<Real>(in.surfaceEnergyDerivatives), &in, in.support * in.support};
+  SurfaceForces<Real> term{records<Real>(in.positionVolume), records<Real>(in.surfaceEnergyDerivatives), &in,
+                           in.support * in.support};
   sweep(*in.lists, range, term, Groups::Fluid);
 }
 void surfaceForces(const PairSums& in, GroupRange range) {
@@ -204,8 +204,9 @@ void surfaceForces(const PairSums& in, GroupRange range) {
 void artificialViscosity(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    Artificial<Real, decltype(kernel)> term{records<Real>(in.positionVolume), records<Real>(in.velocityViscosity),
-                                            records<Real>(in.surface), &in, 10 * in.support};
+    Artificial<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                            records<Real>(in.velocityViscosity), records<Real>(in.surface),
+                                            &in, 10 * in.support};
     sweep(*in.lists, range, term, Groups::Fluid);
   });
 }
@@ -213,8 +214,9 @@ void artificialViscosity(const PairSums& in, GroupRange range) {
 void smoothing(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    Smoothing<Real, decltype(kernel)> term{records<Real>(in.positionVolume), records<Real>(in.velocityViscosity),
-                                           records<Real>(in.surface), &in};
+    Smoothing<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                           records<Real>(in.velocityViscosity), records<Real>(in.surface),
+                                           &in};
     sweep(*in.lists, range, term, Groups::All);
   });
 }
@@ -241,8 +243,9 @@ void compression(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Compression<Real, decltype(kernel)> term{records<Real>(in.positionVolume), records<Real>(in.velocityViscosity),
-                                             in.compression, in.relativeDensityScale * h * h};
+    Compression<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                             records<Real>(in.velocityViscosity), in.compression,
+                                             in.relativeDensityScale * h * h};
     sweep(*in.lists, range, term, Groups::Fluid);
   });
 }
@@ -251,7 +254,8 @@ void impulse(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Impulse<Real, decltype(kernel)> term{records<Real>(in.positionVolume), records<Real>(in.pressurePhaseHeat), in.impulse,
+    Impulse<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                         records<Real>(in.pressurePhaseHeat), in.impulse,
                                          in.relativeDensityScale * h * h * h * h * h};
     sweep(*in.lists, range, term, Groups::Fluid);
   });
@@ -261,8 +265,9 @@ void response(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Response<Real, decltype(kernel)> term{records<Real>(in.positionVolume), records<Real>(in.pressurePhaseHeat), in.impulse,
-                                          in.compression, in.relativeDensityScale * h * h};
+    Response<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                          records<Real>(in.pressurePhaseHeat), in.impulse, in.compression,
+                                          in.relativeDensityScale * h * h};
     sweep(*in.lists, range, term, Groups::Fluid);
   });
 }

@@ -15,10 +15,11 @@ inline double liquidFraction(const Continuum& p, std::size_t i) {
 inline float pressureOfParticle(const World& w, const std::vector<LiquidMaterial>& liquids, std::size_t i) {
   const Continuum& p = w.particles;
   if (w.modules.incompressible) return p.densityPressure[i] + p.divergencePressure[i];
-  const double f = liquidFraction(p, i), relativeDensity = p.relativeDensity.active ? static_cast<double>(p.relativeDensity[i]) : 0;
+  const double f = liquidFraction(p, i),
+               relativeDensity = p.relativeDensity.active ? static_cast<double>(p.relativeDensity[i]) : 0;
   if (f == 0 || relativeDensity <= 0) return 0;
-  return static_cast<float>(f * pressureOf(w.scene.numerics.eos, liquids[p.material[i]].stiffness, relativeDensity,
-                                           w.scene.numerics.tensileLimit));
+  return static_cast<float>(f * pressureOf(w.scene.numerics.eos, liquids[p.material[i]].stiffness,
+                                           relativeDensity, w.scene.numerics.tensileLimit));
 }
 
 }  // namespace thaw

@@ -98,7 +98,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     std::memcpy(&fixed[i], &positionVolume, sizeof positionVolume);
     if constexpr (sizeof(Real) == 8)
       rows<double>(r.positionVolume)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h),
-                                  (at.z - grid.origin.z) * (1 / h), marked};
+                                           (at.z - grid.origin.z) * (1 / h), marked};
     if (!sums) continue;
     if (uniform && !surface) {
       put(rows<Real>(r.velocityViscosity)[i], p.velocity[i],
@@ -114,7 +114,8 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty())
                                          ? localParameters(x.scene.numerics.heat, m, f, T)
                                          : r.constant[k];
-    put(rows<Real>(r.velocityViscosity)[i], substeps && takesSubsteps(p, i) ? p.stepMeanVelocity[i] : p.velocity[i],
+    put(rows<Real>(r.velocityViscosity)[i],
+        substeps && takesSubsteps(p, i) ? p.stepMeanVelocity[i] : p.velocity[i],
         static_cast<Real>(local.viscosity));
     const double wet = surfaces && p.atSurface[i] ? -f : f;
     if (!r.pressurePhaseHeat.empty())
@@ -136,14 +137,15 @@ template<class Real> Four<Real>* places(PairRecords& r) {
 template<class Real>
 void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const Numerics& n = x.scene.numerics;
-  const bool uniform = x.modules.uniform, corrected = x.modules.corrected, recordsEnergy = !uniform && end <= p.owned,
+  const bool uniform = x.modules.uniform, corrected = x.modules.corrected,
+             recordsEnergy = !uniform && end <= p.owned,
              substeps = p.stepMeanVelocity.active && x.substeps > 1;
   for (std::size_t i = begin; i < end; i++) {
     const double relativeDensity = static_cast<double>(p.relativeDensity[i]);
-    const double pressure = relativeDensity > 0 ? pressureOf(n.eos, x.liquids[p.material[i]].stiffness, relativeDensity,
-                                                     n.tensileLimit) /
-                                              (relativeDensity * relativeDensity)
-                                        : 0;
+    const double pressure = relativeDensity > 0 ? pressureOf(n.eos, x.liquids[p.material[i]].stiffness,
+                                                             relativeDensity, n.tensileLimit) /
+                                                      (relativeDensity * relativeDensity)
+                                                : 0;
     const Sym3f d = corrected ? p.correction[i] : Sym3f{};
     const auto of = [&](float a) { return static_cast<Real>(pressure * static_cast<double>(a)); };
     const Real xx = of(1 + d.xx), yy = of(1 + d.yy), zz = of(1 + d.zz);
@@ -199,7 +201,8 @@ void packPressureAs(const RecordContext& x, Continuum& p, std::size_t begin, std
       term = Real(0);
       continue;
     }
-    const double pressure = pressureOf(n.eos, x.liquids[p.material[i]].stiffness, relativeDensity, n.tensileLimit);
+    const double pressure = pressureOf(n.eos, x.liquids[p.material[i]].stiffness, relativeDensity,
+                                       n.tensileLimit);
     if (recordsEnergy) p.interaction[i] += compressionOf(x, p, i, f);
     if (n.pressure == PairForm::Consistent) {
       term = static_cast<Real>(f * pressure / (relativeDensity * relativeDensity));
@@ -234,7 +237,8 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   if (x.modules.continuity && !x.modules.uniform) resizeBytes(r.pressureOffDiagonal, n + 1, each);
   if (x.modules.surfaceEnergy) resizeBytes(r.surfaceEnergyDerivatives, n + 1, each);
   for (AlignedVector<std::byte>* v :
-       {&r.fixed, &r.positionVolume, &r.velocityViscosity, &r.pressurePhaseHeat, &r.surface, &r.pressureDiagonal, &r.pressureOffDiagonal, &r.surfaceEnergyDerivatives}) {
+       {&r.fixed, &r.positionVolume, &r.velocityViscosity, &r.pressurePhaseHeat, &r.surface,
+        &r.pressureDiagonal, &r.pressureOffDiagonal, &r.surfaceEnergyDerivatives}) {
     const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
     if (!v->empty()) std::memset(v->data() + n * record, 0, record);
   }
@@ -263,17 +267,19 @@ double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, 
   const Numerics& n = x.scene.numerics;
   const std::uint16_t k = p.material[i];
   return f * p.mass[i] / x.scene.materials[k].density *
-         compressionEnergy(n.eos, x.liquids[k].stiffness, static_cast<double>(p.relativeDensity[i]), n.tensileLimit);
+         compressionEnergy(n.eos, x.liquids[k].stiffness, static_cast<double>(p.relativeDensity[i]),
+                           n.tensileLimit);
 }
 
-void packSurfaceEnergyDerivatives(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end,
-                     PairRecords& r) {
+void packSurfaceEnergyDerivatives(const RecordContext& x, const Continuum& p, std::size_t begin,
+                                  std::size_t end, PairRecords& r) {
   const auto pack = [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = begin; i < end; i++) {
       const Vec3d& u = p.surfaceEnergyByGradient[i];
-      rows<Real>(r.surfaceEnergyDerivatives)[i] = {static_cast<Real>(u.x), static_cast<Real>(u.y), static_cast<Real>(u.z),
-                               static_cast<Real>(p.surfaceEnergyByColour[i])};
+      rows<Real>(r.surfaceEnergyDerivatives)[i] = {static_cast<Real>(u.x), static_cast<Real>(u.y),
+                                                   static_cast<Real>(u.z),
+                                                   static_cast<Real>(p.surfaceEnergyByColour[i])};
     }
   };
   x.scene.numerics.precision == Precision::Double ? pack(double{}) : pack(float{});
@@ -295,8 +301,9 @@ void setExcessPressure(const RecordContext& x, const Continuum& p, PairRecords& 
     using Real = decltype(real);
     for (std::size_t i = 0; i < p.size(); i++)
       rows<Real>(r.pressurePhaseHeat)[i].a = p.phase[i] == Liquid
-                                     ? std::max(static_cast<Real>(p.relativeDensity[i]) - Real(1), Real(0))
-                                     : Real(0);
+                                                 ? std::max(static_cast<Real>(p.relativeDensity[i]) - Real(1),
+                                                            Real(0))
+                                                 : Real(0);
   };
   x.scene.numerics.precision == Precision::Double ? set(double{}) : set(float{});
 }

@@ -20,7 +20,8 @@ struct MaterialParameters {
 struct PairRecords {
   AlignedVector<std::byte> fixed;  ///< fixed-point positions and V0 / h^3, float: place in single precision
   AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePosition)
-  AlignedVector<std::byte> positionVolume, velocityViscosity, pressurePhaseHeat, surface, pressureDiagonal, pressureOffDiagonal, surfaceEnergyDerivatives;
+  AlignedVector<std::byte> positionVolume, velocityViscosity, pressurePhaseHeat, surface, pressureDiagonal,
+      pressureOffDiagonal, surfaceEnergyDerivatives;
   std::vector<double> volumePerMass;         ///< 1/kg, V0 / h^3 over the mass, by material
   std::vector<MaterialParameters> constant;  ///< by material, if constant
 };
@@ -56,7 +57,7 @@ void packPressure(const RecordContext& context, Continuum& particles, std::size_
 
 /// Packs Continuum::surfaceEnergyByGradient and surfaceEnergyByColour of rows [begin, end).
 void packSurfaceEnergyDerivatives(const RecordContext& context, const Continuum& particles, std::size_t begin,
-                     std::size_t end, PairRecords& records);
+                                  std::size_t end, PairRecords& records);
 
 /// Sets pressure terms of 1 Pa, all liquid, no viscosity, to relax the packing of bodies.
 void setUnitPressure(const RecordContext& context, std::size_t rows, PairRecords& records);

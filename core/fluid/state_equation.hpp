@@ -23,14 +23,18 @@ inline double pressureOf(EquationOfState eos, double stiffness, double relativeD
 /// Sound speed over that at rest, sqrt(dp/ddelta / c^2 rho0), under compression; else 1. The other part of
 /// the pairs' stiffness, p / delta, is smaller.
 inline double soundSpeedFactor(EquationOfState eos, double relativeDensity) {
-  return eos == EquationOfState::Tait && relativeDensity > 1 ? relativeDensity * relativeDensity * relativeDensity : 1;
+  return eos == EquationOfState::Tait && relativeDensity > 1
+             ? relativeDensity * relativeDensity * relativeDensity
+             : 1;
 }
 
 /// Compression energy per rest volume (J/m^3): the integral of p / delta^2 over delta from 1.
-inline double compressionEnergy(EquationOfState eos, double stiffness, double relativeDensity, double tensileLimit) {
+inline double compressionEnergy(EquationOfState eos, double stiffness, double relativeDensity,
+                                double tensileLimit) {
   const double factor = relativeDensity >= 1 ? 1 : tensileLimit;
   if (factor == 0 || relativeDensity <= 0) return 0;
-  if (eos == EquationOfState::Linear) return factor * stiffness * (std::log(relativeDensity) + 1 / relativeDensity - 1);
+  if (eos == EquationOfState::Linear)
+    return factor * stiffness * (std::log(relativeDensity) + 1 / relativeDensity - 1);
   const double f2 = relativeDensity * relativeDensity, f6 = f2 * f2 * f2;
   return factor * stiffness / 7 * ((f6 - 1) / 6 + 1 / relativeDensity - 1);
 }

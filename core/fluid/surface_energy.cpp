@@ -107,7 +107,7 @@ SurfaceState surfaceState(const SurfaceMeasure& m, double tension, const Vec3d& 
   s.energy = byArea * by.area * square + byCover * open.cost + byAlone * by.alone;
   s.byGradient = gradient * (2 * byArea * by.area);
   s.byColour = (byArea * by.areaSlope * square + byAlone * by.aloneSlope) / (m.full + m.self) -
-           byCover * open.slope / m.full;
+               byCover * open.slope / m.full;
   return s;
 }
 
@@ -160,7 +160,8 @@ double surfaceForceOfWall(const World& w, const WallContact& c) {
   const WallColour t = atWall(w, c);
   const double V = p.mass[c.row] / w.scene.materials[p.material[c.row]].density;
   return -V * c.share / w.grid.support *
-         (dot(p.surfaceEnergyByGradient[c.row], c.normal) * t.bend + p.surfaceEnergyByColour[c.row] * t.slope);
+         (dot(p.surfaceEnergyByGradient[c.row], c.normal) * t.bend +
+          p.surfaceEnergyByColour[c.row] * t.slope);
 }
 
 }  // namespace thaw

@@ -53,7 +53,8 @@ struct SurfaceState {
   Vec3d byGradient{};
   double byColour = 0;
 };
-SurfaceState surfaceState(const SurfaceMeasure& measure, double tension, const Vec3d& gradient, double colour);
+SurfaceState surfaceState(const SurfaceMeasure& measure, double tension, const Vec3d& gradient,
+                          double colour);
 
 /// h grad W and W (h^-3) at x (in units of h) relative to the other particle.
 struct SurfaceKernelValue {
@@ -69,8 +70,8 @@ struct WallColour {
 };
 WallColour wallColour(double spacing, double distance);
 
-/// Adds the walls to surfaceGradient and surfaceColour of owned particles, computes surfaceEnergyByGradient and
-/// surfaceEnergyByColour, and adds E to Continuum::interaction.
+/// Adds the walls to surfaceGradient and surfaceColour of owned particles, computes surfaceEnergyByGradient
+/// and surfaceEnergyByColour, and adds E to Continuum::interaction.
 void findSurfaceEnergy(const WallContext& context, const SurfaceMeasure& measure,
                        const WallContacts& contacts);
 

@@ -44,7 +44,7 @@ class SerialCellHalo : public CellHalo {
 class SerialRowScatter : public RowScatter {
  public:
   void scatterBack(std::span<const std::uint64_t> source, std::span<const std::uint64_t> values,
-                std::span<std::uint64_t> here) override {
+                   std::span<std::uint64_t> here) override {
     for (std::size_t k = 0; k < source.size(); k++) here[source[k] & 0xffffffffu] = values[k];
   }
 };

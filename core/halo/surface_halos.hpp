@@ -11,7 +11,7 @@ class RowScatter {
   virtual ~RowScatter() = default;
   /// Sets here[row] = values[k] on rank home[k] >> 32, row home[k] & 0xffffffff. Collective.
   virtual void scatterBack(std::span<const std::uint64_t> source, std::span<const std::uint64_t> values,
-                        std::span<std::uint64_t> here) = 0;
+                           std::span<std::uint64_t> here) = 0;
 };
 
 /// Both cell halos have the same partition: `particles` follows `surfels`.

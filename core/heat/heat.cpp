@@ -63,8 +63,8 @@ void setPhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t 
 }
 
 double exposedArea(double freeSurfaceIndicator, double flatSurfaceIndicator) {
-  const double share = freeSurfaceIndicator / flatSurfaceIndicator;  // relative to a flat surface, whose value depends on the
-                                                    // support
+  const double share = freeSurfaceIndicator / flatSurfaceIndicator;  // relative to a flat surface, whose
+                                                                     // value depends on the support
   return share * std::clamp((share - 0.5) / 0.3, 0.0, 1.0);
 }
 

@@ -11,7 +11,7 @@ namespace thaw {
 /// in the paper's model), at set-up and for emitted particles. The phase is liquid if the fraction is 1 or
 /// the material cannot be solid, else solid.
 void setPhase(const Scene& scene, const Modules& modules, Continuum& particles, std::size_t begin,
-                 std::size_t end);
+              std::size_t end);
 
 /// Adds heat sources and losses at free surfaces (convection, Stefan-Boltzmann radiation) to heatFlow; area =
 /// spacing^2 * exposedArea. The heat gained over dt (s) is recorded in Ledger::heatIn. Rows with skipped sums

@@ -81,7 +81,8 @@ std::vector<Lost> lostSums(const World& w, const StepTools& t) {
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
     const SurfaceKernelValue s = surfaceKernelAt(d);
     const double relativeDensity = t.perLatticeSum * l.volume *
-                           withKernel(n.kernel, [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
+                                   withKernel(n.kernel,
+                                              [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
     pairs.push_back({j, {s.gradient * l.volume, s.colour * l.volume}, relativeDensity});
   });
   std::stable_sort(pairs.begin(), pairs.end(), [](const Lost& a, const Lost& b) { return a.row < b.row; });

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "core/body_types/body_types.hpp"
+#include "core/body_types/ledger_rows.hpp"
 #include "core/fluid/liquid_materials.hpp"
 #include "core/fluid/state_equation.hpp"
-#include "core/kinds/kind_books.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/stored_energy.hpp"
 
 namespace thaw {
@@ -182,7 +182,8 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   LedgerReport r;
   r.particles = digits.back();
   std::size_t counted = pack.sums.size() * ExactSum::digits;
-  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) { r.rows[kind] = digits[counted++]; });
+  forEachBodyType(
+      w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) { r.rows[kind] = digits[counted++]; });
   r.now = u.balance();
   r.entered = u.balance();
   r.left = u.balance();

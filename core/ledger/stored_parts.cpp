@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "core/body_types/body_types.hpp"
 #include "core/fluid/particle_pressure.hpp"
 #include "core/fluid/records.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/sleep/sleep.hpp"
 #include "core/stored_energy.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/kinds/kind_rows.hpp"
+#include "core/body_types/body_type_rows.hpp"
 #include "core/neighbours/list_cells.hpp"
 #include "core/particles/table_rows.hpp"
 #include "core/surface/surfels.hpp"
@@ -187,6 +187,7 @@ template void sortByCell(Continuum&, const Migration&, SortBuffers&, CellTable&,
 template void sortByCell(Surfels&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
 template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&,
                          std::span<AnyColumn* const>);
-template void sortByCell(BodyTypeRows&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
+template void sortByCell(BodyTypeRows&, const Migration&, SortBuffers&, CellTable&,
+                         std::span<AnyColumn* const>);
 
 }  // namespace thaw

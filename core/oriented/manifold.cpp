@@ -57,8 +57,8 @@ Borders bordersOf(const Sides& sides) {
 }
 
 /// Returns the first successor clockwise at `at`, coming from `from`: the hole lies to the left.
-std::uint32_t nextBorderVertex(const OrientedPoints& p, const std::vector<std::uint32_t>& ways, std::uint32_t from,
-                    std::uint32_t at) {
+std::uint32_t nextBorderVertex(const OrientedPoints& p, const std::vector<std::uint32_t>& ways,
+                               std::uint32_t from, std::uint32_t at) {
   if (ways.size() == 1) return ways[0];
   const Vec3d n = p.normals[at], back = p.positions[from] - p.positions[at], u = back - dot(back, n) * n,
               v = cross(n, u);
@@ -135,7 +135,7 @@ void addAll(const std::vector<Corners>& made, Sides& sides, std::vector<Corners>
 /// Traces a hole from one of its border edges. Returns it empty if it has too many edges, or one too long (in
 /// spacings).
 std::vector<std::uint32_t> traceHole(const OrientedPoints& p, const Borders& next, std::uint32_t start,
-                                    std::uint32_t first, std::size_t mostSides, double longest) {
+                                     std::uint32_t first, std::size_t mostSides, double longest) {
   std::vector<std::uint32_t> hole{start};
   for (std::uint32_t from = start, at = first; at != start;) {
     hole.push_back(at);
@@ -153,7 +153,7 @@ std::vector<std::uint32_t> traceHole(const OrientedPoints& p, const Borders& nex
 
 /// Removes the triangles between the hole's own vertices, which block its edges, and closes the holes anew.
 void retriangulateHole(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, Sides& sides,
-               std::vector<Corners>& triangles) {
+                       std::vector<Corners>& triangles) {
   const auto inside = [&](const Corners& t) {
     return std::all_of(t.begin(), t.end(),
                        [&](std::uint32_t v) { return std::find(hole.begin(), hole.end(), v) != hole.end(); });

@@ -42,8 +42,8 @@ WallReaction wallReaction(const World& w, const StepTools& t, const Wall& wall, 
   const Vec3d slip = o.velocity[i] - push.velocity, along = slip - dot(slip, n) * n;
   // slope at the end of the next step
   push.slope = obstacleForceAt(contact, std::min(contact.room * (1 - 1e-9),
-                                        depth + std::clamp(-1.1 * nextStep(w.clock) * dot(slip, n), 0.0,
-                                                           0.1 * p.spacing)))
+                                                 depth + std::clamp(-1.1 * nextStep(w.clock) * dot(slip, n),
+                                                                    0.0, 0.1 * p.spacing)))
                    .slope;
   push.stiffness = k + push.slope;
   const double speed = length(along), drag = 0.5 * std::sqrt(k * o.mass[i]),
@@ -57,7 +57,8 @@ WallReaction wallReaction(const World& w, const StepTools& t, const Wall& wall, 
 
 /// Returns a small torque along a random direction shared by both particles. Antiparallel normals have no
 /// torque otherwise (docs/validation/stability.md B17).
-Vec3d antiparallelTorque(const World& w, const PairPotential& p, std::uint64_t a, std::uint64_t b, const Vec3d& n) {
+Vec3d antiparallelTorque(const World& w, const PairPotential& p, std::uint64_t a, std::uint64_t b,
+                         const Vec3d& n) {
   const double angle = 6.283185307179586 *
                        randomUniform(w.scene.seed, Purpose::OrientedKick, std::min(a, b), std::max(a, b));
   const Vec3d e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, u = normalized(cross(n, e)),
@@ -143,7 +144,8 @@ void sumOrientedForces(World& w, StepTools& t) {
         energy += 0.5 * f.energy;
         stiff += f.stiffness;
         turn += f.turnStiffness;
-        if (!p.facing && dot(n, o.normal[j]) < -1 + 1e-9) torque += antiparallelTorque(w, p, o.id[i], o.id[j], n);
+        if (!p.facing && dot(n, o.normal[j]) < -1 + 1e-9)
+          torque += antiparallelTorque(w, p, o.id[i], o.id[j], n);
       } else if (const double r2 = dot(r, r), d = reachOfContact * p.spacing; r2 < d * d && r2 > 0) {
         const double far = std::sqrt(r2), stiffness = body.contact * body.stiffness,
                      share = w.scene.oriented[o.body[j]].contact * w.scene.oriented[o.body[j]].stiffness;
@@ -158,7 +160,8 @@ void sumOrientedForces(World& w, StepTools& t) {
       force += push.force;
       energy += push.energy;
       stiff += push.stiffness;
-      if (push.slope > 0) t.oriented.obstacleFrequency2 = std::max(t.oriented.obstacleFrequency2, push.slope / o.mass[i]);
+      if (push.slope > 0)
+        t.oriented.obstacleFrequency2 = std::max(t.oriented.obstacleFrequency2, push.slope / o.mass[i]);
     }
     if (body.planar) {
       force.y = 0;

@@ -7,9 +7,9 @@
 #include "core/geometry/point_tree.hpp"
 #include "core/geometry/sampling.hpp"
 #include "core/geometry/shape_error.hpp"
+#include "core/oriented/anchors.hpp"
 #include "core/oriented/fields.hpp"
-#include "core/oriented/held.hpp"
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
 
 namespace thaw {
 namespace {
@@ -30,7 +30,7 @@ constexpr double samePlace = 0.1;
 
 /// Adds problems for bodies that share positions and for duplicate points. All ranks test all positions.
 void refuseSharedPositions(const Scene& s, const std::vector<std::vector<Vec3d>>& places,
-                        SceneProblems& problems) {
+                           SceneProblems& problems) {
   for (std::size_t b = 0; b < places.size(); b++) {
     if (places[b].empty()) continue;
     const OrientedBody& body = s.oriented[b];
@@ -67,9 +67,9 @@ double orientedReach(const Scene& s) {
 void activateOriented(World& w) {
   Oriented& o = w.oriented.rows;
   activateBodyType(o);
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.orientation, &o.spin, &o.inertia, &o.force,
-                                                        &o.torque, &o.group, &o.cutSides, &o.flags, &o.anchor,
-                                                        &o.restPosition, &o.restOrientation, &o.normal, &o.stiffness})
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{
+           &o.orientation, &o.spin, &o.inertia, &o.force, &o.torque, &o.group, &o.cutSides, &o.flags,
+           &o.anchor, &o.restPosition, &o.restOrientation, &o.normal, &o.stiffness})
     o.activate(*c);
   bool changes = false;
   for (const OrientedBody& b : w.scene.oriented)
@@ -91,7 +91,8 @@ void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
   for (std::size_t b = 0; b < s.oriented.size(); b++) {
     if (!interpolates(s.oriented[b])) continue;
     try {
-      storeInterpolant(samplePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), work.given[b]);
+      storeInterpolant(samplePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load),
+                       work.given[b]);
     } catch (const std::invalid_argument&) {  // sampleOriented reports the error
     } catch (const std::runtime_error&) {}
   }
@@ -158,8 +159,8 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
       o.resize(i + 1, 0);
       o.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(k);
       o.position[i] = o.restPosition[i] = body.jitter > 0 && !flags
-                                      ? jittered(x, body.jitter, s, w.scene.seed, o.id[i])
-                                      : x;
+                                              ? jittered(x, body.jitter, s, w.scene.seed, o.id[i])
+                                              : x;
       o.velocity[i] = body.velocity;
       o.orientation[i] = o.restOrientation[i] = towards(made.normals[k]);
       if (body.jitter > 0 && !flags) {

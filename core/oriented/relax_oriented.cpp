@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/kinds/place_kinds.hpp"
-#include "core/oriented/follow_given.hpp"
-#include "core/oriented/held.hpp"
-#include "core/oriented/operations.hpp"
+#include "core/body_types/redistribute.hpp"
+#include "core/oriented/adaptive_sampling.hpp"
+#include "core/oriented/anchors.hpp"
+#include "core/oriented/events.hpp"
+#include "core/oriented/follow_interpolant.hpp"
 #include "core/oriented/oriented_forces.hpp"
-#include "core/oriented/population.hpp"
 #include "core/oriented/prepare_oriented.hpp"
 
 namespace thaw {
@@ -109,7 +109,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     // births and deaths may disturb the surface forever; with a constant population the force converges,
     // however slowly
     t.oriented.relaxStalled = grows && !t.oriented.atRest && !t.oriented.relaxStopped &&
-                            !makesProgress(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
+                              !makesProgress(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
     if (t.oriented.atRest || t.oriented.relaxStopped || t.oriented.relaxStalled) break;
     const Sums s = sumsOf(o, force, torque, halos.all);
     if (s.power > 0) {

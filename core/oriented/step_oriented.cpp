@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body_types/redistribute.hpp"
 #include "core/domain/sides.hpp"
-#include "core/kinds/place_kinds.hpp"
+#include "core/oriented/adaptive_sampling.hpp"
+#include "core/oriented/anchor_work.hpp"
+#include "core/oriented/anchors.hpp"
+#include "core/oriented/events.hpp"
 #include "core/oriented/fields.hpp"
-#include "core/oriented/held.hpp"
-#include "core/oriented/held_books.hpp"
 #include "core/oriented/integrators.hpp"
-#include "core/oriented/operations.hpp"
 #include "core/oriented/oriented_forces.hpp"
-#include "core/oriented/population.hpp"
 #include "core/oriented/prepare_oriented.hpp"
 
 namespace thaw {
@@ -200,7 +200,8 @@ double orientedStepLimit(const World& w, const StepTools& t) {
                                                                    : 20;
   double dt = t.oriented.fastest2 > 0 ? perContact / std::sqrt(t.oriented.fastest2) : never;
   // obstacles are explicit in all integrators
-  if (t.oriented.obstacleFrequency2 > 0) dt = std::min(dt, perObstacle / std::sqrt(t.oriented.obstacleFrequency2));
+  if (t.oriented.obstacleFrequency2 > 0)
+    dt = std::min(dt, perObstacle / std::sqrt(t.oriented.obstacleFrequency2));
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const double s = spacingOf(w.scene, body);

@@ -6,7 +6,7 @@
 
 #include "core/geometry/point_tree.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/oriented/given_surface.hpp"
+#include "core/oriented/interpolant.hpp"
 #include "core/oriented/oriented.hpp"
 
 namespace thaw {
@@ -85,9 +85,9 @@ SampledPoints thinPoints(const SampledPoints& m, double share, std::uint64_t see
     std::vector<std::pair<double, std::uint32_t>> far;
     for (std::uint32_t k = 0; k < m.places.size(); k++) {
       Vec3d x = m.places[k], n = m.normals[k];
-      far.push_back(
-          {projectOnInterpolant(given, x, n) && dot(n, m.normals[k]) > 0 ? length(x - m.places[k]) : given.apart,
-           k});
+      far.push_back({projectOnInterpolant(given, x, n) && dot(n, m.normals[k]) > 0 ? length(x - m.places[k])
+                                                                                   : given.apart,
+                     k});
     }
     std::sort(far.begin(), far.end(), [](const auto& a, const auto& b) {
       return a.first != b.first ? a.first > b.first : a.second < b.second;
@@ -108,7 +108,8 @@ SampledPoints thinPoints(const SampledPoints& m, double share, std::uint64_t see
     std::sort(kept.begin(), kept.end());
   }
   if (thin.reach == 0) thin.reach = evenReach * interpolantThrough(m, kept).apart;
-  for (const std::uint32_t k : kept) addPoint(thin, m.places[k], m.normals[k], fixedPosition | fixedOrientation);
+  for (const std::uint32_t k : kept)
+    addPoint(thin, m.places[k], m.normals[k], fixedPosition | fixedOrientation);
   return thin;
 }
 

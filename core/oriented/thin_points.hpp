@@ -1,6 +1,6 @@
 // Thinning of points from which the surface can be rebuilt by interpolation (ST92).
 #pragma once
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
 
 namespace thaw {
 

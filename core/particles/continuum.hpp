@@ -32,8 +32,8 @@ struct Continuum : Table {
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local,
       "key of the cell at the last sort", Rows::Owned};
   GuestColumn<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local,
-      "key of the current cell, valid from the drift to the sort; shares the memory of `dissipation`",
-      Rows::Owned};
+      "key of the current cell, valid from the drift to the sort; shares the memory of "
+      "`dissipation`", Rows::Owned};
   Column<u8> clamped{*this, "clamped", "1", Keep::State,
       "1: fixed in place; 2: driven by its emitter at constant velocity"};
   // Fluid.
@@ -111,27 +111,26 @@ struct Continuum : Table {
   Column<std::uint64_t> component{*this, "component", "1", Keep::State,
       "label: label: 1 + smallest particle id of its component; 0: created after the last update"};
   Column<double> surfaceVolumeRatio{*this, "surfaceShare", "1", Keep::State,
-      "volume that the surface encloses for it, over its own volume: from the mesh or shape of its "
-      "body at the start; 0: its own volume"};
+      "volume that the surface encloses for it, over its own volume: from the mesh or shape of its body at "
+      "the start; 0: its own volume"};
   Column<float> initialFill{*this, "surfaceFill", "1", Keep::State,
-      "fraction of its cell that its body filled at the start, over the mean (cell_shares.hpp); 0: the mean"};
+      "fraction of its cell that its body filled at the start, over the mean (cell_fractions.hpp); 0: the "
+      "mean"};
   // Contact with sheets by triangles (core/sheet/face_contact.hpp), as the owner of the particle computed it.
   Column<std::uint32_t> sheetFace{*this, "sheetFace", "1", Keep::Transient,
       "1 + number of the sheet triangle with the deepest overlap; 0: no contact"};
   Column<Vec3d> sheetNormalForce{*this, "sheetPush", "N, N, N/m", Keep::Transient,
-      "force along the gradient of its depth in the sheet, its dissipative part, and their derivative, "
-      "for a triangle at a depth of 1 (face_contact.cpp)"};
+      "force along the gradient of its depth in the sheet, its dissipative part, and their derivative, for a "
+      "triangle at a depth of 1 (face_contact.cpp)"};
   Column<Mat3d> sheetFriction{*this, "sheetRubs", "N", Keep::Transient,
       "friction on the corners of the sheet triangle in contact, one row each"};
   Column<Vec3d> sheetContactData{*this, "sheetNumbers", "J, W/K, K", Keep::Transient,
-      "energy and conductance to the sheet for a triangle at a depth of 1, and temperature of the "
-      "particle"};
+      "energy and conductance to the sheet for a triangle at a depth of 1, and temperature of the particle"};
   // Solid.
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local,
       "row in the table of solids; noSlot for liquids"};
   // Rest (core/sleep/sleep.hpp).
-  Column<float> restTime{*this, "calm", "s", Keep::State,
-      "time since it last moved, accelerated or warmed"};
+  Column<float> restTime{*this, "calm", "s", Keep::State, "time since it last moved, accelerated or warmed"};
   Column<u8> sleep{*this, "sleep", "1", Keep::State,
       "0: awake; 1, 2: sleeping, fixed in place; 3: sleeping, and its sums are skipped"};
   Column<Vec3d> constraintForce{*this, "hold", "N", Keep::State,
@@ -142,14 +141,14 @@ struct Continuum : Table {
   Column<u8> justFrozen{*this, "justFrozen", "1", Keep::State,
       "1: froze in this step; forms its bonds in the next step, also on another rank or after a restart"};
   Column<float> contactOffset{*this, "standoff", "1", Keep::State,
-      "contact offset: distance from a wall, in spacings, at which a solid rests; below 1/2 if it "
-      "froze closer"};
+      "contact offset: distance from a wall, in spacings, at which a solid rests; below 1/2 if it froze "
+      "closer"};
   Column<Vec3d> unwrappedPosition{*this, "home", "m", Keep::Transient,
       "position without the shift of periodic images; only with periodic sides"};
   // Rates of the current step.
   GuestColumn<Vec3d> force{*this, "force", "N", Keep::Transient,
-      "sum of all forces; shares the memory of `acceleration` where possible, until the kick "
-      "converts it (forceOf, core/time/integrate.hpp)", Rows::Owned};
+      "sum of all forces; shares the memory of `acceleration` where possible, until the kick converts it "
+      "(forceOf, core/time/integrate.hpp)", Rows::Owned};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient,
       "sum of all heat flows into the particle", Rows::Owned};
   Column<double> dissipation{*this, "dissipation", "W", Keep::Transient,

@@ -1,7 +1,7 @@
 #include "core/setup/activate_fields.hpp"
 
-#include "core/kinds/place_kinds.hpp"
-#include "core/setup/fill_shares.hpp"
+#include "core/body_types/redistribute.hpp"
+#include "core/setup/initial_fill.hpp"
 #include "core/surface/prepare_surface.hpp"
 
 namespace thaw {
@@ -25,10 +25,11 @@ void activateFields(World& w, StepTools& t) {
   on(m.shifting, {&p.concentrationGradient});
   on(m.shifting && m.continuity, {&p.atSurface, &p.surfaceNormal, &p.gradientSize});
   on(m.shifting && m.continuity && m.solid, {&p.solidNormal});
-  on(m.incompressible,
-     {&p.densityPressure, &p.divergencePressure, &p.pressureImpulse, &p.drag, &p.trialPressure, &p.trialVelocity});
+  on(m.incompressible, {&p.densityPressure, &p.divergencePressure, &p.pressureImpulse, &p.drag,
+                        &p.trialPressure, &p.trialVelocity});
   on(m.surfaceHeat, {&p.freeSurfaceIndicator});
-  on(m.surfaceEnergy, {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
+  on(m.surfaceEnergy,
+     {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid, &p.softening});
   on(m.surface, {&p.surfacePosition, &p.component});
@@ -40,7 +41,8 @@ void activateFields(World& w, StepTools& t) {
   on(m.freezing, {&p.contactOffset});
   on(m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows
-    for (AnyColumn* c : {static_cast<AnyColumn*>(&p.relativeDensity), static_cast<AnyColumn*>(&p.freeSurfaceIndicator)})
+    for (AnyColumn* c :
+         {static_cast<AnyColumn*>(&p.relativeDensity), static_cast<AnyColumn*>(&p.freeSurfaceIndicator)})
       c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();

@@ -9,7 +9,7 @@
 namespace thaw {
 
 inline constexpr double mostRowsPerBody = 2e9;  ///< per body; its points and vertices have 32-bit numbers
-                                               ///< during set-up
+                                                ///< during set-up
 
 struct ExpectedRows {
   std::string name;  ///< "oriented body 'skin'"

@@ -12,8 +12,8 @@
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/scene/full_box.hpp"
-#include "core/setup/cell_shares.hpp"
-#include "core/setup/fill_shares.hpp"
+#include "core/setup/cell_fractions.hpp"
+#include "core/setup/initial_fill.hpp"
 #include "core/setup/size_hint.hpp"
 #include "core/setup/start_fields.hpp"
 

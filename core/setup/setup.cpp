@@ -5,13 +5,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/body_types/cell_costs.hpp"
+#include "core/body_types/redistribute.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
-#include "core/kinds/cell_costs.hpp"
-#include "core/kinds/place_kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/oriented/oriented_forces.hpp"
 #include "core/oriented/prepare_oriented.hpp"
@@ -19,9 +19,9 @@
 #include "core/particle_sums.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/setup/activate_fields.hpp"
+#include "core/setup/compressed_liquid.hpp"
 #include "core/setup/expected_motion.hpp"
 #include "core/setup/make_grid.hpp"
-#include "core/setup/pressed_liquid.hpp"
 #include "core/setup/relax_packing.hpp"
 #include "core/setup/size_hint.hpp"
 #include "core/setup/start_fields.hpp"
@@ -266,7 +266,8 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   t.bondsAtStart = w.modules.solid;
   t.emitFirst = true;
   initializeForces(w, halos, t);
-  for (SceneWarning& warning : compressedLiquids(w, t, halos.all)) report.warnings.push_back(std::move(warning));
+  for (SceneWarning& warning : compressedLiquids(w, t, halos.all))
+    report.warnings.push_back(std::move(warning));
   w.startDensity = {};
   return report;
 }

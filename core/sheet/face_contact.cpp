@@ -76,7 +76,8 @@ struct FaceContact {
 
   /// Returns the friction (N) on the three corners of a face and on particle j.
   std::array<Vec3d, 4> faceFriction(std::size_t j, const Face& f, const Vec3d& shares, const Vec3d& off,
-                               const Vec3d& n, const Vec3d& v, const TouchLaw& law, double normal) const {
+                                    const Vec3d& n, const Vec3d& v, const TouchLaw& law,
+                                    double normal) const {
     if (!(law.friction > 0)) return {};
     const Sheets& s = w.sheets.rows;
     const Continuum& p = w.particles;
@@ -162,8 +163,8 @@ struct FaceContact {
     Vec3d v = -p.velocity[j];
     for (std::size_t k = 0; k < 3; k++)
       v += nearest->shares[static_cast<int>(k)] * s.moving[nearest->face->row[k]];
-    const std::array<Vec3d, 4> rubs = faceFriction(j, *nearest->face, nearest->shares, nearest->off, nearest->n, v,
-                                              law, push);
+    const std::array<Vec3d, 4> rubs = faceFriction(j, *nearest->face, nearest->shares, nearest->off,
+                                                   nearest->n, v, law, push);
     double conducts = 0;  // W/K
     if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {
       const double flow = body.conductance * w.scene.spacing * w.scene.spacing;
@@ -183,7 +184,8 @@ struct FaceContact {
     stiffest = std::max(stiffest, 2 * slope * steep / p.mass[j]);
     p.sheetFace[j] = nearest->face->number + 1;
     p.sheetNormalForce[j] = {push * perPush, dash * perPush, slope * perPush};
-    p.sheetContactData[j] = {t.energy / all.sum, conducts / all.sum, p.temperature.active ? p.temperature[j] : 0};
+    p.sheetContactData[j] = {t.energy / all.sum, conducts / all.sum,
+                             p.temperature.active ? p.temperature[j] : 0};
     p.sheetFriction[j] = {rubs[0], rubs[1], rubs[2]};
   }
 
@@ -266,7 +268,8 @@ void addFaceContact(World& w, Halos halos, const SheetVelocities& now) {
     if (!w.sheets.plans[n].byFaces) continue;
     FaceContact contact(w, now, n);
     contact.touchParticles();
-    halos.cells.beginRefresh(p, ColumnList{&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
+    halos.cells.beginRefresh(
+        p, ColumnList{&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
     halos.cells.finishRefresh(p);
     contact.addVertexLoads();
   }

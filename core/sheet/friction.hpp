@@ -48,8 +48,9 @@ inline RigidPoints rigidPointsOf(const std::array<Vec3d, 4>& place, const std::a
 /// negative for the second body, with sum 0; apart (m): from the second's nearest point to the first's, along
 /// n; v (m/s): its rate; normal (N): contact force.
 inline std::array<Vec3d, 4> frictionForces(const RigidPoints& t, const std::array<Vec3d, 4>& velocity,
-                                const std::array<double, 4>& share, const Vec3d& apart, const Vec3d& n,
-                                const Vec3d& v, const TouchLaw& law, double normal) {
+                                           const std::array<double, 4>& share, const Vec3d& apart,
+                                           const Vec3d& n, const Vec3d& v, const TouchLaw& law,
+                                           double normal) {
   Vec3d slide = v - dot(v, n) * n, spin{};
   if (t.there) {
     for (std::size_t k = 0; k < 4; k++) spin += t.mass[k] * cross(t.lever[k], velocity[k]);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/sheet/cell_sums.hpp"
-#include "core/sheet/changing_factors.hpp"
+#include "core/sheet/time_factors.hpp"
 
 namespace thaw {
 

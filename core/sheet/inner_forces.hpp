@@ -43,8 +43,8 @@ void updateEdgeEnds(SheetBodies& sheets, BondHalo& edges);
 /// gradient of the volume.
 Vec3d areaNormalOf(const SheetEdges& e, std::size_t slot);
 
-/// Adds to Sheets::load and energy and to SheetBodies::slope; sets Sheets::areaNormal, and SheetPart::now where
-/// volume is stiff. Collective.
+/// Adds to Sheets::load and energy and to SheetBodies::slope; sets Sheets::areaNormal, and SheetPart::now
+/// where volume is stiff. Collective.
 void addInnerForces(World& world, Halos halos);
 
 }  // namespace thaw

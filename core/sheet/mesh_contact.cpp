@@ -54,8 +54,8 @@ struct MeshContact {
       velocity[k] = s.moving[p.row[k]];
       mass[k] = massOf(p.row[k]);
     }
-    const std::array<Vec3d, 4> forces = frictionForces(rigidPointsOf(place, mass), velocity, p.share, p.apart, n, v, law,
-                                            normal);
+    const std::array<Vec3d, 4> forces = frictionForces(rigidPointsOf(place, mass), velocity, p.share, p.apart,
+                                                       n, v, law, normal);
     for (std::size_t k = 0; k < 4; k++) {
       const std::uint32_t i = p.row[k];
       if (i >= s.owned) continue;
@@ -72,7 +72,8 @@ struct MeshContact {
     smooth.friction = 0;
     const Touch t = touchOf(smooth, p.reach - p.distance, n, v);
     pairFriction(p, law, dot(t.force, n), n, v);
-    w.sheets.closingRate = std::max(w.sheets.closingRate, -dot(v, n) / std::max(p.distance, deepest * p.reach));
+    w.sheets.closingRate = std::max(w.sheets.closingRate,
+                                    -dot(v, n) / std::max(p.distance, deepest * p.reach));
     w.sheets.impactRate = std::max(w.sheets.impactRate, blowRate(law.rate, p.reach, std::abs(dot(v, n))));
     for (std::size_t k = 0; k < 4; k++) {
       const std::uint32_t i = p.row[k];

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/contact/touch.hpp"
-#include "core/sheet/brush_strokes.hpp"
+#include "core/sheet/brush_pressure.hpp"
 #include "core/sheet/cell_sums.hpp"
 
 namespace thaw {
@@ -37,7 +37,8 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
     if (!wall.present) continue;
     const Vec3d rest = toRest(wall.pose, s.position[i]);
     const Vec3d u = wallVelocity(wall, s.position[i]);
-    const double ahead = std::isfinite(now.span) ? contactLookAhead * now.span * length(now.velocity[i] - u) : 0,
+    const double ahead = std::isfinite(now.span) ? contactLookAhead * now.span * length(now.velocity[i] - u)
+                                                 : 0,
                  near = plan.thickness + ahead;
     if (!nearBounds(wall.bounds, rest, near)) continue;
     Vec3d n;
@@ -46,7 +47,8 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
     n = directionFromRest(wall.pose, n);
     const double rise = dot(now.velocity[i] - u, n);
     if (d - plan.thickness < std::max(0.0, -rise) * contactLookAhead * now.span || d < plan.thickness)
-      sheets.impactRate = std::max(sheets.impactRate, blowRate(plan.contactRate, plan.thickness, std::abs(rise)));
+      sheets.impactRate = std::max(sheets.impactRate,
+                                   blowRate(plan.contactRate, plan.thickness, std::abs(rise)));
     if (!(d < plan.thickness)) continue;
     const Touch touch = touchOf({plan.contactRate, sheets.laws[s.law[i]].contactMass,
                                  std::min(wall.properties.restitution, b.restitution),
@@ -106,7 +108,8 @@ void addOuterForces(World& w, const SheetVelocities& now) {
                       {}});
     // addShrinkWrap handles bodies; a removed target exerts no wrap
     if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;
-    for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brushSamples(brush, time, now.dt));
+    for (const SheetBrush& brush : b.brushes)
+      pushes.back().brush.push_back(brushSamples(brush, time, now.dt));
   }
   std::vector<Vec3d>& impulse = sheets.impulseBuffer;
   impulse.resize(s.owned);

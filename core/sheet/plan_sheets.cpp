@@ -206,7 +206,8 @@ DroppedElements droppedFrom(const TriangleMesh& file, const TriangleMesh& kept) 
 
 }  // namespace
 
-TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& load, DroppedElements* droppedElements) {
+TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& load,
+                       DroppedElements* droppedElements) {
   TriangleMesh m;
   const double spacing = spacingOf(s, b);
   switch (b.mesh) {

@@ -4,9 +4,9 @@
 
 #include "core/domain/outside.hpp"
 #include "core/geometry/shape_error.hpp"
-#include "core/sheet/changing_factors.hpp"
 #include "core/sheet/inner_forces.hpp"
 #include "core/sheet/sheet_contact.hpp"
+#include "core/sheet/time_factors.hpp"
 
 namespace thaw {
 
@@ -28,7 +28,8 @@ void activateSheets(World& w) {
       s.activate(s.hardening);
     }
     if (b.windDensity > 0 || b.wrap != 0 || !b.brushes.empty()) s.activate(s.outside);
-    if (b.windDensity > 0 || b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty())) s.activate(s.areaNormal);
+    if (b.windDensity > 0 || b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()))
+      s.activate(s.areaNormal);
     if (!b.clamp.empty()) s.activate(s.clamped);
     if (s.outside.active) s.activate(s.moved);
     if (w.modules.heat) {
@@ -40,7 +41,8 @@ void activateSheets(World& w) {
     if (l.law.damping > 0) s.activate(s.moved);
   for (const SheetPlan& p : w.sheets.plans)
     if (p.touches) s.activate(s.dissipativeForce);
-  if (sheetsInteract(w.scene) || sheetsTouchContinuum(w.scene) || w.modules.sheetContact) s.activate(s.moving);
+  if (sheetsInteract(w.scene) || sheetsTouchContinuum(w.scene) || w.modules.sheetContact)
+    s.activate(s.moving);
   activateTimeFactors(w);
   activateEdges(w.sheets.edges);
 }

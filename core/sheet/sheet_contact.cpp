@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body_types/body_types.hpp"
 #include "core/contact/touch.hpp"
 #include "core/heat/enthalpy.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/neighbours/rows_around.hpp"
-#include "core/sheet/changing_factors.hpp"
 #include "core/sheet/face_contact.hpp"
 #include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/mesh_pairs.hpp"
 #include "core/sheet/particle_contact.hpp"
+#include "core/sheet/time_factors.hpp"
 
 namespace thaw {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/kinds/kind_rows.hpp"
+#include "core/body_types/body_type_rows.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/sheet/exact_step.hpp"
 #include "core/sheet/plan_sheets.hpp"
@@ -29,15 +29,13 @@ struct Sheets : BodyTypeRows {
   Column<Vec3d> outside{*this, "outside", "N/m^2", Keep::State,
       "external part of the load: wind, wrap, brushes; only where a sheet has one"};
   Column<Mat3d> changing{*this, "changing", "J", Keep::State,
-      "energy of time-dependent coefficients at a factor of 1: warp, weft, shear; bending, "
-      "volume, push; pull; only where one changes"};
+      "energy of time-dependent coefficients at a factor of 1: warp, weft, shear; bending, volume, push; "
+      "pull; only where one changes"};
   Column<Vec3d> moved{*this, "moved", "m", Keep::State,
       "displacement over the last step; only with external loads or damping"};
   Column<Vec3d> dissipativeForce{*this, "resisting", "N/m^2", Keep::State,
-      "dissipative part of the load: dashpots and friction; only where a sheet touches "
-      "anything"};
-  Column<double> area{*this, "area", "m^2", Keep::State,
-      "initial area, a third of the vertex's triangles"};
+      "dissipative part of the load: dashpots and friction; only where a sheet touches anything"};
+  Column<double> area{*this, "area", "m^2", Keep::State, "initial area, a third of the vertex's triangles"};
   Column<std::uint16_t> law{*this, "law", "1", Keep::State, "index into SheetBodies::laws"};
   Column<std::uint32_t> part{*this, "part", "1", Keep::State,
       "index into SheetBodies::parts, its connected component"};
@@ -84,15 +82,15 @@ struct SheetBodies {
   double fastestDrag = 0;       ///< 1/s, largest drag rate of the wind on this rank, 2 rho |u_n| area / mass
   double stiffestParticle = 0;  ///< 1/s^2, largest slope of vertex contact over particle mass on this rank
   double fastest2 = 0;  ///< m^2/s^2, largest squared speed of this rank's vertices that can touch anything
-  double largestAcceleration = 0;   ///< m/s^2, largest acceleration of these by loads
-  double impactRate = 0;     ///< 1/s, largest rate of contact over the step that impacts allow it, on this rank
-                        ///< (blowRate in touch.hpp)
-  double closingRate = 0;   ///< 1/s, largest approach speed over distance of touching vertices, triangles and
-                        ///< edges, on this rank
+  double largestAcceleration = 0;  ///< m/s^2, largest acceleration of these by loads
+  double impactRate = 0;   ///< 1/s, largest rate of contact over the step that impacts allow it, on this rank
+                           ///< (blowRate in touch.hpp)
+  double closingRate = 0;  ///< 1/s, largest approach speed over distance of touching vertices, triangles and
+                           ///< edges, on this rank
   std::shared_ptr<MeshSearch> search;  ///< current contact search (mesh_pairs.hpp), kept to reuse memory; not
                                        ///< part of the state
-  std::vector<Vec3d> velocityBuffer, impulseBuffer;  ///< buffers by vertex, kept since allocation costs as much
-                                                 ///< as a force evaluation
+  std::vector<Vec3d> velocityBuffer, impulseBuffer;  ///< buffers by vertex, kept since allocation costs as
+                                                     ///< much as a force evaluation
   bool leftHere = false;     ///< a vertex has left the domain since the last update of edges
   bool edgesAtStart = true;  ///< the next evaluation makes the bonds from the plans
 };

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "core/sheet/cell_sums.hpp"
-#include "core/sheet/changing_factors.hpp"
 #include "core/sheet/inner_forces.hpp"
 #include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/move_vertices.hpp"
 #include "core/sheet/outer_forces.hpp"
 #include "core/sheet/sheet_contact.hpp"
-#include "core/sheet/wrap_bodies.hpp"
+#include "core/sheet/shrink_wrap.hpp"
+#include "core/sheet/time_factors.hpp"
 
 namespace thaw {
 namespace {
@@ -93,7 +93,8 @@ Vec3d loadForDamping(const Sheets& s, std::size_t i, const SpringLaw& law) {
 /// Records dissipation of dashpots and friction over half of a step, with the displacement (m) of that half.
 /// A force acts half in the step that ends with it and half in the next, so it must not be recorded earlier.
 void recordDissipation(Sheets& s, std::size_t i, const SpringLaw& law, const Vec3d& way) {
-  if (s.dissipativeForce.active && law.mass > 0) s.dissipated[i] -= s.area[i] * dot(s.dissipativeForce[i], way);
+  if (s.dissipativeForce.active && law.mass > 0)
+    s.dissipated[i] -= s.area[i] * dot(s.dissipativeForce[i], way);
 }
 
 /// Records a vertex's dissipation at the end of a step: dashpots and friction, and with damping the
@@ -252,7 +253,8 @@ double sheetStepLimit(const World& w) {
     // fluctuate
     int e = 0;
     const double part = std::frexp(b.stiffest[l], &e), kappa = std::ldexp(std::ceil(part * 64) / 64, e);
-    limit = std::min(limit, 2 * w.scene.numerics.cflElastic * stableStep(leastStableLaw(w, b.laws[l]), kappa));
+    limit = std::min(limit,
+                     2 * w.scene.numerics.cflElastic * stableStep(leastStableLaw(w, b.laws[l]), kappa));
   }
   for (std::size_t l = 0; l < b.laws.size(); l++) {
     const SpringLaw& law = b.laws[l].law;
@@ -262,7 +264,8 @@ double sheetStepLimit(const World& w) {
                       : law.damping > 0 ? kappa / law.damping
                                         : 0;
     const SheetBody& body = w.scene.sheets[b.laws[l].sheet];
-    limit = std::min(limit, timeFactorStepLimit(body, w.clock.time, fastestRate(body, law, w.clock.time), of));
+    limit = std::min(limit,
+                     timeFactorStepLimit(body, w.clock.time, fastestRate(body, law, w.clock.time), of));
   }
   if (b.stiffestParticle > 0) {
     int e = 0;
@@ -279,8 +282,8 @@ double sheetStepLimit(const World& w) {
       if (p.touches)
         thin = std::min(
             {thin, (meshesTouch(w.scene) ? 0.5 : 1) * p.thickness, p.byFaces ? p.faceReach : never});
-    limit = std::min(
-        {limit, 0.5 * thin / std::sqrt(b.fastest2), b.largestAcceleration > 0 ? std::sqrt(thin / b.largestAcceleration) : never});
+    limit = std::min({limit, 0.5 * thin / std::sqrt(b.fastest2),
+                      b.largestAcceleration > 0 ? std::sqrt(thin / b.largestAcceleration) : never});
   }
   if (b.impactRate > 0) limit = std::min(limit, 1 / b.impactRate);
   if (b.closingRate > 0) limit = std::min(limit, 0.5 / b.closingRate);

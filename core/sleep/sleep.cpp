@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/heat/enthalpy.hpp"
-#include "core/sleep/unrest.hpp"
+#include "core/sleep/awake_reason.hpp"
 #include "core/solid/plasticity.hpp"
 #include "core/step.hpp"
 
@@ -26,7 +26,8 @@ std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, d
     lightest = sleep[k] < lightest ? sleep[k] : lightest;
   }
   return static_cast<std::uint8_t>((static_cast<double>(shortest) >= after ? AtRest : 0) |
-                                   (lightest >= sleepSettled ? Settled : 0) | (lightest == asleep ? Asleep : 0));
+                                   (lightest >= sleepSettled ? Settled : 0) |
+                                   (lightest == asleep ? Asleep : 0));
 }
 
 /// Level 2 around a cell is not enough: bonds carry the stress of their other end from two cells away, and
@@ -196,7 +197,8 @@ void markSleeping(World& w, StepTools& t) {
 std::span<const RowSpan> awakeRows(const World& w, StepTools& t) {
   const Continuum& p = w.particles;
   // The last two conditions move or count sleeping particles too.
-  const bool all = !w.modules.sleep || t.sleep.recomputeAll || p.shiftingVelocity.active || p.fastAcceleration.active;
+  const bool all = !w.modules.sleep || t.sleep.recomputeAll || p.shiftingVelocity.active ||
+                   p.fastAcceleration.active;
   if (all) t.sleep.rows.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
   return t.sleep.rows;
 }

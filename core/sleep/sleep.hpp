@@ -38,18 +38,18 @@ inline constexpr std::uint8_t awake = 0, sleepFixed = 1, sleepSettled = 2, aslee
 
 /// Sleep data of a step; not part of the state.
 struct SleepWork {
-  bool recomputeAll = true;  ///< sleepers have not been computed on this rank since the start, a restart, or their
-                        ///< arrival
+  bool recomputeAll = true;  ///< sleepers have not been computed on this rank since the start, a restart, or
+                             ///< their arrival
   std::vector<std::uint8_t> cell;          ///< by cell: bits common to its particles
   std::vector<std::uint8_t> around;        ///< by cell: bits common to the 27 surrounding cells
   std::vector<std::uint8_t> known, quiet;  ///< by cell: it is skipped; all 27 surrounding cells are skipped
   std::vector<RowSpan> rows;               ///< owned rows that are not skipped, with small gaps included
   std::vector<RowSpan> seen;  ///< owned rows in the 27 cells around cells that are not skipped, with small
                               ///< gaps included
-  std::vector<std::uint64_t> steadyCells, steadyBefore;  ///< keys of cells with deep rows, in this step and in
-                                                     ///< the last
-  std::array<ExactSum, 3> steadyConstraintForce;   ///< N, sum of Continuum::hold over the rows of steadyBefore
-  std::vector<std::uint8_t> steady;     ///< by owned row: 1 if it sleeps and nothing in its sums changes
+  std::vector<std::uint64_t> steadyCells, steadyBefore;  ///< keys of cells with deep rows, in this step and
+                                                         ///< in the last
+  std::array<ExactSum, 3> steadyConstraintForce;  ///< N, sum of Continuum::hold over the rows of steadyBefore
+  std::vector<std::uint8_t> steady;   ///< by owned row: 1 if it sleeps and nothing in its sums changes
   std::vector<std::uint8_t> skipped;  ///< by owned row: 1 if deep and already computed on this rank
   std::vector<double> interaction;    ///< J, by owned row, from the last step
   std::vector<std::uint8_t> fresh;    ///< by slot: 1 if deformation and flux match the sleeping position
@@ -81,7 +81,7 @@ std::span<const RowSpan> rowsToSee(const World& world, StepTools& tools);
 void dropSkippedContacts(StepTools& tools);
 
 /// chooseAwakeGroups selects the active groups of slots; call it before deformations. forgetChangedSlots
-/// resets the slots that a relink changed; call it after the relink.
+/// resets the slots that a bond update changed; call it after the rebuildBonds.
 void chooseAwakeGroups(World& world, StepTools& tools);
 void forgetChangedSlots(const World& world, StepTools& tools);
 

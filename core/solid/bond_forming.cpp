@@ -100,7 +100,8 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
 
 void pairAtStart(const Continuum& p, const NeighbourLists& lists, const BondForming& forming,
                  std::vector<BondPair>& pairs, ListedGroups range) {
-  const Vec3d* const place = p.unwrappedPosition.active ? p.unwrappedPosition.data() : p.position.data();  // as in formBonds
+  const Vec3d* const place = p.unwrappedPosition.active ? p.unwrappedPosition.data()
+                                                        : p.position.data();  // as in formBonds
   for (std::size_t g = range.first; g < std::min(range.last, lists.groups); g++)
     for (std::size_t l = 0; l < lanes; l++) {
       const std::size_t i = lists.self[g * lanes + l];

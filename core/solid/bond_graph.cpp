@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "core/solid/bond_places.hpp"
+#include "core/solid/bond_entries.hpp"
 #include "core/solid/slot_rows.hpp"
 
 namespace thaw {
@@ -14,7 +14,8 @@ void BondGraph::begin() {
   before_ = ids_.size();
   now_.resize(before_);
   std::iota(now_.begin(), now_.end(), 0u);
-  for (auto* v : {&leaving_, &departed_, &unnamed_, &movers_, &relocated_, &newRemotes_, &marked_, &lostBonds_})
+  for (auto* v :
+       {&leaving_, &departed_, &unnamed_, &movers_, &relocated_, &newRemotes_, &marked_, &lostBonds_})
     v->clear();
   aliases_.clear();
   released_.clear();

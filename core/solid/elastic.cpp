@@ -138,7 +138,7 @@ void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gra
 }
 
 void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
-                      const FlatLane& of) {
+                     const FlatLane& of) {
   if (a.rank[slot] != 2 || !(a.perTrace[slot] > 0)) return;
   const Mat3d more = stressOfNormal({laneMatrix(of.gradU, lane), a.momentInverse[slot], 1 / a.perTrace[slot],
                                      laneMatrix(of.sum, lane), c.volume[lane] * laneMatrix(of.stress, lane),

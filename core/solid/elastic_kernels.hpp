@@ -79,7 +79,7 @@ struct FlatLane {
   double (*flux)[8];
 };
 void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
-                      const FlatLane& of);
+                     const FlatLane& of);
 /// Plastic flow of one lane: updates Solids::plasticInverse, records the loss, and returns Fe - 1 and Fp^-1 -
 /// 1.
 struct PlasticLanes {

@@ -4,8 +4,8 @@
 
 namespace thaw {
 
-/// Packs references of rows [first, last) if bonds have no vectors. Call it after every relink for changed
-/// rows.
+/// Packs references of rows [first, last) if bonds have no vectors. Call it after every bond update for
+/// changed rows.
 void packReferences(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last);
 
 /// Packs displacements (or positions) of rows [first, last).

@@ -1,7 +1,7 @@
 // Reference data of bonds in the elastic step.
 #include <algorithm>
 
-#include "core/solid/bond_places.hpp"
+#include "core/solid/bond_entries.hpp"
 #include "core/solid/elastic_records.hpp"
 #include "core/solid/slot_state.hpp"
 

@@ -21,7 +21,7 @@ struct SlotRange {
   std::size_t begin, end;
 };
 void copyReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
-                      std::span<const std::uint32_t> groups, SlotRange flagged);
+                    std::span<const std::uint32_t> groups, SlotRange flagged);
 
 /// Renews the copied vectors of remote slots that took a new reference; part of phase 2.
 void copyRemoteReferences(ElasticWork& work, const Solids& solids, Bonds& bonds);

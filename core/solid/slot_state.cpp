@@ -118,7 +118,7 @@ void refreshGroup(ElasticWork& work, Solids& solids, const Bonds& bonds, std::si
   work.referenceKernels->levers(a, group, sums);
   for (std::size_t l = 0; l < lanes; l++)
     work.strainBound[first + l] = strainBoundOf(work.rank[first + l], sums.lengths[l],
-                                  {sums.sum[0][l], sums.sum[1][l], sums.sum[2][l]});
+                                                {sums.sum[0][l], sums.sum[1][l], sums.sum[2][l]});
 }
 
 void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot) {

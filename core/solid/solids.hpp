@@ -53,8 +53,7 @@ struct Solids : Table {
   Column<Sym3d> momentInverse{*this, "momentInverse", "1/m^2", Keep::Transient,
       "A^-1, A = sum w X X^T; recomputed when a bond changed"};
   Column<Mat3d> deformation{*this, "deformation", "1", Keep::Transient, "F = I + grad u"};
-  Column<BondEnd<float>> end{*this, "end", "", Keep::Transient,
-      "data of a bond end, in single precision"};
+  Column<BondEnd<float>> end{*this, "end", "", Keep::Transient, "data of a bond end, in single precision"};
   Column<BondEnd<double>> endDouble{*this, "endDouble", "", Keep::Transient,
       "data of a bond end, in double precision"};
   Column<double> drag{*this, "drag", "kg/s", Keep::Transient,

@@ -44,7 +44,8 @@ std::int64_t countSingular(const ElasticWork& work, const Solids& solids) {
 
 double elasticStepLimit(const Scene& scene, double maxStretch2, double strainBound) {
   double limit = never;
-  const double distance = strainBound > 0 ? std::min(scene.spacing, latticeStrainBound / strainBound) : scene.spacing;
+  const double distance = strainBound > 0 ? std::min(scene.spacing, latticeStrainBound / strainBound)
+                                          : scene.spacing;
   for (const Material& m : scene.materials) {
     if (!m.canBeSolid()) continue;
     for (const double liquid : {0.0, 0.5, 1.0}) {

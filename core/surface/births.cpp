@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/surface/follow_start.hpp"
-#include "core/surface/rename_twins.hpp"
+#include "core/surface/reference_motion.hpp"
 #include "core/surface/tangent.hpp"
+#include "core/surface/unique_ids.hpp"
 
 namespace thaw {
 
@@ -47,7 +47,8 @@ std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>&
   const double det = a * c - b * b;
   if (!(det > line * std::max(a, c) * std::max(a, c))) return {};
   const double u = -dot(now, frame.row[1]), v = -dot(now, frame.row[2]);
-  return mean + ((c * u - b * v) / det) * along1 + ((a * v - b * u) / det) * along2 - across * referenceNormal;
+  return mean + ((c * u - b * v) / det) * along1 + ((a * v - b * u) / det) * along2 -
+         across * referenceNormal;
 }
 
 /// Sets the reference frame of a new surfel to the mean of the frames that its neighbours with a reference
@@ -67,7 +68,8 @@ void startOf(const Patch& patch, SurfelRow& born) {
     const double w = u * u * u;
     // Rows of these matrices turn a vector into the local frame.
     const Mat3d now{{s.normal[j], s.tangent[j], cross(s.normal[j], s.tangent[j])}};
-    const Mat3d then{{s.referenceNormal[j], s.referenceTangent[j], cross(s.referenceNormal[j], s.referenceTangent[j])}};
+    const Mat3d then{
+        {s.referenceNormal[j], s.referenceTangent[j], cross(s.referenceNormal[j], s.referenceTangent[j])}};
     const auto back = [&](const Vec3d& v) { return transpose(then) * (now * v); };
     followers.push_back({j, -d, w});
     sum += w;
@@ -82,8 +84,9 @@ void startOf(const Patch& patch, SurfelRow& born) {
   if (!(sum > 0) || !(dot(normal, normal) > 0.5) || !(dot(across, across) > 0)) return;
   born.hasReference = true;
   born.referencePosition = placeAtStart(s, followers,
-                                 {{born.normal, born.tangent, cross(born.normal, born.tangent)}}, normal)
-                        .value_or(place / sum);
+                                        {{born.normal, born.tangent, cross(born.normal, born.tangent)}},
+                                        normal)
+                               .value_or(place / sum);
   born.referenceNormal = normal;
   born.referenceTangent = normalized(across);
 }
@@ -100,8 +103,8 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
   const Vec3d across = s.tangent[i] - p.normal * dot(p.normal, s.tangent[i]);
   born.tangent = dot(across, across) > 0.01 ? normalized(across) : anyTangent(p.normal);
   const double reach = 1.5 * s.radius[i];
-  double sum = 0, radius = 0, detail = 0, liquid = 0, temperature = 0, colour[3]{}, soft = 0, maxLiquidFraction = 0,
-         detailHeight = 0;
+  double sum = 0, radius = 0, detail = 0, liquid = 0, temperature = 0, colour[3]{}, soft = 0,
+         maxLiquidFraction = 0, detailHeight = 0;
   const auto add = [&](std::size_t j) {
     const Vec3d d = s.position[j] - p.position;
     // The parent always contributes.
@@ -123,7 +126,8 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
   born.liquid = static_cast<float>(liquid / sum);
   born.temperature = static_cast<float>(temperature / sum);
   if (s.maxLiquidFraction.active && s.maxLiquidFraction[i] > 0)
-    born.maxLiquidFraction = static_cast<float>(maxLiquidFraction / soft), born.detailHeight = static_cast<float>(detailHeight / soft);
+    born.maxLiquidFraction = static_cast<float>(maxLiquidFraction / soft),
+    born.detailHeight = static_cast<float>(detailHeight / soft);
   for (int c = 0; c < 3; c++)
     born.colour |= static_cast<std::uint32_t>(std::clamp(std::lround(colour[c] / sum), 0l, 255l)) << 8 * c;
   startOf(patch, born);
@@ -145,14 +149,15 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
     s.resampleMargin[i] = 0;
     if (s.wallOffset.active) s.wallOffset[i] = {};
     if (s.hasReference.active)
-      s.hasReference[i] = r.hasReference, s.referencePosition[i] = r.referencePosition, s.referenceNormal[i] = r.referenceNormal,
-      s.referenceTangent[i] = r.referenceTangent;
+      s.hasReference[i] = r.hasReference, s.referencePosition[i] = r.referencePosition,
+      s.referenceNormal[i] = r.referenceNormal, s.referenceTangent[i] = r.referenceTangent;
     if (s.relaxesOnce.active) s.relaxesOnce[i] = r.detail < 0.5f;
     // blendSurfels treats the new surfel like its neighbours.
     if (s.carriedNormal.active && !(s.relaxesOnce.active && s.relaxesOnce[i]))
       s.carried[i] = r.position, s.carriedNormal[i] = r.normal;
     if (s.liquid.active) s.liquid[i] = r.liquid;
-    if (s.maxLiquidFraction.active) s.maxLiquidFraction[i] = r.maxLiquidFraction, s.detailHeight[i] = r.detailHeight;
+    if (s.maxLiquidFraction.active)
+      s.maxLiquidFraction[i] = r.maxLiquidFraction, s.detailHeight[i] = r.detailHeight;
     if (s.temperature.active) s.temperature[i] = r.temperature;
     i++;
   }

@@ -14,7 +14,7 @@ struct SurfelRow {
   double radius = 0;                                    ///< m
   std::uint32_t colour = 0;
   float detail = 0, liquid = 0, temperature = 0, maxLiquidFraction = 0, detailHeight = 0;
-  bool hasReference = false;  ///< has a reference position and frame (follow_start.hpp)
+  bool hasReference = false;  ///< has a reference position and frame (reference_motion.hpp)
   Vec3d referencePosition{}, referenceNormal{}, referenceTangent{};  ///< m, unit, unit
   static constexpr std::uint32_t none = 0xffffffffu;
   std::uint32_t particle = none;  ///< row of the particle copy that it grows from; none: born between surfels

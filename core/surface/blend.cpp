@@ -26,7 +26,9 @@ RelaxationStep relaxationStepOf(Surfels& s, std::size_t i, double b, double heig
   const double before = recorded ? static_cast<double>(s.maxLiquidFraction[i]) : 0,
                detailHeight = before > 0 ? static_cast<double>(s.detailHeight[i]) : height;
   const double strain = s.strain.active ? static_cast<double>(s.strain[i]) : 0, added = height - detailHeight;
-  const double left = b >= 1 ? 0 : (b > before ? (1 - b) / (1 - before) : 1) * std::exp(-strainFading * b * strain);
+  const double left = b >= 1
+                          ? 0
+                          : (b > before ? (1 - b) / (1 - before) : 1) * std::exp(-strainFading * b * strain);
   if (recorded) {
     const double solid = (1 - b) * (1 - b);
     s.maxLiquidFraction[i] = static_cast<float>(std::max(before, b));
@@ -34,7 +36,8 @@ RelaxationStep relaxationStepOf(Surfels& s, std::size_t i, double b, double heig
   }
   const double off = std::min(1.0, added * added / (s.radius[i] * s.radius[i]));
   // Never move away from the surface.
-  const double down = std::clamp(detailHeight * (1 - left) + b * added, std::min(height, 0.0), std::max(height, 0.0));
+  const double down = std::clamp(detailHeight * (1 - left) + b * added, std::min(height, 0.0),
+                                 std::max(height, 0.0));
   return {down, 1 - left * (1 - b * off)};
 }
 
@@ -66,7 +69,8 @@ void blendSurfels(World& w) {
       const Vec3d d = s.tangent[i] - dot(s.tangent[i], s.normal[i]) * s.normal[i];
       if (dot(d, d) > 1e-12) s.tangent[i] = normalized(d);
     }
-    s.resampleMargin[i] = std::max(0.0f, s.resampleMargin[i] - static_cast<float>(length(move) / s.radius[i]));
+    s.resampleMargin[i] = std::max(0.0f,
+                                   s.resampleMargin[i] - static_cast<float>(length(move) / s.radius[i]));
     s.detail[i] = static_cast<float>(static_cast<double>(s.detail[i]) * (1 - way.share));
   }
   deactivate(s.carried);

@@ -128,7 +128,8 @@ struct Sampler {
       double best = reach * reach;
       for (const std::uint32_t p : near) {
         const Vec3d d = at[p] - all.position[k];
-        if (dot(d, d) < best && onOneSide(places[p].triangle, all.triangle[k])) best = dot(d, d), nearest[k] = p;
+        if (dot(d, d) < best && onOneSide(places[p].triangle, all.triangle[k]))
+          best = dot(d, d), nearest[k] = p;
       }
     }
   }

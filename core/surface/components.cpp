@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/surface/drop_surfels.hpp"
 #include "core/surface/gather_words.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/remove_surfels.hpp"
 
 namespace thaw {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/solid/moment.hpp"
-#include "core/surface/follow_start.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/reference_motion.hpp"
 #include "core/surface/update_surface.hpp"
 
 namespace thaw {

@@ -38,7 +38,8 @@ void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3
   for (std::size_t k = 0; k < block_.count; k++) {
     const Vec3d& at = block_.at[k];
     listed_[n] = block_.row[k];
-    n += (box.distance2(at) <= h2) & (dot(at - owner, at - owner) <= edge2) & (of[block_.row[k]] == component);
+    n += (box.distance2(at) <= h2) & (dot(at - owner, at - owner) <= edge2) &
+         (of[block_.row[k]] == component);
   }
   among(listed_.data(), n, component);
 }

@@ -3,7 +3,7 @@
 
 #include "core/solid/id_table.hpp"
 #include "core/surface/components.hpp"
-#include "core/surface/mixed_bins.hpp"
+#include "core/surface/multi_label_bins.hpp"
 #include "core/surface/place_rows.hpp"
 
 namespace thaw {
@@ -132,8 +132,8 @@ void findNearestParticles(World& w, ComponentTools& t) {
   });
 }
 
-/// Finds Surfels::linkRadius2: the squared distance to the k-th nearest surfel that may be linked. It is sent to
-/// the other end of a link. 0 if all surfels within h_ss already belong to the part.
+/// Finds Surfels::linkRadius2: the squared distance to the k-th nearest surfel that may be linked. It is sent
+/// to the other end of a link. 0 if all surfels within h_ss already belong to the part.
 void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& mixed) {
   Surfels& f = s.surfels;
   const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) {
@@ -304,8 +304,8 @@ void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
   joinParticles(w, t, sets);
   joinBoth(s, sets);
   settleParts(s, halos, sets);
-  const std::vector<std::uint8_t> mixed = multiLabelBins(t.surfelBins, f.part.data(), t.surfelBins, f.part.data(),
-                                                    s.surfelSupport);
+  const std::vector<std::uint8_t> mixed = multiLabelBins(t.surfelBins, f.part.data(), t.surfelBins,
+                                                         f.part.data(), s.surfelSupport);
   if (!onAnyRank(halos.all, std::find(mixed.begin(), mixed.end(), 1) != mixed.end())) return;
   findReach(s, t, mixed);
   refreshGhosts(halos.surfels, f, ColumnList{&f.linkRadius2});

@@ -49,7 +49,8 @@ void gatherParticles(World& w, int rank) {
     c.displacement[i] = u;
     c.component[i] = p.component[i];
     c.mass[i] = p.mass[i];
-    c.volumeRatio[i] = p.surfaceVolumeRatio.active && p.surfaceVolumeRatio[i] > 0 ? p.surfaceVolumeRatio[i] : 1;
+    c.volumeRatio[i] = p.surfaceVolumeRatio.active && p.surfaceVolumeRatio[i] > 0 ? p.surfaceVolumeRatio[i]
+                                                                                  : 1;
     if (p.surfaceVolumeRatio.active) c.volumeRatio[i] *= deformedVolumeRatio(w, i);
     c.volume[i] = p.mass[i] / w.scene.materials[p.material[i]].density;
     if (c.fill.active) c.fill[i] = p.initialFill[i];
@@ -85,7 +86,7 @@ void returnParticles(World& w, SurfaceHalos halos) {
   Continuum& p = w.particles;
   SurfaceParticles& c = w.surface.particles;
   halos.scatter.scatterBack({c.source.data(), c.owned}, {c.component.data(), c.owned},
-                         {p.component.data(), p.owned});
+                            {p.component.data(), p.owned});
   if (c.covered.active) {
     std::vector<std::uint64_t> there(c.covered.data(), c.covered.data() + c.owned), here(p.owned);
     halos.scatter.scatterBack({c.source.data(), c.owned}, there, here);

@@ -7,22 +7,22 @@
 #include "core/math/hash_random.hpp"
 #include "core/surface/birth_colours.hpp"
 #include "core/surface/births.hpp"
-#include "core/surface/drop_patch.hpp"
-#include "core/surface/drop_surfels.hpp"
+#include "core/surface/drop_sphere.hpp"
+#include "core/surface/enforce_volume.hpp"
 #include "core/surface/iso_surface.hpp"
-#include "core/surface/keep_out.hpp"
-#include "core/surface/keep_volume.hpp"
 #include "core/surface/measure.hpp"
-#include "core/surface/near_gaps.hpp"
+#include "core/surface/narrow_gaps.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
 #include "core/surface/relax.hpp"
+#include "core/surface/remove_surfels.hpp"
 #include "core/surface/resample.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/seeds.hpp"
 #include "core/surface/small_drops.hpp"
 #include "core/surface/surfel_move.hpp"
 #include "core/surface/update_surface.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -115,7 +115,7 @@ bool continuesAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::s
 /// faces it without a particle between: above an edge, or where the colour bridges a groove. Births there
 /// would continue as a skin over the groove.
 bool floatsBeforeSheet(const World& w, const SurfaceTools& t, const Surfels& f, std::size_t i,
-                    const SurfacePoint& p) {
+                       const SurfacePoint& p) {
   constexpr double seen = 0.35, behind = 0.2, thick = 0.6;
   const double dx = w.scene.spacing, r = f.radius[i],
                reach = std::min(
@@ -153,7 +153,8 @@ void markAroundDeleted(Surface& s, CellHalo& halo, SurfaceTools& t, const std::v
   for (std::size_t i = 0; i < f.owned; i++) f.resampleFlags[i] = dead[i] == 2;
   addGhosts(halo, f, s.surfelCells, ColumnList{&f.id, &f.position, &f.resampleFlags});
   fillBins(s.grid, s.surfelCells, f.position.data(), 2 * s.spacing, t.relax.surfelBins);
-  markForInspection(f, t.relax.surfelBins, {f.resampleFlags.data(), f.resampleFlags.data() + f.size()}, s.spacing);
+  markForInspection(f, t.relax.surfelBins, {f.resampleFlags.data(), f.resampleFlags.data() + f.size()},
+                    s.spacing);
   f.resize(f.owned, 0);
 }
 
@@ -188,13 +189,14 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
     std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {
       projectToIsoSurface(w, probe, f.component[i], f.position[i], &x, 1,
-                     0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
+                          0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
       return at && dot(at->normal, p.normal) >= 0.3;
     };
     // Offset surfaces continue at the same offset. Half-solid surfels remain where they were carried.
     if (!onto(p.position)) {
-      const double isoOffset = f.liquid.active && f.liquid[i] > 0.9f ? isoOffsetOf(t.relax.isoOffset, f.component[i])
-                                                                  : 0;
+      const double isoOffset = f.liquid.active && f.liquid[i] > 0.9f
+                                   ? isoOffsetOf(t.relax.isoOffset, f.component[i])
+                                   : 0;
       if (isoOffset == 0 || !onto(p.position - isoOffset * p.normal)) return false;
     }
     p.normal = normalized(p.normal + at->normal);
@@ -206,7 +208,7 @@ namespace {
 
 /// Grows the surfaces of the particles selected by `bare` and relaxes them.
 void growAndRelax(World& w, SurfaceHalos halos, SurfaceTools& t,
-                   const std::function<bool(std::size_t)>& bare) {
+                  const std::function<bool(std::size_t)>& bare) {
   growSurfels(w, halos, t, bare);
   std::int64_t grown = static_cast<std::int64_t>(w.surface.surfels.owned);
   halos.all.sum({&grown, 1});
@@ -267,7 +269,8 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   }
   forFieldAtSurfels(w, t, probed, [&](std::size_t i, const FieldHere& c) {
     if (std::abs(c.value - c.level) <= offSurface && c.value >= leastOver * c.level) return;
-    if (Vec3d into; f.wallOffset.active && c.value > c.level && facesWall(w, f.position[i], f.normal[i], into))
+    if (Vec3d into;
+        f.wallOffset.active && c.value > c.level && facesWall(w, f.position[i], f.normal[i], into))
       return;
     dead[i] = 2, gone++;
   });

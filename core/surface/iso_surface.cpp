@@ -13,7 +13,8 @@ std::optional<IsoStep> isoStep(const FieldHere& c, double particleSupport, doubl
 }
 
 void projectToIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, const Vec3d& owner,
-                    const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found) {
+                         const Vec3d* from, std::size_t n, double farthest,
+                         std::optional<SurfacePoint>* found) {
   const double longest = 0.5 * w.scene.spacing, enough = 0.01 * w.surface.spacing;
   std::array<Vec3d, FieldProbe::most> x;
   std::array<std::size_t, FieldProbe::most> of;  // index of the starting position of x[k]

@@ -13,12 +13,14 @@ struct IsoStep {
   Vec3d outward{};
   double out = 0;
 };
-std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, double isoOffset, double longest);
+std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, double isoOffset,
+                               double longest);
 
 /// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns
 /// points and normals. Positions without a surface within `farthest` (m) yield nothing. `owner`: see
 /// FieldProbe::around. Changes the particles selected in the probe.
 void projectToIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component, const Vec3d& owner,
-                    const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found);
+                         const Vec3d* from, std::size_t n, double farthest,
+                         std::optional<SurfacePoint>* found);
 
 }  // namespace thaw

@@ -7,7 +7,7 @@
 #include "core/math/exact_sum.hpp"
 #include "core/surface/enclosed_volume.hpp"
 #include "core/surface/gather_words.hpp"
-#include "core/surface/one_piece.hpp"
+#include "core/surface/periodic_unwrap.hpp"
 
 namespace thaw {
 namespace {
@@ -18,7 +18,7 @@ struct Record {
   Vec3d anchor{};     // position of the particle that labels it
   int ranks = 0;      // number of ranks with rows of it
   Sectors sectors{};  // occupied sectors of periodic axes
-  PeriodicCut piece;     // position across periodic sides
+  PeriodicCut piece;  // position across periodic sides
 };
 
 enum Sum {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/surface/drop_surfels.hpp"
 #include "core/surface/gather_words.hpp"
-#include "core/surface/mixed_bins.hpp"
+#include "core/surface/multi_label_bins.hpp"
+#include "core/surface/remove_surfels.hpp"
 
 namespace thaw {
 namespace {
@@ -104,21 +104,22 @@ std::vector<Pair> contactPairs(const World& w, Reducer& all, const ComponentTool
   std::vector<Pair> pairs;
   if (w.scene.surface.merge != MergeRule::None && several)
     forMultiLabel(c.particleBins,
-             multiLabelBins(c.particleBins, p.component.data(), c.surfelBins, s.surfels.component.data(),
-                       particleContactReach(w)),
-             [&](std::uint32_t i) {
-               if (i >= p.owned) return;
-               findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true, particleContactReach(w),
-                         t.inside, t.sides);
-               for (const SurfaceSide& side : t.sides) {
-                 if (side.discsUsed < leastDiscs || side.distance >= touchLength * w.scene.spacing) continue;
-                 const bool liquid = side.liquid > 0.5 || (p.liquid.active && p.liquid[i] > 0.5f);
-                 if (w.scene.surface.merge == MergeRule::Liquid && !liquid) continue;
-                 if (side.distance >= 0 && !(liquid && touches(w, c, i, side.component, t))) continue;
-                 pairs.push_back(
-                     {std::min(side.component, p.component[i]), std::max(side.component, p.component[i])});
-               }
-             });
+                  multiLabelBins(c.particleBins, p.component.data(), c.surfelBins, s.surfels.component.data(),
+                                 particleContactReach(w)),
+                  [&](std::uint32_t i) {
+                    if (i >= p.owned) return;
+                    findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true,
+                              particleContactReach(w), t.inside, t.sides);
+                    for (const SurfaceSide& side : t.sides) {
+                      if (side.discsUsed < leastDiscs || side.distance >= touchLength * w.scene.spacing)
+                        continue;
+                      const bool liquid = side.liquid > 0.5 || (p.liquid.active && p.liquid[i] > 0.5f);
+                      if (w.scene.surface.merge == MergeRule::Liquid && !liquid) continue;
+                      if (side.distance >= 0 && !(liquid && touches(w, c, i, side.component, t))) continue;
+                      pairs.push_back({std::min(side.component, p.component[i]),
+                                       std::max(side.component, p.component[i])});
+                    }
+                  });
   const auto unique = [&] {
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -164,7 +165,8 @@ void classifySurfel(const World& w, std::uint32_t i, const Joined& joined, Compo
 
 /// Classifies an owned surfel of a joining component at some distance from the other surface: whether the
 /// other's particles shape the common surface here, and whether it lies deep inside the other.
-void classifyJoining(const Surface& s, std::uint32_t i, const Bins& joining, ComponentTools& c, MergeTools& t) {
+void classifyJoining(const Surface& s, std::uint32_t i, const Bins& joining, ComponentTools& c,
+                     MergeTools& t) {
   const Surfels& f = s.surfels;
   int seen = 0;
   double nearest2 = never;
@@ -194,10 +196,11 @@ void classifyAllJoining(const Surface& s, const Joined& joined, ComponentTools& 
     joins[i] = joined.joins(f.component[i]), t.into[i] = joined.of(f.component[i]);
   Bins joining;
   pickRows(c.surfelBins, joins.data(), joining);
-  forMultiLabel(joining, multiLabelBins(joining, f.component.data(), joining, f.component.data(), s.particleSupport),
-           [&](std::uint32_t i) {
-             if (i < f.owned) classifyJoining(s, i, joining, c, t);
-           });
+  forMultiLabel(joining,
+                multiLabelBins(joining, f.component.data(), joining, f.component.data(), s.particleSupport),
+                [&](std::uint32_t i) {
+                  if (i < f.owned) classifyJoining(s, i, joining, c, t);
+                });
 }
 
 }  // namespace
@@ -221,10 +224,11 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   t.open.assign(f.owned, 0);
   if (several) {
     forMultiLabel(c.surfelBins,
-             multiLabelBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(), surfelContactReach(w)),
-             [&](std::uint32_t i) {
-               if (i < f.owned) classifySurfel(w, i, joined, c, t);
-             });
+                  multiLabelBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(),
+                                 surfelContactReach(w)),
+                  [&](std::uint32_t i) {
+                    if (i < f.owned) classifySurfel(w, i, joined, c, t);
+                  });
     classifyAllJoining(s, joined, c, t);
   }
   std::copy(t.moved.begin(), t.moved.end(), f.position.data());

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/setup/make_grid.hpp"
-#include "core/surface/cover_bare.hpp"
+#include "core/surface/resurface_exposed.hpp"
 
 namespace thaw {
 
@@ -25,16 +25,34 @@ void prepareSurface(World& w) {
 
 void activateSurfaceFields(Surface& s, const Modules& m, bool walls) {
   Surfels& f = s.surfels;
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{
-           &f.id,      &f.position,  &f.normal, &f.tangent, &f.radius,     &f.component,
-           &f.colour,  &f.detail,    &f.resampleMargin,   &f.cell,    &f.nextCell,   &f.linkRadius2,
-           &f.nearest, &f.toNearest, &f.part,   &f.area,    &f.facets,     &f.bulge,
-           &f.rim,     &f.wanted,    &f.resampleFlags,   &f.candidateOffset,   &f.candidateNormal})
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.id,
+                                                        &f.position,
+                                                        &f.normal,
+                                                        &f.tangent,
+                                                        &f.radius,
+                                                        &f.component,
+                                                        &f.colour,
+                                                        &f.detail,
+                                                        &f.resampleMargin,
+                                                        &f.cell,
+                                                        &f.nextCell,
+                                                        &f.linkRadius2,
+                                                        &f.nearest,
+                                                        &f.toNearest,
+                                                        &f.part,
+                                                        &f.area,
+                                                        &f.facets,
+                                                        &f.bulge,
+                                                        &f.rim,
+                                                        &f.wanted,
+                                                        &f.resampleFlags,
+                                                        &f.candidateOffset,
+                                                        &f.candidateNormal})
     f.activate(*c);
   SurfaceParticles& p = s.particles;
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{
-           &p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.volumeRatio, &p.mass, &p.body, &p.source,
-           &p.cell, &p.nextCell, &p.gradient, &p.colour, &p.smoothColour, &p.part})
+           &p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.volumeRatio, &p.mass, &p.body,
+           &p.source, &p.cell, &p.nextCell, &p.gradient, &p.colour, &p.smoothColour, &p.part})
     p.activate(*c);
   // Otherwise the surface is only carried along.
   if (m.melting || m.fluid) {
@@ -44,8 +62,8 @@ void activateSurfaceFields(Surface& s, const Modules& m, bool walls) {
   }
   if (m.solid) {
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.covered, &p.referencePosition}) p.activate(*c);
-    for (AnyColumn* c :
-         std::initializer_list<AnyColumn*>{&f.hasReference, &f.referencePosition, &f.referenceNormal, &f.referenceTangent})
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.hasReference, &f.referencePosition,
+                                                          &f.referenceNormal, &f.referenceTangent})
       f.activate(*c);
   }
   if (walls) {

@@ -6,13 +6,13 @@
 
 #include "core/surface/active_surfels.hpp"
 #include "core/surface/field_probe.hpp"
-#include "core/surface/keep_out.hpp"
-#include "core/surface/leap.hpp"
 #include "core/surface/near_sheets.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "core/surface/project_distant.hpp"
 #include "core/surface/surfel_move.hpp"
 #include "core/surface/update_surface.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -103,7 +103,8 @@ ForceSums sumsOf(const World& w, SurfaceTools& t) {
   in.sameSide = 0.70710678f;
   in.perSide = 10;
   in.apart = static_cast<float>(twoSheets);
-  if (r.gapCutoffs.any) in.gapCutoff = r.gapCutoffs.height.data(), in.groupHasGapCutoff = r.gapCutoffs.ofGroup.data();
+  if (r.gapCutoffs.any)
+    in.gapCutoff = r.gapCutoffs.height.data(), in.groupHasGapCutoff = r.gapCutoffs.ofGroup.data();
   in.overSurfels = r.overSurfels.data();
   in.overParticles = r.overParticles.data();
   return in;
@@ -121,10 +122,12 @@ void listMovingGroups(const GroupLists& l, const Surfels& f, std::vector<std::ui
 }
 
 /// Keeps groups with a surfel that has a moving surfel within h_ss, or moves itself.
-void keepMovingGroups(const GroupLists& l, const float* sums, int channels, std::vector<std::uint32_t>& groups) {
+void keepMovingGroups(const GroupLists& l, const float* sums, int channels,
+                      std::vector<std::uint32_t>& groups) {
   std::erase_if(groups, [&](std::uint32_t g) {
-    const float* movedNearby = sums +
-                           (static_cast<std::size_t>(g) * static_cast<std::size_t>(channels) + MovedNearby) * 8;
+    const float* movedNearby = sums + (static_cast<std::size_t>(g) * static_cast<std::size_t>(channels) +
+                                       MovedNearby) *
+                                          8;
     return std::none_of(movedNearby, movedNearby + l.lanes[g], [](float x) { return x > 0; });
   });
 }
@@ -139,7 +142,7 @@ SurfelSums sumsAt(const ForceSums& in, std::uint32_t g, int lane) {
 }  // namespace
 
 RelaxationResult relaxSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights& weights,
-               std::int64_t iterations, bool all) {
+                              std::int64_t iterations, bool all) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   RelaxTools& r = t.relax;

@@ -5,7 +5,7 @@
 
 #include "core/particles/column.hpp"
 #include "core/surface/bins.hpp"
-#include "core/surface/gap_ceilings.hpp"
+#include "core/surface/gap_cutoffs.hpp"
 #include "core/surface/group_lists.hpp"
 #include "core/surface/level_table.hpp"
 #include "core/surface/surface_kernels.hpp"
@@ -29,7 +29,7 @@ struct RelaxTools {
   bool particlesPrepared = false;
   LevelTable level;
   const SurfaceKernels* kernels = surfaceKernels();
-  std::vector<std::uint64_t> only;      ///< components, ascending, that iterations move; empty: all
+  std::vector<std::uint64_t> only;            ///< components, ascending, that iterations move; empty: all
   std::vector<ComponentIsoOffset> isoOffset;  ///< ascending by component
   Bins surfelBins, particleBins, gapBins;
   GroupLists lists;

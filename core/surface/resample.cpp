@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "core/math/hash_random.hpp"
+#include "core/surface/active_set.hpp"
 #include "core/surface/adapt_density.hpp"
 #include "core/surface/births.hpp"
-#include "core/surface/empty_place.hpp"
-#include "core/surface/follow_start.hpp"
 #include "core/surface/grow.hpp"
-#include "core/surface/open_region.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/reference_motion.hpp"
 #include "core/surface/sample_mesh.hpp"
+#include "core/surface/sampling_density.hpp"
 #include "core/surface/small_drops.hpp"
 #include "core/surface/update_surface.hpp"
 
@@ -96,8 +96,8 @@ struct Round {
       patch.fitCurvature();
       std::optional<SurfacePoint> place = uncoveredPoint(
           patch, ((hasReference(s, i) || (!start && carriesDetail(s, i))) && !atSeam(patch) ? emptyAtSolid
-                  : c.thin                                                             ? emptyAtThin
-                                                                                       : emptyAt) *
+                  : c.thin                                                                  ? emptyAtThin
+                                                                                            : emptyAt) *
                      s.radius[i]);
       if (!place) continue;
       if (hasReference(s, i) && !stretched(patch)) {
@@ -261,8 +261,8 @@ void excludeSmallDrops(const Surface& surface, Surfels& s) {
 }
 
 std::int64_t countOpen(const Surfels& s, Reducer& all) {
-  std::int64_t open[1] = {
-      std::count_if(s.resampleMargin.data(), s.resampleMargin.data() + s.owned, [](float resampleMargin) { return resampleMargin == 0; })};
+  std::int64_t open[1] = {std::count_if(s.resampleMargin.data(), s.resampleMargin.data() + s.owned,
+                                        [](float resampleMargin) { return resampleMargin == 0; })};
   all.sum(open);
   return open[0];
 }
@@ -272,8 +272,9 @@ void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, ActiveSet&
   Surfels& s = *r.table;
   CellTable& cells = region.taken ? region.cells : surface.surfelCells;
   placeRows(surface.grid, halos.surfels, s, cells, t.sort);
-  ColumnList columns{&s.id,     &s.position, &s.normal, &s.radius,   &s.component, &s.colour,
-                     &s.detail, &s.resampleMargin,     &s.liquid, &s.maxLiquidFraction, &s.detailHeight,      &s.temperature};
+  ColumnList columns{&s.id,           &s.position,   &s.normal,         &s.radius, &s.component,
+                     &s.colour,       &s.detail,     &s.resampleMargin, &s.liquid, &s.maxLiquidFraction,
+                     &s.detailHeight, &s.temperature};
   if (s.hasReference.active)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.hasReference, &s.tangent, &s.referencePosition,
                                                           &s.referenceNormal, &s.referenceTangent})
@@ -285,7 +286,8 @@ void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, ActiveSet&
 
 }  // namespace
 
-void markForInspection(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>& marked, double spacing) {
+void markForInspection(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>& marked,
+                       double spacing) {
   const double far = 3 * spacing;
   for (std::size_t i = 0; i < s.size(); i++) {
     if (!marked[i]) continue;
@@ -381,7 +383,8 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     done.deaths += count[2];
     const std::vector<SurfelRow> born = r.births(parents);
     std::vector<double> depth;
-    for (const std::uint32_t i : parents) depth.push_back(region.taken ? s.depth[i] + length(s.candidateOffset[i]) : 0);
+    for (const std::uint32_t i : parents)
+      depth.push_back(region.taken ? s.depth[i] + length(s.candidateOffset[i]) : 0);
     s.resize(s.owned, 0);
     if (stay.size() < s.owned) s.reorder(stay);
     if (count[1] == 0) continue;

@@ -14,7 +14,8 @@ void sortInPlace(const CellGrid& grid, Rows& rows, CellTable& cells, SortBuffers
 
 /// Partitions the domain by owned rows, without ghost cells in `cells`. Returns whether the partition
 /// changed.
-template<class Rows> bool partitionByRows(const Rows& rows, const CellTable& cells, SurfaceHalos halos, bool force) {
+template<class Rows>
+bool partitionByRows(const Rows& rows, const CellTable& cells, SurfaceHalos halos, bool force) {
   CellTable own;
   std::vector<double> cost;
   for (std::size_t c = 0; c < cells.key.size(); c++) {

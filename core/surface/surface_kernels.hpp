@@ -58,7 +58,7 @@ struct ForceSums {
   float repelRange = 0;           ///< range of repulsion over the mean radius of two surfels
   float sameSide = 0;             ///< least cosine of the angle between normals for smoothing
   /// surfels: gap cutoff, the height above their plane from which on particles are across a gap
-  /// (gap_ceilings.hpp), or infinity
+  /// (gap_cutoffs.hpp), or infinity
   const float* gapCutoff = nullptr;
   /// flags of groups with a finite gap cutoff; null: none
   const std::uint8_t* groupHasGapCutoff = nullptr;

@@ -205,7 +205,7 @@ void pack(const Surfels& f, AreaLists& l) {
 
 /// Clips the cell of a surfel with a neighbour across an edge, or beside a hole or rim.
 void clipAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near,
-              std::vector<std::uint32_t>& ring) {
+               std::vector<std::uint32_t>& ring) {
   near.clear();
   ring.clear();
   forRowsWithin(bins, f.position[i], reach * f.radius[i] + slack, [&](std::uint32_t j, double) {

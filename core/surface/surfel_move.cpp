@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/math/hash_random.hpp"
-#include "core/surface/keep_out.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -94,12 +94,14 @@ MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeig
 }
 
 double isoOffsetOf(const std::vector<ComponentIsoOffset>& isoOffset, std::uint64_t component) {
-  const auto at = std::lower_bound(isoOffset.begin(), isoOffset.end(), component,
-                                   [](const ComponentIsoOffset& p, std::uint64_t c) { return p.component < c; });
+  const auto at = std::lower_bound(
+      isoOffset.begin(), isoOffset.end(), component,
+      [](const ComponentIsoOffset& p, std::uint64_t c) { return p.component < c; });
   return at != isoOffset.end() && at->component == component ? at->by : 0;
 }
 
-NormalForce normalForceOn(const World& w, const MoveContext& c, const SurfelSums& s, double isoOffset, std::size_t i) {
+NormalForce normalForceOn(const World& w, const MoveContext& c, const SurfelSums& s, double isoOffset,
+                          std::size_t i) {
   NormalForce p;
   Vec3d normal = w.surface.surfels.normal[i], force{};
   // Colour field: its gradient points into the body.
@@ -141,7 +143,7 @@ NormalForce normalForceOn(const World& w, const MoveContext& c, const SurfelSums
       const double out = (colour - c.isoScale * level) / (slope * length(whole));
       // Surfels on a wall stay there when the component is drawn in.
       const bool stopped = isoOffset < 0 && out > 0 &&
-                        inWall(w, w.surface.surfels.position[i] + std::min(out, c.longest) * p.outward);
+                           inWall(w, w.surface.surfels.position[i] + std::min(out, c.longest) * p.outward);
       const double height = std::clamp(stopped ? out : out + isoOffset, -c.longest, c.longest);
       force += c.weights.implicit * height * p.outward;
       // Attraction acts only beyond the depth of the mean particle at any surface, so that the iso-surface is

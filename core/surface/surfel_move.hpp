@@ -53,8 +53,8 @@ struct NormalForce {
   double least = 0;           ///< m, least move into the body
   bool known = false, flipped = false, keptNormal = false;
 };
-NormalForce normalForceOn(const World& world, const MoveContext& context, const SurfelSums& sums, double isoOffset,
-            std::size_t i);
+NormalForce normalForceOn(const World& world, const MoveContext& context, const SurfelSums& sums,
+                          double isoOffset, std::size_t i);
 
 /// Moves surfel i, rotates its frame, and sets Surfels::moving.
 void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double isoOffset,

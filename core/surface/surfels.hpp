@@ -30,8 +30,8 @@ struct Surfels : Table {
   Column<float> liquid{*this, "liquid", "1", Keep::State,
       "liquid fraction of the surrounding particles: weight of the surface update (K05 4.5)"};
   Column<float> maxLiquidFraction{*this, "softened", "1", Keep::State,
-      "largest liquid fraction since it was solid, which has faded its detail (blend.hpp); 0: none yet. "
-      "Only with solids that melt"};
+      "largest liquid fraction since it was solid, which has faded its detail (blend.hpp); 0: none yet. Only "
+      "with solids that melt"};
   Column<float> detailHeight{*this, "mark", "m", Keep::State,
       "remaining height of detail over the smooth surface, where softened > 0"};
   Column<float> temperature{*this, "temperature", "K", Keep::State,
@@ -39,11 +39,10 @@ struct Surfels : Table {
   Column<float> resampleMargin{*this, "calm", "1", Keep::State,
       "remaining strain and moves in radii before resampling inspects its surroundings; 0: at once"};
   Column<std::uint8_t> hasReference{*this, "follows", "1", Keep::State,
-      "1: it has a reference position and frame (follow_start.hpp); only with solids"};
+      "1: it has a reference position and frame (reference_motion.hpp); only with solids"};
   Column<Vec3d> referencePosition{*this, "startPlace", "m", Keep::State, "reference position"};
   Column<Vec3d> referenceNormal{*this, "startNormal", "1", Keep::State, "reference normal"};
-  Column<Vec3d> referenceTangent{*this, "startTangent", "1", Keep::State,
-      "reference tangent"};
+  Column<Vec3d> referenceTangent{*this, "startTangent", "1", Keep::State, "reference tangent"};
   Column<Vec3d> wallOffset{*this, "pressed", "m", Keep::State,
       "displacement of a solid's surfel by walls from its position on the body; only with walls"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
@@ -54,7 +53,7 @@ struct Surfels : Table {
   Column<float> stepShare{*this, "pace", "1", Keep::State,
       "fraction of the last step along its normal; negative: into the body; 0: none yet"};
   Column<float> gapCutoff{*this, "ceiling", "m", Keep::State,
-      "height over its plane above which particles are across a gap (gap_ceilings.hpp); infinity: no gap"};
+      "height over its plane above which particles are across a gap (gap_cutoffs.hpp); infinity: no gap"};
   Column<std::uint8_t> wallAligned{*this, "standing", "1", Keep::State,
       "1: rests on a wall that it faces during iterations (findStanding); only with walls"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State,
@@ -73,8 +72,7 @@ struct Surfels : Table {
   Column<Vec3d> toNearest{*this, "toNearest", "m", Keep::Transient, "from the surfel to that particle"};
   Column<std::uint64_t> part{*this, "part", "1", Keep::Transient,
       "label of its connected part; top bit set: a part without particles"};
-  Column<double> area{*this, "area", "m^2", Keep::Transient,
-      "area of its cell, at the end of an update"};
+  Column<double> area{*this, "area", "m^2", Keep::Transient, "area of its cell, at the end of an update"};
   Column<Vec3d> facets{*this, "facets", "m^2", Keep::Transient,
       "part of the vector areas of the facets between it and its neighbours (facets.hpp)"};
   Column<double> bulge{*this, "bulge", "m^3", Keep::Transient,
@@ -90,8 +88,10 @@ struct Surfels : Table {
   Column<std::uint8_t> resampleFlags{*this, "wish", "1", Keep::Transient,
       "resampling flags: 1 birth candidate, 2 crowded, 4 precedes all that are too close, 8 dies or gives "
       "birth"};
-  Column<Vec3d> candidateOffset{*this, "offer", "m", Keep::Transient, "vector from the surfel to the birth candidate"};
-  Column<Vec3d> candidateNormal{*this, "offerNormal", "1", Keep::Transient, "surface normal at the candidate"};
+  Column<Vec3d> candidateOffset{*this, "offer", "m", Keep::Transient,
+      "vector from the surfel to the birth candidate"};
+  Column<Vec3d> candidateNormal{*this, "offerNormal", "1", Keep::Transient,
+      "surface normal at the candidate"};
   // clang-format on
 };
 

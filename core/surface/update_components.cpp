@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "core/surface/keep_out.hpp"
-#include "core/surface/keep_volume.hpp"
+#include "core/surface/enforce_volume.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
 #include "core/surface/surfel_area.hpp"
 #include "core/surface/update_surface.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -46,7 +46,7 @@ void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
 /// Passes the offset of a component to its separated parts, limited to leastOffset: a further level rise
 /// belongs to the component itself.
 void inheritIsoOffset(Surface& s, double spacing, const std::vector<SurfaceComponent>& before,
-                   const ComponentTools& c) {
+                      const ComponentTools& c) {
   const auto find = [&](std::uint64_t label) {
     const auto at = std::lower_bound(before.begin(), before.end(), label,
                                      [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });

@@ -1,20 +1,20 @@
 #include "core/surface/update_surface.hpp"
 
 #include "core/surface/blend.hpp"
-#include "core/surface/clear_specks.hpp"
-#include "core/surface/cover_bare.hpp"
+#include "core/surface/clear_isolated_colours.hpp"
 #include "core/surface/displace.hpp"
-#include "core/surface/follow_start.hpp"
+#include "core/surface/enforce_volume.hpp"
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/grow.hpp"
-#include "core/surface/keep_out.hpp"
-#include "core/surface/keep_volume.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "core/surface/reference_motion.hpp"
 #include "core/surface/relax.hpp"
 #include "core/surface/resume_surface.hpp"
+#include "core/surface/resurface_exposed.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/update_components.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -128,8 +128,8 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
     resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);
   listIsoOffsets(w, t.relax.isoOffset);
-  const RelaxationResult settled = relaxSurfels(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations,
-                                 false);
+  const RelaxationResult settled = relaxSurfels(w, halos, t, forceWeights(w.scene.surface),
+                                                w.scene.surface.iterations, false);
   dropReferences(s.surfels);
   deactivate(s.surfels.relaxesOnce);
   s.counters.iterations += settled.iterations;

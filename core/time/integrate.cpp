@@ -35,14 +35,16 @@ bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   const double half = 0.5 * dt;
   recordImpulses(w, half);
   const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces act for half a substep
-  const bool smoothed = p.shiftingVelocity.active, shifted = w.modules.shifting, substeps = w.clock.substeps > 1;
+  const bool smoothed = p.shiftingVelocity.active, shifted = w.modules.shifting,
+             substeps = w.clock.substeps > 1;
   const Vec3d g = w.scene.domain.gravity;
   const OpenBox box = openBox(w.scene.domain);
   bool leaves = false;
   for (const RowSpan& range : rows)
     for (std::size_t i = range.begin; i < range.end; i++) {
       if (shifted)  // work against position-dependent forces; not against pressure if the density is carried
-        p.dissipated[i] += p.mass[i] * dt * dot(w.modules.continuity ? g : p.acceleration[i], p.shiftingVelocity[i]);
+        p.dissipated[i] += p.mass[i] * dt *
+                           dot(w.modules.continuity ? g : p.acceleration[i], p.shiftingVelocity[i]);
       p.velocity[i] += p.acceleration[i] * half;
       if (substeps) {
         if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);

@@ -197,7 +197,8 @@ void addWallRelativeDensity(const WallContext& x, double perLatticeSum, WallCont
       if (own > 0) relativeDensity += contacts.added[end - begin] / own * t.relativeDensity;
     }
     const std::uint32_t i = list[begin].row;
-    p.relativeDensity[i] = static_cast<float>(static_cast<double>(p.relativeDensity[i]) + perLatticeSum * relativeDensity);
+    p.relativeDensity[i] = static_cast<float>(static_cast<double>(p.relativeDensity[i]) +
+                                              perLatticeSum * relativeDensity);
   }
 }
 

@@ -97,7 +97,8 @@ WallIntegrals forLiquids(const WallIntegrals& w, double filling0) {
   WallIntegrals felt = w;
   felt.space = w.relativeDensity;
   if (filling0 > 0)
-    felt.relativeDensity = w.relativeDensity * w.relativeDensity / filling0, felt.push = w.push * 2 * w.relativeDensity / filling0;
+    felt.relativeDensity = w.relativeDensity * w.relativeDensity / filling0,
+    felt.push = w.push * 2 * w.relativeDensity / filling0;
   return felt;
 }
 
@@ -112,7 +113,8 @@ WallTables makeWallTables(const Numerics& n) {
     const double d = t.lowest + (1 - t.lowest) * k / WallTables::points;
     t.at.push_back(forLiquids(scaled(rawIntegrals(n, d), drag, conduct), filling0));
     if (d < softFrom)
-      t.at.back().relativeDensity = soft.relativeDensity + soft.push * (softFrom - d), t.at.back().push = soft.push;
+      t.at.back().relativeDensity = soft.relativeDensity + soft.push * (softFrom - d),
+      t.at.back().push = soft.push;
   }
   return t;
 }

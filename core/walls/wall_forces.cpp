@@ -22,9 +22,9 @@ double overStep(double r, double dt) {
 
 /// Forces of walls on one particle.
 struct WallAction {
-  Vec3d force{};      ///< N, total
+  Vec3d force{};             ///< N, total
   Vec3d dissipativeForce{};  ///< N, dissipative part: drag, dashpot, friction
-  double lost = 0;    ///< W, loss by resisting at the half-step velocity
+  double lost = 0;           ///< W, loss by resisting at the half-step velocity
   void resist(const Vec3d& f, const Vec3d& u) {
     force += f;
     dissipativeForce += f;
@@ -75,8 +75,8 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double perL
     if (w.modules.continuity)
       act.resist(n * hydrostaticWallForce(w, at, pressure, perLatticeSum * t.momentShare), at.velocity);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed *
-                                      soundSpeedFactor(w.scene.numerics.eos, relativeDensity) * perLatticeSum *
-                                      t.push / h);
+                                      soundSpeedFactor(w.scene.numerics.eos, relativeDensity) *
+                                      perLatticeSum * t.push / h);
   }
   if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w, at.contact);
   if (at.wall.slip || w.modules.implicitViscosity) return;
@@ -173,8 +173,8 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
     for (; c < list.size() && list[c].row == i; c++) {
       const Wall& wall = w.walls.list[list[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
-      const ParticleAtWall at{list[c],          wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density,
-                       p.velocity[i] - v};
+      const ParticleAtWall at{
+          list[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v};
       if (at.liquid > 0) addLiquidForces(x, at, perLatticeSum, act, contacts.stiffest);
       const WallAction slow = act;
       addContactForces(substeps ? shorter : x, at, p, act);
@@ -254,8 +254,8 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
   for (const WallContact& c : contacts.list) {
     const WallIntegrals t = x.tables(c.distance / h);
     if (p.freeSurfaceIndicator.active)
-      p.freeSurfaceIndicator[c.row] = static_cast<float>(
-          std::max(0.0, static_cast<double>(p.freeSurfaceIndicator[c.row]) - coveredScale * t.push * c.share));
+      p.freeSurfaceIndicator[c.row] = static_cast<float>(std::max(
+          0.0, static_cast<double>(p.freeSurfaceIndicator[c.row]) - coveredScale * t.push * c.share));
     const Obstacle& o = w.walls.list[c.wall].properties;
     if (!o.temperature || x.sleeps(c.row)) continue;
     const Material& m = w.scene.materials[p.material[c.row]];

@@ -18,7 +18,8 @@ struct WallContext {
   double fast = 1;  ///< 1 / substeps: contact of solids acts for this fraction of dt now; addSubstepContacts
                     ///< does the rest
   const std::vector<std::uint8_t>* steady = nullptr;  ///< by owned row: sleeping with unchanged sums
-                                                    ///< (core/sleep/), so without force and heat; null: none
+                                                      ///< (core/sleep/), so without force and heat; null:
+                                                      ///< none
   bool sleeps(std::size_t i) const { return steady && (*steady)[i]; }
 };
 

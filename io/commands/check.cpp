@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/body_types/body_types.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/shape_volume.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/memory.hpp"
 #include "core/scene/material_use.hpp"
@@ -116,7 +116,7 @@ double emittedAtEnd(const Scene& s, const StepTools& t) {
 
 /// Returns suggestions for the scene with the results of their trials. Collective.
 std::vector<std::string> testedSuggestions(const Communicator& comm, const CheckOptions& o, const World& w,
-                                     double particles) {
+                                           double particles) {
   const std::vector<Suggestion> all = frontierAdvice(w.scene, w.modules);
   std::vector<std::string> lines;
   if (all.empty()) return lines;
@@ -208,7 +208,8 @@ int checkAll(const CheckOptions& o) {
               s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end,
               s.output.every);
   for (const std::string& line : sceneWarnings(s)) std::printf("warning: %s\n", line.c_str());
-  for (const std::string& line : mergedSheetWarnings(s, surface.mergedSheets())) std::printf("warning: %s\n", line.c_str());
+  for (const std::string& line : mergedSheetWarnings(s, surface.mergedSheets()))
+    std::printf("warning: %s\n", line.c_str());
   for (const std::string& line : pieceWarnings(s, surface.pieces()))
     std::printf("warning: %s\n", line.c_str());
   for (const SceneWarning& k : sampled.warnings)

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/surface/update_surface.hpp"
-#include "parallel/row_courier.hpp"
+#include "parallel/row_scatter.hpp"
 
 namespace thaw {
 

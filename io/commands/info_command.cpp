@@ -12,9 +12,9 @@
 
 #include "core/ledger/totals.hpp"
 #include "io/commands/info_summary.hpp"
+#include "io/output/body_type_frame.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/damaged_rows.hpp"
-#include "io/output/kind_frame.hpp"
 #include "io/output/series.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/run_lock.hpp"

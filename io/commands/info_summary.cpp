@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 #include "io/commands/bytes_text.hpp"
 #include "io/commands/short_text.hpp"
-#include "io/run/process_mark.hpp"
+#include "io/run/process_identity.hpp"
 #include "io/run/run_lock.hpp"
 
 using Json = nlohmann::ordered_json;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double manyToSample = 5e4;     // particles on a surface: sampling takes some 20 s
 constexpr double leastSolidBytes = 600;  // lower bound for a solid particle's record with its bonds
-// The snapshot for retries has lower bounds of its own (core/watch/good_state.hpp).
+// The snapshot for retries has lower bounds of its own (core/monitor/snapshot.hpp).
 constexpr double pi = 3.14159265358979323846;
 constexpr double leastKeptBytes = 75, leastKeptSolidBytes = 400;
 
@@ -68,7 +68,7 @@ void refuseWideSurfels(const Scene& s, const std::vector<std::shared_ptr<const S
 }  // namespace
 
 std::vector<std::string> requireMemoryForBodyTypes(const Communicator& comm, const Scene& scene,
-                                             const MeshLoader& load) {
+                                                   const MeshLoader& load) {
   std::vector<std::string> slow;
   if (scene.oriented.empty() && scene.sheets.empty()) return slow;
   const double ranksHere = ranksOfMachine(comm), here = memoryHere();

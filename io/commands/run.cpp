@@ -14,7 +14,7 @@
 #include "io/commands/resolution_line.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/commands/short_text.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/run/ledger_log.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/retry.hpp"
@@ -159,7 +159,7 @@ int simulate(Run& r) {
     why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` continues from here",
                       o.atRest         ? "reached rest"
                       : o.relaxStopped ? "was stopped"
-                      : o.relaxStalled   ? "made no further progress"
+                      : o.relaxStalled ? "made no further progress"
                                        : "did not reach rest",
                       o.relaxed);
   } else if (code == exitDone && c.time < c.end) {
@@ -181,8 +181,8 @@ int simulate(Run& r) {
   for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.warn(w);
   for (const std::string& w : surfaceWarnings(r.summary.surface)) r.warn(w);
   if (earlierWarnings > 0)
-    r.say(fmt::format("{} warning{} above {} also in {}/summary.json", earlierWarnings, earlierWarnings == 1 ? "" : "s",
-                      earlierWarnings == 1 ? "is" : "are", r.options.out));
+    r.say(fmt::format("{} warning{} above {} also in {}/summary.json", earlierWarnings,
+                      earlierWarnings == 1 ? "" : "s", earlierWarnings == 1 ? "is" : "are", r.options.out));
   return code;
 }
 

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <memory>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 #include "core/ledger/report.hpp"
 #include "core/setup/setup.hpp"
 #include "io/commands/frontier.hpp"
 #include "io/commands/scene_for_all.hpp"
-#include "io/run/alarm_text.hpp"
+#include "io/run/failure_text.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <map>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 
 namespace thaw {
 namespace {
@@ -282,7 +282,8 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
     // first table with common ids
     if (result.rows == 0 && (&ta == a.tables.data() || !both.empty()))
       result.rows = both.size(), result.title = ta.title;
-    else if (ta.title == "surfels" || ta.title == bodyTypeNames[orientedType] || ta.title == bodyTypeNames[sheetType])
+    else if (ta.title == "surfels" || ta.title == bodyTypeNames[orientedType] ||
+             ta.title == bodyTypeNames[sheetType])
       result.kinds.push_back({ta.title, both.size()});
     if (ta.ids.empty() && tb->ids.empty()) continue;
     eachColumn(ta.title, ta.columns, tb->columns, result,

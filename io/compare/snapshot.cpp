@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "core/ledger/totals.hpp"
+#include "io/output/body_type_frame.hpp"
 #include "io/output/checkpoint.hpp"
-#include "io/output/kind_frame.hpp"
 
 namespace thaw {
 namespace {

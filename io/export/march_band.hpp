@@ -18,8 +18,8 @@ struct BandField {
 struct MarchedBand {
   static constexpr std::uint8_t onCap = 8;
   ComponentMesh mesh;
-  std::vector<std::uint8_t> fixedAxes;  ///< per vertex: bits of the axes on whose cut it lies, and onCap inside a
-                                   ///< cap
+  std::vector<std::uint8_t> fixedAxes;  ///< per vertex: bits of the axes on whose cut it lies, and onCap
+                                        ///< inside a cap
 };
 
 /// Marches all cubes that the surface crosses. At a cut the inside ends with a flat cap on the plane, with a

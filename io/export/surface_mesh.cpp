@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "io/export/march_band.hpp"
-#include "io/export/straddle.hpp"
+#include "io/export/offset_vertices.hpp"
 
 namespace thaw {
 

@@ -100,7 +100,7 @@ std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string
 }
 
 void removeFramesAfter(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries,
-                  double time) {
+                       double time) {
   std::vector<std::string> gone;
   for (; !entries.empty() && entries.back().time > time; entries.pop_back())
     gone.push_back(entries.back().name);

@@ -180,7 +180,8 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
                nullptr);
   }
   forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& r, const CellTable&) {
-    addColumns(content, std::string("/") + bodyTypeNames[kind], r, nullptr, spreadRows(comm, r.owned), nullptr);
+    addColumns(content, std::string("/") + bodyTypeNames[kind], r, nullptr, spreadRows(comm, r.owned),
+               nullptr);
   });
   std::vector<std::uint64_t> firstBond(order.firstBond.begin(), order.firstBond.end() - 1);
   for (std::uint64_t& f : firstBond) f += bonds.mine.first;
@@ -233,8 +234,8 @@ std::string snapshotFilePath(const std::string& out, std::int64_t step) {
   return out + "/checkpoint/good_" + std::to_string(step) + ".hdf";
 }
 
-std::string writeSnapshot(const std::string& out, MPI_Comm comm, const Snapshot& kept,
-                           const RunStamp& stamp, const CheckpointValues& values) {
+std::string writeSnapshot(const std::string& out, MPI_Comm comm, const Snapshot& kept, const RunStamp& stamp,
+                          const CheckpointValues& values) {
   const std::string path = snapshotFilePath(out, kept.world.clock.step);
   writeState(path, 0, comm, kept.world, &kept.particles, stamp, values);
   return path;

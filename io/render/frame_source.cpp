@@ -319,7 +319,7 @@ FrameView readFrameView(const fs::path& frame, const std::string& field, const P
 }
 
 FrameView readFullView(const fs::path& frame, const std::string& field, OrientedLook look, float spacing,
-                        const PeriodicSides& sides) {
+                       const PeriodicSides& sides) {
   const FrameInfo info = readFrameInfo(frame.string());
   if (isOrientedFrame(info)) {
     FrameView view;

@@ -45,7 +45,8 @@ Vec3d normalWhereCrossed(const SignedDistance& shape, const Ray& ray, double fro
 /// Marches through all surfaces between `from` and `to` (m along the ray); reflection grows at grazing angles
 /// (Schlick 1994). `up` is the direction of light; `step` (m) is the thickness below which walls may be
 /// missed.
-GlassLayer walk(const SignedDistance& shape, const Ray& ray, double from, double to, const Vec3d& up, double step) {
+GlassLayer walk(const SignedDistance& shape, const Ray& ray, double from, double to, const Vec3d& up,
+                double step) {
   GlassLayer veil;
   double through = 1, t = from, last = from, before = 1;
   for (int n = 0; n < 160 && t < to; n++) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/walls/walls.hpp"
-#include "io/export/whole_component.hpp"
+#include "io/export/unwrap_component.hpp"
 #include "io/render/render_surfels.hpp"
 
 namespace thaw {

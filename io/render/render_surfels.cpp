@@ -161,7 +161,8 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
 }
 
 /// Returns clips for undivided discs, which end at edges; parts lie on the surface and need none.
-DiscClips clipsOfUndivided(const DrawnSurfels& s, const SplatDiscs& parts, std::span<const std::uint8_t> seen) {
+DiscClips clipsOfUndivided(const DrawnSurfels& s, const SplatDiscs& parts,
+                           std::span<const std::uint8_t> seen) {
   std::vector<std::uint8_t> wanted(s.positions.size(), 0);
   const auto whole = [&](std::size_t k) { return parts.radii[k] == parts.whole[parts.of[k]]; };
   for (std::size_t k = 0; k < seen.size(); k++)

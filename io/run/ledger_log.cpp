@@ -7,7 +7,7 @@
 #include "core/ledger/report.hpp"
 #include "core/ledger/stored_parts.hpp"
 #include "core/time/limits.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/step_log.hpp"
 
@@ -117,7 +117,9 @@ std::string ledgerLogPath(const std::string& out) { return out + "/ledger.csv"; 
 
 void beginLedgerLog(const std::string& out) { replaceTextFile(ledgerLogPath(out), head()); }
 
-void truncateLedgerLog(const std::string& out, std::int64_t step) { truncateStepLog(ledgerLogPath(out), head(), step); }
+void truncateLedgerLog(const std::string& out, std::int64_t step) {
+  truncateStepLog(ledgerLogPath(out), head(), step);
+}
 
 bool ledgerRowDue(const World& w, double before) {
   const double every = w.scene.output.ledgerEvery;

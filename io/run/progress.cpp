@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/duration_text.hpp"
 #include "io/run/step_log.hpp"

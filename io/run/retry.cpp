@@ -4,16 +4,16 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/monitor/snapshot.hpp"
 #include "core/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
-#include "core/watch/good_state.hpp"
-#include "io/hdf5/agree.hpp"
-#include "io/run/alarm_text.hpp"
-#include "io/run/kind_run.hpp"
-#include "io/run/kind_suspect.hpp"
+#include "io/hdf5/collective_error.hpp"
+#include "io/run/body_type_run.hpp"
+#include "io/run/body_type_suspect.hpp"
+#include "io/run/failure_text.hpp"
 #include "io/run/ledger_log.hpp"
 #include "io/run/progress.hpp"
-#include "io/run/scene_marks.hpp"
+#include "io/run/restart_record.hpp"
 #include "io/run/surface_run.hpp"
 
 namespace thaw {
@@ -141,8 +141,8 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
   double kinds = ofKinds.empty() ? 0 : 1;
   r.all.maximum({&kinds, 1});
   std::string what = broadcastFromOwner(r.comm, kinds > 0 ? ofKinds
-                                       : s.here  ? failureText(w, r.tools, failed, s)
-                                                 : std::string());
+                                                : s.here  ? failureText(w, r.tools, failed, s)
+                                                          : std::string());
   if (what.empty()) what = failedCheck(w, r.tools, failed) + "; no single particle is responsible";
   const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time,
                                        clock.stepDt);

@@ -1,4 +1,4 @@
-// Rollback: the snapshots of a run, and the response to failures that the stability monitor (core/watch/)
+// Rollback: the snapshots of a run, and the response to failures that the stability monitor (core/monitor/)
 // finds. All functions are collective.
 #pragma once
 #include "io/run/run_state.hpp"

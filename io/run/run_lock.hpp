@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "io/run/process_mark.hpp"
+#include "io/run/process_identity.hpp"
 
 namespace thaw {
 

@@ -7,24 +7,24 @@
 #include <filesystem>
 #include <span>
 
-#include "core/sleep/unrest.hpp"
+#include "core/monitor/interpenetration.hpp"
+#include "core/sleep/awake_reason.hpp"
 #include "core/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/time/limits.hpp"
-#include "core/watch/sunken.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/output/earlier_run.hpp"
 #include "io/output/frame_fields.hpp"
-#include "io/run/fits_scene.hpp"
-#include "io/run/kind_run.hpp"
+#include "io/run/body_type_run.hpp"
 #include "io/run/ledger_log.hpp"
-#include "io/run/mark_places.hpp"
-#include "io/run/mesh_marks.hpp"
+#include "io/run/mesh_fingerprints.hpp"
 #include "io/run/progress.hpp"
-#include "io/run/scene_marks.hpp"
+#include "io/run/restart_places.hpp"
+#include "io/run/restart_record.hpp"
 #include "io/run/surface_run.hpp"
 #include "io/run/trace_file.hpp"
+#include "io/run/validate_restart.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_warnings.hpp"
 
@@ -146,11 +146,11 @@ void writeParticleFrame(Run& r) {
 std::string sleepText(Run& r) {
   if (!r.world.modules.sleep) return "";
   std::array<std::int64_t, 2 + awakeReasons> counts{r.world.counters.asleep,
-                                               static_cast<std::int64_t>(r.world.particles.owned)};
+                                                    static_cast<std::int64_t>(r.world.particles.owned)};
   std::ranges::copy(countAwake(r.world), counts.begin() + 2);
   r.all.sum(counts);
   constexpr const char* words[awakeReasons] = {"have awake neighbours", "are not solid", "move", "accelerate",
-                                          "are warmed"};
+                                               "are warmed"};
   std::string why;
   std::int64_t held = counts[1] - counts[0];
   for (const std::size_t k : {1u, 2u, 3u, 4u, 0u}) {
@@ -210,17 +210,19 @@ void warnOfUnused(Run& r) {
 
 void warnOfInterpenetration(Run& r) {
   const World& w = r.world;
-  if (w.modules.oriented && r.obstacleInterpenetrationWarned.size() < w.scene.oriented.size() * w.walls.list.size())
+  if (w.modules.oriented &&
+      r.obstacleInterpenetrationWarned.size() < w.scene.oriented.size() * w.walls.list.size())
     for (const Interpenetration& s : findObstacleInterpenetrations(w, r.all))
       if (r.obstacleInterpenetrationWarned.insert({s.oriented, s.body}).second)
-        r.warn(
-            interpenetrationLine(w.scene.oriented[s.oriented], w.walls.list[s.body].properties, s.count, w.clock.time));
+        r.warn(interpenetrationLine(w.scene.oriented[s.oriented], w.walls.list[s.body].properties, s.count,
+                                    w.clock.time));
   if (!w.modules.orientedContact || !w.modules.solid ||
       r.interpenetrationWarned.size() == w.scene.oriented.size() * w.scene.bodies.size())
     return;
   for (const Interpenetration& s : findInterpenetrations(r.world, r.halos()))
     if (r.interpenetrationWarned.insert({s.oriented, s.body}).second)
-      r.warn(interpenetrationLine(w.scene.oriented[s.oriented], w.scene.bodies[s.body], s.count, w.clock.time));
+      r.warn(
+          interpenetrationLine(w.scene.oriented[s.oriented], w.scene.bodies[s.body], s.count, w.clock.time));
 }
 
 void summarise(Run& r, const std::string& status, const std::string& message) {
@@ -278,7 +280,9 @@ void summariseFailure(Run& r, const std::string& message, bool together) {
   summariseWithoutState(r, "failed", message);
 }
 
-void summariseStoppedRelaxation(Run& r, const std::string& message) { summariseWithoutState(r, "stopped", message); }
+void summariseStoppedRelaxation(Run& r, const std::string& message) {
+  summariseWithoutState(r, "stopped", message);
+}
 
 namespace {
 

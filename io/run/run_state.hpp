@@ -9,10 +9,10 @@
 #include <set>
 #include <utility>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
+#include "core/monitor/snapshot.hpp"
 #include "core/setup/setup.hpp"
 #include "core/surface/update_surface.hpp"
-#include "core/watch/good_state.hpp"
 #include "io/commands/run.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
@@ -21,7 +21,7 @@
 #include "io/run/summary.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
-#include "parallel/row_courier.hpp"
+#include "parallel/row_scatter.hpp"
 
 namespace thaw {
 
@@ -40,8 +40,8 @@ struct Run {
   std::unique_ptr<MpiCellHalo> cells;
   std::unique_ptr<MpiBondHalo> bonds;
   std::unique_ptr<SurfaceRanks> surface;  // only if the scene has one; as are the next two
-  std::array<std::unique_ptr<MpiCellHalo>, bodyTypeCount> kinds;   // oriented bodies and sheets
-  std::unique_ptr<MpiBondHalo> edges;                          // for sheets
+  std::array<std::unique_ptr<MpiCellHalo>, bodyTypeCount> kinds;       // oriented bodies and sheets
+  std::unique_ptr<MpiBondHalo> edges;                                  // for sheets
   std::array<std::vector<SeriesEntry>, bodyTypeCount> bodyTypeSeries;  // rank 0
   SurfaceTools surfaceTools;
   std::vector<SeriesEntry> surfaceSeries;  // rank 0
@@ -50,16 +50,19 @@ struct Run {
   RunSummary summary;
   WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
   std::int64_t firstStep = 0, stepAtReport = 0;
-  Snapshot good;      // the last snapshot
+  Snapshot good;                // the last snapshot
   LedgerReport snapshotLedger;  // ledger of the next snapshot
   bool snapshotInMemory = false, snapshotOnDisk = false;
   std::unique_ptr<Profile> profile;  // with --profile, from the first step on
   bool resumed = false;              // the run continues from a checkpoint
   bool begun = false;                // the world holds its particles
-  bool stoppedInRelaxation = false;  // stopped during relaxation before the start: nothing of the run is on disk
-  std::set<std::pair<std::size_t, std::size_t>> interpenetrationWarned;       // oriented bodies and bodies of which
-                                                                  // warnOfInterpenetration has warned
-  std::set<std::pair<std::size_t, std::size_t>> obstacleInterpenetrationWarned;  // the same for oriented bodies and walls
+  bool stoppedInRelaxation = false;  // stopped during relaxation before the start: nothing of the run is on
+                                     // disk
+  std::set<std::pair<std::size_t, std::size_t>> interpenetrationWarned;  // oriented bodies and bodies of
+                                                                         // which warnOfInterpenetration has
+                                                                         // warned
+  std::set<std::pair<std::size_t, std::size_t>> obstacleInterpenetrationWarned;  // the same for oriented
+                                                                                 // bodies and walls
   bool stepping = false;  // in the step loop, whose calls are collective
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
@@ -115,8 +118,8 @@ void summariseFailure(Run& run, const std::string& message, bool together);
 /// Writes the summary of a run that was stopped before its start.
 void summariseStoppedRelaxation(Run& run, const std::string& message);
 
-/// Samples the bodies of the scene, continues from the newest checkpoint, or sets Run::stoppedInRelaxation. Throws
-/// SceneErrors, IoError.
+/// Samples the bodies of the scene, continues from the newest checkpoint, or sets Run::stoppedInRelaxation.
+/// Throws SceneErrors, IoError.
 void begin(Run& run, const MeshLoader& load);
 
 }  // namespace thaw

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 #include "core/ledger/totals.hpp"
 #include "io/hdf5/parallel_file.hpp"
-#include "io/run/process_mark.hpp"
+#include "io/run/process_identity.hpp"
 #include "io/version.hpp"
 
 namespace thaw {
@@ -63,8 +63,8 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) * 1024;
 }
 
-void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, const CommunicationStatistics& traffic,
-                   Reducer& all) {
+void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times,
+                   const CommunicationStatistics& traffic, Reducer& all) {
   s.traffic = gatherTraffic(traffic, {}, all);
   std::vector<double> most, least;
   std::vector<std::int64_t> sum;

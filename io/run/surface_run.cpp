@@ -1,7 +1,7 @@
 #include "io/run/surface_run.hpp"
 
 #include "core/solid_step.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/output/surface_frame.hpp"
 #include "io/run/surface_log.hpp"
 #include "io/run/surface_summary.hpp"

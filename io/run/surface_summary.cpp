@@ -85,7 +85,8 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
   return lines;
 }
 
-std::vector<std::string> mergedSheetWarnings(const Scene& scene, const std::vector<std::uint64_t>& mergedSheets) {
+std::vector<std::string> mergedSheetWarnings(const Scene& scene,
+                                             const std::vector<std::uint64_t>& mergedSheets) {
   std::vector<std::string> w;
   std::uint64_t last = ~std::uint64_t{0};
   for (const std::uint64_t label : mergedSheets) {  // labels are 1 + the smallest particle id

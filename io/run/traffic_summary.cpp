@@ -13,7 +13,8 @@ nlohmann::ordered_json json(const RankSpread& s) {
 
 }  // namespace
 
-TrafficSummary gatherTraffic(const CommunicationStatistics& now, const CommunicationStatistics& before, Reducer& all) {
+TrafficSummary gatherTraffic(const CommunicationStatistics& now, const CommunicationStatistics& before,
+                             Reducer& all) {
   std::vector<double> mine;
   const auto add = [&](const CommunicationStatistics::Sum& a, const CommunicationStatistics::Sum& b) {
     mine.push_back(static_cast<double>(a.messages - b.messages));

@@ -9,10 +9,11 @@
 
 namespace thaw {
 
-/// Size classes of components. Components of fewer particles than leastComponentParticles are mostly rim. From
-/// leastSmallParticles on their largest error is reported separately; smaller ones are spheres. Volume
+/// Size classes of components. Components of fewer particles than leastComponentParticles are mostly rim.
+/// From leastSmallParticles on their largest error is reported separately; smaller ones are spheres. Volume
 /// control skips components of fewer surfels than leastControlledSurfels.
-inline constexpr std::int64_t leastComponentParticles = 30, leastSmallParticles = 5, leastControlledSurfels = 12;
+inline constexpr std::int64_t leastComponentParticles = 30, leastSmallParticles = 5,
+                              leastControlledSurfels = 12;
 
 /// Share of the area that may be missing in a surface whose volume is certain. With spurs of a mesh along the
 /// cracks of a body, 3 % was missing, and the volume came out 3 to 5 % too large.
@@ -39,16 +40,16 @@ struct VolumeSums {
 
 /// The largest errors of the recorded frames; the first of equal ones.
 struct VolumeErrors {
-  bool any = false;       ///< at least one component
+  bool any = false;              ///< at least one component
   VolumeError againstParticles;  ///< against the volume of the particles
   VolumeError againstTarget;     ///< against the target volume (SurfaceComponent::wantedVolume)
-  VolumeError small;        ///< the same for components of leastSmallParticles to leastComponentParticles - 1
-  VolumeSums sum;         ///< the frame with the largest error of the summed volume
-  VolumeSums missing;     ///< the frame with the largest share of missed particles
+  VolumeError small;   ///< the same for components of leastSmallParticles to leastComponentParticles - 1
+  VolumeSums sum;      ///< the frame with the largest error of the summed volume
+  VolumeSums missing;  ///< the frame with the largest share of missed particles
   std::int64_t particles = 0, missed = 0;  ///< VolumeSums over all frames
-  VolumeError open;           ///< the most open surface: SurfaceComponent::open in place of `off`
-  std::int64_t unsure = 0;  ///< particles in components of leastComponentParticles and more that are more open
-                            ///< than closedTolerance
+  VolumeError open;         ///< the most open surface: SurfaceComponent::open in place of `off`
+  std::int64_t unsure = 0;  ///< particles in components of leastComponentParticles and more that are more
+                            ///< open than closedTolerance
 };
 
 void recordVolumes(VolumeErrors& held, const std::vector<SurfaceComponent>& components, double time);

@@ -98,7 +98,8 @@ std::string interpenetrationLine(const OrientedBody& b, const Body& body, std::i
                            b.name, count, count == 1 ? "is" : "are", body.name, time, body.name));
 }
 
-std::string interpenetrationLine(const OrientedBody& b, const Obstacle& obstacle, std::int64_t count, double time) {
+std::string interpenetrationLine(const OrientedBody& b, const Obstacle& obstacle, std::int64_t count,
+                                 double time) {
   return warningLine(
       b.where,
       fmt::format("oriented body '{}': {} of its particles {} inside obstacle '{}' at {:.6g} s: they began "

@@ -22,8 +22,9 @@ std::string unusedEventLine(const OrientedBody& body, const OrientedEvent& event
 std::string unusedFieldLine(const OrientedBody& body, const OrientedField& field);
 
 /// Returns the warning of particles of an oriented body inside another body, at this time (s).
-std::string interpenetrationLine(const OrientedBody& oriented, const Body& body, std::int64_t count, double time);
+std::string interpenetrationLine(const OrientedBody& oriented, const Body& body, std::int64_t count,
+                                 double time);
 std::string interpenetrationLine(const OrientedBody& oriented, const Obstacle& obstacle, std::int64_t count,
-                       double time);
+                                 double time);
 
 }  // namespace thaw

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/solid/plasticity.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/output/earlier_run.hpp"
 #include "io/output/frame_fields.hpp"

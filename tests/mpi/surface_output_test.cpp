@@ -4,8 +4,8 @@
 #include <cstring>
 #include <map>
 
+#include "core/monitor/snapshot.hpp"
 #include "core/setup/setup.hpp"
-#include "core/watch/good_state.hpp"
 #include "io/compare/compare.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"

@@ -7,9 +7,9 @@
 
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
-#include "core/surface/ready_particles.hpp"
-#include "parallel/row_courier.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "parallel/row_scatter.hpp"
+#include "tests/support/relax_rig.hpp"
 
 using namespace thaw;
 using test::RelaxRig;
@@ -68,7 +68,8 @@ struct Row {
   float liquid, detail, maxLiquidFraction, detailHeight;
 };
 Row rowOf(const Surfels& s, std::size_t i) {
-  return {s.position[i], s.normal[i], s.tangent[i], s.liquid[i], s.detail[i], s.maxLiquidFraction[i], s.detailHeight[i]};
+  return {s.position[i],          s.normal[i],      s.tangent[i], s.liquid[i], s.detail[i],
+          s.maxLiquidFraction[i], s.detailHeight[i]};
 }
 
 void keepShare(Table& rows, int rank, int size) {

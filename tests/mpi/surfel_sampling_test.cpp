@@ -11,7 +11,7 @@
 #include "core/surface/resample.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/update_surface.hpp"
-#include "parallel/row_courier.hpp"
+#include "parallel/row_scatter.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace thaw {

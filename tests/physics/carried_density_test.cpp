@@ -116,7 +116,8 @@ TEST(CarriedDensity, VorticesDecayAtTheExactRate) {
   EXPECT_NEAR(r.ledgerReport().now.kinetic / exact, 1, 0.02);  // 0.90 on a lattice
   // A density rate from end positions and middle velocities would give dt/2 int |grad p|^2 / rho: 0.017 of
   // the energy.
-  EXPECT_LT(std::abs(r.ledgerReport().energyResidual), 0.004 * start) << r.ledgerReport().energyResidual / start;
+  EXPECT_LT(std::abs(r.ledgerReport().energyResidual), 0.004 * start)
+      << r.ledgerReport().energyResidual / start;
 }
 
 TEST(RelaxedPacking, HasNoGapAtPeriodicSidesThatLiquidFills) {

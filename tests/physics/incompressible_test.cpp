@@ -16,7 +16,8 @@ double compression(const Simulation& run) {
   const Continuum& p = run.w.particles;
   double sum = 0;
   for (std::size_t i = 0; i < p.owned; i++)
-    sum += std::max(0.0, static_cast<double>(p.relativeDensity[i]) - run.tools.pressure.targetRelativeDensity);
+    sum += std::max(0.0,
+                    static_cast<double>(p.relativeDensity[i]) - run.tools.pressure.targetRelativeDensity);
   return sum / static_cast<double>(p.owned);
 }
 

@@ -59,7 +59,8 @@ TEST(OrientedFields, ActInTheirRegionForTheirTime) {
     }
     const LedgerReport ledgerReport = x.ledgerReport();
     EXPECT_LT(length(ledgerReport.momentumResidual), 1e-12);
-    EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.01 * ledgerReport.energyScale) << static_cast<int>(how);
+    EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.01 * ledgerReport.energyScale)
+        << static_cast<int>(how);
   }
 }
 

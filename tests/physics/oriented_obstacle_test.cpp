@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/watch/sunken.hpp"
+#include "core/monitor/interpenetration.hpp"
 #include "tests/support/oriented_samples.hpp"
 
 namespace thaw {
@@ -193,7 +193,8 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
       in += x.w.walls.list[0].shape->inside(x.w.oriented.rows.position[i]);
     most = std::max(most, in);
     if (x.w.clock.step % 20 == 0)
-      for (const Interpenetration& f : findObstacleInterpenetrations(x.w, x.all)) told = std::max(told, f.count);
+      for (const Interpenetration& f : findObstacleInterpenetrations(x.w, x.all))
+        told = std::max(told, f.count);
   }
   EXPECT_LT(std::abs(x.ledgerReport().energyResidual), 0.02 * x.ledgerReport().energyScale);
   return most;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/oriented/operations.hpp"
+#include "core/oriented/events.hpp"
 #include "core/oriented/oriented_forces.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "tests/support/oriented_samples.hpp"

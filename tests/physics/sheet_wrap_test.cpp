@@ -32,7 +32,8 @@ void expectDrawn(const Scene& s, double share) {
   EXPECT_LT(length(ledgerReport.momentumResidual), 1e-12 * length(sheet));
   EXPECT_LT(length(ledgerReport.now.momentum + ledgerReport.impulseInFlight - before), 1e-12 * length(sheet))
       << "the body gains what the sheet loses";
-  EXPECT_LT(length(ledgerReport.now.angularMomentum - ledgerReport.initial.angularMomentum), 0.02 * 0.3 * length(sheet));
+  EXPECT_LT(length(ledgerReport.now.angularMomentum - ledgerReport.initial.angularMomentum),
+            0.02 * 0.3 * length(sheet));
   EXPECT_GT(ledgerReport.wallWork, 0);
   EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.01 * ledgerReport.energyScale);
 }

@@ -49,7 +49,8 @@ TEST(Sleep, BlocksAtRestSleepAndKeepTheirPosition) {
     EXPECT_LT(length(awakeOnes.particles().position[k] - x.particles().position[i]), 0.01 * s.spacing);
   }
   const LedgerReport ledgerReport = x.ledgerReport();
-  EXPECT_LT(std::abs(ledgerReport.energyResidual - awakeOnes.ledgerReport().energyResidual), 1e-3 * ledgerReport.energyScale);
+  EXPECT_LT(std::abs(ledgerReport.energyResidual - awakeOnes.ledgerReport().energyResidual),
+            1e-3 * ledgerReport.energyScale);
   EXPECT_LT(length(ledgerReport.momentumResidual), 1e-6 * ledgerReport.now.mass);
 }
 

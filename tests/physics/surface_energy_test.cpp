@@ -156,9 +156,9 @@ TEST(SurfaceEnergy, DerivativesOfTheStateMatchDifferences) {
     for (int a = 0; a < 3; a++) {
       Vec3d more = g, less = g;
       more[a] += step, less[a] -= step;
-      EXPECT_NEAR(
-          (surfaceState(m, 1.5, more, colour).energy - surfaceState(m, 1.5, less, colour).energy) / (2 * step),
-          at.byGradient[a], 1e-6 * length(at.byGradient));
+      EXPECT_NEAR((surfaceState(m, 1.5, more, colour).energy - surfaceState(m, 1.5, less, colour).energy) /
+                      (2 * step),
+                  at.byGradient[a], 1e-6 * length(at.byGradient));
     }
   }
 }

@@ -51,7 +51,7 @@ struct Poly6 {
   static double slope(double q2) { return -945 / (32 * M_PI) * std::pow(std::max(0.0, 1 - q2), 2); }
 };
 
-/// Damped motion of particles in a periodic cube under p = c^2 (filling - 1) >= 0, by brute force.
+/// Damped motion of particles in a periodic cube under p = c^2 (relative density - 1) >= 0, by brute force.
 template<class Kernel>
 std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double filling0, int steps) {
   const double h = 2 * dx, dt = 0.1 * h, n3 = dx * dx * dx / (h * h * h);

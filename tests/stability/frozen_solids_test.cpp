@@ -127,7 +127,8 @@ TEST(Stability, B21_LonelyParticlesAndSmallClusters) {
       for (int i = 0; i < n; i++) last += run.particles().position[static_cast<std::size_t>(i)] / double(n);
       const Vec3d exact = first + b.velocity * s.end + 0.5 * s.end * s.end * s.domain.gravity;
       worst = std::max(worst, length(last - exact) / dx);
-      residual = std::max(residual, std::abs(run.ledgerReport().energyResidual) / run.ledgerReport().energyScale);
+      residual = std::max(residual,
+                          std::abs(run.ledgerReport().energyResidual) / run.ledgerReport().energyScale);
       EXPECT_EQ(run.w.counters.singularNeighbourhoods, solid ? n : 0);
     }
   measured(

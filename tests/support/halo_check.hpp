@@ -227,7 +227,8 @@ struct HaloRig {
       halo.beginRefresh(p, columns);
       halo.finishRefresh(p);
       for (std::size_t i = p.owned; i < p.size(); i++) {
-        EXPECT_EQ(p.relativeDensity[i], static_cast<float>(p.id[i] % 4096) + 0.5f * static_cast<float>(round));
+        EXPECT_EQ(p.relativeDensity[i],
+                  static_cast<float>(p.id[i] % 4096) + 0.5f * static_cast<float>(round));
         EXPECT_TRUE(p.velocity[i] == (Cloud::velocity(p.id[i]) + Vec3d{1.0 + round, 0, 0}));
       }
     }

@@ -2,8 +2,8 @@
 #pragma once
 #include <memory>
 
+#include "core/body_types/body_types.hpp"
 #include "core/halo/serial.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/setup/setup.hpp"
 #include "core/solid/serial_bond_halo.hpp"

@@ -20,8 +20,9 @@ void packMobility(const RecordContext& x, const Continuum& p, std::size_t n, Pai
   withReal(x, [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = 0; i < n; i++)
-      rows<Real>(r.pressurePhaseHeat)[i].c = p.clamped.active && p.clamped[i] ? Real(0)
-                                                                  : static_cast<Real>(1 / p.mass[i]);
+      rows<Real>(r.pressurePhaseHeat)[i].c = p.clamped.active && p.clamped[i]
+                                                 ? Real(0)
+                                                 : static_cast<Real>(1 / p.mass[i]);
   });
 }
 

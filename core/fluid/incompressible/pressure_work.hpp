@@ -20,10 +20,10 @@ struct WallSlope {
 inline constexpr double flowDensityExcess = 0.02;
 
 struct PressureWork {
-  double targetRelativeDensity = 1;         ///< target relative density: that of sliding layers, slightly above rest
-  double relaxation = 0;   ///< fraction of a Jacobi step that does not overshoot on the lattice
+  double targetRelativeDensity = 1;  ///< target relative density: that of sliding layers, slightly above rest
+  double relaxation = 0;             ///< fraction of a Jacobi step that does not overshoot on the lattice
   double correctionTime = 0;  ///< s, correction time of a compression: one spacing over the largest expected
-                           ///< speed
+                              ///< speed
   std::vector<WallSlope> walls;  ///< by row
   std::vector<double> response;  ///< 1/(Pa s^2), response of a particle's density rate to its own pressure
                                  ///< over the step, times liquid fraction; 0: no liquid

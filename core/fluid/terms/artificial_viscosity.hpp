@@ -19,15 +19,18 @@ template<class Real, class Kernel> struct Artificial {
     L x = L(0.0), y = L(0.0), z = L(0.0), lost = L(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
-    return {loadListed(positionVolume, entries), loadListed(velocityViscosity, entries), loadListed(surface, entries)};
+    return {loadListed(positionVolume, entries), loadListed(velocityViscosity, entries),
+            loadListed(surface, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz;
-    const L approach = min(
-        (i.velocityViscosity.a - j.velocityViscosity.a) * dx + (i.velocityViscosity.b - j.velocityViscosity.b) * dy + (i.velocityViscosity.c - j.velocityViscosity.c) * dz,
-        L(0.0));
+    const L approach = min((i.velocityViscosity.a - j.velocityViscosity.a) * dx +
+                               (i.velocityViscosity.b - j.velocityViscosity.b) * dy +
+                               (i.velocityViscosity.c - j.velocityViscosity.c) * dz,
+                           L(0.0));
     const L mean = L(2.0) * i.surface.c * j.surface.c / max(i.surface.c + j.surface.c, L(1e-30));
     const L mu = mean * j.positionVolume.d * Kernel::slope(q2) * approach / (q2 + L(0.01));
     s.x += mu * dx;

@@ -35,8 +35,8 @@ struct CarriedDensity {
     L x = L(0.0), y = L(0.0), z = L(0.0);
   };
   struct Sum {
-    L relativeDensity = L(0.0), closest = L(1.0), rate = L(0.0), spread = L(0.0), column = L(0.0), size = L(0.0),
-      liquidKernelSum = L(0.0);
+    L relativeDensity = L(0.0), closest = L(1.0), rate = L(0.0), spread = L(0.0), column = L(0.0),
+      size = L(0.0), liquidKernelSum = L(0.0);
     Vector concentrationGradient, surface, solid, negativeVelocityGradient[3];
     L moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)};
   };
@@ -54,11 +54,13 @@ struct CarriedDensity {
     to.z = fma(factor, z, to.z);
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+      dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
       dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     L ux, uy, uz;
     if constexpr (Carried) {
-      ux = i.velocityViscosity.a - j.velocityViscosity.a, uy = i.velocityViscosity.b - j.velocityViscosity.b, uz = i.velocityViscosity.c - j.velocityViscosity.c;
+      ux = i.velocityViscosity.a - j.velocityViscosity.a, uy = i.velocityViscosity.b - j.velocityViscosity.b,
+      uz = i.velocityViscosity.c - j.velocityViscosity.c;
       dx -= half * ux, dy -= half * uy, dz -= half * uz;
     }
     const L q2 = dx * dx + dy * dy + dz * dz, q = sqrt(q2),
@@ -80,7 +82,8 @@ struct CarriedDensity {
       }
       if constexpr (Surfaces) {
         s.size -= g * q;
-        const L marked = select((Mixed ? j.pressurePhaseHeat.b : j.positionVolume.d) < L(0.0), L(-1.0), L(0.0));
+        const L marked = select((Mixed ? j.pressurePhaseHeat.b : j.positionVolume.d) < L(0.0), L(-1.0),
+                                L(0.0));
         add(s.surface, marked, gx, gy, gz);
         if constexpr (Mixed) add(s.solid, -solidFraction, gx, gy, gz);
       }
@@ -115,9 +118,10 @@ struct CarriedDensity {
       if (rows[l] != dummy) {
         const std::uint32_t row = rows[l];
         in->relativeDensity[row] = static_cast<float>(scale * static_cast<double>(total[l]) -
-                                              in->selfExcess * static_cast<double>(own[l]));
+                                                      in->selfExcess * static_cast<double>(own[l]));
         if (touching && s.closest[l] < Real(1e-20)) ++*in->coincident;
-        if (in->concentrationGradient) in->concentrationGradient[row] = single(scale * at(s.concentrationGradient, l));
+        if (in->concentrationGradient)
+          in->concentrationGradient[row] = single(scale * at(s.concentrationGradient, l));
         if constexpr (Carried) finishCarried(row, l, i, s);
       }
   }
@@ -134,7 +138,8 @@ struct CarriedDensity {
     if constexpr (Corrected) {
       const auto m = [&](int k) { return static_cast<float>(scale * static_cast<double>(s.moment[k][l])); };
       in->moment[row] = {m(0), m(1), m(2), m(3), m(4), m(5)};
-      for (int a = 0; a < 3; a++) in->negativeVelocityGradient[row].row[a] = single(scale / h * at(s.negativeVelocityGradient[a], l));
+      for (int a = 0; a < 3; a++)
+        in->negativeVelocityGradient[row].row[a] = single(scale / h * at(s.negativeVelocityGradient[a], l));
     }
     in->densityRate[row] = scale / h * static_cast<double>(s.rate[l]);
     const LiquidMaterial& m = in->liquids[in->material[row]];
@@ -144,7 +149,7 @@ struct CarriedDensity {
       spread = (in->stiffness * spread + m.stiffness / c2 * static_cast<double>(s.column[l])) / m.stiffness;
       if (in->liquidKernelSum)
         in->liquidKernelSum[row] = static_cast<float>(static_cast<double>(s.liquidKernelSum[l]) +
-                                              static_cast<double>(size(i.pressurePhaseHeat.b)[l]));
+                                                      static_cast<double>(size(i.pressurePhaseHeat.b)[l]));
     }
     in->densityDiffusionRate[row] = in->diffusion * 0.5 * m.soundSpeed / h * spread;
   }

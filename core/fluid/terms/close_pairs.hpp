@@ -18,10 +18,13 @@ template<class Real> struct Close {
     const std::uint32_t* entries;
   };
   struct Sum {};
-  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(positionVolume, entries), entries}; }
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(positionVolume, entries), entries};
+  }
   THAW_INLINE bool solid(std::uint32_t entry) const { return ByEntry::of(surface, entry)->b > 0; }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t* at, Sum&) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const auto m = dx * dx + dy * dy + dz * dz < limit2;
     if (any(m))

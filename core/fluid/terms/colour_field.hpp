@@ -20,10 +20,12 @@ template<class Real> struct ColourField {
     L x = L(0.0), y = L(0.0), z = L(0.0), laplacian = L(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
-    return {loadListed(positionVolume, entries), loadListed(surface, entries), loadListed(pressurePhaseHeat, entries)};
+    return {loadListed(positionVolume, entries), loadListed(surface, entries),
+            loadListed(pressurePhaseHeat, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz, u = max(L(1.0) - q2, L(0.0));
     const L c = L(-945 / (32 * pi)) * j.positionVolume.d * u;  // derivative of poly6

@@ -23,11 +23,12 @@ template<class Real, class Kernel> struct Conduction {
     return {loadListed(positionVolume, entries), loadListed(pressurePhaseHeat, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = unitDifference(i.positionVolume.a, j.positionVolume.a), dy = unitDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = unitDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = unitDifference(i.positionVolume.b, j.positionVolume.b),
             dz = unitDifference(i.positionVolume.c, j.positionVolume.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz);
-    s.heat += wide(conducted(i.positionVolume.d * j.positionVolume.d, i.pressurePhaseHeat, j.pressurePhaseHeat,
-                             Kernel::laplace(L(unit) * sqrt(r2), L(unit * unit) * r2)));
+    s.heat += wide(conducted(i.positionVolume.d * j.positionVolume.d, i.pressurePhaseHeat,
+                             j.pressurePhaseHeat, Kernel::laplace(L(unit) * sqrt(r2), L(unit * unit) * r2)));
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)

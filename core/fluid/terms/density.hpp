@@ -35,7 +35,7 @@ template<class Real, class Kernel> struct Density {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
         relativeDensity[rows[l]] = static_cast<float>(scale * static_cast<double>(total[l]) -
-                                              selfExcess * static_cast<double>(i.d[l]));
+                                                      selfExcess * static_cast<double>(i.d[l]));
         if (touching && s.closest[l] < touch[l]) ++*coincident;
       }
   }

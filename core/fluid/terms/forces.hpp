@@ -19,7 +19,8 @@ namespace {
 template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false>
 struct Forces {
   using L = Lanes<Real>;
-  const Record<Real>*positionVolume, *velocityViscosity, *pressurePhaseHeat, *pressureDiagonal, *pressureOffDiagonal;
+  const Record<Real>*positionVolume, *velocityViscosity, *pressurePhaseHeat, *pressureDiagonal,
+      *pressureOffDiagonal;
   const PairSums* in;
   L pressureScale, viscousScale, viscousWeight;  ///< viscousScale: per lengthUnit
   double heatScale;
@@ -38,12 +39,15 @@ struct Forces {
     d.positionVolume = loadListed(positionVolume, entries);
     d.velocityViscosity = loadListed(velocityViscosity, entries);
     d.pressurePhaseHeat = loadListed(pressurePhaseHeat, entries);
-    if constexpr (Carried) d.pressureDiagonal = loadListed(pressureDiagonal, entries), d.pressureOffDiagonal = loadListed(pressureOffDiagonal, entries);
+    if constexpr (Carried)
+      d.pressureDiagonal = loadListed(pressureDiagonal, entries),
+      d.pressureOffDiagonal = loadListed(pressureOffDiagonal, entries);
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     // Positions are in lengthUnit; viscousScale and finish contain the remaining factors.
-    const L dx = unitDifference(i.positionVolume.a, j.positionVolume.a), dy = unitDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = unitDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = unitDifference(i.positionVolume.b, j.positionVolume.b),
             dz = unitDifference(i.positionVolume.c, j.positionVolume.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
     const L VV = i.positionVolume.d * j.positionVolume.d;
@@ -53,13 +57,17 @@ struct Forces {
     // momentum is lost to rounding.
     const L strength = pressureScale * VV * slope,
             pressure = Carried ? L(0.0) : strength * (i.pressurePhaseHeat.a + j.pressurePhaseHeat.a);
-    const L ux = i.velocityViscosity.a - j.velocityViscosity.a, uy = i.velocityViscosity.b - j.velocityViscosity.b, uz = i.velocityViscosity.c - j.velocityViscosity.c;
+    const L ux = i.velocityViscosity.a - j.velocityViscosity.a,
+            uy = i.velocityViscosity.b - j.velocityViscosity.b,
+            uz = i.velocityViscosity.c - j.velocityViscosity.c;
     const L pairLiquidFraction = fi + fj - fi * fj;
     if constexpr (Carried) {
-      const L xx = i.pressureDiagonal.a + j.pressureDiagonal.a, yy = i.pressureDiagonal.b + j.pressureDiagonal.b,
+      const L xx = i.pressureDiagonal.a + j.pressureDiagonal.a,
+              yy = i.pressureDiagonal.b + j.pressureDiagonal.b,
               zz = i.pressureDiagonal.c + j.pressureDiagonal.c;
-      const L xy = i.pressureOffDiagonal.a + j.pressureOffDiagonal.a, xz = i.pressureOffDiagonal.b + j.pressureOffDiagonal.b, yz = i.pressureOffDiagonal.c + j.pressureOffDiagonal.c,
-              k = strength * pairLiquidFraction;
+      const L xy = i.pressureOffDiagonal.a + j.pressureOffDiagonal.a,
+              xz = i.pressureOffDiagonal.b + j.pressureOffDiagonal.b,
+              yz = i.pressureOffDiagonal.c + j.pressureOffDiagonal.c, k = strength * pairLiquidFraction;
       s.x -= wide(k * dot3(xx, xy, xz, dx, dy, dz));
       s.y -= wide(k * dot3(xy, yy, yz, dx, dy, dz));
       s.z -= wide(k * dot3(xz, yz, zz, dx, dy, dz));
@@ -71,7 +79,8 @@ struct Forces {
       s.y -= wide(pressure * dy);
       s.z -= wide(pressure * dz);
     } else if constexpr (Laplacian) {
-      const L mu = L(0.5) * (mui + muj) * pairLiquidFraction * VV * Kernel::laplace(q, q2), m = viscousScale * mu;
+      const L mu = L(0.5) * (mui + muj) * pairLiquidFraction * VV * Kernel::laplace(q, q2),
+              m = viscousScale * mu;
       s.x -= wide(pressure * dx + m * ux);
       s.y -= wide(pressure * dy + m * uy);
       s.z -= wide(pressure * dz + m * uz);
@@ -79,7 +88,8 @@ struct Forces {
     } else {
       const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
       const L approach = dot3(ux, uy, uz, dx, dy, dz);
-      const L mu = pairLiquidFraction * mean * VV * weightAt(viscousWeight, q) * approach / (r2 + L(1e-6 / (unit * unit)));
+      const L mu = pairLiquidFraction * mean * VV * weightAt(viscousWeight, q) * approach /
+                   (r2 + L(1e-6 / (unit * unit)));
       const L f = fma(viscousScale, mu, pressure);
       s.x -= wide(f * dx);
       s.y -= wide(f * dy);

@@ -24,9 +24,11 @@ template<class Real, class Kernel> struct Compression {
     return {loadListed(positionVolume, entries), loadListed(velocityViscosity, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
-    const L approach = (i.velocityViscosity.a - j.velocityViscosity.a) * dx + (i.velocityViscosity.b - j.velocityViscosity.b) * dy +
+    const L approach = (i.velocityViscosity.a - j.velocityViscosity.a) * dx +
+                       (i.velocityViscosity.b - j.velocityViscosity.b) * dy +
                        (i.velocityViscosity.c - j.velocityViscosity.c) * dz;
     s.rate += j.positionVolume.d * Kernel::slope(dx * dx + dy * dy + dz * dz) * approach;
   }
@@ -52,9 +54,11 @@ template<class Real, class Kernel> struct Impulse {
     return {loadListed(positionVolume, entries), loadListed(pressurePhaseHeat, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
-    const L k = j.positionVolume.d * Kernel::slope(dx * dx + dy * dy + dz * dz) * (i.pressurePhaseHeat.a + j.pressurePhaseHeat.a);
+    const L k = j.positionVolume.d * Kernel::slope(dx * dx + dy * dy + dz * dz) *
+                (i.pressurePhaseHeat.a + j.pressurePhaseHeat.a);
     s.x -= k * dx;
     s.y -= k * dy;
     s.z -= k * dz;
@@ -87,7 +91,8 @@ template<class Real, class Kernel> struct Response {
     return {loadListed(positionVolume, entries), loadListed(pressurePhaseHeat, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz, k = j.positionVolume.d * Kernel::slope(q2);
     s.x += k * dx;

@@ -18,10 +18,12 @@ template<class Real, class Kernel> struct Smoothing {
     L x = L(0.0), y = L(0.0), z = L(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
-    return {loadListed(positionVolume, entries), loadListed(velocityViscosity, entries), loadListed(surface, entries)};
+    return {loadListed(positionVolume, entries), loadListed(velocityViscosity, entries),
+            loadListed(surface, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L w = min(i.surface.d, j.surface.d) * j.positionVolume.d * Kernel::w(dx * dx + dy * dy + dz * dz);
     s.x -= w * (i.velocityViscosity.a - j.velocityViscosity.a);

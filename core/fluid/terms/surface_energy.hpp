@@ -56,13 +56,17 @@ template<class Real> struct SurfaceForces {
     return {loadListed(positionVolume, entries), loadListed(surfaceEnergyDerivatives, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz, VV = i.positionVolume.d * j.positionVolume.d;
     // grad W = slope d, H = slope 1 + bend d d
     const L slope = SurfaceKernel::slope(q2), bend = SurfaceKernel::bend(q2);
-    const L x = i.surfaceEnergyDerivatives.a - j.surfaceEnergyDerivatives.a, y = i.surfaceEnergyDerivatives.b - j.surfaceEnergyDerivatives.b, z = i.surfaceEnergyDerivatives.c - j.surfaceEnergyDerivatives.c;
-    const L along = bend * (x * dx + y * dy + z * dz) + slope * (i.surfaceEnergyDerivatives.d + j.surfaceEnergyDerivatives.d);
+    const L x = i.surfaceEnergyDerivatives.a - j.surfaceEnergyDerivatives.a,
+            y = i.surfaceEnergyDerivatives.b - j.surfaceEnergyDerivatives.b,
+            z = i.surfaceEnergyDerivatives.c - j.surfaceEnergyDerivatives.c;
+    const L along = bend * (x * dx + y * dy + z * dz) +
+                    slope * (i.surfaceEnergyDerivatives.d + j.surfaceEnergyDerivatives.d);
     s.x -= widen(VV * (slope * x + along * dx));
     s.y -= widen(VV * (slope * y + along * dy));
     s.z -= widen(VV * (slope * z + along * dz));

@@ -22,7 +22,8 @@ template<class Real> struct Tension {
     return {loadListed(positionVolume, entries), loadListed(surface, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q = min(sqrt(dx * dx + dy * dy + dz * dz), L(1.0));
     const L strength = j.positionVolume.d * j.surface.a;
@@ -35,7 +36,8 @@ template<class Real> struct Tension {
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
-        const double own = scale * static_cast<double>(i.positionVolume.d[l]) * static_cast<double>(i.surface.a[l]);
+        const double own = scale * static_cast<double>(i.positionVolume.d[l]) *
+                           static_cast<double>(i.surface.a[l]);
         Vec3d& f = in->force[rows[l]];
         f.x += own * in->support * static_cast<double>(s.x[l]);
         f.y += own * in->support * static_cast<double>(s.y[l]);

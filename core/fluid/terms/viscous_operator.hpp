@@ -54,14 +54,15 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a), dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz;
     const LanesF pairLiquidFraction = i.liquid + j.liquid - i.liquid * j.liquid;
     const LanesF mean = LanesF(2.0f) * (i.viscosity * j.viscosity) /
                         max(i.viscosity + j.viscosity, LanesF(1e-30f));
-    const L c = i.positionVolume.d * j.positionVolume.d * Widened<Real>::of(pairLiquidFraction * mean) * alongPair(weight, q2) /
-                (q2 + L(1e-6));
+    const L c = i.positionVolume.d * j.positionVolume.d * Widened<Real>::of(pairLiquidFraction * mean) *
+                alongPair(weight, q2) / (q2 + L(1e-6));
     const LanesD ex = widen(dx), ey = widen(dy), ez = widen(dz);
     const LanesD approach = (i.velocity.a - j.velocity.a) * ex + (i.velocity.b - j.velocity.b) * ey +
                             (i.velocity.c - j.velocity.c) * ez;

@@ -28,7 +28,8 @@ Reference bruteForce(const Block& b, double relativeDensityScale) {
       const Vec3d d = (p.position[i] - p.position[j]) / h;
       r.relativeDensity[i] += V(j) * Kernel::w(dot(d, d)) * relativeDensityScale;
     }
-    term[i] = std::max(0.0, b.liquids[0].stiffness * (r.relativeDensity[i] - 1)) / (r.relativeDensity[i] * r.relativeDensity[i]);
+    term[i] = std::max(0.0, b.liquids[0].stiffness * (r.relativeDensity[i] - 1)) /
+              (r.relativeDensity[i] * r.relativeDensity[i]);
   }
   for (std::size_t i = 0; i < n; i++)
     for (std::size_t j = 0; j < n; j++) {
@@ -137,11 +138,13 @@ TEST(PairSums, AreTheSameBitsForEveryInstructionSet) {
       k->forces(s, b.groups());
       k->tension(s, b.groups());
       relativeDensity[n].insert(relativeDensity[n].end(), b.particles.relativeDensity.data(),
-                        b.particles.relativeDensity.data() + b.particles.owned);
+                                b.particles.relativeDensity.data() + b.particles.owned);
       force[n].insert(force[n].end(), b.particles.force.data(), b.particles.force.data() + b.particles.owned);
     }
     if (n > 0) {
-      EXPECT_EQ(std::memcmp(relativeDensity[0].data(), relativeDensity[n].data(), relativeDensity[0].size() * sizeof(float)), 0)
+      EXPECT_EQ(std::memcmp(relativeDensity[0].data(), relativeDensity[n].data(),
+                            relativeDensity[0].size() * sizeof(float)),
+                0)
           << name;
       EXPECT_EQ(std::memcmp(force[0].data(), force[n].data(), force[0].size() * sizeof(Vec3d)), 0) << name;
     }

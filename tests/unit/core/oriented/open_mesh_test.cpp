@@ -6,8 +6,8 @@
 
 #include "core/geometry/point_tree.hpp"
 #include "core/geometry/triangle_bvh.hpp"
-#include "core/oriented/cover_surface.hpp"
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
+#include "core/oriented/sample_surface.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace thaw {
@@ -101,7 +101,7 @@ TEST(OpenMesh, ClosedMeshesAreSampledAsShapes) {
   TriangleMesh ball = ballMesh({}, 0.1, 0.02);
   const auto load = [&](const std::string&) { return ball; };
   const SampledPoints m = samplePoints(ofMesh("m"), spacing, 1, load),
-                   shape = sampleSurface(*makeSignedDistance(ofMesh("m").shape, load), spacing, 1);
+                      shape = sampleSurface(*makeSignedDistance(ofMesh("m").shape, load), spacing, 1);
   EXPECT_EQ(m.places, shape.places);
   EXPECT_EQ(m.normals, shape.normals);
   EXPECT_TRUE(m.notes.empty());

@@ -7,7 +7,7 @@
 
 #include "core/geometry/point_tree.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/oriented/given_surface.hpp"
+#include "core/oriented/interpolant.hpp"
 
 namespace thaw {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/setup/cell_shares.hpp"
+#include "core/setup/cell_fractions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(CellFractions, WholeCellsAreFull) {
 }
 
 TEST(CellFractions, HoldTheVolumeOfABoxWithPartialCells) {  // 5.35 cells: six points, the outer cells are two
-                                                         // thirds full
+                                                            // thirds full
   const BoxDistance box({0.535, 0.4, 0.4});
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
 #include "core/setup/make_grid.hpp"
 #include "core/sheet/plan_sheets.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <map>
 
+#include "core/solid/bond_entries.hpp"
 #include "core/solid/bond_graph.hpp"
-#include "core/solid/bond_places.hpp"
 #include "core/solid/slot_state.hpp"
 #include "tests/support/solid_body.hpp"
 

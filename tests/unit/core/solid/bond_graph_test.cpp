@@ -128,9 +128,9 @@ TEST(BondGraph, FollowsMeltingAndFreezing) {
   EXPECT_TRUE(l.bondedTo(l.p.slot[20]).empty());
   l.expectFreshWork();
   l.rebuildBonds({{l.p.slot[20], 1021, {0.1, 0, 0}, {-0.1, 0, 0}, 2},
-            {l.p.slot[21], 1020, {-0.1, 0, 0}, {0.1, 0, 0}, 2},
-            {l.p.slot[20], 1007, {1, 0, 0}, {}, 3}},
-           false);
+                  {l.p.slot[21], 1020, {-0.1, 0, 0}, {0.1, 0, 0}, 2},
+                  {l.p.slot[20], 1007, {1, 0, 0}, {}, 3}},
+                 false);
   EXPECT_EQ(l.bondedTo(l.p.slot[20]), std::set<std::uint64_t>{1021});  // 7 is liquid
   EXPECT_EQ(l.bondedTo(l.p.slot[21]).count(1020), 1u);
   l.expectFreshWork();

@@ -17,12 +17,8 @@ struct Kept {
   unsigned rank, singular;
 };
 Kept keptOf(const SolidBody& b, std::size_t s) {
-  return {b.solids.momentInverse[s],
-          b.work.perTrace[s],
-          b.work.perWeight[s],
-          b.work.strainBound[s],
-          b.work.rank[s],
-          b.work.singularLanes[s / lanes] >> s % lanes & 1u};
+  return {b.solids.momentInverse[s], b.work.perTrace[s], b.work.perWeight[s],
+          b.work.strainBound[s],     b.work.rank[s],     b.work.singularLanes[s / lanes] >> s % lanes & 1u};
 }
 
 /// Number of solids whose data differ between these kernels and one solid at a time.

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/surface/follow_start.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/reference_motion.hpp"
+#include "tests/support/relax_rig.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {

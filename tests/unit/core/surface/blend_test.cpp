@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/surface/displace.hpp"
-#include "core/surface/ready_particles.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace thaw {
 namespace {

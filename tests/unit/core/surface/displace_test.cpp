@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/settle_rig.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace thaw {
 namespace {

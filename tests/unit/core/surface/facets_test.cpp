@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/surface/drop_patch.hpp"
+#include "core/surface/drop_sphere.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/surfel_area.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/surface/ready_particles.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace thaw {
 namespace {

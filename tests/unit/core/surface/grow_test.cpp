@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/surface/drop_patch.hpp"
+#include "core/surface/drop_sphere.hpp"
 #include "core/surface/measure.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {

@@ -1,6 +1,6 @@
 #include "core/surface/measure.hpp"
 
-#include "core/surface/keep_volume.hpp"
+#include "core/surface/enforce_volume.hpp"
 #include "tests/support/surface_rig.hpp"
 
 using namespace thaw;
@@ -130,7 +130,8 @@ TEST(EnforceVolume, OffsetsFollowTheResponseOfTheVolume) {
   s.spacing = 1;
   s.components.resize(1);
   SurfaceComponent& c = s.components[0];
-  c.label = 1, c.particles = 10, c.surfels = 100, c.area = c.liquidArea = 1, c.wantedVolume = 1, c.volume = 0.9;
+  c.label = 1, c.particles = 10, c.surfels = 100, c.area = c.liquidArea = 1, c.wantedVolume = 1,
+  c.volume = 0.9;
   std::vector<VolumeMove> moves;
   offsetToVolume(s, {}, 1, 1, false, moves);
   EXPECT_NEAR(c.isoOffset, 0.1, 1e-12);

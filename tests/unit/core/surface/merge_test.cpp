@@ -3,7 +3,7 @@
 #include "core/math/hash_random.hpp"
 #include "core/surface/grow.hpp"
 #include "core/surface/near_sheets.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "tests/support/relax_rig.hpp"
 #include "tests/support/surface_rig.hpp"
 #include "tests/support/surface_world.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "core/surface/blend.hpp"
 #include "core/surface/level_table.hpp"
-#include "core/surface/ready_particles.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace thaw {
 namespace {

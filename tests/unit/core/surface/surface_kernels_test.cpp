@@ -10,7 +10,7 @@
 
 #include "core/math/hash_random.hpp"
 #include "core/surface/bins.hpp"
-#include "core/surface/discs_over.hpp"
+#include "core/surface/disc_cover.hpp"
 
 namespace thaw {
 namespace {

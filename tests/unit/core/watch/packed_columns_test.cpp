@@ -1,5 +1,5 @@
 // Packed columns are restored bit by bit, whole and in parts. Only columns that vary take memory.
-#include "core/watch/packed_columns.hpp"
+#include "core/monitor/packed_columns.hpp"
 
 #include <gtest/gtest.h>
 

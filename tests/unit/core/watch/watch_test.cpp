@@ -1,11 +1,11 @@
 // The stability monitor: its step factor over failures and snapshots, and the particle that it names.
-#include "core/watch/watch.hpp"
+#include "core/monitor/monitor.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/halo/serial.hpp"
-#include "core/watch/good_state.hpp"
-#include "core/watch/suspect.hpp"
+#include "core/monitor/failing_particle.hpp"
+#include "core/monitor/snapshot.hpp"
 
 namespace thaw {
 namespace {

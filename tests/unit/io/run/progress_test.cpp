@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 
 namespace thaw {
 namespace {

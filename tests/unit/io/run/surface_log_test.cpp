@@ -73,7 +73,8 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
   }
   const VolumeErrors held = truncateComponentLog(out, 10);
   ASSERT_TRUE(held.any);
-  EXPECT_EQ(held.againstParticles.off, noted.againstParticles.off);  // the same bits as in an uninterrupted run
+  EXPECT_EQ(held.againstParticles.off, noted.againstParticles.off);  // the same bits as in an uninterrupted
+                                                                     // run
   EXPECT_EQ(held.againstTarget.off, noted.againstTarget.off);
   EXPECT_NEAR(held.againstParticles.off, -0.03, 1e-12);
   EXPECT_EQ(held.againstParticles.time, 0.1);

@@ -3,7 +3,7 @@
 
 #include <clocale>
 
-#include "io/run/scene_marks.hpp"
+#include "io/run/restart_record.hpp"
 #include "io/scene/expression.hpp"
 #include "io/scene/read_scene.hpp"
 
