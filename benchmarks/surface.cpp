@@ -24,13 +24,13 @@
 #include "core/geometry/signed_distance.hpp"
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
-#include "core/surface/ready_particles.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace {
 
 using namespace thaw;
-using test::SettleRig;
+using test::RelaxRig;
 using Row = SurfaceRow;
 
 /// Processor time (s), which depends less on other load of the machine.
@@ -41,7 +41,7 @@ double seconds(const std::function<void()>& work) {
 }
 
 /// Mean numbers of particles within h_ps and surfels within h_ss of a surfel.
-void neighbours(const SettleRig& rig, double& particles, double& surfels) {
+void neighbours(const RelaxRig& rig, double& particles, double& surfels) {
   const Surface& s = rig.w.surface;
   std::size_t n = 0, counted[2]{0, 0};
   for (std::size_t i = 0; i < s.surfels.owned; i += 37, n++) {
@@ -68,15 +68,15 @@ Row iterations(const std::string& name, double surfels, int repeat,
   const double R = 9.85, spacing = std::sqrt(4 * 3.14159265358979323846 * R * R / (0.866 * surfels));
   Row best;
   for (int k = 0; k < repeat; k++) {
-    SettleRig rig(spacing, R + 6, [&](Scene& s) {
+    RelaxRig rig(spacing, R + 6, [&](Scene& s) {
       s.surface.stop = 1e-6, s.surface.particleSupport = 2.1, change(s, spacing);
     });
     rig.addLattice(12, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
     rig.addBallSurfels(R);
     rig.place();
-    rig.settle(8);
+    rig.relaxSurfels(8);
     rig.tools.relax.times = {};
-    rig.settle(12);
+    rig.relaxSurfels(12);
     Row r;
     r.name = name;
     r.particles = static_cast<double>(rig.w.surface.particles.owned);
@@ -138,7 +138,7 @@ Row update(double surfels, int repeat) {
   };
   Row best;
   for (int k = 0; k < repeat; k++) {
-    SettleRig rig(spacing * 1.07, height + 8);
+    RelaxRig rig(spacing * 1.07, height + 8);
     World& w = rig.w;
     lattice(1, [&](const Vec3d& x) {
       if (bust->inside(x)) rig.addParticle(x, flow(x), 1, liquidAt(x));
@@ -146,9 +146,9 @@ Row update(double surfels, int repeat) {
     for (const auto& [x, n] : skin) rig.addSurfel(x, n, 1, 0);
     rig.place();
     // start from the surface of the last update, relaxed where it was liquid
-    rig.tools.relax.particlesReady = false;
+    rig.tools.relax.particlesPrepared = false;
     sampleFields(w, rig.ranks->halos(), rig.tools);
-    rig.settle(100, false);
+    rig.relaxSurfels(100, false);
     w.surface.particles.resize(w.surface.particles.owned, 0);
     rig.place();
     rig.tools.relax.times = {};
@@ -156,7 +156,7 @@ Row update(double surfels, int repeat) {
     r.name = "update of a melting bust";
     r.particles = static_cast<double>(w.surface.particles.owned);
     r.surfels = static_cast<double>(w.surface.surfels.owned);
-    Settled done;
+    RelaxationResult done;
     const SurfaceHalos halos = rig.ranks->halos();
     r.displaceMs = 1e3 * seconds([&] {
                      findDisplacementGradients(w, halos, rig.tools);
@@ -168,10 +168,10 @@ Row update(double surfels, int repeat) {
       p.resize(p.owned, 0);
       rig.place();
     });
-    r.readyMs = 1e3 * seconds([&] { readyParticles(w, halos, rig.tools); });
+    r.readyMs = 1e3 * seconds([&] { prepareParticles(w, halos, rig.tools); });
     r.fieldsMs = 1e3 * seconds([&] { sampleFields(w, halos, rig.tools); });
     const double relax = seconds([&] {
-      done = rig.settle(w.scene.surface.iterations, false);
+      done = rig.relaxSurfels(w.scene.surface.iterations, false);
       blendSurfels(w);
     });
     r.updateS = relax + place + 1e-3 * (r.displaceMs + r.readyMs + r.fieldsMs);
@@ -214,12 +214,12 @@ Row whole(bool molten, double surfels, double support, const std::string& choice
 }
 
 Row ball(int R, SmoothingForm form, double support = 3) {
-  SettleRig rig(0.5, R + 6, [&](Scene& s) { s.surface.smoothing = form, s.surface.support = support; });
+  RelaxRig rig(0.5, R + 6, [&](Scene& s) { s.surface.smoothing = form, s.surface.support = support; });
   rig.addLattice(R + 1, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
   rig.addBallSurfels(R, 0.1);
   rig.place();
   Row r;
-  r.iterations = static_cast<double>(rig.settle(60).iterations);
+  r.iterations = static_cast<double>(rig.relaxSurfels(60).iterations);
   r.name = std::string("ball of whole lattice cells R/dx ") + std::to_string(R) +
            (form == SmoothingForm::Plane ? " smoothing to planes" : "") +
            (support != 3 ? " h_ss " + std::to_string(support).substr(0, 3) + " d" : "");

@@ -34,13 +34,14 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
                      static_cast<double>(edges.bytes()) + bytesOf(w.sheets.slope)},
       {"solids", bytesOf(static_cast<const Table&>(w.solids))},
       {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
-      {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.wet, n.neighbours)},
-      {"pair records", bytesOf(r.fixed, r.coarse[0], r.coarse[1], r.coarse[2], r.place, r.motion, r.state,
-                               r.surface, r.diagonal, r.mixed, r.pull)},
+      {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.fluid, n.neighbours)},
+      {"pair records", bytesOf(r.fixed, r.coarse[0], r.coarse[1], r.coarse[2], r.positionVolume,
+                               r.velocityViscosity, r.pressurePhaseHeat, r.surface, r.pressureDiagonal,
+                               r.pressureOffDiagonal, r.surfaceEnergyDerivatives)},
       {"bonds", static_cast<double>(b.bytes())},
       {"elastic work",
        bytesOf(e.remoteGroup, e.ownFrames, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes,
-               e.stretched, e.perTrace, e.perWeight, e.grip, e.motion4, e.motion4d)},
+               e.stretched, e.perTrace, e.perWeight, e.strainBound, e.velocityDrag, e.velocityDragDouble)},
       {"surface", bytesOf(static_cast<const Table&>(f.surfels)) +
                       bytesOf(static_cast<const Table&>(f.particles)) +
                       bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count,

@@ -19,10 +19,10 @@ ColumnList ghostColumns(World& w) {
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);
   if (p.compression.active) c.push_back(&p.compression);
-  if (p.travel.active) c.push_back(&p.travel);
+  if (p.stepMeanVelocity.active) c.push_back(&p.stepMeanVelocity);
   if (p.atSurface.active) c.push_back(&p.atSurface);
   if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
-  if (w.modules.sleep) c.push_back(&p.calm);
+  if (w.modules.sleep) c.push_back(&p.restTime);
   if (w.modules.sleep) c.push_back(&p.sleep);
   return c;
 }
@@ -73,21 +73,22 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   }
   s.conductionScale = t.conductionScale;
   s.support = w.grid.support;
-  s.fillingScale = t.fillingScale;
+  s.relativeDensityScale = t.relativeDensityScale;
   s.selfExcess = t.selfExcess;
-  s.place = n.precision == Precision::Single ? t.records.fixed.data() : t.records.place.data();
-  s.motion = t.records.motion.data();
-  s.state = t.records.state.data();
+  s.positionVolume = n.precision == Precision::Single ? t.records.fixed.data()
+                                                      : t.records.positionVolume.data();
+  s.velocityViscosity = t.records.velocityViscosity.data();
+  s.pressurePhaseHeat = t.records.pressurePhaseHeat.data();
   s.surface = t.records.surface.data();
   s.closeDistance = contactDistance * w.scene.spacing / w.grid.support;
-  s.exposureScale = 2 * w.scene.spacing;
-  s.filling = p.filling.data();
+  s.freeSurfaceIndicatorScale = 2 * w.scene.spacing;
+  s.relativeDensity = p.relativeDensity.data();
   s.force = p.force.data();
   s.heatFlow = p.heatFlow.data();
   s.dissipation = p.dissipation.data();
   s.interaction = p.interaction.data();
-  s.exposure = p.exposure.data();
-  s.smoothed = p.smoothing.data();
+  s.freeSurfaceIndicator = p.freeSurfaceIndicator.data();
+  s.smoothed = p.shiftingVelocity.data();
   s.coincident = &w.counters.coincidentPairs;
   s.carried = w.modules.continuity;
   s.diffusion = n.densityDiffusion;
@@ -95,22 +96,23 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.material = p.material.data();
   s.liquids = t.liquids.data();
   s.densityRate = p.densityRate.data();
-  s.spreading = p.spreading.data();
+  s.densityDiffusionRate = p.densityDiffusionRate.data();
   if (w.modules.continuity) s.stiffness = t.liquids[0].stiffness;
-  if (w.modules.corrected) s.moment = p.moment.data(), s.flow = p.flow.data();
-  if (p.wetting.active) {
-    s.wetting = p.wetting.data();
-    s.solidShare = p.solidShare.data();
+  if (w.modules.corrected)
+    s.moment = p.moment.data(), s.negativeVelocityGradient = p.negativeVelocityGradient.data();
+  if (p.liquidKernelSum.active) {
+    s.liquidKernelSum = p.liquidKernelSum.data();
+    s.solidFraction = p.solidFraction.data();
     s.liquidNearby = p.liquidNearby.data();
   }
   s.relief = p.relief.active;
   if (p.solidNormal.active) s.solidNormal = p.solidNormal.data();
-  s.pull = t.records.pull.data();
+  s.surfaceEnergyDerivatives = t.records.surfaceEnergyDerivatives.data();
   s.surfaceGradient = p.surfaceGradient.data();
-  s.surfaceCover = p.surfaceCover.data();
-  s.diagonal = t.records.diagonal.data();
-  s.mixed = t.records.mixed.data();
-  s.crowding = w.modules.shifting ? p.crowding.data() : nullptr;
+  s.surfaceColour = p.surfaceColour.data();
+  s.pressureDiagonal = t.records.pressureDiagonal.data();
+  s.pressureOffDiagonal = t.records.pressureOffDiagonal.data();
+  s.concentrationGradient = w.modules.shifting ? p.concentrationGradient.data() : nullptr;
   if (p.atSurface.active) s.surfaceNormal = p.surfaceNormal.data(), s.gradientSize = p.gradientSize.data();
   return s;
 }
@@ -120,8 +122,8 @@ namespace {
 void search(World& w, StepTools& t, Part part) {
   const Continuum& p = w.particles;
   const std::size_t n = w.cells.key.size();
-  const bool mixed = w.modules.fluid && w.modules.solid;
-  if (mixed) {
+  const bool pressureOffDiagonal = w.modules.fluid && w.modules.solid;
+  if (pressureOffDiagonal) {
     t.liquidCells.assign(n, 0);
     for (std::size_t c = 0; c < n; c++)
       for (std::uint32_t k = 0; k < w.cells.count[c]; k++) {
@@ -135,7 +137,7 @@ void search(World& w, StepTools& t, Part part) {
   in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
   in.cells = &w.cells;
   in.inner = t.inner.data();
-  in.liquid = mixed || !w.modules.fluid ? t.liquidCells.data() : nullptr;
+  in.liquid = pressureOffDiagonal || !w.modules.fluid ? t.liquidCells.data() : nullptr;
   in.owned = static_cast<std::uint32_t>(p.owned);
   t.kernels->search(in, part, t.search, w.neighbours);
 }
@@ -149,7 +151,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
     // The pass may skip rows without liquid nearby, and which ones depends on ranks.
-    if (p.wetting.active) std::fill_n(p.wetting.data(), p.owned, 0.0F);
+    if (p.liquidKernelSum.active) std::fill_n(p.liquidKernelSum.data(), p.owned, 0.0F);
     resizeRecords(x, p.owned + t.ghostRoom, t.records);
     for (const RowSpan& rows : rowsToSee(w, t)) packRecords(x, p, rows.begin, rows.end, t.records);
     clearLists(lists, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.owned + t.ghostRoom));
@@ -175,7 +177,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
       sums.elapsed = elapsed;
       t.kernels->density(sums, range);
     }
-    if (w.modules.surfaceEnergy) t.kernels->surfaceSeen(pairSumsOf(w, t), range);
+    if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);
     t.times.lap(StepPhase::Density);
     return;
   }
@@ -185,20 +187,22 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     w.compressionKnown = !w.modules.uniform;
   }
   const PairSums s = pairSumsOf(w, t);
-  PairSums resisting = s;
+  PairSums dissipativeForce = s;
   if (p.drag.active)
-    resisting.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the step
-  if (w.modules.fluid || w.modules.heat) t.kernels->forces(resisting, range);
+    dissipativeForce.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
+                                             // step
+  if (w.modules.fluid || w.modules.heat) t.kernels->forces(dissipativeForce, range);
   if (w.modules.surfaceEnergy) {
-    pass == NeighbourPass::InnerForces ? packSurfacePull(x, p, 0, p.owned, t.records)
-                                       : packSurfacePull(x, p, p.owned, p.size(), t.records);
+    pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
+                                       : packSurfaceEnergyDerivatives(x, p, p.owned, p.size(), t.records);
     t.kernels->surfaceForces(s, range);
   } else if (w.modules.tension) {
     t.kernels->tension(s, range);
   }
-  if (w.modules.artificialViscosity && !w.modules.uniform) t.kernels->artificialViscosity(resisting, range);
+  if (w.modules.artificialViscosity && !w.modules.uniform)
+    t.kernels->artificialViscosity(dissipativeForce, range);
   if (w.modules.xsph) t.kernels->smoothing(s, range);
-  if (w.modules.surfaceHeat) t.kernels->exposure(s, range);
+  if (w.modules.surfaceHeat) t.kernels->freeSurfaceIndicator(s, range);
   if (w.modules.contact) {
     if (pass == NeighbourPass::InnerForces) t.closePairs.list.clear();
     t.kernels->closePairs(s, range, t.closePairs);
@@ -227,7 +231,7 @@ PairSums packingSums(World& w, StepTools& t) {
   s.heat = s.uniform = s.carried = false;
   s.pressureForm = PairForm::Consistent;
   s.moment = nullptr;
-  s.crowding = nullptr;
+  s.concentrationGradient = nullptr;
   return s;
 }
 
@@ -249,7 +253,7 @@ void sumUnitPressure(World& w, StepTools& t) {
   in.owned = static_cast<std::uint32_t>(p.owned);
   t.kernels->search(in, Part::Inner, t.search, w.neighbours);
   PairSums s = packingSums(w, t);
-  s.fillingScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
+  s.relativeDensityScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
   t.kernels->forces(s, {0, w.neighbours.groups});
 }
 
@@ -258,7 +262,7 @@ void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
   const GroupRange all{0, w.neighbours.groups};
   const PairSums s = packingSums(w, t);
   t.kernels->density(s, all);
-  halo.beginRefresh(p, std::array<AnyColumn*, 1>{&p.filling});
+  halo.beginRefresh(p, std::array<AnyColumn*, 1>{&p.relativeDensity});
   halo.finishRefresh(p);
   const Modules modules = packingModules(w);
   setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.records);
@@ -276,7 +280,7 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
   if (w.counters.coincidentPairs == before) return;
   Continuum& p = w.particles;
   const NeighbourLists& lists = w.neighbours;
-  const std::uint32_t* place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  const std::uint32_t* positionVolume = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < 8; l++) {
       const std::uint32_t i = lists.self[8 * g + l];
@@ -284,14 +288,15 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
       bool together = false;
       for (std::uint32_t k = 0; k < lists.count[g] && !together; k++) {
         const std::uint32_t j = lists.row(g, k, l);
-        together = j != lists.dummy && std::memcmp(place + 4ull * i, place + 4ull * j, 12) == 0;
+        together = j != lists.dummy &&
+                   std::memcmp(positionVolume + 4ull * i, positionVolume + 4ull * j, 12) == 0;
       }
       if (!together) continue;
       Vec3d d;
       for (int a = 0; a < 3; a++)
         d[a] = randomUniform(w.scene.seed, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 0.5;
       p.position[i] += d * (1e-5 * w.scene.spacing);
-      if (p.calm.active) p.calm[i] = 0;
+      if (p.restTime.active) p.restTime[i] = 0;
     }
 }
 

@@ -44,8 +44,8 @@ BondForming bondForming(const World& w, const StepTools& t) {
   return forming;
 }
 
-/// Updates data after a relink that changed something on any rank.
-void renewSolids(World& w, Halos& halos, StepTools& t) {
+/// Updates data after a bond update that changed something on any rank.
+void updateBondData(World& w, Halos& halos, StepTools& t) {
   fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
   if (w.modules.sleep) forgetChangedSlots(w, t);
   const ColumnList columns = remoteColumnsAfterRelink(w.solids);
@@ -66,7 +66,7 @@ bool bondsForm(World& w, Halos& halos, StepTools& t) {
 
 /// Records the energy of the particles that requested bonds, times `sign`: 1 before they have the bonds, -1
 /// after, at the same positions.
-void bookEnergy(World& w, StepTools& t, double sign) {
+void recordEnergyJump(World& w, StepTools& t, double sign) {
   if (sign > 0) {
     t.rebonded.clear();
     for (const BondRequest& q : t.requests) {
@@ -124,11 +124,12 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
     pairs.clear();
     if (w.bonds.vectors) formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, part(k));
     else pairAtStart(w.particles, w.neighbours, forming, pairs, part(k));
-    halos.bonds.relink(w.particles, w.solids, w.bonds, {requests, false, pairs, mostNeighbours, remotes});
+    halos.bonds.rebuildBonds(w.particles, w.solids, w.bonds,
+                             {requests, false, pairs, mostNeighbours, remotes});
   }
-  if (fieldsToCome(w, t))
+  if (fieldsDeferred(w, t))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.activate(*c);
-  renewSolids(w, halos, t);
+  updateBondData(w, halos, t);
   t.bondsAtStart = false;
 }
 
@@ -142,21 +143,21 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
   if (w.modules.fluid) halos.cells.finishRefresh(p);
   halos.cells.beginRefresh(p, columns);
   halos.cells.finishRefresh(p);
-  if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.filling});
+  if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.relativeDensity});
   if (t.bondsAtStart) return bondScene(w, halos, t);
   t.requests.clear();
   w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, bondForming(w, t), t.requests);
-  bookEnergy(w, t, 1);
-  relinkSolids(w, halos, t, {t.requests, true});
+  recordEnergyJump(w, t, 1);
+  rebuildSolidBonds(w, halos, t, {t.requests, true});
 }
 
 }  // namespace
 
-void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
+void rebuildSolidBonds(World& w, Halos halos, StepTools& t, const BondUpdate& work) {
   t.times.lap(StepPhase::Sort);
   linkSlots(w.particles, w.solids);
-  if (halos.bonds.relink(w.particles, w.solids, w.bonds, work) && !fieldsToCome(w, t))
-    renewSolids(w, halos, t);
+  if (halos.bonds.rebuildBonds(w.particles, w.solids, w.bonds, work) && !fieldsDeferred(w, t))
+    updateBondData(w, halos, t);
   t.times.lap(StepPhase::Bonds);
 }
 
@@ -189,7 +190,7 @@ void melt(World& w, Halos halos, StepTools& t) {
 }
 
 void beginDeformation(World& w, Halos halos, const StepTools& t) {
-  if (fieldsToCome(w, t)) return;
+  if (fieldsDeferred(w, t)) return;
   copyToSolids(w.particles, w.solids);
   const ColumnList columns = remoteColumnsBeforeDeformation(w.solids);
   halos.bonds.begin(w.solids, columns);
@@ -198,7 +199,7 @@ void beginDeformation(World& w, Halos halos, const StepTools& t) {
 void deform(World& w, Halos halos, StepTools& t, double dt) {
   dt /= w.clock.substeps;  // the last of them
   ElasticStep now = elasticStep(t, dt);
-  if (!fieldsToCome(w, t)) deformAll(w, halos, t, now);
+  if (!fieldsDeferred(w, t)) deformAll(w, halos, t, now);
   if (bondsForm(w, halos, t)) {
     const bool start = t.bondsAtStart;
     makeBonds(w, halos, t);
@@ -206,7 +207,7 @@ void deform(World& w, Halos halos, StepTools& t, double dt) {
     beginDeformation(w, halos, t);
     now.dt = 0;  // plastic flow is done
     deformAll(w, halos, t, now);
-    if (!start) bookEnergy(w, t, -1);
+    if (!start) recordEnergyJump(w, t, -1);
     now.dt = dt;
   }
   if (w.modules.fracture)

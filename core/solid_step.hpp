@@ -4,9 +4,9 @@
 
 namespace thaw {
 
-/// Updates the table of solids (BondHalo::relink) and, if anything changed on any rank, the data derived from
-/// bonds. Collective.
-void relinkSolids(World& world, Halos halos, StepTools& tools, const Relink& work);
+/// Updates the table of solids (BondHalo::rebuildBonds) and, if anything changed on any rank, the data
+/// derived from bonds. Collective.
+void rebuildSolidBonds(World& world, Halos halos, StepTools& tools, const BondUpdate& work);
 
 /// Drops the bonds of particles that melted in this step and records their elastic energy. Collective.
 void melt(World& world, Halos halos, StepTools& tools);
@@ -14,7 +14,7 @@ void melt(World& world, Halos halos, StepTools& tools);
 /// Returns true at the start of a scene whose bonds have no vectors. Until the bonds exist, the fields of
 /// columnsOfSteps are unused. Their memory is better allocated once the lists of the start are freed and
 /// remote rows are known. Forming bonds with vectors reads F of their ends.
-inline bool fieldsToCome(const World& world, const StepTools& tools) {
+inline bool fieldsDeferred(const World& world, const StepTools& tools) {
   return tools.bondsAtStart && !world.bonds.vectors;
 }
 

@@ -21,9 +21,9 @@ void drift(World& w, double span, double far2) {
       p.velocity[i].x = std::numeric_limits<double>::quiet_NaN();
       continue;
     }
-    if (p.smoothing.active && !(p.clamped.active && p.clamped[i])) v += p.smoothing[i];
+    if (p.shiftingVelocity.active && !(p.clamped.active && p.clamped[i])) v += p.shiftingVelocity[i];
     p.position[i] += v * span;
-    if (p.travel.active) p.travel[i] += v * share;
+    if (p.stepMeanVelocity.active) p.stepMeanVelocity[i] += v * share;
     if (const double potential = wrapPlace(w.grid, w.scene.domain, p.position[i]); potential != 0)
       w.ledger.entered.potential.add(p.mass[i] * potential);
   }
@@ -81,7 +81,8 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
   // Already handled.
   if (w.solids.rereferenced.active)
     std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});
-  if (w.particles.travel.active) std::fill_n(w.particles.travel.data(), w.particles.owned, Vec3d{});
+  if (w.particles.stepMeanVelocity.active)
+    std::fill_n(w.particles.stepMeanVelocity.data(), w.particles.owned, Vec3d{});
   findSubstepContacts(w, t.substepContacts);
   drift(w, span, far2);
   for (int k = 1; k < n; k++) {

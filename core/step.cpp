@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/ballot.hpp"
-#include "core/bring_home.hpp"
+#include "core/body_types/redistribute.hpp"
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/carried_density.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
-#include "core/kinds/place_kinds.hpp"
 #include "core/ledger/energy_left.hpp"
 #include "core/ledger/report.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/particle_sums.hpp"
+#include "core/redistribute.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/solid_step.hpp"
 #include "core/solid_substeps.hpp"
+#include "core/step_reduction.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/integrate.hpp"
 
@@ -29,7 +29,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   if (w.modules.oriented)
     stepOriented(w, halos, t, dt);  // with integrators of their own, and with obstacles at their positions of
                                     // the force evaluation
-  if (w.modules.incompressible) addPressureKick(w);  // computed at the end of the last step
+  if (w.modules.incompressible) addPressureImpulse(w);  // computed at the end of the last step
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w, t)) || w.clock.substeps > 1;  // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);  // stiff solids: bonds only, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
@@ -42,31 +42,31 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
 
   evaluate(w, halos, t, dt);  // forces at the new positions
 
-  if (w.modules.sleep) settleSleep(w, t, dt);  // solids at rest are fixed from here on
+  if (w.modules.sleep) updateSleep(w, t, dt);  // solids at rest are fixed from here on
   StepOutcome here;
   LargestRates largest;
   here.finite = finishKick(w, dt, awakeRows(w, t), &here.bad, &largest);  // v += a dt/2
   here.largest = largest;
-  here.badHere = !here.finite || w.oriented.overran;
+  here.badHere = !here.finite || w.oriented.exceededReach;
   if (w.modules.sheet) {
     t.times.lap(StepPhase::Drift);
     kickSheets(w, dt);  // v += impulse of forces at the new positions
     t.times.lap(StepPhase::SheetMotion);
   }
-  if (w.modules.kinds() && !finiteKinds(w)) here.finite = false;
+  if (w.modules.kinds() && !bodyTypesAreFinite(w)) here.finite = false;
   t.times.lap(StepPhase::Drift);
   if (w.modules.heat) updateHeat(w, dt);  // H += heat dt, T and liquid fraction follow
   PhaseChanges changes;
   if (w.modules.melting) changes = changePhase(w);  // solid <-> liquid
   t.phaseChangedHere = changes.melted || changes.frozen;
-  t.frozeAnywhere = changes.frozen;  // both are reduced by vote
+  t.frozeAnywhere = changes.frozen;  // both are reduced by reduceStep
   t.meltedAnywhere = changes.melted;
   t.times.lap(StepPhase::Heat);
 
   w.clock.time = time;
   w.clock.stepDt = dt;
   w.clock.step++;
-  const StepOutcome all = vote(w, halos, t, here, wanted);
+  const StepOutcome all = reduceStep(w, halos, t, here, wanted);
   // Removes compression from v and computes the next density-pressure kick.
   if (w.modules.incompressible && all.finite) findPressure(w, halos, t, dt);
   if (w.modules.solid && t.meltedAnywhere)
@@ -76,10 +76,11 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
 
 void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
-  const bool leftSlots = bringHome(w, halos, t, dt);  // emit, remove, migrate, sort by (cell, id)
-  if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
+  const bool leftSlots = redistribute(w, halos, t, dt);  // emit, remove, migrate, sort by (cell, id)
+  if (w.modules.solid)
+    rebuildSolidBonds(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
-  if (w.modules.kinds()) bringKindsHome(w, halos, t, dt);
+  if (w.modules.kinds()) redistributeBodyTypes(w, halos, t, dt);
   if (w.modules.sheet) linkSheets(w, halos, t);
   if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
 
@@ -90,7 +91,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
                           dt,
                           dt > 0 ? dt : nextStep(w.clock),
                           1.0 / w.clock.substeps,
-                          w.modules.sleep ? &t.sleep.deep : nullptr};
+                          w.modules.sleep ? &t.sleep.steady : nullptr};
   findWallContacts(walls, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
@@ -106,28 +107,28 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;
   if (neighbours) {
     markInner(w, halos.cells, t);
-    if (w.modules.sleep) markAsleep(w, t);
+    if (w.modules.sleep) markSleepingInner(w, t);
     sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while inner particles are searched and
                                                                // summed
     halos.cells.finishGhosts(p, w.cells);
     t.times.lap(StepPhase::Exchange);
     markInner(w, halos.cells, t);
-    if (w.modules.sleep) markAllAsleep(w, t);
+    if (w.modules.sleep) markSleeping(w, t);
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, dt);
   }
   if (w.modules.sleep) dropSkippedContacts(t);
-  if (w.modules.fluid) addWallFilling(walls, t.perLatticeSum, t.wallContacts);
+  if (w.modules.fluid) addWallRelativeDensity(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
   if (w.modules.continuity || w.modules.shifting) carryDensity(w, t, dt);
   if (w.modules.surfaceEnergy) findSurfaceEnergy(walls, t.surface, t.wallContacts);
   if (w.modules.tension) recordEnergyLeft(w, t);
-  ColumnList toGhosts{&p.filling};
+  ColumnList toGhosts{&p.relativeDensity};
   if (p.correction.active) toGhosts.push_back(&p.correction);
   if (p.relief.active) toGhosts.push_back(&p.relief);
   if (w.modules.surfaceEnergy) {
-    toGhosts.push_back(&p.surfacePull);
-    toGhosts.push_back(&p.surfaceDraw);
+    toGhosts.push_back(&p.surfaceEnergyByGradient);
+    toGhosts.push_back(&p.surfaceEnergyByColour);
   }
   if (w.modules.fluid) halos.cells.beginRefresh(p, toGhosts);
   t.times.lap(StepPhase::Exchange);
@@ -146,25 +147,25 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
          &t.contactResistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs},
         t.closePairs, p);
   t.times.lap(StepPhase::Contact);
-  if (w.modules.sleep) noteHolds(w, t);
+  if (w.modules.sleep) recordConstraintForces(w, t);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (w.modules.sheet) loadSheets(w, halos, t, dt);  // forces on vertices, and of vertices on particles
-  if (w.modules.meeting) meetContinuum(w, t, dt);    // oriented particles and the continuum
-  if (w.modules.oriented) bookBornContacts(w, t);    // contacts of particles born in this step
-  if (w.modules.contact) bookResistance(walls, t.contactResistance);
-  bookClamps(walls, t.wallContacts);
+  if (w.modules.orientedContact) addContinuumContact(w, t, dt);  // oriented particles and the continuum
+  if (w.modules.oriented) recordBirthContacts(w, t);             // contacts of particles born in this step
+  if (w.modules.contact) recordResistance(walls, t.contactResistance);
+  recordClamps(walls, t.wallContacts);
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // needs all other forces
   if (w.modules.heat) {
     addWallHeat(walls, t.wallContacts);
-    addOuterHeat(w, dt, walls.deep);
-    addTempering(w, dt);
+    addOuterHeat(w, dt, walls.steady);
+    addThermostats(w, dt);
   }
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);
 }
 
-StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
+StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
   StepLimits own = particleLimits(w, here.largest ? *here.largest : largestRates(w), t.stableViscousStep);
   own[Limit::Sound] = limits[Limit::Sound] / soundStiffening(w);  // the minimum over ranks belongs to the
@@ -173,44 +174,46 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   // stable).
   if (t.wallContacts.stiffest > 0)
     own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
-  Ballot ballot;
-  for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++)
-    ballot.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
+  StepReduction reduction;
+  for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
+    reduction.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
   if (w.modules.kinds())
-    ballot.negatedKindLimits = {w.modules.oriented ? -orientedStepLimit(w, t) : -never,
-                                w.modules.sheet ? -sheetStepLimit(w) : -never};
-  ballot.froze = t.frozeAnywhere;
-  ballot.melted = t.meltedAnywhere;
-  ballot.bad = here.badHere || !here.finite;
-  ballot.stop = wanted.stop;
-  ballot.report = wanted.report;
-  ballot.checkpoint = wanted.checkpoint;
-  if (w.modules.solid) ballot.stretch2 = t.maxStretch2;
-  if (w.modules.solid) ballot.grip = largestGrip(t.elastic, w.solids);
-  if (w.modules.substeps) ballot.negatedFastLimit = -fastAccelerationLimit(w);
-  if (w.modules.fluid) ballot.filling = largestFilling(w);
-  if (w.modules.surface) ballot.surfaceMove2 = largestSurfaceMove2(w);
+    reduction.negatedBodyTypeLimits = {w.modules.oriented ? -orientedStepLimit(w, t) : -never,
+                                       w.modules.sheet ? -sheetStepLimit(w) : -never};
+  reduction.froze = t.frozeAnywhere;
+  reduction.melted = t.meltedAnywhere;
+  reduction.bad = here.badHere || !here.finite;
+  reduction.stop = wanted.stop;
+  reduction.report = wanted.report;
+  reduction.checkpoint = wanted.checkpoint;
+  if (w.modules.solid) reduction.stretch2 = t.maxStretch2;
+  if (w.modules.solid) reduction.strainBound = largestStrainBound(t.elastic, w.solids);
+  if (w.modules.substeps) reduction.negatedFastLimit = -fastAccelerationLimit(w);
+  if (w.modules.fluid) reduction.relativeDensity = largestRelativeDensity(w);
+  if (w.modules.surface) reduction.surfaceMove2 = largestSurfaceMove2(w);
   // Bonds break and references change in any step.
   if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);
   t.times.lap(StepPhase::Drift);
-  reduce(ballot, halos.all, w.modules);
+  reduceOverRanks(reduction, halos.all, w.modules);
   t.times.lap(StepPhase::Reduce);
-  for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++) limits.value[k] = -ballot.negatedLimits[k];
-  for (std::size_t k = 0; k < kindLimits && w.modules.kinds(); k++)
-    limits.value[ballot.negatedLimits.size() + k] = -ballot.negatedKindLimits[k];
+  for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
+    limits.value[k] = -reduction.negatedLimits[k];
+  for (std::size_t k = 0; k < bodyTypeLimits && w.modules.kinds(); k++)
+    limits.value[reduction.negatedLimits.size() + k] = -reduction.negatedBodyTypeLimits[k];
   // From the largest values of all ranks: the minimum of their limits would depend on the partition.
-  if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, ballot.stretch2, ballot.grip);
+  if (w.modules.solid)
+    limits[Limit::Elastic] = elasticStepLimit(w.scene, reduction.stretch2, reduction.strainBound);
   // Limit of a substep.
-  const double longest = std::min({limits[Limit::Elastic], t.longestContact, -ballot.negatedFastLimit});
+  const double longest = std::min({limits[Limit::Elastic], t.longestContact, -reduction.negatedFastLimit});
   if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * longest;
   StepOutcome all = here;
   all.limitedBy = limits.smallest();
-  t.frozeAnywhere = ballot.froze > 0;
-  t.meltedAnywhere = ballot.melted > 0;
-  all.finite = !(ballot.bad > 0);
-  all.wanted = {ballot.stop > 0, ballot.report > 0, ballot.checkpoint > 0};
-  all.surfaceMove2 = ballot.surfaceMove2;
-  all.alarm = all.finite ? alarmOf(w, t.watch, limits, ballot.filling) : Alarm::NotFinite;
+  t.frozeAnywhere = reduction.froze > 0;
+  t.meltedAnywhere = reduction.melted > 0;
+  all.finite = !(reduction.bad > 0);
+  all.wanted = {reduction.stop > 0, reduction.report > 0, reduction.checkpoint > 0};
+  all.surfaceMove2 = reduction.surfaceMove2;
+  all.failure = all.finite ? failureOf(w, t.watch, limits, reduction.relativeDensity) : Failure::NotFinite;
   w.watch.factor = nextFactor(w.watch);  // 1, or less after a rollback
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
   // Without a limit frames shorten the step; after a rollback it is a fraction of that.

@@ -13,6 +13,7 @@
 #include "core/geometry/signed_distance.hpp"
 #include "core/halo/halo.hpp"
 #include "core/ledger/energy_left.hpp"
+#include "core/monitor/monitor.hpp"
 #include "core/neighbours/search.hpp"
 #include "core/neighbours/sort.hpp"
 #include "core/oriented/oriented_work.hpp"
@@ -22,7 +23,6 @@
 #include "core/time/limits.hpp"
 #include "core/time/phase_times.hpp"
 #include "core/walls/wall_forces.hpp"
-#include "core/watch/watch.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
@@ -32,8 +32,8 @@ struct Halos {
   Reducer& all;
   CellHalo& cells;
   BondHalo& bonds;
-  CellHalo* kinds[2] = {nullptr, nullptr};  ///< for further body types (core/kinds/kinds.hpp), over the same
-                                            ///< grid; null for absent types
+  CellHalo* kinds[2] = {nullptr, nullptr};  ///< for further body types (core/body_types/body_types.hpp), over
+                                            ///< the same grid; null for absent types
   BondHalo* edges = nullptr;                ///< for sheets
 };
 
@@ -42,7 +42,7 @@ struct StepTools {
   const PairKernels* kernels = nullptr;
   std::vector<LiquidMaterial> liquids;
   StepLimits fixedLimits;  ///< from materials
-  WatchBounds watch;
+  MonitorLimits watch;
   std::vector<EmitterPlan> emitters;
   std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< shapes of the bodies until they are
                                                               ///< sampled; meshes are slow to make
@@ -54,14 +54,14 @@ struct StepTools {
                                  ///< (terms/density.hpp)
   double stableViscousStep = 0;  ///< largest stable dt nu / h^2 on the lattice
   double conductionScale = 1;    ///< for heat conduction, see kernels/lattice.hpp
-  double fillingScale = 1;       ///< perLatticeSum / h^3
+  double relativeDensityScale = 1;  ///< perLatticeSum / h^3
   SortBuffers sort;
   SearchBuffers search;
   PairRecords records;
   std::vector<std::uint8_t> inner, liquidCells;
   std::size_t ghostRoom = 1024;  ///< rows reserved for ghosts between the owned rows and the dummy row
   ClosePairs closePairs;
-  std::vector<ContactResistance> contactResistance;
+  std::vector<DissipativeForce> contactResistance;
   WallContacts wallContacts;
   std::vector<WallContact> substepContacts;  ///< solids that may touch a wall in this step
   double longestContact = never;  ///< s, limit of a substep by wall contacts of solids, from materials
@@ -81,7 +81,7 @@ struct StepTools {
   bool newPartition = true;   ///< cell owners may differ from the last evaluation
   bool looseMemory = false;   ///< the last evaluation had a new partition, and its temporary memory is free
   bool emitFirst = false;     ///< the next evaluation also emits layers that leave at time 0
-  bool phaseChangedHere = false;  ///< on this rank, since the last relink
+  bool phaseChangedHere = false;  ///< on this rank, since the last bond update
   bool frozeAnywhere = false;     ///< some particle just froze on some rank
   bool meltedAnywhere = false;    ///< some solid melted in this step on some rank
   double mass = 0;                ///< kg, of all ranks
@@ -96,9 +96,9 @@ struct Requests {
 /// Common result of all ranks after a step.
 struct StepOutcome {
   Limit limitedBy = Limit::Scene;
-  Requests wanted;            ///< by any rank
-  Alarm alarm = Alarm::None;  ///< result of the stability monitor
-  bool finite = true;         ///< false: some value is not finite; `bad` is its row on the rank that has it
+  Requests wanted;                  ///< by any rank
+  Failure failure = Failure::None;  ///< result of the stability monitor
+  bool finite = true;  ///< false: some value is not finite; `bad` is its row on the rank that has it
   bool badHere = false;
   std::size_t bad = 0;
   std::optional<LargestRates> largest;  ///< on this rank, if the kick computed them
@@ -117,10 +117,10 @@ StepTools makeTools(const World& world);
 void evaluate(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Reduces the limits of all ranks and sets the next step in the clock. Collective.
-StepOutcome vote(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests wanted);
+StepOutcome reduceStep(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests wanted);
 
 /// One leap-frog step of Clock::dt, shortened to hit the next frame time. Requires: accelerations, from one
-/// call of evaluate and vote before the first step. Collective; the same bits on any number of ranks.
+/// call of evaluate and reduceStep before the first step. Collective; the same bits on any number of ranks.
 StepOutcome step(World& world, Halos halos, StepTools& tools, Requests wanted);
 
 /// Returns the exact total mass (kg) of all ranks. Collective.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/ledger/ledger.hpp"
+#include "core/monitor/monitor_state.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
 #include "core/oriented/oriented.hpp"
@@ -16,7 +17,6 @@
 #include "core/surface/surface.hpp"
 #include "core/time/clock.hpp"
 #include "core/walls/walls.hpp"
-#include "core/watch/watch_state.hpp"
 
 namespace thaw {
 
@@ -71,7 +71,7 @@ struct World {
   Clock clock;
   Ledger ledger;
   Counters counters;
-  WatchState watch;
+  MonitorState watch;
   Surface surface;
   OrientedBodies oriented;
   SheetBodies sheets;

@@ -22,7 +22,7 @@ namespace {
 
 /// Prints a command-line error once, on rank 0. The end of the MPI session keeps other ranks from ending the
 /// job before that.
-void sayOnce(CLI::App& app, const CLI::ParseError& e, int* argc, char*** argv) {
+void printErrorOnce(CLI::App& app, const CLI::ParseError& e, int* argc, char*** argv) {
   thaw::MpiSession mpi(argc, argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -35,8 +35,9 @@ std::vector<std::string> reversedArguments(int argc, char** argv) {
   std::vector<std::string> all;
   for (int a = argc; a-- > 1;) {
     const std::string text = argv[a];
-    const bool bare = text.size() > 2 && text[0] == '-' && text[1] == '.' && text[2] >= '0' && text[2] <= '9';
-    all.push_back(bare ? "-0" + text.substr(1) : text);
+    const bool pointFirst = text.size() > 2 && text[0] == '-' && text[1] == '.' && text[2] >= '0' &&
+                            text[2] <= '9';
+    all.push_back(pointFirst ? "-0" + text.substr(1) : text);
   }
   return all;
 }
@@ -80,7 +81,7 @@ bool parsed(CLI::App& app, int argc, char** argv, int& code) {
     return true;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e), code = 0, false;  // --help, --version
-    sayOnce(app, e, &argc, &argv);
+    printErrorOnce(app, e, &argc, &argv);
     code = thaw::exitUsage;
     return false;
   }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/bring_home.hpp"
-#include "core/kinds/cell_costs.hpp"
+#include "core/body_types/cell_costs.hpp"
 #include "core/neighbours/list_cells.hpp"
+#include "core/redistribute.hpp"
 
 namespace thaw {
 
@@ -27,8 +27,8 @@ RowCosts costsOf(const World& w, const PhaseTimes& spent) {
   const Continuum& p = w.particles;
   const double n = static_cast<double>(p.owned);
   RowCosts costs;
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) {
-    costs.kind[kind] = r.owned > 0 ? spent[kind == orientedKind ? StepPhase::Oriented : StepPhase::Sheet] /
+  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& r, const CellTable&) {
+    costs.kind[kind] = r.owned > 0 ? spent[kind == orientedType ? StepPhase::Oriented : StepPhase::Sheet] /
                                          static_cast<double>(r.owned)
                                    : 0;
   });

@@ -20,25 +20,25 @@ std::vector<Message> MpiBondHalo::exchange(const std::vector<Message>& out, int 
 int MpiBondHalo::anyRank(int bits) const {
   const WaitMark waiting(comm_, MessagesFor::Reduction);
   MPI_Allreduce(MPI_IN_PLACE, &bits, 1, MPI_INT, MPI_BOR, comm_.handle());
-  comm_.traffic().collectives++;
+  comm_.statistics().collectives++;
   return bits;
 }
 
 void MpiBondHalo::adopt(std::vector<std::byte> records) {
-  waiting_.push_back({std::move(records), {}, true});
+  pendingRecords_.push_back({std::move(records), {}, true});
 }
 
-bool MpiBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink& work) {
+bool MpiBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, const BondUpdate& work) {
   if (!p.active) return false;
   const SolidTables tables{p, s, b};
   const bool alone = comm_.size() == 1;
   unslotted_.clear();
   removed_.clear();
-  strangers_.clear();
+  meltedArrivals_.clear();
   fresh_.clear();
   recordOf_.clear();
-  askedIds_.clear();
-  const bool particlesChanged = moved_ || work.changedHere || solidArrived_ || !waiting_.empty();
+  queriedIds_.clear();
+  const bool particlesChanged = moved_ || work.changedHere || solidArrived_ || !pendingRecords_.empty();
   const bool edit = particlesChanged || work.asks() || b.broken;
   int flags = edit ? Changed : 0;
   std::vector<std::uint64_t> unknown;
@@ -47,12 +47,12 @@ bool MpiBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink&
     if (b.broken) graph_.dropBroken(tables);
     if (particlesChanged) {
       findUnslotted(p, s, unslotted_);
-      listWaiting(s);
+      listPendingRecords(s);
       leaveSlots(s, b);
     }
     matchRecords(p);
-    bool membership = !removed_.empty() || !strangers_.empty();
-    for (const Found* f : recordOf_) membership = membership || !f || waiting_[f->waiting].adopted;
+    bool membership = !removed_.empty() || !meltedArrivals_.empty();
+    for (const Found* f : recordOf_) membership = membership || !f || pendingRecords_[f->waiting].adopted;
     if (membership) flags |= Membership;
     unknown = unknownIds(s, work, false);
     if (!unknown.empty()) flags |= Unknown;
@@ -61,15 +61,15 @@ bool MpiBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink&
   if (!(flags & Changed)) return false;
   if (!edit) graph_.begin();
   if (!alone) {
-    if (flags & Membership) tellChanges(p);
+    if (flags & Membership) sendChanges(p);
     if (moved_ && (flags & Membership)) checkMoves(s, work);
-    else if (flags & Unknown) askOwners(unknown);
+    else if (flags & Unknown) queryOwners(unknown);
   }
   makeSlots(tables, work);
   graph_.finish(tables);
   if (!alone) links_.renew(comm_, graph_);
   departures_.clear();
-  waiting_.clear();
+  pendingRecords_.clear();
   found_.clear();
   movedRows_.clear();
   moved_ = solidArrived_ = false;
@@ -77,31 +77,31 @@ bool MpiBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink&
   return true;
 }
 
-void MpiBondHalo::tellChanges(const BondedRows& p) {
-  WordMessages news;
+void MpiBondHalo::sendChanges(const BondedRows& p) {
+  WordMessages updates;
   const auto tell = [&](std::uint64_t id, std::uint64_t owner) {
-    std::vector<std::uint64_t>& w = news.to(directoryRank(id, comm_.size()));
+    std::vector<std::uint64_t>& w = updates.to(directoryRank(id, comm_.size()));
     w.push_back(id);
     w.push_back(owner);
   };
   // A particle that melts and freezes at once is removed from the directory before it is written again.
   for (const std::uint32_t slot : removed_) tell(graph_.idOf(slot), SolidDirectory::nobody);
-  for (const std::uint64_t id : strangers_) tell(id, SolidDirectory::nobody);
-  links_.announceRemovals(graph_, removed_, news);
+  for (const std::uint64_t id : meltedArrivals_) tell(id, SolidDirectory::nobody);
+  links_.announceRemovals(graph_, removed_, updates);
   for (std::size_t i = 0; i < fresh_.size(); i++)
-    if (!recordOf_[i] || waiting_[recordOf_[i]->waiting].adopted)
+    if (!recordOf_[i] || pendingRecords_[recordOf_[i]->waiting].adopted)
       tell(p.id[fresh_[i].particle], static_cast<std::uint64_t>(comm_.rank()));
-  applyNews(exchange(news.messages(), NewsKind), true);
+  applyUpdates(exchange(updates.messages(), UpdateKind), true);
 }
 
 /// Returns ids at the other ends of new bonds without a row here and with unknown owner (all: also those
 /// whose record names the owner).
-std::vector<std::uint64_t> MpiBondHalo::unknownIds(const Solids& s, const Relink& work, bool all) {
+std::vector<std::uint64_t> MpiBondHalo::unknownIds(const Solids& s, const BondUpdate& work, bool all) {
   std::vector<std::uint64_t> ids;
   SolidRecordView view;
   for (const Found* f : recordOf_) {
-    if (!f || (!all && !waiting_[f->waiting].adopted)) continue;
-    readRecord(s, waiting_[f->waiting].records, f->at, view);
+    if (!f || (!all && !pendingRecords_[f->waiting].adopted)) continue;
+    readRecord(s, pendingRecords_[f->waiting].records, f->at, view);
     for (const BondRecord& r : view.bonds)
       if (graph_.rowOf(r.neighbourId) == noRow) ids.push_back(r.neighbourId);
   }
@@ -117,7 +117,7 @@ std::vector<std::uint64_t> MpiBondHalo::unknownIds(const Solids& s, const Relink
   return ids;
 }
 
-void MpiBondHalo::askOwners(const std::vector<std::uint64_t>& ids) {
+void MpiBondHalo::queryOwners(const std::vector<std::uint64_t>& ids) {
   WordMessages ask;
   for (const std::uint64_t id : ids) ask.to(directoryRank(id, comm_.size())).push_back(id);
   WordMessages answer;
@@ -132,23 +132,23 @@ void MpiBondHalo::askOwners(const std::vector<std::uint64_t>& ids) {
     for (std::size_t k = 0; k + 1 < w.size(); k += 2) found.push_back({w[k], w[k + 1]});
   }
   std::sort(found.begin(), found.end());
-  askedIds_.clear();
-  askedOwners_.clear();
+  queriedIds_.clear();
+  queriedOwners_.clear();
   for (const auto& [id, owner] : found) {
-    askedIds_.push_back(id);
-    askedOwners_.push_back(owner);
+    queriedIds_.push_back(id);
+    queriedOwners_.push_back(owner);
   }
 }
 
-// Handles particles that migrated and particles that stopped being solid before the same relink: owners
+// Handles particles that migrated and particles that stopped being solid before the same bond update: owners
 // announced in the migration may be outdated.
-void MpiBondHalo::checkMoves(const Solids& s, const Relink& work) {
+void MpiBondHalo::checkMoves(const Solids& s, const BondUpdate& work) {
   std::vector<std::uint64_t> ids = unknownIds(s, work, true);
   for (const Departure& d : departures_) ids.push_back(graph_.idOf(d.slot));
   for (const std::uint32_t row : movedRows_) ids.push_back(graph_.idOf(row));
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  askOwners(ids);
+  queryOwners(ids);
   for (const Departure& d : departures_)
     if (ownerOf(graph_.idOf(d.slot)) < 0) graph_.setOwner(d.slot, -1);
   for (const std::uint32_t row : movedRows_)
@@ -157,18 +157,18 @@ void MpiBondHalo::checkMoves(const Solids& s, const Relink& work) {
 
 /// Returns the owner from the directory's answer; -1 if it has none, -2 if the id was not requested.
 int MpiBondHalo::ownerOf(std::uint64_t id) const {
-  const auto at = std::lower_bound(askedIds_.begin(), askedIds_.end(), id);
-  if (at == askedIds_.end() || *at != id) return -2;
-  const std::uint64_t owner = askedOwners_[static_cast<std::size_t>(at - askedIds_.begin())];
+  const auto at = std::lower_bound(queriedIds_.begin(), queriedIds_.end(), id);
+  if (at == queriedIds_.end() || *at != id) return -2;
+  const std::uint64_t owner = queriedOwners_[static_cast<std::size_t>(at - queriedIds_.begin())];
   return owner == SolidDirectory::nobody ? -1 : static_cast<int>(owner);
 }
 
-void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
+void MpiBondHalo::makeSlots(const SolidTables& t, const BondUpdate& work) {
   SolidRecordView view;
   std::size_t most = 0;
   for (std::size_t i = 0; i < fresh_.size(); i++) {
     if (!recordOf_[i]) continue;
-    readRecord(t.solids, waiting_[recordOf_[i]->waiting].records, recordOf_[i]->at, view);
+    readRecord(t.solids, pendingRecords_[recordOf_[i]->waiting].records, recordOf_[i]->at, view);
     fresh_[i].state = view.state;
     most = std::max(most, view.bonds.size());
   }
@@ -184,7 +184,7 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
   for (std::uint32_t i = 0; i < fresh_.size(); i++) {
     const Found* f = recordOf_[i];
     if (!f) continue;
-    const Waiting& w = waiting_[f->waiting];
+    const PendingRecords& w = pendingRecords_[f->waiting];
     readRecord(t.solids, w.records, f->at, view);
     std::size_t told = f->owner;
     for (const BondRecord& r : view.bonds) {

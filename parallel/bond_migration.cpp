@@ -7,24 +7,24 @@
 
 namespace thaw {
 
-void MpiBondHalo::listWaiting(const Solids& s) {
+void MpiBondHalo::listPendingRecords(const Solids& s) {
   found_.clear();
   SolidRecordView view;
-  for (std::size_t w = 0; w < waiting_.size(); w++) {
+  for (std::size_t w = 0; w < pendingRecords_.size(); w++) {
     std::size_t owner = 0;
-    for (std::size_t at = 0; at < waiting_[w].records.size();) {
-      const std::size_t end = readRecord(s, waiting_[w].records, at, view);
+    for (std::size_t at = 0; at < pendingRecords_[w].records.size();) {
+      const std::size_t end = readRecord(s, pendingRecords_[w].records, at, view);
       found_.push_back({view.id, w, at, end, owner});
       owner += view.bonds.size();
       at = end;
     }
-    if (!waiting_[w].adopted && owner != waiting_[w].owners.size())
+    if (!pendingRecords_[w].adopted && owner != pendingRecords_[w].owners.size())
       throw std::runtime_error("the numbers of bonds and of owners in records of solid particles differ");
   }
   std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) { return a.id < b.id; });
 }
 
-const MpiBondHalo::Found* MpiBondHalo::findWaiting(std::uint64_t id) const {
+const MpiBondHalo::Found* MpiBondHalo::findPendingRecord(std::uint64_t id) const {
   const auto at = std::lower_bound(found_.begin(), found_.end(), id,
                                    [](const Found& f, std::uint64_t i) { return f.id < i; });
   return at != found_.end() && at->id == id ? &*at : nullptr;
@@ -41,35 +41,35 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
   if (comm_.size() == 1) return;
   int any = 0;
   for (std::size_t k = 0; k < m.departed.size(); k++) {
-    if (m.departedTo[k] < 0) continue;      // left the domain: relink detects it
-    if (p.liquid(m.departed[k])) continue;  // melted before it migrated: relink detects it
+    if (m.departedTo[k] < 0) continue;      // left the domain: rebuildBonds detects it
+    if (p.liquid(m.departed[k])) continue;  // melted before it migrated: rebuildBonds detects it
     const std::uint32_t slot = p.slot[m.departed[k]];
     if (slot != noSlot) departures_.push_back({slot, m.departedTo[k]});
-    else any = any || !waiting_.empty();
+    else any = any || !pendingRecords_.empty();
   }
   any = any || !departures_.empty();
   any = anyRank(any);
   if (!any) return;
   moved_ = true;
-  tellDepartures();
+  sendDepartures();
   sendRecords(p, s, b, m);
 }
 
 // Sends the new owner to ranks with copies and to the directory. This comes before the records, so that
 // records contain the final owners of the other ends of bonds.
-void MpiBondHalo::tellDepartures() {
+void MpiBondHalo::sendDepartures() {
   for (const Departure& d : departures_) graph_.setOwner(d.slot, d.to);
-  WordMessages news;
+  WordMessages updates;
   for (const Departure& d : departures_) {
-    std::vector<std::uint64_t>& w = news.to(directoryRank(graph_.idOf(d.slot), comm_.size()));
+    std::vector<std::uint64_t>& w = updates.to(directoryRank(graph_.idOf(d.slot), comm_.size()));
     w.push_back(graph_.idOf(d.slot));
     w.push_back(static_cast<std::uint64_t>(d.to));
   }
-  links_.announceDepartures(graph_, comm_.rank(), news);
-  applyNews(exchange(news.messages(), NewsKind), false);
+  links_.announceDepartures(graph_, comm_.rank(), updates);
+  applyUpdates(exchange(updates.messages(), UpdateKind), false);
 }
 
-void MpiBondHalo::applyNews(const std::vector<Message>& in, bool edit) {
+void MpiBondHalo::applyUpdates(const std::vector<Message>& in, bool edit) {
   for (const Message& m : in) {
     const std::vector<std::uint64_t> w = wordsOf(m);
     for (std::size_t k = 0; k + 1 < w.size(); k += 2) {
@@ -104,16 +104,16 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
     Parcel& x = parcelTo(d.to, false);
     appendRecord(s, b, d.slot, x.records);
     for (int k = 0; k < b.capacity; k++)
-      if (b.there(d.slot, k)) x.owners.push_back(graph_.ownerOf(b.neighbour[b.at(d.slot, k)]));
+      if (b.hasBond(d.slot, k)) x.owners.push_back(graph_.ownerOf(b.neighbour[b.at(d.slot, k)]));
   }
-  if (!waiting_.empty()) {
-    listWaiting(s);
+  if (!pendingRecords_.empty()) {
+    listPendingRecords(s);
     for (std::size_t k = 0; k < m.departed.size(); k++) {
       if (m.departedTo[k] < 0 || p.slot[m.departed[k]] != noSlot) continue;
-      const Found* f = findWaiting(p.id[m.departed[k]]);
+      const Found* f = findPendingRecord(p.id[m.departed[k]]);
       if (!f) continue;
       std::vector<std::byte>& bytes = parcelTo(m.departedTo[k], true).records.bytes;
-      const std::vector<std::byte>& from = waiting_[f->waiting].records;
+      const std::vector<std::byte>& from = pendingRecords_[f->waiting].records;
       bytes.insert(bytes.end(), from.begin() + static_cast<std::ptrdiff_t>(f->at),
                    from.begin() + static_cast<std::ptrdiff_t>(f->end));
     }
@@ -132,14 +132,14 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
   for (const Message& message : exchange(out, RecordKind)) {
     std::uint64_t head[2];
     std::memcpy(head, message.bytes.data(), sizeof head);
-    Waiting w;
+    PendingRecords w;
     w.adopted = head[1] != 0;
     const auto first = message.bytes.begin() + sizeof head,
                last = first + static_cast<std::ptrdiff_t>(head[0]);
     w.records.assign(first, last);
     w.owners.resize(static_cast<std::size_t>(message.bytes.end() - last) / sizeof(std::int32_t));
     if (!w.owners.empty()) std::memcpy(w.owners.data(), &*last, w.owners.size() * sizeof(std::int32_t));
-    waiting_.push_back(std::move(w));
+    pendingRecords_.push_back(std::move(w));
   }
 }
 
@@ -158,13 +158,13 @@ void MpiBondHalo::matchRecords(const BondedRows& p) {
   recordOf_.reserve(unslotted_.size());
   fresh_.reserve(unslotted_.size());
   for (const std::uint32_t row : unslotted_) {
-    const Found* f = findWaiting(p.id[row]);
+    const Found* f = findPendingRecord(p.id[row]);
     if (f) used[static_cast<std::size_t>(f - found_.data())] = 1;
     recordOf_.push_back(f);
     fresh_.push_back({row, nullptr});
   }
   for (std::size_t k = 0; k < found_.size(); k++)
-    if (!used[k] && !waiting_[found_[k].waiting].adopted) strangers_.push_back(found_[k].id);
+    if (!used[k] && !pendingRecords_[found_[k].waiting].adopted) meltedArrivals_.push_back(found_[k].id);
 }
 
 }  // namespace thaw

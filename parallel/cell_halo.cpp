@@ -51,7 +51,7 @@ void MpiCellHalo::usePartition(Partition partition) {
   for (int r = 0; r < comm_.size(); r++) {
     Neighbour n;
     n.rank = r;
-    n.sendRoom = n.receiveRoom = std::min<std::size_t>(1 << 16, comm_.piece());
+    n.sendRoom = n.receiveRoom = std::min<std::size_t>(1 << 16, comm_.chunk());
     n.copies.links = imageLinks(grid_, box_, partition_.box(r), r == comm_.rank());
     if (!n.copies.links.empty()) neighbours_.push_back(std::move(n));
   }
@@ -65,7 +65,7 @@ std::size_t MpiCellHalo::bufferBytes() const {
          x.copies.counts.capacity() * sizeof(std::uint32_t) + x.copies.runs.capacity() * sizeof(RowRun);
   }
   for (const Message& x : movers_) n += x.bytes.capacity();
-  for (const Message& x : inbox_.messages()) n += x.bytes.capacity();
+  for (const Message& x : receiveBuffer_.messages()) n += x.bytes.capacity();
   return n;
 }
 
@@ -101,13 +101,13 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
     p.packState(i, out.data() + out.size() - bytes);
   }
   for (std::size_t k = 0; k < used; k++) messageTo_[static_cast<std::size_t>(movers_[k].rank)] = -1;
-  sparseExchange(comm_, {movers_.data(), used}, inbox_, MigrateKind, MessagesFor::Migration);
+  sparseExchange(comm_, {movers_.data(), used}, receiveBuffer_, MigrateKind, MessagesFor::Migration);
   const std::size_t before = p.owned;
-  for (const Message& x : inbox_.messages()) m.arrivals += x.bytes.size() / bytes;
+  for (const Message& x : receiveBuffer_.messages()) m.arrivals += x.bytes.size() / bytes;
   if (m.arrivals > 0) {
     p.resize(before + m.arrivals, 0);
     std::size_t row = before;
-    for (const Message& x : inbox_.messages())
+    for (const Message& x : receiveBuffer_.messages())
       for (std::size_t at = 0; at < x.bytes.size(); at += bytes) p.unpackState(row++, x.bytes.data() + at);
     // A slot is an index into tables of the old owner.
     if (AnyColumn* slot = p.find("slot"); slot != nullptr && slot->active)
@@ -115,7 +115,7 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   }
   if (newPartition_) {  // later migrations are smaller
     movers_ = {};
-    inbox_ = {};
+    receiveBuffer_ = {};
     newPartition_ = false;
   }
   return m;
@@ -123,7 +123,7 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
 
 /// Bytes to receive at once after a message of this size: at most one piece, since the number of pieces of
 /// the next message is unknown.
-std::size_t MpiCellHalo::roomFor(std::size_t bytes) const { return std::min(withRoom(bytes), comm_.piece()); }
+std::size_t MpiCellHalo::roomFor(std::size_t bytes) const { return std::min(withRoom(bytes), comm_.chunk()); }
 
 void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColumn* const> columns) {
   mark_.begin(comm_, MessagesFor::Ghosts);

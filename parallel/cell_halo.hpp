@@ -65,7 +65,7 @@ class MpiCellHalo : public CellHalo {
   GhostCellMerge merge_;
   std::vector<Message> movers_;  // kept to reuse the buffers
   std::vector<int> messageTo_;   // index of the message in preparation, by rank; -1: none
-  Inbox inbox_;
+  ReceiveBuffer receiveBuffer_;
   bool newPartition_ = false;  // since the last migration
   int pause_ = 0;
   double imbalance_ = 1;

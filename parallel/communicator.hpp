@@ -9,7 +9,7 @@
 #include "core/halo/halo.hpp"
 #include "core/particles/column.hpp"
 #include "core/time/step_trace.hpp"
-#include "parallel/traffic.hpp"
+#include "parallel/communication_statistics.hpp"
 
 namespace thaw {
 
@@ -36,8 +36,8 @@ class MpiSession {
 };
 
 /// Largest piece of a message, and largest number of elements in a reduction: MPI counts in 32 bits.
-inline constexpr std::size_t largestPiece = std::size_t{1} << 30;
-inline constexpr std::size_t smallestPiece = 64;
+inline constexpr std::size_t largestChunk = std::size_t{1} << 30;
+inline constexpr std::size_t smallestChunk = 64;
 
 /// A duplicated communicator, which isolates the program's messages. All halos share it; it counts their
 /// traffic.
@@ -45,8 +45,8 @@ class Communicator {
  public:
   /// piece: bytes of the largest piece of a message (64 B to 1 GiB; small ones are for tests), equal on all
   /// ranks.
-  explicit Communicator(MPI_Comm from = MPI_COMM_WORLD, std::size_t piece = largestPiece)
-      : piece_(std::clamp(piece, smallestPiece, largestPiece)) {
+  explicit Communicator(MPI_Comm from = MPI_COMM_WORLD, std::size_t chunk = largestChunk)
+      : chunk_(std::clamp(chunk, smallestChunk, largestChunk)) {
     MPI_Comm_dup(from, &handle_);
     MPI_Comm_rank(handle_, &rank_);
     MPI_Comm_size(handle_, &size_);
@@ -57,23 +57,23 @@ class Communicator {
   MPI_Comm handle() const { return handle_; }
   int rank() const { return rank_; }
   int size() const { return size_; }
-  std::size_t piece() const { return piece_; }
+  std::size_t chunk() const { return chunk_; }
   /// Alternates the tag between sparse exchanges, so that messages of a rank one exchange ahead are not
   /// received early.
   int nextTag(int tag) const { return 2 * tag + static_cast<int>(exchanges_++ & 1u); }
   /// Traffic of this rank over this communicator so far. Senders add to it.
-  Traffic& traffic() const { return traffic_; }
+  CommunicationStatistics& statistics() const { return statistics_; }
   /// Trace of waits and exchanges (not owned), or null.
   StepTrace* trace() const { return trace_; }
   void setTrace(StepTrace* trace) const { trace_ = trace; }
 
  private:
   mutable unsigned exchanges_ = 0;
-  mutable Traffic traffic_;
+  mutable CommunicationStatistics statistics_;
   mutable StepTrace* trace_ = nullptr;
   MPI_Comm handle_ = MPI_COMM_NULL;
   int rank_ = 0, size_ = 1;
-  std::size_t piece_;
+  std::size_t chunk_;
 };
 
 /// Counts the duration of a scope as waiting for other ranks.
@@ -83,7 +83,7 @@ class WaitMark {
       : comm_(comm), purpose_(purpose), start_(StepTrace::Clock::now()) {}
   ~WaitMark() {
     const auto now = StepTrace::Clock::now();
-    comm_.traffic()[purpose_].waited += std::chrono::duration<double>(now - start_).count();
+    comm_.statistics()[purpose_].waited += std::chrono::duration<double>(now - start_).count();
     if (StepTrace* t = comm_.trace())
       t->add(TraceKind::Wait, static_cast<std::uint8_t>(purpose_), start_, now);
   }
@@ -103,18 +103,18 @@ class ExchangeMark {
   void begin(const Communicator& comm, MessagesFor purpose) {
     if (comm.trace() == nullptr) return;
     start_ = StepTrace::Clock::now();
-    before_ = comm.traffic()[purpose];
+    before_ = comm.statistics()[purpose];
   }
   void end(const Communicator& comm, MessagesFor purpose) const {
     if (comm.trace() == nullptr) return;
-    const Traffic::Sum& now = comm.traffic()[purpose];
+    const CommunicationStatistics::Sum& now = comm.statistics()[purpose];
     comm.trace()->add(TraceKind::Exchange, static_cast<std::uint8_t>(purpose), start_,
                       StepTrace::Clock::now(), now.messages - before_.messages, now.bytes - before_.bytes);
   }
 
  private:
   StepTrace::Clock::time_point start_{};
-  Traffic::Sum before_;
+  CommunicationStatistics::Sum before_;
 };
 
 /// Reducer over MPI. maximum turns NaN into +infinity, so that it is never lost.
@@ -129,16 +129,16 @@ class MpiReducer : public Reducer {
     reduce(values, MPI_DOUBLE, MPI_MAX);
   }
   void sum(std::span<std::int64_t> values) override { reduce(values, MPI_INT64_T, MPI_SUM); }
-  std::vector<WordList> deliver(std::vector<WordList> lists) override;
+  std::vector<WordStream> sparseAllToAll(std::vector<WordStream> lists) override;
 
  private:
   template<class T> void reduce(std::span<T> values, MPI_Datatype type, MPI_Op operation) {
     if (comm_.size() == 1) return;
     const WaitMark waiting(comm_, MessagesFor::Reduction);
     while (!values.empty()) {
-      const std::size_t n = std::min(values.size(), comm_.piece());
+      const std::size_t n = std::min(values.size(), comm_.chunk());
       MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(n), type, operation, comm_.handle());
-      comm_.traffic().collectives++;
+      comm_.statistics().collectives++;
       values = values.subspan(n);
     }
   }

@@ -46,7 +46,7 @@ Occupied occupied(const Group& g, const std::vector<WeightedCell>& cells) {
   }
   MPI_Allreduce(MPI_IN_PLACE, bounds, 6, MPI_INT64_T, MPI_MAX, g.comm);
   MPI_Allreduce(MPI_IN_PLACE, &o.total, 1, MPI_INT64_T, MPI_SUM, g.comm);
-  g.all->traffic().collectives += 2;
+  g.all->statistics().collectives += 2;
   for (int a = 0; a < 3 && o.total > 0; a++) {
     o.low[a] = static_cast<int>(-bounds[a]);
     o.high[a] = static_cast<int>(bounds[3 + a]);
@@ -62,7 +62,7 @@ void weightBelow(const Group& g, const std::vector<WeightedCell>& cells, const V
     for (const WeightedCell& c : cells) sum[a] += c.cell[a] < plane[a] ? c.weight : 0;
   }
   MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPI_INT64_T, MPI_SUM, g.comm);
-  g.all->traffic().collectives++;
+  g.all->statistics().collectives++;
 }
 
 // Finds for each axis the plane that splits the weight best, by bisection of its position: one small
@@ -109,21 +109,21 @@ Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
 }
 
 /// Number of cells in a piece of a message. Each full piece is followed by another, possibly empty one.
-std::size_t cellsOfAPiece(const Group& g) { return g.all->piece() / sizeof(WeightedCell); }
+std::size_t cellsPerChunk(const Group& g) { return g.all->chunk() / sizeof(WeightedCell); }
 
 std::vector<MPI_Request> sendCells(const Group& g, const std::vector<WeightedCell>& give, int to) {
   std::vector<MPI_Request> requests;
-  for (std::size_t done = 0; done <= give.size(); done += cellsOfAPiece(g)) {
-    const std::size_t bytes = std::min(cellsOfAPiece(g), give.size() - done) * sizeof(WeightedCell);
+  for (std::size_t done = 0; done <= give.size(); done += cellsPerChunk(g)) {
+    const std::size_t bytes = std::min(cellsPerChunk(g), give.size() - done) * sizeof(WeightedCell);
     MPI_Isend(give.data() + done, static_cast<int>(bytes), MPI_BYTE, to, CellsTag, g.comm,
               &requests.emplace_back());
-    g.all->traffic().sent(MessagesFor::Balance, bytes);
+    g.all->statistics().sent(MessagesFor::Balance, bytes);
   }
   return requests;
 }
 
 void receiveCells(const Group& g, int from, std::vector<WeightedCell>& cells) {
-  for (std::size_t came = cellsOfAPiece(g); came == cellsOfAPiece(g);) {
+  for (std::size_t came = cellsPerChunk(g); came == cellsPerChunk(g);) {
     MPI_Status status;
     MPI_Probe(from, CellsTag, g.comm, &status);
     int bytes = 0;
@@ -169,7 +169,7 @@ std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std:
   const WaitMark waiting(comm, MessagesFor::Balance);  // nearly all of the time
   Group g{MPI_COMM_NULL, 0, comm.size(), comm.rank(), {{0, 0, 0}, grid.cells}, &comm};
   MPI_Comm_dup(comm.handle(), &g.comm);
-  comm.traffic().collectives++;
+  comm.statistics().collectives++;
   while (g.count > 1) {
     const Cut cut = findCut(g, cells);
     exchangeHalves(g, cut, cells);
@@ -177,7 +177,7 @@ std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std:
     const bool mineIsLeft = g.self < left;
     MPI_Comm half;
     MPI_Comm_split(g.comm, mineIsLeft ? 0 : 1, g.self, &half);
-    comm.traffic().collectives++;
+    comm.statistics().collectives++;
     MPI_Comm_free(&g.comm);
     g.comm = half;
     if (mineIsLeft) {
@@ -197,7 +197,7 @@ std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std:
   }
   std::vector<CellBox> boxes(static_cast<std::size_t>(comm.size()));
   MPI_Allgather(&g.box, sizeof(CellBox), MPI_BYTE, boxes.data(), sizeof(CellBox), MPI_BYTE, comm.handle());
-  comm.traffic().collectives++;
+  comm.statistics().collectives++;
   return boxes;
 }
 

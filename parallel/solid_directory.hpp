@@ -19,9 +19,9 @@ class SolidDirectory {
   /// Sets the owner of an id. owner: a rank, or nobody (no longer solid), which only the present owner may
   /// set. Otherwise a particle that melts on one rank and freezes on another could be removed by reordered
   /// messages.
-  void set(std::uint64_t id, std::uint64_t owner, int teller) {
+  void set(std::uint64_t id, std::uint64_t owner, int sender) {
     if (owner != nobody) table_.insert(id, static_cast<std::uint32_t>(owner));
-    else if (find(id) == static_cast<std::uint64_t>(teller)) table_.erase(id);
+    else if (find(id) == static_cast<std::uint64_t>(sender)) table_.erase(id);
   }
   std::uint64_t find(std::uint64_t id) const {
     const std::uint32_t owner = table_.find(id);

@@ -4,7 +4,7 @@
 
 namespace thaw {
 
-Message& Inbox::add(int rank, std::size_t n) {
+Message& ReceiveBuffer::add(int rank, std::size_t n) {
   if (used_ == pool_.size()) pool_.emplace_back();
   Message& m = pool_[used_++];
   m.rank = rank;
@@ -12,13 +12,13 @@ Message& Inbox::add(int rank, std::size_t n) {
   return m;
 }
 
-std::byte* Inbox::extend(std::size_t k, std::size_t n) {
+std::byte* ReceiveBuffer::extend(std::size_t k, std::size_t n) {
   std::vector<std::byte>& bytes = pool_[k].bytes;
   bytes.resize(bytes.size() + n);
   return bytes.data() + bytes.size() - n;
 }
 
-void Inbox::sort() {  // insertion sort: few messages, no buffer
+void ReceiveBuffer::sort() {  // insertion sort: few messages, no buffer
   for (std::size_t k = 1; k < used_; k++)
     for (std::size_t j = k; j > 0 && pool_[j].rank < pool_[j - 1].rank; j--)
       std::swap(pool_[j], pool_[j - 1]);
@@ -28,7 +28,7 @@ namespace {
 
 /// Receives a probed piece: the continuation of its sender's last message if that is in `open` (indices of
 /// the inbox), else a new message.
-void receivePiece(const Communicator& comm, MPI_Message handle, const MPI_Status& status, Inbox& in,
+void receiveChunk(const Communicator& comm, MPI_Message handle, const MPI_Status& status, ReceiveBuffer& in,
                   std::vector<std::size_t>& open) {
   int bytes = 0;
   MPI_Get_count(&status, MPI_BYTE, &bytes);
@@ -38,17 +38,17 @@ void receivePiece(const Communicator& comm, MPI_Message handle, const MPI_Status
   std::byte* to = nullptr;
   if (at == open.end()) {
     to = in.add(status.MPI_SOURCE, n).bytes.data();
-    if (n == comm.piece()) open.push_back(in.messages().size() - 1);
+    if (n == comm.chunk()) open.push_back(in.messages().size() - 1);
   } else {
     to = in.extend(*at, n);
-    if (n < comm.piece()) open.erase(at);
+    if (n < comm.chunk()) open.erase(at);
   }
   MPI_Mrecv(to, bytes, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
 }
 
 }  // namespace
 
-void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind,
+void sparseExchange(const Communicator& comm, std::span<const Message> out, ReceiveBuffer& in, int kind,
                     MessagesFor purpose) {
   const int tag = comm.nextTag(kind);
   in.clear();
@@ -60,11 +60,11 @@ void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbo
       std::copy(m.bytes.begin(), m.bytes.end(), in.add(m.rank, m.bytes.size()).bytes.begin());
       continue;
     }
-    for (std::size_t done = 0; done <= m.bytes.size(); done += comm.piece()) {
-      const std::size_t n = std::min(comm.piece(), m.bytes.size() - done);
+    for (std::size_t done = 0; done <= m.bytes.size(); done += comm.chunk()) {
+      const std::size_t n = std::min(comm.chunk(), m.bytes.size() - done);
       MPI_Issend(m.bytes.data() + done, static_cast<int>(n), MPI_BYTE, m.rank, tag, comm.handle(),
                  &sends.emplace_back());
-      comm.traffic().sent(purpose, n);
+      comm.statistics().sent(purpose, n);
     }
   }
   if (comm.size() == 1) return;
@@ -76,13 +76,13 @@ void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbo
     MPI_Message handle;
     MPI_Status status;
     MPI_Improbe(MPI_ANY_SOURCE, tag, comm.handle(), &found, &handle, &status);
-    if (found) receivePiece(comm, handle, status, in, open);
+    if (found) receiveChunk(comm, handle, status, in, open);
     int done = 0;
     if (!waiting) {
       MPI_Testall(static_cast<int>(sends.size()), sends.data(), &done, MPI_STATUSES_IGNORE);
       if (done) {
         MPI_Ibarrier(comm.handle(), &barrier);
-        comm.traffic().collectives++;
+        comm.statistics().collectives++;
         waiting = true;
       }
     } else {
@@ -95,7 +95,7 @@ void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbo
 
 std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind,
                                     MessagesFor purpose) {
-  Inbox in;
+  ReceiveBuffer in;
   sparseExchange(comm, out, in, kind, purpose);
   return {in.messages().begin(), in.messages().end()};
 }

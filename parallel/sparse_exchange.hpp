@@ -15,7 +15,7 @@ struct Message {
 };
 
 /// Received messages. Their buffers are reused at the next exchange.
-class Inbox {
+class ReceiveBuffer {
  public:
   std::span<const Message> messages() const { return {pool_.data(), used_}; }
   void clear() { used_ = 0; }
@@ -35,7 +35,7 @@ class Inbox {
 /// sender in sending order). Messages to the own rank are allowed. kind: a distinct number per use, equal on
 /// all ranks. Messages may have any length: those longer than Communicator::piece are sent in pieces, each
 /// full one followed by another, possibly empty one. Collective over the communicator.
-void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind,
+void sparseExchange(const Communicator& comm, std::span<const Message> out, ReceiveBuffer& in, int kind,
                     MessagesFor purpose);
 
 /// As above with fresh buffers.

@@ -49,8 +49,8 @@ struct PairForce {
   const World& w;
   const StepTools& t;
   double term(std::size_t i) const {
-    const double filling = static_cast<double>(w.particles.filling[i]);
-    return static_cast<double>(pressureOfParticle(w, t.liquids, i)) / (filling * filling);
+    const double relativeDensity = static_cast<double>(w.particles.relativeDensity[i]);
+    return static_cast<double>(pressureOfParticle(w, t.liquids, i)) / (relativeDensity * relativeDensity);
   }
   double operator()(std::size_t i, std::size_t j, double distance) const {
     const Continuum& p = w.particles;
@@ -88,9 +88,9 @@ Vec3d surfaceForce(const World& w, std::size_t i, std::size_t j, const Vec3d& d)
   const Continuum& p = w.particles;
   if (!w.modules.surfaceEnergy) return {};
   const double h = w.grid.support, rho = w.scene.materials[0].density, q2 = dot(d, d) / (h * h);
-  const Vec3d x = d / h, u = p.surfacePull[i] - p.surfacePull[j];
+  const Vec3d x = d / h, u = p.surfaceEnergyByGradient[i] - p.surfaceEnergyByGradient[j];
   const double slope = isa_base::SurfaceKernel::slope(q2), bend = isa_base::SurfaceKernel::bend(q2);
-  const double along = bend * dot(u, x) + slope * (p.surfaceDraw[i] + p.surfaceDraw[j]);
+  const double along = bend * dot(u, x) + slope * (p.surfaceEnergyByColour[i] + p.surfaceEnergyByColour[j]);
   return (u * slope + x * along) * (-p.mass[i] / rho * (p.mass[j] / rho) / (h * h * h * h));
 }
 
@@ -148,11 +148,13 @@ std::vector<Figure> measureLaplace(Trial& r) {
     return length(x.particles.position[i] - centre) < R - 1.5 * h;
   };
   const double core = sum(r, [&](const World& x, std::size_t i) { return inside(x, i) ? 1.0 : 0.0; });
-  const double filling = sum(r,
-                             [&](const World& x, std::size_t i) {
-                               return inside(x, i) ? static_cast<double>(x.particles.filling[i]) : 0.0;
-                             }) /
-                         std::max(core, 1.0);
+  const double relativeDensity = sum(r,
+                                     [&](const World& x, std::size_t i) {
+                                       return inside(x, i)
+                                                  ? static_cast<double>(x.particles.relativeDensity[i])
+                                                  : 0.0;
+                                     }) /
+                                 std::max(core, 1.0);
   // Viscosity is zero at rest and left out. Pairwise cohesion is in the pair forces, so their virial is the
   // pressure. The other forms of tension act at the surface only: the pressure inside is that of the equation
   // of state. Both virials are reported as well.
@@ -171,7 +173,7 @@ std::vector<Figure> measureLaplace(Trial& r) {
           {"radius", std::abs(gyration / R - 1), 0.01},
           {"radius / exact", gyration / R},
           {"extent / R", (extent + 0.5 * w.scene.spacing) / R},
-          {"filling inside", filling},
+          {"filling inside", relativeDensity},
           {"speed / sqrt(sigma/(rho R))", speed / std::sqrt(sigma / (w.scene.materials[0].density * R))},
           {"mismatch of forces", in.mismatch / (sigma * w.scene.spacing)}};
 }

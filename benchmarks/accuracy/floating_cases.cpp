@@ -34,7 +34,7 @@ double compressionRate(const Trial& r) {
 }
 
 /// Starts the water compressed by its weight, so that no initial sound wave moves the body.
-void squeezeWater(Trial& r) {
+void compressWater(Trial& r) {
   Continuum& p = r.world.particles;
   const double rate = compressionRate(r), top = waterHeight(r);
   for (std::size_t i = 0; i < p.owned; i++) {
@@ -243,7 +243,7 @@ std::vector<Figure> measureRising(Trial& r) {
 Case bodyCase(const char* name, const char* about, std::function<std::vector<Figure>(Trial&)> measure) {
   return {.name = name,
           .about = about,
-          .place = squeezeWater,
+          .place = compressWater,
           .watch = watchHeight,
           .measure = std::move(measure)};
 }

@@ -17,17 +17,18 @@ double kineticEnergy(Trial& r) {
 }
 
 /// Adds residuals of the ledger: energy relative to `energy`, momentum relative to m `speed`.
-void addBooks(Trial& r, double energy, double speed, std::vector<Figure>& figures) {
-  const LedgerReport books = reportLedger(r.world, r.tools, r.all);
-  figures.push_back({"energy residual", std::abs(books.energyResidual) / energy, 0.01});
-  figures.push_back({"momentum residual", length(books.momentumResidual) / (books.now.mass * speed), 1e-9});
+void addResiduals(Trial& r, double energy, double speed, std::vector<Figure>& figures) {
+  const LedgerReport ledgerReport = reportLedger(r.world, r.tools, r.all);
+  figures.push_back({"energy residual", std::abs(ledgerReport.energyResidual) / energy, 0.01});
+  figures.push_back(
+      {"momentum residual", length(ledgerReport.momentumResidual) / (ledgerReport.now.mass * speed), 1e-9});
 }
 
 // ---- column at rest ---------------------------------------------------------------------------------------
 
 /// H = 1, g = 1, rho = 1: the density at rest is 1 + (H - z)/c^2. The lattice starts compressed to it, so
 /// that no initial sound wave has to decay.
-void squeezeColumn(Trial& r) {
+void compressColumn(Trial& r) {
   World& w = r.world;
   const double c = w.scene.materials[0].soundSpeed, k = 1 / (c * c);
   for (std::size_t i = 0; i < w.particles.owned; i++) {
@@ -38,7 +39,7 @@ void squeezeColumn(Trial& r) {
 }
 /// Jitters the compressed column by a tenth of a spacing.
 void jitterColumn(Trial& r) {
-  squeezeColumn(r);
+  compressColumn(r);
   World& w = r.world;
   for (std::size_t i = 0; i < w.particles.owned; i++)
     for (int a = 0; a < 3; a++)
@@ -57,7 +58,7 @@ std::vector<Figure> measureColumn(Trial& r) {
       {"Linf(p)", largest(r, [&](const World& w, std::size_t i) { return std::abs(error(w, i)); })},
       // relative to the column's potential energy, m g H / 2
       {"kinetic energy left", kineticEnergy(r) / (0.5 * r.tools.mass)}};
-  addBooks(r, 0.5 * r.tools.mass, 1, f);
+  addResiduals(r, 0.5 * r.tools.mass, 1, f);
   return f;
 }
 
@@ -71,7 +72,7 @@ double frontOf(Trial& r) {
 void watchFront(Trial& r) { r.series.push_back({r.world.clock.time, {frontOf(r)}}); }
 
 /// Linear interpolation of the recorded value.
-double noted(const Trial& r, double time) {
+double recordedAt(const Trial& r, double time) {
   for (std::size_t k = 1; k < r.series.size(); k++)
     if (r.series[k].time >= time) {
       const Sample &a = r.series[k - 1], &b = r.series[k];
@@ -103,10 +104,11 @@ std::vector<Figure> measureRitter(Trial& r) {
     squares += (depth - exact) * (depth - exact);
     n++;
   }
-  std::vector<Figure> f{{"L2(depth)", std::sqrt(squares / n)},
-                        {"depth at the gate", std::abs(gate - 4.0 / 9)},
-                        {"front speed", std::abs((noted(r, t) - noted(r, 0.5 * t)) / (0.5 * t) / 2 - 1)}};
-  addBooks(r, 0.5 * r.tools.mass, 1, f);
+  std::vector<Figure> f{
+      {"L2(depth)", std::sqrt(squares / n)},
+      {"depth at the gate", std::abs(gate - 4.0 / 9)},
+      {"front speed", std::abs((recordedAt(r, t) - recordedAt(r, 0.5 * t)) / (0.5 * t) / 2 - 1)}};
+  addResiduals(r, 0.5 * r.tools.mass, 1, f);
   return f;
 }
 
@@ -119,8 +121,8 @@ double frontError(const Trial& r, const std::vector<std::array<double, 2>>& poin
   double squares = 0;
   worst = 0;
   for (std::size_t k = from; k < points.size(); k++) {
-    const double error = noted(r, std::clamp((points[k][0] + shift) * unit, 0.0, r.world.clock.time)) / a /
-                             points[k][1] -
+    const double error = recordedAt(r, std::clamp((points[k][0] + shift) * unit, 0.0, r.world.clock.time)) /
+                             a / points[k][1] -
                          1;
     squares += error * error;
     worst = std::max(worst, std::abs(error));
@@ -147,8 +149,8 @@ std::vector<Figure> measureMartinMoyce(Trial& r) {
                         {"largest", worst},
                         {"shift of T", std::abs(best)},
                         {"RMS(Z) from the first point", ofFirst}};
-  addBooks(r, r.tools.mass * length(r.world.scene.domain.gravity) * a,
-           std::sqrt(2 * length(r.world.scene.domain.gravity) * a), f);
+  addResiduals(r, r.tools.mass * length(r.world.scene.domain.gravity) * a,
+               std::sqrt(2 * length(r.world.scene.domain.gravity) * a), f);
   return f;
 }
 
@@ -185,7 +187,7 @@ std::vector<Figure> measureVortices(Trial& r) {
                     }) /
                     all},
       {"E/E_exact", ratio}};
-  addBooks(r, r.notes["energy"], 1, f);
+  addResiduals(r, r.notes["energy"], 1, f);
   return f;
 }
 
@@ -195,7 +197,7 @@ std::vector<Case> flowCases() {
   return {{"hydrostatic",
            "column at rest: p = rho g (H - z), in shares of rho g H; H/dx = 40",
            nullptr,
-           squeezeColumn,
+           compressColumn,
            {},
            {},
            measureColumn,

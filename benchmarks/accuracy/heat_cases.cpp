@@ -15,9 +15,9 @@ double diffusivityOf(const Material& m) { return m.conductivity.at(1) / (m.densi
 
 /// Unexplained heat of the ledger, relative to `scale`.
 double heatResidual(Trial& r, double scale) {
-  const LedgerReport books = reportLedger(r.world, r.tools, r.all);
-  return std::abs(books.heatResidual) /
-         (scale * books.now.mass * r.world.scene.materials[0].heatCapacity.at(1));
+  const LedgerReport ledgerReport = reportLedger(r.world, r.tools, r.all);
+  return std::abs(ledgerReport.heatResidual) /
+         (scale * ledgerReport.now.mass * r.world.scene.materials[0].heatCapacity.at(1));
 }
 
 /// Root of an increasing function in [low, high].

@@ -8,10 +8,11 @@ namespace {
 
 /// No exact solution exists. The measure is the unexplained energy over the kinetic energy of the liquid.
 std::vector<Figure> measurePlate(Trial& r) {
-  const LedgerReport books = reportLedger(r.world, r.tools, r.all);
-  return {{"energy residual", std::abs(books.energyResidual) / books.now.kinetic, 0.01},
-          {"elastic energy", books.now.elastic / books.now.kinetic},
-          {"momentum residual", length(books.momentumResidual) / length(books.gravityImpulse), 1e-6}};
+  const LedgerReport ledgerReport = reportLedger(r.world, r.tools, r.all);
+  return {{"energy residual", std::abs(ledgerReport.energyResidual) / ledgerReport.now.kinetic, 0.01},
+          {"elastic energy", ledgerReport.now.elastic / ledgerReport.now.kinetic},
+          {"momentum residual", length(ledgerReport.momentumResidual) / length(ledgerReport.gravityImpulse),
+           1e-6}};
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void turnRound(Trial& r) {
   for (int step = 1; step <= 24; step++) {
     for (std::size_t i = 0; i < w.particles.owned; i++)
       w.particles.position[i] = turn * w.particles.position[i];
-    takeStock(w, r.halos(), r.tools);
+    initializeForces(w, r.halos(), r.tools);
     const double strain = largest(r, [](const World& x, std::size_t i) {
       const Sym3d e = greenStrain(gradientOf(x, i));
       return largestEntry(full(e));

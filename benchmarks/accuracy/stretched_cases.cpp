@@ -30,7 +30,8 @@ double kineticEnergy(Trial& r) {
 /// Volume (m^3) from mass over summed density.
 double densityVolume(Trial& r) {
   return sum(r, [](const World& w, std::size_t i) {
-    const double relative = static_cast<double>(w.particles.filling[i]), rest = w.scene.materials[0].density;
+    const double relative = static_cast<double>(w.particles.relativeDensity[i]),
+                 rest = w.scene.materials[0].density;
     return relative > 0 ? w.particles.mass[i] / (rest * relative) : 0;
   });
 }

@@ -29,7 +29,7 @@ double overRanks(Trial& r, double seconds) {
 }
 
 /// Counts due frames. The surface is updated at frames, as in a run that writes them.
-void passFrames(Clock& c) {
+void countFrames(Clock& c) {
   while (frameDue(c)) c.frame++;
 }
 
@@ -38,7 +38,7 @@ void beginSurface(Trial& r) {
   r.surface = std::make_unique<SurfaceRanks>(r.comm, w.surface.grid);
   r.surfaceTools.load = suiteMeshes();
   startSurface(w, r.surface->halos(), r.surfaceTools);
-  passFrames(w.clock);
+  countFrames(w.clock);
 }
 
 void surfaceAfterStep(Trial& r, double move2) {
@@ -48,7 +48,7 @@ void surfaceAfterStep(Trial& r, double move2) {
   if (w.modules.solid) findElasticEnergy(w, r.tools);
   updateSurface(w, r.surface->halos(), r.surfaceTools);
   r.updateSeconds += processorSeconds() - begin;
-  passFrames(w.clock);
+  countFrames(w.clock);
 }
 
 }  // namespace
@@ -67,10 +67,10 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
   if (c.place) c.place(r);
   r.tools.bondsAtStart = w.modules.solid;
   r.tools.emitFirst = true;
-  takeStock(w, r.halos(), r.tools);
+  initializeForces(w, r.halos(), r.tools);
   if (c.start) {
     c.start(r);
-    takeStock(w, r.halos(), r.tools);
+    initializeForces(w, r.halos(), r.tools);
   }
   WorkMeter meter;
   const double begin = processorSeconds();

@@ -11,7 +11,7 @@
 #include "core/surface/update_surface.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
-#include "parallel/row_courier.hpp"
+#include "parallel/row_scatter.hpp"
 
 namespace thaw::accuracy {
 
@@ -57,8 +57,8 @@ struct Case {
   const char* about;                       ///< one line: setup, reference and source
   const char* scene = nullptr;             ///< file in scenes/
   std::function<void(Trial&)> place = {};  ///< moves particles before bonds are made (jitter)
-  std::function<void(Trial&)> start = {};  ///< velocities, displacements, temperatures at time 0; takeStock
-                                           ///< follows
+  std::function<void(Trial&)> start = {};  ///< velocities, displacements, temperatures at time 0;
+                                           ///< initializeForces follows
   std::function<void(Trial&)> watch = {};  ///< called after every step
   std::function<std::vector<Figure>(Trial&)> measure;
   std::function<void(Scene&)> adapt = {};  ///< changes the scene after it is read, for values that follow the

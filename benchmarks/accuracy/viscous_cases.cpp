@@ -79,8 +79,8 @@ struct Motion {
 };
 
 Motion motionOf(Trial& r) {
-  const LedgerReport books = reportLedger(r.world, r.tools, r.all);
-  return {books.now.momentum, books.now.angularMomentum, books.now.mass};
+  const LedgerReport ledgerReport = reportLedger(r.world, r.tools, r.all);
+  return {ledgerReport.now.momentum, ledgerReport.now.angularMomentum, ledgerReport.now.mass};
 }
 
 void noteMotion(Trial& r) {

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "benchmarks/oriented/tests.hpp"
+#include "core/body_types/redistribute.hpp"
 #include "core/geometry/point_tree.hpp"
-#include "core/kinds/place_kinds.hpp"
 
 namespace thaw::bench {
 
@@ -11,7 +11,7 @@ using test::Simulation;
 
 void neighbours(Figures& figures) {
   for (const double spacing : {0.04, 0.015, 0.0085}) {
-    Scene s = bare(spacing);
+    Scene s = defaultBody(spacing);
     s.oriented[0].shape.kind = ShapeKind::Sphere;
     s.oriented[0].shape.radius = 0.5;
     Simulation x(s);
@@ -21,10 +21,10 @@ void neighbours(Figures& figures) {
     std::size_t found = 0;
     for (int repeat = 0; repeat < 5; repeat++) {
       auto start = std::chrono::steady_clock::now();
-      bringKindsHome(x.w, x.halos(), x.tools);
+      redistributeBodyTypes(x.w, x.halos(), x.tools);
       bySort = std::min(bySort, seconds(start));
       start = std::chrono::steady_clock::now();
-      readyOriented(x.w, x.halos(), x.tools);
+      updateNeighbours(x.w, x.halos(), x.tools);
       byCells = std::min(byCells, seconds(start));
       std::vector<Vec3d> places(o.position.data(), o.position.data() + o.owned);
       start = std::chrono::steady_clock::now();

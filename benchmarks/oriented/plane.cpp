@@ -38,7 +38,7 @@ double nearestApart(const Simulation& x, std::size_t i) {
 }  // namespace
 
 void plane(Figures& figures) {
-  Scene s = bare(0.02);
+  Scene s = defaultBody(0.02);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Patch;
   b.width = b.depth = 0.6;

@@ -4,7 +4,7 @@
 
 #include "benchmarks/oriented/tests.hpp"
 #include "core/geometry/point_tree.hpp"
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
 #include "core/oriented/triangulate.hpp"
 
 namespace thaw::bench {
@@ -32,7 +32,7 @@ void measure(Figures& figures, const Simulation& x, const char* when) {
   // From the original to the nearest particle, minus the largest distance in a hexagonal lattice (a spacing
   // over root 3).
   const PointTree tree(places);
-  const MadePoints all = sampleMesh(shape, 0.5 * s.spacing, 7, {});
+  const SampledPoints all = sampleMesh(shape, 0.5 * s.spacing, 7, {});
   for (const Vec3d& p : all.places) {
     const double d = std::max(0.0,
                               length(places[tree.nearest(p, 1)[0]] - p) / s.spacing - 1 / std::sqrt(3.0));
@@ -61,7 +61,7 @@ void measure(Figures& figures, const Simulation& x, const char* when) {
 /// The scene of scenes/oriented/interpolate.toml: relaxed, then run to its end with potentials and damping
 /// only.
 void rebuilt(Figures& figures, double spacing) {
-  Scene s = bare(spacing);
+  Scene s = defaultBody(spacing);
   OrientedBody& b = s.oriented[0];
   b.shape.kind = ShapeKind::Mesh;
   b.shape.mesh = "builtin:head";

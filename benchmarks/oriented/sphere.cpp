@@ -16,7 +16,7 @@ constexpr double R = 0.25;  // m
 /// Rest energies of spheres (docs/theory/oriented.md explains which of them vanish).
 void spheresAtRest(Figures& figures) {
   {  // on the sphere with outward normals the energy is exactly zero
-    Scene s = bare(0.02);
+    Scene s = defaultBody(0.02);
     s.oriented[0].shape.kind = ShapeKind::Sphere;
     s.oriented[0].shape.radius = R;
     Simulation x(s);
@@ -24,7 +24,7 @@ void spheresAtRest(Figures& figures) {
                 static_cast<double>(x.w.oriented.rows.owned), energyOf(x, &PairPotential::circle), 1e-10);
   }
   {  // 12 particles: an icosahedron, where Lennard-Jones forces are tangential or cancel
-    Scene s = bare(0.3);
+    Scene s = defaultBody(0.3);
     OrientedBody& b = s.oriented[0];
     b.source = OrientedSource::Points;
     const double g = 0.5 * (1 + std::sqrt(5.0));
@@ -45,7 +45,7 @@ void spheresAtRest(Figures& figures) {
   // Co-circularity from displaced positions and normals, alone and with Lennard-Jones. Lennard-Jones leaves
   // tension around the defects of its lattice, in proportion to its weight (docs/theory/oriented.md).
   for (const double attract : {0.0, 0.01, 0.1}) {
-    Scene s = bare(0.03);
+    Scene s = defaultBody(0.03);
     OrientedBody& b = s.oriented[0];
     b.shape.kind = ShapeKind::Sphere;
     b.shape.radius = R;
@@ -66,7 +66,7 @@ void spheresAtRest(Figures& figures) {
 
 /// The scene of scenes/oriented/relax_sphere.toml.
 void relaxedSphere(Figures& figures) {
-  Scene s = bare(0.02);
+  Scene s = defaultBody(0.02);
   OrientedBody& b = s.oriented[0];
   b.shape.kind = ShapeKind::Sphere;
   b.shape.radius = R;

@@ -26,7 +26,7 @@ struct Figures {
 };
 
 /// A body with default parameters and some damping in empty space.
-inline Scene bare(double spacing) {
+inline Scene defaultBody(double spacing) {
   Scene s;
   s.spacing = spacing;
   s.domain.min = {-1.5, -1.5, -1.5};

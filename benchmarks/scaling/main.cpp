@@ -137,11 +137,11 @@ void stepBlock(Run& r, Measured& m, int from, int steps, bool copies, Reducer& e
     m.owned += static_cast<double>(r.w.particles.owned);
   }
   const double took = since(start), owned = static_cast<double>(r.w.particles.owned);
-  const Traffic counted = r.comm.traffic();
+  const CommunicationStatistics counted = r.comm.statistics();
   m.rates.push_back(
       steps * everyone.size() *
       (copies ? over(owned / took, everyone).mean : over(owned, everyone).mean / over(took, everyone).most));
-  r.comm.traffic() = counted;  // without the messages of the measurement
+  r.comm.statistics() = counted;  // without the messages of the measurement
 }
 
 int measure(const Options& o, const Communicator& world) {
@@ -160,7 +160,7 @@ int measure(const Options& o, const Communicator& world) {
   MpiReducer everyone(world);
   MPI_Barrier(world.handle());
   const PhaseTimes before = r.tools.times;
-  const Traffic trafficBefore = r.comm.traffic();
+  const CommunicationStatistics trafficBefore = r.comm.statistics();
   Measured m, alone;
   double windowWork = workOf(before);
   const int block = o.copies ? 10 : look;
@@ -172,13 +172,13 @@ int measure(const Options& o, const Communicator& world) {
       MPI_Barrier(world.handle());
       continue;
     }
-    const Traffic counted = r.comm.traffic();
+    const CommunicationStatistics counted = r.comm.statistics();
     const Over now = over(workOf(r.tools.times) - windowWork, everyone);
-    r.comm.traffic() = counted;
+    r.comm.statistics() = counted;
     windowWork = workOf(r.tools.times);
     if (now.mean > 0) m.worst = std::max(m.worst, now.most / now.mean);
   }
-  const Traffic after = r.comm.traffic();
+  const CommunicationStatistics after = r.comm.statistics();
   double wall = 0;
   for (const double s : m.steps) wall += s;
 

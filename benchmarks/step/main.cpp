@@ -114,7 +114,7 @@ struct Options {
 
 /// The phase furthest above its limit where the prototypes' phases are known (forces include leap-frog), else
 /// the longest phase.
-std::string heldBackBy(const Case& c, const PhaseTimes& t, double perNs, double yardNs, bool atLimit) {
+std::string limitingPhase(const Case& c, const PhaseTimes& t, double perNs, double yardNs, bool atLimit) {
   if (atLimit) return "none: at the limit";
   const std::vector<double> limits = limitPhases(c);
   std::string most;
@@ -179,7 +179,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && !isElastic(c.kind); i++)
     neighbours += rig.w.neighbours.neighbours[i];
   for (std::size_t s = 0; s < rig.w.solids.owned && isElastic(c.kind); s++)
-    for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.there(s, k);
+    for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.hasBond(s, k);
   neighbours = sumOver(comm, neighbours) / N;
   const double ghosts = sumOver(comm, static_cast<double>(rig.w.particles.ghosts)),
                most = mostOf(comm, static_cast<double>(rig.w.particles.owned));
@@ -199,7 +199,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
     return sum;
   };
   using P = StepPhase;
-  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", kindNames[static_cast<int>(c.kind)],
+  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", bodyTypeNames[static_cast<int>(c.kind)],
                c.precision == Precision::Double ? "double"
                : c.elastic == Precision::Double ? "default"
                                                 : "single",
@@ -219,7 +219,8 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   std::fprintf(
       out, "%.0f,%.2f,%.2f,%.2f,%s,%d\n", moved / N, 1e-9 * moved / (N / (rate * 1e6 * ranks)) / ranks / 1.0,
       1e-9 * copied, setUpSeconds / median(total),
-      heldBackBy(c, times, perNs, 1e9 * median(yard), goal.limit > 0 && median(ratio) >= goal.limit).c_str(),
+      limitingPhase(c, times, perNs, 1e9 * median(yard), goal.limit > 0 && median(ratio) >= goal.limit)
+          .c_str(),
       o.repeat);
   std::fflush(out);
 }

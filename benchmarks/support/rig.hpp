@@ -28,7 +28,7 @@ struct Rig {
     sampleWorld(w, halos(), tools, load);
     change(w.particles);
     tools.bondsAtStart = w.modules.solid;
-    takeStock(w, halos(), tools);
+    initializeForces(w, halos(), tools);
   }
   Halos halos() { return {all, *cells, bonds}; }
 

@@ -12,7 +12,7 @@ namespace thaw::bench {
 /// Arrays that persist between steps. New pages in each step would take a fifth of it.
 struct Yardstick {
   std::vector<std::uint32_t> list, first, cellStart;
-  std::vector<double> filling, term, heat;
+  std::vector<double> relativeDensity, term, heat;
   std::vector<Vec3d> force, position, velocity;
 };
 
@@ -23,9 +23,9 @@ inline double yardstickStep(const test::Block& b, Yardstick& y) {
   const std::size_t n = p.owned;
   const double h = b.grid.support, h2 = h * h, stiffness = b.liquids[0].stiffness,
                V = p.mass[0] / b.scene.materials[0].density;
-  auto& [list, first, cellStart, filling, term, heat, force, position, velocity] = y;
+  auto& [list, first, cellStart, relativeDensity, term, heat, force, position, velocity] = y;
   first.resize(n + 1);
-  for (auto* v : {&filling, &term, &heat}) v->resize(n);
+  for (auto* v : {&relativeDensity, &term, &heat}) v->resize(n);
   for (auto* v : {&force, &position, &velocity}) v->resize(n);
   const auto start = std::chrono::steady_clock::now();
   // particles are already sorted by cell; a dense table of cells
@@ -56,8 +56,8 @@ inline double yardstickStep(const test::Block& b, Yardstick& y) {
       const Vec3d d = p.position[i] - p.position[list[k]];
       sum += Kernel::w(dot(d, d) / h2);
     }
-    filling[i] = V * sum / (h * h2);
-    term[i] = std::max(0.0, stiffness * (filling[i] - 1)) / (filling[i] * filling[i]);
+    relativeDensity[i] = V * sum / (h * h2);
+    term[i] = std::max(0.0, stiffness * (relativeDensity[i] - 1)) / (relativeDensity[i] * relativeDensity[i]);
   }
   for (std::size_t i = 0; i < n; i++) {
     Vec3d f{};

@@ -16,7 +16,7 @@ bool bonded(const ContactContext& x, const Continuum& p, std::uint32_t i, std::u
   if (here && other == noSlot) return false;
   for (int k = 0; k < x.bonds.capacity; k++) {
     const std::uint32_t n = x.bonds.neighbour[x.bonds.at(slot, k)];
-    if ((here ? n == other : x.solids.id[n] == p.id[j]) && x.bonds.there(slot, k)) return true;
+    if ((here ? n == other : x.solids.id[n] == p.id[j]) && x.bonds.hasBond(slot, k)) return true;
   }
   return false;
 }
@@ -46,7 +46,7 @@ Elastic elasticOf(const Scene& s, const Continuum& p, std::uint32_t row) {
 
 void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuum& p) {
   const double d0 = contactDistance * x.scene.spacing;
-  if (x.resisting) x.resisting->clear();
+  if (x.dissipativeForce) x.dissipativeForce->clear();
   for (const ClosePair& pair : pairs.list) {
     const std::uint32_t i = pair.own, j = pair.other;
     if (bonded(x, p, i, j)) continue;
@@ -80,10 +80,10 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     const double cut = std::min(std::sqrt(k * mass), most);  // the scale of the dashpot: friction stops
                                                              // sliding without reversing it
     const double rub = slip > 0 ? std::min(std::min(a.friction, b.friction) * normalForce, cut * slip) : 0;
-    Vec3d resisting = n * dash;
-    if (slip > 0) resisting -= tangential * (rub / slip);
-    p.force[i] += n * spring + resisting;
-    if (x.resisting) x.resisting->push_back({i, resisting});
+    Vec3d dissipativeForce = n * dash;
+    if (slip > 0) dissipativeForce -= tangential * (rub / slip);
+    p.force[i] += n * spring + dissipativeForce;
+    if (x.dissipativeForce) x.dissipativeForce->push_back({i, dissipativeForce});
     p.dissipation[i] += 0.5 * (-dash * un + rub * slip);
   }
 }

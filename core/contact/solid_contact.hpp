@@ -17,7 +17,7 @@ namespace thaw {
 inline constexpr double contactDistance = 0.9;
 
 /// Dissipative part of the contact force (N) on a row.
-struct ContactResistance {
+struct DissipativeForce {
   std::uint32_t row = 0;
   Vec3d force;
 };
@@ -30,9 +30,10 @@ struct ContactContext {
   double step;  ///< s, current step; dashpots and friction remove at most a fifth of a pair's velocity in it
   ExactSum* frozen = nullptr;  ///< Ledger::phaseJump if a particle just froze on any rank: takes the contact
                                ///< energy that freezing creates (J)
-  std::vector<ContactResistance>* resisting = nullptr;  ///< receives the dissipative force of every pair in
-                                                        ///< list order; not summed per row, since rows of a
-                                                        ///< group alternate none are added up
+  std::vector<DissipativeForce>* dissipativeForce = nullptr;  ///< receives the dissipative force of every
+                                                              ///< pair in list order; not summed per row,
+                                                              ///< since rows of a group alternate none are
+                                                              ///< added up
   std::int64_t* coincident = nullptr;  ///< counts pairs at the same position, once per end; nullptr if the
                                        ///< density sum counts them
 };
@@ -42,7 +43,7 @@ struct ContactContext {
 /// dashpot dissipates energy according to the coefficient of restitution (Cundall & Strack 1979). Coulomb
 /// friction is regularised by the same dashpot. Coincident pairs have an energy but no direction: they are
 /// counted, and separateCoincident moves them. Momentum is conserved; both ends compute the same force. The
-/// dissipation uses the velocities of the force evaluation; bookResistance adds the correction of second
+/// dissipation uses the velocities of the force evaluation; recordResistance adds the correction of second
 /// order in the step.
 void addSolidContacts(const ContactContext& context, const ClosePairs& pairs, Continuum& particles);
 

@@ -21,11 +21,11 @@ struct TouchLaw {
 };
 
 struct Touch {
-  Vec3d force{};      ///< N/m^2 (or N) on the vertex
-  double energy = 0;  ///< J/m^2 (or J), stored
-  Vec3d resisting{};  ///< dissipative part of force; the loss is -resisting * velocity, with the velocity
-                      ///< after the kick of all forces
-  double slope = 0;   ///< N/m^3 (or N/m), stiffness that bounds the step, dashpot included
+  Vec3d force{};             ///< N/m^2 (or N) on the vertex
+  double energy = 0;         ///< J/m^2 (or J), stored
+  Vec3d dissipativeForce{};  ///< dissipative part of force; the loss is -resisting * velocity, with the
+                             ///< velocity after the kick of all forces
+  double slope = 0;          ///< N/m^3 (or N/m), stiffness that bounds the step, dashpot included
 };
 
 /// Coulomb friction (N/m^2, or N) at normal force `normal` and sliding velocity `slide`.
@@ -59,16 +59,16 @@ inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Ve
   const double dash = std::max(-2 * ratio * law.mass * law.rate * vn, -spring);  // a contact never pulls
   t.force = n * (spring + dash);
   t.energy = (0.5 * k + 0.25 * steep * depth * depth) * depth * depth;
-  t.resisting = n * dash;
+  t.dissipativeForce = n * dash;
   t.slope = slopeAhead(law, depth, vn);
   const Vec3d rub = frictionOf(law, spring + dash, v - n * vn);
   t.force += rub;
-  t.resisting += rub;
+  t.dissipativeForce += rub;
   return t;
 }
 
 /// Look-ahead in steps for possible contacts at the end of the next step, which is at most a tenth longer.
-inline constexpr double comesNear = 1.5;
+inline constexpr double contactLookAhead = 1.5;
 
 /// Rate (1/s) that a step has to resolve during an impact. A contact that begins or ends within a step has a
 /// relative energy error of (rate step)^2 / 6. Steps are thus short for fast contacts, and limited by

@@ -90,7 +90,7 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
   const int reach = static_cast<int>(std::floor(h / distance)), layers = 2 * reach + 2;
   const SurfaceMeasure measure = surfaceMeasure(s.numerics, s.spacing);
   // Gradient and colour due to a layer k layers away, in a frame with x along the direction.
-  std::vector<std::vector<SurfaceShare>> by;
+  std::vector<std::vector<SurfaceKernelValue>> by;
   const Vec3d n = normalized(e.direction);
   for (int k = 0; k <= reach; k++) {
     by.emplace_back(plan.layer.size());
@@ -99,9 +99,10 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
       while (plan.along[i] - plan.along[first] >= h) first++;
       for (std::size_t j = first; j < plan.layer.size() && plan.along[j] - plan.along[i] < h; j++) {
         if (k == 0 && i == j) continue;
-        const SurfaceShare share = surfaceShare((plan.layer[i] - plan.layer[j] + n * (k * distance)) / h);
+        const SurfaceKernelValue share = surfaceKernelAt(
+            (plan.layer[i] - plan.layer[j] + n * (k * distance)) / h);
         by.back()[i].gradient += share.gradient * volume;
-        by.back()[i].cover += share.cover * volume;
+        by.back()[i].colour += share.colour * volume;
       }
     }
   }
@@ -110,13 +111,13 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
     double total = 0;
     for (int l = 0; l < count; l++)
       for (std::size_t i = 0; i < plan.layer.size(); i++) {
-        SurfaceShare g;
+        SurfaceKernelValue g;
         for (int o = std::max(0, l - reach); o <= std::min(count - 1, l + reach); o++) {
-          const SurfaceShare& one = by[static_cast<std::size_t>(std::abs(o - l))][i];
+          const SurfaceKernelValue& one = by[static_cast<std::size_t>(std::abs(o - l))][i];
           g.gradient += o > l ? one.gradient - n * (2 * dot(one.gradient, n)) : one.gradient;
-          g.cover += one.cover;
+          g.colour += one.colour;
         }
-        total += surfaceState(measure, m.surfaceTension, g.gradient, g.cover).energy * V;
+        total += surfaceState(measure, m.surfaceTension, g.gradient, g.colour).energy * V;
       }
     energy.emplace_back(plan.layer.size(), (total - before - added) / static_cast<double>(plan.layer.size()));
     added = total - before;

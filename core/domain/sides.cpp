@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/kinds/kind_rows.hpp"
+#include "core/body_types/body_type_rows.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
@@ -68,6 +68,7 @@ void findLeaving(const Domain& d, Rows& p, std::size_t begin, std::size_t end,
 }
 
 template void findLeaving(const Domain&, Continuum&, std::size_t, std::size_t, std::vector<std::uint32_t>&);
-template void findLeaving(const Domain&, KindRows&, std::size_t, std::size_t, std::vector<std::uint32_t>&);
+template void findLeaving(const Domain&, BodyTypeRows&, std::size_t, std::size_t,
+                          std::vector<std::uint32_t>&);
 
 }  // namespace thaw

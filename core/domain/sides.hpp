@@ -37,7 +37,7 @@ bool hasOpenSide(const Domain& domain);
 void countLeaving(const Domain& domain, const Vec3d& x, Counters& counters);
 
 /// Appends rows of [begin, end) beyond an open side, ascending, to `rows`. Sets their nextCell to noCell, so
-/// that migration skips them; the caller records and drops them. Particles: Continuum, KindRows.
+/// that migration skips them; the caller records and drops them. Particles: Continuum, BodyTypeRows.
 template<class Rows>
 void findLeaving(const Domain& domain, Rows& particles, std::size_t begin, std::size_t end,
                  std::vector<std::uint32_t>& rows);

@@ -19,7 +19,7 @@ void addWalls(World& w, const StepTools& t, double dt) {
   for (const WallContact& c : t.wallContacts.list) {
     const double push = t.perLatticeSum * t.wallTables(c.distance / h).push * c.share;
     // push is twice the gradient of the wall's own relative density
-    if (p.crowding.active) p.crowding[c.row] += single(c.normal * (-0.5 * push));
+    if (p.concentrationGradient.active) p.concentrationGradient[c.row] += single(c.normal * (-0.5 * push));
     if (!p.densityRate.active) continue;
     const double off = dot(p.velocity[c.row] - wallVelocity(w.walls.list[c.wall], p.position[c.row]),
                            c.normal);
@@ -33,15 +33,15 @@ void addWalls(World& w, const StepTools& t, double dt) {
 void shiftInside(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++) {
-    const bool inside = liquidFraction(p, i) == 1 && static_cast<double>(p.filling[i]) > 0.9;
-    p.smoothing[i] = inside ? wide(p.crowding[i]) *
-                                  (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed)
-                            : Vec3d{};
+    const bool inside = liquidFraction(p, i) == 1 && static_cast<double>(p.relativeDensity[i]) > 0.9;
+    p.shiftingVelocity[i] = inside ? wide(p.concentrationGradient[i]) *
+                                         (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed)
+                                   : Vec3d{};
   }
 }
 
 /// Interior weight: 0 up to a summed relative density of 0.9 (truncated by a free surface), 1 from 0.95.
-double shareInside(double filling) { return std::clamp((filling - 0.9) / 0.05, 0.0, 1.0); }
+double shareInside(double relativeDensity) { return std::clamp((relativeDensity - 0.9) / 0.05, 0.0, 1.0); }
 
 enum class Layer { Inside, BesideSurface, Surface };
 
@@ -76,8 +76,8 @@ Sym3f alongWall(const Sym3f& moment, const Vec3d& normal) {
 
 /// Inverse moment minus 1, times the interior weight. 0 where an eigenvalue is below 0.4: corrections above
 /// 2.5 would be unstable at this step.
-Sym3d correctionOf(const Sym3f& moment, double filling) {
-  const double weight = shareInside(filling);
+Sym3d correctionOf(const Sym3f& moment, double relativeDensity) {
+  const double weight = shareInside(relativeDensity);
   const Sym3d m = wide(moment);
   if (weight <= 0 || !eigenvaluesAbove(m, 0.4)) return {};
   const double xx = m.yy * m.zz - m.yz * m.yz, xy = m.xz * m.yz - m.xy * m.zz, xz = m.xy * m.yz - m.xz * m.yy;
@@ -104,9 +104,9 @@ struct CarryContext {
 void correct(const CarryContext& x, std::size_t i) {
   Continuum& p = x.world.particles;
   constexpr float most = 0.1F;
-  const Sym3f d = single(correctionOf(p.moment[i], static_cast<double>(p.filling[i]))),
+  const Sym3f d = single(correctionOf(p.moment[i], static_cast<double>(p.relativeDensity[i]))),
               before = p.midCorrection[i];
-  const Mat3f& u = p.flow[i];
+  const Mat3f& u = p.negativeVelocityGradient[i];
   p.densityRate[i] += static_cast<double>(
       (1 + d.xx) * u.row[0].x + (1 + d.yy) * u.row[1].y + (1 + d.zz) * u.row[2].z +
       d.xy * (u.row[0].y + u.row[1].x) + d.yz * (u.row[1].z + u.row[2].y) + d.xz * (u.row[0].z + u.row[2].x));
@@ -126,7 +126,7 @@ void resetCarriedDensity(const CarryContext& x, std::size_t i) {
     p.dissipated[i] += p.mass[i] * m.restVolume *
                        compressionEnergy(n.eos, m.stiffness, 1 + p.compression[i], n.tensileLimit);
   p.compression[i] = 0;
-  p.filling[i] = 1;
+  p.relativeDensity[i] = 1;
   if (p.correction.active) p.midCorrection[i] = p.correction[i] = {};
 }
 
@@ -137,9 +137,9 @@ void carry(const CarryContext& x, std::size_t i) {
   const LiquidMaterial& m = x.liquids[p.material[i]];
   const Numerics& n = x.numerics();
   const double before = p.compression[i], flow = before + p.densityRate[i] * x.dt;
-  const double summed = static_cast<double>(p.filling[i]);
-  double spread = p.spreading[i] * x.dt;
-  const bool solid = p.wetting.active && liquidFraction(p, i) == 0;
+  const double summed = static_cast<double>(p.relativeDensity[i]);
+  double spread = p.densityDiffusionRate[i] * x.dt;
+  const bool solid = p.liquidKernelSum.active && liquidFraction(p, i) == 0;
   const double steps = m.soundSpeed * x.dt / x.world.grid.support;
   if (solid)
     spread += std::min(1.0, towardsLiquidNearby * steps) * (static_cast<double>(p.liquidNearby[i]) - before);
@@ -152,14 +152,15 @@ void carry(const CarryContext& x, std::size_t i) {
   p.dissipated[i] -= 0.5 * p.mass[i] * m.restVolume * spread *
                      (slope(flow + 0.5 * spread) + slope(before + 0.5 * spread));
   p.compression[i] = flow + spread;
-  p.filling[i] = static_cast<float>(1 + p.compression[i]);
+  p.relativeDensity[i] = static_cast<float>(1 + p.compression[i]);
 }
 
 /// Stores the summed densities that later checks need, before the carried ones replace them.
 void noteSummedDensity(World& w, double dt) {
   constexpr std::int64_t everySteps = 16;
   if (dt == 0)
-    w.startDensity.assign(w.particles.filling.data(), w.particles.filling.data() + w.particles.owned);
+    w.startDensity.assign(w.particles.relativeDensity.data(),
+                          w.particles.relativeDensity.data() + w.particles.owned);
   if (dt != 0 && w.clock.step % everySteps != 0) return;
   const std::array<std::int64_t, 2> sums = connectedSums(w);
   w.counters.connected = sums[0];
@@ -167,7 +168,9 @@ void noteSummedDensity(World& w, double dt) {
 }
 
 /// True for liquid, partly molten particles, and solids near liquid. Such solids carry the liquid's density.
-bool carriesDensity(const Continuum& p, std::size_t i) { return p.wetting.active ? p.wetting[i] > 0 : true; }
+bool carriesDensity(const Continuum& p, std::size_t i) {
+  return p.liquidKernelSum.active ? p.liquidKernelSum[i] > 0 : true;
+}
 
 }  // namespace
 
@@ -184,13 +187,14 @@ void carryDensity(World& w, const StepTools& t, double dt) {
   w.counters.crowded = 0;
   const CarryContext x{w, t.liquids, dt, dt > 0 ? dt / (dt + w.clock.stepDt) : 0};
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (p.atSurface.active) p.smoothing[i] = shiftOf(w, t, i);
-    if (w.modules.sleep && t.sleep.deep[i]) continue;  // skipped: its sums are not computed and do not change
+    if (p.atSurface.active) p.shiftingVelocity[i] = shiftOf(w, t, i);
+    if (w.modules.sleep && t.sleep.steady[i])
+      continue;  // skipped: its sums are not computed and do not change
     if (!carriesDensity(p, i)) {
       resetCarriedDensity(x, i);
       continue;
     }
-    const bool crowded = static_cast<double>(p.filling[i]) > tooCrowded * (1 + p.compression[i]);
+    const bool crowded = static_cast<double>(p.relativeDensity[i]) > tooCrowded * (1 + p.compression[i]);
     w.counters.crowded += crowded && liquidFraction(p, i) > 0;
     if (w.modules.corrected) correct(x, i);
     carry(x, i);

@@ -20,7 +20,7 @@ std::array<std::int64_t, 2> connectedSums(const World& w) {
   for (std::size_t i = 0; i < p.owned && i < w.neighbours.neighbours.size(); i++) {
     if (liquidFraction(p, i) < 1 || w.neighbours.neighbours[i] < connected) continue;
     sums[0]++;
-    sums[1] += std::llround(std::min(static_cast<double>(p.filling[i]), 1e6) / unit);
+    sums[1] += std::llround(std::min(static_cast<double>(p.relativeDensity[i]), 1e6) / unit);
   }
   return sums;
 }

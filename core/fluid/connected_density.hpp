@@ -9,7 +9,7 @@
 namespace thaw {
 
 /// Number of owned liquid particles with at least two neighbours, and the sum of their relative densities in
-/// 1e-6. Requires: Continuum::filling holds the summed relative densities.
+/// 1e-6. Requires: Continuum::relativeDensity holds the summed relative densities.
 std::array<std::int64_t, 2> connectedSums(const World& world);
 
 /// Mean summed relative density (1) of the liquid particles that have at least two neighbours; 1 where there

@@ -63,11 +63,11 @@ void findFreeSurface(World& w, const StepTools& t) {
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool wet = liquidFraction(p, i) > 0;
     p.atSurface[i] = wet && (corrected ? !eigenvaluesAbove(p.moment[i], static_cast<float>(surfaceMoment))
-                                       : asymmetric(i, wide(p.crowding[i])));
+                                       : asymmetric(i, wide(p.concentrationGradient[i])));
   }
   eachWallRow(t.wallContacts.list, [&](std::size_t i, std::span<const WallContact> contacts) {
     p.atSurface[i] = liquidFraction(p, i) > 0 &&
-                     asymmetric(i, alongWalls(wide(p.crowding[i]), contacts, w.scene.spacing));
+                     asymmetric(i, alongWalls(wide(p.concentrationGradient[i]), contacts, w.scene.spacing));
   });
 }
 
@@ -78,9 +78,10 @@ Vec3d shiftOf(const World& w, const StepTools& t, std::size_t i) {
   double speed = w.scene.numerics.shifting * c;
   if (w.modules.corrected) {
     const double tension = compression < 0 ? c * std::sqrt(-compression) : 0;
-    speed = std::min(speed, perStrain * w.grid.support * strainRate(p.flow[i]) + perTension * tension);
+    speed = std::min(
+        speed, perStrain * w.grid.support * strainRate(p.negativeVelocityGradient[i]) + perTension * tension);
   }
-  Vec3d u = wide(p.crowding[i]) * -speed;
+  Vec3d u = wide(p.concentrationGradient[i]) * -speed;
   if (besideSurface(p, i)) {
     const Vec3d out = wide(p.surfaceNormal[i]), inward = out * (1 / length(out));
     u -= inward * std::min(0.0, dot(u, inward));
@@ -91,7 +92,7 @@ Vec3d shiftOf(const World& w, const StepTools& t, std::size_t i) {
 void shiftAlongWalls(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   eachWallRow(t.wallContacts.list, [&](std::size_t i, std::span<const WallContact> contacts) {
-    p.smoothing[i] = alongWalls(p.smoothing[i], contacts, w.scene.spacing);
+    p.shiftingVelocity[i] = alongWalls(p.shiftingVelocity[i], contacts, w.scene.spacing);
   });
 }
 

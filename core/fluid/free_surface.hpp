@@ -21,7 +21,7 @@ bool besideSurface(const Continuum& particles, std::size_t row);
 
 /// Sets Continuum::atSurface of owned particles by the moment of their neighbourhood (Marrone et al. 2010).
 /// Near walls, whose part of the moment is unknown, and without moments the neighbours' asymmetry along the
-/// walls decides. Requires: moment, crowding, gradientSize of this step.
+/// walls decides. Requires: moment, concentrationGradient, gradientSize of this step.
 void findFreeSurface(World& w, const StepTools& t);
 
 /// Velocity (m/s) of particle shifting, along -grad C (Lind et al. 2012).

@@ -14,7 +14,7 @@ constexpr double faintContact = 1e-5;
 
 bool isRelieved(const World& w, const StepTools& t, std::size_t i) {
   const Continuum& p = w.particles;
-  return liquidFraction(p, i) == 1 && p.solidShare[i] > 0 && !p.atSurface[i] && !besideSurface(p, i) &&
+  return liquidFraction(p, i) == 1 && p.solidFraction[i] > 0 && !p.atSurface[i] && !besideSurface(p, i) &&
          !(w.modules.sleep && t.sleep.deep[i]);
 }
 
@@ -28,8 +28,8 @@ void findLatticeRelief(World& w, const StepTools& t) {
     if (!isRelieved(w, t, i)) continue;
     const LiquidMaterial& m = t.liquids[p.material[i]];
     const double pressure = pressureOf(n.eos, m.stiffness, 1 + p.compression[i], n.tensileLimit);
-    const double volume = p.mass[i] * m.restVolume, share = static_cast<double>(p.solidShare[i]);
-    p.relief[i] = single(wide(p.crowding[i]) *
+    const double volume = p.mass[i] * m.restVolume, share = static_cast<double>(p.solidFraction[i]);
+    p.relief[i] = single(wide(p.concentrationGradient[i]) *
                          (2 * reliefShare * pressure * volume / (w.grid.support * (share + faintContact))));
   }
 }

@@ -54,17 +54,18 @@ struct PairSums {
   double viscosity = 0, conductivity = 0, artificial = 0;  ///< for that liquid: Pa s, W/(m K), Pa s; 0: no
                                                            ///< artificial viscosity
   bool heat = false;                                       ///< forces include heat conduction
-  double conductionScale = 1;  ///< factor of heat conduction (kernels/lattice.hpp)
-  double support = 0;          ///< h, m
-  double fillingScale = 0;  ///< h^-3 over the lattice sum: relative density is 1 on the lattice of the scene
-  double selfExcess = 0;    ///< subtracted from a particle's relative density, per V0 / h^3 of its own
-  const void* place = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the
-                                 ///< printed pressure)
-  const void* motion = nullptr;  ///< velocity (m/s), viscosity (Pa s)
+  double conductionScale = 1;       ///< factor of heat conduction (kernels/lattice.hpp)
+  double support = 0;               ///< h, m
+  double relativeDensityScale = 0;  ///< h^-3 over the lattice sum: relative density is 1 on the lattice of
+                                    ///< the scene
+  double selfExcess = 0;  ///< subtracted from a particle's relative density, per V0 / h^3 of its own
+  const void* positionVolume = nullptr;     ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3
+                                            ///< with the printed pressure)
+  const void* velocityViscosity = nullptr;  ///< velocity (m/s), viscosity (Pa s)
   /// Pressure term (Pa): f p / (relative density)^2, printed: f p (for densities: carried compression in
   /// units of stiffness); liquid fraction f (for densities: -f at the free surface); temperature (K);
   /// conductivity (W/(m K)).
-  const void* state = nullptr;
+  const void* pressurePhaseHeat = nullptr;
   const void* surface = nullptr;  ///< square root of the liquid's surface tension (N/m)^1/2; 1 if solid, else
                                   ///< 0; artificial viscosity (Pa s); XSPH factor
   bool carried = false;           ///< density sums include the density rate
@@ -73,28 +74,29 @@ struct PairSums {
   Vec3d weight{};                 ///< m^2/s^2, h g
   const std::uint16_t* material = nullptr;
   const LiquidMaterial* liquids = nullptr;
-  double closeDistance = 0;  ///< for closePairs, in support radii
-  double exposureScale = 0;  ///< m, scale of the free-surface indicator
+  double closeDistance = 0;              ///< for closePairs, in support radii
+  double freeSurfaceIndicatorScale = 0;  ///< m, scale of the free-surface indicator
   // Results, added to owned rows (float results are overwritten).
-  float* filling = nullptr;
-  Vec3d* force = nullptr;         ///< N
-  double* heatFlow = nullptr;     ///< W
-  double* dissipation = nullptr;  ///< W
-  double* interaction = nullptr;  ///< J, half of each pair's potential energy
-  float* exposure = nullptr;      ///< 1
-  const void* pull = nullptr;     ///< records of surface_energy.hpp: derivatives of the surface energy with
-                                  ///< respect to gradient and colour, Pa
-  Vec3d* surfaceGradient = nullptr;  ///< 1 (overwritten)
-  double* surfaceCover = nullptr;    ///< 1 (overwritten)
-  double stiffness = 0;              ///< Pa, of the first liquid: unit of carried compressions in records
-  Sym3f* moment = nullptr;           ///< 1, at mid-step; null: gradients are not corrected
-  Mat3f* flow = nullptr;             ///< 1/s, at mid-step; null: gradients are not corrected
+  float* relativeDensity = nullptr;
+  Vec3d* force = nullptr;                          ///< N
+  double* heatFlow = nullptr;                      ///< W
+  double* dissipation = nullptr;                   ///< W
+  double* interaction = nullptr;                   ///< J, half of each pair's potential energy
+  float* freeSurfaceIndicator = nullptr;           ///< 1
+  const void* surfaceEnergyDerivatives = nullptr;  ///< records of surface_energy.hpp: derivatives of the
+                                                   ///< surface energy with respect to gradient and colour, Pa
+  Vec3d* surfaceGradient = nullptr;                ///< 1 (overwritten)
+  double* surfaceColour = nullptr;                 ///< 1 (overwritten)
+  double stiffness = 0;     ///< Pa, of the first liquid: unit of carried compressions in records
+  Sym3f* moment = nullptr;  ///< 1, at mid-step; null: gradients are not corrected
+  Mat3f* negativeVelocityGradient = nullptr;  ///< 1/s, at mid-step; null: gradients are not corrected
   /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: diagonal is zz xy xz yz; place has xx, motion yy.
-  const void *diagonal = nullptr, *mixed = nullptr;
-  double *densityRate = nullptr, *spreading = nullptr;  ///< 1/s
-  Vec3f* crowding = nullptr;       ///< 1, h times the gradient of the relative density; null: not needed
-  float* wetting = nullptr;        ///< 1, sum V W of liquid; null: no solids
-  float* solidShare = nullptr;     ///< 1, sum V W of solids over its lattice value; together with wetting
+  const void *pressureDiagonal = nullptr, *pressureOffDiagonal = nullptr;
+  double *densityRate = nullptr, *densityDiffusionRate = nullptr;  ///< 1/s
+  Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density; null: not
+                                           ///< needed
+  float* liquidKernelSum = nullptr;        ///< 1, sum V W of liquid; null: no solids
+  float* solidFraction = nullptr;  ///< 1, sum V W of solids over its lattice value; together with wetting
   float* liquidNearby = nullptr;   ///< 1, mean carried compression of liquid neighbours; with wetting
   bool relief = false;             ///< records have forces of core/fluid/lattice_relief.hpp
   Vec3f* solidNormal = nullptr;    ///< 1, away from solid neighbours; null: no solids
@@ -119,8 +121,8 @@ struct alignas(32) ViscousRecord {
 /// Start: also the diagonal blocks; Apply: the operator only; Force: also the dissipation.
 enum class ViscousPass { Start, Apply, Force };
 
-/// Input and output of the viscous operator of the implicit solver, besides PairSums::place. Rows without
-/// liquid neighbours are not written.
+/// Input and output of the viscous operator of the implicit solver, besides PairSums::positionVolume. Rows
+/// without liquid neighbours are not written.
 struct ViscousSums {
   ViscousPass pass = ViscousPass::Apply;
   const ViscousRecord* velocity = nullptr;  ///< all rows and the dummy

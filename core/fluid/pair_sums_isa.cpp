@@ -8,8 +8,8 @@
 #include "core/fluid/terms/colour_field.hpp"
 #include "core/fluid/terms/conduction.hpp"
 #include "core/fluid/terms/density.hpp"
-#include "core/fluid/terms/exposure.hpp"
 #include "core/fluid/terms/forces.hpp"
+#include "core/fluid/terms/free_surface_indicator.hpp"
 #include "core/fluid/terms/incompressible.hpp"
 #include "core/fluid/terms/smoothing.hpp"
 #include "core/fluid/terms/surface_energy.hpp"
@@ -40,14 +40,14 @@ template<class Real, class Kernel> void carriedDensity(const PairSums& in, Group
   const double c = in.liquids[0].soundSpeed;
   const Vec3d down = in.uniform ? in.weight * (1 / (c * c)) : in.weight;
   const auto sum = [&]<Carry carry, bool Surfaces, bool Mixed>() {
-    CarriedDensity<Real, Kernel, carry, Surfaces, Mixed> term{records<Real>(in.place),
-                                                              records<Real>(in.motion),
-                                                              records<Real>(in.state),
+    CarriedDensity<Real, Kernel, carry, Surfaces, Mixed> term{records<Real>(in.positionVolume),
+                                                              records<Real>(in.velocityViscosity),
+                                                              records<Real>(in.pressurePhaseHeat),
                                                               &in,
                                                               scale,
                                                               {L(down.x), L(down.y), L(down.z)},
                                                               L(0.5 * in.elapsed / in.support)};
-    sweep(*in.lists, range, term, Groups::Wet);
+    sweep(*in.lists, range, term, Groups::Fluid);
   };
   const auto withSurfaces = [&]<Carry carry, bool Mixed>() {
     if (in.surfaceNormal) sum.template operator()<carry, true, Mixed>();
@@ -62,23 +62,23 @@ template<class Real, class Kernel> void carriedDensity(const PairSums& in, Group
 void density(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    const double scale = in.fillingScale * in.support * in.support * in.support;
+    const double scale = in.relativeDensityScale * in.support * in.support * in.support;
     if (in.carried) return carriedDensity<Real, decltype(kernel)>(in, range, scale);
-    if (in.crowding) {
+    if (in.concentrationGradient) {
       CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{
-          records<Real>(in.place),
+          records<Real>(in.positionVolume),
           nullptr,
           nullptr,
           &in,
           scale,
           {Lanes<Real>(0.0), Lanes<Real>(0.0), Lanes<Real>(0.0)},
           Lanes<Real>(0.0)};
-      return sweep(*in.lists, range, term, Groups::Wet);
+      return sweep(*in.lists, range, term, Groups::Fluid);
     }
-    Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident,
-                                         in.fillingScale * in.support * in.support * in.support,
+    Density<Real, decltype(kernel)> term{records<Real>(in.positionVolume), in.relativeDensity, in.coincident,
+                                         in.relativeDensityScale * in.support * in.support * in.support,
                                          in.selfExcess};
-    sweep(*in.lists, range, term, Groups::Wet);
+    sweep(*in.lists, range, term, Groups::Fluid);
   });
 }
 
@@ -87,25 +87,25 @@ void forcesIn(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
+    const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.relativeDensityScale * h * h * h;
     Forces<Real, decltype(kernel), Viscous, Laplacian, Heat, Carried, Relief> term{
-        records<Real>(in.place),
-        records<Real>(in.motion),
-        records<Real>(in.state),
-        records<Real>(in.diagonal),
-        records<Real>(in.mixed),
+        records<Real>(in.positionVolume),
+        records<Real>(in.velocityViscosity),
+        records<Real>(in.pressurePhaseHeat),
+        records<Real>(in.pressureDiagonal),
+        records<Real>(in.pressureOffDiagonal),
         &in,
         Lanes<Real>(pressure * h * h),
         Lanes<Real>(h / lengthUnit<Real>),
         Lanes<Real>(in.viscousWeight.scale),
         in.conductionScale * h,
-        Lanes<Real>(in.fillingScale * h * h * h / lengthUnit<Real>),
+        Lanes<Real>(in.relativeDensityScale * h * h * h / lengthUnit<Real>),
         Lanes<Real>(lengthUnit<Real> / h)};
-    sweep(*in.lists, range, term, Groups::Wet);
+    sweep(*in.lists, range, term, Groups::Fluid);
     if constexpr (Heat) {
-      Conduction<Real, decltype(kernel)> dry{records<Real>(in.place), records<Real>(in.state), &in,
-                                             in.conductionScale * h};
-      sweep(*in.lists, range, dry, Groups::Dry);
+      Conduction<Real, decltype(kernel)> dry{
+          records<Real>(in.positionVolume), records<Real>(in.pressurePhaseHeat), &in, in.conductionScale * h};
+      sweep(*in.lists, range, dry, Groups::NonFluid);
     }
   });
 }
@@ -118,14 +118,14 @@ template<class Real, bool Heat, bool Shocks, bool Carried = false>
 void uniformOf(const PairSums& in, GroupRange range) {
   using L = Lanes<Real>;
   const double h = in.support;
-  const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
+  const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.relativeDensityScale * h * h * h;
   const auto mean = [](double value) {  // pair mean of two equal values, rounded as for any pair
     const L v = L(static_cast<Real>(value));
     return L(2.0) * v * v / max(v + v, L(1e-30));
   };
-  UniformForces<Real, WendlandC2, Heat, Shocks, Carried> term{records<Real>(in.place),
-                                                              records<Real>(in.motion),
-                                                              records<Real>(in.diagonal),
+  UniformForces<Real, WendlandC2, Heat, Shocks, Carried> term{records<Real>(in.positionVolume),
+                                                              records<Real>(in.velocityViscosity),
+                                                              records<Real>(in.pressureDiagonal),
                                                               &in,
                                                               L(pressure * h * h),
                                                               L(h / lengthUnit<Real>),
@@ -136,7 +136,7 @@ void uniformOf(const PairSums& in, GroupRange range) {
                                                               L(in.volume),
                                                               in.conductionScale * h,
                                                               10 * h};
-  sweep(*in.lists, range, term, Heat ? Groups::All : Groups::Wet);
+  sweep(*in.lists, range, term, Heat ? Groups::All : Groups::Fluid);
 }
 template<class Real> void uniform(const PairSums& in, GroupRange range) {
   if (in.carried)
@@ -160,13 +160,10 @@ void forces(const PairSums& in, GroupRange range) {
 template<class Real, ViscousPass pass>
 void viscousOf(const PairSums& in, const ViscousSums& out, GroupRange range) {
   const auto velocities = [](const ViscousRecord* r) { return reinterpret_cast<const Record<double>*>(r); };
-  ViscousOperator<Real, pass> term{records<Real>(in.place),
-                                   velocities(out.velocity),
-                                   velocities(out.middle),
-                                   &out,
-                                   in.support,
-                                   Lanes<Real>(in.viscousWeight.scale)};
-  sweep(*in.lists, range, term, Groups::Wet);
+  ViscousOperator<Real, pass> term{
+      records<Real>(in.positionVolume),   velocities(out.velocity), velocities(out.middle), &out, in.support,
+      Lanes<Real>(in.viscousWeight.scale)};
+  sweep(*in.lists, range, term, Groups::Fluid);
 }
 template<class Real> void viscousPass(const PairSums& in, const ViscousSums& out, GroupRange range) {
   switch (out.pass) {
@@ -182,11 +179,12 @@ void viscous(const PairSums& in, const ViscousSums& out, GroupRange range) {
 
 template<class Real> void tensionOf(const PairSums& in, GroupRange range, bool colour) {
   if (colour) {
-    ColourField<Real> term{records<Real>(in.place), records<Real>(in.surface), records<Real>(in.state), &in};
-    sweep(*in.lists, range, term, Groups::Wet);
+    ColourField<Real> term{records<Real>(in.positionVolume), records<Real>(in.surface),
+                           records<Real>(in.pressurePhaseHeat), &in};
+    sweep(*in.lists, range, term, Groups::Fluid);
   } else {
-    Tension<Real> term{records<Real>(in.place), records<Real>(in.surface), &in, Cohesion::scale};
-    sweep(*in.lists, range, term, Groups::Wet);
+    Tension<Real> term{records<Real>(in.positionVolume), records<Real>(in.surface), &in, Cohesion::scale};
+    sweep(*in.lists, range, term, Groups::Fluid);
   }
 }
 void tension(const PairSums& in, GroupRange range) {
@@ -195,16 +193,17 @@ void tension(const PairSums& in, GroupRange range) {
 }
 
 template<class Real> void surfaceSeenOf(const PairSums& in, GroupRange range) {
-  SurfaceSeen<Real> term{records<Real>(in.place), &in};
-  sweep(*in.lists, range, term, Groups::Wet);
+  SurfaceColour<Real> term{records<Real>(in.positionVolume), &in};
+  sweep(*in.lists, range, term, Groups::Fluid);
 }
-void surfaceSeen(const PairSums& in, GroupRange range) {
+void surfaceColours(const PairSums& in, GroupRange range) {
   in.precision == Precision::Single ? surfaceSeenOf<float>(in, range) : surfaceSeenOf<double>(in, range);
 }
 
 template<class Real> void surfaceForcesOf(const PairSums& in, GroupRange range) {
-  SurfaceForces<Real> term{records<Real>(in.place), records<Real>(in.pull), &in, in.support * in.support};
-  sweep(*in.lists, range, term, Groups::Wet);
+  SurfaceForces<Real> term{records<Real>(in.positionVolume), records<Real>(in.surfaceEnergyDerivatives), &in,
+                           in.support * in.support};
+  sweep(*in.lists, range, term, Groups::Fluid);
 }
 void surfaceForces(const PairSums& in, GroupRange range) {
   in.precision == Precision::Single ? surfaceForcesOf<float>(in, range) : surfaceForcesOf<double>(in, range);
@@ -213,31 +212,33 @@ void surfaceForces(const PairSums& in, GroupRange range) {
 void artificialViscosity(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    Artificial<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion),
-                                            records<Real>(in.surface), &in, 10 * in.support};
-    sweep(*in.lists, range, term, Groups::Wet);
+    Artificial<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                            records<Real>(in.velocityViscosity), records<Real>(in.surface),
+                                            &in, 10 * in.support};
+    sweep(*in.lists, range, term, Groups::Fluid);
   });
 }
 
 void smoothing(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    Smoothing<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion),
-                                           records<Real>(in.surface), &in};
+    Smoothing<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                           records<Real>(in.velocityViscosity), records<Real>(in.surface),
+                                           &in};
     sweep(*in.lists, range, term, Groups::All);
   });
 }
 
-void exposure(const PairSums& in, GroupRange range) {
+void freeSurfaceIndicator(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    Exposure<Real, decltype(kernel)> term{records<Real>(in.place), &in};
+    FreeSurfaceIndicator<Real, decltype(kernel)> term{records<Real>(in.positionVolume), &in};
     sweep(*in.lists, range, term, Groups::All);
   });
 }
 
 template<class Real> void closePairsOf(const PairSums& in, GroupRange range, ClosePairs& pairs) {
-  Close<Real> term{records<Real>(in.place), records<Real>(in.surface), &pairs,
+  Close<Real> term{records<Real>(in.positionVolume), records<Real>(in.surface), &pairs,
                    Lanes<Real>(in.closeDistance * in.closeDistance)};
   sweep(*in.lists, range, term, Groups::All);
 }
@@ -250,9 +251,10 @@ void compression(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Compression<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion),
-                                             in.compression, in.fillingScale * h * h};
-    sweep(*in.lists, range, term, Groups::Wet);
+    Compression<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                             records<Real>(in.velocityViscosity), in.compression,
+                                             in.relativeDensityScale * h * h};
+    sweep(*in.lists, range, term, Groups::Fluid);
   });
 }
 
@@ -260,9 +262,10 @@ void impulse(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Impulse<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse,
-                                         in.fillingScale * h * h * h * h * h};
-    sweep(*in.lists, range, term, Groups::Wet);
+    Impulse<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                         records<Real>(in.pressurePhaseHeat), in.impulse,
+                                         in.relativeDensityScale * h * h * h * h * h};
+    sweep(*in.lists, range, term, Groups::Fluid);
   });
 }
 
@@ -270,9 +273,10 @@ void response(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Response<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse,
-                                          in.compression, in.fillingScale * h * h};
-    sweep(*in.lists, range, term, Groups::Wet);
+    Response<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                          records<Real>(in.pressurePhaseHeat), in.impulse, in.compression,
+                                          in.relativeDensityScale * h * h};
+    sweep(*in.lists, range, term, Groups::Fluid);
   });
 }
 
@@ -290,11 +294,11 @@ const PairKernels& pairKernelSet() {
                                    density,
                                    forces,
                                    tension,
-                                   surfaceSeen,
+                                   surfaceColours,
                                    surfaceForces,
                                    artificialViscosity,
                                    smoothing,
-                                   exposure,
+                                   freeSurfaceIndicator,
                                    closePairs,
                                    viscous,
                                    compression,

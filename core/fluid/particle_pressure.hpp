@@ -14,11 +14,12 @@ inline double liquidFraction(const Continuum& p, std::size_t i) {
 /// incompressible solver.
 inline float pressureOfParticle(const World& w, const std::vector<LiquidMaterial>& liquids, std::size_t i) {
   const Continuum& p = w.particles;
-  if (w.modules.incompressible) return p.holding[i] + p.steadying[i];
-  const double f = liquidFraction(p, i), filling = p.filling.active ? static_cast<double>(p.filling[i]) : 0;
-  if (f == 0 || filling <= 0) return 0;
-  return static_cast<float>(f * pressureOf(w.scene.numerics.eos, liquids[p.material[i]].stiffness, filling,
-                                           w.scene.numerics.tensileLimit));
+  if (w.modules.incompressible) return p.densityPressure[i] + p.divergencePressure[i];
+  const double f = liquidFraction(p, i),
+               relativeDensity = p.relativeDensity.active ? static_cast<double>(p.relativeDensity[i]) : 0;
+  if (f == 0 || relativeDensity <= 0) return 0;
+  return static_cast<float>(f * pressureOf(w.scene.numerics.eos, liquids[p.material[i]].stiffness,
+                                           relativeDensity, w.scene.numerics.tensileLimit));
 }
 
 }  // namespace thaw

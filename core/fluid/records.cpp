@@ -72,7 +72,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
   const CellGrid grid = x.grid;
   const double h = grid.support;
   const bool carried = x.modules.continuity, surfaces = p.atSurface.active,
-             substeps = p.travel.active && x.substeps > 1;
+             substeps = p.stepMeanVelocity.active && x.substeps > 1;
   const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0,
@@ -91,17 +91,17 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     const Material& m = x.scene.materials[k];
     const Vec3d& at = p.position[i];
     const double V = p.mass[i] * r.volumePerMass[k];
-    Words place = fixedPlace(at);
-    for (int a = 0; a < 3; a++) coarse[a][i] = coarsePlace(place[a]);
+    Words positionVolume = fixedPlace(at);
+    for (int a = 0; a < 3; a++) coarse[a][i] = coarsePosition(positionVolume[a]);
     const double marked = uniform && surfaces && p.atSurface[i] ? -V : V;
-    place[3] = std::bit_cast<std::uint32_t>(static_cast<float>(marked));
-    std::memcpy(&fixed[i], &place, sizeof place);
+    positionVolume[3] = std::bit_cast<std::uint32_t>(static_cast<float>(marked));
+    std::memcpy(&fixed[i], &positionVolume, sizeof positionVolume);
     if constexpr (sizeof(Real) == 8)
-      rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h),
-                                  (at.z - grid.origin.z) * (1 / h), marked};
+      rows<double>(r.positionVolume)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h),
+                                           (at.z - grid.origin.z) * (1 / h), marked};
     if (!sums) continue;
     if (uniform && !surface) {
-      put(rows<Real>(r.motion)[i], p.velocity[i],
+      put(rows<Real>(r.velocityViscosity)[i], p.velocity[i],
           carried ? static_cast<Real>(p.compression[i])
           : heat  ? static_cast<Real>(p.temperature[i])
                   : Real(0));
@@ -114,11 +114,12 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty())
                                          ? localParameters(x.scene.numerics.heat, m, f, T)
                                          : r.constant[k];
-    put(rows<Real>(r.motion)[i], substeps && takesSubsteps(p, i) ? p.travel[i] : p.velocity[i],
+    put(rows<Real>(r.velocityViscosity)[i],
+        substeps && takesSubsteps(p, i) ? p.stepMeanVelocity[i] : p.velocity[i],
         static_cast<Real>(local.viscosity));
     const double wet = surfaces && p.atSurface[i] ? -f : f;
-    if (!r.state.empty())
-      rows<Real>(r.state)[i] = {
+    if (!r.pressurePhaseHeat.empty())
+      rows<Real>(r.pressurePhaseHeat)[i] = {
           carried ? static_cast<Real>(p.compression[i] * (x.liquids[k].stiffness / stiffness)) : Real(0),
           static_cast<Real>(wet), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
     if (surface)
@@ -129,39 +130,40 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
 }
 
 template<class Real> Four<Real>* places(PairRecords& r) {
-  return rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place);
+  return rows<Real>(sizeof(Real) == 4 ? r.fixed : r.positionVolume);
 }
 
 /// Packs the pressure tensors of carried densities (terms/forces.hpp).
 template<class Real>
 void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const Numerics& n = x.scene.numerics;
-  const bool uniform = x.modules.uniform, corrected = x.modules.corrected, books = !uniform && end <= p.owned,
-             substeps = p.travel.active && x.substeps > 1;
+  const bool uniform = x.modules.uniform, corrected = x.modules.corrected,
+             recordsEnergy = !uniform && end <= p.owned,
+             substeps = p.stepMeanVelocity.active && x.substeps > 1;
   for (std::size_t i = begin; i < end; i++) {
-    const double filling = static_cast<double>(p.filling[i]);
-    const double pressure = filling > 0 ? pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling,
-                                                     n.tensileLimit) /
-                                              (filling * filling)
-                                        : 0;
+    const double relativeDensity = static_cast<double>(p.relativeDensity[i]);
+    const double pressure = relativeDensity > 0 ? pressureOf(n.eos, x.liquids[p.material[i]].stiffness,
+                                                             relativeDensity, n.tensileLimit) /
+                                                      (relativeDensity * relativeDensity)
+                                                : 0;
     const Sym3f d = corrected ? p.correction[i] : Sym3f{};
     const auto of = [&](float a) { return static_cast<Real>(pressure * static_cast<double>(a)); };
     const Real xx = of(1 + d.xx), yy = of(1 + d.yy), zz = of(1 + d.zz);
     if (uniform) {
       places<Real>(r)[i].d = xx;
-      rows<Real>(r.motion)[i].d = yy;
-      rows<Real>(r.diagonal)[i] = {zz, of(d.xy), of(d.xz), of(d.yz)};
+      rows<Real>(r.velocityViscosity)[i].d = yy;
+      rows<Real>(r.pressureDiagonal)[i] = {zz, of(d.xy), of(d.xz), of(d.yz)};
       continue;
     }
     const Vec3f relief = p.relief.active ? p.relief[i] : Vec3f{};
-    rows<Real>(r.diagonal)[i] = {xx, yy, zz, Real(relief.x)};
-    rows<Real>(r.mixed)[i] = {of(d.xy), of(d.xz), of(d.yz), Real(relief.y)};
-    Four<Real>& state = rows<Real>(r.state)[i];
-    state.a = Real(relief.z);
-    state.b = std::abs(state.b);  // the sign is for the density sums only
+    rows<Real>(r.pressureDiagonal)[i] = {xx, yy, zz, Real(relief.x)};
+    rows<Real>(r.pressureOffDiagonal)[i] = {of(d.xy), of(d.xz), of(d.yz), Real(relief.y)};
+    Four<Real>& pressurePhaseHeat = rows<Real>(r.pressurePhaseHeat)[i];
+    pressurePhaseHeat.a = Real(relief.z);
+    pressurePhaseHeat.b = std::abs(pressurePhaseHeat.b);  // the sign is for the density sums only
     if (substeps && takesSubsteps(p, i))
-      put(rows<Real>(r.motion)[i], p.velocity[i], rows<Real>(r.motion)[i].d);
-    if (books) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(state.b));
+      put(rows<Real>(r.velocityViscosity)[i], p.velocity[i], rows<Real>(r.velocityViscosity)[i].d);
+    if (recordsEnergy) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(pressurePhaseHeat.b));
   }
 }
 
@@ -171,11 +173,11 @@ void packUniformPressure(const RecordContext& x, const Continuum& p, std::size_t
                          PairRecords& r) {
   const Numerics& n = x.scene.numerics;
   const double stiffness = x.liquids[0].stiffness, tensileLimit = n.tensileLimit;
-  const float* const filling = p.filling.data();
-  Four<Real>* const to = x.modules.heat ? places<Real>(r) : rows<Real>(r.motion);
+  const float* const relativeDensity = p.relativeDensity.data();
+  Four<Real>* const to = x.modules.heat ? places<Real>(r) : rows<Real>(r.velocityViscosity);
   const auto loop = [&](EquationOfState eos) {
     for (std::size_t i = begin; i < end; i++) {
-      const double f = static_cast<double>(filling[i]),
+      const double f = static_cast<double>(relativeDensity[i]),
                    term = pressureOf(eos, stiffness, f, tensileLimit) / (f * f);
       to[i].d = f > 0 ? static_cast<Real>(term) : Real(0);
     }
@@ -189,25 +191,26 @@ void packPressureAs(const RecordContext& x, Continuum& p, std::size_t begin, std
                     PairRecords& r) {
   if (x.modules.continuity) return packTensors<Real>(x, p, begin, end, r);
   const Numerics& n = x.scene.numerics;
-  const bool uniform = x.modules.uniform, books = !uniform && end <= p.owned;
-  Four<Real>* state = rows<Real>(r.state);
+  const bool uniform = x.modules.uniform, recordsEnergy = !uniform && end <= p.owned;
+  Four<Real>* pressurePhaseHeat = rows<Real>(r.pressurePhaseHeat);
   if (uniform && n.pressure == PairForm::Consistent) return packUniformPressure<Real>(x, p, begin, end, r);
-  Four<Real>* place = places<Real>(r);
+  Four<Real>* positionVolume = places<Real>(r);
   for (std::size_t i = begin; i < end; i++) {
-    const double f = uniform ? 1 : static_cast<double>(state[i].b),
-                 filling = static_cast<double>(p.filling[i]);
-    Real& term = uniform ? rows<Real>(r.motion)[i].d : state[i].a;
-    if (f == 0 || filling <= 0) {
+    const double f = uniform ? 1 : static_cast<double>(pressurePhaseHeat[i].b),
+                 relativeDensity = static_cast<double>(p.relativeDensity[i]);
+    Real& term = uniform ? rows<Real>(r.velocityViscosity)[i].d : pressurePhaseHeat[i].a;
+    if (f == 0 || relativeDensity <= 0) {
       term = Real(0);
       continue;
     }
-    const double pressure = pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling, n.tensileLimit);
-    if (books) p.interaction[i] += compressionOf(x, p, i, f);
+    const double pressure = pressureOf(n.eos, x.liquids[p.material[i]].stiffness, relativeDensity,
+                                       n.tensileLimit);
+    if (recordsEnergy) p.interaction[i] += compressionOf(x, p, i, f);
     if (n.pressure == PairForm::Consistent) {
-      term = static_cast<Real>(f * pressure / (filling * filling));
+      term = static_cast<Real>(f * pressure / (relativeDensity * relativeDensity));
     } else {
       term = static_cast<Real>(f * pressure);
-      place[i].d = static_cast<Real>(static_cast<double>(place[i].d) / filling);
+      positionVolume[i].d = static_cast<Real>(static_cast<double>(positionVolume[i].d) / relativeDensity);
     }
   }
 }
@@ -222,28 +225,29 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
     makeRoom(c, n + 32);  // the search reads up to 31 entries more
     c.resize(n + 32);
   }
-  if (real64) resizeBytes(r.place, n + 1, each);
+  if (real64) resizeBytes(r.positionVolume, n + 1, each);
   const bool sums = sumsOverPairs(x.modules);
-  if (sums) resizeBytes(r.motion, n + 1, each);
-  else r.motion.clear();
-  if (sums && !x.modules.uniform) resizeBytes(r.state, n + 1, each);
-  else r.state = {};  // the packing of bodies may have used it
+  if (sums) resizeBytes(r.velocityViscosity, n + 1, each);
+  else r.velocityViscosity.clear();
+  if (sums && !x.modules.uniform) resizeBytes(r.pressurePhaseHeat, n + 1, each);
+  else r.pressurePhaseHeat = {};  // the packing of bodies may have used it
   const bool surface = x.modules.tension || x.modules.contact ||
                        (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);
   else r.surface.clear();
-  if (x.modules.continuity) resizeBytes(r.diagonal, n + 1, each);
-  if (x.modules.continuity && !x.modules.uniform) resizeBytes(r.mixed, n + 1, each);
-  if (x.modules.surfaceEnergy) resizeBytes(r.pull, n + 1, each);
+  if (x.modules.continuity) resizeBytes(r.pressureDiagonal, n + 1, each);
+  if (x.modules.continuity && !x.modules.uniform) resizeBytes(r.pressureOffDiagonal, n + 1, each);
+  if (x.modules.surfaceEnergy) resizeBytes(r.surfaceEnergyDerivatives, n + 1, each);
   for (AlignedVector<std::byte>* v :
-       {&r.fixed, &r.place, &r.motion, &r.state, &r.surface, &r.diagonal, &r.mixed, &r.pull}) {
+       {&r.fixed, &r.positionVolume, &r.velocityViscosity, &r.pressurePhaseHeat, &r.surface,
+        &r.pressureDiagonal, &r.pressureOffDiagonal, &r.surfaceEnergyDerivatives}) {
     const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
     if (!v->empty()) std::memset(v->data() + n * record, 0, record);
   }
   if (sums && x.modules.uniform && (x.modules.heat || x.modules.continuity)) {
     const double mark = x.modules.continuity ? dummyPressure : dummyTemperature;
-    real64 ? void(rows<double>(r.motion)[n].d = mark)
-           : void(rows<float>(r.motion)[n].d = static_cast<float>(mark));
+    real64 ? void(rows<double>(r.velocityViscosity)[n].d = mark)
+           : void(rows<float>(r.velocityViscosity)[n].d = static_cast<float>(mark));
   }
 }
 
@@ -265,17 +269,19 @@ double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, 
   const Numerics& n = x.scene.numerics;
   const std::uint16_t k = p.material[i];
   return f * p.mass[i] / x.scene.materials[k].density *
-         compressionEnergy(n.eos, x.liquids[k].stiffness, static_cast<double>(p.filling[i]), n.tensileLimit);
+         compressionEnergy(n.eos, x.liquids[k].stiffness, static_cast<double>(p.relativeDensity[i]),
+                           n.tensileLimit);
 }
 
-void packSurfacePull(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end,
-                     PairRecords& r) {
+void packSurfaceEnergyDerivatives(const RecordContext& x, const Continuum& p, std::size_t begin,
+                                  std::size_t end, PairRecords& r) {
   const auto pack = [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = begin; i < end; i++) {
-      const Vec3d& u = p.surfacePull[i];
-      rows<Real>(r.pull)[i] = {static_cast<Real>(u.x), static_cast<Real>(u.y), static_cast<Real>(u.z),
-                               static_cast<Real>(p.surfaceDraw[i])};
+      const Vec3d& u = p.surfaceEnergyByGradient[i];
+      rows<Real>(r.surfaceEnergyDerivatives)[i] = {static_cast<Real>(u.x), static_cast<Real>(u.y),
+                                                   static_cast<Real>(u.z),
+                                                   static_cast<Real>(p.surfaceEnergyByColour[i])};
     }
   };
   x.scene.numerics.precision == Precision::Double ? pack(double{}) : pack(float{});
@@ -285,8 +291,8 @@ void setUnitPressure(const RecordContext& x, std::size_t n, PairRecords& r) {
   const auto set = [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = 0; i < n; i++) {
-      rows<Real>(r.state)[i] = {Real(1), Real(1), Real(0), Real(0)};
-      rows<Real>(r.motion)[i].d = Real(0);
+      rows<Real>(r.pressurePhaseHeat)[i] = {Real(1), Real(1), Real(0), Real(0)};
+      rows<Real>(r.velocityViscosity)[i].d = Real(0);
     }
   };
   x.scene.numerics.precision == Precision::Double ? set(double{}) : set(float{});
@@ -296,9 +302,10 @@ void setExcessPressure(const RecordContext& x, const Continuum& p, PairRecords& 
   const auto set = [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = 0; i < p.size(); i++)
-      rows<Real>(r.state)[i].a = p.phase[i] == Liquid
-                                     ? std::max(static_cast<Real>(p.filling[i]) - Real(1), Real(0))
-                                     : Real(0);
+      rows<Real>(r.pressurePhaseHeat)[i].a = p.phase[i] == Liquid
+                                                 ? std::max(static_cast<Real>(p.relativeDensity[i]) - Real(1),
+                                                            Real(0))
+                                                 : Real(0);
   };
   x.scene.numerics.precision == Precision::Double ? set(double{}) : set(float{});
 }

@@ -19,8 +19,9 @@ struct MaterialParameters {
 /// Records of all rows and the dummy row behind them; bytes, because they are float or double.
 struct PairRecords {
   AlignedVector<std::byte> fixed;  ///< fixed-point positions and V0 / h^3, float: place in single precision
-  AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePlace)
-  AlignedVector<std::byte> place, motion, state, surface, diagonal, mixed, pull;
+  AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePosition)
+  AlignedVector<std::byte> positionVolume, velocityViscosity, pressurePhaseHeat, surface, pressureDiagonal,
+      pressureOffDiagonal, surfaceEnergyDerivatives;
   std::vector<double> volumePerMass;         ///< 1/kg, V0 / h^3 over the mass, by material
   std::vector<MaterialParameters> constant;  ///< by material, if constant
 };
@@ -54,9 +55,9 @@ double compressionOf(const RecordContext& context, const Continuum& particles, s
 void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end,
                   PairRecords& records);
 
-/// Packs Continuum::surfacePull and surfaceDraw of rows [begin, end).
-void packSurfacePull(const RecordContext& context, const Continuum& particles, std::size_t begin,
-                     std::size_t end, PairRecords& records);
+/// Packs Continuum::surfaceEnergyByGradient and surfaceEnergyByColour of rows [begin, end).
+void packSurfaceEnergyDerivatives(const RecordContext& context, const Continuum& particles, std::size_t begin,
+                                  std::size_t end, PairRecords& records);
 
 /// Sets pressure terms of 1 Pa, all liquid, no viscosity, to relax the packing of bodies.
 void setUnitPressure(const RecordContext& context, std::size_t rows, PairRecords& records);

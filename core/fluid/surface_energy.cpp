@@ -24,16 +24,16 @@ Calibration calibrationOf(double support) {
 /// Cost of missing colour, and its derivative. It is quadratic where little is missing, as at a flat surface.
 /// A single layer misses twice as much, a single particle all of it; squares would give them 2.4 and 11 sigma
 /// dx^2 instead of about 2 and 4.8.
-struct Opening {
+struct ColourDeficit {
   double cost, slope;
 };
-Opening openingOf(double open) {
+ColourDeficit colourDeficitTerm(double open) {
   const double square = open * open, d = 1 / (1 + 2 * square);
   return {square * d, 2 * open * d * d};
 }
 
 /// Sparse limit as a fraction of the colour sum at a flat lattice face; an edge has as much.
-constexpr double ofSparse = 0.8;
+constexpr double sparseFraction = 0.8;
 
 /// Dependence of the energy on d, with derivatives: factor of the squared gradient, and term of sparse
 /// particles.
@@ -53,7 +53,7 @@ ByFilling byFilling(const SurfaceMeasure& m, double fill) {
 
 }  // namespace
 
-SurfaceShare surfaceShare(const Vec3d& x) {
+SurfaceKernelValue surfaceKernelAt(const Vec3d& x) {
   const double q2 = dot(x, x);
   if (q2 >= 1) return {};
   return {x * isa_base::SurfaceKernel::slope(q2), isa_base::SurfaceKernel::w(q2)};
@@ -66,56 +66,56 @@ SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing) {
   const double e = 1 / numerics.support, V = e * e * e;
   const int n = static_cast<int>(numerics.support) + 1;
   // Sums over whole layers.
-  std::vector<double> slope(static_cast<std::size_t>(n) + 1), cover(static_cast<std::size_t>(n) + 1);
+  std::vector<double> slope(static_cast<std::size_t>(n) + 1), colour(static_cast<std::size_t>(n) + 1);
   for (int k = 0; k <= n; k++)
     for (int a = -n; a <= n; a++)
       for (int b = -n; b <= n; b++) {
         if (k == 0 && a == 0 && b == 0) continue;
-        const SurfaceShare s = surfaceShare(Vec3d{a * e, b * e, k * e});
+        const SurfaceKernelValue s = surfaceKernelAt(Vec3d{a * e, b * e, k * e});
         slope[static_cast<std::size_t>(k)] -= V * s.gradient.z;
-        cover[static_cast<std::size_t>(k)] += V * s.cover;
+        colour[static_cast<std::size_t>(k)] += V * s.colour;
       }
-  m.full = cover[0];
-  for (int k = 1; k <= n; k++) m.full += 2 * cover[static_cast<std::size_t>(k)];
+  m.full = colour[0];
+  for (int k = 1; k <= n; k++) m.full += 2 * colour[static_cast<std::size_t>(k)];
   m.self = V * isa_base::SurfaceKernel::w(0.0);
   double sum = 0, opened = 0;
   for (int depth = 0; depth < n; depth++) {
     double g = 0, c = m.full;
     for (int k = depth + 1; k <= n; k++)
-      g += slope[static_cast<std::size_t>(k)], c -= cover[static_cast<std::size_t>(k)];
+      g += slope[static_cast<std::size_t>(k)], c -= colour[static_cast<std::size_t>(k)];
     const double open = 1 - c / m.full;
     const double fill = (c + m.self) / (m.full + m.self);
-    if (depth == 0) m.sparse = ofSparse * fill;
+    if (depth == 0) m.sparse = sparseFraction * fill;
     sum += e * g * g / (fill * fill);
-    opened += openingOf(open).cost;
+    opened += colourDeficitTerm(open).cost;
   }
   const Calibration of = calibrationOf(numerics.support);
   m.area = of.rest * (1 - of.open) / sum;
   m.thin = of.rest * of.open / opened;
   m.least = m.self / (m.full + m.self);
-  m.alone = std::cbrt(36 * isa_base::pi) - m.thin * openingOf(1).cost;
+  m.alone = std::cbrt(36 * isa_base::pi) - m.thin * colourDeficitTerm(1).cost;
   return m;
 }
 
-SurfaceState surfaceState(const SurfaceMeasure& m, double tension, const Vec3d& gradient, double cover) {
-  const double fill = (cover + m.self) / (m.full + m.self), square = dot(gradient, gradient);
+SurfaceState surfaceState(const SurfaceMeasure& m, double tension, const Vec3d& gradient, double colour) {
+  const double fill = (colour + m.self) / (m.full + m.self), square = dot(gradient, gradient);
   const ByFilling by = byFilling(m, fill);
-  const Opening open = openingOf(std::max(0.0, 1 - cover / m.full));
+  const ColourDeficit open = colourDeficitTerm(std::max(0.0, 1 - colour / m.full));
   const double byArea = tension * m.area / m.support, byCover = tension * m.thin / m.spacing,
                byAlone = tension * m.alone / m.spacing;
   SurfaceState s;
   s.energy = byArea * by.area * square + byCover * open.cost + byAlone * by.alone;
-  s.pull = gradient * (2 * byArea * by.area);
-  s.draw = (byArea * by.areaSlope * square + byAlone * by.aloneSlope) / (m.full + m.self) -
-           byCover * open.slope / m.full;
+  s.byGradient = gradient * (2 * byArea * by.area);
+  s.byColour = (byArea * by.areaSlope * square + byAlone * by.aloneSlope) / (m.full + m.self) -
+               byCover * open.slope / m.full;
   return s;
 }
 
-WallCover wallCover(double spacing, double distance) {
-  WallCover sum;
+WallColour wallColour(double spacing, double distance) {
+  WallColour sum;
   for (double z = distance + 0.5 * spacing; z < 1; z += spacing) {
     const double u = 1 - z * z, u2 = u * u;
-    sum.cover += spacing * 315 / 256 * u2 * u2;
+    sum.colour += spacing * 315 / 256 * u2 * u2;
     sum.slope -= spacing * 315 / 32 * z * u * u2;
     sum.bend -= spacing * 315 / 32 * u2 * (u - 6 * z * z);
   }
@@ -124,9 +124,9 @@ WallCover wallCover(double spacing, double distance) {
 
 namespace {
 
-WallCover atWall(const World& w, const WallContact& c) {
+WallColour atWall(const World& w, const WallContact& c) {
   const double h = w.grid.support, dx = w.scene.spacing / h;
-  return wallCover(dx, std::max(c.distance / h, -0.5 * dx));
+  return wallColour(dx, std::max(c.distance / h, -0.5 * dx));
 }
 
 }  // namespace
@@ -135,9 +135,9 @@ void findSurfaceEnergy(const WallContext& x, const SurfaceMeasure& measure, cons
   World& w = x.world;
   Continuum& p = w.particles;
   for (const WallContact& c : contacts.list) {
-    const WallCover t = atWall(w, c);
+    const WallColour t = atWall(w, c);
     p.surfaceGradient[c.row] += c.normal * (t.slope * c.share);
-    p.surfaceCover[c.row] += t.cover * c.share;
+    p.surfaceColour[c.row] += t.colour * c.share;
   }
   for (std::size_t i = 0; i < p.owned; i++) {
     const Material& m = w.scene.materials[p.material[i]];
@@ -145,22 +145,23 @@ void findSurfaceEnergy(const WallContext& x, const SurfaceMeasure& measure, cons
                      : p.phase[i] == Liquid ? 1
                                             : 0,
                  tension = f * m.surfaceTension;
-    p.surfacePull[i] = {};
-    p.surfaceDraw[i] = 0;
+    p.surfaceEnergyByGradient[i] = {};
+    p.surfaceEnergyByColour[i] = 0;
     if (!(tension > 0)) continue;
-    const SurfaceState s = surfaceState(measure, tension, p.surfaceGradient[i], p.surfaceCover[i]);
-    p.surfacePull[i] = s.pull;
-    p.surfaceDraw[i] = s.draw;
+    const SurfaceState s = surfaceState(measure, tension, p.surfaceGradient[i], p.surfaceColour[i]);
+    p.surfaceEnergyByGradient[i] = s.byGradient;
+    p.surfaceEnergyByColour[i] = s.byColour;
     p.interaction[i] += s.energy * p.mass[i] / m.density;
   }
 }
 
 double surfaceForceOfWall(const World& w, const WallContact& c) {
   const Continuum& p = w.particles;
-  const WallCover t = atWall(w, c);
+  const WallColour t = atWall(w, c);
   const double V = p.mass[c.row] / w.scene.materials[p.material[c.row]].density;
   return -V * c.share / w.grid.support *
-         (dot(p.surfacePull[c.row], c.normal) * t.bend + p.surfaceDraw[c.row] * t.slope);
+         (dot(p.surfaceEnergyByGradient[c.row], c.normal) * t.bend +
+          p.surfaceEnergyByColour[c.row] * t.slope);
 }
 
 }  // namespace thaw

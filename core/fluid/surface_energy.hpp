@@ -50,27 +50,28 @@ SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing);
 /// (colour not normalised), Pa.
 struct SurfaceState {
   double energy = 0;
-  Vec3d pull{};
-  double draw = 0;
+  Vec3d byGradient{};
+  double byColour = 0;
 };
-SurfaceState surfaceState(const SurfaceMeasure& measure, double tension, const Vec3d& gradient, double cover);
+SurfaceState surfaceState(const SurfaceMeasure& measure, double tension, const Vec3d& gradient,
+                          double colour);
 
 /// h grad W and W (h^-3) at x (in units of h) relative to the other particle.
-struct SurfaceShare {
+struct SurfaceKernelValue {
   Vec3d gradient{};
-  double cover = 0;
+  double colour = 0;
 };
-SurfaceShare surfaceShare(const Vec3d& x);
+SurfaceKernelValue surfaceKernelAt(const Vec3d& x);
 
 /// Contribution of a flat wall to the colour at a distance (h), with its first and second derivative: layers
 /// at half and whole spacings (h) below its surface, each averaged over its plane, as in the wall tables.
-struct WallCover {
-  double cover = 0, slope = 0, bend = 0;
+struct WallColour {
+  double colour = 0, slope = 0, bend = 0;
 };
-WallCover wallCover(double spacing, double distance);
+WallColour wallColour(double spacing, double distance);
 
-/// Adds the walls to surfaceGradient and surfaceCover of owned particles, computes surfacePull and
-/// surfaceDraw, and adds E to Continuum::interaction.
+/// Adds the walls to surfaceGradient and surfaceColour of owned particles, computes surfaceEnergyByGradient
+/// and surfaceEnergyByColour, and adds E to Continuum::interaction.
 void findSurfaceEnergy(const WallContext& context, const SurfaceMeasure& measure,
                        const WallContacts& contacts);
 

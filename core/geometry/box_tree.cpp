@@ -61,7 +61,7 @@ std::size_t BoxTree::build(std::size_t begin, std::size_t end) {
   return node;
 }
 
-void BoxTree::addMeeting(const Bounds& box, std::vector<std::size_t>& found) const {
+void BoxTree::addIntersecting(const Bounds& box, std::vector<std::size_t>& found) const {
   if (nodes_.empty()) return;
   std::vector<std::size_t> open{0};
   while (!open.empty()) {

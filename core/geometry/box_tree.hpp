@@ -11,7 +11,7 @@ class BoxTree {
  public:
   explicit BoxTree(std::vector<Bounds> boxes);
   /// Appends the numbers of all boxes that intersect or touch `box`, in any order.
-  void addMeeting(const Bounds& box, std::vector<std::size_t>& found) const;
+  void addIntersecting(const Bounds& box, std::vector<std::size_t>& found) const;
   const Bounds& box(std::size_t k) const { return boxes_[k]; }
   std::size_t size() const { return boxes_.size(); }
   /// Bounding box of all boxes; empty (min above max) without boxes.

@@ -14,7 +14,7 @@ Vec3d unitNormal(const Vec3d& n) {
                                                      // underflow
 }
 
-void settleNormals(TriangleMesh& m, MeshReport& report) {
+void validateNormals(TriangleMesh& m, MeshReport& report) {
   if (m.normals.empty()) return;
   const auto side = [&](std::size_t t) {
     const auto& c = m.triangles[t];

@@ -12,6 +12,6 @@ Vec3d unitNormal(const Vec3d& n);
 /// point inward (an inverted file, or another handedness), all of them are flipped. Normals that still oppose
 /// their triangle are then set to 0, which also marks missing normals in many files. Where the normal is 0,
 /// it follows from the triangles.
-void settleNormals(TriangleMesh& mesh, MeshReport& report);
+void validateNormals(TriangleMesh& mesh, MeshReport& report);
 
 }  // namespace thaw

@@ -247,7 +247,7 @@ TriangleMesh closeMesh(Welded w, MeshReport& report) {
     throw ShapeError("the mesh encloses no volume (its " + std::to_string(report.triangles) +
                      " triangles have " + std::to_string(w.open) + " open edges of " +
                      std::to_string(w.edges) + "); expected the closed surface of a solid");
-  settleNormals(m, report);
+  validateNormals(m, report);
   return std::move(m);
 }
 
@@ -262,7 +262,7 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, MeshReport& report) {
   if (w.open == 0) return closeMesh(std::move(w), report);
   report.border = static_cast<std::int64_t>(w.open);
   report.closed = true;  // the inside is not used
-  settleNormals(w.mesh, report);
+  validateNormals(w.mesh, report);
   return std::move(w.mesh);
 }
 

@@ -23,7 +23,7 @@ Shifts shiftsOf(double low, double high, double from, double to, double period) 
 }
 
 /// Returns the boxes that intersect box b or one of its images, without b itself; ascending.
-std::vector<std::size_t> meeting(const BoxTree& tree, std::size_t b, const Vec3d& period) {
+std::vector<std::size_t> intersecting(const BoxTree& tree, std::size_t b, const Vec3d& period) {
   const Bounds &own = tree.box(b), around = tree.bounds();
   Shifts s[3];
   for (int a = 0; a < 3; a++)
@@ -34,7 +34,7 @@ std::vector<std::size_t> meeting(const BoxTree& tree, std::size_t b, const Vec3d
       for (std::int64_t k = s[2].first; k <= s[2].last; k++) {
         const Vec3d n{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
         const Vec3d by{n.x * period.x, n.y * period.y, n.z * period.z};
-        tree.addMeeting({own.min + by, own.max + by}, found);
+        tree.addIntersecting({own.min + by, own.max + by}, found);
       }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -61,7 +61,7 @@ OverlapTest::OverlapTest(std::vector<std::shared_ptr<const SignedDistance>> bodi
   const BoxTree tree(bounds_);
   first_.push_back(0);
   for (std::size_t a = 0; a < bodies_.size(); a++) {
-    const std::vector<std::size_t> others = meeting(tree, a, period_);
+    const std::vector<std::size_t> others = intersecting(tree, a, period_);
     near_.insert(near_.end(), others.begin(), others.end());
     first_.push_back(near_.size());
   }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/halo/word_lists.hpp"
+#include "core/halo/word_streams.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/solid/solids.hpp"
@@ -31,7 +31,7 @@ class Reducer {
   virtual void sum(std::span<std::int64_t> values) = 0;  ///< element-wise over ranks
   /// Sends each list to its rank, at most one per rank; returns the received lists, ascending by rank.
   /// Collective.
-  virtual std::vector<WordList> deliver(std::vector<WordList> lists) = 0;
+  virtual std::vector<WordStream> sparseAllToAll(std::vector<WordStream> lists) = 0;
 };
 
 /// Cells: ownership, migration of particles, and copies of the surrounding cells ("ghosts").
@@ -117,8 +117,8 @@ struct BondPair {
   std::uint32_t slot, other = noSlot;
 };
 
-/// Work of a relink beyond the changes visible in the tables.
-struct Relink {
+/// Work of a bond update beyond the changes visible in the tables.
+struct BondUpdate {
   std::span<const BondRequest> requests;  ///< bonds to make, appended to their slots in this order
   bool changedHere = false;  ///< on this rank, a particle's phase changed or a particle with a slot left the
                              ///< domain
@@ -137,7 +137,8 @@ class BondHalo {
   virtual ~BondHalo() = default;
 
   /// Sends the slots and bonds of departed particles to their new ranks. Requires: called after
-  /// CellHalo::migrate and before particles are reordered. The tables change at the next relink. Collective.
+  /// CellHalo::migrate and before particles are reordered. The tables change at the next bond update.
+  /// Collective.
   virtual void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
                        const Migration& migration) = 0;
 
@@ -146,9 +147,10 @@ class BondHalo {
   /// bonds to them on every rank. Requests become bonds, unless the neighbour is no longer solid. Remote rows
   /// are renewed and rows renumbered; BondedRows::slot and Solids::particle follow. Newly solid particles
   /// have volume 0, which the caller sets. Remote rows then have their id only. Requires: sorted particles
-  /// without departed rows, whose phase changed at most once since the last relink. Collective. Returns false
-  /// at once if nothing changed on any rank.
-  virtual bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) = 0;
+  /// without departed rows, whose phase changed at most once since the last bond update. Collective. Returns
+  /// false at once if nothing changed on any rank.
+  virtual bool rebuildBonds(const BondedRows& particles, Solids& solids, Bonds& bonds,
+                            const BondUpdate& work) = 0;
 
   /// Sends columns of Solids from owned rows to their remote copies. The rules of beginRefresh apply.
   virtual void begin(Solids& solids, std::span<AnyColumn* const> columns) = 0;

@@ -13,7 +13,7 @@ class SerialReducer : public Reducer {
   /// NaN becomes +infinity, as over MPI.
   void maximum(std::span<double> values) override;
   void sum(std::span<std::int64_t>) override {}
-  std::vector<WordList> deliver(std::vector<WordList> lists) override { return lists; }
+  std::vector<WordStream> sparseAllToAll(std::vector<WordStream> lists) override { return lists; }
 };
 
 class SerialCellHalo : public CellHalo {
@@ -41,11 +41,11 @@ class SerialCellHalo : public CellHalo {
   GhostCellMerge merge_;
 };
 
-class SerialRowCourier : public RowCourier {
+class SerialRowScatter : public RowScatter {
  public:
-  void sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values,
-                std::span<std::uint64_t> here) override {
-    for (std::size_t k = 0; k < home.size(); k++) here[home[k] & 0xffffffffu] = values[k];
+  void scatterBack(std::span<const std::uint64_t> source, std::span<const std::uint64_t> values,
+                   std::span<std::uint64_t> here) override {
+    for (std::size_t k = 0; k < source.size(); k++) here[source[k] & 0xffffffffu] = values[k];
   }
 };
 
@@ -53,9 +53,9 @@ class SerialRowCourier : public RowCourier {
 struct SerialSurfaceRanks {
   SerialReducer all;
   SerialCellHalo surfels, particles;
-  SerialRowCourier courier;
+  SerialRowScatter scatter;
   explicit SerialSurfaceRanks(const CellGrid& grid) : surfels(grid), particles(grid) {}
-  SurfaceHalos halos() { return {all, surfels, particles, courier}; }
+  SurfaceHalos halos() { return {all, surfels, particles, scatter}; }
 };
 
 }  // namespace thaw

@@ -6,12 +6,12 @@
 namespace thaw {
 
 /// Sends values back to the rows from which particle copies were made.
-class RowCourier {
+class RowScatter {
  public:
-  virtual ~RowCourier() = default;
+  virtual ~RowScatter() = default;
   /// Sets here[row] = values[k] on rank home[k] >> 32, row home[k] & 0xffffffff. Collective.
-  virtual void sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values,
-                        std::span<std::uint64_t> here) = 0;
+  virtual void scatterBack(std::span<const std::uint64_t> source, std::span<const std::uint64_t> values,
+                           std::span<std::uint64_t> here) = 0;
 };
 
 /// Both cell halos have the same partition: `particles` follows `surfels`.
@@ -19,7 +19,7 @@ struct SurfaceHalos {
   Reducer& all;
   CellHalo& surfels;
   CellHalo& particles;
-  RowCourier& courier;
+  RowScatter& scatter;
 };
 
 }  // namespace thaw

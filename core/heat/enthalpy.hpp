@@ -51,7 +51,7 @@ inline double paperFraction(const Material& m, double T) {
 }
 
 /// Enthalpy in the energy budget at a temperature (J/kg). K05's plain model has no latent heat: c T.
-inline double bookedEnthalpy(HeatModel model, const Material& m, double T, double fractionAtMelting = 0) {
+inline double ledgerEnthalpy(HeatModel model, const Material& m, double T, double fractionAtMelting = 0) {
   return model == HeatModel::Paper ? m.heatCapacity.solid * T : enthalpyOf(m, T, fractionAtMelting);
 }
 

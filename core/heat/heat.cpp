@@ -32,12 +32,12 @@ double surfaceConductance(const Material& m, double T, double ambient) {
 
 /// Heat that a particle still has to absorb for a thermostat's temperature (J/kg).
 double missingHeat(const Scene& s, const Material& m, const Continuum& p, std::size_t i, double T) {
-  return bookedEnthalpy(s.numerics.heat, m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) -
+  return ledgerEnthalpy(s.numerics.heat, m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) -
          p.enthalpy[i];
 }
 
 /// Fraction of a thermostat's remaining heat in the step of length dt (s) that begins at `time`; 0: inactive.
-double shareOf(const Tempering& t, double time, double dt) {
+double shareOf(const Thermostat& t, double time, double dt) {
   const double from = std::max(time, t.start), end = t.start + t.over, left = end - from;
   if (time + dt <= t.start || from > end) return 0;
   if (!(left > 0)) return time <= t.start;
@@ -46,7 +46,7 @@ double shareOf(const Tempering& t, double time, double dt) {
 
 }  // namespace
 
-void settlePhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t begin, std::size_t end) {
+void setPhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; i++) {
     const Material& m = s.materials[p.material[i]];
     double f = restFraction(m);
@@ -62,29 +62,29 @@ void settlePhase(const Scene& s, const Modules& modules, Continuum& p, std::size
   }
 }
 
-double exposedArea(double exposure, double surfaceExposure) {
-  const double share = exposure / surfaceExposure;  // relative to a flat surface, whose value depends on the
-                                                    // support
+double exposedArea(double freeSurfaceIndicator, double flatSurfaceIndicator) {
+  const double share = freeSurfaceIndicator / flatSurfaceIndicator;  // relative to a flat surface, whose
+                                                                     // value depends on the support
   return share * std::clamp((share - 0.5) / 0.3, 0.0, 1.0);
 }
 
-double latticeSurfaceExposure(const Numerics& n) {
+double flatLatticeIndicator(const Numerics& n) {
   return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push;
 }
 
-void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* deep) {
+void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* steady) {
   Continuum& p = w.particles;
   const Scene& s = w.scene;
   const auto heats = [](const Material& m) { return m.heatSource != 0; };
   if (!w.modules.surfaceHeat && std::none_of(s.materials.begin(), s.materials.end(), heats)) return;
   const double face = s.spacing * s.spacing,
-               flat = w.modules.surfaceHeat ? latticeSurfaceExposure(s.numerics) : 1;
+               flat = w.modules.surfaceHeat ? flatLatticeIndicator(s.numerics) : 1;
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (deep && (*deep)[i]) continue;
+    if (steady && (*steady)[i]) continue;
     const Material& m = s.materials[p.material[i]];
     double flow = m.heatSource * p.mass[i];
     if (w.modules.surfaceHeat && (m.convection > 0 || m.emissivity > 0)) {
-      const double area = face * exposedArea(static_cast<double>(p.exposure[i]), flat);
+      const double area = face * exposedArea(static_cast<double>(p.freeSurfaceIndicator[i]), flat);
       const double T = p.temperature[i], conductance = area * surfaceConductance(m, T, s.domain.ambient);
       const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : restFraction(m);
       const double rate = conductance / (p.mass[i] * heatCapacityOf(s.numerics.heat, m, f));
@@ -98,12 +98,12 @@ void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* deep) {
   }
 }
 
-void addTempering(World& w, double dt) {
+void addThermostats(World& w, double dt) {
   if (dt == 0) return;
   Continuum& p = w.particles;
   const Scene& s = w.scene;
   const double time = w.clock.time;
-  for (const Tempering& t : s.temperings) {
+  for (const Thermostat& t : s.thermostats) {
     const double share = shareOf(t, time, dt);
     if (share == 0) continue;
     for (std::size_t i = 0; i < p.owned; i++) {
@@ -125,7 +125,7 @@ void updateHeat(World& w, double dt) {
     const Material& m = s.materials[p.material[i]];
     if (paper) {
       p.temperature[i] += dt * p.heatFlow[i] / (p.mass[i] * m.heatCapacity.solid);
-      p.enthalpy[i] = bookedEnthalpy(s.numerics.heat, m, p.temperature[i]);
+      p.enthalpy[i] = ledgerEnthalpy(s.numerics.heat, m, p.temperature[i]);
     } else {
       p.enthalpy[i] += dt * p.heatFlow[i] / p.mass[i];
     }

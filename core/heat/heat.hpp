@@ -10,25 +10,25 @@ namespace thaw {
 /// Sets temperature, liquid fraction and phase of rows [begin, end) from their enthalpy (from the temperature
 /// in the paper's model), at set-up and for emitted particles. The phase is liquid if the fraction is 1 or
 /// the material cannot be solid, else solid.
-void settlePhase(const Scene& scene, const Modules& modules, Continuum& particles, std::size_t begin,
-                 std::size_t end);
+void setPhase(const Scene& scene, const Modules& modules, Continuum& particles, std::size_t begin,
+              std::size_t end);
 
 /// Adds heat sources and losses at free surfaces (convection, Stefan-Boltzmann radiation) to heatFlow; area =
 /// spacing^2 * exposedArea. The heat gained over dt (s) is recorded in Ledger::heatIn. Rows with skipped sums
-/// (WallContext::deep) are left out.
-void addOuterHeat(World& world, double dt, const std::vector<std::uint8_t>* deep = nullptr);
+/// (WallContext::steady) are left out.
+void addOuterHeat(World& world, double dt, const std::vector<std::uint8_t>* steady = nullptr);
 
 /// Adds the heat of the scene's thermostats for the step of length dt (s) that begins now, and records it in
 /// Ledger::heatIn.
-void addTempering(World& world, double dt);
+void addThermostats(World& world, double dt);
 
 /// Returns the free-surface area of a particle in units of spacing^2, from its free-surface indicator: 1 for
 /// a flat lattice surface. Below half of the flat value it is 0, since disorder alone gives such values
 /// inside a liquid (0.4 for jitter of 0.15 spacings at h = 2).
-double exposedArea(double exposure, double surfaceExposure);
+double exposedArea(double freeSurfaceIndicator, double flatSurfaceIndicator);
 
 /// Free-surface indicator of the outermost particles of a flat lattice surface.
-double latticeSurfaceExposure(const Numerics& numerics);
+double flatLatticeIndicator(const Numerics& numerics);
 
 /// H += dt heatFlow / m, then temperature and liquid fraction. In the paper's model T += dt * (heatFlow / (m
 /// c)), with K05's diffusivity as conductivity (Material::paperDiffusivity, by conductivityOf).

@@ -159,7 +159,7 @@ double largestPressureResponse(const Numerics& n) {
   return r.largest / r.diagonal;
 }
 
-double largestFillingSlope(const Numerics& n) {
+double largestRelativeDensityGradient(const Numerics& n) {
   return std::sqrt(pressureResponse(n).largest) / std::pow(n.support, 3);
 }
 

@@ -40,6 +40,6 @@ double stableHeatStep(const Numerics& numerics);
 double largestPressureResponse(const Numerics& numerics);
 
 /// Largest change of sum V W (1/h) under a plane wave of unit displacements on the lattice.
-double largestFillingSlope(const Numerics& numerics);
+double largestRelativeDensityGradient(const Numerics& numerics);
 
 }  // namespace thaw

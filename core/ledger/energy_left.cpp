@@ -70,8 +70,8 @@ void recordCohesion(World& w, const StepTools& t) {
 /// Changes of a neighbour's sums by removed particles.
 struct Lost {
   std::uint32_t row = 0;
-  SurfaceShare surface{};
-  double filling = 0;
+  SurfaceKernelValue surface{};
+  double relativeDensity = 0;
 };
 
 /// Losses of all neighbours of leavers, ascending by row.
@@ -79,17 +79,18 @@ std::vector<Lost> lostSums(const World& w, const StepTools& t) {
   std::vector<Lost> pairs, sums;
   const Numerics& n = w.scene.numerics;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
-    const SurfaceShare s = surfaceShare(d);
-    const double filling = t.perLatticeSum * l.volume *
-                           withKernel(n.kernel, [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
-    pairs.push_back({j, {s.gradient * l.volume, s.cover * l.volume}, filling});
+    const SurfaceKernelValue s = surfaceKernelAt(d);
+    const double relativeDensity = t.perLatticeSum * l.volume *
+                                   withKernel(n.kernel,
+                                              [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
+    pairs.push_back({j, {s.gradient * l.volume, s.colour * l.volume}, relativeDensity});
   });
   std::stable_sort(pairs.begin(), pairs.end(), [](const Lost& a, const Lost& b) { return a.row < b.row; });
   for (const Lost& one : pairs) {
     if (sums.empty() || sums.back().row != one.row) sums.push_back({one.row});
     sums.back().surface.gradient += one.surface.gradient;
-    sums.back().surface.cover += one.surface.cover;
-    sums.back().filling += one.filling;
+    sums.back().surface.colour += one.surface.colour;
+    sums.back().relativeDensity += one.relativeDensity;
   }
   return sums;
 }
@@ -99,10 +100,10 @@ double surfaceLost(const World& w, const StepTools& t, const Lost& lost) {
   const double tension = w.scene.materials[w.particles.material[lost.row]].surfaceTension;
   if (!w.modules.surfaceEnergy || !(tension > 0)) return 0;
   const Vec3d n = w.particles.surfaceGradient[lost.row];
-  const double cover = w.particles.surfaceCover[lost.row];
+  const double colour = w.particles.surfaceColour[lost.row];
   const Vec3d before = n + lost.surface.gradient;
-  const SurfaceState with = surfaceState(t.surface, tension, before, cover + lost.surface.cover);
-  return with.energy - surfaceState(t.surface, tension, n, cover).energy;
+  const SurfaceState with = surfaceState(t.surface, tension, before, colour + lost.surface.colour);
+  return with.energy - surfaceState(t.surface, tension, n, colour).energy;
 }
 
 /// Loss of compression energy (J/m^3 of liquid); 0 with a carried density.
@@ -110,9 +111,9 @@ double compressionLost(const World& w, const StepTools& t, const Lost& lost) {
   if (w.modules.continuity || w.modules.incompressible) return 0;
   const Numerics& n = w.scene.numerics;
   const double stiffness = t.liquids[w.particles.material[lost.row]].stiffness;
-  const auto filling = static_cast<double>(w.particles.filling[lost.row]);
+  const auto relativeDensity = static_cast<double>(w.particles.relativeDensity[lost.row]);
   const auto energy = [&](double f) { return compressionEnergy(n.eos, stiffness, f, n.tensileLimit); };
-  return energy(filling + lost.filling) - energy(filling);
+  return energy(relativeDensity + lost.relativeDensity) - energy(relativeDensity);
 }
 
 void recordNeighbourhoods(World& w, const StepTools& t) {

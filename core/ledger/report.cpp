@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "core/body_types/body_types.hpp"
+#include "core/body_types/ledger_rows.hpp"
 #include "core/fluid/liquid_materials.hpp"
 #include "core/fluid/state_equation.hpp"
-#include "core/kinds/kind_books.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/stored_energy.hpp"
 
 namespace thaw {
@@ -75,7 +75,7 @@ double movableHeat(const World& w, double mass) {
     see(b.temperature - half), see(b.temperature + half);
   }
   for (const Emitter& e : s.emitters) see(e.temperature);
-  for (const Tempering& t : s.temperings) see(t.temperature);
+  for (const Thermostat& t : s.thermostats) see(t.temperature);
   for (const Obstacle& o : s.obstacles)
     if (o.temperature) see(*o.temperature);
   for (const Material& m : s.materials) {
@@ -109,7 +109,7 @@ double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
   for (const OrientedBody& b : s.oriented) {
     const double spacing = spacingOf(s, b);
     strained = std::max(strained,
-                        b.stiffness * spacing * spacing * static_cast<double>(r.rows[orientedKind]));
+                        b.stiffness * spacing * spacing * static_cast<double>(r.rows[orientedType]));
   }
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
     const SheetBody& b = s.sheets[n];
@@ -131,8 +131,8 @@ void addToBalance(const World& w, std::span<const std::uint32_t> rows, ExactBala
 ExactBalance balanceHere(const World& w) {
   ExactBalance now;
   for (std::size_t i = 0; i < w.particles.owned; i++) addRow(w, i, now);
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) {
-    for (std::size_t i = 0; i < r.owned; i++) addKindRow(w, kind, i, now);
+  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& r, const CellTable&) {
+    for (std::size_t i = 0; i < r.owned; i++) addBodyTypeRow(w, kind, i, now);
   });
   return now;
 }
@@ -141,7 +141,7 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   findStoredEnergy(w, t);
   const Continuum& p = w.particles;
   const ExactBalance now = balanceHere(w);
-  ExactSum dissipated = w.ledger.dissipated, liquid, continuum, underWay[3];
+  ExactSum dissipated = w.ledger.dissipated, liquid, continuum, impulseInFlight[3];
   for (std::size_t i = 0; i < p.owned; i++) {
     dissipated.add(p.dissipated[i]);
     continuum.add(p.mass[i]);
@@ -149,12 +149,12 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
                : p.phase[i] == Liquid ? p.mass[i]
                                       : 0.0);
   }
-  eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) {
+  forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
     for (std::size_t i = 0; i < r.owned; i++) dissipated.add(r.dissipated[i]);
   });
   const Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned && o.external.active; i++)
-    for (int a = 0; a < 3; a++) underWay[a].add(0.5 * w.clock.stepDt * o.external[i][a]);
+    for (int a = 0; a < 3; a++) impulseInFlight[a].add(0.5 * w.clock.stepDt * o.external[i][a]);
   Pack pack;
   pack.add(now);
   pack.add(w.ledger.entered);
@@ -164,13 +164,13 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
     pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.wallImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.gravityImpulse) pack.sums.push_back(s);
-  for (const ExactSum& s : underWay) pack.sums.push_back(s);
+  for (const ExactSum& s : impulseInFlight) pack.sums.push_back(s);
   std::vector<std::int64_t> digits;
   for (ExactSum& s : pack.sums) {
     s.carry();
     digits.insert(digits.end(), s.digit.begin(), s.digit.end());
   }
-  eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) {
+  forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
     digits.push_back(static_cast<std::int64_t>(r.owned));
   });
   digits.push_back(static_cast<std::int64_t>(p.owned));
@@ -182,7 +182,8 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   LedgerReport r;
   r.particles = digits.back();
   std::size_t counted = pack.sums.size() * ExactSum::digits;
-  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { r.rows[kind] = digits[counted++]; });
+  forEachBodyType(
+      w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) { r.rows[kind] = digits[counted++]; });
   r.now = u.balance();
   r.entered = u.balance();
   r.left = u.balance();
@@ -196,9 +197,9 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   r.wallImpulse = u.next3();
   r.initial = w.ledger.initial;
   r.gravityImpulse = u.next3() + w.scene.domain.gravity * (r.initial.mass * w.clock.time);
-  r.underWay = u.next3();
+  r.impulseInFlight = u.next3();
   r.massResidual = r.now.mass - (r.initial.mass + r.entered.mass - r.left.mass);
-  r.momentumResidual = r.now.momentum + r.underWay -
+  r.momentumResidual = r.now.momentum + r.impulseInFlight -
                        (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse +
                         r.gravityImpulse);
   const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork -

@@ -11,10 +11,10 @@ struct LedgerReport {
   Balance now, initial, entered, left;
   double dissipated = 0, wallWork = 0, heatIn = 0, phaseJump = 0, restartJump = 0;  // J
   Vec3d wallImpulse{}, gravityImpulse{};                                            // N s
-  Vec3d underWay{};  ///< N s, impulse in flight: contacts gave it to vertices and particles, and give it to
-                     ///< oriented particles in the next step
-  double massResidual = 0;    ///< kg
-  Vec3d momentumResidual{};   ///< kg m/s
+  Vec3d impulseInFlight{};   ///< N s, impulse in flight: contacts gave it to vertices and particles, and give
+                             ///< it to oriented particles in the next step
+  double massResidual = 0;   ///< kg
+  Vec3d momentumResidual{};  ///< kg m/s
   double energyResidual = 0;  ///< J, mechanical: kinetic + elastic + potential minus inflow, outflow, work
                               ///< and dissipation
   double heatResidual = 0;    ///< J, change of internal energy minus heat inflow
@@ -26,7 +26,7 @@ struct LedgerReport {
                          ///< in the scene can move
   double liquidFraction = 0;  ///< fraction of the continuum's mass, without sheets and oriented particles
   std::int64_t particles = 0;
-  std::int64_t rows[2] = {0, 0};  ///< number by further body type (core/kinds/kinds.hpp)
+  std::int64_t rows[2] = {0, 0};  ///< number by further body type (core/body_types/body_types.hpp)
 };
 
 /// Returns true if the energies are so small that relative residuals are meaningless.

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "core/body_types/body_types.hpp"
 #include "core/fluid/particle_pressure.hpp"
 #include "core/fluid/records.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/sleep/sleep.hpp"
 #include "core/stored_energy.hpp"
 
@@ -29,7 +29,7 @@ void addParticles(const World& w, const StepTools& t, Sums& sums) {
   for (std::size_t i = 0; i < p.owned; i++) {
     sums[Gravity].add(gravityOf(w, p.mass[i], p.position[i]));
     if (!p.interaction.active) continue;
-    const bool known = p.filling.active && !(p.sleep.active && p.sleep[i] != awake);
+    const bool known = p.relativeDensity.active && !(p.sleep.active && p.sleep[i] != awake);
     const double liquid = liquidFraction(p, i);
     const double compression = known ? compressionOf(context, p, i, liquid) : 0;
     sums[Compression].add(compression);
@@ -43,7 +43,7 @@ StoredParts storedParts(World& w, const StepTools& t, Reducer& all) {
   findStoredEnergy(w, t);
   Sums sums;
   addParticles(w, t, sums);
-  eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) {
+  forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
     for (std::size_t i = 0; i < r.owned; i++) sums[Gravity].add(gravityOf(w, r.mass[i], r.position[i]));
   });
   std::vector<std::int64_t> digits;

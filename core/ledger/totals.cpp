@@ -11,7 +11,7 @@ static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance),
               "list the new sum in sumsOf");
 static_assert(worldCounts == 30, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
-static_assert(sizeof(WatchState) == 11 * sizeof(double), "list the new member in realsOf or countsOf");
+static_assert(sizeof(MonitorState) == 11 * sizeof(double), "list the new member in realsOf or countsOf");
 
 void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const (&names)[balanceSums]) {
   ExactSum* const sums[balanceSums] = {&b.mass,
@@ -100,17 +100,17 @@ std::vector<NamedCount> countsOf(SurfaceCounters& c) {
           {"capped", &c.capped},   {"unfinished", &c.unfinished}};
 }
 
-std::vector<NamedReal> realsOf(WatchState& s) {
+std::vector<NamedReal> realsOf(MonitorState& s) {
   return {{"factor", &s.factor},   {"residual", &s.residual},  {"scale", &s.scale},
           {"largest", &s.largest}, {"full_step", &s.fullStep}, {"passed", &s.passed}};
 }
 
-std::vector<NamedCount> countsOf(WatchState& s) {
+std::vector<NamedCount> countsOf(MonitorState& s) {
   return {{"halvings", &s.halvings},
           {"failures", &s.failures},
-          {"patience", &s.patience},
-          {"calm", &s.calm},
-          {"good_step", &s.goodStep}};
+          {"patience", &s.requiredSnapshots},
+          {"calm", &s.snapshotsSinceChange},
+          {"good_step", &s.snapshotStep}};
 }
 
 std::vector<NamedValue> valuesOf(Balance& b) {

@@ -27,8 +27,8 @@ struct NamedReal {
   const char* name;
   double* value;
 };
-std::vector<NamedReal> realsOf(WatchState& watch);
-std::vector<NamedCount> countsOf(WatchState& watch);
+std::vector<NamedReal> realsOf(MonitorState& watch);
+std::vector<NamedCount> countsOf(MonitorState& watch);
 
 struct NamedValue {
   const char* name;

@@ -58,7 +58,7 @@ inline std::uint32_t fixedPoint(const CellGrid& g, double x, int axis) {
 }
 
 /// Coarse position of the search: 2^14 units per support radius, modulo 2^16.
-inline std::uint16_t coarsePlace(std::uint32_t fixed) { return static_cast<std::uint16_t>(fixed >> 10); }
+inline std::uint16_t coarsePosition(std::uint32_t fixed) { return static_cast<std::uint16_t>(fixed >> 10); }
 
 /// Occupied cells, ascending by key. Cell c has particles [first[c], first[c] + count[c]).
 struct CellTable {

@@ -13,7 +13,7 @@ void clearLists(NeighbourLists& lists, std::uint32_t owned, std::uint32_t dummy)
   fit(lists.self, 8 * groups);
   fit(lists.first, groups);
   fit(lists.count, groups);
-  fit(lists.wet, groups);
+  fit(lists.fluid, groups);
   fit(lists.neighbours, owned);
   lists.dummy = dummy;
   lists.innerGroups = lists.groups = 0;

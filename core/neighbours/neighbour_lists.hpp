@@ -14,7 +14,7 @@ struct NeighbourLists {
   AlignedVector<std::uint32_t> count;  ///< length of the group's longest list
   AlignedVector<std::uint32_t> list;   ///< neighbours without the particle itself; may contain pairs slightly
                                        ///< beyond the support radius
-  AlignedVector<std::uint8_t> wet;     ///< per group: 1 if cells of its neighbours contain liquid
+  AlignedVector<std::uint8_t> fluid;   ///< per group: 1 if cells of its neighbours contain liquid
   AlignedVector<std::uint16_t> neighbours;  ///< number of neighbours of each owned row within the support
                                             ///< radius
   std::uint32_t dummy = 0;                  ///< row of zero mass behind all rows

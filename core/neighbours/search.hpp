@@ -25,7 +25,7 @@ struct SearchBuffers {
   AlignedVector<std::uint32_t> found[window];  ///< neighbours of the particles in the window
   std::uint32_t length[window]{};
   std::uint32_t self[window]{};
-  std::uint8_t wet[window]{};
+  std::uint8_t fluid[window]{};
   int filled = 0;
 };
 
@@ -35,7 +35,7 @@ void growSearch(SearchBuffers& buffers, std::size_t n);
 void growRounds(SearchBuffers& buffers);
 
 /// Positions of the candidates in 2^-14 support radii, modulo 4 support radii. Positions in touching cells
-/// stay unique, except for pairs so far apart that their kernels are zero (coarsePlace, grid.hpp).
+/// stay unique, except for pairs so far apart that their kernels are zero (coarsePosition, grid.hpp).
 struct SearchInput {
   const std::uint16_t *x = nullptr, *y = nullptr, *z = nullptr;  ///< by row; 32 more may be read
   const CellTable* cells = nullptr;                              ///< ascending by key, owned and ghost cells

@@ -122,10 +122,10 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, Neighb
   const std::uint32_t d = 2 * lists.dummy;
   const Vec8u padding = {d, d, d, d, d, d, d, d};
   std::uint32_t* from[8];
-  std::uint8_t wet = 0;
+  std::uint8_t fluid = 0;
   for (int l = 0; l < 8; l++) {
     const std::uint32_t k = which[l < filled ? l : 0];
-    wet |= b.wet[k];
+    fluid |= b.fluid[k];
     lists.self[8 * g + static_cast<std::size_t>(l)] = l < filled ? b.self[k] : lists.dummy;
     from[l] = b.found[k].data();
     for (std::uint32_t n = b.length[k]; n < room; n += 8) __builtin_memcpy(from[l] + n, &padding, 32);
@@ -142,7 +142,7 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, Neighb
     for (std::uint32_t k = 0; k < most; k++) to[8ull * k + static_cast<std::uint32_t>(l)] = d;
   lists.first[g] = first;
   lists.count[g] = most;
-  lists.wet[g] = wet;
+  lists.fluid[g] = fluid;
   lists.groups++;
 }
 
@@ -152,7 +152,7 @@ void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
   alignas(32) std::int32_t key[n], rank[n];
   for (int k = 0; k < n; k++)  // keys are unique through the number of the list
     key[k] = k < b.filled
-                 ? (b.wet[k] ? 1 << 30 : 0) |
+                 ? (b.fluid[k] ? 1 << 30 : 0) |
                        static_cast<std::int32_t>(b.length[k] < 0x3fffff ? b.length[k] : 0x3fffff) << 8 | k
                  : -1 - k;
   for (int k = 0; k < n; k += 8) {  // the rank is the number of greater keys: no branch depends on lengths
@@ -189,7 +189,7 @@ struct Surroundings {
   std::uint32_t ownRound, ownPlace, ownStart;  ///< round where the run with the cell's own rows begins; index
                                                ///< of its first particle in that run, and among all
                                                ///< candidates
-  std::uint8_t wet;
+  std::uint8_t fluid;
 };
 /// Adds a run of consecutive rows.
 THAW_INLINE void addRun(SearchBuffers& b, Surroundings& s, std::uint32_t first, std::uint32_t count) {
@@ -208,7 +208,7 @@ THAW_INLINE Surroundings findSurroundings(const SearchInput& in, std::size_t c, 
   const std::size_t n = in.cells->key.size();
   const std::uint64_t key = keys[c];
   Surroundings s{};
-  s.wet = in.liquid == nullptr;
+  s.fluid = in.liquid == nullptr;
   const auto ownIsIn = [&](std::size_t d) {  // for the run that starts with cell d and is added next
     s.ownRound = s.rounds;
     s.ownPlace = first[c] - first[d];
@@ -224,13 +224,13 @@ THAW_INLINE Surroundings findSurroundings(const SearchInput& in, std::size_t c, 
     if (d + 2 < n && keys[d + 2] == low + 2 && first[d] + count[d] == first[d + 1] &&
         first[d + 1] + count[d + 1] == first[d + 2]) {
       if (d + 1 == c) ownIsIn(d);
-      if (in.liquid != nullptr) s.wet |= in.liquid[d] | in.liquid[d + 1] | in.liquid[d + 2];
+      if (in.liquid != nullptr) s.fluid |= in.liquid[d] | in.liquid[d + 1] | in.liquid[d + 2];
       addRun(b, s, first[d], first[d + 2] + count[d + 2] - first[d]);
       continue;
     }
     for (; d < n && keys[d] <= low + 2; d++) {
       if (d == c) ownIsIn(d);
-      if (in.liquid != nullptr) s.wet |= in.liquid[d];
+      if (in.liquid != nullptr) s.fluid |= in.liquid[d];
       if (count[d] > 0) addRun(b, s, first[d], count[d]);
     }
   }
@@ -277,7 +277,7 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
       }
       b.length[b.filled] = m;
       b.self[b.filled] = row;
-      b.wet[b.filled] = around.wet;
+      b.fluid[b.filled] = around.fluid;
       lists.neighbours[row] = static_cast<std::uint16_t>(m < 65535 ? m : 65535);
       if (++b.filled == SearchBuffers::window) closeWindow(b, lists);
     }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/kinds/kind_rows.hpp"
+#include "core/body_types/body_type_rows.hpp"
 #include "core/neighbours/list_cells.hpp"
 #include "core/particles/table_rows.hpp"
 #include "core/surface/surfels.hpp"
@@ -181,12 +181,13 @@ void closeGaps(Continuum& p, const Migration& migration) {
 template void computeCellKeys(const CellGrid&, Continuum&, std::size_t, std::size_t);
 template void computeCellKeys(const CellGrid&, Surfels&, std::size_t, std::size_t);
 template void computeCellKeys(const CellGrid&, SurfaceParticles&, std::size_t, std::size_t);
-template void computeCellKeys(const CellGrid&, KindRows&, std::size_t, std::size_t);
+template void computeCellKeys(const CellGrid&, BodyTypeRows&, std::size_t, std::size_t);
 template void listCells(const Continuum&, CellTable&);
 template void sortByCell(Continuum&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
 template void sortByCell(Surfels&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
 template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&,
                          std::span<AnyColumn* const>);
-template void sortByCell(KindRows&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
+template void sortByCell(BodyTypeRows&, const Migration&, SortBuffers&, CellTable&,
+                         std::span<AnyColumn* const>);
 
 }  // namespace thaw

@@ -22,8 +22,8 @@ struct SortBuffers {
 
 /// Computes the cell keys of rows [begin, end) into particles.nextCell.
 /// Rows: a table with columns id, position, cell and nextCell (Continuum, Surfels, SurfaceParticles,
-/// KindRows).
-/// KindRows).
+/// BodyTypeRows).
+/// BodyTypeRows).
 template<class Rows>
 void computeCellKeys(const CellGrid& grid, Rows& particles, std::size_t begin, std::size_t end);
 template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& particles) {

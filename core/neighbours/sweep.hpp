@@ -10,7 +10,7 @@ namespace THAW_ISA {
 
 /// Groups that a sum covers. Wet: cells around the group contain liquid. Dry groups add nothing to sums over
 /// liquid.
-enum class Groups { All, Wet, Dry };
+enum class Groups { All, Fluid, NonFluid };
 
 /// Term: Data load(const uint32_t entries[8]) const; struct Sum; pair(own, other, entries, sum) const;
 /// finish(rows, own, sum, dummy).
@@ -19,7 +19,7 @@ THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term
   const std::uint32_t* const list = lists.list.data();
   const std::uint32_t* const self = lists.self.data();
   for (std::size_t g = range.begin; g < range.end; g++) {
-    if (groups != Groups::All && (lists.wet[g] != 0) != (groups == Groups::Wet)) continue;
+    if (groups != Groups::All && (lists.fluid[g] != 0) != (groups == Groups::Fluid)) continue;
     const std::uint32_t* rows = self + 8 * g;
     alignas(32) std::uint32_t ownEntries[8];
     for (int l = 0; l < 8; l++) ownEntries[l] = 2 * rows[l];

@@ -14,11 +14,11 @@ struct Pairs {
   const World& w;
   const StepTools& t;
   double span;
-  struct Meeting {
+  struct PairContact {
     Touch touch;
     bool within;
   };
-  bool meet(std::size_t oriented, std::size_t particle, Meeting& m) const {
+  bool meet(std::size_t oriented, std::size_t particle, PairContact& m) const {
     const Oriented& o = w.oriented.rows;
     const Continuum& p = w.particles;
     const OrientedContact& contact = t.oriented.contacts[o.body[oriented]];
@@ -39,12 +39,12 @@ struct Pairs {
 
 }  // namespace
 
-void meetContinuum(World& w, StepTools& t, double dt) {
+void addContinuumContact(World& w, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   Continuum& p = w.particles;
   const Pairs pairs{w, t, dt > 0 ? dt : nextStep(w.clock)};
   std::vector<double> stiff(std::max(p.owned, o.owned), 0);
-  Pairs::Meeting m;
+  Pairs::PairContact m;
   const Touch& c = m.touch;
   t.oriented.fastest2 = 0;
   const auto noteStiffest = [&](const auto& rows) {
@@ -56,7 +56,7 @@ void meetContinuum(World& w, StepTools& t, double dt) {
     p.force[i] += c.force;
     p.interaction[i] += 0.5 * c.energy;
     // includes half of the kick of this force, approximated by the last acceleration
-    p.dissipation[i] -= dot(c.resisting, p.velocity[i] + p.acceleration[i] * (0.5 * dt));
+    p.dissipation[i] -= dot(c.dissipativeForce, p.velocity[i] + p.acceleration[i] * (0.5 * dt));
     stiff[i] += c.slope;
   });
   noteStiffest(p);
@@ -71,7 +71,7 @@ void meetContinuum(World& w, StepTools& t, double dt) {
     };
     o.force[j] -= off(c.force);
     o.external[j] -= off(c.force);
-    o.resisting[j] -= off(c.resisting);
+    o.dissipativeForce[j] -= off(c.dissipativeForce);
     o.energy[j] += 0.5 * c.energy;
     o.stiffness[j] += 2 * c.slope / o.mass[j];
     stiff[j] += c.slope;

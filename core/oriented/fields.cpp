@@ -71,7 +71,7 @@ FieldForce fieldForce(const World& w, const OrientedWork& work, std::size_t i) {
   return {force, slope};
 }
 
-void takeMeanFields(World& w, OrientedWork& work, double dt) {
+void averageFields(World& w, OrientedWork& work, double dt) {
   Oriented& o = w.oriented.rows;
   const double from = w.clock.time;
   std::vector<std::uint8_t> changes(w.scene.oriented.size(), 0);
@@ -87,7 +87,7 @@ void takeMeanFields(World& w, OrientedWork& work, double dt) {
   work.over = dt;
 }
 
-void noteIdleFields(const World& w, Reducer& all, OrientedWork& work, double after, double upTo) {
+void recordUnusedFields(const World& w, Reducer& all, OrientedWork& work, double after, double upTo) {
   const Oriented& o = w.oriented.rows;
   for (std::size_t b = 0; b < w.scene.oriented.size(); b++)
     for (std::size_t k = 0; k < w.scene.oriented[b].fields.size(); k++) {
@@ -97,7 +97,7 @@ void noteIdleFields(const World& w, Reducer& all, OrientedWork& work, double aft
       for (std::size_t i = 0; i < o.owned; i++)
         met += o.body[i] == b && meets(f, work.fieldRegions[b][k].get(), o.position[i]);
       all.sum({&met, 1});
-      if (met == 0) work.idleFields.push_back({b, k});
+      if (met == 0) work.unusedFields.push_back({b, k});
     }
 }
 

@@ -19,11 +19,11 @@ struct FieldForce {
 FieldForce fieldForce(const World& world, const OrientedWork& work, std::size_t row);
 
 /// Replaces the field forces at the start of a step of dt (s) by their means over it, where fields change.
-void takeMeanFields(World& world, OrientedWork& work, double dt);
+void averageFields(World& world, OrientedWork& work, double dt);
 
-/// Appends to OrientedWork::idleFields the fields that begin in (after, upTo] and act on no particle.
+/// Appends to OrientedWork::unusedFields the fields that begin in (after, upTo] and act on no particle.
 /// Collective, if such fields exist.
-void noteIdleFields(const World& world, Reducer& all, OrientedWork& work, double after, double upTo);
+void recordUnusedFields(const World& world, Reducer& all, OrientedWork& work, double after, double upTo);
 
 /// Returns the regions of all fields, null for an unbounded one. Throws ShapeError for a mesh that cannot be
 /// read.

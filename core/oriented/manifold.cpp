@@ -57,8 +57,8 @@ Borders bordersOf(const Sides& sides) {
 }
 
 /// Returns the first successor clockwise at `at`, coming from `from`: the hole lies to the left.
-std::uint32_t wayOn(const OrientedPoints& p, const std::vector<std::uint32_t>& ways, std::uint32_t from,
-                    std::uint32_t at) {
+std::uint32_t nextBorderVertex(const OrientedPoints& p, const std::vector<std::uint32_t>& ways,
+                               std::uint32_t from, std::uint32_t at) {
   if (ways.size() == 1) return ways[0];
   const Vec3d n = p.normals[at], back = p.positions[from] - p.positions[at], u = back - dot(back, n) * n,
               v = cross(n, u);
@@ -134,8 +134,8 @@ void addAll(const std::vector<Corners>& made, Sides& sides, std::vector<Corners>
 
 /// Traces a hole from one of its border edges. Returns it empty if it has too many edges, or one too long (in
 /// spacings).
-std::vector<std::uint32_t> holeFrom(const OrientedPoints& p, const Borders& next, std::uint32_t start,
-                                    std::uint32_t first, std::size_t mostSides, double longest) {
+std::vector<std::uint32_t> traceHole(const OrientedPoints& p, const Borders& next, std::uint32_t start,
+                                     std::uint32_t first, std::size_t mostSides, double longest) {
   std::vector<std::uint32_t> hole{start};
   for (std::uint32_t from = start, at = first; at != start;) {
     hole.push_back(at);
@@ -144,7 +144,7 @@ std::vector<std::uint32_t> holeFrom(const OrientedPoints& p, const Borders& next
     if (hole.size() > mostSides || on == next.end() ||
         !(length2 < longest * longest * p.spacings[at] * p.spacings[at]))
       return {};
-    const std::uint32_t then = wayOn(p, on->second, from, at);
+    const std::uint32_t then = nextBorderVertex(p, on->second, from, at);
     from = at;
     at = then;
   }
@@ -152,8 +152,8 @@ std::vector<std::uint32_t> holeFrom(const OrientedPoints& p, const Borders& next
 }
 
 /// Removes the triangles between the hole's own vertices, which block its edges, and closes the holes anew.
-void closeAnew(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, Sides& sides,
-               std::vector<Corners>& triangles) {
+void retriangulateHole(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, Sides& sides,
+                       std::vector<Corners>& triangles) {
   const auto inside = [&](const Corners& t) {
     return std::all_of(t.begin(), t.end(),
                        [&](std::uint32_t v) { return std::find(hole.begin(), hole.end(), v) != hole.end(); });
@@ -171,7 +171,7 @@ void closeAnew(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, 
     if (ways == next.end()) continue;
     for (const std::uint32_t first : ways->second) {
       if (trial.has(start, first)) continue;
-      const std::vector<std::uint32_t> loop = holeFrom(p, next, start, first, hole.size() + 2, never);
+      const std::vector<std::uint32_t> loop = traceHole(p, next, start, first, hole.size() + 2, never);
       if (loop.size() < 3 ||
           !(closeHole(p, loop, trial, true, made) || closeHole(p, loop, trial, false, made)))
         return;
@@ -214,7 +214,7 @@ void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::si
   for (const auto& [start, ways] : next)
     for (const std::uint32_t first : ways) {
       if (sides.has(start, first)) continue;  // filled already
-      const std::vector<std::uint32_t> hole = holeFrom(p, next, start, first, mostSides, longest);
+      const std::vector<std::uint32_t> hole = traceHole(p, next, start, first, mostSides, longest);
       if (hole.size() < 3 || !isHole(p, hole, part[start])) continue;
       // in a sharp fold ears may not face like their particles
       if (closeHole(p, hole, sides, true, made) || closeHole(p, hole, sides, false, made))
@@ -224,7 +224,7 @@ void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::si
                }))
         open.push_back(hole);
     }
-  for (const std::vector<std::uint32_t>& hole : open) closeAnew(p, hole, sides, triangles);
+  for (const std::vector<std::uint32_t>& hole : open) retriangulateHole(p, hole, sides, triangles);
 }
 
 }  // namespace thaw

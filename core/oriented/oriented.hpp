@@ -1,6 +1,6 @@
 // Fields of oriented particles (ST92), one per line.
 #pragma once
-#include "core/kinds/kind_rows.hpp"
+#include "core/body_types/body_type_rows.hpp"
 #include "core/math/quat.hpp"
 #include "core/neighbours/grid.hpp"
 
@@ -9,10 +9,11 @@ namespace thaw {
 /// Bits of Oriented::flags.
 // newborn: made in this evaluation, not yet in neighbour lists; emerging: born within reach of the continuum
 // and not yet free of it
-inline constexpr std::uint8_t creased = 1, heldPlace = 2, heldNormal = 4, newborn = 8, emerging = 16;
+inline constexpr std::uint8_t creased = 1, fixedPosition = 2, fixedOrientation = 4, newborn = 8,
+                              emerging = 16;
 
-struct Oriented : KindRows {
-  Oriented() : KindRows("oriented") {}
+struct Oriented : BodyTypeRows {
+  Oriented() : BodyTypeRows("oriented") {}
   // clang-format off
   Column<Quat> orientation{*this, "orientation", "1", Keep::State,
       "unit quaternion; it rotates e_z to the normal"};
@@ -23,7 +24,7 @@ struct Oriented : KindRows {
   Column<Vec3d> torque{*this, "torque", "N m", Keep::State, "torque of the last evaluation"};
   Column<Vec3d> external{*this, "external", "N", Keep::State,
       "contact force of the continuum and sheets, constant over a step"};
-  Column<Vec3d> resisting{*this, "resisting", "N", Keep::State,
+  Column<Vec3d> dissipativeForce{*this, "resisting", "N", Keep::State,
       "dissipative part of external: dashpots and friction"};
   Column<std::uint32_t> group{*this, "group", "1", Keep::State,
       "number of its surface, that of its body until a weld"};
@@ -31,19 +32,18 @@ struct Oriented : KindRows {
       "two bits per cut of the scene: 0 away from it, 1 and 2 its sides, which do not interact"};
   Column<std::uint8_t> flags{*this, "flags", "1", Keep::State,
       "bits: 1 creased, 2 fixed position, 4 fixed orientation, 16 born in contact"};
-  Column<std::uint16_t> anchor{*this, "anchor", "1", Keep::State,
-      "index of its anchor in its body"};
-  Column<Vec3d> home{*this, "home", "m", Keep::State, "initial position of anchored particles"};
-  Column<Quat> homeTurn{*this, "homeTurn", "1", Keep::State, "initial orientation of anchored particles"};
+  Column<std::uint16_t> anchor{*this, "anchor", "1", Keep::State, "index of its anchor in its body"};
+  Column<Vec3d> restPosition{*this, "home", "m", Keep::State, "initial position of anchored particles"};
+  Column<Quat> restOrientation{*this, "homeTurn", "1", Keep::State,
+      "initial orientation of anchored particles"};
   Column<Vec3d> normal{*this, "normal", "1", Keep::Transient, "e_z rotated by the orientation"};
   Column<double> stiffness{*this, "stiffness", "1/s^2", Keep::Transient,
       "bound of its squared angular frequency"};
-  Column<Vec3d> offer{*this, "offer", "m", Keep::Transient, "displacement to the candidate particle"};
-  Column<std::uint64_t> offerRank{*this, "offerRank", "1", Keep::Transient,
+  Column<Vec3d> candidate{*this, "offer", "m", Keep::Transient, "displacement to the candidate particle"};
+  Column<std::uint64_t> candidateRank{*this, "offerRank", "1", Keep::Transient,
       "priority of the candidate: 0 none, else the smallest wins"};
   // columns of the implicit solver
-  Column<Vec3d> search{*this, "search", "m/s", Keep::Transient,
-      "velocities to multiply by the stiffness"};
+  Column<Vec3d> search{*this, "search", "m/s", Keep::Transient, "velocities to multiply by the stiffness"};
   Column<Vec3d> searchSpin{*this, "searchSpin", "rad/s", Keep::Transient,
       "angular velocities to multiply by the stiffness"};
   // clang-format on
@@ -52,8 +52,8 @@ struct Oriented : KindRows {
 /// The oriented bodies on one rank.
 struct OrientedBodies {
   Oriented rows;
-  bool overran = false;  ///< a row of this rank moved farther in the last step than its forces reach: the
-                         ///< simulation has failed
+  bool exceededReach = false;  ///< a row of this rank moved farther in the last step than its forces reach:
+                               ///< the simulation has failed
   CellTable cells;
 };
 

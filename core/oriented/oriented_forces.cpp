@@ -13,18 +13,18 @@ namespace {
 
 constexpr double reachOfContact = 0.9;  // spacings at which particles of different surfaces touch
 
-struct WallPush {
+struct WallReaction {
   Vec3d force{}, velocity{};
   double energy = 0, loss = 0, stiffness = 0, slope = 0;
 };
 
 /// Returns the contact of one obstacle with row i: a spring and a barrier from `thickness` spacings on, and
 /// friction (Coulomb, viscous at low slip speed).
-WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_t i) {
+WallReaction wallReaction(const World& w, const StepTools& t, const Wall& wall, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedBody& body = w.scene.oriented[o.body[i]];
   const PairPotential& p = t.oriented.potentials[o.body[i]];
-  WallPush push;
+  WallReaction push;
   if (!wall.present) return push;
   const ObstacleContact& contact = t.oriented.obstacles[o.body[i]];
   const double keep = contact.keep, deepest = 4 * p.spacing;
@@ -35,15 +35,15 @@ WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_
                depth = std::min(keep - d, deepest);
   if (!(depth > 0)) return push;
   n = directionFromRest(wall.pose, n);
-  const ObstaclePush at = pushAt(contact, depth);
+  const ObstacleForce at = obstacleForceAt(contact, depth);
   const double k = contact.spring, normalForce = at.force;
   push.velocity = wallVelocity(wall, o.position[i]);
   push.energy = at.energy;
   const Vec3d slip = o.velocity[i] - push.velocity, along = slip - dot(slip, n) * n;
   // slope at the end of the next step
-  push.slope = pushAt(contact, std::min(contact.room * (1 - 1e-9),
-                                        depth + std::clamp(-1.1 * nextStep(w.clock) * dot(slip, n), 0.0,
-                                                           0.1 * p.spacing)))
+  push.slope = obstacleForceAt(contact, std::min(contact.room * (1 - 1e-9),
+                                                 depth + std::clamp(-1.1 * nextStep(w.clock) * dot(slip, n),
+                                                                    0.0, 0.1 * p.spacing)))
                    .slope;
   push.stiffness = k + push.slope;
   const double speed = length(along), drag = 0.5 * std::sqrt(k * o.mass[i]),
@@ -57,7 +57,8 @@ WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_
 
 /// Returns a small torque along a random direction shared by both particles. Antiparallel normals have no
 /// torque otherwise (docs/validation/stability.md B17).
-Vec3d kickApart(const World& w, const PairPotential& p, std::uint64_t a, std::uint64_t b, const Vec3d& n) {
+Vec3d antiparallelTorque(const World& w, const PairPotential& p, std::uint64_t a, std::uint64_t b,
+                         const Vec3d& n) {
   const double angle = 6.283185307179586 *
                        randomUniform(w.scene.seed, Purpose::OrientedKick, std::min(a, b), std::max(a, b));
   const Vec3d e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, u = normalized(cross(n, e)),
@@ -71,7 +72,7 @@ void findNormals(Oriented& o) {
   for (std::size_t i = 0; i < o.owned; i++) o.normal[i] = axisOf(o.orientation[i]);
 }
 
-void readyOriented(World& w, Halos halos, StepTools& t) {
+void updateNeighbours(World& w, Halos halos, StepTools& t) {
   OrientedBodies& b = w.oriented;
   Oriented& o = b.rows;
   findNormals(o);
@@ -112,16 +113,16 @@ void readyOriented(World& w, Halos halos, StepTools& t) {
   l.first.push_back(static_cast<std::uint32_t>(l.list.size()));
 }
 
-void refreshPlaces(World& w, Halos halos) {
+void refreshGhostPoses(World& w, Halos halos) {
   Oriented& o = w.oriented.rows;
   halos.kinds[0]->beginRefresh(o, ColumnList{&o.position, &o.normal});
   halos.kinds[0]->finishRefresh(o);
 }
 
-void addUpForces(World& w, StepTools& t) {
+void sumOrientedForces(World& w, StepTools& t) {
   Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
-  t.oriented.atObstacles2 = 0;
+  t.oriented.obstacleFrequency2 = 0;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const Vec3d x = o.position[i], n = o.normal[i];
@@ -143,7 +144,8 @@ void addUpForces(World& w, StepTools& t) {
         energy += 0.5 * f.energy;
         stiff += f.stiffness;
         turn += f.turnStiffness;
-        if (!p.facing && dot(n, o.normal[j]) < -1 + 1e-9) torque += kickApart(w, p, o.id[i], o.id[j], n);
+        if (!p.facing && dot(n, o.normal[j]) < -1 + 1e-9)
+          torque += antiparallelTorque(w, p, o.id[i], o.id[j], n);
       } else if (const double r2 = dot(r, r), d = reachOfContact * p.spacing; r2 < d * d && r2 > 0) {
         const double far = std::sqrt(r2), stiffness = body.contact * body.stiffness,
                      share = w.scene.oriented[o.body[j]].contact * w.scene.oriented[o.body[j]].stiffness;
@@ -154,11 +156,12 @@ void addUpForces(World& w, StepTools& t) {
       }
     }
     for (const Wall& wall : w.walls.list) {
-      const WallPush push = pushOf(w, t, wall, i);
+      const WallReaction push = wallReaction(w, t, wall, i);
       force += push.force;
       energy += push.energy;
       stiff += push.stiffness;
-      if (push.slope > 0) t.oriented.atObstacles2 = std::max(t.oriented.atObstacles2, push.slope / o.mass[i]);
+      if (push.slope > 0)
+        t.oriented.obstacleFrequency2 = std::max(t.oriented.obstacleFrequency2, push.slope / o.mass[i]);
     }
     if (body.planar) {
       force.y = 0;
@@ -171,16 +174,16 @@ void addUpForces(World& w, StepTools& t) {
   }
 }
 
-void bookObstacles(World& w, const StepTools& t, double dt) {
+void recordObstacleWork(World& w, const StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
     const Vec3d field = fieldForce(w, t.oriented, i).force;
     const bool booked = w.scene.oriented.front().integrator != OrientedIntegrator::RungeKutta &&
-                        !(o.flags[i] & heldPlace);
+                        !(o.flags[i] & fixedPosition);
     Vec3d impulse = field * dt;
     double work = booked ? 0 : dot(field, o.velocity[i]) * dt;
     for (const Wall& wall : w.walls.list) {
-      const WallPush push = pushOf(w, t, wall, i);
+      const WallReaction push = wallReaction(w, t, wall, i);
       impulse += push.force * dt;
       work += dot(push.force, push.velocity) * dt;
       o.dissipated[i] += push.loss * dt;

@@ -19,22 +19,22 @@ inline const PairPotential& potentialOf(const OrientedWork& work, const Oriented
 
 /// Updates ghosts and builds the neighbour lists of owned rows, with 1.1 support radii. Requires:
 /// redistributed rows without ghosts. Collective.
-void readyOriented(World& world, Halos halos, StepTools& tools);
+void updateNeighbours(World& world, Halos halos, StepTools& tools);
 
 /// Computes the normals of owned rows from their orientations.
 void findNormals(Oriented& rows);
 
 /// Updates positions and normals of the existing ghosts. Collective.
-void refreshPlaces(World& world, Halos halos);
+void refreshGhostPoses(World& world, Halos halos);
 
 /// Computes force, torque, energy and stiffness of owned rows from pairs, obstacles, and fields at
 /// OrientedWork::time, and adds Oriented::external. Records no work. Requires: current positions and normals
 /// of ghosts.
-void addUpForces(World& world, StepTools& tools);
+void sumOrientedForces(World& world, StepTools& tools);
 
 /// Records impulse, work and friction loss of obstacles in a step of dt (s), from forces at the current
 /// positions, and those of fields (fields.hpp). The symplectic and semi-implicit integrators record the work
 /// of fields, since they determine the velocity.
-void bookObstacles(World& world, const StepTools& tools, double dt);
+void recordObstacleWork(World& world, const StepTools& tools, double dt);
 
 }  // namespace thaw

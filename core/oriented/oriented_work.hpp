@@ -7,7 +7,7 @@
 
 #include "core/geometry/signed_distance.hpp"
 #include "core/math/quat.hpp"
-#include "core/oriented/given_surface.hpp"
+#include "core/oriented/interpolant.hpp"
 #include "core/oriented/pair_potential.hpp"
 #include "core/oriented/plan_contact.hpp"
 #include "core/oriented/relax_progress.hpp"
@@ -23,8 +23,9 @@ struct OrientedWork {
   std::vector<PairPotential> potentials;   ///< one per body
   std::vector<OrientedContact> contacts;   ///< one per body, with the continuum; empty without contact
   std::vector<ObstacleContact> obstacles;  ///< one per body, with obstacles
-  double atObstacles2 = 0;  ///< 1/s^2, largest squared frequency of this rank's rows at obstacle barriers
-  std::vector<GivenPoints> given;  ///< one per body; empty for others
+  double obstacleFrequency2 = 0;        ///< 1/s^2, largest squared frequency of this rank's rows at obstacle
+                                        ///< barriers
+  std::vector<PointInterpolant> given;  ///< one per body; empty for others
   /// per body and field; null: everywhere
   std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions;
   double time = 0;  ///< s, time of the current forces
@@ -46,8 +47,8 @@ struct OrientedWork {
   std::int64_t relaxed = 0;       ///< iterations of relaxation at the start
   std::int64_t relaxing = 0;      ///< particles in relaxation, on all ranks
   RelaxProgress relaxProgress;    ///< convergence of the relaxation
-  bool atRest = false, relaxStopped = false, gotNowhere = false;  ///< reason of its end, if before the last
-                                                                  ///< iteration; the same on all ranks
+  bool atRest = false, relaxStopped = false, relaxStalled = false;  ///< reason of its end, if before the last
+                                                                    ///< iteration; the same on all ranks
   std::function<bool(std::int64_t done)> stopRelaxing;  ///< called on each rank before each iteration; true
                                                         ///< on any rank ends relaxation. Empty: never
   struct Born {
@@ -62,7 +63,7 @@ struct OrientedWork {
   struct Field {
     std::size_t body, field;
   };
-  std::vector<Field> idleFields;  ///< fields without a particle at their start; cleared when reported
+  std::vector<Field> unusedFields;  ///< fields without a particle at their start; cleared when reported
   std::int64_t solves = 0, iterations = 0;  ///< statistics of the implicit integrator
 };
 

@@ -27,7 +27,7 @@ double surfaceSpeed(const Scene& s) {
 }
 
 /// Largest speed (m/s) of contact between a surface and the continuum.
-double meetingSpeed(const Scene& s) {
+double contactSpeed(const Scene& s) {
   const double surface = surfaceSpeed(s);
   double other = 0;
   for (const Body& b : s.bodies) other = std::max(other, length(b.velocity));
@@ -45,7 +45,7 @@ double soundOf(const Material& m, const LiquidMaterial& liquid) {
 }  // namespace
 
 std::vector<OrientedContact> planOrientedContact(const Scene& s, std::span<const LiquidMaterial> liquids) {
-  const double speed = meetingSpeed(s);
+  const double speed = contactSpeed(s);
   std::vector<OrientedContact> all;
   for (const OrientedBody& b : s.oriented) {
     const double own = spacingOf(s, b);
@@ -79,7 +79,7 @@ std::vector<ObstacleContact> planObstacleContact(const Scene& s) {
   return all;
 }
 
-ObstaclePush pushAt(const ObstacleContact& c, double depth) {
+ObstacleForce obstacleForceAt(const ObstacleContact& c, double depth) {
   const double d = std::min(depth, c.room), cube = 2 * c.barrier * d * d * d / (c.room * c.room);
   return {c.spring * depth + cube, 0.5 * c.spring * depth * depth + 0.25 * cube * d + cube * (depth - d),
           depth < c.room ? 6 * c.barrier * d * d / (c.room * c.room) : 0};

@@ -42,13 +42,13 @@ struct ObstacleContact {
 /// mass and the scene's speed, and of the strength of bonds, as with the continuum.
 std::vector<ObstacleContact> planObstacleContact(const Scene& scene);
 
-struct ObstaclePush {
+struct ObstacleForce {
   double force = 0;   ///< N
   double energy = 0;  ///< J
   double slope = 0;   ///< N/m, slope of the barrier's force
 };
 /// Contact force, energy and slope at a depth (m) above 0.
-ObstaclePush pushAt(const ObstacleContact& contact, double depth);
+ObstacleForce obstacleForceAt(const ObstacleContact& contact, double depth);
 
 /// Returns the law of a pair with a particle of this material and mass (kg); span: s, length of the current
 /// step.

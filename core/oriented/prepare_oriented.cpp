@@ -7,9 +7,9 @@
 #include "core/geometry/point_tree.hpp"
 #include "core/geometry/sampling.hpp"
 #include "core/geometry/shape_error.hpp"
+#include "core/oriented/anchors.hpp"
 #include "core/oriented/fields.hpp"
-#include "core/oriented/held.hpp"
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
 
 namespace thaw {
 namespace {
@@ -18,10 +18,10 @@ bool interpolates(const OrientedBody& b) {
   return b.growth == OrientedGrowth::Borders && (b.thin < 1 || b.source == OrientedSource::Points);
 }
 
-void keepGiven(const MadePoints& m, GivenPoints& g) {
+void storeInterpolant(const SampledPoints& m, PointInterpolant& g) {
   g.points = m.places;
   g.normals = m.normals;
-  readyGiven(g);
+  buildInterpolant(g);
   if (m.reach > 0) g.reach = m.reach / g.apart;
 }
 
@@ -29,8 +29,8 @@ void keepGiven(const MadePoints& m, GivenPoints& g) {
 constexpr double samePlace = 0.1;
 
 /// Adds problems for bodies that share positions and for duplicate points. All ranks test all positions.
-void refuseSharedPlaces(const Scene& s, const std::vector<std::vector<Vec3d>>& places,
-                        SceneProblems& problems) {
+void refuseSharedPositions(const Scene& s, const std::vector<std::vector<Vec3d>>& places,
+                           SceneProblems& problems) {
   for (std::size_t b = 0; b < places.size(); b++) {
     if (places[b].empty()) continue;
     const OrientedBody& body = s.oriented[b];
@@ -66,24 +66,24 @@ double orientedReach(const Scene& s) {
 
 void activateOriented(World& w) {
   Oriented& o = w.oriented.rows;
-  activateKind(o);
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.orientation, &o.spin, &o.inertia, &o.force,
-                                                        &o.torque, &o.group, &o.cutSides, &o.flags, &o.anchor,
-                                                        &o.home, &o.homeTurn, &o.normal, &o.stiffness})
+  activateBodyType(o);
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{
+           &o.orientation, &o.spin, &o.inertia, &o.force, &o.torque, &o.group, &o.cutSides, &o.flags,
+           &o.anchor, &o.restPosition, &o.restOrientation, &o.normal, &o.stiffness})
     o.activate(*c);
   bool changes = false;
   for (const OrientedBody& b : w.scene.oriented)
     changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
-  if (w.modules.meeting || w.modules.draping)
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.external, &o.resisting}) o.activate(*c);
+  if (w.modules.orientedContact || w.modules.sheetContact)
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.external, &o.dissipativeForce}) o.activate(*c);
   if (changes)
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.offer, &o.offerRank}) o.activate(*c);
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.candidate, &o.candidateRank}) o.activate(*c);
   if (!w.scene.oriented.empty() && w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.search, &o.searchSpin}) o.activate(*c);
 }
 
 void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
-  for (OrientedBody& b : s.oriented) b.cellShare = cellShareOf(b, spacingOf(s, b));
+  for (OrientedBody& b : s.oriented) b.cellShare = areaFactorOf(b, spacingOf(s, b));
   work.potentials.clear();
   for (const OrientedBody& b : s.oriented) work.potentials.push_back(pairPotential(b, spacingOf(s, b)));
   work.fieldRegions = fieldRegions(s, load);
@@ -91,7 +91,8 @@ void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
   for (std::size_t b = 0; b < s.oriented.size(); b++) {
     if (!interpolates(s.oriented[b])) continue;
     try {
-      keepGiven(makePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), work.given[b]);
+      storeInterpolant(samplePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load),
+                       work.given[b]);
     } catch (const std::invalid_argument&) {  // sampleOriented reports the error
     } catch (const std::runtime_error&) {}
   }
@@ -107,9 +108,9 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
   for (std::size_t b = 0; b < w.scene.oriented.size(); b++) {
     const OrientedBody& body = w.scene.oriented[b];
     const double s = spacingOf(w.scene, body);
-    MadePoints made;
+    SampledPoints made;
     try {
-      made = makePoints(body, s, w.scene.seed + b, load);
+      made = samplePoints(body, s, w.scene.seed + b, load);
     } catch (const std::invalid_argument& e) {
       problems.add(body.where, "oriented body '" + body.name + "': " + e.what());
       continue;
@@ -150,18 +151,18 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
         if (regions[a] && regions[a]->inside(x)) {
           holds[a]++;
           anchor = static_cast<std::uint16_t>(a);
-          flags = static_cast<std::uint8_t>((body.anchors[a].position ? heldPlace : 0) |
-                                            (body.anchors[a].normal ? heldNormal : 0));
+          flags = static_cast<std::uint8_t>((body.anchors[a].position ? fixedPosition : 0) |
+                                            (body.anchors[a].normal ? fixedOrientation : 0));
         }
       if (k % ranks != rank) continue;
       const std::size_t i = o.owned;
       o.resize(i + 1, 0);
       o.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(k);
-      o.position[i] = o.home[i] = body.jitter > 0 && !flags
-                                      ? jittered(x, body.jitter, s, w.scene.seed, o.id[i])
-                                      : x;
+      o.position[i] = o.restPosition[i] = body.jitter > 0 && !flags
+                                              ? jittered(x, body.jitter, s, w.scene.seed, o.id[i])
+                                              : x;
       o.velocity[i] = body.velocity;
-      o.orientation[i] = o.homeTurn[i] = towards(made.normals[k]);
+      o.orientation[i] = o.restOrientation[i] = towards(made.normals[k]);
       if (body.jitter > 0 && !flags) {
         const Vec3d off = jittered({}, body.jitter, 1, w.scene.seed + 1, o.id[i]);
         o.orientation[i] = unitQuat(rotationBy(body.planar ? Vec3d{0, off.y, 0} : off) * o.orientation[i]);
@@ -184,7 +185,7 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
                        outsideText(outside, w.scene.domain, static_cast<std::int64_t>(made.places.size()),
                                    "particles", "body"));
   }
-  if (w.scene.numerics.overlap != OverlapRule::Keep) refuseSharedPlaces(w.scene, places, problems);
+  if (w.scene.numerics.overlap != OverlapRule::Keep) refuseSharedPositions(w.scene, places, problems);
   problems.raise();
   return places;
 }

@@ -1,7 +1,7 @@
 // Preparation of a scene's oriented bodies.
 #pragma once
+#include "core/body_types/start_warnings.hpp"
 #include "core/geometry/signed_distance.hpp"
-#include "core/kinds/start_warnings.hpp"
 #include "core/step.hpp"
 
 namespace thaw {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/kinds/place_kinds.hpp"
-#include "core/oriented/follow_given.hpp"
-#include "core/oriented/held.hpp"
-#include "core/oriented/operations.hpp"
+#include "core/body_types/redistribute.hpp"
+#include "core/oriented/adaptive_sampling.hpp"
+#include "core/oriented/anchors.hpp"
+#include "core/oriented/events.hpp"
+#include "core/oriented/follow_interpolant.hpp"
 #include "core/oriented/oriented_forces.hpp"
-#include "core/oriented/population.hpp"
 #include "core/oriented/prepare_oriented.hpp"
 
 namespace thaw {
@@ -55,7 +55,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
   }
   if (most == 0) return 0;
   bool given = false;
-  for (const GivenPoints& g : t.oriented.given) given = given || !g.points.empty();
+  for (const PointInterpolant& g : t.oriented.given) given = given || !g.points.empty();
   const Vec3d g = w.scene.domain.gravity;
   std::vector<Vec3d> force, torque;
   for (std::size_t i = 0; i < o.owned; i++) o.velocity[i] = o.spin[i] = {};
@@ -71,29 +71,29 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
   t.oriented.relaxProgress = {};
   countRows();
   for (; done < most; done++) {
-    bringKindsHome(w, halos, t);
-    readyOriented(w, halos, t);
+    redistributeBodyTypes(w, halos, t);
+    updateNeighbours(w, halos, t);
     w.clock.step = done;  // hashes of births use the step
     if (grows && done % 10 == 0) {
-      std::int64_t lost = given ? findPlacesOnGiven(w, t) : 0;
+      std::int64_t lost = given ? projectRowsOnInterpolant(w, t) : 0;
       halos.all.sum({&lost, 1});
-      if (lost > 0) readyAgain(w, halos, t);
-      const bool changed = changePopulation(w, halos, t, 0);
-      if (changed) readyAgain(w, halos, t);
+      if (lost > 0) redistributeAndUpdate(w, halos, t);
+      const bool changed = adaptSampling(w, halos, t, 0);
+      if (changed) redistributeAndUpdate(w, halos, t);
       calm = changed || lost > 0 ? 0 : calm + 1;
       if (calm == 0) countRows();
     }
     t.oriented.time = w.clock.time;
-    addUpForces(w, t);
+    sumOrientedForces(w, t);
     force.assign(o.owned, {});
     torque.assign(o.owned, {});
     double worst[3] = {0, 0, 0};  // largest force, largest stiffness, stop request
     for (std::size_t i = 0; i < o.owned; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
-      if (!(o.flags[i] & heldPlace) && iterationsOf(body) > 0) force[i] = o.force[i] + o.mass[i] * g;
-      if (!(o.flags[i] & heldNormal) && iterationsOf(body) > 0) torque[i] = o.torque[i];
+      if (!(o.flags[i] & fixedPosition) && iterationsOf(body) > 0) force[i] = o.force[i] + o.mass[i] * g;
+      if (!(o.flags[i] & fixedOrientation) && iterationsOf(body) > 0) torque[i] = o.torque[i];
     }
-    if (given) followGiven(w, t, force, torque);
+    if (given) addInterpolantForces(w, t, force, torque);
     for (std::size_t i = 0; i < o.owned; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
       const double unit = body.stiffness * t.oriented.potentials[o.body[i]].spacing;
@@ -108,9 +108,9 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     t.oriented.relaxStopped = !t.oriented.atRest && worst[2] > 0;
     // births and deaths may disturb the surface forever; with a constant population the force converges,
     // however slowly
-    t.oriented.gotNowhere = grows && !t.oriented.atRest && !t.oriented.relaxStopped &&
-                            !getsAnywhere(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
-    if (t.oriented.atRest || t.oriented.relaxStopped || t.oriented.gotNowhere) break;
+    t.oriented.relaxStalled = grows && !t.oriented.atRest && !t.oriented.relaxStopped &&
+                              !makesProgress(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
+    if (t.oriented.atRest || t.oriented.relaxStopped || t.oriented.relaxStalled) break;
     const Sums s = sumsOf(o, force, torque, halos.all);
     if (s.power > 0) {
       const double mix = alpha * std::sqrt(s.speed / std::max(s.force, 1e-300));
@@ -137,8 +137,8 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
       const double fast = length(o.velocity[i]) * dt, turn = length(o.spin[i]) * dt;
       if (fast > 0.04 * s0) o.velocity[i] = o.velocity[i] * (0.04 * s0 / fast);
       if (turn > 0.1) o.spin[i] = o.spin[i] * (0.1 / turn);
-      if (!(o.flags[i] & heldPlace)) o.position[i] += dt * o.velocity[i];
-      if (!(o.flags[i] & heldNormal))
+      if (!(o.flags[i] & fixedPosition)) o.position[i] += dt * o.velocity[i];
+      if (!(o.flags[i] & fixedOrientation))
         o.orientation[i] = unitQuat(rotationBy(dt * o.spin[i]) * o.orientation[i]);
     }
   }

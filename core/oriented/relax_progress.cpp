@@ -10,11 +10,11 @@ constexpr double fewest = 1000, perLength = 20;  // iterations; iterations per p
 
 }  // namespace
 
-std::int64_t relaxPatience(std::int64_t particles) {
+std::int64_t relaxStallLimit(std::int64_t particles) {
   return static_cast<std::int64_t>(fewest + perLength * std::sqrt(static_cast<double>(particles)));
 }
 
-bool getsAnywhere(RelaxProgress& p, std::int64_t done, double force, std::int64_t particles) {
+bool makesProgress(RelaxProgress& p, std::int64_t done, double force, std::int64_t particles) {
   // a larger surface starts with a new force
   if (static_cast<double>(particles) > more * static_cast<double>(p.most)) {
     p = {force, particles, done};
@@ -22,7 +22,7 @@ bool getsAnywhere(RelaxProgress& p, std::int64_t done, double force, std::int64_
     p.least = force;
     p.gained = done;
   }
-  return done - p.gained < relaxPatience(p.most);
+  return done - p.gained < relaxStallLimit(p.most);
 }
 
 }  // namespace thaw

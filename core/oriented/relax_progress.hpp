@@ -15,11 +15,11 @@ struct RelaxProgress {
 
 /// Returns the iterations without gain after which relaxation is stalled. A disturbance crosses a surface in
 /// a multiple of the number of particles along it.
-std::int64_t relaxPatience(std::int64_t particles);
+std::int64_t relaxStallLimit(std::int64_t particles);
 
-/// Updates the progress with iteration `done`. Returns false after relaxPatience iterations in which the
+/// Updates the progress with iteration `done`. Returns false after relaxStallLimit iterations in which the
 /// largest force has not fallen by 10 % and the surface has not grown by 2 %. Relaxation of a bounded
 /// population ends: each size allows about 200 gains down to 1e-9.
-bool getsAnywhere(RelaxProgress& progress, std::int64_t done, double force, std::int64_t particles);
+bool makesProgress(RelaxProgress& progress, std::int64_t done, double force, std::int64_t particles);
 
 }  // namespace thaw

@@ -31,14 +31,14 @@ void stepRungeKutta(World& w, Halos halos, StepTools& t, double dt) {
   for (int stage = 0; stage < 4; stage++) {
     if (stage > 0) {
       findNormals(o);
-      refreshPlaces(w, halos);
+      refreshGhostPoses(w, halos);
       work.time = w.clock.time + next[stage - 1] * dt;
-      addUpForces(w, t);
+      sumOrientedForces(w, t);
     }
-    bookObstacles(w, t, share[stage] * dt);
+    recordObstacleWork(w, t, share[stage] * dt);
     for (std::size_t i = 0; i < n; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
-      const bool place = !(o.flags[i] & heldPlace), turns = !(o.flags[i] & heldNormal);
+      const bool place = !(o.flags[i] & fixedPosition), turns = !(o.flags[i] & fixedOrientation);
       const Vec3d v = o.velocity[i], spin = o.spin[i];
       const Vec3d a = place ? o.force[i] / o.mass[i] + g - body.damping * v : Vec3d{},
                   turn = turns ? o.torque[i] / o.inertia[i] - body.spinDamping * spin : Vec3d{};
@@ -70,11 +70,11 @@ void stepRungeKutta(World& w, Halos halos, StepTools& t, double dt) {
     }
   }
   for (std::size_t i = 0; i < n; i++) {
-    if (!(o.flags[i] & heldPlace)) {
+    if (!(o.flags[i] & fixedPosition)) {
       o.position[i] = work.place[i] + dt * work.sumVelocity[i];
       o.velocity[i] = work.velocity[i] + dt * work.sumForce[i];
     }
-    if (!(o.flags[i] & heldNormal)) {
+    if (!(o.flags[i] & fixedOrientation)) {
       o.orientation[i] = unitQuat(sum(work.turn[i], dt, sumTurn[i]));
       o.spin[i] = work.spin[i] + dt * work.sumTorque[i];
     }

@@ -85,7 +85,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
   OrientedWork& work = t.oriented;
   const std::size_t n = o.owned;
   const Vec3d g = w.scene.domain.gravity;
-  bookObstacles(w, t, dt);
+  recordObstacleWork(w, t, dt);
   work.acting.assign(n, {});
   work.actingTorque.assign(n, {});
   for (auto* v : {&work.rest, &work.restSpin, &work.along, &work.alongSpin, &work.image, &work.imageSpin,
@@ -95,10 +95,10 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
   const auto bodyOf = [&](std::size_t i) -> const OrientedBody& { return w.scene.oriented[o.body[i]]; };
   // A u of the search vector, from its image K u
   const auto finish = [&](std::size_t i) {
-    work.image[i] = free(i, heldPlace)
+    work.image[i] = free(i, fixedPosition)
                         ? (o.mass[i] * (1 + bodyOf(i).damping * dt)) * o.search[i] + (dt * dt) * work.image[i]
                         : Vec3d{};
-    work.imageSpin[i] = free(i, heldNormal)
+    work.imageSpin[i] = free(i, fixedOrientation)
                             ? (o.inertia[i] * (1 + bodyOf(i).spinDamping * dt)) * o.searchSpin[i] +
                                   (dt * dt) * work.imageSpin[i]
                             : Vec3d{};
@@ -114,9 +114,9 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
   multiply(w, halos, t);
   for (std::size_t i = 0; i < n; i++) {
     finish(i);
-    if (free(i, heldPlace))
+    if (free(i, fixedPosition))
       work.rest[i] = o.mass[i] * o.velocity[i] + dt * (o.force[i] + o.mass[i] * g) - work.image[i];
-    if (free(i, heldNormal))
+    if (free(i, fixedOrientation))
       work.restSpin[i] = o.inertia[i] * o.spin[i] + dt * o.torque[i] - work.imageSpin[i];
     work.along[i] = work.rest[i];
     work.alongSpin[i] = work.restSpin[i];
@@ -158,7 +158,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
     if (body.planar) work.image[i].y = 0;
     work.acting[i] = o.force[i] - dt * work.image[i];
     work.actingTorque[i] = o.torque[i] - dt * work.imageSpin[i];
-    if (free(i, heldPlace)) {
+    if (free(i, fixedPosition)) {
       // uses the pair forces of the solution, which conserve momentum; the residual of the solver does not
       const Vec3d solved = work.velocity[i],
                   v = o.velocity[i] + dt * (work.acting[i] / o.mass[i] + g - body.damping * solved),
@@ -174,7 +174,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
       o.velocity[i] = v;
       o.position[i] += dt * v;
     }
-    if (free(i, heldNormal)) {
+    if (free(i, fixedOrientation)) {
       const Vec3d spin = work.spin[i], change = spin - o.spin[i];
       o.dissipated[i] += o.inertia[i] *
                              (body.spinDamping * dt * dot(spin, spin) + 0.5 * dot(change, change)) +

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body_types/redistribute.hpp"
 #include "core/domain/sides.hpp"
-#include "core/kinds/place_kinds.hpp"
+#include "core/oriented/adaptive_sampling.hpp"
+#include "core/oriented/anchor_work.hpp"
+#include "core/oriented/anchors.hpp"
+#include "core/oriented/events.hpp"
 #include "core/oriented/fields.hpp"
-#include "core/oriented/held.hpp"
-#include "core/oriented/held_books.hpp"
 #include "core/oriented/integrators.hpp"
-#include "core/oriented/operations.hpp"
 #include "core/oriented/oriented_forces.hpp"
-#include "core/oriented/population.hpp"
 #include "core/oriented/prepare_oriented.hpp"
 
 namespace thaw {
@@ -24,15 +24,15 @@ constexpr double perObstacle = 0.5;  // rad, phase per step at obstacle barriers
 constexpr double perContact = 0.25;
 
 /// Records the rows' energy as changed without work: `sign` 1 before the change, -1 after it.
-void bookEnergy(World& w, const StepTools& t, double sign, double dt) {
+void recordEnergyJump(World& w, const StepTools& t, double sign, double dt) {
   const Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * o.energy[i]);
-  bookLag(w, t, sign, dt, w.ledger.phaseJump);
+  recordKickLag(w, t, sign, dt, w.ledger.phaseJump);
 }
 
 /// Scales the contact forces with other body types to half of the last and half of the next step of dt (s).
 /// The other ends integrate the same force by leap-frog and get that impulse. Returns the scale.
-double weighContacts(World& w, double dt) {
+double scaleContacts(World& w, double dt) {
   Oriented& o = w.oriented.rows;
   const double weight = 0.5 * (w.clock.stepDt + dt) / dt;
   for (std::size_t i = 0; i < o.owned && o.external.active; i++) {
@@ -47,7 +47,7 @@ double weighContacts(World& w, double dt) {
 /// E acts over half of the displacement before it and half of that after it (s v and d v' for steps s and d).
 /// Its impulse E (s + d)/2 does the work E (s + d)/2 . (v + v')/2; if the scheme's loss assumes the new
 /// velocity, it is E (s + d)/2 . v'.
-void bookContacts(World& w, const HeldBefore& before, double weight) {
+void recordContactWork(World& w, const StateBefore& before, double weight) {
   Oriented& o = w.oriented.rows;
   if (!o.external.active) return;
   const double s = w.clock.stepDt, d = before.dt;
@@ -56,8 +56,8 @@ void bookContacts(World& w, const HeldBefore& before, double weight) {
                            : 0.25 * (s - d);
   for (std::size_t i = 0; i < o.owned; i++) {
     const Vec3d v = before.velocity[i], now = o.velocity[i];
-    o.dissipated[i] -= 0.5 * dot(o.resisting[i], s * v + d * now);
-    if (!(before.flags[i] & heldPlace)) o.dissipated[i] -= share / weight * dot(o.external[i], now - v);
+    o.dissipated[i] -= 0.5 * dot(o.dissipativeForce[i], s * v + d * now);
+    if (!(before.flags[i] & fixedPosition)) o.dissipated[i] -= share / weight * dot(o.external[i], now - v);
   }
 }
 
@@ -72,24 +72,24 @@ bool anyLeaves(const World& w, Reducer& all) {
   return gone > 0;
 }
 
-void letGoOutside(World& w, double dt) {
+void removeOutside(World& w, double dt) {
   const Oriented& o = w.oriented.rows;
   const OpenBox box = openBox(w.scene.domain);
   for (std::size_t i = 0; i < o.owned; i++)
     if (box.leaves(o.position[i])) {
       countLeaving(w.scene.domain, o.position[i], w.counters);
-      letGo(w, i, dt);
+      removeRow(w, i, dt);
     }
 }
 
 /// Returns whether a free row moved farther than its interaction radius; tested before it can leave the
 /// domain.
-bool goesTooFar(const World& w, const std::vector<Vec3d>& before) {
+bool exceedsReach(const World& w, const std::vector<Vec3d>& before) {
   const Oriented& o = w.oriented.rows;
   const double reach = orientedReach(w.scene), reach2 = reach * reach;
   for (std::size_t i = 0; i < o.owned; i++) {
     const Vec3d way = o.position[i] - before[i];
-    if (!(o.flags[i] & heldPlace) && !(dot(way, way) < reach2)) return true;
+    if (!(o.flags[i] & fixedPosition) && !(dot(way, way) < reach2)) return true;
   }
   return false;
 }
@@ -97,28 +97,28 @@ bool goesTooFar(const World& w, const std::vector<Vec3d>& before) {
 }  // namespace
 
 void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
-  const HeldBefore held = rememberHeld(w, dt);
-  const double weight = weighContacts(w, dt);
+  const StateBefore held = stateBefore(w, dt);
+  const double weight = scaleContacts(w, dt);
   t.oriented.time = w.clock.time;  // time of the forces at the start of the step
-  takeMeanFields(w, t.oriented, dt);
+  averageFields(w, t.oriented, dt);
   // one integrator for all, since pairs may join two bodies
   const OrientedIntegrator how = w.scene.oriented.front().integrator;
   if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, t, dt);
   else if (how == OrientedIntegrator::SemiImplicit) stepSemiImplicit(w, halos, t, dt);
   else stepSymplectic(w, t, dt);
-  w.oriented.overran = goesTooFar(w, held.place);
-  moveHeld(w, w.clock.time + dt, dt);
-  bookHeld(w, held, t.oriented, weight);
-  bookContacts(w, held, weight);
+  w.oriented.exceededReach = exceedsReach(w, held.place);
+  moveAnchored(w, w.clock.time + dt, dt);
+  recordAnchorWork(w, held, t.oriented, weight);
+  recordContactWork(w, held, weight);
   t.times.lap(StepPhase::Oriented);
 }
 
-void giveUnderWay(World& w) {
+void applyPendingImpulse(World& w) {
   Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned && o.external.active; i++) {
     const Vec3d impulse = (0.5 * w.clock.stepDt) * o.external[i];
-    o.dissipated[i] -= 0.5 * w.clock.stepDt * dot(o.resisting[i], o.velocity[i]);
-    if (!(o.flags[i] & heldPlace)) {
+    o.dissipated[i] -= 0.5 * w.clock.stepDt * dot(o.dissipativeForce[i], o.velocity[i]);
+    if (!(o.flags[i] & fixedPosition)) {
       o.velocity[i] += impulse / o.mass[i];
       continue;
     }
@@ -128,7 +128,7 @@ void giveUnderWay(World& w) {
   w.clock.stepDt = 0;
 }
 
-void bookLag(const World& w, const StepTools& t, double sign, double dt, ExactSum& to) {
+void recordKickLag(const World& w, const StepTools& t, double sign, double dt, ExactSum& to) {
   const Oriented& o = w.oriented.rows;
   if (w.scene.oriented.empty() || w.scene.oriented.front().integrator != OrientedIntegrator::SymplecticEuler)
     return;
@@ -146,45 +146,45 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   t.oriented.time = now;
   t.oriented.over = 0;
   t.oriented.born.clear();
-  readyOriented(w, halos, t);
+  updateNeighbours(w, halos, t);
   const double since = t.oriented.begins ? -never : w.clock.time;
-  noteIdleFields(w, halos.all, t.oriented, since, now);
-  const bool events = operationDue(w.scene, since, now), look = populationDue(w, dt),
+  recordUnusedFields(w, halos.all, t.oriented, since, now);
+  const bool events = eventsDue(w.scene, since, now), look = adaptSamplingDue(w, dt),
              leaves = dt > 0 && anyLeaves(w, halos.all);
   if (events || look || leaves) {
-    addUpForces(w, t);
-    if (dt > 0) bookEnergy(w, t, 1, dt);
+    sumOrientedForces(w, t);
+    if (dt > 0) recordEnergyJump(w, t, 1, dt);
     if (leaves) {
-      letGoOutside(w, dt);
-      readyAgain(w, halos, t);
+      removeOutside(w, dt);
+      redistributeAndUpdate(w, halos, t);
     }
     if (events) {
-      operate(w, halos, t, since, now);
-      readyAgain(w, halos, t);
+      applyEvents(w, halos, t, since, now);
+      redistributeAndUpdate(w, halos, t);
     }
-    if (look && changePopulation(w, halos, t, dt)) readyAgain(w, halos, t);
-    addUpForces(w, t);
-    if (dt > 0) bookEnergy(w, t, -1, dt);
+    if (look && adaptSampling(w, halos, t, dt)) redistributeAndUpdate(w, halos, t);
+    sumOrientedForces(w, t);
+    if (dt > 0) recordEnergyJump(w, t, -1, dt);
     for (std::uint32_t i = 0; i < o.owned; i++) {
       if (!(o.flags[i] & newborn)) continue;
       o.flags[i] = static_cast<std::uint8_t>(o.flags[i] & ~newborn);
       t.oriented.born.push_back({i, o.energy[i]});
     }
   } else {
-    addUpForces(w, t);
+    sumOrientedForces(w, t);
   }
   if (o.external.active) {
     // the forces include contacts of the last evaluation; those of this one are added later
     for (std::size_t i = 0; i < o.owned; i++) {
       o.force[i] -= o.external[i];
-      o.external[i] = o.resisting[i] = {};
+      o.external[i] = o.dissipativeForce[i] = {};
     }
   }
   t.oriented.begins = false;
   t.times.lap(StepPhase::Oriented);
 }
 
-void bookBornContacts(World& w, const StepTools& t) {
+void recordBirthContacts(World& w, const StepTools& t) {
   // the other half is at the other ends
   for (const OrientedWork::Born& b : t.oriented.born)
     w.ledger.phaseJump.add(-2 * (w.oriented.rows.energy[b.row] - b.energy));
@@ -200,7 +200,8 @@ double orientedStepLimit(const World& w, const StepTools& t) {
                                                                    : 20;
   double dt = t.oriented.fastest2 > 0 ? perContact / std::sqrt(t.oriented.fastest2) : never;
   // obstacles are explicit in all integrators
-  if (t.oriented.atObstacles2 > 0) dt = std::min(dt, perObstacle / std::sqrt(t.oriented.atObstacles2));
+  if (t.oriented.obstacleFrequency2 > 0)
+    dt = std::min(dt, perObstacle / std::sqrt(t.oriented.obstacleFrequency2));
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const double s = spacingOf(w.scene, body);

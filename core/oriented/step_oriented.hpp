@@ -6,7 +6,7 @@ namespace thaw {
 
 /// Integrates all oriented particles over dt (s) with the forces of the last evaluation, and moves anchors.
 /// Applies the impulse of the last half step of contacts with other body types, which the ledger reports as
-/// under way (LedgerReport::underWay). Requires: evaluateOriented. Collective.
+/// under way (LedgerReport::impulseInFlight). Requires: evaluateOriented. Collective.
 void stepOriented(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Applies due events of the last step of dt (s), also those of time 0 with OrientedWork::begins, then
@@ -15,16 +15,16 @@ void evaluateOriented(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Records the contact energy of particles born in this evaluation, which no motion has produced. Call after
 /// all contacts with other body types.
-void bookBornContacts(World& world, const StepTools& tools);
+void recordBirthContacts(World& world, const StepTools& tools);
 
 /// Applies the pending impulse of contacts with other body types and clears the last step length, before
 /// coefficients change.
-void giveUnderWay(World& world);
+void applyPendingImpulse(World& world);
 
 /// Adds `sign` times the kick lag (J) of symplectic Euler: half of a force's work in the last step of dt (s)
 /// is only delivered by the next kick. If the force changes in between, that energy belongs to the change:
 /// call with 1 before it and -1 after it, or reverse.
-void bookLag(const World& world, const StepTools& tools, double sign, double dt, ExactSum& to);
+void recordKickLag(const World& world, const StepTools& tools, double sign, double dt, ExactSum& to);
 
 /// Returns the longest stable step (s) of this rank's particles; `never` without any. To be reduced over
 /// ranks.
@@ -33,6 +33,6 @@ double orientedStepLimit(const World& world, const StepTools& tools);
 /// Adds contact forces of oriented particles and the continuum: springs, dashpots and barriers between
 /// centres (plan_contact.hpp), with half of the energy at each end. Sets OrientedWork::fastest2, including
 /// contacts that begin in the next step. Requires: forces and ghosts of both. Not collective.
-void meetContinuum(World& world, StepTools& tools, double dt);
+void addContinuumContact(World& world, StepTools& tools, double dt);
 
 }  // namespace thaw

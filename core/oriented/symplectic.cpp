@@ -8,7 +8,7 @@ namespace thaw {
 
 void stepSymplectic(World& w, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
-  bookObstacles(w, t, dt);
+  recordObstacleWork(w, t, dt);
   t.oriented.acting.assign(o.force.data(), o.force.data() + o.owned);
   t.oriented.actingTorque.assign(o.torque.data(), o.torque.data() + o.owned);
   const Vec3d g = w.scene.domain.gravity;
@@ -18,7 +18,7 @@ void stepSymplectic(World& w, StepTools& t, double dt) {
     // (v + v') dt' / 2, but the displacement before was v dt: the difference is the scheme's error for a
     // changing step
     const double change = 0.5 * (dt - w.clock.stepDt);
-    if (!(o.flags[i] & heldPlace)) {
+    if (!(o.flags[i] & fixedPosition)) {
       // contacts with other body types have the impulse of both halves already
       const Vec3d before = o.velocity[i], field = fieldForce(w, t.oriented, i).force,
                   contact = o.external.active ? o.external[i] : Vec3d{};
@@ -35,7 +35,7 @@ void stepSymplectic(World& w, StepTools& t, double dt) {
       o.velocity[i] = v;
       o.position[i] += dt * v;
     }
-    if (!(o.flags[i] & heldNormal)) {
+    if (!(o.flags[i] & fixedOrientation)) {
       const Vec3d kick = (0.5 * dt / o.inertia[i]) * o.torque[i];
       o.dissipated[i] -= change * dot(o.torque[i], o.spin[i]);
       Vec3d spin = o.spin[i] + kick;

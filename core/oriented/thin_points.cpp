@@ -6,7 +6,7 @@
 
 #include "core/geometry/point_tree.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/oriented/given_surface.hpp"
+#include "core/oriented/interpolant.hpp"
 #include "core/oriented/oriented.hpp"
 
 namespace thaw {
@@ -19,7 +19,7 @@ constexpr int rounds = 4;
 
 /// Returns about `wanted` points in ascending order: Poisson discs in hashed order, with a radius found by
 /// bisection.
-std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, std::size_t wanted,
+std::vector<std::uint32_t> evenly(const SampledPoints& m, const PointTree& tree, std::size_t wanted,
                                   std::uint64_t seed) {
   std::vector<std::uint32_t> order(m.places.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -60,34 +60,34 @@ std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, st
   return kept;
 }
 
-GivenPoints givenBy(const MadePoints& m, const std::vector<std::uint32_t>& kept) {
-  GivenPoints g;
+PointInterpolant interpolantThrough(const SampledPoints& m, const std::vector<std::uint32_t>& kept) {
+  PointInterpolant g;
   for (const std::uint32_t k : kept) {
     g.points.push_back(m.places[k]);
     g.normals.push_back(m.normals[k]);
   }
-  readyGiven(g);
+  buildInterpolant(g);
   return g;
 }
 
 }  // namespace
 
-MadePoints thinned(const MadePoints& m, double share, std::uint64_t seed) {
+SampledPoints thinPoints(const SampledPoints& m, double share, std::uint64_t seed) {
   const PointTree tree(m.places);
   const auto wanted = static_cast<std::size_t>(
       std::ceil(share * static_cast<double>(m.places.size()) - 1e-9));
   std::vector<std::uint32_t> kept = evenly(
       m, tree, wanted - static_cast<std::size_t>(chosenByError * static_cast<double>(wanted)), seed);
-  MadePoints thin;
+  SampledPoints thin;
   for (int round = rounds; round > 0 && kept.size() < wanted; round--) {
-    const GivenPoints given = givenBy(m, kept);
+    const PointInterpolant given = interpolantThrough(m, kept);
     if (round == rounds) thin.reach = evenReach * given.apart;
     std::vector<std::pair<double, std::uint32_t>> far;
     for (std::uint32_t k = 0; k < m.places.size(); k++) {
       Vec3d x = m.places[k], n = m.normals[k];
-      far.push_back(
-          {projectOnGiven(given, x, n) && dot(n, m.normals[k]) > 0 ? length(x - m.places[k]) : given.apart,
-           k});
+      far.push_back({projectOnInterpolant(given, x, n) && dot(n, m.normals[k]) > 0 ? length(x - m.places[k])
+                                                                                   : given.apart,
+                     k});
     }
     std::sort(far.begin(), far.end(), [](const auto& a, const auto& b) {
       return a.first != b.first ? a.first > b.first : a.second < b.second;
@@ -107,8 +107,9 @@ MadePoints thinned(const MadePoints& m, double share, std::uint64_t seed) {
     }
     std::sort(kept.begin(), kept.end());
   }
-  if (thin.reach == 0) thin.reach = evenReach * givenBy(m, kept).apart;
-  for (const std::uint32_t k : kept) addPoint(thin, m.places[k], m.normals[k], heldPlace | heldNormal);
+  if (thin.reach == 0) thin.reach = evenReach * interpolantThrough(m, kept).apart;
+  for (const std::uint32_t k : kept)
+    addPoint(thin, m.places[k], m.normals[k], fixedPosition | fixedOrientation);
   return thin;
 }
 

@@ -1,11 +1,11 @@
 // Thinning of points from which the surface can be rebuilt by interpolation (ST92).
 #pragma once
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
 
 namespace thaw {
 
 /// Returns a fraction of the points, fixed: most spread evenly, the others where the interpolant of the kept
 /// ones is farthest from the points (greedy centres: Carr et al. 2001, section 4), in a few rounds.
-MadePoints thinned(const MadePoints& points, double share, std::uint64_t seed);
+SampledPoints thinPoints(const SampledPoints& points, double share, std::uint64_t seed);
 
 }  // namespace thaw

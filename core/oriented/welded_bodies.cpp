@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "core/oriented/operations.hpp"
+#include "core/oriented/events.hpp"
 
 namespace thaw {
 

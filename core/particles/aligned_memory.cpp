@@ -37,7 +37,7 @@ void returnLargeBlocks() {
 #endif
 }
 
-void giveBackFreed() {
+void trimFreedMemory() {
 #if defined(__GLIBC__)
   malloc_trim(0);
 #endif

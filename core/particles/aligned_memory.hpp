@@ -13,7 +13,7 @@ void* allocateAligned(std::size_t bytes);
 void freeAligned(void* block, std::size_t bytes);
 /// Returns freed memory that the allocator caches to the system, where the platform supports it. Call it
 /// after set-up: a running simulation does not need that memory again.
-void giveBackFreed();
+void trimFreedMemory();
 
 /// Makes freed blocks of at least 1 MB go back to the system at once. Programs call it once at their start.
 /// By default glibc raises its threshold and caches freed blocks of up to 32 MB, which doubles the resident

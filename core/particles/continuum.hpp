@@ -32,18 +32,18 @@ struct Continuum : Table {
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local,
       "key of the cell at the last sort", Rows::Owned};
   GuestColumn<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local,
-      "key of the current cell, valid from the drift to the sort; shares the memory of `dissipation`",
-      Rows::Owned};
+      "key of the current cell, valid from the drift to the sort; shares the memory of "
+      "`dissipation`", Rows::Owned};
   Column<u8> clamped{*this, "clamped", "1", Keep::State,
       "1: fixed in place; 2: driven by its emitter at constant velocity"};
   // Fluid.
-  Column<float> filling{*this, "filling", "1", Keep::Transient,
+  Column<float> relativeDensity{*this, "filling", "1", Keep::Transient,
       "relative density: delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
   Column<double> compression{*this, "compression", "1", Keep::State,
       "carried relative density minus 1; in solids, that of adjacent liquid, else 0"};
   Column<double> densityRate{*this, "densityRate", "1/s", Keep::Transient,
       "rate of compression due to the flow", Rows::Owned};
-  Column<double> spreading{*this, "spreading", "1/s", Keep::Transient,
+  Column<double> densityDiffusionRate{*this, "spreading", "1/s", Keep::Transient,
       "rate of compression due to density diffusion", Rows::Owned};
   Column<Sym3f> moment{*this, "moment", "1", Keep::Transient,
       "moment of the neighbourhood at mid-step", Rows::Owned};
@@ -51,23 +51,23 @@ struct Continuum : Table {
       "inverse of the moment minus 1, at the last mid-step", Rows::Owned};
   Column<Sym3f> correction{*this, "correction", "1", Keep::Transient,
       "gradient correction of the pressure, extrapolated to the end of the step"};
-  Column<Mat3f> flow{*this, "flow", "1/s", Keep::Transient,
+  Column<Mat3f> negativeVelocityGradient{*this, "flow", "1/s", Keep::Transient,
       "minus the velocity gradient, uncorrected; one row per derivative", Rows::Owned};
-  Column<float> wetting{*this, "wetting", "1", Keep::Transient,
+  Column<float> liquidKernelSum{*this, "wetting", "1", Keep::Transient,
       "sum V W over liquid neighbours and the particle itself; 0: no liquid nearby", Rows::Owned};
   Column<Vec3f> solidNormal{*this, "solidNormal", "1", Keep::Transient,
       "weighted direction away from solid neighbours; 0 without any", Rows::Owned};
-  Column<float> solidShare{*this, "solidShare", "1", Keep::Transient,
+  Column<float> solidFraction{*this, "solidShare", "1", Keep::Transient,
       "share of solid neighbours in the relative density", Rows::Owned};
   Column<float> liquidNearby{*this, "liquidNearby", "1", Keep::Transient,
       "carried relative density of liquid neighbours minus 1, extrapolated to the particle", Rows::Owned};
   Column<Vec3f> relief{*this, "relief", "N", Keep::Transient,
       "force on liquid from all its solid neighbours (core/fluid/lattice_relief.hpp)"};
-  Column<Vec3d> travel{*this, "travel", "m/s", Keep::State,
+  Column<Vec3d> stepMeanVelocity{*this, "travel", "m/s", Keep::State,
       "mean velocity over the step, of particles with substeps"};
-  Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State,
+  Column<Vec3d> shiftingVelocity{*this, "smoothing", "m/s", Keep::State,
       "XSPH and shifting velocity; a particle moves with the sum of this and velocity"};
-  Column<Vec3f> crowding{*this, "crowding", "1", Keep::Transient,
+  Column<Vec3f> concentrationGradient{*this, "crowding", "1", Keep::Transient,
       "concentration gradient times h", Rows::Owned};
   Column<u8> atSurface{*this, "atSurface", "1", Keep::State,
       "1: at the free surface in the last step (core/fluid/free_surface.hpp)"};
@@ -75,11 +75,11 @@ struct Continuum : Table {
       "weighted direction away from neighbours at the free surface; 0 without any", Rows::Owned};
   Column<float> gradientSize{*this, "gradientSize", "1", Keep::Transient, "h sum V |grad W|", Rows::Owned};
   // Incompressible liquids (core/fluid/incompressible/).
-  Column<float> holding{*this, "holding", "Pa", Keep::State,
+  Column<float> densityPressure{*this, "holding", "Pa", Keep::State,
       "density pressure (DFSPH) of the next step, over the step; initial guess of the next solve"};
-  Column<float> steadying{*this, "steadying", "Pa", Keep::State,
+  Column<float> divergencePressure{*this, "steadying", "Pa", Keep::State,
       "divergence pressure (DFSPH) of the last step, over the step; initial guess of the next solve"};
-  Column<Vec3d> pressureKick{*this, "pressureKick", "m/s", Keep::State,
+  Column<Vec3d> pressureImpulse{*this, "pressureKick", "m/s", Keep::State,
       "velocity change due to the density pressure, added at the start of the next step"};
   Column<Vec3d> drag{*this, "drag", "N", Keep::Transient,
       "dissipative part of the force: viscosity, drag of walls"};
@@ -87,16 +87,16 @@ struct Continuum : Table {
       "pressure of the current iteration times the step"};
   Column<Vec3d> trialVelocity{*this, "trialVelocity", "m/s", Keep::Transient,
       "velocity that follows from trialPressure"};
-  Column<float> exposure{*this, "exposure", "1", Keep::Transient,
+  Column<float> freeSurfaceIndicator{*this, "exposure", "1", Keep::Transient,
       "free-surface indicator; 1 for a column of particles below a flat surface"};
   // Surface tension as a surface energy (core/fluid/surface_energy.hpp).
   Column<Vec3d> surfaceGradient{*this, "surfaceGradient", "1", Keep::Transient,
       "colour gradient h sum V grad W: points into the liquid at its surface, 0 inside"};
-  Column<double> surfaceCover{*this, "surfaceCover", "1", Keep::Transient,
+  Column<double> surfaceColour{*this, "surfaceCover", "1", Keep::Transient,
       "colour: sum V W over the neighbours"};
-  Column<Vec3d> surfacePull{*this, "surfacePull", "Pa", Keep::Transient,
+  Column<Vec3d> surfaceEnergyByGradient{*this, "surfacePull", "Pa", Keep::Transient,
       "derivative of the surface energy per volume with respect to surfaceGradient"};
-  Column<double> surfaceDraw{*this, "surfaceDraw", "Pa", Keep::Transient,
+  Column<double> surfaceEnergyByColour{*this, "surfaceDraw", "Pa", Keep::Transient,
       "derivative of the surface energy per volume with respect to the colour"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State,
       "from implicit viscosity in the last step; initial guess of the next solve"};
@@ -110,52 +110,51 @@ struct Continuum : Table {
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction; blend parameter of the material"};
   Column<u8> phase{*this, "phase", "1", Keep::State, "Solid: has or may have bonds; Liquid: has none"};
   // Surface (core/surface/).
-  Column<Vec3d> surfacePlace{*this, "surfacePlace", "m", Keep::State,
+  Column<Vec3d> surfacePosition{*this, "surfacePlace", "m", Keep::State,
       "position at the last update of the surface"};
-  Column<Vec3d> surfaceStart{*this, "surfaceStart", "m", Keep::State,
+  Column<Vec3d> surfaceStartPosition{*this, "surfaceStart", "m", Keep::State,
       "position when the surface was created; only in scenes with solids"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State,
       "label: label: 1 + smallest particle id of its component; 0: created after the last update"};
-  Column<double> surfaceShare{*this, "surfaceShare", "1", Keep::State,
-      "volume that the surface encloses for it, over its own volume: from the mesh or shape of its "
-      "body at the start; 0: its own volume"};
-  Column<float> surfaceFill{*this, "surfaceFill", "1", Keep::State,
-      "fraction of its cell that its body filled at the start, over the mean (cell_shares.hpp); 0: the mean"};
+  Column<double> surfaceVolumeRatio{*this, "surfaceShare", "1", Keep::State,
+      "volume that the surface encloses for it, over its own volume: from the mesh or shape of its body at "
+      "the start; 0: its own volume"};
+  Column<float> initialFill{*this, "surfaceFill", "1", Keep::State,
+      "fraction of its cell that its body filled at the start, over the mean (cell_fractions.hpp); 0: the "
+      "mean"};
   // Contact with sheets by triangles (core/sheet/face_contact.hpp), as the owner of the particle computed it.
   Column<std::uint32_t> sheetFace{*this, "sheetFace", "1", Keep::Transient,
       "1 + number of the sheet triangle with the deepest overlap; 0: no contact"};
-  Column<Vec3d> sheetPush{*this, "sheetPush", "N, N, N/m", Keep::Transient,
-      "force along the gradient of its depth in the sheet, its dissipative part, and their derivative, "
-      "for a triangle at a depth of 1 (face_contact.cpp)"};
-  Column<Mat3d> sheetRubs{*this, "sheetRubs", "N", Keep::Transient,
+  Column<Vec3d> sheetNormalForce{*this, "sheetPush", "N, N, N/m", Keep::Transient,
+      "force along the gradient of its depth in the sheet, its dissipative part, and their derivative, for a "
+      "triangle at a depth of 1 (face_contact.cpp)"};
+  Column<Mat3d> sheetFriction{*this, "sheetRubs", "N", Keep::Transient,
       "friction on the corners of the sheet triangle in contact, one row each"};
-  Column<Vec3d> sheetNumbers{*this, "sheetNumbers", "J, W/K, K", Keep::Transient,
-      "energy and conductance to the sheet for a triangle at a depth of 1, and temperature of the "
-      "particle"};
+  Column<Vec3d> sheetContactData{*this, "sheetNumbers", "J, W/K, K", Keep::Transient,
+      "energy and conductance to the sheet for a triangle at a depth of 1, and temperature of the particle"};
   // Solid.
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local,
       "row in the table of solids; noSlot for liquids"};
   // Rest (core/sleep/sleep.hpp).
-  Column<float> calm{*this, "calm", "s", Keep::State,
-      "time since it last moved, accelerated or warmed"};
+  Column<float> restTime{*this, "calm", "s", Keep::State, "time since it last moved, accelerated or warmed"};
   Column<u8> sleep{*this, "sleep", "1", Keep::State,
       "0: awake; 1, 2: sleeping, fixed in place; 3: sleeping, and its sums are skipped"};
-  Column<Vec3d> hold{*this, "hold", "N", Keep::State,
+  Column<Vec3d> constraintForce{*this, "hold", "N", Keep::State,
       "constraint force of a sleeping particle: balances its weight and all forces except those of walls"};
   // Bond forming in a running simulation (solid/bond_forming.hpp). Exchanged only after a particle froze.
   Column<Mat3d> frame{*this, "frame", "1", Keep::Transient,
       "deformation gradient F; the identity if the particle has just frozen"};
   Column<u8> justFrozen{*this, "justFrozen", "1", Keep::State,
       "1: froze in this step; forms its bonds in the next step, also on another rank or after a restart"};
-  Column<float> standoff{*this, "standoff", "1", Keep::State,
-      "contact offset: distance from a wall, in spacings, at which a solid rests; below 1/2 if it "
-      "froze closer"};
-  Column<Vec3d> home{*this, "home", "m", Keep::Transient,
+  Column<float> contactOffset{*this, "standoff", "1", Keep::State,
+      "contact offset: distance from a wall, in spacings, at which a solid rests; below 1/2 if it froze "
+      "closer"};
+  Column<Vec3d> unwrappedPosition{*this, "home", "m", Keep::Transient,
       "position without the shift of periodic images; only with periodic sides"};
   // Rates of the current step.
   GuestColumn<Vec3d> force{*this, "force", "N", Keep::Transient,
-      "sum of all forces; shares the memory of `acceleration` where possible, until the kick "
-      "converts it (forceOf, core/time/integrate.hpp)", Rows::Owned};
+      "sum of all forces; shares the memory of `acceleration` where possible, until the kick converts it "
+      "(forceOf, core/time/integrate.hpp)", Rows::Owned};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient,
       "sum of all heat flows into the particle", Rows::Owned};
   Column<double> dissipation{*this, "dissipation", "W", Keep::Transient,

@@ -63,7 +63,7 @@ void findHeat(Finder& f) {
   for (const Obstacle& o : s.obstacles)
     if (o.temperature && conducts)
       f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
-  if (!s.temperings.empty()) f.on(f.m.heat, "heat", "a [[tempering]] changes the temperature");
+  if (!s.thermostats.empty()) f.on(f.m.heat, "heat", "a [[tempering]] changes the temperature");
   for (const Material& m : s.materials) {
     if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");
     if (m.convection > 0 || m.emissivity > 0) {
@@ -180,11 +180,11 @@ Modules modulesOf(const Scene& s) {
   if (m.fluid) f.on(m.neighbours, "neighbour search", "there is liquid");
   if (m.contact) f.on(m.neighbours, "neighbour search", "solids can touch");
   if (m.oriented && (m.fluid || m.solid)) {
-    f.on(m.meeting, "contact of body types", "the scene has oriented particles and continuum bodies");
+    f.on(m.orientedContact, "contact of body types", "the scene has oriented particles and continuum bodies");
     f.on(m.neighbours, "neighbour search", "oriented particles can touch the continuum");
   }
   if (m.oriented && m.sheet)
-    f.on(m.draping, "contact of sheets and oriented particles", "the scene has both");
+    f.on(m.sheetContact, "contact of sheets and oriented particles", "the scene has both");
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
   if (m.sleep) f.on(m.neighbours, "neighbour search", "moving bodies wake sleeping neighbours");
   m.uniform = isUniform(s, m);

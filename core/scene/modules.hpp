@@ -35,12 +35,12 @@ struct Modules {
   bool neighbours = false;   ///< some sum over unbonded neighbours
   bool surface = false;      ///< surfels on the continuum bodies
   bool emitters = false;
-  bool oriented = false;  ///< oriented bodies (core/oriented/)
-  bool meeting = false;   ///< oriented particles can touch continuum bodies
-  bool sheet = false;     ///< sheets (core/sheet/)
-  bool uniform = false;   ///< all particles are liquid of one material with constant parameters, so pair sums
-                          ///< read less (terms/uniform_forces.hpp)
-  bool draping = false;   ///< sheets and oriented particles can touch
+  bool oriented = false;         ///< oriented bodies (core/oriented/)
+  bool orientedContact = false;  ///< oriented particles can touch continuum bodies
+  bool sheet = false;            ///< sheets (core/sheet/)
+  bool uniform = false;  ///< all particles are liquid of one material with constant parameters, so pair sums
+                         ///< read less (terms/uniform_forces.hpp)
+  bool sheetContact = false;  ///< sheets and oriented particles can touch
   bool kinds() const { return oriented || sheet; }
   std::vector<std::string> why;  ///< one line per active module: "heat: obstacle 'plate' has a temperature"
 };

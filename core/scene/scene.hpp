@@ -126,7 +126,7 @@ struct Obstacle {
 };
 
 /// Drives particles to a temperature anywhere in the domain: K05's freezing while pouring.
-struct Tempering {
+struct Thermostat {
   SourcePlace where;
   int material = -1;            // index into Scene::materials; -1: all
   double start = 0, over = 0;   // s, the enthalpy changes linearly over this time; over 0: within one step
@@ -204,7 +204,7 @@ struct Numerics {
   double sleepSpeed = 0;       // m/s, speed below which a solid is at rest; 0: nothing sleeps
   double sleepAfter = 0.05;    // s, rest time before a solid sleeps
   double sleepHeating = 0.01;  // K/s, heating rate above which a solid is awake
-  // Stability monitor (core/watch/).
+  // Stability monitor (core/monitor/).
   std::int64_t retryEvery = 100;    // steps between snapshots in memory; 0: none
   std::int64_t retries = 4;         // largest number of rollbacks for one stretch, each halves the step
   double watchSpeed = 10;           // 1, speed limit over the expected speed of the scene
@@ -306,7 +306,7 @@ struct Scene {
   std::vector<SheetBody> sheets;
   std::vector<Emitter> emitters;
   std::vector<Obstacle> obstacles;
-  std::vector<Tempering> temperings;
+  std::vector<Thermostat> thermostats;
   SurfaceSettings surface;
   Output output;
 };

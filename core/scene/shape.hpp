@@ -18,8 +18,9 @@ struct SourcePlace {
   int line = 0, column = 0;
 };
 
-/// Fingerprint of a mesh file. It detects a different mesh under the same name (io/run/mesh_marks.hpp).
-struct MeshMark {
+/// Fingerprint of a mesh file. It detects a different mesh under the same name
+/// (io/run/mesh_fingerprints.hpp).
+struct MeshFingerprint {
   double vertices = 0, triangles = 0, checksum = 0;
 };
 
@@ -45,11 +46,11 @@ struct Shape {
   double radius2 = 0.1;  // m, Torus (of the tube)
   double height = 1;  // m, Cylinder, Glass; along z: Cylinder centred, Glass standing on z = 0, open at the
                       // top
-  double thickness = 0.01;         // m, Glass: wall and floor
-  Vec3d point{}, normal{0, 0, 1};  // HalfSpace: solid on the side against the normal
-  std::string mesh;                // Mesh: absolute path
-  MeshMark meshMark;               // Mesh: set when a run begins
-  std::vector<Shape> parts;        // Union: all; Difference: first minus the others; Intersection
+  double thickness = 0.01;          // m, Glass: wall and floor
+  Vec3d point{}, normal{0, 0, 1};   // HalfSpace: solid on the side against the normal
+  std::string mesh;                 // Mesh: absolute path
+  MeshFingerprint meshFingerprint;  // Mesh: set when a run begins
+  std::vector<Shape> parts;         // Union: all; Difference: first minus the others; Intersection
   // placement: x = move + R(axis, angle) * (scale * x_shape); rotations about x, then y, then z
   double scale = 1;
   Vec3d rotate{};                   // rad, about x, y, z

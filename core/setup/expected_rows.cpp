@@ -66,7 +66,7 @@ std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& loa
     }
     e.bytesEverywhere = e.rows * (pointBytes + (b.source == OrientedSource::Surface ? sampleBytes : 0));
     e.bytesShared = b.thin * e.rows * orientedRow;
-    // As in core/oriented/made_points.cpp.
+    // As in core/oriented/sample_points.cpp.
     e.spread = b.source == OrientedSource::Control ||
                (b.source == OrientedSource::Surface && (b.thin == 1 || b.shape.kind != ShapeKind::Mesh));
     all.push_back(std::move(e));

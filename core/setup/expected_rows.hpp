@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-inline constexpr double mostRowsOfKind = 2e9;  ///< per body; its points and vertices have 32-bit numbers
-                                               ///< during set-up
+inline constexpr double mostRowsPerBody = 2e9;  ///< per body; its points and vertices have 32-bit numbers
+                                                ///< during set-up
 
 struct ExpectedRows {
   std::string name;  ///< "oriented body 'skin'"

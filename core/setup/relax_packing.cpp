@@ -14,8 +14,8 @@
 namespace thaw {
 namespace {
 
-constexpr int iterations = 30, settlingIterations = 200;
-constexpr double settled = 1e-4;  // excess of relative density: a pressure of 1e-4 rho c^2
+constexpr int iterations = 30, densityRelaxationIterations = 200;
+constexpr double densityTolerance = 1e-4;  // excess of relative density: a pressure of 1e-4 rho c^2
 
 /// Computes sums of grad W over all neighbours, as the pressure force of a liquid with unit pressure.
 void kernelGradients(World& w, Halos& halos, StepTools& t) {
@@ -60,20 +60,20 @@ std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::ve
 /// liquid would gain some thousandths of the sound speed from these pressures and swell permanently.
 /// Particles move along the negative gradient of the sum of squared excesses, out of their shape if
 /// necessary. Returns the number of iterations.
-int settleLiquids(World& w, Halos& halos, StepTools& t, const std::vector<std::uint8_t>& moves) {
+int relaxDensity(World& w, Halos& halos, StepTools& t, const std::vector<std::uint8_t>& moves) {
   Continuum& p = w.particles;
   const double dx = w.scene.spacing,
-               slope = largestFillingSlope(w.scene.numerics) * t.perLatticeSum / w.grid.support;
+               slope = largestRelativeDensityGradient(w.scene.numerics) * t.perLatticeSum / w.grid.support;
   if (std::find(moves.begin(), moves.end(), 1) == moves.end()) return 0;
-  for (int k = 0; k < settlingIterations; k++) {
+  for (int k = 0; k < densityRelaxationIterations; k++) {
     kernelGradients(w, halos, t);
     sumExcessPressure(w, halos.cells, t);
     double excess = 0;
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.phase[i] == Liquid && moves[p.body[i]])
-        excess = std::max(excess, static_cast<double>(p.filling[i]) - 1);
+        excess = std::max(excess, static_cast<double>(p.relativeDensity[i]) - 1);
     halos.all.maximum({&excess, 1});
-    if (excess < settled) return k;
+    if (excess < densityTolerance) return k;
     for (std::size_t i = 0; i < p.owned; i++) {
       if (p.phase[i] != Liquid || !moves[p.body[i]]) continue;
       Vec3d move = p.force[i] *
@@ -84,7 +84,7 @@ int settleLiquids(World& w, Halos& halos, StepTools& t, const std::vector<std::u
       wrapPlace(w.grid, w.scene.domain, p.position[i]);
     }
   }
-  return settlingIterations;
+  return densityRelaxationIterations;
 }
 
 /// Returns the image of x across periodic sides nearest to a body's middle, for bodies that reach across a
@@ -126,7 +126,7 @@ int relaxPacking(World& w, Halos halos, StepTools& t,
   }
   int settling = 0;
   if (w.modules.fluid && !w.modules.continuity && !everywhere)
-    settling = settleLiquids(w, halos, t, freeBodies(w, halos, relaxed));
+    settling = relaxDensity(w, halos, t, freeBodies(w, halos, relaxed));
   p.resize(p.owned, 0);
   return iterations + settling;
 }

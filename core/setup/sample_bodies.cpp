@@ -12,8 +12,8 @@
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/scene/full_box.hpp"
-#include "core/setup/cell_shares.hpp"
-#include "core/setup/fill_shares.hpp"
+#include "core/setup/cell_fractions.hpp"
+#include "core/setup/initial_fill.hpp"
 #include "core/setup/size_hint.hpp"
 #include "core/setup/start_fields.hpp"
 
@@ -76,7 +76,7 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
     p.body[i] = static_cast<std::uint16_t>(b);
     const double T = body.temperature + dot(body.temperatureGradient, x - centre);
     if (p.temperature.active) p.temperature[i] = T;
-    if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, T);
+    if (p.enthalpy.active) p.enthalpy[i] = ledgerEnthalpy(w.scene.numerics.heat, m, T);
     if (p.slot.active) p.slot[i] = noSlot;
     for (std::size_t k = 0; k < clamps.size(); k++)
       if (inClamp(*clamps[k], x)) {
@@ -88,7 +88,7 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
 }
 
 /// Samples this rank's rows of one body's lattice. inEach: see fillRows; filled: incremented by their 64ths
-/// of cells (cellShares). Returns the number of samples that the overlap rule removed.
+/// of cells (cellFractions). Returns the number of samples that the overlap rule removed.
 std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all,
                         const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders,
                         std::int64_t& filled, std::vector<std::int64_t>& inEach) {
@@ -123,9 +123,9 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
   const std::size_t first = p.owned;
   p.resize(first + points.size(), 0);
   fillRows(w, b, {l, middleOf(shape), jitter}, points, first, inEach);
-  if (bodyFills(s, b)) {
-    const std::vector<std::int32_t> shares = cellShares(shape, l, points);
-    std::copy(shares.begin(), shares.end(), p.surfaceFill.data() + first);
+  if (hasInitialFill(s, b)) {
+    const std::vector<std::int32_t> shares = cellFractions(shape, l, points);
+    std::copy(shares.begin(), shares.end(), p.initialFill.data() + first);
     filled = std::accumulate(shares.begin(), shares.end(), filled);
   }
   return removed;
@@ -151,7 +151,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
     removed += sampleBody(w, b, *shapes[b], all, overlap, overlaps, offenders, filled[b], inEach.back());
     counts.push_back(static_cast<std::int64_t>(p.owned - had));
   }
-  settlePhase(s, w.modules, p, 0, p.owned);
+  setPhase(s, w.modules, p, 0, p.owned);
   assignStartFields(w, shapes, all, false);
 
   counts.insert(counts.end(), {removed, offenders.inObstacles, offenders.inItself});
@@ -159,7 +159,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   all.sum(overlaps.count);
   addUp(offenders.outside, all);
   all.sum(filled);
-  if (p.surfaceFill.active) finishFill(s, p, filled, counts);
+  if (p.initialFill.active) normaliseInitialFill(s, p, filled, counts);
   std::vector<std::int64_t> clamped(n, 0);
   if (p.clamped.active)
     for (std::size_t i = 0; i < p.owned; i++) clamped[p.body[i]] += p.clamped[i] == held;

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "core/body_types/start_warnings.hpp"
 #include "core/domain/outside.hpp"
 #include "core/geometry/signed_distance.hpp"
 #include "core/halo/halo.hpp"
-#include "core/kinds/start_warnings.hpp"
 #include "core/world.hpp"
 
 namespace thaw {

@@ -5,13 +5,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/body_types/cell_costs.hpp"
+#include "core/body_types/redistribute.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
-#include "core/kinds/cell_costs.hpp"
-#include "core/kinds/place_kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/oriented/oriented_forces.hpp"
 #include "core/oriented/prepare_oriented.hpp"
@@ -19,9 +19,9 @@
 #include "core/particle_sums.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/setup/activate_fields.hpp"
+#include "core/setup/compressed_liquid.hpp"
 #include "core/setup/expected_motion.hpp"
 #include "core/setup/make_grid.hpp"
-#include "core/setup/pressed_liquid.hpp"
 #include "core/setup/relax_packing.hpp"
 #include "core/setup/size_hint.hpp"
 #include "core/setup/start_fields.hpp"
@@ -52,18 +52,18 @@ void evaluateNow(World& w, Halos halos, StepTools& t) {
 
 /// Adds `sign` times the stored energy of this rank, and the part that symplectic Euler has not yet
 /// delivered, to `to`.
-void bookStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
+void recordStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
   const ExactBalance here = balanceHere(w);
   to.addProduct(here.elastic, sign);
   to.addProduct(here.potential, sign);
-  if (w.modules.oriented) bookLag(w, t, sign, w.clock.stepDt, to);
+  if (w.modules.oriented) recordKickLag(w, t, sign, w.clock.stepDt, to);
 }
 
 /// Frees the buffers of the first sorts, which cover all rows.
 void dropBuffersOfStart(World& w, StepTools& t) {
   w.particles.shrink();
   t.sort = {};
-  giveBackFreed();
+  trimFreedMemory();
 }
 
 /// Largest height of fall: from the highest point of bodies and emitters to the lowest end of the domain.
@@ -93,7 +93,7 @@ double reachOfWalls(const World& w) {
 }
 
 /// Adds notes on the meshes of obstacles, and a warning for obstacles with a step at a periodic side.
-void warnOfWalls(const World& w, std::vector<SceneWarning>& warnings) {
+void addWallWarnings(const World& w, std::vector<SceneWarning>& warnings) {
   for (const Wall& wall : w.walls.list) {
     if (wall.isImage()) continue;
     const auto add = [&](const std::string& text) {
@@ -146,10 +146,10 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.liquids = liquidMaterials(w.scene);
   if (w.modules.sheet) planParticleContact(w.scene, t.liquids, w.sheets.plans);
   if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
-  if (w.modules.meeting) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
+  if (w.modules.orientedContact) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
   if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
-  t.watch = watchBounds(w.scene, w.modules, t.liquids, t.fixedLimits);
+  t.watch = monitorLimits(w.scene, w.modules, t.liquids, t.fixedLimits);
   if (w.modules.fluid) {
     t.viscousWeight = viscousWeight(w.scene.numerics);
     t.stableViscousStep = stableViscousStep(w.scene.numerics);
@@ -165,13 +165,13 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   if (w.modules.incompressible) {
     double sound = 0;  // proportional to the expected speed
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
-    t.pressure.full = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.perLatticeSum;
-    if (liquidFillsTheBox(w.scene)) t.pressure.full += flowingExcess;
+    t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.perLatticeSum;
+    if (liquidFillsTheBox(w.scene)) t.pressure.targetRelativeDensity += flowDensityExcess;
     t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
-    t.pressure.mendingTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
+    t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
   }
   if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(w.scene.numerics, w.scene.spacing);
-  t.fillingScale = t.perLatticeSum / (h * h * h);
+  t.relativeDensityScale = t.perLatticeSum / (h * h * h);
   activateFields(w, t);
 }
 
@@ -207,12 +207,12 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
     report.warnings.push_back(std::move(thin));
   // First partition, by the number of particles; they are still where they were sampled.
   Continuum& p = w.particles;
-  const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load, report.warnings);
+  const std::vector<std::vector<Vec3d>> oriented = sampleBodyTypes(w, halos, t, load, report.warnings);
   if (w.modules.kinds())
-    for (SceneWarning& warning : kindStartWarnings(w, shapes, oriented, halos.all, problems))
+    for (SceneWarning& warning : bodyTypeStartWarnings(w, shapes, oriented, halos.all, problems))
       report.warnings.push_back(std::move(warning));
   problems.raise();
-  warnOfWalls(w, report.warnings);
+  addWallWarnings(w, report.warnings);
   for (std::size_t b = 0; b < shapes.size(); b++) {
     std::vector<std::string> notes;
     shapes[b]->addNotes(notes);
@@ -234,13 +234,13 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   return report;
 }
 
-void takeStock(World& w, Halos halos, StepTools& t) {
+void initializeForces(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   t.times.start();
   const double fixed = w.scene.numerics.fixedStep;
   // Used until particle limits are known.
   w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];
-  if (fieldsToCome(w, t))
+  if (fieldsDeferred(w, t))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
   if (!w.modules.neighbours) {  // only needed for the bonds of the start
@@ -254,7 +254,7 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   w.ledger.initial = now.now;
   // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
   w.ledger.entered = w.ledger.left = {};
-  vote(w, halos, t, {}, {});
+  reduceStep(w, halos, t, {}, {});
   if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
   const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step records
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
@@ -265,8 +265,9 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
   t.emitFirst = true;
-  takeStock(w, halos, t);
-  for (SceneWarning& warning : pressedLiquids(w, t, halos.all)) report.warnings.push_back(std::move(warning));
+  initializeForces(w, halos, t);
+  for (SceneWarning& warning : compressedLiquids(w, t, halos.all))
+    report.warnings.push_back(std::move(warning));
   w.startDensity = {};
   return report;
 }
@@ -280,13 +281,13 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   w.solids.energyKnown = w.compressionKnown = true;  // part of the state
   if (p.slot.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
-    relinkSolids(w, halos, t, {{}, true});  // slots of the records, on the rank that read them
+    rebuildSolidBonds(w, halos, t, {{}, true});  // slots of the records, on the rank that read them
   }
   computeCellKeys(w.grid, p);
   Migration all;
   all.arrivals = p.owned;
   sortByCell(p, all, t.sort, w.cells);
-  eachKind(w, [&](std::size_t, KindRows& r, CellTable& cells) {
+  forEachBodyType(w, [&](std::size_t, BodyTypeRows& r, CellTable& cells) {
     computeCellKeys(w.grid, r);
     Migration fresh;
     fresh.arrivals = r.owned;
@@ -296,8 +297,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.newPartition = true;
   if (w.modules.kinds())
-    bringKindsHome(w, halos, t);  // after the ghosts they equal the state of the last step
-  if (w.modules.oriented) readyOriented(w, halos, t);
+    redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
+  if (w.modules.oriented) updateNeighbours(w, halos, t);
   t.oriented.time = w.clock.time;
   dropBuffersOfStart(w, t);
   t.mass = totalMass(w, halos.all);
@@ -316,18 +317,18 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
 }
 
-void takeNewCoefficients(World& w, Halos halos, StepTools& t) {
+void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   ExactSum jump;
   findStoredEnergy(w, t);
-  bookStored(w, t, -1, jump);
-  if (w.modules.oriented) giveUnderWay(w);
+  recordStored(w, t, -1, jump);
+  if (w.modules.oriented) applyPendingImpulse(w);
   if (w.modules.sleep) wakeEverything(w.particles);
   evaluateNow(w, halos, t);
   findStoredEnergy(w, t);
-  bookStored(w, t, 1, jump);
+  recordStored(w, t, 1, jump);
   w.ledger.restartJump += jump;
   t.frozeAnywhere = false;  // newly frozen particles have bonds now
-  vote(w, halos, t, {}, {});
+  reduceStep(w, halos, t, {}, {});
   if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
 }
 

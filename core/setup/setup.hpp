@@ -21,9 +21,9 @@ SamplingReport sampleWorld(World& world, Halos halos, StepTools& tools, const Me
 /// Computes forces and accelerations at time 0, the first dt, and the ledger's initial state; makes bonds if
 /// StepTools::bondsAtStart. Call it again after a program has changed positions, velocities or enthalpies.
 /// Collective.
-void takeStock(World& world, Halos halos, StepTools& tools);
+void initializeForces(World& world, Halos halos, StepTools& tools);
 
-/// Calls sampleWorld, then takeStock with bonds and the particles emitted at time 0. Collective.
+/// Calls sampleWorld, then initializeForces with bonds and the particles emitted at time 0. Collective.
 SamplingReport startWorld(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
 
 /// Resumes a run after a restart, with particles and solid records on any rank: migrates and sorts them and
@@ -33,6 +33,6 @@ void resumeWorld(World& world, Halos halos, StepTools& tools);
 /// Call it after resumeWorld if the scene's coefficients differ from those of the run so far. Recomputes
 /// forces, stored energies and the step at the current positions and time. The change of stored energy is
 /// recorded in Ledger::restartJump. Collective.
-void takeNewCoefficients(World& world, Halos halos, StepTools& tools);
+void applyNewCoefficients(World& world, Halos halos, StepTools& tools);
 
 }  // namespace thaw

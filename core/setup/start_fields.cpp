@@ -38,9 +38,9 @@ struct BadValues {
 /// Returns the image of x across periodic sides nearest to its lattice point.
 Vec3d placeInBody(const CellGrid& g, const SampleLattice& l, std::uint64_t number, Vec3d x) {
   const auto point = static_cast<std::int64_t>(number), row = point / l.count[0];
-  const Vec3d home = l.at(point % l.count[0], row % l.count[1], row / l.count[1]);
+  const Vec3d latticePoint = l.at(point % l.count[0], row % l.count[1], row / l.count[1]);
   for (int a = 0; a < 3; a++)
-    if (g.periodic[a]) x[a] -= g.period[a] * std::round((x[a] - home[a]) / g.period[a]);
+    if (g.periodic[a]) x[a] -= g.period[a] * std::round((x[a] - latticePoint[a]) / g.period[a]);
   return x;
 }
 
@@ -127,10 +127,10 @@ void assignStartFields(World& w, const Shapes& shapes, Reducer& all, bool relaxe
     if (!p.clamped.active || p.clamped[i] != held) p.velocity[i] = startVelocity(body, centres[b], x);
     const double T = startTemperature(body, centres[b], x);
     if (p.temperature.active) p.temperature[i] = T;
-    if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(s.numerics.heat, s.materials[p.material[i]], T);
+    if (p.enthalpy.active) p.enthalpy[i] = ledgerEnthalpy(s.numerics.heat, s.materials[p.material[i]], T);
   }
   raiseBadValues(s, bad, all);
-  settlePhase(s, w.modules, p, 0, p.owned);
+  setPhase(s, w.modules, p, 0, p.owned);
 }
 
 }  // namespace thaw

@@ -61,10 +61,10 @@ struct FaceContact {
           Face f{plan.faceOf[k], rowsOfTriangle(rows, plan, sheet, plan.faceOf[k]), {}, {}, {}};
           bool here = true;
           for (std::size_t q = 0; q < 3 && here; q++) {
-            here = f.row[q] != notHere && beside(rows.cell[f.row[q]], cell);
+            here = f.row[q] != noLocalRow && beside(rows.cell[f.row[q]], cell);
             if (here) f.x[q] = s.position[f.row[q]];
           }
-          if (!here || !allBeside(rows, f.row)) continue;
+          if (!here || !allAdjacent(rows, f.row)) continue;
           for (int a = 0; a < 3; a++) {
             f.low[a] = std::min({f.x[0][a], f.x[1][a], f.x[2][a]}) - plan.faceReach;
             f.high[a] = std::max({f.x[0][a], f.x[1][a], f.x[2][a]}) + plan.faceReach;
@@ -75,8 +75,9 @@ struct FaceContact {
   }
 
   /// Returns the friction (N) on the three corners of a face and on particle j.
-  std::array<Vec3d, 4> rubFace(std::size_t j, const Face& f, const Vec3d& shares, const Vec3d& off,
-                               const Vec3d& n, const Vec3d& v, const TouchLaw& law, double normal) const {
+  std::array<Vec3d, 4> faceFriction(std::size_t j, const Face& f, const Vec3d& shares, const Vec3d& off,
+                                    const Vec3d& n, const Vec3d& v, const TouchLaw& law,
+                                    double normal) const {
     if (!(law.friction > 0)) return {};
     const Sheets& s = w.sheets.rows;
     const Continuum& p = w.particles;
@@ -90,7 +91,7 @@ struct FaceContact {
       share[k] = shares[static_cast<int>(k)];
     }
     velocity[3] = p.velocity[j], mass[3] = p.mass[j], share[3] = -1;
-    return rub(turningOf(place, mass), velocity, share, off, n, v, law, normal);
+    return frictionForces(rigidPointsOf(place, mass), velocity, share, off, n, v, law, normal);
   }
 
   /// Contact geometry of a face and a particle.
@@ -156,14 +157,14 @@ struct FaceContact {
                  plan.faceReach};
     const double depth = all.depth() * plan.faceReach;
     const Touch t = touchOf(law, depth, {1, 0, 0}, {approach, 0, 0});  // along the gradient of the depth
-    const double push = t.force.x, dash = t.resisting.x,
+    const double push = t.force.x, dash = t.dissipativeForce.x,
                  slope = t.slope * steep + all.bend() * push / plan.faceReach;
     law.friction = (1 - liquid) * std::max(body.friction, material.friction);
     Vec3d v = -p.velocity[j];
     for (std::size_t k = 0; k < 3; k++)
       v += nearest->shares[static_cast<int>(k)] * s.moving[nearest->face->row[k]];
-    const std::array<Vec3d, 4> rubs = rubFace(j, *nearest->face, nearest->shares, nearest->off, nearest->n, v,
-                                              law, push);
+    const std::array<Vec3d, 4> rubs = faceFriction(j, *nearest->face, nearest->shares, nearest->off,
+                                                   nearest->n, v, law, push);
     double conducts = 0;  // W/K
     if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {
       const double flow = body.conductance * w.scene.spacing * w.scene.spacing;
@@ -175,16 +176,17 @@ struct FaceContact {
       p.heatFlow[j] -= heat;
       w.ledger.heatIn.add(-heat * now.dt);
     }
-    const Vec3d g = all.slope(), resisting = rubs[3] - dash * g;
+    const Vec3d g = all.slope(), dissipativeForce = rubs[3] - dash * g;
     p.force[j] += rubs[3] - push * g;
     p.interaction[j] += 0.5 * t.energy;
     // as in sheet_contact.cpp
-    p.dissipation[j] -= dot(resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
+    p.dissipation[j] -= dot(dissipativeForce, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
     stiffest = std::max(stiffest, 2 * slope * steep / p.mass[j]);
     p.sheetFace[j] = nearest->face->number + 1;
-    p.sheetPush[j] = {push * perPush, dash * perPush, slope * perPush};
-    p.sheetNumbers[j] = {t.energy / all.sum, conducts / all.sum, p.temperature.active ? p.temperature[j] : 0};
-    p.sheetRubs[j] = {rubs[0], rubs[1], rubs[2]};
+    p.sheetNormalForce[j] = {push * perPush, dash * perPush, slope * perPush};
+    p.sheetContactData[j] = {t.energy / all.sum, conducts / all.sum,
+                             p.temperature.active ? p.temperature[j] : 0};
+    p.sheetFriction[j] = {rubs[0], rubs[1], rubs[2]};
   }
 
   void touchParticles() {
@@ -206,7 +208,7 @@ struct FaceContact {
   void pushCorners(std::uint32_t j) {
     const Continuum& p = w.particles;
     Sheets& s = w.sheets.rows;
-    const Vec3d push = p.sheetPush[j], numbers = p.sheetNumbers[j];
+    const Vec3d push = p.sheetNormalForce[j], numbers = p.sheetContactData[j];
     Near n;
     for (const Face& f : faces) {
       if (!near(f, p.position[j], n)) continue;
@@ -215,13 +217,13 @@ struct FaceContact {
         const std::uint32_t i = f.row[k];
         if (i >= s.owned) continue;
         if (f.number + 1 == p.sheetFace[j]) {
-          const Vec3d rubs = p.sheetRubs[j].row[k] / s.area[i];
-          s.load[i] += rubs, s.resisting[i] += rubs;
+          const Vec3d rubs = p.sheetFriction[j].row[k] / s.area[i];
+          s.load[i] += rubs, s.dissipativeForce[i] += rubs;
         }
         const double share = part * n.shares[static_cast<int>(k)];
         if (share == 0) continue;
         s.load[i] += n.n * (share * push.x / s.area[i]);
-        s.resisting[i] += n.n * (share * push.y / s.area[i]);
+        s.dissipativeForce[i] += n.n * (share * push.y / s.area[i]);
         slope[i] += share * push.z;
         s.energy[i] += 0.5 * share * n.depth * numbers.x;
         // each corner uses its own temperature; fractions of the total heat could heat warm corners above the
@@ -231,7 +233,7 @@ struct FaceContact {
     }
   }
 
-  void pushVertices() {
+  void addVertexLoads() {
     const Continuum& p = w.particles;
     for (std::size_t c = 0; c < w.cells.key.size(); c++) {
       bool found = false;
@@ -260,15 +262,16 @@ double faceContactReach(const std::vector<SheetPlan>& plans) {
   return reach;
 }
 
-void meetFaces(World& w, Halos halos, const SheetVelocities& now) {
+void addFaceContact(World& w, Halos halos, const SheetVelocities& now) {
   Continuum& p = w.particles;
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
     if (!w.sheets.plans[n].byFaces) continue;
     FaceContact contact(w, now, n);
     contact.touchParticles();
-    halos.cells.beginRefresh(p, ColumnList{&p.sheetFace, &p.sheetPush, &p.sheetNumbers, &p.sheetRubs});
+    halos.cells.beginRefresh(
+        p, ColumnList{&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
     halos.cells.finishRefresh(p);
-    contact.pushVertices();
+    contact.addVertexLoads();
   }
 }
 

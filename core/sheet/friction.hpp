@@ -11,17 +11,17 @@
 namespace thaw {
 
 /// Four point masses as a rigid body about their centre of mass.
-struct Turning {
+struct RigidPoints {
   std::array<Vec3d, 4> lever;  ///< m
   std::array<double, 4> mass;  ///< kg
   Mat3d inverse;               ///< 1/(kg m^2), inverse inertia
   bool there = false;          ///< false for collinear points
 };
 
-inline Turning turningOf(const std::array<Vec3d, 4>& place, const std::array<double, 4>& mass) {
+inline RigidPoints rigidPointsOf(const std::array<Vec3d, 4>& place, const std::array<double, 4>& mass) {
   constexpr double inLine = 1e-12;  // relative determinant below which points are collinear and take no
                                     // torque
-  Turning t;
+  RigidPoints t;
   t.mass = mass;
   double all = 0;
   Vec3d centre{};
@@ -47,9 +47,10 @@ inline Turning turningOf(const std::array<Vec3d, 4>& place, const std::array<dou
 /// Returns the friction forces (N) on the four points. share: barycentric weights of the nearest points,
 /// negative for the second body, with sum 0; apart (m): from the second's nearest point to the first's, along
 /// n; v (m/s): its rate; normal (N): contact force.
-inline std::array<Vec3d, 4> rub(const Turning& t, const std::array<Vec3d, 4>& velocity,
-                                const std::array<double, 4>& share, const Vec3d& apart, const Vec3d& n,
-                                const Vec3d& v, const TouchLaw& law, double normal) {
+inline std::array<Vec3d, 4> frictionForces(const RigidPoints& t, const std::array<Vec3d, 4>& velocity,
+                                           const std::array<double, 4>& share, const Vec3d& apart,
+                                           const Vec3d& n, const Vec3d& v, const TouchLaw& law,
+                                           double normal) {
   Vec3d slide = v - dot(v, n) * n, spin{};
   if (t.there) {
     for (std::size_t k = 0; k < 4; k++) spin += t.mass[k] * cross(t.lever[k], velocity[k]);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/sheet/cell_sums.hpp"
-#include "core/sheet/changing_factors.hpp"
+#include "core/sheet/time_factors.hpp"
 
 namespace thaw {
 
@@ -15,14 +15,14 @@ void activateEdges(SheetEdges& e) {
     e.ends.activate(*c);
 }
 
-void emptyEdges(SheetBodies& b) {
+void clearEdges(SheetBodies& b) {
   b.edges.ends.resize(b.edges.ends.owned, 0);
   b.edges.ends.resize(0, 0);
   b.edges.bonds = {};
   b.edgesAtStart = true;
 }
 
-void forgetSlotsAtStart(SheetBodies& b, bool left) {
+void clearSlotsAtStart(SheetBodies& b, bool left) {
   if (b.edgesAtStart) std::fill_n(b.rows.slot.data(), b.rows.owned, noSlot);
   b.leftHere = b.leftHere || left;
 }
@@ -53,7 +53,7 @@ int searchTriangle(const Bonds& b, std::size_t slot, double next) {
   return -1;
 }
 
-void sendEnds(SheetBodies& b, BondHalo& edges) {
+void updateEdgeEnds(SheetBodies& b, BondHalo& edges) {
   Solids& e = b.edges.ends;
   for (std::size_t s = 0; s < e.owned; s++) e.position[s] = b.rows.position[e.particle[s]];
   const std::array<AnyColumn*, 1> columns{&e.position};
@@ -61,7 +61,7 @@ void sendEnds(SheetBodies& b, BondHalo& edges) {
   edges.finish(e);
 }
 
-Vec3d facingOf(const SheetEdges& e, std::size_t slot) {
+Vec3d areaNormalOf(const SheetEdges& e, std::size_t slot) {
   Vec3d sum{};
   for (int k = 0; k < e.bonds.capacity; k++) {
     if (!(e.bonds.weight[e.bonds.at(slot, k)] > 0)) break;
@@ -73,7 +73,7 @@ Vec3d facingOf(const SheetEdges& e, std::size_t slot) {
 
 namespace {
 
-/// Adds the springs of a slot and sets its area vector (as facingOf), in one pass over its neighbours.
+/// Adds the springs of a slot and sets its area vector (as areaNormalOf), in one pass over its neighbours.
 void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
@@ -115,7 +115,7 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
       slope += body.rigid * later;
     }
     energy += 0.25 * stiffness * squares;  // the other half belongs to the other end
-    if (!kinds.empty()) changingOf(s, i, kind) += 0.25 * bonds.y[at] * squares;
+    if (!kinds.empty()) factorEnergyOf(s, i, kind) += 0.25 * bonds.y[at] * squares;
     if (l > 0) force += d * (pull / l);
   }
   if (springs) {
@@ -125,14 +125,14 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   }
   if (!normals) return;
   if (count > room) {
-    s.facing[i] = facingOf(b.edges, slot);
+    s.areaNormal[i] = areaNormalOf(b.edges, slot);
     return;
   }
   Vec3d sum{};
   for (int k = 0; k < count; k++)
     if (const int next = triangleWith(bonds, slot, k); next >= 0)
       sum += cross(edge[k], next < count ? edge[next] : edgeVector(b.edges, slot, next));
-  s.facing[i] = sum / 6.0;
+  s.areaNormal[i] = sum / 6.0;
 }
 
 /// Adds the pressure from volume changes of each part, after a reduction of the volumes.
@@ -148,10 +148,10 @@ void addPressure(World& w, Reducer& all) {
   for (std::size_t k = 0; k < parts.size(); k++) {
     const Vec3d origin = b.parts[parts[k]].origin;
     addByCell(b.cells, s.owned, sums[2 * k], [&](std::size_t i) {
-      return s.part[i] == parts[k] ? dot(s.position[i] - origin, s.facing[i]) / 3 : 0;
+      return s.part[i] == parts[k] ? dot(s.position[i] - origin, s.areaNormal[i]) / 3 : 0;
     });
     addByCell(b.cells, s.owned, sums[2 * k + 1], [&](std::size_t i) {
-      return s.part[i] == parts[k] ? dot(s.facing[i], s.facing[i]) / s.area[i] : 0;
+      return s.part[i] == parts[k] ? dot(s.areaNormal[i], s.areaNormal[i]) / s.area[i] : 0;
     });
   }
   std::vector<std::int64_t> digits;
@@ -188,9 +188,9 @@ void addPressure(World& w, Reducer& all) {
   for (std::size_t i = 0; i < s.owned; i++) {
     const std::uint32_t p = s.part[i];
     if (slope[p] == 0) continue;
-    s.load[i] += s.facing[i] * (pressure[p] / s.area[i]);
+    s.load[i] += s.areaNormal[i] * (pressure[p] / s.area[i]);
     s.energy[i] += share[p] * s.area[i];
-    if (s.changing.active) changingOf(s, i, SheetFactor::Volume) += whole[p] * s.area[i];
+    if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Volume) += whole[p] * s.area[i];
     // the area vector turns with the neighbours: a third of a triangle's edge per vertex
     const double turn = 2 * turning[p] / std::sqrt(s.area[i]);
     b.slope[i] += slope[p] + turn;
@@ -207,7 +207,7 @@ void addInnerForces(World& w, Halos halos) {
     normals = normals || p.normals;
   }
   if (!springs && !normals) return;
-  sendEnds(b, *halos.edges);
+  updateEdgeEnds(b, *halos.edges);
   for (std::size_t slot = 0; slot < b.edges.ends.owned; slot++) {
     const std::uint32_t i = b.edges.ends.particle[slot];
     const SheetPlan& p = b.plans[b.rows.body[i]];

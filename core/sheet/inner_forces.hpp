@@ -12,11 +12,11 @@ void activateEdges(SheetEdges& edges);
 inline BondedRows vertexRows(Sheets& s) { return {s.owned, s.id.data(), s.slot.data(), s.body.data()}; }
 
 /// Removes all ends and bonds, as at the start.
-void emptyEdges(SheetBodies& sheets);
+void clearEdges(SheetBodies& sheets);
 
 /// Clears slots before vertices migrate, if none are assigned yet: at the start and after a restart. left:
 /// some vertex has left the domain.
-void forgetSlotsAtStart(SheetBodies& sheets, bool left);
+void clearSlotsAtStart(SheetBodies& sheets, bool left);
 
 /// Returns the bonds of the plans for all slots of this rank: rings in order, then the vertices across edges.
 std::vector<BondRequest> edgeRequests(const SheetBodies& sheets);
@@ -37,14 +37,14 @@ inline Vec3d edgeVector(const SheetEdges& e, std::size_t slot, int k) {
 }
 
 /// Copies positions of vertices to the ends of edges, remote ones too. Collective.
-void sendEnds(SheetBodies& sheets, BondHalo& edges);
+void updateEdgeEnds(SheetBodies& sheets, BondHalo& edges);
 
 /// Returns the area vector (m^2) of a slot's vertex, a third of its triangles'. For a closed sheet it is the
 /// gradient of the volume.
-Vec3d facingOf(const SheetEdges& e, std::size_t slot);
+Vec3d areaNormalOf(const SheetEdges& e, std::size_t slot);
 
-/// Adds to Sheets::load and energy and to SheetBodies::slope; sets Sheets::facing, and SheetPart::now where
-/// volume is stiff. Collective.
+/// Adds to Sheets::load and energy and to SheetBodies::slope; sets Sheets::areaNormal, and SheetPart::now
+/// where volume is stiff. Collective.
 void addInnerForces(World& world, Halos halos);
 
 }  // namespace thaw

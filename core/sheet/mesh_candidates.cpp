@@ -79,12 +79,12 @@ struct Listing {
       vertices.add({m.numberOf[i], {i}}, anyNew<1>({i}, all));
       for (std::uint32_t k = plan.faceFirst[v]; k < plan.faceFirst[v + 1]; k++) {
         const auto t = rowsOfTriangle(m, plan, n, plan.faceOf[k]);
-        if (t[0] != notHere && t[1] != notHere && t[2] != notHere)
+        if (t[0] != noLocalRow && t[1] != noLocalRow && t[2] != noLocalRow)
           triangles.add({firstTriangle[n] + plan.faceOf[k], t}, anyNew(t, all));
       }
       for (std::uint32_t k = plan.topology.first[v]; k < plan.topology.first[v + 1]; k++) {
         const std::uint32_t to = plan.topology.ring[k].to;
-        if (to < v || m.rowOf[m.first[n] + to] == notHere) continue;
+        if (to < v || m.rowOf[m.first[n] + to] == noLocalRow) continue;
         const std::array<std::uint32_t, 2> e{i, m.rowOf[m.first[n] + to]};
         edges.add({firstRing[n] + k, e}, anyNew(e, all));
       }

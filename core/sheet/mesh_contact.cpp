@@ -45,7 +45,7 @@ struct MeshContact {
   }
 
   /// Adds friction of a pair to its vertices.
-  void rubPair(const MeshPair& p, const TouchLaw& law, double normal, const Vec3d& n, const Vec3d& v) {
+  void pairFriction(const MeshPair& p, const TouchLaw& law, double normal, const Vec3d& n, const Vec3d& v) {
     if (!(law.friction > 0)) return;
     std::array<Vec3d, 4> place, velocity;
     std::array<double, 4> mass;
@@ -54,14 +54,14 @@ struct MeshContact {
       velocity[k] = s.moving[p.row[k]];
       mass[k] = massOf(p.row[k]);
     }
-    const std::array<Vec3d, 4> forces = rub(turningOf(place, mass), velocity, p.share, p.apart, n, v, law,
-                                            normal);
+    const std::array<Vec3d, 4> forces = frictionForces(rigidPointsOf(place, mass), velocity, p.share, p.apart,
+                                                       n, v, law, normal);
     for (std::size_t k = 0; k < 4; k++) {
       const std::uint32_t i = p.row[k];
       if (i >= s.owned) continue;
       const Vec3d load = forces[k] / s.area[i];
       s.load[i] += load;
-      s.resisting[i] += load;
+      s.dissipativeForce[i] += load;
     }
   }
 
@@ -71,14 +71,15 @@ struct MeshContact {
     TouchLaw smooth = law;
     smooth.friction = 0;
     const Touch t = touchOf(smooth, p.reach - p.distance, n, v);
-    rubPair(p, law, dot(t.force, n), n, v);
-    w.sheets.closing = std::max(w.sheets.closing, -dot(v, n) / std::max(p.distance, deepest * p.reach));
-    w.sheets.blows = std::max(w.sheets.blows, blowRate(law.rate, p.reach, std::abs(dot(v, n))));
+    pairFriction(p, law, dot(t.force, n), n, v);
+    w.sheets.closingRate = std::max(w.sheets.closingRate,
+                                    -dot(v, n) / std::max(p.distance, deepest * p.reach));
+    w.sheets.impactRate = std::max(w.sheets.impactRate, blowRate(law.rate, p.reach, std::abs(dot(v, n))));
     for (std::size_t k = 0; k < 4; k++) {
       const std::uint32_t i = p.row[k];
       if (i >= s.owned) continue;
       s.load[i] += (p.share[k] / s.area[i]) * t.force;
-      s.resisting[i] += (p.share[k] / s.area[i]) * t.resisting;
+      s.dissipativeForce[i] += (p.share[k] / s.area[i]) * t.dissipativeForce;
       s.energy[i] += 0.5 * std::abs(p.share[k]) * t.energy;
       slope[i] += std::abs(p.share[k]) * t.slope;
     }
@@ -134,16 +135,16 @@ double meshContactReach(const Scene& s, const std::vector<SheetPlan>& plans) {
   return reach;
 }
 
-void meetMeshes(World& w, const SheetVelocities& now) {
+void addMeshContact(World& w, const SheetVelocities& now) {
   Sheets& s = w.sheets.rows;
   Vec3d mean{};
   for (std::size_t i = 0; i < s.owned; i++) mean += s.moving[i];
   MeshSearch& pairs = *w.sheets.search;
   findMeshPairs(w,
                 {mean / static_cast<double>(std::max<std::size_t>(1, s.owned)), now.dt,
-                 std::isfinite(now.span) ? comesNear * now.span : 0},
+                 std::isfinite(now.span) ? contactLookAhead * now.span : 0},
                 pairs);
-  if (pairs.coming > 0) w.sheets.blows = std::max(w.sheets.blows, blowRate(1, 1, pairs.coming));
+  if (pairs.coming > 0) w.sheets.impactRate = std::max(w.sheets.impactRate, blowRate(1, 1, pairs.coming));
   std::vector<double> slope(s.owned, 0);
   MeshContact contact{w, now, s, slope};
   for (const MeshPair& p : pairs.faces) contact.vertexAndTriangle(p);

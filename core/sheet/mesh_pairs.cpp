@@ -19,7 +19,7 @@ double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>
                                             m.rowOf[c.vertex[3]]};
     bool all = true, ours = false;
     for (const std::uint32_t r : rows) {
-      all = all && r != notHere;
+      all = all && r != noLocalRow;
       ours = ours || r < s.owned;
     }
     if (!all || !ours) continue;
@@ -31,7 +31,7 @@ double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>
       for (std::size_t k = 0; k < 4; k++) rate -= p.share[k] * dot(s.moving[rows[k]], p.apart) / p.distance;
       if (!(p.distance - std::min(rate * ahead, farthest) < c.reach)) continue;
     }
-    if (!allBeside(m, rows)) continue;
+    if (!allAdjacent(m, rows)) continue;
     p.reach = c.reach;
     if (p.distance < c.reach) found.push_back(p);
     else coming = std::max(coming, rate / c.reach);

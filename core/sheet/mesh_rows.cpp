@@ -11,13 +11,13 @@ void findMeshRows(const Sheets& s, const CellTable& cells, const std::vector<She
     m.first.push_back(0);
     for (const SheetPlan& p : plans)
       m.first.push_back(m.first.back() + static_cast<std::uint32_t>(p.mesh.vertices.size()));
-    m.rowOf.assign(m.first.back(), notHere);
+    m.rowOf.assign(m.first.back(), noLocalRow);
     m.wasHere.assign(m.first.back(), 0);
   }
   for (const std::uint32_t v : m.before) m.wasHere[v] = 0;
   m.before = m.numberOf;
   for (const std::uint32_t v : m.before) {
-    m.rowOf[v] = notHere;
+    m.rowOf[v] = noLocalRow;
     m.wasHere[v] = 1;
   }
   m.cell.resize(s.owned + s.ghosts);
@@ -33,7 +33,7 @@ void findMeshRows(const Sheets& s, const CellTable& cells, const std::vector<She
   }
 }
 
-bool allBeside(const MeshRows& m, std::span<const std::uint32_t> rows) {
+bool allAdjacent(const MeshRows& m, std::span<const std::uint32_t> rows) {
   Vec3i low = m.cell[rows[0]], high = low;
   for (const std::uint32_t r : rows)
     for (int a = 0; a < 3; a++) {

@@ -10,12 +10,12 @@ namespace thaw {
 
 struct Sheets;
 
-inline constexpr std::uint32_t notHere = 0xffffffffu;
+inline constexpr std::uint32_t noLocalRow = 0xffffffffu;
 
 /// Vertices are numbered through all sheets: sheet n starts at first[n].
 struct MeshRows {
   std::vector<std::uint32_t> first;     ///< sheets + 1
-  std::vector<std::uint32_t> rowOf;     ///< per vertex, ghosts too; notHere if absent
+  std::vector<std::uint32_t> rowOf;     ///< per vertex, ghosts too; noLocalRow if absent
   std::vector<std::uint32_t> numberOf;  ///< per row
   std::vector<Vec3i> cell;              ///< per row
   std::vector<std::uint32_t> before;    ///< numbers with rows in the previous evaluation
@@ -37,9 +37,9 @@ inline bool beside(const Vec3i& a, const Vec3i& b) {
 
 /// Returns whether all rows lie in equal or adjacent cells. Then each owner sees all of them. Other
 /// combinations are ignored, on any number of ranks.
-bool allBeside(const MeshRows& m, std::span<const std::uint32_t> rows);
+bool allAdjacent(const MeshRows& m, std::span<const std::uint32_t> rows);
 
-/// Returns the rows of a triangle's corners, notHere where absent.
+/// Returns the rows of a triangle's corners, noLocalRow where absent.
 inline std::array<std::uint32_t, 3> rowsOfTriangle(const MeshRows& m, const SheetPlan& plan,
                                                    std::size_t sheet, std::uint32_t triangle) {
   const auto& v = plan.mesh.triangles[triangle];

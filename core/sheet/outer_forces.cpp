@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/contact/touch.hpp"
-#include "core/sheet/brush_strokes.hpp"
+#include "core/sheet/brush_pressure.hpp"
 #include "core/sheet/cell_sums.hpp"
 
 namespace thaw {
@@ -12,10 +12,10 @@ namespace {
 
 /// Returns the wind pressure on the upwind side, density (v . n)^2 along the normal, with the relative
 /// velocity.
-Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& facing, double area) {
-  const double size = length(facing);
+Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& areaNormal, double area) {
+  const double size = length(areaNormal);
   if (!(size > 0)) return {};
-  const Vec3d n = facing / size;
+  const Vec3d n = areaNormal / size;
   const double un = dot(b.wind - v, n);
   return n * (density * un * std::abs(un) * size / area);
 }
@@ -37,7 +37,8 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
     if (!wall.present) continue;
     const Vec3d rest = toRest(wall.pose, s.position[i]);
     const Vec3d u = wallVelocity(wall, s.position[i]);
-    const double ahead = std::isfinite(now.span) ? comesNear * now.span * length(now.velocity[i] - u) : 0,
+    const double ahead = std::isfinite(now.span) ? contactLookAhead * now.span * length(now.velocity[i] - u)
+                                                 : 0,
                  near = plan.thickness + ahead;
     if (!nearBounds(wall.bounds, rest, near)) continue;
     Vec3d n;
@@ -45,8 +46,9 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
     if (!(d < near)) continue;
     n = directionFromRest(wall.pose, n);
     const double rise = dot(now.velocity[i] - u, n);
-    if (d - plan.thickness < std::max(0.0, -rise) * comesNear * now.span || d < plan.thickness)
-      sheets.blows = std::max(sheets.blows, blowRate(plan.contactRate, plan.thickness, std::abs(rise)));
+    if (d - plan.thickness < std::max(0.0, -rise) * contactLookAhead * now.span || d < plan.thickness)
+      sheets.impactRate = std::max(sheets.impactRate,
+                                   blowRate(plan.contactRate, plan.thickness, std::abs(rise)));
     if (!(d < plan.thickness)) continue;
     const Touch touch = touchOf({plan.contactRate, sheets.laws[s.law[i]].contactMass,
                                  std::min(wall.properties.restitution, b.restitution),
@@ -54,11 +56,11 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
                                 plan.thickness - d, n, now.velocity[i] - u);
     load += touch.force;
     s.energy[i] += touch.energy * s.area[i];
-    s.resisting[i] += touch.resisting;
+    s.dissipativeForce[i] += touch.dissipativeForce;
     if (!wall.properties.motion.empty()) {
       w.ledger.wallWork.add(dot(touch.force, u) * s.area[i] * now.dt);
       // kickSheets records the dissipation at a fixed wall
-      s.dissipated[i] += dot(touch.resisting, u) * s.area[i] * now.dt;
+      s.dissipated[i] += dot(touch.dissipativeForce, u) * s.area[i] * now.dt;
     }
     sheets.slope[i] += touch.slope;
     if (s.temperature.active && wall.properties.temperature && b.conductance > 0) {
@@ -81,7 +83,7 @@ void clearLoads(World& w) {
     s.energy[i] = 0;
   }
   if (s.outside.active) std::fill_n(s.outside.data(), s.owned, Vec3d{});
-  if (s.resisting.active) std::fill_n(s.resisting.data(), s.owned, Vec3d{});
+  if (s.dissipativeForce.active) std::fill_n(s.dissipativeForce.data(), s.owned, Vec3d{});
   if (s.heatFlow.active) std::fill_n(s.heatFlow.data(), s.owned, 0.0);
   if (s.changing.active) std::fill_n(s.changing.data(), s.owned, Mat3d{});
 }
@@ -96,7 +98,7 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   struct Pushes {
     double wrap;
     const Wall* target;
-    std::vector<std::vector<BrushTouch>> brush;
+    std::vector<std::vector<BrushSample>> brush;
   };
   std::vector<Pushes> pushes;
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++) {
@@ -104,11 +106,12 @@ void addOuterForces(World& w, const SheetVelocities& now) {
     pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)],
                       b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo),
                       {}});
-    // addBodyWrap handles bodies; a removed target exerts no wrap
+    // addShrinkWrap handles bodies; a removed target exerts no wrap
     if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;
-    for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brushStroke(brush, time, now.dt));
+    for (const SheetBrush& brush : b.brushes)
+      pushes.back().brush.push_back(brushSamples(brush, time, now.dt));
   }
-  std::vector<Vec3d>& impulse = sheets.impulseRoom;
+  std::vector<Vec3d>& impulse = sheets.impulseBuffer;
   impulse.resize(s.owned);
   for (std::size_t i = 0; i < s.owned; i++) {
     const SheetBody& b = w.scene.sheets[s.body[i]];
@@ -119,7 +122,7 @@ void addOuterForces(World& w, const SheetVelocities& now) {
     if (const double density = b.windDensity * factor[placeOf(SheetFactor::Wind)] *
                                sheets.factors[s.body[i]].now[placeOf(SheetFactor::Wind)];
         density > 0) {
-      out += windLoad(b, density, now.velocity[i], s.facing[i], s.area[i]);
+      out += windLoad(b, density, now.velocity[i], s.areaNormal[i], s.area[i]);
     }
     if (wrap != 0) {
       if (p.target) {
@@ -127,7 +130,7 @@ void addOuterForces(World& w, const SheetVelocities& now) {
         p.target->shape->distance(toRest(p.target->pose, s.position[i]), &n);
         out -= wrap * directionFromRest(p.target->pose, n);
       } else {
-        out -= (wrap / s.area[i]) * s.facing[i];
+        out -= (wrap / s.area[i]) * s.areaNormal[i];
       }
     }
     for (std::size_t k = 0; k < p.brush.size(); k++)
@@ -143,12 +146,12 @@ void addOuterForces(World& w, const SheetVelocities& now) {
 double fastestDrag(const World& w, const SheetVelocities& now) {
   const Sheets& s = w.sheets.rows;
   double fastest = 0;
-  for (std::size_t i = 0; i < s.owned && s.facing.active; i++) {
+  for (std::size_t i = 0; i < s.owned && s.areaNormal.active; i++) {
     const SheetBody& b = w.scene.sheets[s.body[i]];
     const double density = b.windDensity * w.sheets.laws[s.law[i]].factor[placeOf(SheetFactor::Wind)] *
                            w.sheets.factors[s.body[i]].most[placeOf(SheetFactor::Wind)];
     if (!(density > 0) || !(s.mass[i] > 0)) continue;
-    const double perSpeed = 2 * density * length(s.facing[i]) / s.mass[i],
+    const double perSpeed = 2 * density * length(s.areaNormal[i]) / s.mass[i],
                  rate = perSpeed * length(b.wind - now.velocity[i]),
                  faster = perSpeed * length(s.load[i]) * s.area[i] / s.mass[i];
     fastest = std::max(fastest, 0.5 * (rate + std::sqrt(rate * rate + 4 * dragInAStep * faster)));
@@ -168,7 +171,7 @@ void addRestEnergy(World& w, double time) {
   }
 }
 
-void bookHolding(World& w, double sign, double dt) {
+void recordConstraintImpulse(World& w, double sign, double dt) {
   SheetBodies& sheets = w.sheets;
   const Sheets& s = sheets.rows;
   bool any = s.clamped.active;
@@ -181,7 +184,7 @@ void bookHolding(World& w, double sign, double dt) {
   });
 }
 
-void bookOutsideWork(World& w) {
+void recordExternalWork(World& w) {
   SheetBodies& sheets = w.sheets;
   const Sheets& s = sheets.rows;
   addByCell(sheets.cells, s.owned, w.ledger.wallWork,

@@ -31,10 +31,10 @@ double fastestDrag(const World& world, const SheetVelocities& now);
 void addRestEnergy(World& world, double time);
 
 /// Records the impulse of rest springs, damping and clamps: call with sign -1 before the step and 1 after it.
-void bookHolding(World& world, double sign, double dt);
+void recordConstraintImpulse(World& world, double sign, double dt);
 
 /// Records half of the external work of a step with the current forces. Call before vertices migrate, and
 /// after the forces at the new positions are known.
-void bookOutsideWork(World& world);
+void recordExternalWork(World& world);
 
 }  // namespace thaw

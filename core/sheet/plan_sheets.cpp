@@ -161,7 +161,7 @@ double sheetReach(const Scene& s) {
     const double own = sheetThickness(s, b);
     reach = std::max({reach, own, own + (b.pull > 0 ? b.pullReach : 0), 0.5 * (own + s.spacing)});
     // without neighbour search cells only partition sums: some vertices each
-    if (!hasContinuum(s) && s.oriented.empty() && !sheetsMeet(s))
+    if (!hasContinuum(s) && s.oriented.empty() && !sheetsInteract(s))
       reach = std::max(reach, 4 * spacingOf(s, b));
   }
   return reach;
@@ -196,7 +196,7 @@ std::vector<SheetFactor> springKinds(const SheetPlan& plan, std::uint32_t vertex
 
 namespace {
 
-LeftOut leftOutOf(const TriangleMesh& file, const TriangleMesh& kept) {
+DroppedElements droppedFrom(const TriangleMesh& file, const TriangleMesh& kept) {
   std::vector<std::uint8_t> used(file.vertices.size(), 0);
   for (const auto& t : file.triangles)
     for (const std::uint32_t v : t) used[v] = 1;
@@ -206,7 +206,8 @@ LeftOut leftOutOf(const TriangleMesh& file, const TriangleMesh& kept) {
 
 }  // namespace
 
-TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& load, LeftOut* leftOut) {
+TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& load,
+                       DroppedElements* droppedElements) {
   TriangleMesh m;
   const double spacing = spacingOf(s, b);
   switch (b.mesh) {
@@ -223,7 +224,7 @@ TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& loa
             "mesh '" + b.shape.mesh + "': no mesh loader was given; expected one for a mesh file", b.where);
       const TriangleMesh file = isBuiltin(b.shape.mesh) ? builtinMesh(b.shape.mesh) : load(b.shape.mesh);
       m = weldVertices(file, 0);
-      if (leftOut) *leftOut = leftOutOf(file, m);
+      if (droppedElements) *droppedElements = droppedFrom(file, m);
     }
   }
   placeMesh(b.shape, m);
@@ -241,7 +242,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
     const SheetBody& b = s.sheets[n];
     try {
       SheetPlan plan;
-      plan.mesh = sheetMesh(s, b, load, &plan.leftOut);
+      plan.mesh = sheetMesh(s, b, load, &plan.droppedElements);
       plan.topology = sheetTopology(plan.mesh);
       const SheetTopology& t = plan.topology;
       const auto base = static_cast<std::uint16_t>(all.laws.size());

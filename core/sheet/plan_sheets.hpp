@@ -41,14 +41,14 @@ struct SheetHinge {
 };
 
 /// Elements of a mesh file that a sheet cannot use and drops.
-struct LeftOut {
+struct DroppedElements {
   std::size_t triangles = 0;  ///< without area, or duplicates
   std::size_t vertices = 0;   ///< without a triangle
 };
 
 struct SheetPlan {
   TriangleMesh mesh;  ///< in scene coordinates
-  LeftOut leftOut;
+  DroppedElements droppedElements;
   SheetTopology topology;
   std::vector<std::uint16_t> law;                 ///< per vertex
   std::vector<double> edgeLength, edgeStiffness;  ///< m, N/m, parallel to SheetTopology::ring: rest lengths
@@ -89,7 +89,7 @@ SheetPlans planSheets(const Scene& scene, const MeshLoader& load);
 
 /// Returns the mesh of a sheet in scene coordinates.
 TriangleMesh sheetMesh(const Scene& scene, const SheetBody& body, const MeshLoader& load,
-                       LeftOut* leftOut = nullptr);
+                       DroppedElements* droppedElements = nullptr);
 
 /// Returns Warp, Weft or Shear for an edge along this direction: warp within 25 degrees of the warp
 /// direction, weft beyond 72.

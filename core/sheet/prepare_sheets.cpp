@@ -4,9 +4,9 @@
 
 #include "core/domain/outside.hpp"
 #include "core/geometry/shape_error.hpp"
-#include "core/sheet/changing_factors.hpp"
 #include "core/sheet/inner_forces.hpp"
 #include "core/sheet/sheet_contact.hpp"
+#include "core/sheet/time_factors.hpp"
 
 namespace thaw {
 
@@ -19,7 +19,7 @@ void prepareSheets(World& w, const MeshLoader& load) {
 
 void activateSheets(World& w) {
   Sheets& s = w.sheets.rows;
-  activateKind(s);
+  activateBodyType(s);
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.rest, &s.load, &s.area, &s.law, &s.part, &s.slot})
     s.activate(*c);
   for (const SheetBody& b : w.scene.sheets) {
@@ -28,7 +28,8 @@ void activateSheets(World& w) {
       s.activate(s.hardening);
     }
     if (b.windDensity > 0 || b.wrap != 0 || !b.brushes.empty()) s.activate(s.outside);
-    if (b.windDensity > 0 || b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty())) s.activate(s.facing);
+    if (b.windDensity > 0 || b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()))
+      s.activate(s.areaNormal);
     if (!b.clamp.empty()) s.activate(s.clamped);
     if (s.outside.active) s.activate(s.moved);
     if (w.modules.heat) {
@@ -39,9 +40,10 @@ void activateSheets(World& w) {
   for (const SheetLaw& l : w.sheets.laws)
     if (l.law.damping > 0) s.activate(s.moved);
   for (const SheetPlan& p : w.sheets.plans)
-    if (p.touches) s.activate(s.resisting);
-  if (sheetsMeet(w.scene) || sheetsMeetContinuum(w.scene) || w.modules.draping) s.activate(s.moving);
-  activateChanging(w);
+    if (p.touches) s.activate(s.dissipativeForce);
+  if (sheetsInteract(w.scene) || sheetsTouchContinuum(w.scene) || w.modules.sheetContact)
+    s.activate(s.moving);
+  activateTimeFactors(w);
   activateEdges(w.sheets.edges);
 }
 

@@ -1,7 +1,7 @@
 // Overlapping regions of a sheet: all factors of the later one apply.
 #pragma once
+#include "core/body_types/start_warnings.hpp"
 #include "core/geometry/signed_distance.hpp"
-#include "core/kinds/start_warnings.hpp"
 
 namespace thaw {
 

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body_types/body_types.hpp"
 #include "core/contact/touch.hpp"
 #include "core/heat/enthalpy.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/neighbours/rows_around.hpp"
-#include "core/sheet/changing_factors.hpp"
 #include "core/sheet/face_contact.hpp"
 #include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/mesh_pairs.hpp"
 #include "core/sheet/particle_contact.hpp"
+#include "core/sheet/time_factors.hpp"
 
 namespace thaw {
 namespace {
@@ -45,7 +45,7 @@ PairSpring pairSpring(const World& w, SheetFactor f, std::size_t i, std::size_t 
 }
 
 /// Adds repulsion and attraction by distance.
-void pushVertices(World& w) {
+void addVertexForces(World& w) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   std::vector<double> slope(s.owned, 0);
@@ -66,7 +66,7 @@ void pushVertices(World& w) {
     if (same) {
       if (!(x.push > 0) && !(x.pull > 0)) return;
       const Vec3d apart = s.rest[i] - s.rest[j];
-      const double never2 = neverTouch(p) * neverTouch(p);
+      const double never2 = exclusionDistance(p) * exclusionDistance(p);
       if (dot(apart, apart) < never2) return;
     }
     const double r = std::sqrt(r2), thick = 0.5 * (p.thickness + q.thickness), depth = thick - r;
@@ -79,7 +79,7 @@ void pushVertices(World& w) {
       force += n * (push.stiffness * depth);
       energy += push.stiffness * unit;
       slope[i] += push.later;
-      if (s.changing.active) changingOf(s, i, SheetFactor::Push) += push.own * unit;
+      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Push) += push.own * unit;
     }
     if (const PairSpring pull = pairSpring(w, SheetFactor::Pull, i, j); pull.later > 0 && beyond < reach) {
       const double u = std::max(beyond, 0.0) / reach,
@@ -87,7 +87,7 @@ void pushVertices(World& w) {
       force -= n * (pull.stiffness * reach * u * (1 - u) * (1 - u));
       energy += pull.stiffness * unit;
       slope[i] += pull.later;
-      if (s.changing.active) changingOf(s, i, SheetFactor::Pull) += pull.own * unit;
+      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Pull) += pull.own * unit;
     }
     s.load[i] += force / s.area[i];
     s.energy[i] += 0.5 * energy;
@@ -96,7 +96,7 @@ void pushVertices(World& w) {
 }
 
 /// Contact of a vertex and a continuum particle.
-struct Meeting {
+struct PairContact {
   Touch touch;
   double heat = 0;  ///< W, to the vertex
 };
@@ -105,7 +105,7 @@ struct Particles {
   const World& w;
   const SheetVelocities& now;
   bool heat;
-  bool meet(std::size_t i, std::size_t j, Meeting& m) const {
+  bool meet(std::size_t i, std::size_t j, PairContact& m) const {
     const Sheets& s = w.sheets.rows;
     const Continuum& p = w.particles;
     const SheetPlan& plan = w.sheets.plans[s.body[i]];
@@ -138,18 +138,18 @@ struct Particles {
   }
 };
 
-void meetParticles(World& w, const SheetVelocities& now) {
+void addParticleContact(World& w, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   Continuum& p = w.particles;
   const Particles pair{w, now, s.temperature.active && p.temperature.active && p.heatFlow.active};
   std::vector<double> slope(s.owned, 0);
-  Meeting m;
+  PairContact m;
   eachNear(b.cells, s.owned, w.cells, [&](std::size_t i, std::size_t j) {
     if (!pair.meet(i, j, m)) return;
     s.load[i] += m.touch.force / s.area[i];
     s.energy[i] += 0.5 * m.touch.energy;
-    s.resisting[i] += m.touch.resisting / s.area[i];
+    s.dissipativeForce[i] += m.touch.dissipativeForce / s.area[i];
     if (s.heatFlow.active) s.heatFlow[i] += m.heat;
     slope[i] += m.touch.slope;
   });
@@ -161,7 +161,7 @@ void meetParticles(World& w, const SheetVelocities& now) {
     p.interaction[j] += 0.5 * m.touch.energy;
     // dissipation of both ends; includes half of the kick of this force, approximated by the last
     // acceleration
-    p.dissipation[j] += dot(m.touch.resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
+    p.dissipation[j] += dot(m.touch.dissipativeForce, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
     if (pair.heat) {
       p.heatFlow[j] -= m.heat;
       w.ledger.heatIn.add(-m.heat * now.dt);
@@ -173,7 +173,7 @@ void meetParticles(World& w, const SheetVelocities& now) {
 
 /// Adds contact of vertices and oriented particles, as with the continuum, without heat. The force on
 /// oriented particles is constant over their next step.
-void meetOriented(World& w, const SheetVelocities& now) {
+void addOrientedContact(World& w, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   Oriented& o = w.oriented.rows;
@@ -197,17 +197,17 @@ void meetOriented(World& w, const SheetVelocities& now) {
     if (!meet(i, j, touch)) return;
     s.load[i] += touch.force / s.area[i];
     s.energy[i] += 0.5 * touch.energy;
-    s.resisting[i] += touch.resisting / s.area[i];
+    s.dissipativeForce[i] += touch.dissipativeForce / s.area[i];
     slope[i] += touch.slope;
   });
   for (std::size_t i = 0; i < s.owned; i++) b.slope[i] += 2 * slope[i] / s.area[i];
   eachNear(w.oriented.cells, o.owned, b.cells, [&](std::size_t j, std::size_t i) {
     if (!meet(i, j, touch)) return;
-    Vec3d force = touch.force, resisting = touch.resisting;
-    if (w.scene.oriented[o.body[j]].planar) force.y = resisting.y = 0;
+    Vec3d force = touch.force, dissipativeForce = touch.dissipativeForce;
+    if (w.scene.oriented[o.body[j]].planar) force.y = dissipativeForce.y = 0;
     o.force[j] -= force;
     o.external[j] -= force;
-    o.resisting[j] -= resisting;
+    o.dissipativeForce[j] -= dissipativeForce;
     o.energy[j] += 0.5 * touch.energy;
     o.stiffness[j] += 2 * touch.slope / o.mass[j];
   });
@@ -217,24 +217,24 @@ void meetOriented(World& w, const SheetVelocities& now) {
 
 namespace {
 
-bool pushOrPull(const Scene& s) {
+bool hasVertexForces(const Scene& s) {
   return std::any_of(s.sheets.begin(), s.sheets.end(),
                      [](const SheetBody& b) { return b.push > 0 || b.pull > 0; });
 }
 
 }  // namespace
 
-bool sheetsMeet(const Scene& s) { return pushOrPull(s) || meshesTouch(s); }
+bool sheetsInteract(const Scene& s) { return hasVertexForces(s) || meshesTouch(s); }
 
-bool sheetsMeetContinuum(const Scene& s) { return !s.sheets.empty() && hasContinuum(s); }
+bool sheetsTouchContinuum(const Scene& s) { return !s.sheets.empty() && hasContinuum(s); }
 
-double neverTouch(const SheetPlan& p) { return std::max(2 * p.spacing, 1.3 * p.thickness); }
+double exclusionDistance(const SheetPlan& p) { return std::max(2 * p.spacing, 1.3 * p.thickness); }
 
 void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
-  const bool meshes = meshesTouch(w.scene), pushes = pushOrPull(w.scene),
-             continuum = sheetsMeetContinuum(w.scene), oriented = w.modules.draping;
+  const bool meshes = meshesTouch(w.scene), pushes = hasVertexForces(w.scene),
+             continuum = sheetsTouchContinuum(w.scene), oriented = w.modules.sheetContact;
   bool points = false, faces = false;  // types of contact with the continuum
   for (const SheetPlan& p : b.plans) (p.byFaces ? faces : points) = true;
   if (!meshes && !pushes && !continuum && !oriented) return;
@@ -242,18 +242,18 @@ void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   ColumnList columns{&s.position, &s.moving, &s.rest, &s.area, &s.body, &s.law};
   if (s.temperature.active) columns.push_back(&s.temperature);
   if (faces || meshes) columns.push_back(&s.id);
-  CellHalo& halo = *halos.kinds[sheetKind];
+  CellHalo& halo = *halos.kinds[sheetType];
   halo.beginGhosts(s, b.cells, columns);
   halo.finishGhosts(s, b.cells);
   if (faces || meshes) {
     if (!b.search) b.search = std::make_shared<MeshSearch>();
     findMeshRows(s, b.cells, b.plans, b.search->rows);
   }
-  if (meshes) meetMeshes(w, now);
-  if (pushes) pushVertices(w);
-  if (continuum && points) meetParticles(w, now);
-  if (continuum && faces) meetFaces(w, halos, now);
-  if (oriented) meetOriented(w, now);
+  if (meshes) addMeshContact(w, now);
+  if (pushes) addVertexForces(w);
+  if (continuum && points) addParticleContact(w, now);
+  if (continuum && faces) addFaceContact(w, halos, now);
+  if (oriented) addOrientedContact(w, now);
 }
 
 }  // namespace thaw

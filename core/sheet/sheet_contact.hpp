@@ -7,12 +7,12 @@ namespace thaw {
 
 /// Return whether the scene's sheets interact by distance with each other or themselves, or with the
 /// continuum.
-bool sheetsMeet(const Scene& scene);
-bool sheetsMeetContinuum(const Scene& scene);
+bool sheetsInteract(const Scene& scene);
+bool sheetsTouchContinuum(const Scene& scene);
 
 /// Returns the initial distance (m) below which vertices of a sheet neither repel nor attract: edges keep
 /// them apart.
-double neverTouch(const SheetPlan& plan);
+double exclusionDistance(const SheetPlan& plan);
 
 /// Adds to Sheets::load, energy, dissipated, heatFlow, and to force, interaction, dissipation and heatFlow of
 /// particles. Both ends of a pair compute the same force, in (cell, id) order. Requires: ghosts of the

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/kinds/kind_rows.hpp"
+#include "core/body_types/body_type_rows.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/sheet/exact_step.hpp"
 #include "core/sheet/plan_sheets.hpp"
@@ -15,8 +15,8 @@ namespace thaw {
 
 struct MeshSearch;
 
-struct Sheets : KindRows {
-  Sheets() : KindRows("sheet") {}
+struct Sheets : BodyTypeRows {
+  Sheets() : BodyTypeRows("sheet") {}
   // clang-format off
   Column<Vec3d> rest{*this, "rest", "m", Keep::State,
       "initial position, the rest position q0 without plastic flow"};
@@ -29,22 +29,20 @@ struct Sheets : KindRows {
   Column<Vec3d> outside{*this, "outside", "N/m^2", Keep::State,
       "external part of the load: wind, wrap, brushes; only where a sheet has one"};
   Column<Mat3d> changing{*this, "changing", "J", Keep::State,
-      "energy of time-dependent coefficients at a factor of 1: warp, weft, shear; bending, "
-      "volume, push; pull; only where one changes"};
+      "energy of time-dependent coefficients at a factor of 1: warp, weft, shear; bending, volume, push; "
+      "pull; only where one changes"};
   Column<Vec3d> moved{*this, "moved", "m", Keep::State,
       "displacement over the last step; only with external loads or damping"};
-  Column<Vec3d> resisting{*this, "resisting", "N/m^2", Keep::State,
-      "dissipative part of the load: dashpots and friction; only where a sheet touches "
-      "anything"};
-  Column<double> area{*this, "area", "m^2", Keep::State,
-      "initial area, a third of the vertex's triangles"};
+  Column<Vec3d> dissipativeForce{*this, "resisting", "N/m^2", Keep::State,
+      "dissipative part of the load: dashpots and friction; only where a sheet touches anything"};
+  Column<double> area{*this, "area", "m^2", Keep::State, "initial area, a third of the vertex's triangles"};
   Column<std::uint16_t> law{*this, "law", "1", Keep::State, "index into SheetBodies::laws"};
   Column<std::uint32_t> part{*this, "part", "1", Keep::State,
       "index into SheetBodies::parts, its connected component"};
   Column<std::uint8_t> clamped{*this, "clamped", "1", Keep::State, "1: fixed position"};
   Column<double> temperature{*this, "temperature", "K", Keep::State, "temperature; only with heat"};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient, "sum of all heat flows into the vertex"};
-  Column<Vec3d> facing{*this, "facing", "m^2", Keep::Transient,
+  Column<Vec3d> areaNormal{*this, "facing", "m^2", Keep::Transient,
       "area vector: a third of its triangles', along the normal"};
   Column<Vec3d> moving{*this, "moving", "m/s", Keep::Transient,
       "velocity at the time of the forces; only with contact of vertices"};
@@ -84,15 +82,15 @@ struct SheetBodies {
   double fastestDrag = 0;       ///< 1/s, largest drag rate of the wind on this rank, 2 rho |u_n| area / mass
   double stiffestParticle = 0;  ///< 1/s^2, largest slope of vertex contact over particle mass on this rank
   double fastest2 = 0;  ///< m^2/s^2, largest squared speed of this rank's vertices that can touch anything
-  double hardest = 0;   ///< m/s^2, largest acceleration of these by loads
-  double blows = 0;     ///< 1/s, largest rate of contact over the step that impacts allow it, on this rank
-                        ///< (blowRate in touch.hpp)
-  double closing = 0;   ///< 1/s, largest approach speed over distance of touching vertices, triangles and
-                        ///< edges, on this rank
+  double largestAcceleration = 0;  ///< m/s^2, largest acceleration of these by loads
+  double impactRate = 0;   ///< 1/s, largest rate of contact over the step that impacts allow it, on this rank
+                           ///< (blowRate in touch.hpp)
+  double closingRate = 0;  ///< 1/s, largest approach speed over distance of touching vertices, triangles and
+                           ///< edges, on this rank
   std::shared_ptr<MeshSearch> search;  ///< current contact search (mesh_pairs.hpp), kept to reuse memory; not
                                        ///< part of the state
-  std::vector<Vec3d> velocityRoom, impulseRoom;  ///< buffers by vertex, kept since allocation costs as much
-                                                 ///< as a force evaluation
+  std::vector<Vec3d> velocityBuffer, impulseBuffer;  ///< buffers by vertex, kept since allocation costs as
+                                                     ///< much as a force evaluation
   bool leftHere = false;     ///< a vertex has left the domain since the last update of edges
   bool edgesAtStart = true;  ///< the next evaluation makes the bonds from the plans
 };

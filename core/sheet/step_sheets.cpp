@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "core/sheet/cell_sums.hpp"
-#include "core/sheet/changing_factors.hpp"
 #include "core/sheet/inner_forces.hpp"
 #include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/move_vertices.hpp"
 #include "core/sheet/outer_forces.hpp"
 #include "core/sheet/sheet_contact.hpp"
-#include "core/sheet/wrap_bodies.hpp"
+#include "core/sheet/shrink_wrap.hpp"
+#include "core/sheet/time_factors.hpp"
 
 namespace thaw {
 namespace {
@@ -25,7 +25,7 @@ SpringLaw lawNow(const World& w, const SheetLaw& l, double dt) {
 }
 
 /// Returns the law of the least stable next step: least damping and largest stiffness.
-SpringLaw lawToCome(const World& w, const SheetLaw& l) {
+SpringLaw leastStableLaw(const World& w, const SheetLaw& l) {
   const SheetBody& b = w.scene.sheets[l.sheet];
   const double until = w.clock.time + 1.1 * w.clock.dt;
   return {l.law.mass, l.law.damping * b.inTime[placeOf(SheetFactor::Damping)].least(w.clock.time, until),
@@ -33,7 +33,7 @@ SpringLaw lawToCome(const World& w, const SheetLaw& l) {
 }
 
 /// Records the work of changing rest springs between two times (s), at the current positions.
-void bookRestChange(World& w, double from, double to) {
+void recordRestChange(World& w, double from, double to) {
   std::vector<double> half;
   bool any = false;
   for (const SheetLaw& l : w.sheets.laws) {
@@ -66,7 +66,7 @@ Vec3d restOf(const World& w, std::size_t i) {
 /// Applies plastic flow beyond the elastic limit: plasticity times the excess moves the rest position, and
 /// the remainder raises the limit. The vertex is then at the limit, so the result does not depend on the
 /// number of steps.
-void yieldPlastic(World& w, double time) {
+void applyPlasticFlow(World& w, double time) {
   Sheets& s = w.sheets.rows;
   for (std::size_t i = 0; i < s.owned; i++) {
     const SheetBody& b = w.scene.sheets[s.body[i]];
@@ -86,25 +86,26 @@ void yieldPlastic(World& w, double time) {
 /// Returns the load whose work enters the dissipation by damping. Dashpots and friction are excluded for
 /// vertices without mass: their velocity follows these forces at once and alternates from step to step, so
 /// force times velocity is not their work.
-Vec3d workingLoad(const Sheets& s, std::size_t i, const SpringLaw& law) {
-  return s.resisting.active && !(law.mass > 0) ? s.load[i] - s.resisting[i] : s.load[i];
+Vec3d loadForDamping(const Sheets& s, std::size_t i, const SpringLaw& law) {
+  return s.dissipativeForce.active && !(law.mass > 0) ? s.load[i] - s.dissipativeForce[i] : s.load[i];
 }
 
 /// Records dissipation of dashpots and friction over half of a step, with the displacement (m) of that half.
 /// A force acts half in the step that ends with it and half in the next, so it must not be recorded earlier.
-void bookResisting(Sheets& s, std::size_t i, const SpringLaw& law, const Vec3d& way) {
-  if (s.resisting.active && law.mass > 0) s.dissipated[i] -= s.area[i] * dot(s.resisting[i], way);
+void recordDissipation(Sheets& s, std::size_t i, const SpringLaw& law, const Vec3d& way) {
+  if (s.dissipativeForce.active && law.mass > 0)
+    s.dissipated[i] -= s.area[i] * dot(s.dissipativeForce[i], way);
 }
 
 /// Records a vertex's dissipation at the end of a step: dashpots and friction, and with damping the
 /// difference of energy and work of the load.
-void bookKick(Sheets& s, std::size_t i, const SpringLaw& law, double dt) {
+void recordKickDissipation(Sheets& s, std::size_t i, const SpringLaw& law, double dt) {
   const Vec3d& v = s.velocity[i];
   // damping is the missing work over the same displacement
-  bookResisting(s, i, law, law.damping > 0 ? 0.5 * s.moved[i] : 0.5 * dt * v);
+  recordDissipation(s, i, law, law.damping > 0 ? 0.5 * s.moved[i] : 0.5 * dt * v);
   if (law.damping > 0)
     s.dissipated[i] += s.area[i] *
-                       (0.5 * dot(workingLoad(s, i, law), s.moved[i]) - 0.5 * law.mass * dot(v, v));
+                       (0.5 * dot(loadForDamping(s, i, law), s.moved[i]) - 0.5 * law.mass * dot(v, v));
 }
 
 }  // namespace
@@ -114,15 +115,15 @@ void moveSheets(World& w, double dt) {
   const std::vector<SpringLaw> laws = lawsNow(w, dt);
   std::vector<VertexMap> maps;
   for (const SpringLaw& l : laws) maps.push_back(vertexMap(l, dt));
-  bookHolding(w, -1, dt);
+  recordConstraintImpulse(w, -1, dt);
   const double begin = w.clock.time, middle = begin + 0.5 * dt, end = begin + dt;
-  bookRestChange(w, begin, middle);  // over the step coefficients are those of its middle
-  bookChanging(w, begin, end);
-  const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active && !s.resisting.active;
+  recordRestChange(w, begin, middle);  // over the step coefficients are those of its middle
+  recordFactorWork(w, begin, end);
+  const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active && !s.dissipativeForce.active;
   if (simple) {
     moveVertices(maps, {s.position.data(), s.velocity.data(), s.rest.data(), s.load.data(), s.law.data()}, 0,
                  s.owned);
-    bookRestChange(w, middle, end);
+    recordRestChange(w, middle, end);
     return;
   }
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -134,18 +135,18 @@ void moveSheets(World& w, double dt) {
     const VertexArrays one{&s.position[i], &s.velocity[i], &rest, &s.load[i], nullptr};
     moveVertices({&m, 1}, one, 0, 1);
     const Vec3d z1 = s.position[i] - rest, moved = z1 - z;
-    bookResisting(s, i, law, law.damping > 0 ? 0.5 * moved : 0.5 * dt * v);
+    recordDissipation(s, i, law, law.damping > 0 ? 0.5 * moved : 0.5 * dt * v);
     if (!s.moved.active) continue;
     s.moved[i] = moved;
     // drag over the step is the missing energy and work of the load; kickSheets records the second half
     if (law.damping > 0)
       s.dissipated[i] += s.area[i] *
                          (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) +
-                          0.5 * dot(workingLoad(s, i, law), moved));
+                          0.5 * dot(loadForDamping(s, i, law), moved));
   }
-  if (s.outside.active) bookOutsideWork(w);
-  bookRestChange(w, middle, end);
-  if (s.flow.active) yieldPlastic(w, end);
+  if (s.outside.active) recordExternalWork(w);
+  recordRestChange(w, middle, end);
+  if (s.flow.active) applyPlasticFlow(w, end);
 }
 
 void kickSheets(World& w, double dt) {
@@ -158,16 +159,16 @@ void kickSheets(World& w, double dt) {
     if (s.clamped.active && s.clamped[i]) continue;
     Vec3d& v = s.velocity[i];
     v += after[s.law[i]] * s.load[i];
-    bookKick(s, i, laws[s.law[i]], dt);
+    recordKickDissipation(s, i, laws[s.law[i]], dt);
   }
-  bookHolding(w, 1, dt);
-  if (s.outside.active) bookOutsideWork(w);
+  recordConstraintImpulse(w, 1, dt);
+  if (s.outside.active) recordExternalWork(w);
   if (s.temperature.active)
     for (std::size_t i = 0; i < s.owned; i++)
       s.temperature[i] += s.heatFlow[i] * dt / (s.area[i] * w.scene.sheets[s.body[i]].heatCapacity);
 }
 
-void closeLeavers(World& w, std::span<const std::uint32_t> rows, double dt) {
+void finaliseRemoved(World& w, std::span<const std::uint32_t> rows, double dt) {
   Sheets& s = w.sheets.rows;
   if (rows.empty() || !(dt > 0)) return;
   const std::vector<SpringLaw> laws = lawsNow(w, dt);
@@ -183,7 +184,7 @@ void closeLeavers(World& w, std::span<const std::uint32_t> rows, double dt) {
     const Vec3d moved = s.moved[i], z1 = s.position[i] - restOf(w, i), z = z1 - moved;
     s.energy[i] += 0.5 * law.stiffness * s.area[i] * (dot(z1, z1) - dot(z, z));
     if (s.outside.active) w.ledger.wallWork.add(0.5 * dot(s.outside[i], moved) * s.area[i]);
-    bookKick(s, i, law, dt);
+    recordKickDissipation(s, i, law, dt);
   }
 }
 
@@ -192,11 +193,11 @@ void linkSheets(World& w, Halos halos, StepTools& t) {
   Sheets& s = b.rows;
   const BondedRows rows = vertexRows(s);
   linkSlots(rows, b.edges.ends);
-  halos.edges->relink(rows, b.edges.ends, b.edges.bonds, {{}, b.leftHere || b.edgesAtStart});
+  halos.edges->rebuildBonds(rows, b.edges.ends, b.edges.bonds, {{}, b.leftHere || b.edgesAtStart});
   b.leftHere = false;
   if (b.edgesAtStart) {
     const std::vector<BondRequest> requests = edgeRequests(b);
-    halos.edges->relink(rows, b.edges.ends, b.edges.bonds, {requests, true});
+    halos.edges->rebuildBonds(rows, b.edges.ends, b.edges.bonds, {requests, true});
     b.edgesAtStart = false;
   }
   t.times.lap(StepPhase::Bonds);
@@ -207,13 +208,13 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   Sheets& s = b.rows;
   b.stiffest.assign(b.laws.size(), 0);
   b.slope.assign(s.owned, 0);
-  b.fastest2 = b.hardest = b.stiffestParticle = b.closing = b.blows = 0;
+  b.fastest2 = b.largestAcceleration = b.stiffestParticle = b.closingRate = b.impactRate = 0;
   // contacts need the current velocity: the load before the step approximates the load after it
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++)
     after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
   SheetVelocities now;
-  now.velocity.swap(b.velocityRoom);
+  now.velocity.swap(b.velocityBuffer);
   now.velocity.resize(s.owned);
   for (std::size_t i = 0; i < s.owned; i++)
     now.velocity[i] = s.clamped.active && s.clamped[i] ? Vec3d{}
@@ -221,25 +222,25 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   now.span = dt > 0 ? dt : nextStep(w.clock);
   now.dt = dt;
 
-  findFactors(w, dt);
+  updateTimeFactors(w, dt);
   clearLoads(w);
   addInnerForces(w, halos);
   t.times.lap(StepPhase::Sheet);
   addOuterForces(w, now);
-  addBodyWrap(w, halos, now);
+  addShrinkWrap(w, halos, now);
   addSheetContacts(w, halos, now);
   t.times.lap(StepPhase::SheetContact);
   b.fastestDrag = fastestDrag(w, now);
   addRestEnergy(w, w.clock.time + dt);
-  if (dt > 0) bookChanging(w, w.clock.time, w.clock.time + dt);
+  if (dt > 0) recordFactorWork(w, w.clock.time, w.clock.time + dt);
   for (std::size_t i = 0; i < s.owned; i++) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.slope[i]);
   for (std::size_t i = 0; i < s.owned; i++)
     if (w.sheets.plans[s.body[i]].touches) {
       b.fastest2 = std::max(b.fastest2, dot(now.velocity[i], now.velocity[i]));
       if (s.mass[i] > 0 && !(s.clamped.active && s.clamped[i]))
-        b.hardest = std::max(b.hardest, length(s.load[i]) * s.area[i] / s.mass[i]);
+        b.largestAcceleration = std::max(b.largestAcceleration, length(s.load[i]) * s.area[i] / s.mass[i]);
     }
-  now.velocity.swap(b.velocityRoom);
+  now.velocity.swap(b.velocityBuffer);
   t.times.lap(StepPhase::Sheet);
 }
 
@@ -252,7 +253,8 @@ double sheetStepLimit(const World& w) {
     // fluctuate
     int e = 0;
     const double part = std::frexp(b.stiffest[l], &e), kappa = std::ldexp(std::ceil(part * 64) / 64, e);
-    limit = std::min(limit, 2 * w.scene.numerics.cflElastic * stableStep(lawToCome(w, b.laws[l]), kappa));
+    limit = std::min(limit,
+                     2 * w.scene.numerics.cflElastic * stableStep(leastStableLaw(w, b.laws[l]), kappa));
   }
   for (std::size_t l = 0; l < b.laws.size(); l++) {
     const SpringLaw& law = b.laws[l].law;
@@ -262,7 +264,8 @@ double sheetStepLimit(const World& w) {
                       : law.damping > 0 ? kappa / law.damping
                                         : 0;
     const SheetBody& body = w.scene.sheets[b.laws[l].sheet];
-    limit = std::min(limit, changeLimit(body, w.clock.time, fastestRate(body, law, w.clock.time), of));
+    limit = std::min(limit,
+                     timeFactorStepLimit(body, w.clock.time, fastestRate(body, law, w.clock.time), of));
   }
   if (b.stiffestParticle > 0) {
     int e = 0;
@@ -272,18 +275,18 @@ double sheetStepLimit(const World& w) {
   }
   if (b.fastestDrag > 0) limit = std::min(limit, dragInAStep / b.fastestDrag);
   // nothing may pass through anything in a step
-  if (b.fastest2 > 0 || b.hardest > 0) {
+  if (b.fastest2 > 0 || b.largestAcceleration > 0) {
     double thin = never;
     for (const SheetPlan& p : b.plans)
       // both of two sheets may approach
       if (p.touches)
         thin = std::min(
             {thin, (meshesTouch(w.scene) ? 0.5 : 1) * p.thickness, p.byFaces ? p.faceReach : never});
-    limit = std::min(
-        {limit, 0.5 * thin / std::sqrt(b.fastest2), b.hardest > 0 ? std::sqrt(thin / b.hardest) : never});
+    limit = std::min({limit, 0.5 * thin / std::sqrt(b.fastest2),
+                      b.largestAcceleration > 0 ? std::sqrt(thin / b.largestAcceleration) : never});
   }
-  if (b.blows > 0) limit = std::min(limit, 1 / b.blows);
-  if (b.closing > 0) limit = std::min(limit, 0.5 / b.closing);
+  if (b.impactRate > 0) limit = std::min(limit, 1 / b.impactRate);
+  if (b.closingRate > 0) limit = std::min(limit, 0.5 / b.closingRate);
   return limit;
 }
 

@@ -11,7 +11,7 @@ void moveSheets(World& world, double dt);
 
 /// Records the rest of the step for rows that leave the domain after moveSheets by dt (s), with their loads
 /// at its start. Does nothing for dt 0.
-void closeLeavers(World& world, std::span<const std::uint32_t> rows, double dt);
+void finaliseRemoved(World& world, std::span<const std::uint32_t> rows, double dt);
 
 /// Updates the table of edges after redistribution, and makes all bonds at the start. Collective.
 void linkSheets(World& world, Halos halos, StepTools& tools);

@@ -15,11 +15,11 @@ struct PairKernels {
   void (*density)(const PairSums&, GroupRange);
   void (*forces)(const PairSums&, GroupRange);
   void (*tension)(const PairSums&, GroupRange);
-  void (*surfaceSeen)(const PairSums&, GroupRange);
+  void (*surfaceColours)(const PairSums&, GroupRange);
   void (*surfaceForces)(const PairSums&, GroupRange);
   void (*artificialViscosity)(const PairSums&, GroupRange);
   void (*smoothing)(const PairSums&, GroupRange);
-  void (*exposure)(const PairSums&, GroupRange);
+  void (*freeSurfaceIndicator)(const PairSums&, GroupRange);
   void (*closePairs)(const PairSums&, GroupRange, ClosePairs&);
   void (*viscous)(const PairSums&, const ViscousSums&, GroupRange);
   // Incompressible solver (terms/incompressible.hpp).

@@ -5,33 +5,34 @@
 #include <limits>
 
 #include "core/heat/enthalpy.hpp"
-#include "core/sleep/unrest.hpp"
+#include "core/sleep/awake_reason.hpp"
 #include "core/solid/plasticity.hpp"
 #include "core/step.hpp"
 
 namespace thaw {
 namespace {
 
-enum : std::uint8_t { Calm = 1, Held = 2, Asleep = 4, Everything = 7 };
+enum : std::uint8_t { AtRest = 1, Settled = 2, Asleep = 4, Everything = 7 };
 
 /// Returns the bits that all particles of a cell have.
 std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, double after) {
   const std::size_t first = cells.first[c], count = cells.count[c];
-  const float* const calm = p.calm.data() + first;
+  const float* const restTime = p.restTime.data() + first;
   const std::uint8_t* const sleep = p.sleep.data() + first;
   float shortest = std::numeric_limits<float>::infinity();
   std::uint8_t lightest = asleep;
   for (std::size_t k = 0; k < count; k++) {
-    shortest = calm[k] < shortest ? calm[k] : shortest;
+    shortest = restTime[k] < shortest ? restTime[k] : shortest;
     lightest = sleep[k] < lightest ? sleep[k] : lightest;
   }
-  return static_cast<std::uint8_t>((static_cast<double>(shortest) >= after ? Calm : 0) |
-                                   (lightest >= heldBefore ? Held : 0) | (lightest == asleep ? Asleep : 0));
+  return static_cast<std::uint8_t>((static_cast<double>(shortest) >= after ? AtRest : 0) |
+                                   (lightest >= sleepSettled ? Settled : 0) |
+                                   (lightest == asleep ? Asleep : 0));
 }
 
 /// Level 2 around a cell is not enough: bonds carry the stress of their other end from two cells away, and
 /// around a particle at stage 3 all are at stage 2.
-bool isDeep(std::uint8_t around) { return (around & (Calm | Asleep)) == (Calm | Asleep); }
+bool isSteady(std::uint8_t around) { return (around & (AtRest | Asleep)) == (AtRest | Asleep); }
 
 /// Combines the bits of the 27 cells around each cell. Keys ascend, so nine positions advance along the
 /// table.
@@ -58,7 +59,7 @@ void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own,
 bool mayBeSkipped(const World& w, std::uint32_t slot) {
   const Solids& s = w.solids;
   for (int k = 0; k < w.bonds.capacity; k++) {
-    if (!w.bonds.there(slot, k)) continue;
+    if (!w.bonds.hasBond(slot, k)) continue;
     Vec3d d = s.position[w.bonds.neighbour[w.bonds.at(slot, k)]] - s.position[slot];
     for (int a = 0; a < 3; a++) {
       if (w.grid.periodic[a]) d[a] -= w.grid.period[a] * std::nearbyint(d[a] / w.grid.period[a]);
@@ -78,22 +79,22 @@ bool mayBeSkipped(const World& w, std::uint32_t slot) {
          !(s.plasticInverse.active && norm(plasticMetric(s.plasticInverse[slot])) > 0.5);
 }
 
-Unrest unrestOf(const World& w, std::size_t i, const Vec3d& acceleration) {
+AwakeReason awakeReasonOf(const World& w, std::size_t i, const Vec3d& acceleration) {
   const Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
   if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.liquid.active && p.liquid[i] > 0))
-    return Unrest::NotSolid;
+    return AwakeReason::NotSolid;
   // The limit is at most half of gravity: otherwise a freely falling particle could be at rest for a large
   // sleep_speed, and freeze in the air.
   const double slow = n.sleepSpeed, g = length(w.scene.domain.gravity),
                weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
-  if (!(dot(p.velocity[i], p.velocity[i]) < slow * slow)) return Unrest::Moves;
-  if (!(dot(acceleration, acceleration) < weak * weak)) return Unrest::Accelerates;
+  if (!(dot(p.velocity[i], p.velocity[i]) < slow * slow)) return AwakeReason::Moves;
+  if (!(dot(acceleration, acceleration) < weak * weak)) return AwakeReason::Accelerates;
   if (!p.heatFlow.active ||
       std::abs(p.heatFlow[i]) <
           n.sleepHeating * p.mass[i] * heatCapacityOf(n.heat, w.scene.materials[p.material[i]], 0))
-    return Unrest::None;
-  return Unrest::Warms;
+    return AwakeReason::None;
+  return AwakeReason::Warms;
 }
 
 /// Force (N) that balances the particle's weight and the forces known so far.
@@ -101,7 +102,7 @@ Vec3d balancing(const World& w, std::size_t i) {
   return -w.particles.force[i] - w.scene.domain.gravity * w.particles.mass[i];
 }
 
-void wakeAll(Continuum& p) { std::fill_n(p.calm.data(), p.owned, 0.0f); }
+void wakeAll(Continuum& p) { std::fill_n(p.restTime.data(), p.owned, 0.0f); }
 
 }  // namespace
 
@@ -111,12 +112,12 @@ void beginSleep(World& w, StepTools& t, double dt) {
   const double begin = w.clock.time, end = begin + dt;
   for (const Wall& wall : w.walls.list)
     if (wall.properties.until >= begin && wall.properties.until <= end) wakeAll(p);
-  for (const Tempering& heat : w.scene.temperings)
+  for (const Thermostat& heat : w.scene.thermostats)
     if (end > heat.start && begin <= heat.start + heat.over) wakeAll(p);
   for (const WallContact& c : t.wallContacts.list) {
     const Wall& wall = w.walls.list[c.wall];
     if (!wall.properties.motion.empty() && wallVelocity(wall, p.position[c.row]) != Vec3d{})
-      p.calm[c.row] = 0;
+      p.restTime[c.row] = 0;
   }
 }
 
@@ -134,13 +135,13 @@ void lookAtCells(const World& w, SleepWork& s) {
 
 }  // namespace
 
-std::array<std::int64_t, unrests> countAwake(const World& w) {
+std::array<std::int64_t, awakeReasons> countAwake(const World& w) {
   const Continuum& p = w.particles;
-  std::array<std::int64_t, unrests> count{};
+  std::array<std::int64_t, awakeReasons> count{};
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.sleep[i] == awake)
       count[static_cast<std::size_t>(
-          unrestOf(w, i, p.clamped.active && p.clamped[i] ? Vec3d{} : p.acceleration[i]))]++;
+          awakeReasonOf(w, i, p.clamped.active && p.clamped[i] ? Vec3d{} : p.acceleration[i]))]++;
   return count;
 }
 
@@ -149,7 +150,7 @@ void wakeEverything(Continuum& p) {
   std::fill_n(p.sleep.data(), p.owned, awake);
 }
 
-void markAsleep(World& w, StepTools& t) {
+void markSleepingInner(World& w, StepTools& t) {
   const Continuum& p = w.particles;
   SleepWork& s = t.sleep;
   lookAtCells(w, s);
@@ -157,7 +158,7 @@ void markAsleep(World& w, StepTools& t) {
   bool any = false;
   s.known.assign(n, 0);
   for (std::size_t c = 0; c < n; c++) {
-    if (s.findAll || t.inner[c] != 1 || !isDeep(s.around[c])) continue;
+    if (s.recomputeAll || t.inner[c] != 1 || !isSteady(s.around[c])) continue;
     t.inner[c] = skippedCell;
     s.known[c] = 1;
     any = true;
@@ -170,24 +171,24 @@ void markAsleep(World& w, StepTools& t) {
     if (!s.quiet[c] && w.cells.first[c] < p.owned) addRows(s.seen, w.cells.first[c], w.cells.count[c]);
 }
 
-void markAllAsleep(World& w, StepTools& t) {
+void markSleeping(World& w, StepTools& t) {
   const Continuum& p = w.particles;
   SleepWork& s = t.sleep;
   const std::size_t n = w.cells.key.size();
   if (n != s.around.size()) lookAtCells(w, s);  // equal sizes: there are no ghosts
-  s.deep.assign(p.owned, 0);
+  s.steady.assign(p.owned, 0);
   s.skipped.assign(p.owned, 0);
   s.rows.clear();
-  s.deepCells.clear();
+  s.steadyCells.clear();
   for (std::size_t c = 0; c < n; c++) {
     const std::size_t first = w.cells.first[c], count = w.cells.count[c];
     if (first >= p.owned) continue;
-    const bool deep = isDeep(s.around[c]), skip = deep && !s.findAll;
+    const bool steady = isSteady(s.around[c]), skip = steady && !s.recomputeAll;
     if (skip) t.inner[c] = skippedCell;
     else addRows(s.rows, first, count);
-    if (!deep) continue;
-    s.deepCells.push_back(w.cells.key[c]);
-    std::fill_n(s.deep.begin() + static_cast<std::ptrdiff_t>(first), count, std::uint8_t{1});
+    if (!steady) continue;
+    s.steadyCells.push_back(w.cells.key[c]);
+    std::fill_n(s.steady.begin() + static_cast<std::ptrdiff_t>(first), count, std::uint8_t{1});
     std::fill_n(s.skipped.begin() + static_cast<std::ptrdiff_t>(first), count,
                 static_cast<std::uint8_t>(skip));
   }
@@ -196,7 +197,8 @@ void markAllAsleep(World& w, StepTools& t) {
 std::span<const RowSpan> awakeRows(const World& w, StepTools& t) {
   const Continuum& p = w.particles;
   // The last two conditions move or count sleeping particles too.
-  const bool all = !w.modules.sleep || t.sleep.findAll || p.smoothing.active || p.fastAcceleration.active;
+  const bool all = !w.modules.sleep || t.sleep.recomputeAll || p.shiftingVelocity.active ||
+                   p.fastAcceleration.active;
   if (all) t.sleep.rows.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
   return t.sleep.rows;
 }
@@ -220,7 +222,7 @@ void chooseAwakeGroups(World& w, StepTools& t) {
   SleepWork& s = t.sleep;
   ElasticWork& e = t.elastic;
   const Solids& solids = w.solids;
-  if (s.findAll) s.fresh.assign(solids.owned, 0);
+  if (s.recomputeAll) s.fresh.assign(solids.owned, 0);
   s.fresh.resize(solids.owned, 0);
   e.held.resize(solids.owned);
   for (std::size_t k = 0; k < solids.owned; k++) e.held[k] = w.particles.sleep[solids.particle[k]] != awake;
@@ -231,7 +233,7 @@ void chooseAwakeGroups(World& w, StepTools& t) {
       const std::size_t first = static_cast<std::size_t>(g) * lanes,
                         last = std::min<std::size_t>(first + lanes, solids.owned);
       bool known = true;
-      for (std::size_t k = first; k < last; k++) known = known && s.fresh[k] && s.deep[solids.particle[k]];
+      for (std::size_t k = first; k < last; k++) known = known && s.fresh[k] && s.steady[solids.particle[k]];
       if (known) continue;
       some.push_back(g);
       std::fill(s.fresh.begin() + static_cast<std::ptrdiff_t>(first),
@@ -243,30 +245,30 @@ void chooseAwakeGroups(World& w, StepTools& t) {
   e.sleeping = true;
 }
 
-void noteHolds(World& w, const StepTools& t) {
+void recordConstraintForces(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++)
     // Independent of what this rank recomputes.
-    if (p.sleep[i] != awake && !t.sleep.deep[i]) p.hold[i] = balancing(w, i);
+    if (p.sleep[i] != awake && !t.sleep.steady[i]) p.constraintForce[i] = balancing(w, i);
 }
 
 namespace {
 
 /// Records the constraint force of deep rows. The sum is recomputed when the set of deep cells changes;
 /// particles never enter or leave a deep cell.
-void bookDeep(World& w, SleepWork& s) {
-  if (s.findAll || s.deepCells != s.deepBefore) {
-    s.deepHold = {};
+void recordSteady(World& w, SleepWork& s) {
+  if (s.recomputeAll || s.steadyCells != s.steadyBefore) {
+    s.steadyConstraintForce = {};
     for (std::size_t i = 0; i < w.particles.owned; i++)
-      for (int a = 0; s.deep[i] && a < 3; a++)
-        s.deepHold[static_cast<std::size_t>(a)].add(w.particles.hold[i][a]);
-    s.deepBefore = s.deepCells;
+      for (int a = 0; s.steady[i] && a < 3; a++)
+        s.steadyConstraintForce[static_cast<std::size_t>(a)].add(w.particles.constraintForce[i][a]);
+    s.steadyBefore = s.steadyCells;
   }
-  for (int a = 0; a < 3; a++) w.ledger.wallForce[a] += s.deepHold[static_cast<std::size_t>(a)];
+  for (int a = 0; a < 3; a++) w.ledger.wallForce[a] += s.steadyConstraintForce[static_cast<std::size_t>(a)];
 }
 
 /// Keeps the results of the last step for the deep rows of a cell.
-void keepDeep(World& w, const SleepWork& s, std::size_t first, std::size_t count) {
+void keepSteady(World& w, const SleepWork& s, std::size_t first, std::size_t count) {
   Continuum& p = w.particles;
   std::copy_n(s.interaction.data() + first, count, p.interaction.data() + first);
   std::fill_n(p.dissipation.data() + first, count, 0.0);
@@ -283,43 +285,43 @@ void keepDeep(World& w, const SleepWork& s, std::size_t first, std::size_t count
 
 }  // namespace
 
-void settleSleep(World& w, StepTools& t, double dt) {
+void updateSleep(World& w, StepTools& t, double dt) {
   Continuum& p = w.particles;
   SleepWork& s = t.sleep;
   const Vec3d g = w.scene.domain.gravity;
   const bool clamps = p.clamped.active;
   w.counters.asleep = 0;
-  bookDeep(w, s);
+  recordSteady(w, s);
   for (std::size_t c = 0; c < w.cells.key.size(); c++) {
     const std::size_t first = w.cells.first[c], count = w.cells.count[c];
     if (first >= p.owned) continue;
     const std::uint8_t around = s.around[c];
-    if (isDeep(around)) {
-      keepDeep(w, s, first, count);
+    if (isSteady(around)) {
+      keepSteady(w, s, first, count);
       continue;
     }
     for (std::size_t i = first; i < first + count; i++) {
       const bool fixed = clamps && p.clamped[i];
       const double m = p.mass[i];
-      const Vec3d acceleration = fixed ? Vec3d{} : p.force[i] / m + g, hold = balancing(w, i);
-      const bool calm = unrestOf(w, i, acceleration) == Unrest::None;
-      p.calm[i] = calm ? static_cast<float>(static_cast<double>(p.calm[i]) + dt) : 0.0f;
-      if (!calm || !(around & Calm)) p.sleep[i] = awake;
-      else if (p.sleep[i] == awake) p.sleep[i] = heldNow;
-      else if (p.sleep[i] == heldNow) p.sleep[i] = heldBefore;
-      else p.sleep[i] = (around & Held) && mayBeSkipped(w, p.slot[i]) ? asleep : heldBefore;
+      const Vec3d acceleration = fixed ? Vec3d{} : p.force[i] / m + g, constraintForce = balancing(w, i);
+      const bool restTime = awakeReasonOf(w, i, acceleration) == AwakeReason::None;
+      p.restTime[i] = restTime ? static_cast<float>(static_cast<double>(p.restTime[i]) + dt) : 0.0f;
+      if (!restTime || !(around & AtRest)) p.sleep[i] = awake;
+      else if (p.sleep[i] == awake) p.sleep[i] = sleepFixed;
+      else if (p.sleep[i] == sleepFixed) p.sleep[i] = sleepSettled;
+      else p.sleep[i] = (around & Settled) && mayBeSkipped(w, p.slot[i]) ? asleep : sleepSettled;
       if (p.sleep[i] == awake) continue;
-      if (p.sleep[i] == heldNow) {
+      if (p.sleep[i] == sleepFixed) {
         const Vec3d v = p.velocity[i];
         p.dissipated[i] += 0.5 * m * dot(v, v);
         for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(-m * v[a]);
         p.velocity[i] = {};
       }
       if (fixed) continue;  // recorded with the clamped particles
-      for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(hold[a]);
+      for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(constraintForce[a]);
     }
   }
-  s.findAll = false;
+  s.recomputeAll = false;
 }
 
 }  // namespace thaw

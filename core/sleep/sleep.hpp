@@ -34,22 +34,22 @@ struct World;
 struct StepTools;
 
 /// Values of Continuum::sleep.
-inline constexpr std::uint8_t awake = 0, heldNow = 1, heldBefore = 2, asleep = 3;
+inline constexpr std::uint8_t awake = 0, sleepFixed = 1, sleepSettled = 2, asleep = 3;
 
 /// Sleep data of a step; not part of the state.
 struct SleepWork {
-  bool findAll = true;  ///< sleepers have not been computed on this rank since the start, a restart, or their
-                        ///< arrival
+  bool recomputeAll = true;  ///< sleepers have not been computed on this rank since the start, a restart, or
+                             ///< their arrival
   std::vector<std::uint8_t> cell;          ///< by cell: bits common to its particles
   std::vector<std::uint8_t> around;        ///< by cell: bits common to the 27 surrounding cells
   std::vector<std::uint8_t> known, quiet;  ///< by cell: it is skipped; all 27 surrounding cells are skipped
   std::vector<RowSpan> rows;               ///< owned rows that are not skipped, with small gaps included
   std::vector<RowSpan> seen;  ///< owned rows in the 27 cells around cells that are not skipped, with small
                               ///< gaps included
-  std::vector<std::uint64_t> deepCells, deepBefore;  ///< keys of cells with deep rows, in this step and in
-                                                     ///< the last
-  std::array<ExactSum, 3> deepHold;   ///< N, sum of Continuum::hold over the rows of deepBefore
-  std::vector<std::uint8_t> deep;     ///< by owned row: 1 if it sleeps and nothing in its sums changes
+  std::vector<std::uint64_t> steadyCells, steadyBefore;  ///< keys of cells with deep rows, in this step and
+                                                         ///< in the last
+  std::array<ExactSum, 3> steadyConstraintForce;  ///< N, sum of Continuum::hold over the rows of steadyBefore
+  std::vector<std::uint8_t> steady;   ///< by owned row: 1 if it sleeps and nothing in its sums changes
   std::vector<std::uint8_t> skipped;  ///< by owned row: 1 if deep and already computed on this rank
   std::vector<double> interaction;    ///< J, by owned row, from the last step
   std::vector<std::uint8_t> fresh;    ///< by slot: 1 if deformation and flux match the sleeping position
@@ -66,30 +66,30 @@ void beginSleep(World& world, StepTools& tools, double dt);
 void wakeEverything(Continuum& particles);
 
 /// Marks skipped inner cells in StepTools::inner, before ghosts arrive.
-void markAsleep(World& world, StepTools& tools);
+void markSleepingInner(World& world, StepTools& tools);
 /// Marks all skipped cells, and rows in SleepWork, with ghosts present.
-void markAllAsleep(World& world, StepTools& tools);
+void markSleeping(World& world, StepTools& tools);
 
 /// Returns the owned rows, ascending, that passes over particles have to visit: all, or those not skipped.
-/// Valid from markAllAsleep to the drift of the next step.
+/// Valid from markSleeping to the drift of the next step.
 std::span<const RowSpan> awakeRows(const World& world, StepTools& tools);
 /// Returns the owned rows whose positions and velocities are read by some row in the 27 surrounding cells.
-/// Valid from markAsleep on.
+/// Valid from markSleepingInner on.
 std::span<const RowSpan> rowsToSee(const World& world, StepTools& tools);
 
 /// Removes wall contacts of skipped rows from the list.
 void dropSkippedContacts(StepTools& tools);
 
 /// chooseAwakeGroups selects the active groups of slots; call it before deformations. forgetChangedSlots
-/// resets the slots that a relink changed; call it after the relink.
+/// resets the slots that a bond update changed; call it after the rebuildBonds.
 void chooseAwakeGroups(World& world, StepTools& tools);
 void forgetChangedSlots(const World& world, StepTools& tools);
 
 /// Sets Continuum::hold of sleeping particles, before wall forces are added.
-void noteHolds(World& world, const StepTools& tools);
+void recordConstraintForces(World& world, const StepTools& tools);
 
 /// Updates rest times and sleep stages from all forces of a step of dt (s), and records the energy that
 /// constraints remove.
-void settleSleep(World& world, StepTools& tools, double dt);
+void updateSleep(World& world, StepTools& tools, double dt);
 
 }  // namespace thaw

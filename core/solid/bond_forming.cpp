@@ -22,7 +22,7 @@ bool wanted(const Continuum& p, const BondForming& f, std::size_t i, std::size_t
 
 bool bonded(const Solids& solids, const Bonds& bonds, std::size_t slot, std::uint64_t id) {
   for (int k = 0; k < bonds.capacity; k++) {
-    if (bonds.there(slot, k) && solids.id[bonds.neighbour[bonds.at(slot, k)]] == id) return true;
+    if (bonds.hasBond(slot, k) && solids.id[bonds.neighbour[bonds.at(slot, k)]] == id) return true;
   }
   return false;
 }
@@ -31,7 +31,7 @@ bool bonded(const Solids& solids, const Bonds& bonds, std::size_t slot, std::uin
 
 void prepareBondForming(Continuum& particles, const Solids& solids) {
   for (std::size_t i = 0; i < particles.owned; i++) {
-    if (particles.home.active) particles.home[i] = particles.position[i];
+    if (particles.unwrappedPosition.active) particles.unwrappedPosition[i] = particles.position[i];
     if (!particles.frame.active) continue;
     const bool old = particles.slot[i] != noSlot && !particles.justFrozen[i];
     particles.frame[i] = old ? solids.deformation[particles.slot[i]] : identity3<double>();
@@ -44,7 +44,7 @@ ColumnList bondFormingColumns(Continuum& particles) {
     columns.push_back(&particles.frame);
     columns.push_back(&particles.justFrozen);
   }
-  if (particles.home.active) columns.push_back(&particles.home);
+  if (particles.unwrappedPosition.active) columns.push_back(&particles.unwrappedPosition);
   return columns;
 }
 
@@ -73,7 +73,7 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
                        const NeighbourLists& lists, const BondForming& forming,
                        std::vector<BondRequest>& requests, ListedGroups range) {
   // Shifted positions of periodic images are rounded: only unshifted ones give both ends the same bits.
-  const Column<Vec3d>& place = p.home.active ? p.home : p.position;
+  const Column<Vec3d>& place = p.unwrappedPosition.active ? p.unwrappedPosition : p.position;
   const bool frames = forming.rule != BondRule::Start;
   std::int64_t welds = 0;
   for (std::size_t g = range.first; g < std::min(range.last, lists.groups); g++)
@@ -100,7 +100,8 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
 
 void pairAtStart(const Continuum& p, const NeighbourLists& lists, const BondForming& forming,
                  std::vector<BondPair>& pairs, ListedGroups range) {
-  const Vec3d* const place = p.home.active ? p.home.data() : p.position.data();  // as in formBonds
+  const Vec3d* const place = p.unwrappedPosition.active ? p.unwrappedPosition.data()
+                                                        : p.position.data();  // as in formBonds
   for (std::size_t g = range.first; g < std::min(range.last, lists.groups); g++)
     for (std::size_t l = 0; l < lanes; l++) {
       const std::size_t i = lists.self[g * lanes + l];

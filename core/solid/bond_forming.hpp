@@ -30,8 +30,8 @@ struct BondForming {
 /// Sets the particle fields that bonds need. They are particle fields because slots are renumbered:
 /// Continuum::frame where active (F of the slot at the last phase 1; the identity if the particle just froze
 /// or has no slot yet), and Continuum::home with periodic sides. The order after freezing: set justFrozen and
-/// phase, prepareBondForming, relink (makes the slots), refresh bondFormingColumns on ghosts, formBonds,
-/// relink with the requests, refreshReference.
+/// phase, prepareBondForming, rebuildBonds (makes the slots), refresh bondFormingColumns on ghosts,
+/// formBonds, rebuildBonds with the requests, refreshReference.
 void prepareBondForming(Continuum& particles, const Solids& solids);
 /// Columns of ghosts that formBonds reads besides position.
 ColumnList bondFormingColumns(Continuum& particles);

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "core/solid/bond_places.hpp"
+#include "core/solid/bond_entries.hpp"
 #include "core/solid/slot_rows.hpp"
 
 namespace thaw {
@@ -14,7 +14,8 @@ void BondGraph::begin() {
   before_ = ids_.size();
   now_.resize(before_);
   std::iota(now_.begin(), now_.end(), 0u);
-  for (auto* v : {&leaving_, &departed_, &unnamed_, &movers_, &relocated_, &newRemotes_, &marked_, &bereft_})
+  for (auto* v :
+       {&leaving_, &departed_, &unnamed_, &movers_, &relocated_, &newRemotes_, &marked_, &lostBonds_})
     v->clear();
   aliases_.clear();
   released_.clear();
@@ -43,13 +44,13 @@ void BondGraph::dropBroken(const SolidTables& t) {
     int kept = 0;
     const int used = used_[s];
     for (int k = 0; k < used; k++) {
-      if (!b.there(s, k)) continue;
+      if (!b.hasBond(s, k)) continue;
       references_[b.neighbour[b.at(s, k)]]++;
       if (kept < k) copyBond(b, b.at(s, k), b.at(s, kept));
       kept++;
     }
     if (kept == used) continue;
-    clearPlaces(b, s, kept, used);
+    clearEntries(b, s, kept, used);
     used_[s] = static_cast<std::uint16_t>(kept);
     t.solids.changed[s] = 1;
     mark(s / lanes);
@@ -126,7 +127,7 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std:
     const std::uint32_t to = now_[s];
     copyRow(t.solids, s, to);
     for (int k = 0; k < used_[s]; k++) copyBond(b, b.at(s, k), b.at(to, k));
-    clearPlaces(b, to, used_[s], b.capacity);
+    clearEntries(b, to, used_[s], b.capacity);
     used_[to] = used_[s];
     t.solids.changed[to] = 1;
     t.particles.slot[t.solids.particle[to]] = to;
@@ -156,7 +157,7 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std:
       now_[copy] = static_cast<std::uint32_t>(slot);
       turned_[copy] = 1;
     }
-    clearPlaces(b, slot, 0, b.capacity);
+    clearEntries(b, slot, 0, b.capacity);
     used_[slot] = 0;
     mark(slot / lanes);
   }
@@ -180,7 +181,7 @@ void BondGraph::reserve(Bonds& b, int capacity) const {
   const int before = b.capacity;
   const std::size_t slots = std::max(owned_, newOwned_);
   resizeBonds(b, slots, (capacity + 3) / 4 * 4);
-  for (std::size_t s = 0; s < newOwned_; s++) clearPlaces(b, s, before, b.capacity);
+  for (std::size_t s = 0; s < newOwned_; s++) clearEntries(b, s, before, b.capacity);
 }
 
 void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord& record, int owner,
@@ -191,7 +192,7 @@ void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord&
   if (other == from) return;
   if (other == noRow) {
     if (owner < 0 || owner == rank_) {
-      if (from >= before_) bereft_.push_back(from);
+      if (from >= before_) lostBonds_.push_back(from);
       return;
     }
     other = addRemote(record.neighbourId, owner);

@@ -94,8 +94,8 @@ class BondGraph {
         bond(t, pairs[i].slot, {pairs[i].neighbourId, {}, {}, 0}, ownerOf(pairs[i]), pairs[i].other), i++;
     }
   }
-  /// Renumbers. Ensures: the tables satisfy BondHalo::relink. Solids::changed is set for slots with changed
-  /// bonds, for new or moved slots, and where the other end of a bond became remote or owned.
+  /// Renumbers. Ensures: the tables satisfy BondHalo::rebuildBonds. Solids::changed is set for slots with
+  /// changed bonds, for new or moved slots, and where the other end of a bond became remote or owned.
   void finish(const SolidTables& t);
 
   // After an edit.
@@ -144,8 +144,8 @@ class BondGraph {
   std::vector<std::uint32_t> now_;  // new number of each old row; remote rows made in the edit get theirs at
                                     // its end
   std::vector<std::uint32_t> leaving_, departed_, movers_, unnamed_, relocated_, newRemotes_;
-  std::vector<std::uint32_t> bereft_;  // new slots, in the numbering of `bond`, that arrived with a bond to a
-                                       // particle that is no longer solid
+  std::vector<std::uint32_t> lostBonds_;  // new slots, in the numbering of `bond`, that arrived with a bond
+                                          // to a particle that is no longer solid
   std::vector<Alias> aliases_;
   std::vector<Released> released_;
   std::vector<NewSlot> fresh_;

@@ -1,10 +1,10 @@
-// The end of a relink: rows and bonds move to the positions that bond_graph.cpp assigned.
+// The end of a bond update: rows and bonds move to the positions that bond_graph.cpp assigned.
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
+#include "core/solid/bond_entries.hpp"
 #include "core/solid/bond_graph.hpp"
-#include "core/solid/bond_places.hpp"
 #include "core/solid/slot_rows.hpp"
 
 namespace thaw {
@@ -28,7 +28,7 @@ void BondGraph::moveColumns(const SolidTables& t) {
     s.changed[slot] = 1;
     t.particles.slot[row] = slot;
   }
-  for (const std::uint32_t r : bereft_) s.bare(now_[r]);
+  for (const std::uint32_t r : lostBonds_) s.markExposed(now_[r]);
   s.owned = newOwned_;
   s.resize(newOwned_, newRows_ - newOwned_);
 }
@@ -67,10 +67,10 @@ std::int64_t BondGraph::walkGroup(const SolidTables& t, std::size_t g) {
       if (kept < k) copyBond(b, b.at(s, k), b.at(s, kept));
       kept++;
     }
-    clearPlaces(b, s, kept, used_[s]);
+    clearEntries(b, s, kept, used_[s]);
     used_[s] = static_cast<std::uint16_t>(kept);
     t.solids.changed[s] = 1;
-    t.solids.bare(s);
+    t.solids.markExposed(s);
   }
   return met;
 }
@@ -136,8 +136,8 @@ void BondGraph::finish(const SolidTables& t) {
 std::size_t BondGraph::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t(0) + ... + (v.capacity() * sizeof(v[0]))); };
   return rowOf_.bytes() + of(ids_, owner_, references_, used_, boundary_, now_, leaving_, departed_, movers_,
-                             unnamed_, relocated_, newRemotes_, bereft_, aliases_, released_, fresh_, marked_,
-                             isMarked_, touched_, isAlias_, turned_, renumbered_);
+                             unnamed_, relocated_, newRemotes_, lostBonds_, aliases_, released_, fresh_,
+                             marked_, isMarked_, touched_, isAlias_, turned_, renumbered_);
 }
 
 void BondGraph::check(const SolidTables& t) const {

@@ -31,7 +31,7 @@ std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stat
 void appendRecord(const Solids& s, const Bonds& b, std::uint32_t slot, SolidRecords& records) {
   std::vector<BondRecord> list;
   for (int k = 0; k < b.capacity; k++) {
-    if (!b.there(slot, k)) continue;
+    if (!b.hasBond(slot, k)) continue;
     const std::size_t at = b.at(slot, k);
     BondRecord r{s.id[b.neighbour[at]], {}, {}, 0};
     if (b.vectors) {

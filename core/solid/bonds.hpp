@@ -51,17 +51,17 @@ struct Bonds {
   bool vectors = true;   ///< x, y, z and weight are stored; else a bond is its other end, and an entry whose
                          ///< end is the slot itself is unused
   bool twoFrames = false;  ///< rx, ry, rz are stored
-  bool broken = false;     ///< some bond broke on this rank since the last relink; the next one drops it
+  bool broken = false;     ///< some bond broke on this rank since the last bond update; the next one drops it
 
   std::size_t at(std::size_t slot, int k) const {
     return (slot / lanes * static_cast<std::size_t>(capacity) + static_cast<std::size_t>(k)) * lanes +
            slot % lanes;
   }
   /// Returns true if this entry of an owned slot holds a bond.
-  bool there(std::size_t slot, int k) const {
+  bool hasBond(std::size_t slot, int k) const {
     return vectors ? weight[at(slot, k)] > 0 : neighbour[at(slot, k)] != slot;
   }
-  /// Breaks a bond: sums skip it from now on, and the next relink drops it.
+  /// Breaks a bond: sums skip it from now on, and the next bond update drops it.
   void cut(std::size_t slot, int k) {
     if (vectors) weight.set(at(slot, k), 0);
     else neighbour[at(slot, k)] = static_cast<std::uint32_t>(slot);

@@ -44,7 +44,7 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   a.rz = bonds.rz.data();
   a.weight = bonds.weight.data();
   a.end = single ? static_cast<void*>(solids.end.data()) : solids.endDouble.data();
-  a.motion = pick(work.motion4, work.motion4d);
+  a.motion = pick(work.velocityDrag, work.velocityDragDouble);
   a.unit = work.support / fixedUnitsPerSupport;
   a.perSupport2 = 1 / (work.support * work.support);
   for (int k = 0; k < 3; k++) a.period[k] = single ? work.periods.length[k] / a.unit : work.periods.length[k];
@@ -137,8 +137,8 @@ void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gra
     for (int c = 0; c < 3; c++) gradU[3 * r + c][lane] = g.row[r][c];
 }
 
-void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
-                      const FlatLane& of) {
+void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
+                     const FlatLane& of) {
   if (a.rank[slot] != 2 || !(a.perTrace[slot] > 0)) return;
   const Mat3d more = stressOfNormal({laneMatrix(of.gradU, lane), a.momentInverse[slot], 1 / a.perTrace[slot],
                                      laneMatrix(of.sum, lane), c.volume[lane] * laneMatrix(of.stress, lane),
@@ -191,8 +191,8 @@ ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, con
                                           const ElasticStep& step, SolidPart part) {
   if (part == SolidPart::Inner)
     forEachAwake(work, solids,
-                 [&](std::size_t first, std::size_t last) { packPlaces(work, solids, first, last); });
-  else packPlaces(work, solids, solids.owned, solids.size());
+                 [&](std::size_t first, std::size_t last) { packPositions(work, solids, first, last); });
+  else packPositions(work, solids, solids.owned, solids.size());
   ElasticArrays a = arraysOf(work, solids, bonds, step, part);
   kernelsOf(work).deformation(a);
   return {a.inverted, a.squeezed, a.maxStretch2};
@@ -211,14 +211,14 @@ void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, co
 
 void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
                           SolidPart part) {
-  if (part == SolidPart::Boundary) followRemoteReferences(work, solids, bonds);
-  if (part == SolidPart::Inner) packMotion(work, solids, 0, solids.owned);
-  else packMotion(work, solids, solids.owned, solids.size());
+  if (part == SolidPart::Boundary) copyRemoteReferences(work, solids, bonds);
+  if (part == SolidPart::Inner) packVelocityDrag(work, solids, 0, solids.owned);
+  else packVelocityDrag(work, solids, solids.owned, solids.size());
   kernelsOf(work).forces(arraysOf(work, solids, bonds, step, part));
 }
 
 void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds) {
-  packPlaces(work, solids, 0, solids.size());
+  packPositions(work, solids, 0, solids.size());
   for (const SolidPart part : {SolidPart::Inner, SolidPart::Boundary}) {
     ElasticArrays a = arraysOf(work, solids, bonds, ElasticStep{0, true}, part);
     a.keepDissipated = true;

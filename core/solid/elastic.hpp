@@ -65,16 +65,16 @@ struct ElasticWork {
   std::vector<std::uint8_t> stretched;        ///< by group, from phase 1: some bond may exceed its limit
                                               ///< (fracture.hpp)
   AlignedVector<double> perTrace, perWeight;  ///< by owned slot: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
-  AlignedVector<double> grip;  ///< by owned slot, 1/m: bound of the strain-displacement operator
-                               ///< (elasticStepLimit)
+  AlignedVector<double> strainBound;  ///< by owned slot, 1/m: bound of the strain-displacement operator
+                                      ///< (elasticStepLimit)
   // Sleep (core/sleep/sleep.hpp).
   bool sleeping = false;  ///< active groups are innerAwake and boundaryAwake
   std::vector<std::uint32_t> innerAwake, boundaryAwake;
   std::vector<std::uint8_t> held;     ///< by owned slot: plastic strain is fixed
   std::vector<double> groupStretch2;  ///< by group: largest squared stretch of the last evaluation
   // Velocity and drag by row, if bonds are damped; float or double by precision.
-  AlignedVector<float> motion4;
-  AlignedVector<double> motion4d;
+  AlignedVector<float> velocityDrag;
+  AlignedVector<double> velocityDragDouble;
 };
 
 /// Calls work(first, last) for the active owned slots: all, or those of awake groups.
@@ -112,8 +112,9 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
 /// unused before bonds exist.
 std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work);
 
-/// Columns that remote rows need: after relink and before refreshReference (data that is constant while bonds
-/// are), before phase 1 (computeDeformationAndStress), and before phase 2 (computeElasticForces). A step is:
+/// Columns that remote rows need: after rebuildBonds and before refreshReference (data that is constant while
+/// bonds are), before phase 1 (computeDeformationAndStress), and before phase 2 (computeElasticForces). A
+/// step is:
 ///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary;
 ///   breakBonds (fracture.hpp); rereference (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish;
 ///   phase 2 Boundary; addSolidForces.
@@ -133,10 +134,10 @@ void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork&
 void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& particles, double dt);
 
 /// Updates A^-1 and the other bond data in `work`, for slots with `changed` set, or for all slots if `all`
-/// (for bonds made by hand). Call it after every relink and the exchange of remoteColumnsAfterRelink, which
-/// sets `changed` also for renumbered slots and where a bond's other end became remote or owned. The bits do
-/// not depend on which slots are recomputed. Clears `changed`. Returns the number of owned slots with rank <
-/// 3.
+/// (for bonds made by hand). Call it after every bond update and the exchange of remoteColumnsAfterRelink,
+/// which sets `changed` also for renumbered slots and where a bond's other end became remote or owned. The
+/// bits do not depend on which slots are recomputed. Clears `changed`. Returns the number of owned slots with
+/// rank < 3.
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
 
 /// Phase 1: F, plastic flow, stress and flux of the groups of this part. Requires: Solids::position of owned
@@ -156,8 +157,8 @@ void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const
 
 /// Computes Solids::energy of all owned slots at the current positions of owned and remote rows, without
 /// plastic flow; overwrites deformation and force. When freezing or melting changes bonds, the jump of
-/// elastic energy is the exact sum over owned slots before relink minus that after relink, refreshReference,
-/// an exchange of positions and this function.
+/// elastic energy is the exact sum over owned slots before rebuildBonds minus that after rebuildBonds,
+/// refreshReference, an exchange of positions and this function.
 void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds);
 
 /// Computes the Cauchy stress of all owned slots into Solids::stress (activated here) from F of the last
@@ -167,20 +168,20 @@ void computeCauchyStress(const ElasticWork& work, Solids& solids);
 /// Bound of the strain-displacement operator of a slot: sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1 X_j|, in 1/m,
 /// the strain per metre of neighbour displacement. The largest frequency of a body is below sqrt(0.45) c_p
 /// times it (measured squares: 0.21 on a lattice, 0.25-0.35 in disorder, 0.45 in a crumpled sheet). Faces and
-/// corners of a lattice have up to latticeGrip / spacing for bonds of at least 1.5 spacings.
-inline constexpr double latticeGrip = 4.75;
-inline constexpr double flatGrip = 1.4;  ///< factor for rows and sheets of particles: the frequency of a pair
-                                         ///< is c_p times the bound
+/// corners of a lattice have up to latticeStrainBound / spacing for bonds of at least 1.5 spacings.
+inline constexpr double latticeStrainBound = 4.75;
+inline constexpr double flatStrainFactor = 1.4;  ///< factor for rows and sheets of particles: the frequency
+                                                 ///< of a pair is c_p times the bound
 /// Largest bound over the owned slots (1/m), each times the largest stretch of Fp^-1, by which plastic flow
 /// changed the reference.
-double largestGrip(const ElasticWork& work, const Solids& solids);
+double largestStrainBound(const ElasticWork& work, const Solids& solids);
 /// Returns the number of owned slots whose moment matrix has rank < 3.
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids);
 
 /// Largest stable time step (s) of all materials that can be solid, and of bond damping: cflElastic * d /
-/// c_p. d is the spacing, or latticeGrip / grip for neighbourhoods less even than a lattice. c_p is that of
-/// the stiffest state, with hourglass control, volume force and, for Green strain, stiffening by the given
-/// squared stretch.
-double elasticStepLimit(const Scene& scene, double maxStretch2 = 1, double grip = 0);
+/// c_p. d is the spacing, or latticeStrainBound / strainBound for neighbourhoods less even than a lattice.
+/// c_p is that of the stiffest state, with hourglass control, volume force and, for Green strain, stiffening
+/// by the given squared stretch.
+double elasticStepLimit(const Scene& scene, double maxStretch2 = 1, double strainBound = 0);
 
 }  // namespace thaw

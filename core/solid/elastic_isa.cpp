@@ -146,7 +146,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
       storeMatrix<Real>(sum, sums), storeMatrix<Real>(piola, stress), storeMatrix<Real>(flux, fluxes);
       for (int l = 0; l < n; l++)
         if (a.singularLanes[g] >> l & 1)
-          turnNormalOfLane(a, c, s0 + static_cast<std::size_t>(l), l, {sums, gradU, stress, fluxes});
+          addNormalStress(a, c, s0 + static_cast<std::size_t>(l), l, {sums, gradU, stress, fluxes});
       flux = loadMatrix<Real>(fluxes);
     }
     const T j = determinant(f);

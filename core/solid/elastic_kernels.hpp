@@ -78,8 +78,8 @@ struct FlatLane {
   const double (*sum)[8], (*gradU)[8], (*stress)[8];
   double (*flux)[8];
 };
-void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
-                      const FlatLane& of);
+void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
+                     const FlatLane& of);
 /// Plastic flow of one lane: updates Solids::plasticInverse, records the loss, and returns Fe - 1 and Fp^-1 -
 /// 1.
 struct PlasticLanes {

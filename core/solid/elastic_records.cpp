@@ -74,15 +74,15 @@ void packPlacesIn(const ElasticWork& work, Solids& solids, std::size_t first, st
 /// Displacements use the nearest image of the position. A rotating body across a periodic side has particles
 /// that crossed it in both directions, so x - X of neighbours may differ by two periods, of which Places
 /// removes one. Without references (vectors) positions are packed, which differ by one period at most.
-void packPlaces(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
+void packPositions(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   if (work.periodic && solids.reference.active) packPlacesIn<true>(work, solids, first, last);
   else packPlacesIn<false>(work, solids, first, last);
 }
 
-void packMotion(ElasticWork& work, const Solids& solids, std::size_t first, std::size_t last) {
+void packVelocityDrag(ElasticWork& work, const Solids& solids, std::size_t first, std::size_t last) {
   if (!work.damping) return;
-  if (work.precision == Precision::Single) packMotionOf(work.motion4, solids, first, last);
-  else packMotionOf(work.motion4d, solids, first, last);
+  if (work.precision == Precision::Single) packMotionOf(work.velocityDrag, solids, first, last);
+  else packMotionOf(work.velocityDragDouble, solids, first, last);
 }
 
 }  // namespace thaw

@@ -29,7 +29,7 @@ double energyBeforeDrift(const ElasticWork& work, Solids& solids, const Bonds& b
   std::vector<std::pair<std::uint32_t, Vec3d>> places{
       {static_cast<std::uint32_t>(slot), solids.position[slot]}};
   for (int k = 0; k < bonds.capacity; k++)
-    if (const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)]; bonds.there(slot, k))
+    if (const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)]; bonds.hasBond(slot, k))
       places.emplace_back(other, solids.position[other]);
   for (const auto& [row, place] : places) solids.position[row] = place - solids.velocity[row] * dt;
   const double energy = slotEnergy(work, solids, bonds, slot);
@@ -51,9 +51,9 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
     for (std::size_t s = g * lanes, end = std::min(s + lanes, solids.owned); s < end; s++) {
       lost.clear();
       for (int k = 0; k < work.bondCount[g]; k++)
-        if (bonds.there(s, k) && beyondLimit(work, solids, bonds, s, k)) lost.push_back(k);
+        if (bonds.hasBond(s, k) && beyondLimit(work, solids, bonds, s, k)) lost.push_back(k);
       if (lost.empty()) continue;
-      solids.bare(s);
+      solids.markExposed(s);
       const double before = slotEnergy(work, solids, bonds, s),
                    stored = before - energyBeforeDrift(work, solids, bonds, s, step.dt);
       for (const int k : lost) {

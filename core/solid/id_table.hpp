@@ -26,7 +26,7 @@ class IdTable {
   /// Returns the number of an id, or none.
   std::uint32_t find(std::uint64_t id) const {
     if (size_ == 0) return none;
-    for (std::size_t at = home(id);; at = (at + 1) & mask_) {
+    for (std::size_t at = bucketOf(id);; at = (at + 1) & mask_) {
       if (key_[at] == id) return value_[at];
       if (key_[at] == free_) return none;
     }
@@ -34,7 +34,7 @@ class IdTable {
   /// Sets the number of an id, new or not.
   void insert(std::uint64_t id, std::uint32_t value) {
     if (2 * (size_ + 1) > key_.size()) grow(key_.empty() ? 64 : 2 * key_.size());
-    std::size_t at = home(id);
+    std::size_t at = bucketOf(id);
     while (key_[at] != free_ && key_[at] != id) at = (at + 1) & mask_;
     size_ += key_[at] == free_;
     key_[at] = id;
@@ -49,14 +49,14 @@ class IdTable {
   /// Removes an id; returns false if it was absent.
   bool erase(std::uint64_t id) {
     if (size_ == 0) return false;
-    std::size_t at = home(id);
+    std::size_t at = bucketOf(id);
     while (key_[at] != id) {
       if (key_[at] == free_) return false;
       at = (at + 1) & mask_;
     }
     // Close the gap: later entries that would become unreachable move forward.
     for (std::size_t next = (at + 1) & mask_; key_[next] != free_; next = (next + 1) & mask_) {
-      if (((next - home(key_[next])) & mask_) < ((next - at) & mask_)) continue;
+      if (((next - bucketOf(key_[next])) & mask_) < ((next - at) & mask_)) continue;
       key_[at] = key_[next];
       value_[at] = value_[next];
       at = next;
@@ -68,7 +68,7 @@ class IdTable {
 
  private:
   static constexpr std::uint64_t free_ = ~0ull;
-  std::size_t home(std::uint64_t id) const { return spreadBits(id) & mask_; }
+  std::size_t bucketOf(std::uint64_t id) const { return spreadBits(id) & mask_; }
   void grow(std::size_t places) {  // a power of two
     std::vector<std::uint64_t> keys(places, free_);
     std::vector<std::uint32_t> values(keys.size());

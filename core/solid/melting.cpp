@@ -9,12 +9,13 @@ namespace {
 bool dropBonds(Solids& solids, Bonds& bonds, std::size_t slot, int most) {
   bool any = false;
   for (int k = 0; k < most; k++) {
-    if (!bonds.there(slot, k) || !(solids.melted[slot] || solids.melted[bonds.neighbour[bonds.at(slot, k)]]))
+    if (!bonds.hasBond(slot, k) ||
+        !(solids.melted[slot] || solids.melted[bonds.neighbour[bonds.at(slot, k)]]))
       continue;
     bonds.cut(slot, k);
     any = true;
   }
-  if (any) solids.bare(slot);
+  if (any) solids.markExposed(slot);
   return any;
 }
 

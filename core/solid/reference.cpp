@@ -1,7 +1,7 @@
 // Reference data of bonds in the elastic step.
 #include <algorithm>
 
-#include "core/solid/bond_places.hpp"
+#include "core/solid/bond_entries.hpp"
 #include "core/solid/elastic_records.hpp"
 #include "core/solid/slot_state.hpp"
 
@@ -23,7 +23,7 @@ void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
   work.rank.resize(groups * lanes, 0);
   work.perTrace.resize(groups * lanes, 0.0);
   work.perWeight.resize(groups * lanes, 0.0);
-  work.grip.resize(groups * lanes, 0.0);
+  work.strainBound.resize(groups * lanes, 0.0);
   work.capacity = bonds.capacity;
 }
 
@@ -32,7 +32,7 @@ void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
 void padLastGroup(ElasticWork& work, const Solids& solids, Bonds& bonds) {
   for (std::size_t s = solids.owned; s < groupsOf(solids) * lanes; s++) {
     work.rank[s] = 0;
-    work.perTrace[s] = work.perWeight[s] = work.grip[s] = 0;
+    work.perTrace[s] = work.perWeight[s] = work.strainBound[s] = 0;
     work.singularLanes[s / lanes] = static_cast<std::uint8_t>(work.singularLanes[s / lanes] &
                                                               ~(1u << s % lanes));
     for (int k = 0; k < bonds.capacity; k++)
@@ -54,12 +54,12 @@ bool haveOwnFrames(const Bonds& b, std::size_t begin, std::size_t end) {
 }
 
 /// Updates the group's number of bond entries, and whether some bond has a remote end or two references.
-void lookAtGroup(ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t g) {
+void updateGroup(ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t g) {
   std::size_t last = 0;
   bool remote = false;
   for (int k = 0; k < bonds.capacity; k++)
     for (std::size_t s = g * lanes, end = std::min(s + lanes, solids.owned); s < end; s++) {
-      if (!bonds.there(s, k)) continue;
+      if (!bonds.hasBond(s, k)) continue;
       last = static_cast<std::size_t>(k) + 1;
       remote = remote || bonds.neighbour[bonds.at(s, k)] >= solids.owned;
     }
@@ -97,7 +97,7 @@ std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, b
           refreshSlot(work, solids, bonds, s);
         }
     }
-    lookAtGroup(work, solids, bonds, g);
+    updateGroup(work, solids, bonds, g);
   }
   sortGroups(work);
   packReferences(work, solids, solids.owned, solids.size());  // all remote rows, since it is unknown which

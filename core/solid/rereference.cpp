@@ -23,7 +23,7 @@ bool canFollow(const Mat3d& f) {
 bool keepsRank(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
   Sym3d a{};
   for (int k = 0; k < bonds.capacity; k++) {
-    if (!bonds.there(slot, k)) continue;
+    if (!bonds.hasBond(slot, k)) continue;
     const BondVectors v = bondVectors(work, solids, bonds, slot, k);
     a = a + v.weight * symmetric(outer(v.current, v.current));
   }
@@ -44,7 +44,7 @@ void takeReference(ElasticWork& work, Solids& solids, Bonds& bonds, std::size_t 
   solids.plasticInverse[slot] = pushForward(gradU, solids.plasticInverse[slot]);
   solids.referenceGradient[slot] = compose(gradU, solids.referenceGradient[slot]);
   for (int k = 0; k < bonds.capacity; k++) {
-    if (!bonds.there(slot, k)) continue;
+    if (!bonds.hasBond(slot, k)) continue;
     const std::size_t b = bonds.at(slot, k);
     const Vec3d x = bondVectors(work, solids, bonds, slot, k).current;
     bonds.x.set(b, x.x);
@@ -76,8 +76,8 @@ std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const 
     }
   });
   if (count == 0) return 0;
-  followReferences(work, solids, bonds, work.inner, {0, solids.owned});
-  followReferences(work, solids, bonds, work.boundary, {0, solids.owned});
+  copyReferences(work, solids, bonds, work.inner, {0, solids.owned});
+  copyReferences(work, solids, bonds, work.boundary, {0, solids.owned});
   repeatDeformation(work, solids, bonds, step, groups);
   return count;
 }

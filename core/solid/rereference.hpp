@@ -20,10 +20,10 @@ std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const 
 struct SlotRange {
   std::size_t begin, end;
 };
-void followReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
-                      std::span<const std::uint32_t> groups, SlotRange flagged);
+void copyReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
+                    std::span<const std::uint32_t> groups, SlotRange flagged);
 
 /// Renews the copied vectors of remote slots that took a new reference; part of phase 2.
-void followRemoteReferences(ElasticWork& work, const Solids& solids, Bonds& bonds);
+void copyRemoteReferences(ElasticWork& work, const Solids& solids, Bonds& bonds);
 
 }  // namespace thaw

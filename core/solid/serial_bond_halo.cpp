@@ -9,7 +9,7 @@ void SerialBondHalo::migrate(const BondedRows& p, Solids&, Bonds&, const Migrati
   for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) p.slot[i] = noSlot;
 }
 
-bool SerialBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink& work) {
+bool SerialBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, const BondUpdate& work) {
   if (!p.active || !(work.changedHere || b.broken || work.asks() || !records_.empty())) return false;
   const SolidTables tables{p, s, b};
   graph_.begin();

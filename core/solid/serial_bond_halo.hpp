@@ -11,11 +11,13 @@ class SerialBondHalo : public BondHalo {
  public:
   void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
                const Migration& migration) override;
-  bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
+  bool rebuildBonds(const BondedRows& particles, Solids& solids, Bonds& bonds,
+                    const BondUpdate& work) override;
   void begin(Solids&, std::span<AnyColumn* const>) override {}
   void finish(Solids&) override {}
 
-  /// Adds records (SolidRecords::bytes) of particles without a slot; the next relink creates their slots.
+  /// Adds records (SolidRecords::bytes) of particles without a slot; the next bond update creates their
+  /// slots.
   void adopt(std::vector<std::byte> records) { records_.push_back(std::move(records)); }
   const BondGraph& graph() const { return graph_; }
 

@@ -8,7 +8,7 @@ namespace thaw {
 inline std::size_t groupsOf(std::size_t slots) { return (slots + lanes - 1) / lanes; }
 
 /// Clears entries [from, to) of a slot.
-inline void clearPlaces(Bonds& b, std::size_t slot, int from, int to) {
+inline void clearEntries(Bonds& b, std::size_t slot, int from, int to) {
   for (int k = from; k < to; k++) clearBond(b, b.at(slot, k), static_cast<std::uint32_t>(slot));
 }
 

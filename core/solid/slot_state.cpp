@@ -46,7 +46,7 @@ std::span<const Bond> gatherBonds(const Bonds& bonds, std::size_t slot, Look&& l
   Bond* const first = there.data();
   std::size_t n = 0;
   for (int k = 0; k < bonds.capacity; k++)
-    if (bonds.there(slot, k)) first[n++] = look(k);
+    if (bonds.hasBond(slot, k)) first[n++] = look(k);
   return {first, n};
 }
 
@@ -85,8 +85,8 @@ void setMoment(ElasticWork& work, Solids& solids, std::size_t slot, const Sym3d&
   solids.changed[slot] = 0;
 }
 
-double gripOf(int rank, double lengths, const Vec3d& levers) {
-  return (rank < 3 ? flatGrip : 1) * (lengths + length(levers));
+double strainBoundOf(int rank, double lengths, const Vec3d& levers) {
+  return (rank < 3 ? flatStrainFactor : 1) * (lengths + length(levers));
 }
 
 }  // namespace
@@ -117,8 +117,8 @@ void refreshGroup(ElasticWork& work, Solids& solids, const Bonds& bonds, std::si
   }
   work.referenceKernels->levers(a, group, sums);
   for (std::size_t l = 0; l < lanes; l++)
-    work.grip[first + l] = gripOf(work.rank[first + l], sums.lengths[l],
-                                  {sums.sum[0][l], sums.sum[1][l], sums.sum[2][l]});
+    work.strainBound[first + l] = strainBoundOf(work.rank[first + l], sums.lengths[l],
+                                                {sums.sum[0][l], sums.sum[1][l], sums.sum[2][l]});
 }
 
 void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot) {
@@ -146,7 +146,7 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
     all += lever;
     lengths += length(lever);
   }
-  work.grip[slot] = gripOf(m.rank, lengths, all);
+  work.strainBound[slot] = strainBoundOf(m.rank, lengths, all);
 }
 
 Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {

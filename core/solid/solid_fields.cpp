@@ -41,7 +41,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     particles.activate(particles.frame);
     particles.activate(particles.justFrozen);
   }
-  if (work.periodic) particles.activate(particles.home);
+  if (work.periodic) particles.activate(particles.unwrappedPosition);
   for (AnyColumn* c : {static_cast<AnyColumn*>(&solids.id), static_cast<AnyColumn*>(&solids.particle),
                        static_cast<AnyColumn*>(&solids.material), static_cast<AnyColumn*>(&solids.volume),
                        static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
@@ -54,7 +54,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     solids.activate(solids.rereferenced);
     solids.activate(solids.referenceGradient);
   }
-  if (modules.surface) solids.activate(solids.bared);
+  if (modules.surface) solids.activate(solids.exposed);
   if (modules.melting) {
     solids.activate(solids.liquid);
     solids.activate(solids.melted);
@@ -107,7 +107,7 @@ void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork&
   for (std::size_t s = 0; s < solids.owned; s++) {
     if (solids.volume[s] > 0) continue;
     solids.volume[s] = particles.mass[solids.particle[s]] / work.materials[solids.material[s]].density;
-    if (solids.bared.active) solids.bared[s] = !atStart;
+    if (solids.exposed.active) solids.exposed[s] = !atStart;
   }
 }
 

@@ -53,8 +53,7 @@ struct Solids : Table {
   Column<Sym3d> momentInverse{*this, "momentInverse", "1/m^2", Keep::Transient,
       "A^-1, A = sum w X X^T; recomputed when a bond changed"};
   Column<Mat3d> deformation{*this, "deformation", "1", Keep::Transient, "F = I + grad u"};
-  Column<BondEnd<float>> end{*this, "end", "", Keep::Transient,
-      "data of a bond end, in single precision"};
+  Column<BondEnd<float>> end{*this, "end", "", Keep::Transient, "data of a bond end, in single precision"};
   Column<BondEnd<double>> endDouble{*this, "endDouble", "", Keep::Transient,
       "data of a bond end, in double precision"};
   Column<double> drag{*this, "drag", "kg/s", Keep::Transient,
@@ -65,7 +64,7 @@ struct Solids : Table {
       "stored elastic, volume and hourglass energy; migrates with the slot, also right after a restart"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::Transient,
       "lost to plastic flow and bond damping in this step"};
-  Column<std::uint8_t> bared{*this, "bared", "1", Keep::State,
+  Column<std::uint8_t> exposed{*this, "bared", "1", Keep::State,
       "lost a bond, froze, or touched liquid: the initial surface may no longer cover it; only with a "
       "surface"};
   Column<std::uint8_t> melted{*this, "melted", "1", Keep::Transient,
@@ -78,8 +77,8 @@ struct Solids : Table {
 
   /// Marks a slot that lost a bond. It is marked at the loss, since a migrating slot keeps no trace of lost
   /// bonds.
-  void bare(std::size_t slot) {
-    if (bared.active) bared[slot] = 1;
+  void markExposed(std::size_t slot) {
+    if (exposed.active) exposed[slot] = 1;
   }
 };
 

@@ -16,24 +16,24 @@ double plasticStretch(const Mat3d& plasticInverse) {
   return std::sqrt(std::max(1.0, 1 + 2 * (mean + std::sqrt(2.0 / 3 * std::max(0.0, square)))));
 }
 
-double largestPlasticGrip(const ElasticWork& work, const Solids& solids) {
-  double grip = 0;
+double largestPlasticStrainBound(const ElasticWork& work, const Solids& solids) {
+  double strainBound = 0;
   for (std::size_t s = 0; s < solids.owned; s++)
-    grip = std::max(grip, work.grip[s] * plasticStretch(solids.plasticInverse[s]));
-  return grip;
+    strainBound = std::max(strainBound, work.strainBound[s] * plasticStretch(solids.plasticInverse[s]));
+  return strainBound;
 }
 
 }  // namespace
 
-double largestGrip(const ElasticWork& work, const Solids& solids) {
-  if (work.plastic) return largestPlasticGrip(work, solids);
-  double grip[8]{};  // eight independent chains, to hide the latency of comparisons
-  const double* const of = work.grip.data();
+double largestStrainBound(const ElasticWork& work, const Solids& solids) {
+  if (work.plastic) return largestPlasticStrainBound(work, solids);
+  double strainBound[8]{};  // eight independent chains, to hide the latency of comparisons
+  const double* const of = work.strainBound.data();
   const std::size_t n = solids.owned;
   for (std::size_t s = 0; s + 8 <= n; s += 8)
-    for (std::size_t k = 0; k < 8; k++) grip[k] = std::max(grip[k], of[s + k]);
-  for (std::size_t s = n / 8 * 8; s < n; s++) grip[0] = std::max(grip[0], of[s]);
-  return *std::max_element(grip, grip + 8);
+    for (std::size_t k = 0; k < 8; k++) strainBound[k] = std::max(strainBound[k], of[s + k]);
+  for (std::size_t s = n / 8 * 8; s < n; s++) strainBound[0] = std::max(strainBound[0], of[s]);
+  return *std::max_element(strainBound, strainBound + 8);
 }
 
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids) {
@@ -42,9 +42,10 @@ std::int64_t countSingular(const ElasticWork& work, const Solids& solids) {
   return count;
 }
 
-double elasticStepLimit(const Scene& scene, double maxStretch2, double grip) {
+double elasticStepLimit(const Scene& scene, double maxStretch2, double strainBound) {
   double limit = never;
-  const double distance = grip > 0 ? std::min(scene.spacing, latticeGrip / grip) : scene.spacing;
+  const double distance = strainBound > 0 ? std::min(scene.spacing, latticeStrainBound / strainBound)
+                                          : scene.spacing;
   for (const Material& m : scene.materials) {
     if (!m.canBeSolid()) continue;
     for (const double liquid : {0.0, 0.5, 1.0}) {

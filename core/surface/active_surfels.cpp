@@ -49,17 +49,17 @@ void markFree(const Surface& s, bool all, std::vector<std::uint8_t>& free) {
   free.assign(f.owned, all);
   if (all) return;
   SmallDrops small(s);
-  for (std::size_t i = 0; i < f.owned; i++) free[i] = settles(f, i) && !small(f.component[i]);
+  for (std::size_t i = 0; i < f.owned; i++) free[i] = mayRelax(f, i) && !small(f.component[i]);
 }
 
 void markActive(Surface& s, CellHalo& halo, const Bins& bins, double reach, std::vector<std::uint8_t>& free,
                 std::vector<std::uint8_t>& core) {
   Surfels& f = s.surfels;
   markNear(f, bins, f.moving.data(), reach, free, core);
-  std::copy_n(core.begin(), f.owned, f.wish.data());
-  refreshGhosts(halo, f, ColumnList{&f.wish});
+  std::copy_n(core.begin(), f.owned, f.resampleFlags.data());
+  refreshGhosts(halo, f, ColumnList{&f.resampleFlags});
   std::vector<std::uint8_t> listed;
-  markNear(f, bins, f.wish.data(), reach, free, listed);
+  markNear(f, bins, f.resampleFlags.data(), reach, free, listed);
   free = std::move(listed);
 }
 

@@ -17,8 +17,8 @@ void markFree(const Surface& surface, bool all, std::vector<std::uint8_t>& free)
 
 /// Narrows `free` to the surfels that may move before the next search. `core`: a moving surfel lies within
 /// `reach` (m, at most the grid's edge). `free`: a surfel of the core lies within `reach`. Motion of a surfel
-/// outside the core may reach beyond the lists. Changes Surfels::wish. Requires: ghosts with Surfels::moving;
-/// bins of all rows. Collective.
+/// outside the core may reach beyond the lists. Changes Surfels::resampleFlags. Requires: ghosts with
+/// Surfels::moving; bins of all rows. Collective.
 void markActive(Surface& surface, CellHalo& halo, const Bins& bins, double reach,
                 std::vector<std::uint8_t>& free, std::vector<std::uint8_t>& core);
 

@@ -57,9 +57,9 @@ void adaptDensity(Surface& surface, CellHalo& halo, const RowLists& lists, doubl
     const double off = s.wanted[i] - s.radius[i];
     if (!(std::abs(off) > 0.1 * s.radius[i])) continue;
     s.radius[i] += 0.5 * off;
-    s.calm[i] = 0;
+    s.resampleMargin[i] = 0;
   }
-  ColumnList radius{&s.radius, &s.calm};
+  ColumnList radius{&s.radius, &s.resampleMargin};
   refreshGhosts(halo, s, radius);
 }
 

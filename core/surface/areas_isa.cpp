@@ -26,12 +26,12 @@ struct Line {
 };
 
 /// Clips lines a and b at each other.
-THAW_INLINE void cut(Line& a, Line& b, LanesD& farthest2) {
+THAW_INLINE void clipAt(Line& a, Line& b, LanesD& farthest2) {
   const LanesD zero(0.0), far(1e300), least(1e-300);
   const LanesD sine = a.x * b.y - a.y * b.x, cosine = a.x * b.x + a.y * b.y;
   const LanesD overA = b.height - a.height * cosine, overB = a.height - b.height * cosine;
   const auto cross = max(sine, -sine) > least;
-  // coincident lines: cutAlone handles the cell
+  // coincident lines: clipAlone handles the cell
   farthest2 = select(cross, farthest2, select(max(overA, -overA) > zero, farthest2, far));
   const LanesD back = LanesD(1.0) / select(cross, sine, least);
   const LanesD atA = overA * back, atB = -(overB * back);
@@ -72,7 +72,7 @@ void areas(const AreaCells& in, double* area, double* farthest2) {
                 select(cuts, away, none * LanesD(static_cast<double>(k + 1))), -none, none};
   }
   for (std::size_t k = 1; k < in.count; k++)
-    for (std::size_t j = 0; j < k; j++) cut(lines[j], lines[k], farthest);
+    for (std::size_t j = 0; j < k; j++) clipAt(lines[j], lines[k], farthest);
   for (std::size_t k = 0; k < in.count; k++) {
     const Line& l = lines[k];
     const auto there = (l.to > l.from) & (l.height < none);

@@ -67,9 +67,9 @@ void sortIntoBins(const Vec3d* position, Bins& b) {
     for (auto& [key, row] : b.sorting)
       key = (part(key, 2) - low[2]) << z | (part(key, 1) - low[1]) << y | (part(key, 0) - low[0]);
     sortByKey(b.sorting, b.sorted, z + bits[2]);
-    const auto cut = [](std::uint64_t v, int n) { return v & ((std::uint64_t{1} << n) - 1); };
+    const auto lowBits = [](std::uint64_t v, int n) { return v & ((std::uint64_t{1} << n) - 1); };
     for (auto& [key, row] : b.sorting)
-      key = binKey(cut(key, y) + low[0], cut(key >> y, bits[1]) + low[1], (key >> z) + low[2]);
+      key = binKey(lowBits(key, y) + low[0], lowBits(key >> y, bits[1]) + low[1], (key >> z) + low[2]);
   } else {
     std::stable_sort(b.sorting.begin(), b.sorting.end(),
                      [](const auto& x, const auto& y) { return x.first < y.first; });

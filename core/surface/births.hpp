@@ -13,9 +13,9 @@ struct SurfelRow {
   Vec3d position{}, normal{0, 0, 1}, tangent{1, 0, 0};  ///< m, unit, unit
   double radius = 0;                                    ///< m
   std::uint32_t colour = 0;
-  float detail = 0, liquid = 0, temperature = 0, softened = 0, mark = 0;
-  bool follows = false;  ///< has a reference position and frame (follow_start.hpp)
-  Vec3d startPlace{}, startNormal{}, startTangent{};  ///< m, unit, unit
+  float detail = 0, liquid = 0, temperature = 0, maxLiquidFraction = 0, detailHeight = 0;
+  bool hasReference = false;  ///< has a reference position and frame (reference_motion.hpp)
+  Vec3d referencePosition{}, referenceNormal{}, referenceTangent{};  ///< m, unit, unit
   static constexpr std::uint32_t none = 0xffffffffu;
   std::uint32_t particle = none;  ///< row of the particle copy that it grows from; none: born between surfels
 };
@@ -28,7 +28,7 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p);
 void appendSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows);
 
 /// Appends births on all ranks. Ids that exist already in the table or in `others` are replaced
-/// (renameTwins). Collective.
+/// (makeIdsUnique). Collective.
 void addSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all,
                 const Surfels* others = nullptr);
 

@@ -9,10 +9,10 @@ namespace thaw {
 namespace {
 
 /// Half-molten, a strain of 1 leaves 1/e of a detail's height.
-constexpr double wipes = 2;
+constexpr double strainFading = 2;
 
 /// Motion of a surfel in this update from its carried to its relaxed position.
-struct Way {
+struct RelaxationStep {
   double down = 0;   // m, against the relaxed normal
   double share = 0;  // share of the remaining motion: along the surface and of the rotation
 };
@@ -21,20 +21,23 @@ struct Way {
 /// added by motion. The detail fades to the factor 1 - b, for the largest b since it was solid, and with
 /// strain by exp(-wipes b strain). The added height fades by b in each update, as in the paper; it does not
 /// return. At small b, added height becomes detail, because nearly solid surfels are carried, not relaxed.
-Way wayOf(Surfels& s, std::size_t i, double b, double height) {
-  const bool told = s.softened.active;
-  const double before = told ? static_cast<double>(s.softened[i]) : 0,
-               mark = before > 0 ? static_cast<double>(s.mark[i]) : height;
-  const double strain = s.strain.active ? static_cast<double>(s.strain[i]) : 0, added = height - mark;
-  const double left = b >= 1 ? 0 : (b > before ? (1 - b) / (1 - before) : 1) * std::exp(-wipes * b * strain);
-  if (told) {
+RelaxationStep relaxationStepOf(Surfels& s, std::size_t i, double b, double height) {
+  const bool recorded = s.maxLiquidFraction.active;
+  const double before = recorded ? static_cast<double>(s.maxLiquidFraction[i]) : 0,
+               detailHeight = before > 0 ? static_cast<double>(s.detailHeight[i]) : height;
+  const double strain = s.strain.active ? static_cast<double>(s.strain[i]) : 0, added = height - detailHeight;
+  const double left = b >= 1
+                          ? 0
+                          : (b > before ? (1 - b) / (1 - before) : 1) * std::exp(-strainFading * b * strain);
+  if (recorded) {
     const double solid = (1 - b) * (1 - b);
-    s.softened[i] = static_cast<float>(std::max(before, b));
-    s.mark[i] = static_cast<float>(mark * left + solid * solid * added);
+    s.maxLiquidFraction[i] = static_cast<float>(std::max(before, b));
+    s.detailHeight[i] = static_cast<float>(detailHeight * left + solid * solid * added);
   }
   const double off = std::min(1.0, added * added / (s.radius[i] * s.radius[i]));
   // Never move away from the surface.
-  const double down = std::clamp(mark * (1 - left) + b * added, std::min(height, 0.0), std::max(height, 0.0));
+  const double down = std::clamp(detailHeight * (1 - left) + b * added, std::min(height, 0.0),
+                                 std::max(height, 0.0));
   return {down, 1 - left * (1 - b * off)};
 }
 
@@ -47,15 +50,15 @@ void blendSurfels(World& w) {
   for (std::size_t i = 0; i < s.owned; i++) {
     const Vec3d before = s.carriedNormal[i], settled = s.normal[i];
     if (dot(before, before) == 0) {  // born in this update
-      s.calm[i] = 0;
+      s.resampleMargin[i] = 0;
       continue;
     }
     const double b = std::clamp(static_cast<double>(s.liquid[i]), 0.0, 1.0);
     Vec3d move = s.position[i] - s.carried[i];
     const double height = -dot(move, settled);
-    Way way;
-    if (b > 0) way = wayOf(s, i, b, height);
-    else if (s.softened.active) s.softened[i] = s.mark[i] = 0;
+    RelaxationStep way;
+    if (b > 0) way = relaxationStepOf(s, i, b, height);
+    else if (s.maxLiquidFraction.active) s.maxLiquidFraction[i] = s.detailHeight[i] = 0;
     if (b < 1) {
       move = way.share * (move + height * settled) - way.down * settled;
       s.position[i] = s.carried[i] + move;
@@ -66,7 +69,8 @@ void blendSurfels(World& w) {
       const Vec3d d = s.tangent[i] - dot(s.tangent[i], s.normal[i]) * s.normal[i];
       if (dot(d, d) > 1e-12) s.tangent[i] = normalized(d);
     }
-    s.calm[i] = std::max(0.0f, s.calm[i] - static_cast<float>(length(move) / s.radius[i]));
+    s.resampleMargin[i] = std::max(0.0f,
+                                   s.resampleMargin[i] - static_cast<float>(length(move) / s.radius[i]));
     s.detail[i] = static_cast<float>(static_cast<double>(s.detail[i]) * (1 - way.share));
   }
   deactivate(s.carried);

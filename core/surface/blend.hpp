@@ -10,7 +10,7 @@ namespace thaw {
 /// the number of updates, and less under strain. Only height added by motion relaxes by the share b in each
 /// update. The first update that finds a surfel molten uses the paper's formula. `detail` is the remaining
 /// share. Frozen surfels (b = 0) keep their shape. Births before the iterations are treated like their
-/// neighbours, except on crack faces (Surfels::loose): these keep their relaxed positions. Does nothing
+/// neighbours, except on crack faces (Surfels::relaxesOnce): these keep their relaxed positions. Does nothing
 /// without a liquid fraction. Requires: columns `carried` and `carriedNormal` of displaceSurfels, which are
 /// switched off. Not collective; surfels have no valid cells afterwards.
 void blendSurfels(World& world);

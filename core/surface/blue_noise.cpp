@@ -13,11 +13,11 @@ namespace thaw {
 namespace {
 
 // in spacings
-constexpr double pieceSize = 0.55, closest = 0.75, loneliest = 0.85;
+constexpr double pieceSize = 0.55, closest = 0.75, largestGap = 0.85;
 // Least dot product of the normals of triangles that interact.
 constexpr double sameSide = -0.3;
 constexpr int lloydSteps = 2;
-constexpr std::uint32_t nobody = 0xffffffffu;
+constexpr std::uint32_t noSample = 0xffffffffu;
 
 struct Candidates {
   std::vector<Vec3d> position;
@@ -80,7 +80,7 @@ struct Sampler {
   std::vector<std::uint32_t> nearest;  // index of the nearest sample of each candidate
   std::vector<MeshSample> places;
 
-  bool see(std::uint32_t t, std::uint32_t u) const {
+  bool onOneSide(std::uint32_t t, std::uint32_t u) const {
     return static_cast<double>(dot(normal[t], normal[u])) > sameSide;
   }
 
@@ -101,19 +101,19 @@ struct Sampler {
       cells.around(all.position[x], [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t j = first; j < last; j++) {
           const Vec3d d = all.position[j] - all.position[x];
-          if (dot(d, d) < distance * distance && see(all.triangle[j], all.triangle[x])) gone[j] = 1;
+          if (dot(d, d) < distance * distance && onOneSide(all.triangle[j], all.triangle[x])) gone[j] = 1;
         }
       });
     }
   }
 
-  /// Finds the nearest sample of each candidate within `reach`, else the value `nobody`.
+  /// Finds the nearest sample of each candidate within `reach`, else the value `noSample`.
   void findNearest(double reach) {
     std::vector<Vec3d> at;
     at.reserve(places.size());
     for (const MeshSample& s : places) at.push_back(s.position);
     const PointCells cells(at, reach);
-    nearest.assign(all.position.size(), nobody);
+    nearest.assign(all.position.size(), noSample);
     std::vector<std::uint32_t> near;
     std::uint64_t here = ~std::uint64_t{0};
     for (std::size_t k = 0; k < all.position.size(); k++) {
@@ -128,7 +128,8 @@ struct Sampler {
       double best = reach * reach;
       for (const std::uint32_t p : near) {
         const Vec3d d = at[p] - all.position[k];
-        if (dot(d, d) < best && see(places[p].triangle, all.triangle[k])) best = dot(d, d), nearest[k] = p;
+        if (dot(d, d) < best && onOneSide(places[p].triangle, all.triangle[k]))
+          best = dot(d, d), nearest[k] = p;
       }
     }
   }
@@ -139,19 +140,19 @@ struct Sampler {
     std::vector<Vec3d> middle(places.size());
     std::vector<double> weight(places.size(), 0), best(places.size(), 1e300);
     for (std::size_t k = 0; k < nearest.size(); k++)
-      if (nearest[k] != nobody) {
+      if (nearest[k] != noSample) {
         middle[nearest[k]] += static_cast<double>(all.area[k]) * all.position[k];
         weight[nearest[k]] += static_cast<double>(all.area[k]);
       }
-    std::vector<std::uint32_t> triangle(places.size(), nobody);
+    std::vector<std::uint32_t> triangle(places.size(), noSample);
     for (std::size_t k = 0; k < nearest.size(); k++) {
       const std::uint32_t p = nearest[k];
-      if (p == nobody) continue;
+      if (p == noSample) continue;
       const Vec3d d = all.position[k] - middle[p] / weight[p];
       if (dot(d, d) < best[p]) best[p] = dot(d, d), triangle[p] = all.triangle[k];
     }
     for (std::size_t p = 0; p < places.size(); p++) {
-      if (triangle[p] == nobody) continue;
+      if (triangle[p] == noSample) continue;
       const auto& t = mesh.triangles[triangle[p]];
       places[p] = {closestPointOfTriangle(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]],
                                           middle[p] / weight[p]),
@@ -164,8 +165,8 @@ struct Sampler {
     findNearest(spacing);
     Candidates lonely;
     for (std::size_t k = 0; k < nearest.size(); k++) {
-      const Vec3d d = nearest[k] == nobody ? Vec3d{} : places[nearest[k]].position - all.position[k];
-      if (nearest[k] != nobody && dot(d, d) <= distance * distance) continue;
+      const Vec3d d = nearest[k] == noSample ? Vec3d{} : places[nearest[k]].position - all.position[k];
+      if (nearest[k] != noSample && dot(d, d) <= distance * distance) continue;
       lonely.position.push_back(all.position[k]);
       lonely.triangle.push_back(all.triangle[k]);
       lonely.area.push_back(all.area[k]);
@@ -200,7 +201,7 @@ std::vector<MeshSample> blueNoise(const TriangleMesh& mesh, double spacing, std:
     s.findNearest(1.2 * spacing);
     s.moveToMiddles();
   }
-  s.fillHoles(loneliest * spacing);
+  s.fillHoles(largestGap * spacing);
   return std::move(s.places);
 }
 

@@ -27,7 +27,7 @@ THAW_INLINE LanesD loadLiquid(const CarrySums& in, std::size_t g) {
 
 /// Returns the factor of a particle's weight in the motion.
 THAW_INLINE LanesD carrying(double particle, const LanesD& surfel) {
-  return max(LanesD(1.0) - max(LanesD(particle) - surfel, LanesD(0.0)), LanesD(leastCarry));
+  return max(LanesD(1.0) - max(LanesD(particle) - surfel, LanesD(0.0)), LanesD(leastMotionWeight));
 }
 
 }  // namespace

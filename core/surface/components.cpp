@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/surface/drop_surfels.hpp"
 #include "core/surface/gather_words.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/remove_surfels.hpp"
 
 namespace thaw {
 namespace {
@@ -38,15 +38,15 @@ std::vector<Piece> piecesOf(const SurfaceParticles& p, Reducer& all) {
 namespace {
 
 /// Marks surfels beside a separated part for resampling.
-void openSeams(Surface& s, CellHalo& halo, const std::vector<std::uint64_t>& off, const Bins& bins) {
+void markSeams(Surface& s, CellHalo& halo, const std::vector<std::uint64_t>& off, const Bins& bins) {
   Surfels& f = s.surfels;
   refreshGhosts(halo, f, ColumnList{&f.part});
   for (std::size_t i = 0; i < f.size(); i++) {
     if (!std::binary_search(off.begin(), off.end(), f.part[i])) continue;
     forRowsWithin(bins, f.position[i], 2 * s.spacing, [&](std::uint32_t j, double) {
       if (f.part[j] == f.part[i]) return;
-      if (j < f.owned) f.calm[j] = 0;
-      if (i < f.owned) f.calm[i] = 0;
+      if (j < f.owned) f.resampleMargin[j] = 0;
+      if (i < f.owned) f.resampleMargin[i] = 0;
     });
   }
 }
@@ -77,7 +77,7 @@ void splitComponents(World& w, SurfaceHalos halos, ComponentTools& t) {
   }
   if (!off.empty()) {
     std::sort(off.begin(), off.end());
-    openSeams(s, halos.surfels, off, t.surfelBins);
+    markSeams(s, halos.surfels, off, t.surfelBins);
   }
   for (std::size_t i = 0; i < p.owned; i++) p.component[i] = p.part[i];
   t.dead.assign(f.owned, 0);
@@ -85,12 +85,12 @@ void splitComponents(World& w, SurfaceHalos halos, ComponentTools& t) {
     if (f.part[i] >> 63) t.dead[i] = 1;
     else f.component[i] = f.part[i];
   }
-  std::int64_t lost[1] = {dropSurfels(s, t.dead)};
+  std::int64_t lost[1] = {removeSurfels(s, t.dead)};
   halos.all.sum(lost);
   s.counters.lost += lost[0];
 }
 
-void listBareParticles(const Surface& s, std::vector<std::uint32_t>& rows) {
+void listParticlesWithoutSurfels(const Surface& s, std::vector<std::uint32_t>& rows) {
   rows.clear();
   for (std::size_t i = 0; i < s.particles.owned; i++) {
     const std::uint64_t label = s.particles.component[i];

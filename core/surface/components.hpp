@@ -49,7 +49,7 @@ inline constexpr int nearestSurfels = 10;
 /// Labels new particles with the component of the nearest labelled particle within linkLength * spacing,
 /// repeatedly; isolated ones stay unlabelled. Surfels without a component take that of the nearest particle,
 /// preferably of the body in their id. Requires: placed rows with ghosts. Sends components. Collective.
-void adoptFresh(World& world, SurfaceHalos halos, ComponentTools& tools);
+void labelNewParticles(World& world, SurfaceHalos halos, ComponentTools& tools);
 
 /// Finds connected parts. Surfels::part and SurfaceParticles::part of owned and ghost rows become 1 + the
 /// smallest particle id of the part. Surfels without particles get a number with the top bit set. Requires:
@@ -61,7 +61,7 @@ void findParts(World& world, SurfaceHalos halos, ComponentTools& tools);
 /// component, the part joins the part of the nearest surfel, and of several the smallest (K05: a particle
 /// belongs to the surface that encloses it). Sparse liquids have gaps longer than a link near their surface.
 /// Particles farther than h_ps from every surfel are not tested. Requires: findParts. Collective.
-void keepEnclosed(World& world, SurfaceHalos halos, ComponentTools& tools);
+void attachEnclosed(World& world, SurfaceHalos halos, ComponentTools& tools);
 
 /// Turns parts into components. Components with several parts are counted and logged as split, in the order
 /// of labels. A component whose smallest label changes is logged as renamed before that. Surfels without a
@@ -70,6 +70,6 @@ void splitComponents(World& world, SurfaceHalos halos, ComponentTools& tools);
 
 /// Lists owned particle copies whose component has no surfel on any rank (separated drops, new particles of
 /// emitters). Requires: measured Surface::components.
-void listBareParticles(const Surface& surface, std::vector<std::uint32_t>& rows);
+void listParticlesWithoutSurfels(const Surface& surface, std::vector<std::uint32_t>& rows);
 
 }  // namespace thaw

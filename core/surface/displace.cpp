@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/solid/moment.hpp"
-#include "core/surface/follow_start.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/reference_motion.hpp"
 #include "core/surface/update_surface.hpp"
 
 namespace thaw {
@@ -157,7 +157,7 @@ void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
   ColumnList columns{&p.id, &p.position, &p.displacement, &p.component};
   if (p.liquid.active) columns.push_back(&p.liquid);
   if (p.temperature.active) columns.push_back(&p.temperature);
-  if (p.startPlace.active) columns.push_back(&p.startPlace), columns.push_back(&p.covered);
+  if (p.referencePosition.active) columns.push_back(&p.referencePosition), columns.push_back(&p.covered);
   addGhosts(halos.particles, p, w.surface.particleCells, columns);
   const double h = w.grid.support, h2 = h * h;
   fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
@@ -173,7 +173,7 @@ void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
           if (r2 >= h2 || p.component[j] != p.component[i] || r2 == 0) return;
           const double v = weight(r2, h2) *
                            (p.liquid.active
-                                ? std::max(leastCarry,
+                                ? std::max(leastMotionWeight,
                                            1 - std::max(0.0, static_cast<double>(p.liquid[j]) -
                                                                  static_cast<double>(p.liquid[i])))
                                 : 1);
@@ -216,18 +216,18 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   in.perSupport2 = 1 / (h * h);
   alignas(32) std::array<double, 8 * carrySums> sums;
   // surfels without particles; kept frames
-  std::int64_t told[2]{0, 0};
+  std::int64_t counted[2]{0, 0};
   const auto move = [&](std::size_t i, const Carry& c) {
     s.moving[i] = !(c.weight > 0);
     s.carried[i] = c.move;
     if (s.moving[i]) {
-      told[0]++;
-      s.calm[i] = 0;
+      counted[0]++;
+      s.resampleMargin[i] = 0;
       return;
     }
-    if (!turnFrame(c.gradient, s.normal[i], s.tangent[i])) told[1]++;
+    if (!turnFrame(c.gradient, s.normal[i], s.tangent[i])) counted[1]++;
     const auto strain = static_cast<float>(strainOf(c.gradient));
-    s.calm[i] = std::max(0.0f, s.calm[i] - strain);
+    s.resampleMargin[i] = std::max(0.0f, s.resampleMargin[i] - strain);
     if (blend) s.strain[i] = strain;
     if (s.liquid.active) s.liquid[i] = static_cast<float>(c.liquid);
     if (s.temperature.active) s.temperature[i] = static_cast<float>(c.temperature);
@@ -248,13 +248,13 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
     }
     for (std::size_t lane = 0; lane < r.lists.lanes[g]; lane++) move(r.lists.self[8 * g + lane], found[lane]);
   }
-  halos.all.sum(told);
-  count.keptNormals += told[1];
+  halos.all.sum(counted);
+  count.keptNormals += counted[1];
   std::vector<std::uint32_t> lost;
-  if (told[0] > 0) lost = followNeighbours(w, halos, t);
-  followStart(w, r.particleBins);
+  if (counted[0] > 0) lost = followNeighbours(w, halos, t);
+  moveByReference(w, r.particleBins);
   for (std::size_t i = 0; i < s.owned; i++) s.position[i] += s.carried[i];
-  if (told[0] > 0) {
+  if (counted[0] > 0) {
     std::int64_t gone[1]{static_cast<std::int64_t>(lost.size())};
     halos.all.sum(gone);
     count.lost += gone[0];

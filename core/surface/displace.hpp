@@ -15,12 +15,12 @@ void findDisplacementGradients(World& world, SurfaceHalos halos, SurfaceTools& t
 
 /// Moves surfels with the particles: x += sum w (u_j + grad u_j (x - x_j)). w are the normalised weights (1 -
 /// (r/h_ps)^2)^3 of the component's particles within h_ps, reduced for particles with a larger liquid
-/// fraction (leastCarry). Tangents turn by the exact gradient of this sum, and the normal follows from them.
-/// Liquid surfels use the mean gradient, because the iterations determine their normals. Exact for affine
-/// motion. A surfel without particles takes the mean displacement of neighbouring surfels. Without those it
-/// is deleted and counted (B15). Requires: gradients; surfels on the ranks of their cells. Afterwards surfels
-/// have no ghosts and no valid cells (placeRows). With a liquid fraction, `carried` and `carriedNormal` are
-/// set. Collective.
+/// fraction (leastMotionWeight). Tangents turn by the exact gradient of this sum, and the normal follows from
+/// them. Liquid surfels use the mean gradient, because the iterations determine their normals. Exact for
+/// affine motion. A surfel without particles takes the mean displacement of neighbouring surfels. Without
+/// those it is deleted and counted (B15). Requires: gradients; surfels on the ranks of their cells.
+/// Afterwards surfels have no ghosts and no valid cells (placeRows). With a liquid fraction, `carried` and
+/// `carriedNormal` are set. Collective.
 void displaceSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -11,7 +11,7 @@ constexpr double surelyAt = 0.5;
 double enclosedVolume(const FacetSums& s, const Vec3d& middle, const std::array<bool, 3>& round,
                       double spacing) {
   const bool all = round[0] && round[1] && round[2];
-  const auto told = [&](std::size_t a) { return all || !round[a]; };
+  const auto determined = [&](std::size_t a) { return all || !round[a]; };
   const Vec3d from = s.rim > 0 ? s.rimPlace / s.rim : middle;
   const double sure = surelyAt * spacing;
   Mat3d spread = identity3<double>();
@@ -21,7 +21,7 @@ double enclosedVolume(const FacetSums& s, const Vec3d& middle, const std::array<
     spread = spread + (1 / (sure * sure)) * ((1 / s.rim) * square - outer(from, from));
     for (std::size_t a = 0; a < 3; a++)
       for (std::size_t b = 0; b < 3; b++)
-        if (a != b && !(told(a) && told(b))) spread.row[a][static_cast<int>(b)] = 0;
+        if (a != b && !(determined(a) && determined(b))) spread.row[a][static_cast<int>(b)] = 0;
   }
   const Mat3d weight = inverse(spread);
   double volume = 0, trace = 0;
@@ -29,7 +29,7 @@ double enclosedVolume(const FacetSums& s, const Vec3d& middle, const std::array<
     const int x = static_cast<int>(a), y = (x + 1) % 3, z = (x + 2) % 3;
     // The weights of undetermined axes are 0.
     volume += weight.row[y][z] * (s.mixed[x] - from[y] * s.facets[z] - from[z] * s.facets[y]);
-    if (!told(a)) continue;
+    if (!determined(a)) continue;
     trace += weight.row[a][x];
     volume += weight.row[a][x] * (s.volume[x] - from[x] * s.facets[x]);
   }

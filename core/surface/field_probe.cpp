@@ -26,7 +26,7 @@ FieldProbe::FieldProbe(const World& w, const SurfaceTools& t)
       sums_(particleSumsOf(w, t)),
       slope_(6 * w.surface.grid.support / (w.surface.particleSupport * w.surface.particleSupport)) {}
 
-void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3d& home) {
+void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3d& owner) {
   const Bins& bins = tools_.relax.particleBins;
   const std::uint64_t* of = world_.surface.particles.component.data();
   const double h = world_.surface.particleSupport, h2 = (1 + 1e-9) * h * h;
@@ -38,14 +38,15 @@ void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3
   for (std::size_t k = 0; k < block_.count; k++) {
     const Vec3d& at = block_.at[k];
     listed_[n] = block_.row[k];
-    n += (box.distance2(at) <= h2) & (dot(at - home, at - home) <= edge2) & (of[block_.row[k]] == component);
+    n += (box.distance2(at) <= h2) & (dot(at - owner, at - owner) <= edge2) &
+         (of[block_.row[k]] == component);
   }
   among(listed_.data(), n, component);
 }
 
 void FieldProbe::among(const std::uint32_t* rows, std::size_t count, std::uint64_t component) {
   rows_ = rows, count_ = count;
-  tight_ = tighteningOf(raisedOf(tools_.relax.raised, component) / world_.scene.spacing);
+  tight_ = levelRiseOf(isoOffsetOf(tools_.relax.isoOffset, component) / world_.scene.spacing);
 }
 
 void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
@@ -74,16 +75,16 @@ void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
     if (!(c.value > 0)) continue;
     const double near = s.particle(Near);
     c.tight = near < tight_.full ? 0.5 : 1;
-    c.level = tightened(tools_.relax.level.level(s.particle(SmoothColour) / c.value), near, tight_) *
+    c.level = raisedLevel(tools_.relax.level.level(s.particle(SmoothColour) / c.value), near, tight_) *
               world_.scene.surface.isoLevel / 0.5;
   }
 }
 
-void forFieldAtSurfels(const World& w, SurfaceTools& t, const std::vector<std::uint8_t>& asked,
+void forFieldAtSurfels(const World& w, SurfaceTools& t, const std::vector<std::uint8_t>& probed,
                        const std::function<void(std::size_t, const FieldHere&)>& found) {
   const Surface& s = w.surface;
   GroupLists& l = t.relax.lists;
-  listGroups(s, asked, t.relax.particleBins, t.relax.particleBins, {0, s.particleSupport}, l);
+  listGroups(s, probed, t.relax.particleBins, t.relax.particleBins, {0, s.particleSupport}, l);
   FieldProbe probe(w, t);
   std::array<Vec3d, FieldProbe::most> x;
   std::array<FieldHere, FieldProbe::most> field;

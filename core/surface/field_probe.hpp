@@ -16,23 +16,23 @@ struct SurfaceTools;
 /// Returns pointers and lengths for sums over particles. The caller sets the query positions and the output.
 ForceSums particleSumsOf(const World& world, const SurfaceTools& tools);
 
-/// Colour field of one component at a position (sum of readyParticles, 1 deep inside), its level on the
+/// Colour field of one component at a position (sum of prepareParticles, 1 deep inside), its level on the
 /// surface there (LevelTable), the damping of Newton's step, and the gradient (1/m).
 struct FieldHere {
   double value = 0, level = 0.5, tight = 1;
   Vec3d gradient{};
 };
 
-/// Evaluates the colour field with the kernels of the iterations. Requires: readyParticles.
+/// Evaluates the colour field with the kernels of the iterations. Requires: prepareParticles.
 class FieldProbe {
  public:
   static constexpr std::size_t most = 8;
   FieldProbe(const World& world, const SurfaceTools& tools);
   /// Selects the particles that act on positions in a box: particles of the component within h_ps of it, in
-  /// the order of the bins. Only particles within a cell's edge of `home`, the position of an owned particle
+  /// the order of the bins. Only particles within a cell's edge of `owner`, the position of an owned particle
   /// or surfel, count, because farther ghosts depend on the ranks. For positions within half a spacing of
-  /// `home` these are all.
-  void around(const PlaceBox& box, std::uint64_t component, const Vec3d& home);
+  /// `owner` these are all.
+  void around(const PlaceBox& box, std::uint64_t component, const Vec3d& owner);
   /// Selects these rows, in their order.
   void among(const std::uint32_t* rows, std::size_t count, std::uint64_t component);
   /// Evaluates the field at n <= most positions.
@@ -43,7 +43,7 @@ class FieldProbe {
   const SurfaceTools& tools_;
   ForceSums sums_;
   double slope_;
-  Tightening tight_;
+  LevelRise tight_;
   RowBlock block_;
   std::vector<std::uint32_t> listed_;
   const std::uint32_t* rows_ = nullptr;
@@ -54,7 +54,7 @@ class FieldProbe {
 
 /// Calls found(row, field) for the owned surfels with asked[row], in any order. The field is that of their
 /// component at their position. Uses tools.relax.lists.
-void forFieldAtSurfels(const World& world, SurfaceTools& tools, const std::vector<std::uint8_t>& asked,
+void forFieldAtSurfels(const World& world, SurfaceTools& tools, const std::vector<std::uint8_t>& probed,
                        const std::function<void(std::size_t, const FieldHere&)>& found);
 
 }  // namespace thaw

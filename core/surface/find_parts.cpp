@@ -3,7 +3,7 @@
 
 #include "core/solid/id_table.hpp"
 #include "core/surface/components.hpp"
-#include "core/surface/mixed_bins.hpp"
+#include "core/surface/multi_label_bins.hpp"
 #include "core/surface/place_rows.hpp"
 
 namespace thaw {
@@ -15,20 +15,20 @@ constexpr std::uint64_t noParticle = ~std::uint64_t{0};
 /// Links of surfels require nearest particles within this factor of the longest particle link. The factor for
 /// liquids is larger, because falling streams stretch along themselves (by 2.4 from 2 to 5 m/s) and remain
 /// connected. Bonds of solids are shorter than the factor for solids.
-constexpr double solidSkin = 5.0 / 3, liquidSkin = 2;
+constexpr double solidLinkFactor = 5.0 / 3, liquidLinkFactor = 2;
 
 /// Returns the body in the id of a mesh surfel, before its component is known.
 std::uint64_t bodyOf(std::uint64_t surfelId) { return surfelId >> 40 & 0x7fffff; }
 
 /// Returns whether two rows may be linked: they are of one component, or, without components, of one body.
-bool alike(const Surfels& f, std::size_t i, std::size_t j) {
+bool mayLink(const Surfels& f, std::size_t i, std::size_t j) {
   return f.component[i] == f.component[j] &&
          (f.component[i] != noComponent || bodyOf(f.id[i]) == bodyOf(f.id[j]));
 }
-bool alike(const SurfaceParticles& p, std::size_t i, std::size_t j) {
+bool mayLink(const SurfaceParticles& p, std::size_t i, std::size_t j) {
   return p.component[i] == p.component[j] && (p.component[i] != noComponent || p.body[i] == p.body[j]);
 }
-bool alike(const Surfels& f, std::size_t i, const SurfaceParticles& p, std::size_t j) {
+bool mayLink(const Surfels& f, std::size_t i, const SurfaceParticles& p, std::size_t j) {
   return f.component[i] == p.component[j] && (f.component[i] != noComponent || bodyOf(f.id[i]) == p.body[j]);
 }
 
@@ -53,9 +53,9 @@ struct Nearest {
   bool found() const { return row != 0xffffffffu; }
 };
 
-class Sets {
+class UnionFind {
  public:
-  explicit Sets(ComponentTools& t) : parent_(t.parent), least_(t.least) {}
+  explicit UnionFind(ComponentTools& t) : parent_(t.parent), least_(t.least) {}
   void add(std::uint64_t label) {
     parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
     least_.push_back(label);
@@ -86,7 +86,7 @@ class Sets {
   std::vector<std::uint64_t>& least_;
 };
 
-bool anywhere(Reducer& all, bool here) {
+bool onAnyRank(Reducer& all, bool here) {
   double value[1] = {here ? 1.0 : 0.0};
   all.maximum(value);
   return value[0] > 0;
@@ -101,7 +101,7 @@ void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r
   for (std::size_t k = 0; k < block.count; k++) {
     const Vec3d d = block.at[k] - x;
     const double d2 = dot(d, d);
-    if (d2 <= r2 && block.row[k] != i && alike(rows, i, block.row[k])) near.push_back({d2, block.row[k]});
+    if (d2 <= r2 && block.row[k] != i && mayLink(rows, i, block.row[k])) near.push_back({d2, block.row[k]});
   }
 }
 
@@ -120,20 +120,20 @@ void findNearestParticles(World& w, ComponentTools& t) {
     for (std::size_t k = 0; k < block.count; k++) {
       const Vec3d d = block.at[k] - f.position[i];
       const double d2 = dot(d, d);
-      if (d2 <= first * first && d2 <= best.d2 && alike(f, i, p, block.row[k]))
+      if (d2 <= first * first && d2 <= best.d2 && mayLink(f, i, p, block.row[k]))
         best.offer(d2, p.id[block.row[k]], block.row[k]);
     }
     if (!best.found())
       forRowsWithin(t.particleBins, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
-        if (alike(f, i, p, j)) best.offer(d2, p.id[j], j);
+        if (mayLink(f, i, p, j)) best.offer(d2, p.id[j], j);
       });
     f.nearest[i] = best.id;
     if (best.found()) f.toNearest[i] = p.position[best.row] - f.position[i];
   });
 }
 
-/// Finds Surfels::reach: the squared distance to the k-th nearest surfel that may be linked. It is sent to
-/// the other end of a link. 0 if all surfels within h_ss already belong to the part.
+/// Finds Surfels::linkRadius2: the squared distance to the k-th nearest surfel that may be linked. It is sent
+/// to the other end of a link. 0 if all surfels within h_ss already belong to the part.
 void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& mixed) {
   Surfels& f = s.surfels;
   const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) {
@@ -141,7 +141,7 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
   };
   const double usual = std::min(usualReach * s.spacing, s.surfelSupport),
                all2 = s.surfelSupport * s.surfelSupport;
-  std::fill_n(f.reach.data(), f.owned, 0.0);
+  std::fill_n(f.linkRadius2.data(), f.owned, 0.0);
   for (std::size_t b = 0; b < t.surfelBins.size(); b++) {
     if (!mixed[b]) continue;
     t.block.find(t.surfelBins, boxOf(t.surfelBins, b), usual);
@@ -152,45 +152,45 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
       if (t.near.size() < nearestSurfels) {
         t.near.clear();
         forRowsWithin(t.surfelBins, f.position[i], s.surfelSupport, [&](std::uint32_t j, double d2) {
-          if (j != i && alike(f, i, j)) t.near.push_back({d2, j});
+          if (j != i && mayLink(f, i, j)) t.near.push_back({d2, j});
         });
       }
       // With fewer than ten, all within h_ss count.
-      if (t.near.size() < nearestSurfels) f.reach[i] = all2;
+      if (t.near.size() < nearestSurfels) f.linkRadius2[i] = all2;
       else
         std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer),
-            f.reach[i] = t.near[nearestSurfels - 1].d2;
+            f.linkRadius2[i] = t.near[nearestSurfels - 1].d2;
     }
   }
 }
 
 /// Joins surfels of these bins, ghosts included, with surfels within their link radius. This covers the links
 /// of both ends.
-void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8_t>& mixed, Sets& sets) {
+void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8_t>& mixed, UnionFind& sets) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
   const double link1 = w.scene.surface.linkLength * w.scene.spacing,
-               solid2 = solidSkin * solidSkin * link1 * link1,
-               liquid2 = liquidSkin * liquidSkin * link1 * link1;
+               solid2 = solidLinkFactor * solidLinkFactor * link1 * link1,
+               liquid2 = liquidLinkFactor * liquidLinkFactor * link1 * link1;
   // Surfels on distant particles lie on two sides of a crack or of a parted neck.
-  const auto held = [&](std::uint32_t i, std::uint32_t j) {
+  const auto supported = [&](std::uint32_t i, std::uint32_t j) {
     if (f.nearest[i] == noParticle || f.nearest[j] == noParticle) return true;
     const Vec3d d = f.position[j] - f.position[i] + f.toNearest[j] - f.toNearest[i];
     const double d2 = dot(d, d);
     return d2 <= solid2 || (d2 <= liquid2 && f.liquid.active && f.liquid[i] + f.liquid[j] > 1);
   };
-  forMixed(t.surfelBins, mixed, [&](std::uint32_t i) {
-    if (f.reach[i] == 0) return;
-    forRowsWithin(t.surfelBins, f.position[i], std::sqrt(f.reach[i]) * (1 + 1e-12),
+  forMultiLabel(t.surfelBins, mixed, [&](std::uint32_t i) {
+    if (f.linkRadius2[i] == 0) return;
+    forRowsWithin(t.surfelBins, f.position[i], std::sqrt(f.linkRadius2[i]) * (1 + 1e-12),
                   [&](std::uint32_t j, double d2) {
-                    if (j != i && d2 <= f.reach[i] && alike(f, i, j) &&
-                        dot(f.normal[i], f.normal[j]) >= cosRest && held(i, j))
+                    if (j != i && d2 <= f.linkRadius2[i] && mayLink(f, i, j) &&
+                        dot(f.normal[i], f.normal[j]) >= cosRest && supported(i, j))
                       sets.join(i, j);
                   });
   });
 }
 
-void joinParticles(const World& w, ComponentTools& t, Sets& sets) {
+void joinParticles(const World& w, ComponentTools& t, UnionFind& sets) {
   const SurfaceParticles& p = w.surface.particles;
   const auto offset = static_cast<std::uint32_t>(w.surface.surfels.size());
   const double longest = w.scene.surface.linkLength * w.scene.spacing;
@@ -204,7 +204,7 @@ void joinParticles(const World& w, ComponentTools& t, Sets& sets) {
 
 /// Joins owned surfels with their nearest particle, and owned particles with ghost surfels nearest to them.
 /// Both ranks then have the link.
-void joinBoth(const Surface& s, Sets& sets) {
+void joinBoth(const Surface& s, UnionFind& sets) {
   const Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
   const auto offset = static_cast<std::uint32_t>(f.size());
@@ -219,7 +219,7 @@ void joinBoth(const Surface& s, Sets& sets) {
 }
 
 /// Exchanges part labels until the parts of all ranks agree.
-void settleParts(Surface& s, SurfaceHalos halos, Sets& sets) {
+void settleParts(Surface& s, SurfaceHalos halos, UnionFind& sets) {
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   const auto offset = static_cast<std::uint32_t>(f.size());
@@ -233,13 +233,13 @@ void settleParts(Surface& s, SurfaceHalos halos, Sets& sets) {
       lowered |= sets.lower(static_cast<std::uint32_t>(i), f.part[i]);
     for (std::size_t i = p.owned; i < p.size(); i++)
       lowered |= sets.lower(offset + static_cast<std::uint32_t>(i), p.part[i]);
-    changed = anywhere(halos.all, lowered);
+    changed = onAnyRank(halos.all, lowered);
   }
 }
 
 }  // namespace
 
-void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
+void labelNewParticles(World& w, SurfaceHalos halos, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
@@ -249,7 +249,7 @@ void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.component[i] == noComponent) fresh.push_back(static_cast<std::uint32_t>(i));
   std::vector<std::uint64_t> found;
-  for (bool more = anywhere(halos.all, !fresh.empty()); more;) {
+  for (bool more = onAnyRank(halos.all, !fresh.empty()); more;) {
     found.assign(fresh.size(), noComponent);
     bool changed = false;
     for (std::size_t k = 0; k < fresh.size(); k++) {
@@ -267,7 +267,7 @@ void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
       else fresh[left++] = fresh[k];
     }
     fresh.resize(left);
-    more = anywhere(halos.all, changed);
+    more = onAnyRank(halos.all, changed);
     if (more) refreshGhosts(halos.particles, p, ColumnList{&p.component});
   }
 
@@ -284,7 +284,7 @@ void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
     f.component[i] = p.component[own.found() ? own.row : any.row];
     changed = true;
   }
-  if (anywhere(halos.all, changed)) refreshGhosts(halos.surfels, f, ColumnList{&f.component});
+  if (onAnyRank(halos.all, changed)) refreshGhosts(halos.surfels, f, ColumnList{&f.component});
 }
 
 // Particles connect most bodies. Surfels are tested only where different parts meet afterwards.
@@ -298,17 +298,17 @@ void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
   refreshGhosts(halos.surfels, f, ColumnList{&f.nearest, &f.toNearest});
   t.parent.clear();
   t.least.clear();
-  Sets sets(t);
+  UnionFind sets(t);
   for (std::size_t i = 0; i < f.size(); i++) sets.add(f.id[i] | surfelsOnly);
   for (std::size_t i = 0; i < p.size(); i++) sets.add(p.id[i] + 1);
   joinParticles(w, t, sets);
   joinBoth(s, sets);
   settleParts(s, halos, sets);
-  const std::vector<std::uint8_t> mixed = mixedBins(t.surfelBins, f.part.data(), t.surfelBins, f.part.data(),
-                                                    s.surfelSupport);
-  if (!anywhere(halos.all, std::find(mixed.begin(), mixed.end(), 1) != mixed.end())) return;
+  const std::vector<std::uint8_t> mixed = multiLabelBins(t.surfelBins, f.part.data(), t.surfelBins,
+                                                         f.part.data(), s.surfelSupport);
+  if (!onAnyRank(halos.all, std::find(mixed.begin(), mixed.end(), 1) != mixed.end())) return;
   findReach(s, t, mixed);
-  refreshGhosts(halos.surfels, f, ColumnList{&f.reach});
+  refreshGhosts(halos.surfels, f, ColumnList{&f.linkRadius2});
   joinSurfels(w, t, mixed, sets);
   settleParts(s, halos, sets);
 }

@@ -39,7 +39,7 @@ template<bool gaps> THAW_INLINE void overParticlesOf(const ForceSums& in, std::s
     const Lanes4<float> frame = load(records(in.normal), in.self + 8 * g);
     up = {frame.a, frame.b, frame.c};
     for (int lane = 0; lane < 8; lane++)
-      lowest.v[lane] = -in.ceiling[in.self[8 * g + static_cast<std::size_t>(lane)]];
+      lowest.v[lane] = -in.gapCutoff[in.self[8 * g + static_cast<std::size_t>(lane)]];
   }
   for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
     const std::uint32_t j = in.particleRow[n];
@@ -70,7 +70,7 @@ template<bool gaps> THAW_INLINE void overParticlesOf(const ForceSums& in, std::s
 
 void overParticles(const ForceSums& in) {
   for (std::size_t k = 0; k < in.groupCount; k++) {
-    if (in.ceilingOfGroup && in.ceilingOfGroup[in.groups[k]]) overParticlesOf<true>(in, in.groups[k]);
+    if (in.groupHasGapCutoff && in.groupHasGapCutoff[in.groups[k]]) overParticlesOf<true>(in, in.groups[k]);
     else overParticlesOf<false>(in, in.groups[k]);
   }
 }
@@ -85,7 +85,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
     const V normal{frame.a, frame.b, frame.c};
     const LanesF reach = LanesF(in.support) * frame.d, reach2 = reach * reach, perReach2 = one / reach2,
                  range = LanesF(half.v * in.repelRange);
-    LanesF weight(0.0f), height(0.0f), stiffness(0.0f), stirred(0.0f), coincident(0.0f);
+    LanesF weight(0.0f), height(0.0f), stiffness(0.0f), movedNearby(0.0f), coincident(0.0f);
     // mean of d, or of normals
     V mean{zero, zero, zero}, repulsion{zero, zero, zero}, square{zero, zero, zero}, mixed{zero, zero, zero};
     for (std::uint64_t n = in.firstSurfel[g]; n < in.firstSurfel[g + 1]; n++) {
@@ -118,7 +118,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
       const LanesF perR2 = span / max(two * r2, tiny);
       repulsion += (push * perR2) * d;
       stiffness += select(push > zero, half * span * perR2, zero);
-      stirred += select(r2 < reach2, LanesF(x.d), zero);
+      movedNearby += select(r2 < reach2, LanesF(x.d), zero);
       coincident += select(distinct, zero, one);
     }
     float* to = in.overSurfels + 8 * channels * g;
@@ -127,7 +127,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
     store(to, Normal, mean);
     store(to, Repulsion, repulsion);
     store(to, Stiffness, stiffness);
-    store(to, Stirred, stirred);
+    store(to, MovedNearby, movedNearby);
     store(to, Coincident, coincident);
     if constexpr (plane) {
       store(to, Moment, square);

@@ -14,7 +14,7 @@ namespace {
 /// whole body, and volume enforcement must not inflate its few molten parts in return. Only bodies that began
 /// as solids count, because frozen layers are too thin for a reliable det F. Clamped, because torn
 /// neighbourhoods give extreme values.
-double squeezeOf(const World& w, std::size_t i) {
+double deformedVolumeRatio(const World& w, std::size_t i) {
   constexpr double least = 0.5, most = 2;
   const Continuum& p = w.particles;
   if (!w.modules.solid || w.clock.step == 0 || !isSampled(w.scene, p.body[i]) || !takesSubsteps(p, i))
@@ -26,12 +26,12 @@ double squeezeOf(const World& w, std::size_t i) {
 
 // A ball of R/dx = 5 that is sampled from its shape holds 5 % less than its particles. Melt of meshes keeps
 // the mesh's volume.
-void settleShares(World& w) {
+void resetMeltedShares(World& w) {
   Continuum& p = w.particles;
-  for (std::size_t i = 0; p.surfaceShare.active && i < p.owned; i++)
-    if (p.surfaceShare[i] > 0 && (p.liquid.active ? p.liquid[i] >= 1 : p.phase[i] == Liquid) &&
+  for (std::size_t i = 0; p.surfaceVolumeRatio.active && i < p.owned; i++)
+    if (p.surfaceVolumeRatio[i] > 0 && (p.liquid.active ? p.liquid[i] >= 1 : p.phase[i] == Liquid) &&
         !hasMesh(w.scene, p.body[i]))
-      p.surfaceShare[i] = 1;
+      p.surfaceVolumeRatio[i] = 1;
 }
 
 void gatherParticles(World& w, int rank) {
@@ -41,25 +41,26 @@ void gatherParticles(World& w, int rank) {
   c.resize(p.owned, 0);
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool fresh = p.component[i] == noComponent;
-    Vec3d u = fresh ? Vec3d{} : p.position[i] - p.surfacePlace[i];
+    Vec3d u = fresh ? Vec3d{} : p.position[i] - p.surfacePosition[i];
     for (int a = 0; a < 3; a++)
       if (w.grid.periodic[a]) u[a] -= w.grid.period[a] * std::nearbyint(u[a] / w.grid.period[a]);
     c.id[i] = p.id[i];
-    c.position[i] = fresh ? p.position[i] : p.surfacePlace[i];
+    c.position[i] = fresh ? p.position[i] : p.surfacePosition[i];
     c.displacement[i] = u;
     c.component[i] = p.component[i];
     c.mass[i] = p.mass[i];
-    c.share[i] = p.surfaceShare.active && p.surfaceShare[i] > 0 ? p.surfaceShare[i] : 1;
-    if (p.surfaceShare.active) c.share[i] *= squeezeOf(w, i);
+    c.volumeRatio[i] = p.surfaceVolumeRatio.active && p.surfaceVolumeRatio[i] > 0 ? p.surfaceVolumeRatio[i]
+                                                                                  : 1;
+    if (p.surfaceVolumeRatio.active) c.volumeRatio[i] *= deformedVolumeRatio(w, i);
     c.volume[i] = p.mass[i] / w.scene.materials[p.material[i]].density;
-    if (c.fill.active) c.fill[i] = p.surfaceFill[i];
+    if (c.fill.active) c.fill[i] = p.initialFill[i];
     if (c.liquid.active)
       c.liquid[i] = p.liquid.active ? p.liquid[i] : static_cast<float>(p.phase[i] == Liquid);
     if (c.temperature.active) c.temperature[i] = static_cast<float>(p.temperature[i]);
-    if (c.startPlace.active) c.startPlace[i] = p.surfaceStart[i];
-    if (c.covered.active) c.covered[i] = p.slot[i] != noSlot && !w.solids.bared[p.slot[i]];
+    if (c.referencePosition.active) c.referencePosition[i] = p.surfaceStartPosition[i];
+    if (c.covered.active) c.covered[i] = p.slot[i] != noSlot && !w.solids.exposed[p.slot[i]];
     c.body[i] = p.body[i];
-    c.home[i] = static_cast<std::uint64_t>(rank) << 32 | i;
+    c.source[i] = static_cast<std::uint64_t>(rank) << 32 | i;
   }
 }
 
@@ -84,22 +85,22 @@ void fadeFill(SurfaceParticles& p) {
 void returnParticles(World& w, SurfaceHalos halos) {
   Continuum& p = w.particles;
   SurfaceParticles& c = w.surface.particles;
-  halos.courier.sendHome({c.home.data(), c.owned}, {c.component.data(), c.owned},
-                         {p.component.data(), p.owned});
+  halos.scatter.scatterBack({c.source.data(), c.owned}, {c.component.data(), c.owned},
+                            {p.component.data(), p.owned});
   if (c.covered.active) {
     std::vector<std::uint64_t> there(c.covered.data(), c.covered.data() + c.owned), here(p.owned);
-    halos.courier.sendHome({c.home.data(), c.owned}, there, here);
+    halos.scatter.scatterBack({c.source.data(), c.owned}, there, here);
     for (std::size_t i = 0; i < p.owned; i++)
-      if (p.slot[i] != noSlot && here[i] == 0) w.solids.bared[p.slot[i]] = 1;
+      if (p.slot[i] != noSlot && here[i] == 0) w.solids.exposed[p.slot[i]] = 1;
   }
   if (c.fill.active) {
     std::vector<std::uint64_t> there(c.owned), here(p.owned);
     for (std::size_t i = 0; i < c.owned; i++) there[i] = std::bit_cast<std::uint32_t>(c.fill[i]);
-    halos.courier.sendHome({c.home.data(), c.owned}, there, here);
+    halos.scatter.scatterBack({c.source.data(), c.owned}, there, here);
     for (std::size_t i = 0; i < p.owned; i++)
-      p.surfaceFill[i] = std::bit_cast<float>(static_cast<std::uint32_t>(here[i]));
+      p.initialFill[i] = std::bit_cast<float>(static_cast<std::uint32_t>(here[i]));
   }
-  for (std::size_t i = 0; i < p.owned; i++) p.surfacePlace[i] = p.position[i];
+  for (std::size_t i = 0; i < p.owned; i++) p.surfacePosition[i] = p.position[i];
   c.resize(c.owned, 0);
   c.resize(0, 0);
 }

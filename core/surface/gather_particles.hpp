@@ -16,7 +16,7 @@ void fadeFill(SurfaceParticles& particles);
 
 /// Resets Continuum::surfaceShare of molten particles of bodies that were sampled from shapes to 1, their own
 /// volume. Call it before particles are gathered for an update.
-void settleShares(World& world);
+void resetMeltedShares(World& world);
 
 /// Returns components (and fills) of the copies to the particles, records current positions as those of the
 /// last update, and drops the copies. Collective.

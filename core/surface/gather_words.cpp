@@ -18,7 +18,7 @@ WordNumbers numberWords(Reducer& all, std::size_t mine) {
   return n;
 }
 
-std::vector<std::uint64_t> gatherPiece(Reducer& all, const std::vector<std::uint64_t>& mine,
+std::vector<std::uint64_t> gatherChunk(Reducer& all, const std::vector<std::uint64_t>& mine,
                                        const WordNumbers& n, std::size_t from, std::size_t to) {
   const std::size_t first = std::clamp(n.before, from, to),
                     last = std::clamp(n.before + mine.size(), from, to);
@@ -35,7 +35,7 @@ std::vector<std::uint64_t> gatherPiece(Reducer& all, const std::vector<std::uint
 std::vector<std::uint64_t> gatherWords(Reducer& all, const std::vector<std::uint64_t>& mine) {
   if (all.size() == 1) return mine;
   const WordNumbers n = numberWords(all, mine.size());
-  return gatherPiece(all, mine, n, 0, n.total);
+  return gatherChunk(all, mine, n, 0, n.total);
 }
 
 }  // namespace thaw

@@ -19,7 +19,7 @@ WordNumbers numberWords(Reducer& all, std::size_t mine);
 
 /// Returns words `from` to `to` (exclusive) of all ranks. Long lists are gathered in chunks to bound memory.
 /// Collective.
-std::vector<std::uint64_t> gatherPiece(Reducer& all, const std::vector<std::uint64_t>& mine,
+std::vector<std::uint64_t> gatherChunk(Reducer& all, const std::vector<std::uint64_t>& mine,
                                        const WordNumbers& numbers, std::size_t from, std::size_t to);
 
 }  // namespace thaw

@@ -7,22 +7,22 @@
 #include "core/math/hash_random.hpp"
 #include "core/surface/birth_colours.hpp"
 #include "core/surface/births.hpp"
-#include "core/surface/drop_patch.hpp"
-#include "core/surface/drop_surfels.hpp"
+#include "core/surface/drop_sphere.hpp"
+#include "core/surface/enforce_volume.hpp"
 #include "core/surface/iso_surface.hpp"
-#include "core/surface/keep_out.hpp"
-#include "core/surface/keep_volume.hpp"
 #include "core/surface/measure.hpp"
-#include "core/surface/near_gaps.hpp"
+#include "core/surface/narrow_gaps.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
 #include "core/surface/relax.hpp"
+#include "core/surface/remove_surfels.hpp"
 #include "core/surface/resample.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/seeds.hpp"
 #include "core/surface/small_drops.hpp"
 #include "core/surface/surfel_move.hpp"
 #include "core/surface/update_surface.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -69,7 +69,7 @@ void seedAll(const World& w, const SurfaceTools& t, const std::function<bool(std
 
 /// Appends the spherical surface of the small drop labelled by particle i. Its other particles are within
 /// reach.
-void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vector<SurfelRow>& rows) {
+void sphereAround(const World& w, const SurfaceTools& t, std::size_t i, std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
   const double far = 4.5 * w.scene.spacing;
   Vec3d away;
@@ -77,13 +77,13 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
   forRowsAround(t.relax.particleBins, p.position[i], p.position[i], far, [&](std::uint32_t j, const Vec3d&) {
     const Vec3d d = p.position[j] - p.position[i];
     if (p.component[j] != p.component[i] || dot(d, d) > far * far) return;
-    const double held = p.share[j] * p.volume[j];
+    const double held = p.volumeRatio[j] * p.volume[j];
     volume += held;
     away += held * d;
     if (p.temperature.active) temperature += held * static_cast<double>(p.temperature[j]);
     if (p.liquid.active) liquid += held * static_cast<double>(p.liquid[j]);
   });
-  for (SurfelRow& r : dropPatch(p.component[i], p.position[i] + away / volume, volume, w.surface.spacing)) {
+  for (SurfelRow& r : dropSphere(p.component[i], p.position[i] + away / volume, volume, w.surface.spacing)) {
     r.temperature = static_cast<float>(temperature / volume);
     r.liquid = static_cast<float>(liquid / volume);
     r.colour = surfaceColour(w.scene, p.body[i]);
@@ -98,9 +98,9 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
 
 /// Returns whether the surface continues at p on a wall, and projects p onto it. There, the level of the
 /// colour lies inside the wall, so the surface continues wherever the body lies above the wall.
-bool goesOnAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size_t i, SurfacePoint& p) {
-  if (!f.pressed.active || liquidShare(f, i) < 0.5) return false;
-  const Vec3d x = outOfWalls(w, p.position, p.normal);
+bool continuesAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size_t i, SurfacePoint& p) {
+  if (!f.wallOffset.active || liquidShare(f, i) < 0.5) return false;
+  const Vec3d x = projectedOutOfWalls(w, p.position, p.normal);
   Vec3d into;
   if (!facesWall(w, x, p.normal, into)) return false;
   FieldHere c;
@@ -114,8 +114,8 @@ bool goesOnAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size
 /// Returns whether a surfel at p would float in front of its component's own surface. A sheet behind p then
 /// faces it without a particle between: above an edge, or where the colour bridges a groove. Births there
 /// would continue as a skin over the groove.
-bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std::size_t i,
-                    const SurfacePoint& p) {
+bool floatsBeforeSheet(const World& w, const SurfaceTools& t, const Surfels& f, std::size_t i,
+                       const SurfacePoint& p) {
   constexpr double seen = 0.35, behind = 0.2, thick = 0.6;
   const double dx = w.scene.spacing, r = f.radius[i],
                reach = std::min(
@@ -148,12 +148,13 @@ bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std
 }
 
 /// Marks the surfels around those with dead[row] == 2 for resampling. Requires: placed surfels.
-void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<std::uint8_t>& dead) {
+void markAroundDeleted(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<std::uint8_t>& dead) {
   Surfels& f = s.surfels;
-  for (std::size_t i = 0; i < f.owned; i++) f.wish[i] = dead[i] == 2;
-  addGhosts(halo, f, s.surfelCells, ColumnList{&f.id, &f.position, &f.wish});
+  for (std::size_t i = 0; i < f.owned; i++) f.resampleFlags[i] = dead[i] == 2;
+  addGhosts(halo, f, s.surfelCells, ColumnList{&f.id, &f.position, &f.resampleFlags});
   fillBins(s.grid, s.surfelCells, f.position.data(), 2 * s.spacing, t.relax.surfelBins);
-  disturbAround(f, t.relax.surfelBins, {f.wish.data(), f.wish.data() + f.size()}, s.spacing);
+  markForInspection(f, t.relax.surfelBins, {f.resampleFlags.data(), f.resampleFlags.data() + f.size()},
+                    s.spacing);
   f.resize(f.owned, 0);
 }
 
@@ -161,7 +162,7 @@ void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<s
 
 void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t,
                  const std::function<bool(std::size_t)>& bare) {
-  readyParticles(w, halos, t);
+  prepareParticles(w, halos, t);
   std::vector<SurfelRow> rows;
   seedAll(w, t, bare, rows);
   w.surface.surfels.resize(w.surface.surfels.owned, 0);
@@ -169,8 +170,8 @@ void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t,
 }
 
 void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds) {
-  readyParticles(w, halos, t);
-  listRaised(w, t.relax.raised);
+  prepareParticles(w, halos, t);
+  listIsoOffsets(w, t.relax.isoOffset);
   FieldProbe probe(w, t);
   resample(w, halos, t, rounds, [&](const Surfels& f, std::size_t i, SurfacePoint& p, bool border) {
     // Births continue the mesh's surface, but do not bridge a crack.
@@ -180,22 +181,23 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
       probe.at(&p.position, 1, &c);
       return c.value > leastOverDetail * c.level;
     }
-    if (border && f.follows.active && f.follows[i])
+    if (border && f.hasReference.active && f.hasReference[i])
       // The initial surface has no border. Past a crease, births would continue as a skin over the groove.
       return false;
-    if (goesOnAtWall(w, probe, f, i, p)) return true;
-    if (border && liquidShare(f, i) < 0.5 && beforeOwnSheet(w, t, f, i, p)) return false;
+    if (continuesAtWall(w, probe, f, i, p)) return true;
+    if (border && liquidShare(f, i) < 0.5 && floatsBeforeSheet(w, t, f, i, p)) return false;
     std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {
-      ontoIsoSurface(w, probe, f.component[i], f.position[i], &x, 1,
-                     0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
+      projectToIsoSurface(w, probe, f.component[i], f.position[i], &x, 1,
+                          0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
       return at && dot(at->normal, p.normal) >= 0.3;
     };
     // Offset surfaces continue at the same offset. Half-solid surfels remain where they were carried.
     if (!onto(p.position)) {
-      const double raised = f.liquid.active && f.liquid[i] > 0.9f ? raisedOf(t.relax.raised, f.component[i])
-                                                                  : 0;
-      if (raised == 0 || !onto(p.position - raised * p.normal)) return false;
+      const double isoOffset = f.liquid.active && f.liquid[i] > 0.9f
+                                   ? isoOffsetOf(t.relax.isoOffset, f.component[i])
+                                   : 0;
+      if (isoOffset == 0 || !onto(p.position - isoOffset * p.normal)) return false;
     }
     p.normal = normalized(p.normal + at->normal);
     return true;
@@ -205,8 +207,8 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
 namespace {
 
 /// Grows the surfaces of the particles selected by `bare` and relaxes them.
-void growAndSettle(World& w, SurfaceHalos halos, SurfaceTools& t,
-                   const std::function<bool(std::size_t)>& bare) {
+void growAndRelax(World& w, SurfaceHalos halos, SurfaceTools& t,
+                  const std::function<bool(std::size_t)>& bare) {
   growSurfels(w, halos, t, bare);
   std::int64_t grown = static_cast<std::int64_t>(w.surface.surfels.owned);
   halos.all.sum({&grown, 1});
@@ -214,10 +216,10 @@ void growAndSettle(World& w, SurfaceHalos halos, SurfaceTools& t,
   const SurfaceCounters before = w.surface.counters;
   resampleOnParticles(w, halos, t, 40);
   ForceWeights tight;
-  settle(w, halos, t, tight, 5, true);
+  relaxSurfels(w, halos, t, tight, 5, true);
   resampleOnParticles(w, halos, t, 10);
   for (int k = 0; k < 2; k++) {
-    settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, true);
+    relaxSurfels(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, true);
     resampleOnParticles(w, halos, t, 10);
   }
   // The initial surface does not count as a change.
@@ -232,50 +234,51 @@ void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   const double wide = s.particleSupport,
                narrow = std::min({wide, w.grid.support, nearSupport * w.scene.spacing});
-  readyParticles(w, halos, t);
-  const NearGaps gaps = narrow < wide ? findNearGaps(w, t.relax.particleBins, halos.all) : NearGaps{};
+  prepareParticles(w, halos, t);
+  const NarrowGaps gaps = narrow < wide ? findNarrowGaps(w, t.relax.particleBins, halos.all) : NarrowGaps{};
   const std::vector<std::uint64_t>& near = gaps.solid;
-  t.lumps = gaps.liquid;
+  t.mergedSheets = gaps.liquid;
   const auto bare = [&](std::size_t i, bool isNear) {
     return !isSampled(w.scene, s.particles.body[i]) &&
            std::binary_search(near.begin(), near.end(), s.particles.component[i]) == isNear;
   };
-  growAndSettle(w, halos, t, [&](std::size_t i) { return bare(i, false); });
+  growAndRelax(w, halos, t, [&](std::size_t i) { return bare(i, false); });
   if (near.empty()) return;
   t.relax.only = near;
   s.particleSupport = narrow;
-  t.relax.particlesReady = false;
-  growAndSettle(w, halos, t, [&](std::size_t i) { return bare(i, true); });
+  t.relax.particlesPrepared = false;
+  growAndRelax(w, halos, t, [&](std::size_t i) { return bare(i, true); });
   s.particleSupport = wide;
-  t.relax.particlesReady = false;
+  t.relax.particlesPrepared = false;
   t.relax.only.clear();
 }
 
 void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
-  readyParticles(w, halos, t);
+  prepareParticles(w, halos, t);
   const SurfaceParticles& p = s.particles;
   SmallDrops small(s);
   std::vector<std::uint8_t> dead(f.owned, 0);
   std::int64_t gone = 0;
-  std::vector<std::uint8_t> asked(f.owned, 0);
+  std::vector<std::uint8_t> probed(f.owned, 0);
   for (std::size_t i = 0; i < f.owned; i++) {
     // Spheres of small drops are rebuilt below.
     if (small(f.component[i])) dead[i] = 1;
-    else asked[i] = !keepsDetail(f, i) && !(f.follows.active && f.follows[i]);
+    else probed[i] = !keepsDetail(f, i) && !(f.hasReference.active && f.hasReference[i]);
   }
-  forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
+  forFieldAtSurfels(w, t, probed, [&](std::size_t i, const FieldHere& c) {
     if (std::abs(c.value - c.level) <= offSurface && c.value >= leastOver * c.level) return;
-    if (Vec3d into; f.pressed.active && c.value > c.level && facesWall(w, f.position[i], f.normal[i], into))
+    if (Vec3d into;
+        f.wallOffset.active && c.value > c.level && facesWall(w, f.position[i], f.normal[i], into))
       return;
     dead[i] = 2, gone++;
   });
   halos.all.sum({&gone, 1});
-  if (gone > 0) openAround(s, halos.surfels, t, dead);
+  if (gone > 0) markAroundDeleted(s, halos.surfels, t, dead);
   std::vector<SurfelRow> rows;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.component[i] == 1 + p.id[i] && small(p.component[i])) patchAround(w, t, i, rows);
+    if (p.component[i] == 1 + p.id[i] && small(p.component[i])) sphereAround(w, t, i, rows);
   seedAll(
       w, t,
       [&](std::size_t i) {
@@ -285,7 +288,7 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
       rows);
   // Surfels about to be deleted also pass on their colours, so that drops keep theirs.
   inheritColours(w, halos, t, rows);
-  dropSurfels(s, dead);
+  removeSurfels(s, dead);
   addSurfels(f, rows, w.scene.seed, halos.all);
   s.counters.deaths += gone;
 }

@@ -7,7 +7,7 @@ namespace thaw {
 namespace {
 
 constexpr double discShare = 0.5;
-constexpr int mostAsked = 12;
+constexpr int mostDiscs = 12;
 
 struct DiscView {
   double height;  // m, above the disc's plane
@@ -30,7 +30,7 @@ SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const 
   const double far = begin->distance + f.radius[begin->row];
   const double least = 1e-6 * f.radius[begin->row] * f.radius[begin->row];
   double sum = 0, straight = 0;
-  for (const InsideTools::Candidate* c = begin; c != end && side.asked < mostAsked && c->distance <= far;
+  for (const InsideTools::Candidate* c = begin; c != end && side.discsUsed < mostDiscs && c->distance <= far;
        c++) {
     const DiscView v = viewOf(f, c->row, x);
     const double weight = 1 / (v.d2 + least);
@@ -38,9 +38,9 @@ SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const 
     straight = std::max(straight, -v.height / std::sqrt(v.d2 + least));
     side.normal += weight * f.normal[c->row];
     if (f.liquid.active) side.liquid += static_cast<double>(f.liquid[c->row]);
-    side.asked++;
+    side.discsUsed++;
   }
-  side.liquid /= side.asked;
+  side.liquid /= side.discsUsed;
   side.normal = normalized(side.normal);
   // A disc seen only edge-on is the rim of an opening.
   side.distance = sum < 0 && straight > 0.5 ? -begin->distance : begin->distance;

@@ -14,12 +14,12 @@ struct SurfaceSide {
   double distance = 0;  ///< m, to the nearest disc; negative inside
   Vec3d normal{};       ///< out of the component, at the nearest surface
   double liquid = 0;    ///< mean liquid fraction of the surfels used
-  int asked = 0;
+  int discsUsed = 0;
   std::uint32_t nearest = 0;  ///< row of the nearest surfel
 };
 
 /// Least number of surfels for a valid inside-outside test.
-inline constexpr int leastAsked = 3;
+inline constexpr int leastDiscs = 3;
 
 /// Buffers, kept between calls.
 struct InsideTools {

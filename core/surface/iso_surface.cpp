@@ -5,15 +5,16 @@
 
 namespace thaw {
 
-std::optional<IsoStep> isoStep(const FieldHere& c, double particleSupport, double raised, double longest) {
+std::optional<IsoStep> isoStep(const FieldHere& c, double particleSupport, double isoOffset, double longest) {
   const double slope = length(c.gradient);
   if (!(slope * particleSupport > 0.05 * c.level && c.value > 0)) return {};
   return IsoStep{c.gradient * (-1 / slope),
-                 std::clamp(c.tight * (raised - (c.level - c.value) / slope), -longest, longest)};
+                 std::clamp(c.tight * (isoOffset - (c.level - c.value) / slope), -longest, longest)};
 }
 
-void ontoIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, const Vec3d& home,
-                    const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found) {
+void projectToIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, const Vec3d& owner,
+                         const Vec3d* from, std::size_t n, double farthest,
+                         std::optional<SurfacePoint>* found) {
   const double longest = 0.5 * w.scene.spacing, enough = 0.01 * w.surface.spacing;
   std::array<Vec3d, FieldProbe::most> x;
   std::array<std::size_t, FieldProbe::most> of;  // index of the starting position of x[k]
@@ -21,7 +22,7 @@ void ontoIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, 
   PlaceBox box{from[0], from[0]};
   for (std::size_t k = 0; k < n; k++) x[k] = from[k], of[k] = k, found[k] = {}, box.add(from[k]);
   const Vec3d room{farthest, farthest, farthest};
-  probe.around({box.low - room, box.high + room}, component, home);
+  probe.around({box.low - room, box.high + room}, component, owner);
   for (int round = 0; round < 12 && n > 0; round++) {
     probe.at(x.data(), n, field.data());
     std::size_t left = 0;

@@ -7,18 +7,20 @@
 
 namespace thaw {
 
-/// Newton's step onto the iso-surface, or onto an offset of `raised` (m): the outward direction and the
+/// Newton's step onto the iso-surface, or onto an offset of `isoOffset` (m): the outward direction and the
 /// distance along it (m, clamped to `longest`). Returns nothing where the gradient is too small.
 struct IsoStep {
   Vec3d outward{};
   double out = 0;
 };
-std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, double raised, double longest);
+std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, double isoOffset,
+                               double longest);
 
 /// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns
-/// points and normals. Positions without a surface within `farthest` (m) yield nothing. `home`: see
+/// points and normals. Positions without a surface within `farthest` (m) yield nothing. `owner`: see
 /// FieldProbe::around. Changes the particles selected in the probe.
-void ontoIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component, const Vec3d& home,
-                    const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found);
+void projectToIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component, const Vec3d& owner,
+                         const Vec3d* from, std::size_t n, double farthest,
+                         std::optional<SurfacePoint>* found);
 
 }  // namespace thaw

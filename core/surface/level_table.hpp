@@ -43,23 +43,23 @@ class LevelTable {
 /// tension, and least where it is dense. A uniform offset would move the sides of thin rims through each
 /// other.
 inline constexpr double nearSupport = 2;
-struct Tightening {
+struct LevelRise {
   /// `full`: sum below which the level rises; `most`: relative rise without particles nearby
   double full = 0.5, most = 0.6;
 };
-inline double tightened(double level, double near, const Tightening& t) {
+inline double raisedLevel(double level, double near, const LevelRise& t) {
   return level * (1 + t.most * std::max(0.0, 1 - near / t.full));
 }
 
-/// Converts the request of volume enforcement (SurfaceComponent::raised in particle spacings, negative
+/// Converts the request of volume enforcement (SurfaceComponent::isoOffset in particle spacings, negative
 /// inward) into level changes. Inward offsets end at leastOffset, and the remainder raises the level in
 /// sparse regions. For lattices stretched along two or three axes, this removes about the volume of the
 /// offset.
 inline constexpr double leastOffset = -0.35;
-inline Tightening tighteningOf(double raised) {
-  const double more = std::max(leastOffset - raised, 0.0);
+inline LevelRise levelRiseOf(double isoOffset) {
+  const double more = std::max(leastOffset - isoOffset, 0.0);
   return {0.5 + 3 * more, 0.6 + more};
 }
-inline double offsetOf(double raised) { return std::max(raised, leastOffset); }
+inline double limitedIsoOffset(double isoOffset) { return std::max(isoOffset, leastOffset); }
 
 }  // namespace thaw

@@ -60,7 +60,7 @@ SurfacePoint pointAround(const Patch& p, double distance, double c, double s) {
   return {f.position[p.centre] + flat * along - sink * n, normalized(n * (1 - k * sink) + flat * turned)};
 }
 
-void ontoSurface(Patch& p, SurfacePoint* points, std::size_t n, double reach) {
+void projectToPatch(Patch& p, SurfacePoint* points, std::size_t n, double reach) {
   const Surfels& s = *p.surfels;
   const std::size_t discs = 1 + p.rows.size();
   p.disc.resize(6 * discs);

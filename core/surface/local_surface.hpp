@@ -17,7 +17,7 @@ struct Patch {
   const Surfels* surfels = nullptr;
   std::size_t centre = 0;
   std::vector<std::uint32_t> rows;
-  std::vector<double> disc;  ///< buffers of ontoSurface and emptyPlace
+  std::vector<double> disc;  ///< buffers of projectToPatch and uncoveredPoint
   std::vector<float> seen;
   double curvature[3]{};  ///< 1/m, components ss, st, tt of the shape operator along the tangents; positive:
                           ///< convex
@@ -41,6 +41,6 @@ SurfacePoint pointAround(const Patch& patch, double distance, double cosine, dou
 /// Projects n <= 8 points onto the surface between the patch's surfels, centre included: where the weighted
 /// mean of (n_j + n) . (x - x_j) vanishes. Weights end at `reach`. Exact on planes and spheres
 /// (co-circularity, ST92).
-void ontoSurface(Patch& patch, SurfacePoint* points, std::size_t n, double reach);
+void projectToPatch(Patch& patch, SurfacePoint* points, std::size_t n, double reach);
 
 }  // namespace thaw

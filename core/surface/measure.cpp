@@ -7,7 +7,7 @@
 #include "core/math/exact_sum.hpp"
 #include "core/surface/enclosed_volume.hpp"
 #include "core/surface/gather_words.hpp"
-#include "core/surface/one_piece.hpp"
+#include "core/surface/periodic_unwrap.hpp"
 
 namespace thaw {
 namespace {
@@ -18,7 +18,7 @@ struct Record {
   Vec3d anchor{};     // position of the particle that labels it
   int ranks = 0;      // number of ranks with rows of it
   Sectors sectors{};  // occupied sectors of periodic axes
-  OnePiece piece;     // position across periodic sides
+  PeriodicCut piece;  // position across periodic sides
 };
 
 enum Sum {
@@ -139,8 +139,8 @@ std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>
     r.ranks++;
   }
   for (Record& r : records) {
-    r.piece = onePiece(s.grid, gapOf(s), r.sectors);
-    r.anchor = placeIn(s.grid, r.piece, r.anchor);
+    r.piece = findPeriodicCut(s.grid, gapOf(s), r.sectors);
+    r.anchor = unwrappedPosition(s.grid, r.piece, r.anchor);
   }
   return records;
 }
@@ -164,15 +164,15 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
   sum.fill({});
   for (std::size_t k = g.particlesFrom; k < g.particlesTo; k++) {
     const std::uint32_t i = particles[k];
-    const Vec3d d = placeIn(s.grid, r.piece, p.position[i]) - r.anchor;
+    const Vec3d d = unwrappedPosition(s.grid, r.piece, p.position[i]) - r.anchor;
     sum[Mass].add(p.mass[i]);
     sum[ParticleVolume].add(p.volume[i]);
-    sum[WantedVolume].add(p.share[i] * p.volume[i]);
+    sum[WantedVolume].add(p.volumeRatio[i] * p.volume[i]);
     for (std::size_t a = 0; a < 3; a++) sum[MomentX + a].add(p.mass[i] * d[static_cast<int>(a)]);
   }
   for (std::size_t k = g.surfelsFrom; k < g.surfelsTo; k++) {
     const std::uint32_t i = surfels[k];
-    const Vec3d d = placeIn(s.grid, r.piece, f.position[i]) - r.anchor, facets = f.facets[i];
+    const Vec3d d = unwrappedPosition(s.grid, r.piece, f.position[i]) - r.anchor, facets = f.facets[i];
     sum[Area].add(f.area[i]);
     if (const double liquid = liquidShare(f, i); liquid > 0) sum[FreeArea].add(liquid * f.area[i]);
     if (const double frozen = frozenShare(f, i); frozen > 0) sum[PlainArea].add(frozen * f.area[i]);
@@ -201,9 +201,9 @@ void finish(const Surface& s, Record& r, const std::array<double, sums>& v) {
   c.particleVolume = v[ParticleVolume];
   c.wantedVolume = v[WantedVolume];
   c.area = v[Area];
-  c.freeArea = v[FreeArea];
-  c.plainArea = v[PlainArea];
-  c.heldArea = v[HeldArea];
+  c.liquidArea = v[FreeArea];
+  c.frozenArea = v[PlainArea];
+  c.wallArea = v[HeldArea];
   c.open = c.area > 0 ? length(Vec3d{v[NormalX], v[NormalY], v[NormalZ]}) / c.area : 0;
   const Vec3d centroid = c.mass > 0 ? Vec3d{v[MomentX], v[MomentY], v[MomentZ]} / c.mass : Vec3d{};
   c.centroid = r.anchor + centroid;
@@ -292,7 +292,7 @@ void measureComponents(Surface& s, Reducer& all) {
     s.components.push_back(r.measured);
     while (old < before.size() && before[old].label < r.measured.label) old++;
     if (old < before.size() && before[old].label == r.measured.label)
-      s.components.back().raised = before[old].raised;
+      s.components.back().isoOffset = before[old].isoOffset;
   }
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/surface/drop_surfels.hpp"
 #include "core/surface/gather_words.hpp"
-#include "core/surface/mixed_bins.hpp"
+#include "core/surface/multi_label_bins.hpp"
+#include "core/surface/remove_surfels.hpp"
 
 namespace thaw {
 namespace {
@@ -55,13 +55,13 @@ constexpr double touchLength = 1, touchGap = 0.4;
 
 /// Returns the range (m) in which particles detect other surfaces. Approaching bodies are detected long
 /// before they overlap that deeply.
-double meetingReach(const World& w) {
+double particleContactReach(const World& w) {
   return std::min(w.surface.particleSupport, std::max(2 * w.scene.spacing, 4 * w.surface.spacing));
 }
 
 /// Returns the range (m) in which surfels detect other surfaces. It is shorter, since particles of two bodies
-/// keep a spacing apart. judgeJoining handles deeper surfels.
-double judgingReach(const World& w) {
+/// keep a spacing apart. classifyJoining handles deeper surfels.
+double surfelContactReach(const World& w) {
   return std::min(w.surface.particleSupport, std::max(w.scene.spacing, 4 * w.surface.spacing));
 }
 
@@ -88,7 +88,7 @@ bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint
     found = true;
     for (const std::uint64_t label : {p.component[i], other}) {
       findSides(s.surfels, c.surfelBins, middle, label, false, dx, t.inside, t.touching);
-      found = found && !t.touching.empty() && t.touching[0].asked >= leastAsked &&
+      found = found && !t.touching.empty() && t.touching[0].discsUsed >= leastDiscs &&
               t.touching[0].distance < touchGap * dx;
     }
   });
@@ -97,28 +97,29 @@ bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint
 
 /// Returns the pairs of components in contact, unique on all ranks. Requires: bins of surfels and, with
 /// several parts, of particles.
-std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTools& c, bool several,
+std::vector<Pair> contactPairs(const World& w, Reducer& all, const ComponentTools& c, bool several,
                                MergeTools& t) {
   const Surface& s = w.surface;
   const SurfaceParticles& p = s.particles;
   std::vector<Pair> pairs;
   if (w.scene.surface.merge != MergeRule::None && several)
-    forMixed(c.particleBins,
-             mixedBins(c.particleBins, p.component.data(), c.surfelBins, s.surfels.component.data(),
-                       meetingReach(w)),
-             [&](std::uint32_t i) {
-               if (i >= p.owned) return;
-               findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true, meetingReach(w),
-                         t.inside, t.sides);
-               for (const SurfaceSide& side : t.sides) {
-                 if (side.asked < leastAsked || side.distance >= touchLength * w.scene.spacing) continue;
-                 const bool liquid = side.liquid > 0.5 || (p.liquid.active && p.liquid[i] > 0.5f);
-                 if (w.scene.surface.merge == MergeRule::Liquid && !liquid) continue;
-                 if (side.distance >= 0 && !(liquid && touches(w, c, i, side.component, t))) continue;
-                 pairs.push_back(
-                     {std::min(side.component, p.component[i]), std::max(side.component, p.component[i])});
-               }
-             });
+    forMultiLabel(c.particleBins,
+                  multiLabelBins(c.particleBins, p.component.data(), c.surfelBins, s.surfels.component.data(),
+                                 particleContactReach(w)),
+                  [&](std::uint32_t i) {
+                    if (i >= p.owned) return;
+                    findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true,
+                              particleContactReach(w), t.inside, t.sides);
+                    for (const SurfaceSide& side : t.sides) {
+                      if (side.discsUsed < leastDiscs || side.distance >= touchLength * w.scene.spacing)
+                        continue;
+                      const bool liquid = side.liquid > 0.5 || (p.liquid.active && p.liquid[i] > 0.5f);
+                      if (w.scene.surface.merge == MergeRule::Liquid && !liquid) continue;
+                      if (side.distance >= 0 && !(liquid && touches(w, c, i, side.component, t))) continue;
+                      pairs.push_back({std::min(side.component, p.component[i]),
+                                       std::max(side.component, p.component[i])});
+                    }
+                  });
   const auto unique = [&] {
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -142,13 +143,13 @@ enum Seam : std::uint8_t { Disturbed = 1, Joint = 2 };
 
 /// Classifies an owned surfel relative to other components. It dies if its component joins one that it is in
 /// or close to. Otherwise it moves out of components that contain it.
-void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
+void classifySurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
-  findSides(f, c.surfelBins, f.position[i], f.component[i], true, judgingReach(w), t.inside, t.sides);
+  findSides(f, c.surfelBins, f.position[i], f.component[i], true, surfelContactReach(w), t.inside, t.sides);
   Vec3d push{};
   for (const SurfaceSide& side : t.sides) {
-    if (side.asked < leastAsked) continue;
+    if (side.discsUsed < leastDiscs) continue;
     if (joined.of(side.component) == joined.of(f.component[i])) {
       if (side.distance < 0.5 * s.spacing) c.dead[i] = 1;
       // beside deleted surfels
@@ -164,7 +165,8 @@ void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, Componen
 
 /// Classifies an owned surfel of a joining component at some distance from the other surface: whether the
 /// other's particles shape the common surface here, and whether it lies deep inside the other.
-void judgeJoining(const Surface& s, std::uint32_t i, const Bins& joining, ComponentTools& c, MergeTools& t) {
+void classifyJoining(const Surface& s, std::uint32_t i, const Bins& joining, ComponentTools& c,
+                     MergeTools& t) {
   const Surfels& f = s.surfels;
   int seen = 0;
   double nearest2 = never;
@@ -177,15 +179,15 @@ void judgeJoining(const Surface& s, std::uint32_t i, const Bins& joining, Compon
     behind = d2 < nearest2 ? back : d2 == nearest2 ? behind || back : behind;
     nearest2 = std::min(nearest2, d2);
   });
-  if (seen < leastAsked) return;
+  if (seen < leastDiscs) return;
   t.open[i] |= Joint;
   if (!behind || c.dead[i]) return;
   findSides(f, joining, f.position[i], f.component[i], true, s.particleSupport, t.inside, t.sides);
   for (const SurfaceSide& side : t.sides)
-    if (side.asked >= leastAsked && side.distance < 0 && t.into[side.nearest] == t.into[i]) c.dead[i] = 1;
+    if (side.discsUsed >= leastDiscs && side.distance < 0 && t.into[side.nearest] == t.into[i]) c.dead[i] = 1;
 }
 
-void judgeAllJoining(const Surface& s, const Joined& joined, ComponentTools& c, MergeTools& t) {
+void classifyAllJoining(const Surface& s, const Joined& joined, ComponentTools& c, MergeTools& t) {
   const Surfels& f = s.surfels;
   if (joined.none()) return;
   std::vector<std::uint8_t> joins(f.size());
@@ -194,10 +196,11 @@ void judgeAllJoining(const Surface& s, const Joined& joined, ComponentTools& c, 
     joins[i] = joined.joins(f.component[i]), t.into[i] = joined.of(f.component[i]);
   Bins joining;
   pickRows(c.surfelBins, joins.data(), joining);
-  forMixed(joining, mixedBins(joining, f.component.data(), joining, f.component.data(), s.particleSupport),
-           [&](std::uint32_t i) {
-             if (i < f.owned) judgeJoining(s, i, joining, c, t);
-           });
+  forMultiLabel(joining,
+                multiLabelBins(joining, f.component.data(), joining, f.component.data(), s.particleSupport),
+                [&](std::uint32_t i) {
+                  if (i < f.owned) classifyJoining(s, i, joining, c, t);
+                });
 }
 
 }  // namespace
@@ -208,7 +211,7 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   SurfaceParticles& p = s.particles;
   const bool several = c.several();
   if (several) fillBins(f.position.data(), f.size(), s.surfelSupport, c.surfelBins);
-  const std::vector<Pair> pairs = meetingPairs(w, halos.all, c, several, t);
+  const std::vector<Pair> pairs = contactPairs(w, halos.all, c, several, t);
   Joined joined(pairs);
   for (const Pair& m : pairs) {
     const std::uint64_t gone = joined.join(m.a, m.b);
@@ -220,25 +223,26 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   t.moved.assign(f.position.data(), f.position.data() + f.owned);
   t.open.assign(f.owned, 0);
   if (several) {
-    forMixed(c.surfelBins,
-             mixedBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(), judgingReach(w)),
-             [&](std::uint32_t i) {
-               if (i < f.owned) judgeSurfel(w, i, joined, c, t);
-             });
-    judgeAllJoining(s, joined, c, t);
+    forMultiLabel(c.surfelBins,
+                  multiLabelBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(),
+                                 surfelContactReach(w)),
+                  [&](std::uint32_t i) {
+                    if (i < f.owned) classifySurfel(w, i, joined, c, t);
+                  });
+    classifyAllJoining(s, joined, c, t);
   }
   std::copy(t.moved.begin(), t.moved.end(), f.position.data());
   for (std::size_t i = 0; i < f.owned; i++)
-    if (t.open[i] & Disturbed) f.calm[i] = 0;
+    if (t.open[i] & Disturbed) f.resampleMargin[i] = 0;
   if (!pairs.empty()) {
     // The two surfaces end in a seam. Grown surfels relax onto the common surface, even if solid.
-    f.activate(f.loose);
+    f.activate(f.relaxesOnce);
     for (std::size_t i = 0; i < f.owned; i++)
-      if ((t.open[i] & Joint) && f.detail[i] < 0.5f) f.loose[i] = 1;
+      if ((t.open[i] & Joint) && f.detail[i] < 0.5f) f.relaxesOnce[i] = 1;
     for (std::size_t i = 0; i < f.owned; i++) f.component[i] = joined.of(f.component[i]);
     for (std::size_t i = 0; i < p.owned; i++) p.component[i] = joined.of(p.component[i]);
   }
-  std::int64_t deaths[1] = {dropSurfels(s, c.dead)};
+  std::int64_t deaths[1] = {removeSurfels(s, c.dead)};
   halos.all.sum(deaths);
   s.counters.deaths += deaths[0];
 }

@@ -28,13 +28,13 @@ MeshNormals::MeshNormals(const TriangleMesh& mesh) : mesh_(mesh) {
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); t++)
     for (const std::uint32_t v : mesh.triangles[t]) around_[next[v]++] = t;
-  mendSlivers();
+  repairSlivers();
 }
 
 /// Replaces unreliable normals of slivers. If a sliver's normal differs from that of the triangle across its
 /// longest edge, it is a rounding error; the mean of the triangles around its corners is better. On the
 /// narrow side of a plate, the two agree.
-void MeshNormals::mendSlivers() {
+void MeshNormals::repairSlivers() {
   const std::vector<Vec3d> own = face_;
   const TriangleMesh& m = mesh_;
   const auto doubleArea = [&](std::uint32_t u) {

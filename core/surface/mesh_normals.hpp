@@ -21,7 +21,7 @@ class MeshNormals {
  private:
   std::array<double, 3> sharesOf(const Vec3d& x, std::uint32_t triangle) const;
   Vec3d cornerNormal(std::uint32_t triangle, std::uint32_t vertex) const;
-  void mendSlivers();
+  void repairSlivers();
   const TriangleMesh& mesh_;
   std::vector<Vec3d> face_;                    // unit normals
   std::vector<std::uint8_t> doubtful_;         // flags triangles: slivers with an unreliable normal

@@ -30,6 +30,6 @@ inline Facing facing(const Vec3d& d, const Vec3d& normal, const Vec3d& otherNorm
 
 /// Height above a surfel's plane, in spacings of surfels, below which particles always belong to its own
 /// sheet.
-inline constexpr double leastCeiling = 0.2;
+inline constexpr double leastGapCutoff = 0.2;
 
 }  // namespace thaw

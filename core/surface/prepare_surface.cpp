@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/setup/make_grid.hpp"
-#include "core/surface/cover_bare.hpp"
+#include "core/surface/resurface_exposed.hpp"
 
 namespace thaw {
 
@@ -19,37 +19,55 @@ void prepareSurface(World& w) {
   s.grid = makeGrid(w.scene.domain,
                     std::max(s.surfelSupport + listMargin(s, w.scene.spacing),
                              std::max({s.surfelSupport, s.particleSupport, 3 * s.spacing,
-                                       set.linkLength * w.scene.spacing, ragReach * w.scene.spacing}) +
+                                       set.linkLength * w.scene.spacing, detachedReach * w.scene.spacing}) +
                                  0.5 * w.scene.spacing));
 }
 
 void activateSurfaceFields(Surface& s, const Modules& m, bool walls) {
   Surfels& f = s.surfels;
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{
-           &f.id,      &f.position,  &f.normal, &f.tangent, &f.radius,     &f.component,
-           &f.colour,  &f.detail,    &f.calm,   &f.cell,    &f.nextCell,   &f.reach,
-           &f.nearest, &f.toNearest, &f.part,   &f.area,    &f.facets,     &f.bulge,
-           &f.rim,     &f.wanted,    &f.wish,   &f.offer,   &f.offerNormal})
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.id,
+                                                        &f.position,
+                                                        &f.normal,
+                                                        &f.tangent,
+                                                        &f.radius,
+                                                        &f.component,
+                                                        &f.colour,
+                                                        &f.detail,
+                                                        &f.resampleMargin,
+                                                        &f.cell,
+                                                        &f.nextCell,
+                                                        &f.linkRadius2,
+                                                        &f.nearest,
+                                                        &f.toNearest,
+                                                        &f.part,
+                                                        &f.area,
+                                                        &f.facets,
+                                                        &f.bulge,
+                                                        &f.rim,
+                                                        &f.wanted,
+                                                        &f.resampleFlags,
+                                                        &f.candidateOffset,
+                                                        &f.candidateNormal})
     f.activate(*c);
   SurfaceParticles& p = s.particles;
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{
-           &p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.share, &p.mass, &p.body, &p.home,
-           &p.cell, &p.nextCell, &p.gradient, &p.colour, &p.smoothColour, &p.part})
+           &p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.volumeRatio, &p.mass, &p.body,
+           &p.source, &p.cell, &p.nextCell, &p.gradient, &p.colour, &p.smoothColour, &p.part})
     p.activate(*c);
   // Otherwise the surface is only carried along.
   if (m.melting || m.fluid) {
     f.activate(f.liquid);
     p.activate(p.liquid);
-    if (m.solid) f.activate(f.softened), f.activate(f.mark);
+    if (m.solid) f.activate(f.maxLiquidFraction), f.activate(f.detailHeight);
   }
   if (m.solid) {
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.covered, &p.startPlace}) p.activate(*c);
-    for (AnyColumn* c :
-         std::initializer_list<AnyColumn*>{&f.follows, &f.startPlace, &f.startNormal, &f.startTangent})
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.covered, &p.referencePosition}) p.activate(*c);
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.hasReference, &f.referencePosition,
+                                                          &f.referenceNormal, &f.referenceTangent})
       f.activate(*c);
   }
   if (walls) {
-    f.activate(f.pressed);
+    f.activate(f.wallOffset);
     f.activate(f.onWall);
   }
   if (m.heat) {

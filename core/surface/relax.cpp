@@ -6,13 +6,13 @@
 
 #include "core/surface/active_surfels.hpp"
 #include "core/surface/field_probe.hpp"
-#include "core/surface/keep_out.hpp"
-#include "core/surface/leap.hpp"
 #include "core/surface/near_sheets.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "core/surface/project_distant.hpp"
 #include "core/surface/surfel_move.hpp"
 #include "core/surface/update_surface.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -63,7 +63,7 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   Surfels& f = s.surfels;
   RelaxTools& r = t.relax;
   placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
-  ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.moving, &f.wish};
+  ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.moving, &f.resampleFlags};
   addGhosts(halos.surfels, f, s.surfelCells, columns);
   lap(r.times.place);
   const ListRadii radii{s.surfelSupport + margin, s.particleSupport + 0.5 * margin};
@@ -75,8 +75,8 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   const double gap = gapReach * s.particleSupport;
   // All pairs of bins within a gap are tested.
   if (first) fillBins(s.grid, s.surfelCells, f.position.data(), gap / 3, r.gapBins);
-  findCeilings(s, r.free, first ? r.gapBins : r.surfelBins, gap, !first);
-  packCeilings(s, r.lists, r.ceilings);
+  findGapCutoffs(s, r.free, first ? r.gapBins : r.surfelBins, gap, !first);
+  packGapCutoffs(s, r.lists, r.gapCutoffs);
   r.found.assign(f.position.data(), f.position.data() + f.owned);
   r.place.resize(4 * f.size());
   r.normal.resize(4 * f.size());
@@ -103,14 +103,15 @@ ForceSums sumsOf(const World& w, SurfaceTools& t) {
   in.sameSide = 0.70710678f;
   in.perSide = 10;
   in.apart = static_cast<float>(twoSheets);
-  if (r.ceilings.any) in.ceiling = r.ceilings.height.data(), in.ceilingOfGroup = r.ceilings.ofGroup.data();
+  if (r.gapCutoffs.any)
+    in.gapCutoff = r.gapCutoffs.height.data(), in.groupHasGapCutoff = r.gapCutoffs.ofGroup.data();
   in.overSurfels = r.overSurfels.data();
   in.overParticles = r.overParticles.data();
   return in;
 }
 
 /// Lists groups with a moving surfel in their list.
-void listStirredGroups(const GroupLists& l, const Surfels& f, std::vector<std::uint32_t>& groups) {
+void listMovingGroups(const GroupLists& l, const Surfels& f, std::vector<std::uint32_t>& groups) {
   groups.clear();
   for (std::uint32_t g = 0; g < l.groups(); g++)
     for (std::uint64_t k = l.firstSurfel[g]; k < l.firstSurfel[g + 1]; k++)
@@ -121,11 +122,13 @@ void listStirredGroups(const GroupLists& l, const Surfels& f, std::vector<std::u
 }
 
 /// Keeps groups with a surfel that has a moving surfel within h_ss, or moves itself.
-void keepStirred(const GroupLists& l, const float* sums, int channels, std::vector<std::uint32_t>& groups) {
+void keepMovingGroups(const GroupLists& l, const float* sums, int channels,
+                      std::vector<std::uint32_t>& groups) {
   std::erase_if(groups, [&](std::uint32_t g) {
-    const float* stirred = sums +
-                           (static_cast<std::size_t>(g) * static_cast<std::size_t>(channels) + Stirred) * 8;
-    return std::none_of(stirred, stirred + l.lanes[g], [](float x) { return x > 0; });
+    const float* movedNearby = sums + (static_cast<std::size_t>(g) * static_cast<std::size_t>(channels) +
+                                       MovedNearby) *
+                                          8;
+    return std::none_of(movedNearby, movedNearby + l.lanes[g], [](float x) { return x > 0; });
   });
 }
 
@@ -138,13 +141,13 @@ SurfelSums sumsAt(const ForceSums& in, std::uint32_t g, int lane) {
 
 }  // namespace
 
-Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights& weights,
-               std::int64_t iterations, bool all) {
+RelaxationResult relaxSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights& weights,
+                              std::int64_t iterations, bool all) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   RelaxTools& r = t.relax;
   Lap lap;
-  readyParticles(w, halos, t);
+  prepareParticles(w, halos, t);
   lap(r.times.ready);
   f.resize(f.owned, 0);
   markMovable(s, all, r);
@@ -152,43 +155,43 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   halos.all.sum(free);
   if (free[0] == 0) return {0, true};
   // In an update, blendSurfels reads the motion.
-  if (all) std::fill_n(f.calm.data(), f.owned, 0.0f);
+  if (all) std::fill_n(f.resampleMargin.data(), f.owned, 0.0f);
   f.activate(f.moving);
-  f.activate(f.pace);
-  f.activate(f.ceiling);
-  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = r.free[i], f.pace[i] = 0;
-  findStanding(w, r.free);
+  f.activate(f.stepShare);
+  f.activate(f.gapCutoff);
+  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = r.free[i], f.stepShare[i] = 0;
+  alignWithWalls(w, r.free);
   // A surfel may move by half the margin before lists are stale. The grid's cells leave room for half a
   // particle spacing.
   const double margin = listMargin(s, w.scene.spacing);
   search(w, halos, t, all, true, margin, lap);
-  Settled done;
+  RelaxationResult done;
   MoveCounts counts;
   // Across the surface, most surfels stop after a few iterations. Along it, long waves of density would move
   // them on, hence K05's damping. The rims of a splash would do so across it; their motion after easeAfter
   // continues in the next update.
   double spread = 1, ease = 1;
-  bool spreads = false, held = false, running = true;
+  bool spreads = false, anyStopped = false, running = true;
   std::int64_t nextSearch = 1;
   while (done.iterations < iterations && !done.finished) {
     // A surfel stopped at its margin continues after the next search. Searches become less frequent, since
     // few such surfels remain.
-    if (spreads || (held && (!running || done.iterations >= nextSearch))) {
+    if (spreads || (anyStopped && (!running || done.iterations >= nextSearch))) {
       if (done.iterations == 1)
         // Only once: forces may move surfels off the iso-surface again.
-        leapOntoSurface(w, halos, t);
-      std::replace(f.moving.data(), f.moving.data() + f.owned, heldAtMargin, std::uint8_t{1});
+        projectDistantSurfels(w, halos, t);
+      std::replace(f.moving.data(), f.moving.data() + f.owned, stoppedAtMargin, std::uint8_t{1});
       search(w, halos, t, all, false, margin, lap);
       nextSearch = done.iterations + 2 + done.iterations / 2;
     }
     ForceSums in = sumsOf(w, t);
     const int channels = in.plane ? planeSums : sphereSums;
-    listStirredGroups(r.lists, f, r.groups);
+    listMovingGroups(r.lists, f, r.groups);
     in.groups = r.groups.data();
     in.groupCount = r.groups.size();
     r.kernels->overSurfels(in);
     lap(r.times.surfelSums);
-    keepStirred(r.lists, in.overSurfels, channels, r.groups);
+    keepMovingGroups(r.lists, in.overSurfels, channels, r.groups);
     in.groupCount = r.groups.size();
     r.kernels->overParticles(in);
     lap(r.times.particleSums);
@@ -203,12 +206,12 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     double state[3]{0, 0, 0};
     // Surfels of groups without work did not move in the last iteration.
     for (const std::uint32_t g : r.groups) {
-      const double raised = raisedOf(r.raised, f.component[r.lists.self[8 * g]]);
+      const double isoOffset = isoOffsetOf(r.isoOffset, f.component[r.lists.self[8 * g]]);
       for (int lane = 0; lane < r.lists.lanes[g]; lane++) {
         const SurfelSums sums = sumsAt(in, g, lane);
-        if (!(sums.surfel(Stirred) > 0)) continue;
+        if (!(sums.surfel(MovedNearby) > 0)) continue;
         const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
-        moveSurfel(w, context, sums, raised, i, counts);
+        moveSurfel(w, context, sums, isoOffset, i, counts);
         if (f.moving[i] == 1) {
           state[0] = 1;
           if (!r.core[i]) state[1] = 1;
@@ -217,7 +220,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
         r.times.surfels++;
       }
     }
-    if (std::find(f.moving.data(), f.moving.data() + f.owned, heldAtMargin) != f.moving.data() + f.owned)
+    if (std::find(f.moving.data(), f.moving.data() + f.owned, stoppedAtMargin) != f.moving.data() + f.owned)
       state[2] = 1;
     lap(r.times.finish);
     ColumnList columns{&f.position, &f.normal, &f.moving};
@@ -226,8 +229,8 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     halos.all.maximum(state);
     running = state[0] > 0;
     spreads = state[1] > 0;
-    held = state[2] > 0;
-    done.finished = !held && !running;
+    anyStopped = state[2] > 0;
+    done.finished = !anyStopped && !running;
     done.iterations++;
     lap(r.times.exchange);
   }
@@ -237,9 +240,9 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   s.counters.keptNormals += total[1];
   f.resize(f.owned, 0);
   deactivate(f.moving);
-  deactivate(f.pace);
-  deactivate(f.ceiling);
-  deactivate(f.standing);
+  deactivate(f.stepShare);
+  deactivate(f.gapCutoff);
+  deactivate(f.wallAligned);
   return done;
 }
 

@@ -17,7 +17,7 @@ inline ForceWeights forceWeights(const SurfaceSettings& s) {
 }
 
 /// Result of the iterations, the same on all ranks.
-struct Settled {
+struct RelaxationResult {
   std::int64_t iterations = 0;
   bool finished = false;  ///< all surfels are at rest
 };
@@ -28,7 +28,7 @@ struct Settled {
 /// domain: they are placed (placeRows) and sorted at the start. At the end they are without ghosts, and have
 /// the order and ranks of the last search. Requires: particles at current positions on the ranks of their
 /// cells (placeRows), with components. Collective.
-Settled settle(World& world, SurfaceHalos halos, SurfaceTools& tools, const ForceWeights& weights,
-               std::int64_t iterations, bool all);
+RelaxationResult relaxSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools,
+                              const ForceWeights& weights, std::int64_t iterations, bool all);
 
 }  // namespace thaw

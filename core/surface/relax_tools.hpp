@@ -5,7 +5,7 @@
 
 #include "core/particles/column.hpp"
 #include "core/surface/bins.hpp"
-#include "core/surface/gap_ceilings.hpp"
+#include "core/surface/gap_cutoffs.hpp"
 #include "core/surface/group_lists.hpp"
 #include "core/surface/level_table.hpp"
 #include "core/surface/surface_kernels.hpp"
@@ -13,7 +13,7 @@
 namespace thaw {
 
 /// Offset (m) of a component's liquid surface from its level by volume enforcement.
-struct RaisedComponent {
+struct ComponentIsoOffset {
   std::uint64_t component;
   double by;
 };
@@ -25,16 +25,16 @@ struct RelaxTimes {
 };
 
 struct RelaxTools {
-  /// readyParticles was called for the current particles; the same on all ranks
-  bool particlesReady = false;
+  /// prepareParticles was called for the current particles; the same on all ranks
+  bool particlesPrepared = false;
   LevelTable level;
   const SurfaceKernels* kernels = surfaceKernels();
-  std::vector<std::uint64_t> only;      ///< components, ascending, that iterations move; empty: all
-  std::vector<RaisedComponent> raised;  ///< ascending by component
+  std::vector<std::uint64_t> only;            ///< components, ascending, that iterations move; empty: all
+  std::vector<ComponentIsoOffset> isoOffset;  ///< ascending by component
   Bins surfelBins, particleBins, gapBins;
   GroupLists lists;
   AlignedVector<double> carried;  ///< packed data of each particle, carryRecord doubles
-  GapCeilings ceilings;
+  GapCutoffs gapCutoffs;
   AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;
   /// flags of owned surfels: listed, and with a moving surfel within reach
   std::vector<std::uint8_t> free, core;

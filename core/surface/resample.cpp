@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "core/math/hash_random.hpp"
+#include "core/surface/active_set.hpp"
 #include "core/surface/adapt_density.hpp"
 #include "core/surface/births.hpp"
-#include "core/surface/empty_place.hpp"
-#include "core/surface/follow_start.hpp"
 #include "core/surface/grow.hpp"
-#include "core/surface/open_region.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/reference_motion.hpp"
 #include "core/surface/sample_mesh.hpp"
+#include "core/surface/sampling_density.hpp"
 #include "core/surface/small_drops.hpp"
 #include "core/surface/update_surface.hpp"
 
@@ -20,16 +20,16 @@ namespace thaw {
 namespace {
 
 // Champion: precedes all surfels that are too close to it
-enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };
+enum ResampleFlag : std::uint8_t { Birth = 1, Crowded = 2, LocalMaximum = 4, Changed = 8 };
 
 /// Returns whether a surfel beside melt still carries its full mesh detail.
 bool carriesDetail(const Surfels& s, std::size_t i) {
-  return s.softened.active && s.detail[i] > 0.9f && s.liquid[i] < 0.05f;
+  return s.maxLiquidFraction.active && s.detail[i] > 0.9f && s.liquid[i] < 0.05f;
 }
 
 // rad, 206 degrees
 constexpr double border = 3.6;
-/// Value of Surfels::calm, within a call, after a refused birth at a rim. Changes nearby reset it.
+/// Value of Surfels::resampleMargin, within a call, after a refused birth at a rim. Changes nearby reset it.
 constexpr float refused = -1;
 struct Round {
   Surfels* table;
@@ -48,7 +48,7 @@ struct Round {
 
   void lookAtOpen() {
     open.resize(table->size());
-    for (std::size_t i = 0; i < table->size(); i++) open[i] = table->calm[i] == 0;
+    for (std::size_t i = 0; i < table->size(); i++) open[i] = table->resampleMargin[i] == 0;
   }
   /// Returns the number of open surfels on all ranks. Collective.
   std::int64_t openRows(Reducer& all) const {
@@ -71,53 +71,53 @@ struct Round {
 
   /// Sets the flags and birth candidates of the inspected surfels. After a refused birth, a surfel is ignored
   /// until its surroundings change.
-  void makeWishes() {
+  void findCandidates() {
     Surfels& s = *table;
     drawOrder();
     closest.resize(s.owned);
     Patch patch;
     for (std::size_t i = 0; i < s.owned; i++) {
-      s.wish[i] = 0;
-      s.offer[i] = {};
+      s.resampleFlags[i] = 0;
+      s.candidateOffset[i] = {};
       if (!open[i]) continue;
       const double circle = std::min(3 * s.radius[i], reach);
       patch.gather(s, i, lists, circle);
-      const Crowding c = crowdingOf(patch, circle);
+      const SamplingDensity c = samplingDensityOf(patch, circle);
       closest[i] = static_cast<float>(c.closest);
       bool first = true;
       for (const std::uint32_t j : patch.rows)
         first = first && !(tooClose(s, i, j, c.closest) && (!open[j] || before(deathOrder, j, i)));
-      if (first) s.wish[i] |= Champion;
+      if (first) s.resampleFlags[i] |= LocalMaximum;
       if (c.crowded) {
-        s.wish[i] |= Crowded;
+        s.resampleFlags[i] |= Crowded;
         continue;
       }
-      s.calm[i] = calmFor;
+      s.resampleMargin[i] = fullResampleMargin;
       patch.fitCurvature();
-      std::optional<SurfacePoint> place = emptyPlace(
-          patch, ((follows(s, i) || (!start && carriesDetail(s, i))) && !atSeam(patch) ? emptyAtSolid
-                  : c.thin                                                             ? emptyAtThin
-                                                                                       : emptyAt) *
+      std::optional<SurfacePoint> place = uncoveredPoint(
+          patch, ((hasReference(s, i) || (!start && carriesDetail(s, i))) && !atSeam(patch) ? emptyAtSolid
+                  : c.thin                                                                  ? emptyAtThin
+                                                                                            : emptyAt) *
                      s.radius[i]);
       if (!place) continue;
-      if (follows(s, i) && !stretched(patch)) {
-        s.calm[i] = refused;
+      if (hasReference(s, i) && !stretched(patch)) {
+        s.resampleMargin[i] = refused;
         continue;
       }
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
       // A rim stays under inspection, because the body may continue there.
-      s.calm[i] = 0;
-      if ((beyond || liquidShare(s, i) < 0.5) && overSkin(i, *place, beyond)) {
-        s.calm[i] = refused;
+      s.resampleMargin[i] = 0;
+      if ((beyond || liquidShare(s, i) < 0.5) && hasParallelSheet(i, *place, beyond)) {
+        s.resampleMargin[i] = refused;
         continue;
       }
       if ((mayBe ? !mayBe(s, i, *place, beyond) : beyond) || taken(i, *place)) {
-        s.calm[i] = refused;
+        s.resampleMargin[i] = refused;
         continue;
       }
-      s.wish[i] |= Birth;
-      s.offer[i] = place->position - s.position[i];
-      s.offerNormal[i] = place->normal;
+      s.resampleFlags[i] |= Birth;
+      s.candidateOffset[i] = place->position - s.position[i];
+      s.candidateNormal[i] = place->normal;
     }
   }
 
@@ -128,7 +128,7 @@ struct Round {
     const double far = 2.5 * s.radius[patch.centre];
     return std::any_of(patch.rows.begin(), patch.rows.end(), [&](std::uint32_t j) {
       const Vec3d d = s.position[j] - s.position[patch.centre];
-      return follows(s, j) != follows(s, patch.centre) && dot(d, d) < far * far;
+      return hasReference(s, j) != hasReference(s, patch.centre) && dot(d, d) < far * far;
     });
   }
 
@@ -140,8 +140,8 @@ struct Round {
     const std::size_t i = patch.centre;
     const double far = 2.5 * s.radius[i];
     for (const std::uint32_t j : patch.rows) {
-      if (!follows(s, j)) return true;
-      const Vec3d now = s.position[j] - s.position[i], then = s.startPlace[j] - s.startPlace[i];
+      if (!hasReference(s, j)) return true;
+      const Vec3d now = s.position[j] - s.position[i], then = s.referencePosition[j] - s.referencePosition[i];
       if (dot(then, then) < far * far && dot(now, now) > least * least * dot(then, then)) return true;
     }
     return false;
@@ -170,7 +170,7 @@ struct Round {
   /// Beyond a rim, the body's colour bridges grooves, above their own sheet. Between surfels of solids, a
   /// second sheet would continue to grow around the first. Sheets bent by less than 45 degrees are not
   /// reported.
-  bool overSkin(std::size_t i, const SurfacePoint& p, bool beyond) const {
+  bool hasParallelSheet(std::size_t i, const SurfacePoint& p, bool beyond) const {
     const double sameWay = beyond ? 0.3 : 0.7;
     constexpr double beside = 0.8;
     const Surfels& s = *table;
@@ -193,12 +193,12 @@ struct Round {
   /// Returns whether a surfel gives birth. Of conflicting births only the first happens.
   bool givesBirth(std::size_t i) const {
     const Surfels& s = *table;
-    if (!(s.wish[i] & Birth)) return false;
-    const Vec3d here = s.position[i] + s.offer[i];
+    if (!(s.resampleFlags[i] & Birth)) return false;
+    const Vec3d here = s.position[i] + s.candidateOffset[i];
     for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
-      if (!(s.wish[j] & Birth) || s.component[j] != s.component[i]) continue;
-      const Vec3d d = s.position[j] + s.offer[j] - here;
+      if (!(s.resampleFlags[j] & Birth) || s.component[j] != s.component[i]) continue;
+      const Vec3d d = s.position[j] + s.candidateOffset[j] - here;
       const double r = std::max(s.radius[i], s.radius[j]);
       if (dot(d, d) < r * r && before(birthOrder, j, i)) return false;
     }
@@ -208,12 +208,12 @@ struct Round {
   /// Returns whether a surfel dies. A champion stays, and surfels too close to it die.
   bool dies(std::size_t i) const {
     const Surfels& s = *table;
-    if (!(s.wish[i] & Crowded)) return false;
+    if (!(s.resampleFlags[i] & Crowded)) return false;
     for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
-      if ((!open[j] || (s.wish[j] & Champion)) && s.component[j] == s.component[i] &&
+      if ((!open[j] || (s.resampleFlags[j] & LocalMaximum)) && s.component[j] == s.component[i] &&
           dot(s.normal[j], s.normal[i]) > oneSide && tooClose(s, i, j, static_cast<double>(closest[i])) &&
-          (!(s.wish[j] & Crowded) || before(deathOrder, j, i)))
+          (!(s.resampleFlags[j] & Crowded) || before(deathOrder, j, i)))
         return true;
     }
     return false;
@@ -225,7 +225,7 @@ struct Round {
     Patch patch;
     for (const std::uint32_t i : parents) {
       patch.gather(s, i, lists, std::min(3 * s.radius[i], reach));
-      born.push_back(blendedSurfel(patch, {s.position[i] + s.offer[i], s.offerNormal[i]}));
+      born.push_back(blendedSurfel(patch, {s.position[i] + s.candidateOffset[i], s.candidateNormal[i]}));
       born.back().id = surfelBit | birthBit | randomBits(seed, Purpose::SurfelBirth, s.id[i], ~salt);
     }
     return born;
@@ -249,34 +249,35 @@ void relaxRadii(Surface& surface) {
     const double off = surface.spacing - s.radius[i];
     if (!(std::abs(off) > 0.1 * s.radius[i]) || small(s.component[i])) continue;
     s.radius[i] += 0.5 * off;
-    s.calm[i] = 0;
+    s.resampleMargin[i] = 0;
   }
 }
 
 /// Excludes small drops, which are spheres (renewSurfels), from resampling.
-void calmSmallDrops(const Surface& surface, Surfels& s) {
+void excludeSmallDrops(const Surface& surface, Surfels& s) {
   SmallDrops small(surface);
   for (std::size_t i = 0; i < s.owned; i++)
-    if (small(s.component[i])) s.calm[i] = calmFor;
+    if (small(s.component[i])) s.resampleMargin[i] = fullResampleMargin;
 }
 
 std::int64_t countOpen(const Surfels& s, Reducer& all) {
-  std::int64_t open[1] = {
-      std::count_if(s.calm.data(), s.calm.data() + s.owned, [](float calm) { return calm == 0; })};
+  std::int64_t open[1] = {std::count_if(s.resampleMargin.data(), s.resampleMargin.data() + s.owned,
+                                        [](float resampleMargin) { return resampleMargin == 0; })};
   all.sum(open);
   return open[0];
 }
 
 /// Places the surfels of a round, with ghosts and bins, and flags the open ones.
-void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, OpenRegion& region, Round& r) {
+void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, ActiveSet& region, Round& r) {
   Surfels& s = *r.table;
   CellTable& cells = region.taken ? region.cells : surface.surfelCells;
   placeRows(surface.grid, halos.surfels, s, cells, t.sort);
-  ColumnList columns{&s.id,     &s.position, &s.normal, &s.radius,   &s.component, &s.colour,
-                     &s.detail, &s.calm,     &s.liquid, &s.softened, &s.mark,      &s.temperature};
-  if (s.follows.active)
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.follows, &s.tangent, &s.startPlace,
-                                                          &s.startNormal, &s.startTangent})
+  ColumnList columns{&s.id,           &s.position,   &s.normal,         &s.radius, &s.component,
+                     &s.colour,       &s.detail,     &s.resampleMargin, &s.liquid, &s.maxLiquidFraction,
+                     &s.detailHeight, &s.temperature};
+  if (s.hasReference.active)
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.hasReference, &s.tangent, &s.referencePosition,
+                                                          &s.referenceNormal, &s.referenceTangent})
       columns.push_back(c);
   addGhosts(halos.surfels, s, cells, columns);
   fillBins(surface.grid, cells, s.position.data(), r.reach, t.relax.surfelBins);
@@ -285,7 +286,8 @@ void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, OpenRegion
 
 }  // namespace
 
-void disturbAround(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>& marked, double spacing) {
+void markForInspection(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>& marked,
+                       double spacing) {
   const double far = 3 * spacing;
   for (std::size_t i = 0; i < s.size(); i++) {
     if (!marked[i]) continue;
@@ -293,8 +295,8 @@ void disturbAround(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>
     forRowsAround(bins, x, x, far, [&](std::uint32_t j, const Vec3d&) {
       if (j >= s.owned) return;
       const Vec3d d = s.position[j] - x;
-      const double reach = (s.calm[j] == refused ? 3 : 2) * s.radius[j];
-      if (dot(d, d) < reach * reach) s.calm[j] = 0;
+      const double reach = (s.resampleMargin[j] == refused ? 3 : 2) * s.radius[j];
+      if (dot(d, d) < reach * reach) s.resampleMargin[j] = 0;
     });
   }
 }
@@ -306,16 +308,16 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
   const double edge = std::min({surface.grid.edge.x, surface.grid.edge.y, surface.grid.edge.z}),
                reach = std::min(3 * surface.spacing, edge);
   const double regionRadius = std::min(3 * reach, edge);
-  OpenRegion& region = t.openRegion;
+  ActiveSet& region = t.activeSet;
   Resampled done;
   std::int64_t cap = -1, total = 0;
   all.resize(all.owned, 0);
   const bool adapt = w.scene.surface.adapt > 0;
   if (!adapt) relaxRadii(surface);
   for (std::int64_t round = 0; round < rounds && !done.finished && !done.capped; round++) {
-    if (region.taken && !regionHolds(region, halos.all)) returnRegion(surface, region);
+    if (region.taken && !activeSetSuffices(region, halos.all)) returnActiveSet(surface, region);
     Surfels* table = region.taken ? &region.surfels : &all;
-    calmSmallDrops(surface, *table);
+    excludeSmallDrops(surface, *table);
     if (!(adapt && round == 0) && countOpen(*table, halos.all) == 0) {
       done.finished = true;
       break;
@@ -337,15 +339,15 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
       r.lookAtOpen();
     } else if (round > 0 && !region.taken && regionRadius >= 2 * reach && region.few > 0 &&
                r.openRows(halos.all) * region.few < total) {
-      takeRegion(surface, t.relax.surfelBins, r.open, regionRadius, reach, region);
+      extractActiveSet(surface, t.relax.surfelBins, r.open, regionRadius, reach, region);
       r.table = &region.surfels;
       placeOpen(surface, halos, t, region, r);
     }
     Surfels& s = *r.table;
     if (!(adapt && round == 0))
       findRows(t.relax.surfelBins, s.position.data(), s.owned, r.open, reach, t.surfelsOf);
-    r.makeWishes();
-    refreshGhosts(halos.surfels, s, ColumnList{&s.wish, &s.offer});
+    r.findCandidates();
+    refreshGhosts(halos.surfels, s, ColumnList{&s.resampleFlags, &s.candidateOffset});
     std::vector<std::uint32_t> parents, stay;
     for (std::uint32_t i = 0; i < s.owned; i++) {
       if (r.givesBirth(i)) parents.push_back(i);
@@ -370,26 +372,27 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     }
     // Deaths may uncover places, and births change the patches of their neighbours.
     if (count[1] + count[2] > 0) {
-      for (const std::uint32_t i : r.going) s.wish[i] |= Changed;
-      for (const std::uint32_t i : parents) s.wish[i] |= Changed;
-      refreshGhosts(halos.surfels, s, ColumnList{&s.wish});
+      for (const std::uint32_t i : r.going) s.resampleFlags[i] |= Changed;
+      for (const std::uint32_t i : parents) s.resampleFlags[i] |= Changed;
+      refreshGhosts(halos.surfels, s, ColumnList{&s.resampleFlags});
       std::vector<std::uint8_t> changed(s.size());
-      for (std::size_t i = 0; i < s.size(); i++) changed[i] = (s.wish[i] & Changed) != 0;
-      disturbAround(s, t.relax.surfelBins, changed, surface.spacing);
+      for (std::size_t i = 0; i < s.size(); i++) changed[i] = (s.resampleFlags[i] & Changed) != 0;
+      markForInspection(s, t.relax.surfelBins, changed, surface.spacing);
     }
     done.births += count[1];
     done.deaths += count[2];
     const std::vector<SurfelRow> born = r.births(parents);
     std::vector<double> depth;
-    for (const std::uint32_t i : parents) depth.push_back(region.taken ? s.depth[i] + length(s.offer[i]) : 0);
+    for (const std::uint32_t i : parents)
+      depth.push_back(region.taken ? s.depth[i] + length(s.candidateOffset[i]) : 0);
     s.resize(s.owned, 0);
     if (stay.size() < s.owned) s.reorder(stay);
     if (count[1] == 0) continue;
     addSurfels(s, born, r.seed, halos.all, region.taken ? &all : nullptr);
     if (region.taken) std::copy(depth.begin(), depth.end(), s.depth.data() + s.owned - depth.size());
   }
-  returnRegion(surface, region);
-  for (std::size_t i = 0; i < all.owned; i++) all.calm[i] = std::max(0.0f, all.calm[i]);
+  returnActiveSet(surface, region);
+  for (std::size_t i = 0; i < all.owned; i++) all.resampleMargin[i] = std::max(0.0f, all.resampleMargin[i]);
   surface.counters.births += done.births;
   surface.counters.deaths += done.deaths;
   surface.counters.capped += done.capped;

@@ -5,8 +5,8 @@
 
 #include "core/halo/surface_halos.hpp"
 #include "core/surface/bins.hpp"
-#include "core/surface/follow_start.hpp"
 #include "core/surface/local_surface.hpp"
+#include "core/surface/reference_motion.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
@@ -24,9 +24,10 @@ struct Resampled {
 /// K05 are linear in R/r, which leaves holes for R > 2 r.
 inline constexpr double neighboursPerArea = 3.6276;
 inline constexpr double tooMany = 1.5, tooFew = 0.6;  ///< factors of the area law
-/// Strain and moves in radii until a surfel with correct density is inspected again (Surfels::calm). Even if
-/// it and its neighbour both move this far, a hole of emptyAt stays smaller than a radius.
-inline constexpr float calmFor = 0.1f;
+/// Strain and moves in radii until a surfel with correct density is inspected again
+/// (Surfels::resampleMargin). Even if it and its neighbour both move this far, a hole of emptyAt stays
+/// smaller than a radius.
+inline constexpr float fullResampleMargin = 0.1f;
 /// Distances over the radius r_s of the surfel.
 inline constexpr double emptyAt = 0.8, emptyAtThin = 0.65, crowdedAt = 0.5, crowdedAtMany = 0.7;
 /// Distances for surfels with a reference. A solid that bends back would lose detail with each death and
@@ -48,18 +49,18 @@ using BirthPlace = std::function<bool(const Surfels& surfels, std::size_t i, Sur
 ///   crowdedAtMany.
 ///
 /// Births are farther than the distance of deaths, so that resampling of a static surface ends. Only surfels
-/// with Surfels::calm = 0 are inspected: those in deformed surroundings, new ones, and neighbours of deaths
-/// or open rims. Uninspected surfels precede inspected ones. Births interpolate component, colour, detail,
-/// temperature and liquid fraction. They require mayBe, or without it, surfels on all sides; birthCap()
-/// limits their number in one call. Surfels may be anywhere in any order. They are placed at the end, without
-/// ghosts. Uses the tools sort and surfelsOf. Collective.
+/// with Surfels::resampleMargin = 0 are inspected: those in deformed surroundings, new ones, and neighbours
+/// of deaths or open rims. Uninspected surfels precede inspected ones. Births interpolate component, colour,
+/// detail, temperature and liquid fraction. They require mayBe, or without it, surfels on all sides;
+/// birthCap() limits their number in one call. Surfels may be anywhere in any order. They are placed at the
+/// end, without ghosts. Uses the tools sort and surfelsOf. Collective.
 Resampled resample(World& world, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds,
                    const BirthPlace& mayBe = {});
 
 /// Marks all owned surfels within two of their radii of the flagged rows (owned and ghosts) for inspection.
 /// Requires: a table with ghosts and bins.
-void disturbAround(Surfels& surfels, const Bins& bins, const std::vector<std::uint8_t>& marked,
-                   double spacing);
+void markForInspection(Surfels& surfels, const Bins& bins, const std::vector<std::uint8_t>& marked,
+                       double spacing);
 
 /// Returns the largest number of births in one call for this number of surfels on all ranks.
 inline std::int64_t birthCap(std::int64_t surfels) { return 2000 + surfels; }

@@ -14,7 +14,8 @@ void sortInPlace(const CellGrid& grid, Rows& rows, CellTable& cells, SortBuffers
 
 /// Partitions the domain by owned rows, without ghost cells in `cells`. Returns whether the partition
 /// changed.
-template<class Rows> bool cut(const Rows& rows, const CellTable& cells, SurfaceHalos halos, bool force) {
+template<class Rows>
+bool partitionByRows(const Rows& rows, const CellTable& cells, SurfaceHalos halos, bool force) {
   CellTable own;
   std::vector<double> cost;
   for (std::size_t c = 0; c < cells.key.size(); c++) {
@@ -38,13 +39,13 @@ void balanceSurface(World& w, SurfaceHalos halos, SurfaceTools& t, bool force) {
   Surface& s = w.surface;
   // There may be births and deaths since the last sort.
   sortInPlace(s.grid, s.surfels, s.surfelCells, t.sort);
-  cut(s.surfels, s.surfelCells, halos, force);
+  partitionByRows(s.surfels, s.surfelCells, halos, force);
 }
 
-void cutByParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void partitionByParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   sortInPlace(s.grid, s.particles, s.particleCells, t.sort);
-  cut(s.particles, s.particleCells, halos, true);
+  partitionByRows(s.particles, s.particleCells, halos, true);
 }
 
 void emptySurface(Surface& s) {

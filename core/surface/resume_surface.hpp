@@ -13,7 +13,7 @@ void resumeSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
 void balanceSurface(World& world, SurfaceHalos halos, SurfaceTools& tools, bool force);
 
 /// Makes the first partition, before there are surfels, by gathered, unplaced particle copies. Collective.
-void cutByParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void partitionByParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Clears surfels, components, events and other state. Radii and grid remain.
 void emptySurface(Surface& surface);

@@ -8,16 +8,16 @@ void findRows(const Bins& bins, const Vec3d* position, std::size_t owned,
   lists.first.assign(owned, 0);
   lists.end.assign(owned, 0);
   const double r2 = radius * radius;
-  std::vector<std::uint32_t> asking;
+  std::vector<std::uint32_t> queries;
   for (std::size_t b = 0; b < bins.size(); b++) {
-    asking.clear();
+    queries.clear();
     for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
-      if (bins.row[k] < owned && wanted[bins.row[k]]) asking.push_back(bins.row[k]);
-    if (asking.empty()) continue;
-    PlaceBox box{position[asking[0]], position[asking[0]]};
-    for (const std::uint32_t i : asking) box.add(position[i]);
+      if (bins.row[k] < owned && wanted[bins.row[k]]) queries.push_back(bins.row[k]);
+    if (queries.empty()) continue;
+    PlaceBox box{position[queries[0]], position[queries[0]]};
+    for (const std::uint32_t i : queries) box.add(position[i]);
     lists.block.find(bins, box, radius);
-    for (const std::uint32_t i : asking) {
+    for (const std::uint32_t i : queries) {
       const Vec3d x = position[i];
       std::size_t n = lists.first[i] = lists.row.size();
       const std::span<const std::uint32_t> near = lists.block.around(x, radius);

@@ -47,8 +47,8 @@ std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& loa
                                        std::uint64_t seed);
 
 /// Appends the surfels of all sampled bodies, except faces at the body's own periodic image. They are
-/// distributed over the ranks until placeRows, without components until adoptFresh. Every rank samples every
-/// body, so that the result does not depend on the distribution.
+/// distributed over the ranks until placeRows, without components until labelNewParticles. Every rank samples
+/// every body, so that the result does not depend on the distribution.
 void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const Reducer& all);
 
 /// Projects births of resampling on sampled bodies, beyond their edges, back onto the bodies' surfaces. The

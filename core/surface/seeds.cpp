@@ -36,7 +36,7 @@ void seedsOnSurface(const World& w, FieldProbe& probe, std::size_t i, const Vec3
   const double dx = w.scene.spacing;
   std::array<Vec3d, FieldProbe::most> from;
   for (std::size_t k = 0; k < n; k++) from[k] = p.position[i] + u[k] * (0.6 * dx);
-  ontoIsoSurface(w, probe, p.component[i], p.position[i], from.data(), n, 1.2 * dx, found);
+  projectToIsoSurface(w, probe, p.component[i], p.position[i], from.data(), n, 1.2 * dx, found);
   for (std::size_t k = 0; k < n; k++) {
     if (!found[k]) continue;
     const Vec3d d = found[k]->position - p.position[i];

@@ -23,16 +23,16 @@ struct SurfaceComponent {
   /// (measure.hpp)
   Vec3d centroid{};
   /// m, offset of the liquid surface from the colour's level by volume enforcement; part of the state
-  double raised = 0;
+  double isoOffset = 0;
   /// m^3, target of volume enforcement: volume of its particles times the initial ratio of mesh to particle
   /// volume; valid in an update
   double wantedVolume = 0;
   /// m^2, sum of areas times liquid fractions, movable as liquid; valid in an update
-  double freeArea = 0;
+  double liquidArea = 0;
   /// m^2, sum of areas times frozenShare (surfels.hpp), movable as frozen surface; valid in an update
-  double plainArea = 0;
+  double frozenArea = 0;
   /// m^2, area of surfels on walls, which cannot move outward; valid in an update
-  double heldArea = 0;
+  double wallArea = 0;
   /// |sum of the facets' vector areas| / area: 0 for a closed surface; valid in an update
   double open = 0;
 };

@@ -14,7 +14,7 @@ double largestSurfaceMove2(const World& w) {
   SmallDrops small(w.surface);
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.component[i] == noComponent || small(p.component[i])) continue;
-    Vec3d u = p.position[i] - p.surfacePlace[i];
+    Vec3d u = p.position[i] - p.surfacePosition[i];
     for (int a = 0; a < 3; a++)
       if (w.grid.periodic[a]) u[a] -= w.grid.period[a] * std::nearbyint(u[a] / w.grid.period[a]);
     most = std::max(most, dot(u, u));

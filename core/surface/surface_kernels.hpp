@@ -29,7 +29,7 @@ enum SurfelSum {
   Mean = Normal,
   Repulsion = Normal + 3,
   Stiffness = Repulsion + 3,
-  Stirred,
+  MovedNearby,
   Coincident,
   Moment,
   sphereSums = Moment,
@@ -58,10 +58,10 @@ struct ForceSums {
   float repelRange = 0;           ///< range of repulsion over the mean radius of two surfels
   float sameSide = 0;             ///< least cosine of the angle between normals for smoothing
   /// surfels: gap cutoff, the height above their plane from which on particles are across a gap
-  /// (gap_ceilings.hpp), or infinity
-  const float* ceiling = nullptr;
+  /// (gap_cutoffs.hpp), or infinity
+  const float* gapCutoff = nullptr;
   /// flags of groups with a finite gap cutoff; null: none
-  const std::uint8_t* ceilingOfGroup = nullptr;
+  const std::uint8_t* groupHasGapCutoff = nullptr;
   float perSide = 0;  ///< 1 / increase of the cosine over sameSide at which weights become 1
   /// cosine of normals below which surfels are across a gap or a sheet and do not repel (B20, B22)
   float apart = 0;
@@ -76,7 +76,7 @@ struct ForceSums {
 /// solid, not with melt that separates. For temperature and liquid fraction, all particles have full weights.
 inline constexpr std::size_t carryValues = 14, carryMotion = 12, carrySums = 2 + carryValues;
 /// Factor of the weight of a fully molten particle at a solid surfel.
-inline constexpr double leastCarry = 0.02;
+inline constexpr double leastMotionWeight = 0.02;
 struct CarrySums {
   const double* place = nullptr;  ///< m, positions of surfels: three a row
   const float* liquid = nullptr;  ///< 1, liquid fractions of surfels; null: all are liquid

@@ -13,7 +13,7 @@ namespace {
 // 60 degrees: on the sphere of a single particle, normals of adjacent surfels differ by up to 55.
 constexpr double cosFlat = 0.5;
 constexpr double cosBack = -0.5;
-constexpr std::uint32_t nobody = ~0u;
+constexpr std::uint32_t noRow = ~0u;
 
 struct Point2 {
   double x, y;
@@ -34,7 +34,7 @@ class Cell {
       return c;
     }();
     for (std::size_t k = 0; k < corner.size(); k++)
-      corner_[k] = {radius * corner[k].x, radius * corner[k].y}, beyond_[k] = nobody;
+      corner_[k] = {radius * corner[k].x, radius * corner[k].y}, beyond_[k] = noRow;
     n_ = corner.size();
   }
   double farthest2() const {
@@ -57,14 +57,14 @@ class Cell {
     double rim = 0;
     for (std::size_t k = 0; k < n_; k++) {
       const Point2 &a = corner_[k], &b = corner_[k + 1 < n_ ? k + 1 : 0];
-      if (beyond_[k] != nobody) ring.push_back(beyond_[k]);
+      if (beyond_[k] != noRow) ring.push_back(beyond_[k]);
       else rim += std::hypot(b.x - a.x, b.y - a.y);
     }
     return rim;
   }
   /// Clips the cell to a.p <= b with b >= 0; `row` is beyond the new border. Returns whether the cell
   /// changed.
-  bool cut(const Point2& a, double b, std::uint32_t row) {
+  bool clipAt(const Point2& a, double b, std::uint32_t row) {
     bool any = false;
     for (std::size_t k = 0; k < n_; k++) {
       over_[k] = a.x * corner_[k].x + a.y * corner_[k].y - b;
@@ -111,7 +111,7 @@ struct Candidate {
 /// Clips the cell by neighbours, nearest first, until the next cannot intersect it. With atEdges, neighbours
 /// across an edge clip at the intersection of the planes, else halfway like all. Returns whether neighbours
 /// lie across an edge.
-bool cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, bool atEdges, Cell& cell) {
+bool clipCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, bool atEdges, Cell& cell) {
   bool edges = false;
   const Vec3d n = f.normal[i], e1 = normalized(f.tangent[i] - dot(f.tangent[i], n) * n), e2 = cross(n, e1);
   double reach2 = 4 * cell.farthest2();
@@ -132,7 +132,7 @@ bool cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, b
       const Point2 a{sign * dot(other, e1), sign * dot(other, e2)};
       // Positions directly above the edge give the same result.
       if (over * over <= (1 + 1e-9) * flat2 * (a.x * a.x + a.y * a.y)) {
-        if (cell.cut(a, sign * over, c.row)) reach2 = 4 * cell.farthest2();
+        if (cell.clipAt(a, sign * over, c.row)) reach2 = 4 * cell.farthest2();
         continue;
       }
     } else if (cosine >= cosFlat && height * height > 0.5 * c.d2) {
@@ -141,7 +141,7 @@ bool cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, b
     } else {
       stretch = std::sqrt(c.d2 / flat2) * (1 + (1 - cosine) / 12);
     }
-    if (cell.cut({stretch * flat.x, stretch * flat.y}, 0.5 * stretch * stretch * flat2, c.row))
+    if (cell.clipAt({stretch * flat.x, stretch * flat.y}, 0.5 * stretch * stretch * flat2, c.row))
       reach2 = 4 * cell.farthest2();
   }
   return edges;
@@ -160,7 +160,7 @@ void listNear(const Surface& s, double slack, AreaLists& l) {
   // The order is the same on any number of ranks.
   fillBins(s.grid, s.surfelCells, f.position.data(), 2.5 * s.spacing, l.bins);
   l.found.assign(f.position.data(), f.position.data() + f.size());
-  l.asking.clear();
+  l.queries.clear();
   l.first.assign(1, 0);
   std::size_t n = 0;
   forBlocks(l.bins, l.bins, usual * largest + slack, l.block, [&](std::uint32_t i, RowBlock& block) {
@@ -176,7 +176,7 @@ void listNear(const Surface& s, double slack, AreaLists& l) {
       l.near[n] = j;
       n += (dot(d, d) <= r2) & (j != i) & (f.component[j] == component);
     }
-    l.asking.push_back(i);
+    l.queries.push_back(i);
     l.first.push_back(n);
   });
   l.near.resize(n);
@@ -184,7 +184,7 @@ void listNear(const Surface& s, double slack, AreaLists& l) {
 
 /// Returns whether the lists still apply: no surfel has moved by half the slack.
 bool stillHolds(const Surfels& f, double slack, const AreaLists& l) {
-  if (l.found.size() != f.size() || l.asking.size() != f.owned) return false;
+  if (l.found.size() != f.size() || l.queries.size() != f.owned) return false;
   for (std::size_t i = 0; i < f.size(); i++) {
     const Vec3d d = f.position[i] - l.found[i];
     if (!(4 * dot(d, d) < slack * slack)) return false;
@@ -204,8 +204,8 @@ void pack(const Surfels& f, AreaLists& l) {
 }
 
 /// Clips the cell of a surfel with a neighbour across an edge, or beside a hole or rim.
-void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near,
-              std::vector<std::uint32_t>& ring) {
+void clipAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near,
+               std::vector<std::uint32_t>& ring) {
   near.clear();
   ring.clear();
   forRowsWithin(bins, f.position[i], reach * f.radius[i] + slack, [&](std::uint32_t j, double) {
@@ -214,13 +214,13 @@ void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::ve
   });
   std::sort(near.begin(), near.end());
   Cell cell(f.radius[i]);
-  const bool edges = cutCell(f, i, near, true, cell);
+  const bool edges = clipCell(f, i, near, true, cell);
   f.area[i] = cell.area();
   // The plane beyond an edge is the same for all surfels there. Clipping halfway determines the adjacent
   // ones.
   if (edges) {
     cell = Cell(f.radius[i]);
-    cutCell(f, i, near, false, cell);
+    clipCell(f, i, near, false, cell);
   }
   f.rim[i] = cell.borders(ring);
   measureFan(f, i, ring);
@@ -275,13 +275,13 @@ void findSurfelAreas(Surface& s, Reducer& all, AreaLists& l, bool again) {
   alignas(32) std::array<double, 8> area, farthest2;
   alignas(32) std::array<double, 8 * mostAreaNeighbours> turn;
   AreaCells in{l.place.data(), l.normal.data(), self.data(), near.data(), 0, cosFlat, cosBack, turn.data()};
-  for (std::size_t from = 0; from < l.asking.size(); from += 8) {
-    const std::size_t lanes = std::min<std::size_t>(8, l.asking.size() - from);
+  for (std::size_t from = 0; from < l.queries.size(); from += 8) {
+    const std::size_t lanes = std::min<std::size_t>(8, l.queries.size() - from);
     std::array<bool, 8> many{};
     in.count = 0;
     for (std::size_t lane = 0; lane < 8; lane++) {
       const std::size_t k = from + std::min(lane, lanes - 1);
-      const std::uint32_t i = self[lane] = l.asking[k];
+      const std::uint32_t i = self[lane] = l.queries[k];
       const double most = usual * f.radius[i], most2 = most * most;
       std::size_t n = 0;
       for (std::uint64_t at = l.first[k]; at < l.first[k + 1] && !many[lane]; at++) {
@@ -300,7 +300,7 @@ void findSurfelAreas(Surface& s, Reducer& all, AreaLists& l, bool again) {
       const std::uint32_t i = self[lane];
       const double known = usual * f.radius[i];
       if (many[lane] || !(4 * farthest2[lane] <= known * known)) {
-        cutAlone(f, i, slack, l.bins, wide, ring);
+        clipAlone(f, i, slack, l.bins, wide, ring);
         continue;
       }
       f.area[i] = area[lane];

@@ -12,8 +12,8 @@ struct AreaLists {
   const SurfaceKernels* kernels = surfaceKernels();
   Bins bins;
   RowBlock block;
-  std::vector<Vec3d> found;           // m, positions of all rows at the search
-  std::vector<std::uint32_t> asking;  // owned rows in the order of the bins
+  std::vector<Vec3d> found;            // m, positions of all rows at the search
+  std::vector<std::uint32_t> queries;  // owned rows in the order of the bins
   // near[first[k]] ... near[first[k + 1] - 1] are neighbours of asking[k], in the order of the bins
   std::vector<std::uint64_t> first;
   std::vector<std::uint32_t> near;

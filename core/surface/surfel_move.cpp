@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/math/hash_random.hpp"
-#include "core/surface/keep_out.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -27,7 +27,7 @@ constexpr double evenEnough = 5;
 /// sooner, and halves when it overshoots. Where the force is discontinuous, as at the edge of the sparse
 /// region of a component that is drawn in, it halves until the surfel stops. A lower bound of 0.1 would let
 /// many surfels of a splash oscillate.
-constexpr double longestPace = 1.6, leastPace = 0.002;
+constexpr double mostStepShare = 1.6, leastStepShare = 0.002;
 /// Least liquid share in the stop criterion. blendSurfels keeps only the liquid share of the motion of partly
 /// solid surfels, so that a coarser criterion suffices.
 constexpr double leastKept = 0.05;
@@ -93,28 +93,30 @@ MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeig
   return c;
 }
 
-double raisedOf(const std::vector<RaisedComponent>& raised, std::uint64_t component) {
-  const auto at = std::lower_bound(raised.begin(), raised.end(), component,
-                                   [](const RaisedComponent& p, std::uint64_t c) { return p.component < c; });
-  return at != raised.end() && at->component == component ? at->by : 0;
+double isoOffsetOf(const std::vector<ComponentIsoOffset>& isoOffset, std::uint64_t component) {
+  const auto at = std::lower_bound(
+      isoOffset.begin(), isoOffset.end(), component,
+      [](const ComponentIsoOffset& p, std::uint64_t c) { return p.component < c; });
+  return at != isoOffset.end() && at->component == component ? at->by : 0;
 }
 
-Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double raised, std::size_t i) {
-  Pull p;
+NormalForce normalForceOn(const World& w, const MoveContext& c, const SurfelSums& s, double isoOffset,
+                          std::size_t i) {
+  NormalForce p;
   Vec3d normal = w.surface.surfels.normal[i], force{};
   // Colour field: its gradient points into the body.
   const double colour = s.particle(Colour), dx = w.scene.spacing;
-  const Tightening tight = tighteningOf(raised / dx);
-  raised = dx * offsetOf(raised / dx);
+  const LevelRise tight = levelRiseOf(isoOffset / dx);
+  isoOffset = dx * limitedIsoOffset(isoOffset / dx);
   if (colour > 0) {
     // negative gradient of the colour field, over c.slope
     const Vec3d gradient = three(s, Gradient, true);
     const double size = length(gradient), slope = c.slope * size;
     p.known = slope * c.support > 1e-2 * colour;
     const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness),
-                 level = tightened(flat, s.particle(Near), tight);
+                 level = raisedLevel(flat, s.particle(Near), tight);
     if (const Surfels& f = w.surface.surfels;
-        f.standing.active && f.standing[i] && colour > c.isoScale * level) {
+        f.wallAligned.active && f.wallAligned[i] && colour > c.isoScale * level) {
       p.outward = p.normal = normal;
       p.along = c.weights.implicit *
                 std::min((colour - c.isoScale * level) / std::max(slope, 1 / c.support), c.longest);
@@ -140,9 +142,9 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double ra
       p.outward = normalized(whole);
       const double out = (colour - c.isoScale * level) / (slope * length(whole));
       // Surfels on a wall stay there when the component is drawn in.
-      const bool held = raised < 0 && out > 0 &&
-                        inWall(w, w.surface.surfels.position[i] + std::min(out, c.longest) * p.outward);
-      const double height = std::clamp(held ? out : out + raised, -c.longest, c.longest);
+      const bool stopped = isoOffset < 0 && out > 0 &&
+                           inWall(w, w.surface.surfels.position[i] + std::min(out, c.longest) * p.outward);
+      const double height = std::clamp(stopped ? out : out + isoOffset, -c.longest, c.longest);
       force += c.weights.implicit * height * p.outward;
       // Attraction acts only beyond the depth of the mean particle at any surface, so that the iso-surface is
       // an equilibrium.
@@ -177,14 +179,14 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double ra
   return p;
 }
 
-void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double raised, std::size_t i,
+void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double isoOffset, std::size_t i,
                 MoveCounts& counts) {
   Surfels& f = w.surface.surfels;
   const Vec3d before = f.position[i];
-  const Pull pull = pullOn(w, c, s, raised, i);
-  counts.flipped += pull.flipped;
-  counts.keptNormals += pull.keptNormal;
-  const Vec3d normal = pull.normal, facing = pull.known ? pull.outward : normal;
+  const NormalForce normalForce = normalForceOn(w, c, s, isoOffset, i);
+  counts.flipped += normalForce.flipped;
+  counts.keptNormals += normalForce.keptNormal;
+  const Vec3d normal = normalForce.normal, facing = normalForce.known ? normalForce.outward : normal;
   Vec3d tangential{};
   if (c.weights.repel > 0) {
     // Moves towards the point where static neighbours would not repel the surfel: slightly more than half the
@@ -204,45 +206,45 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
     if (far > farthest) tangential = (farthest / far) * tangential;
   }
   // Damps oscillations: the step halves each time that the force changes sign.
-  const double wanted = std::clamp(c.step * pull.along, -c.longest, c.longest),
-               last = static_cast<double>(f.pace[i]);
+  const double wanted = std::clamp(c.step * normalForce.along, -c.longest, c.longest),
+               last = static_cast<double>(f.stepShare[i]);
   const double share = last == 0           ? 1
-                       : wanted * last < 0 ? std::max(0.5 * std::abs(last), leastPace)
-                                           : std::min(1.25 * std::abs(last), longestPace);
-  f.pace[i] = static_cast<float>(wanted < 0 ? -share : share);
+                       : wanted * last < 0 ? std::max(0.5 * std::abs(last), leastStepShare)
+                                           : std::min(1.25 * std::abs(last), mostStepShare);
+  f.stepShare[i] = static_cast<float>(wanted < 0 ? -share : share);
   const Vec3d normalMove = w.scene.surface.damping * c.ease * share * wanted * normal;
   Vec3d move = normalMove + w.scene.surface.damping * tangential;
   // Surfels below the least level are projected onto it.
-  if (pull.least > 0) {
-    const double inward = -dot(move, pull.outward);
-    if (inward < pull.least) move -= (pull.least - inward) * pull.outward;
+  if (normalForce.least > 0) {
+    const double inward = -dot(move, normalForce.outward);
+    if (inward < normalForce.least) move -= (normalForce.least - inward) * normalForce.outward;
   }
-  Vec3d x = outOfWalls(w, before + move, facing);
+  Vec3d x = projectedOutOfWalls(w, before + move, facing);
   const Vec3d back = x - (before + move);
   if (const double pushed = length(back); pushed > 0) {
     // A wall carries the normal force of a surfel on it. A component along the wall, at small angles, would
     // let the surfel creep.
     const Vec3d n = back / pushed, creep = normalMove - dot(normalMove, n) * n;
     const double onto = std::clamp(-2 * dot(normal, n) - 0.8, 0.0, 1.0);
-    x = outOfWalls(w, x - onto * creep, facing);
+    x = projectedOutOfWalls(w, x - onto * creep, facing);
   }
   // includes the part that the margin cuts off
   const Vec3d gone = x - before;
   const Vec3d off = x - c.found[i];
-  const bool held = dot(off, off) > c.stray * c.stray;
-  if (held) x = c.found[i] + (c.stray / length(off)) * off;
+  const bool stopped = dot(off, off) > c.stray * c.stray;
+  if (stopped) x = c.found[i] + (c.stray / length(off)) * off;
   f.position[i] = x;
   f.normal[i] = normal;
   Vec3d tangent = f.tangent[i] - dot(f.tangent[i], normal) * normal;
   if (!(dot(tangent, tangent) > 1e-6))
     tangent = cross(normal, std::abs(normal.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0});
   f.tangent[i] = normalized(tangent);
-  const double kept = f.liquid.active && !(f.loose.active && f.loose[i])
+  const double kept = f.liquid.active && !(f.relaxesOnce.active && f.relaxesOnce[i])
                           ? std::clamp(static_cast<double>(f.liquid[i]), leastKept, 1.0)
                           : 1;
   const double height = dot(gone, normal), stop = w.scene.surface.stop * f.radius[i] / kept;
   const bool moving = std::abs(height) > stop || length(gone - height * normal) > evenEnough * stop;
-  f.moving[i] = !moving ? 0 : held ? heldAtMargin : 1;
+  f.moving[i] = !moving ? 0 : stopped ? stoppedAtMargin : 1;
 }
 
 }  // namespace thaw

@@ -21,7 +21,7 @@ struct MoveCounts {
 };
 
 /// Surfels::moving of a surfel that stopped at the margin of its lists.
-inline constexpr std::uint8_t heldAtMargin = 2;
+inline constexpr std::uint8_t stoppedAtMargin = 2;
 
 /// Parameters common to all surfels.
 struct MoveContext {
@@ -44,20 +44,20 @@ struct MoveContext {
 MoveContext moveContext(const World& world, const RelaxTools& tools, const ForceWeights& weights);
 
 /// Returns the offset (m) of a component's surface from its level, 0 if not listed.
-double raisedOf(const std::vector<RaisedComponent>& raised, std::uint64_t component);
+double isoOffsetOf(const std::vector<ComponentIsoOffset>& isoOffset, std::uint64_t component);
 
 /// Forces on a surfel across the surface.
-struct Pull {
+struct NormalForce {
   Vec3d normal{}, outward{};  ///< new normal; normal of the iso-surface, where known
   double along = 0;           ///< m, force along the new normal
   double least = 0;           ///< m, least move into the body
   bool known = false, flipped = false, keptNormal = false;
 };
-Pull pullOn(const World& world, const MoveContext& context, const SurfelSums& sums, double raised,
-            std::size_t i);
+NormalForce normalForceOn(const World& world, const MoveContext& context, const SurfelSums& sums,
+                          double isoOffset, std::size_t i);
 
 /// Moves surfel i, rotates its frame, and sets Surfels::moving.
-void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double raised,
+void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double isoOffset,
                 std::size_t i, MoveCounts& counts);
 
 }  // namespace thaw

@@ -29,33 +29,32 @@ struct Surfels : Table {
       "remaining fraction of the mesh's detail, 1 at the start, 0 after melting"};
   Column<float> liquid{*this, "liquid", "1", Keep::State,
       "liquid fraction of the surrounding particles: weight of the surface update (K05 4.5)"};
-  Column<float> softened{*this, "softened", "1", Keep::State,
-      "largest liquid fraction since it was solid, which has faded its detail (blend.hpp); 0: none yet. "
-      "Only with solids that melt"};
-  Column<float> mark{*this, "mark", "m", Keep::State,
+  Column<float> maxLiquidFraction{*this, "softened", "1", Keep::State,
+      "largest liquid fraction since it was solid, which has faded its detail (blend.hpp); 0: none yet. Only "
+      "with solids that melt"};
+  Column<float> detailHeight{*this, "mark", "m", Keep::State,
       "remaining height of detail over the smooth surface, where softened > 0"};
   Column<float> temperature{*this, "temperature", "K", Keep::State,
       "temperature of the surrounding particles; only with heat"};
-  Column<float> calm{*this, "calm", "1", Keep::State,
+  Column<float> resampleMargin{*this, "calm", "1", Keep::State,
       "remaining strain and moves in radii before resampling inspects its surroundings; 0: at once"};
-  Column<std::uint8_t> follows{*this, "follows", "1", Keep::State,
-      "1: it has a reference position and frame (follow_start.hpp); only with solids"};
-  Column<Vec3d> startPlace{*this, "startPlace", "m", Keep::State, "reference position"};
-  Column<Vec3d> startNormal{*this, "startNormal", "1", Keep::State, "reference normal"};
-  Column<Vec3d> startTangent{*this, "startTangent", "1", Keep::State,
-      "reference tangent"};
-  Column<Vec3d> pressed{*this, "pressed", "m", Keep::State,
+  Column<std::uint8_t> hasReference{*this, "follows", "1", Keep::State,
+      "1: it has a reference position and frame (reference_motion.hpp); only with solids"};
+  Column<Vec3d> referencePosition{*this, "startPlace", "m", Keep::State, "reference position"};
+  Column<Vec3d> referenceNormal{*this, "startNormal", "1", Keep::State, "reference normal"};
+  Column<Vec3d> referenceTangent{*this, "startTangent", "1", Keep::State, "reference tangent"};
+  Column<Vec3d> wallOffset{*this, "pressed", "m", Keep::State,
       "displacement of a solid's surfel by walls from its position on the body; only with walls"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   // fields of the current update: inactive outside of it, and not in checkpoints
   Column<std::uint8_t> moving{*this, "moving", "1", Keep::State,
       "1: moved in the last iteration; 2: stopped at the margin until the next search"};
-  Column<float> pace{*this, "pace", "1", Keep::State,
+  Column<float> stepShare{*this, "pace", "1", Keep::State,
       "fraction of the last step along its normal; negative: into the body; 0: none yet"};
-  Column<float> ceiling{*this, "ceiling", "m", Keep::State,
-      "height over its plane above which particles are across a gap (gap_ceilings.hpp); infinity: no gap"};
-  Column<std::uint8_t> standing{*this, "standing", "1", Keep::State,
+  Column<float> gapCutoff{*this, "ceiling", "m", Keep::State,
+      "height over its plane above which particles are across a gap (gap_cutoffs.hpp); infinity: no gap"};
+  Column<std::uint8_t> wallAligned{*this, "standing", "1", Keep::State,
       "1: rests on a wall that it faces during iterations (findStanding); only with walls"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State,
       "position after the particles' displacement (displaceSurfels)"};
@@ -63,18 +62,17 @@ struct Surfels : Table {
       "normal after the displacement; 0: born in this update on a crack face"};
   Column<float> strain{*this, "strain", "1", Keep::State,
       "magnitude of the strain since the last update (displaceSurfels)"};
-  Column<std::uint8_t> loose{*this, "loose", "1", Keep::State,
+  Column<std::uint8_t> relaxesOnce{*this, "loose", "1", Keep::State,
       "1: new on a crack face, or beside a seam of a merge; it relaxes in this update even if solid"};
   // fields of components and measures
-  Column<double> reach{*this, "reach", "m^2", Keep::Transient,
+  Column<double> linkRadius2{*this, "reach", "m^2", Keep::Transient,
       "squared distance to the farthest of the nearest surfels that it may link to"};
   Column<std::uint64_t> nearest{*this, "nearest", "1", Keep::Transient,
       "id of the nearest particle of its component, ~0 without one within h_ps"};
   Column<Vec3d> toNearest{*this, "toNearest", "m", Keep::Transient, "from the surfel to that particle"};
   Column<std::uint64_t> part{*this, "part", "1", Keep::Transient,
       "label of its connected part; top bit set: a part without particles"};
-  Column<double> area{*this, "area", "m^2", Keep::Transient,
-      "area of its cell, at the end of an update"};
+  Column<double> area{*this, "area", "m^2", Keep::Transient, "area of its cell, at the end of an update"};
   Column<Vec3d> facets{*this, "facets", "m^2", Keep::Transient,
       "part of the vector areas of the facets between it and its neighbours (facets.hpp)"};
   Column<double> bulge{*this, "bulge", "m^3", Keep::Transient,
@@ -87,18 +85,20 @@ struct Surfels : Table {
   Column<double> depth{*this, "depth", "m", Keep::State,
       "only in an OpenRegion: lower bound of the distance to surfels that were open when it was made"};
   Column<double> wanted{*this, "wanted", "m", Keep::Transient, "target radius from curvature"};
-  Column<std::uint8_t> wish{*this, "wish", "1", Keep::Transient,
+  Column<std::uint8_t> resampleFlags{*this, "wish", "1", Keep::Transient,
       "resampling flags: 1 birth candidate, 2 crowded, 4 precedes all that are too close, 8 dies or gives "
       "birth"};
-  Column<Vec3d> offer{*this, "offer", "m", Keep::Transient, "vector from the surfel to the birth candidate"};
-  Column<Vec3d> offerNormal{*this, "offerNormal", "1", Keep::Transient, "surface normal at the candidate"};
+  Column<Vec3d> candidateOffset{*this, "offer", "m", Keep::Transient,
+      "vector from the surfel to the birth candidate"};
+  Column<Vec3d> candidateNormal{*this, "offerNormal", "1", Keep::Transient,
+      "surface normal at the candidate"};
   // clang-format on
 };
 
 /// Returns whether a surfel moves under the forces of an update: liquid surfels, and new surfels of faces
 /// once.
-inline bool settles(const Surfels& s, std::size_t i) {
-  return (s.liquid.active && s.liquid[i] > 0) || (s.loose.active && s.loose[i]);
+inline bool mayRelax(const Surfels& s, std::size_t i) {
+  return (s.liquid.active && s.liquid[i] > 0) || (s.relaxesOnce.active && s.relaxesOnce[i]);
 }
 
 /// Fractions of an offset by which volume enforcement moves a surfel, in liquid and in frozen components. The
@@ -127,7 +127,7 @@ struct SurfaceParticles : Table {
   Column<double> volume{*this, "volume", "m^3", Keep::State, "mass over rest density"};
   Column<float> fill{*this, "fill", "1", Keep::State,
       "initial fraction of its cell inside the body, over the mean (Continuum::surfaceFill); 0: the mean"};
-  Column<double> share{*this, "share", "1", Keep::State,
+  Column<double> volumeRatio{*this, "share", "1", Keep::State,
       "target volume inside the surface over its own volume"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "mass of the particle"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};
@@ -135,13 +135,13 @@ struct SurfaceParticles : Table {
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<std::uint8_t> covered{*this, "covered", "1", Keep::State,
       "1: solid with all initial bonds, and never adjacent to liquid; only with solids"};
-  Column<Vec3d> startPlace{*this, "startPlace", "m", Keep::State,
+  Column<Vec3d> referencePosition{*this, "startPlace", "m", Keep::State,
       "position when the surface was made; only with solids"};
   Column<float> colour{*this, "colour", "1", Keep::Transient,
       "colour field of its component at the particle (readyParticles)"};
   Column<float> smoothColour{*this, "smoothColour", "1", Keep::Transient,
       "colour field of particles weighted by their colour"};
-  Column<std::uint64_t> home{*this, "home", "1", Keep::State, "rank << 32 | row of the original particle"};
+  Column<std::uint64_t> source{*this, "home", "1", Keep::State, "rank << 32 | row of the original particle"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   Column<Mat3d> gradient{*this, "gradient", "1", Keep::State,

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "core/surface/keep_out.hpp"
-#include "core/surface/keep_volume.hpp"
+#include "core/surface/enforce_volume.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
 #include "core/surface/surfel_area.hpp"
 #include "core/surface/update_surface.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -35,9 +35,9 @@ void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = f
 void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   Surface& s = w.surface;
   std::vector<VolumeMove> moves;
-  for (int k = 0; k < 4 && volumesAreOff(s, start); k++) {
+  for (int k = 0; k < 4 && volumesDeviate(s, start); k++) {
     offsetToVolume(s, t.areas.bins, w.scene.surface.keepVolume, w.scene.spacing, start, moves);
-    keepOutAgain(w);
+    reprojectOutOfWalls(w);
     refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
     measureAll(s, halos, t, true);
   }
@@ -45,8 +45,8 @@ void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
 
 /// Passes the offset of a component to its separated parts, limited to leastOffset: a further level rise
 /// belongs to the component itself.
-void inheritRaised(Surface& s, double spacing, const std::vector<SurfaceComponent>& before,
-                   const ComponentTools& c) {
+void inheritIsoOffset(Surface& s, double spacing, const std::vector<SurfaceComponent>& before,
+                      const ComponentTools& c) {
   const auto find = [&](std::uint64_t label) {
     const auto at = std::lower_bound(before.begin(), before.end(), label,
                                      [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });
@@ -56,7 +56,7 @@ void inheritRaised(Surface& s, double spacing, const std::vector<SurfaceComponen
     if (find(k.label)) continue;
     for (const ComponentTools::Piece& p : c.pieces)
       if (const SurfaceComponent* from = p.part == k.label ? find(p.from) : nullptr) {
-        k.raised = std::max(from->raised, leastOffset * spacing);
+        k.isoOffset = std::max(from->isoOffset, leastOffset * spacing);
         break;
       }
   }
@@ -72,13 +72,13 @@ void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   ColumnList columns{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body};
   if (s.particles.liquid.active) columns.push_back(&s.particles.liquid);
   addGhosts(halos.particles, s.particles, s.particleCells, columns);
-  adoptFresh(w, halos, t.components);
+  labelNewParticles(w, halos, t.components);
   findParts(w, halos, t.components);
-  keepEnclosed(w, halos, t.components);
+  attachEnclosed(w, halos, t.components);
   splitComponents(w, halos, t.components);
   dropGhosts(s.particles, s.particleCells);
   // Components have changed, and ghosts are gone.
-  tools.relax.particlesReady = false;
+  tools.relax.particlesPrepared = false;
 }
 
 void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
@@ -102,7 +102,7 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   // Components have only counts and positions for now.
   clearAreas(s.surfels);
   measureComponents(s, halos.all);
-  inheritRaised(s, w.scene.spacing, before, t.components);
+  inheritIsoOffset(s, w.scene.spacing, before, t.components);
 }
 
 void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool start) {
@@ -110,7 +110,7 @@ void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool star
   TopologyTools& t = tools.topology;
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);
   // Surfels may have crossed periodic sides.
-  keepOutAgain(w);
+  reprojectOutOfWalls(w);
   addSurfelGhosts(s, halos);
   placeParticles(w, halos, tools);
   measureAll(s, halos, t);

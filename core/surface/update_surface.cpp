@@ -1,20 +1,20 @@
 #include "core/surface/update_surface.hpp"
 
 #include "core/surface/blend.hpp"
-#include "core/surface/clear_specks.hpp"
-#include "core/surface/cover_bare.hpp"
+#include "core/surface/clear_isolated_colours.hpp"
 #include "core/surface/displace.hpp"
-#include "core/surface/follow_start.hpp"
+#include "core/surface/enforce_volume.hpp"
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/grow.hpp"
-#include "core/surface/keep_out.hpp"
-#include "core/surface/keep_volume.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "core/surface/reference_motion.hpp"
 #include "core/surface/relax.hpp"
 #include "core/surface/resume_surface.hpp"
+#include "core/surface/resurface_exposed.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/update_components.hpp"
+#include "core/surface/wall_projection.hpp"
 
 namespace thaw {
 namespace {
@@ -42,7 +42,7 @@ void labelStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
 
 /// Resamples sampled surfels at the start, since otherwise the first update would bear and delete surfels of
 /// a body at rest. With adaptive density, radii approach the curvature's target by half in each call.
-void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void resampleStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const SurfaceCounters before = w.surface.counters;
   const bool adapt = w.scene.surface.adapt > 0;
   for (int k = 0; k < (adapt ? 4 : 2); k++) resampleOnParticles(w, halos, t, 10);
@@ -54,8 +54,8 @@ void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
 }
 
 /// Enforces the volume of grown surfaces. Surfaces whose rims moved together are resampled once more.
-void holdStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  const bool off = w.scene.surface.keepVolume > 0 && volumesAreOff(w.surface, true);
+void enforceStartVolume(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  const bool off = w.scene.surface.keepVolume > 0 && volumesDeviate(w.surface, true);
   measureSurface(w, halos, t, true);
   if (!off) return;
   const SurfaceCounters before = w.surface.counters;
@@ -65,14 +65,14 @@ void holdStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
 }
 
 /// Removes the reference of surfels that relaxed beside a seam or a crack.
-void letLooseGo(Surfels& f) {
-  if (!f.loose.active || !f.follows.active) return;
+void dropReferences(Surfels& f) {
+  if (!f.relaxesOnce.active || !f.hasReference.active) return;
   for (std::size_t i = 0; i < f.owned; i++)
-    if (f.loose[i]) f.follows[i] = 0;
+    if (f.relaxesOnce[i]) f.hasReference[i] = 0;
 }
 
 /// Moves particle copies from the previous to current positions.
-void bringParticlesForward(Surface& s) {
+void advanceParticles(Surface& s) {
   for (std::size_t i = 0; i < s.particles.owned; i++) s.particles.position[i] += s.particles.displacement[i];
 }
 
@@ -81,19 +81,19 @@ void bringParticlesForward(Surface& s) {
 void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
-  cutByParticles(w, halos, t);
+  partitionByParticles(w, halos, t);
   labelStart(w, halos, t);
   growBodies(w, halos, t);
   sampleMeshes(w.scene, s, t.load, halos.all);
   updateComponents(w, halos, t);
-  orderStart(w, halos, t);
-  keepStartVolumes(w, halos);
+  resampleStart(w, halos, t);
+  recordStartVolumes(w, halos);
   placeAll(w, halos, t);
   sampleFields(w, halos, t);
   s.lastStep = w.clock.step;
-  keepOutOfWalls(w, t.relax.particleBins);
-  holdStart(w, halos, t);
-  keepStart(w);
+  projectOutOfWalls(w, t.relax.particleBins);
+  enforceStartVolume(w, halos, t);
+  recordReference(w);
   returnParticles(w, halos);
 }
 
@@ -101,45 +101,45 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   t.times.start();
   balanceSurface(w, halos, t, false);
-  settleShares(w);
+  resetMeltedShares(w);
   gatherParticles(w, halos.all.rank());
-  releasePressed(s.surfels);
+  removeWallOffsets(s.surfels);
   placeAll(w, halos, t);
   t.times.lap(SurfacePhase::Place);
   findDisplacementGradients(w, halos, t);
   fadeFill(s.particles);
   displaceSurfels(w, halos, t);
   t.times.lap(SurfacePhase::Displacement);
-  bringParticlesForward(s);
+  advanceParticles(s);
   placeAll(w, halos, t);
   t.times.lap(SurfacePhase::Place);
   // before resampling, which closes seams
   splitAndMerge(w, halos, t);
-  listRaised(w, t.relax.raised);
+  listIsoOffsets(w, t.relax.isoOffset);
   t.times.lap(SurfacePhase::Components);
-  readyParticles(w, halos, t);
+  prepareParticles(w, halos, t);
   t.times.lap(SurfacePhase::Fields);
   renewSurfels(w, halos, t);
-  const std::int64_t bare = coverBare(w, halos, t);
+  const std::int64_t bare = resurfaceExposed(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
   // Resampling closes seams of merges and new faces before the iterations; holes from motion are closed
   // afterwards.
   if (s.counters.splits + s.counters.merges > s.changesBefore || bare > 0)
     resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);
-  listRaised(w, t.relax.raised);
-  const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations,
-                                 false);
-  letLooseGo(s.surfels);
-  deactivate(s.surfels.loose);
+  listIsoOffsets(w, t.relax.isoOffset);
+  const RelaxationResult settled = relaxSurfels(w, halos, t, forceWeights(w.scene.surface),
+                                                w.scene.surface.iterations, false);
+  dropReferences(s.surfels);
+  deactivate(s.surfels.relaxesOnce);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
   t.times.lap(SurfacePhase::Iterations);
   resampleOnParticles(w, halos, t, 8);
-  clearSpecks(w, halos, t);
+  clearIsolatedColours(w, halos, t);
   t.times.lap(SurfacePhase::Resampling);
-  keepOutOfWalls(w, t.relax.particleBins);
+  projectOutOfWalls(w, t.relax.particleBins);
   measureSurface(w, halos, t);
   t.times.lap(SurfacePhase::Measures);
   returnParticles(w, halos);

@@ -3,7 +3,7 @@
 #include "core/geometry/triangle_mesh.hpp"
 #include "core/halo/surface_halos.hpp"
 #include "core/neighbours/sort.hpp"
-#include "core/surface/open_region.hpp"
+#include "core/surface/active_set.hpp"
 #include "core/surface/relax_tools.hpp"
 #include "core/surface/row_lists.hpp"
 #include "core/surface/start_pieces.hpp"
@@ -16,13 +16,13 @@ namespace thaw {
 /// Buffers and lists of an update, reused. They are not part of the state.
 struct SurfaceTools {
   SortBuffers sort;
-  MeshLoader load;        ///< loads the bodies' meshes; set before startSurface
-  RowLists surfelsOf;     ///< neighbours of surfels that resampling inspects
-  OpenRegion openRegion;  ///< active set of later rounds
+  MeshLoader load;      ///< loads the bodies' meshes; set before startSurface
+  RowLists surfelsOf;   ///< neighbours of surfels that resampling inspects
+  ActiveSet activeSet;  ///< active set of later rounds
   TopologyTools topology;
   RelaxTools relax;  ///< for displacement and iterations
   /// labels, ascending, of liquids whose close sheets startSurface has merged
-  std::vector<std::uint64_t> lumps;
+  std::vector<std::uint64_t> mergedSheets;
   /// bodies with several pieces at the start, although no layer is missing between them
   std::vector<BodyPieces> pieces;
   SurfaceTimes times;  ///< all updates of this process, without the start

@@ -12,7 +12,7 @@ namespace {
 
 /// Records the impulses of walls, and of the weight of entered and left mass, over half a kick, as applied to
 /// particles.
-void bookImpulses(World& w, double half) {
+void recordImpulses(World& w, double half) {
   Ledger& l = w.ledger;
   for (int a = 0; a < 3; a++) {
     const double g = w.scene.domain.gravity[a] * half;
@@ -33,23 +33,25 @@ Vec3d forceOf(const World& w, std::size_t i) {
 bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   Continuum& p = w.particles;
   const double half = 0.5 * dt;
-  bookImpulses(w, half);
+  recordImpulses(w, half);
   const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces act for half a substep
-  const bool smoothed = p.smoothing.active, shifted = w.modules.shifting, substeps = w.clock.substeps > 1;
+  const bool smoothed = p.shiftingVelocity.active, shifted = w.modules.shifting,
+             substeps = w.clock.substeps > 1;
   const Vec3d g = w.scene.domain.gravity;
   const OpenBox box = openBox(w.scene.domain);
   bool leaves = false;
   for (const RowSpan& range : rows)
     for (std::size_t i = range.begin; i < range.end; i++) {
       if (shifted)  // work against position-dependent forces; not against pressure if the density is carried
-        p.dissipated[i] += p.mass[i] * dt * dot(w.modules.continuity ? g : p.acceleration[i], p.smoothing[i]);
+        p.dissipated[i] += p.mass[i] * dt *
+                           dot(w.modules.continuity ? g : p.acceleration[i], p.shiftingVelocity[i]);
       p.velocity[i] += p.acceleration[i] * half;
       if (substeps) {
         if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);
         if (takesSubsteps(p, i)) continue;
       }
       const Vec3d x = p.position[i] + (smoothed && !(p.clamped.active && p.clamped[i])
-                                           ? p.velocity[i] + p.smoothing[i]
+                                           ? p.velocity[i] + p.shiftingVelocity[i]
                                            : p.velocity[i]) *
                                           dt;
       p.position[i] = x;
@@ -68,7 +70,7 @@ bool finishKick(World& w, double dt, std::span<const RowSpan> rows, std::size_t*
   bool finite = true;
   double fastest = 0, hardest = 0;
   const bool fast = p.fastAcceleration.active;
-  bookImpulses(w, half);
+  recordImpulses(w, half);
   const Vec3d* const force = p.force.data();
   std::size_t behind = p.owned;  // rows from here on are done
   const auto rest = [&](std::size_t from) {

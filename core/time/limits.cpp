@@ -159,8 +159,8 @@ double soundStiffening(const World& w) {
   const Continuum& p = w.particles;
   float most = 1;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.filling[i] > most && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
-      most = p.filling[i];
+    if (p.relativeDensity[i] > most && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
+      most = p.relativeDensity[i];
   return soundSpeedFactor(w.scene.numerics.eos, static_cast<double>(most));
 }
 

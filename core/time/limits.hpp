@@ -24,8 +24,8 @@ enum class Limit {
 inline constexpr std::array<const char*, 11> limitNames{
     "sound", "viscosity", "heat",  "elastic waves",      "surface tension", "acceleration",
     "speed", "contact",   "scene", "oriented particles", "sheets"};
-inline constexpr std::size_t kindLimits = 2;  ///< the last entries: further body types, reduced only in
-                                              ///< scenes that have them
+inline constexpr std::size_t bodyTypeLimits = 2;  ///< the last entries: further body types, reduced only in
+                                                  ///< scenes that have them
 
 inline constexpr double supportsPerStep = 0.25;  ///< no particle crosses another particle, or a cell, in a
                                                  ///< step

@@ -18,7 +18,7 @@ struct TraceEvent {
   std::int64_t bytes = 0;     ///< sent, for an exchange
   std::int32_t messages = 0;  ///< sent, for an exchange
   TraceKind kind = TraceKind::Step;
-  std::uint8_t name = 0;  ///< a StepPhase, or a MessagesFor value (parallel/traffic.hpp)
+  std::uint8_t name = 0;  ///< a StepPhase, or a MessagesFor value (parallel/communication_statistics.hpp)
 };
 
 class StepTrace {

@@ -93,13 +93,13 @@ double overlapSlope(double a, double b, double g) {
 /// Updates the contact offset. A liquid particle may be closer to a wall than the rest distance of solids,
 /// and freezing there must not create a compressed spring. It rests where it froze, and at half a spacing
 /// once it has moved that far.
-void trackStandoff(World& w, std::size_t i, double nearest) {
+void updateContactOffset(World& w, std::size_t i, double nearest) {
   const Continuum& p = w.particles;
   const auto now = static_cast<float>(std::clamp(nearest / w.scene.spacing, 0.25, 0.5));
-  w.particles.standoff[i] = p.liquid[i] >= 1 ? now : std::max(p.standoff[i], now);
+  w.particles.contactOffset[i] = p.liquid[i] >= 1 ? now : std::max(p.contactOffset[i], now);
 }
 
-void shareBetween(const WallContext& x, std::span<WallContact> contacts) {
+void distributeShares(const WallContext& x, std::span<WallContact> contacts) {
   const double h = x.world.grid.support;
   const auto warm = [&](const WallContact& c) {
     return x.world.walls.list[c.wall].properties.temperature.has_value();
@@ -124,14 +124,14 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
   bool any = false;
   for (const Wall& wall : w.walls.list) any = any || wall.present;
   if (!any) return;
-  const bool freezing = p.standoff.active;
+  const bool freezing = p.contactOffset.active;
   for (std::size_t cell = 0; cell < w.cells.key.size(); cell++) {
     if (w.cells.first[cell] >= p.owned) continue;  // a ghost cell
     findReachable(w, w.cells.key[cell], contacts.reachable);
     if (contacts.reachable.empty()) {
       for (std::size_t i = w.cells.first[cell]; freezing && i < w.cells.first[cell] + w.cells.count[cell];
            i++)
-        trackStandoff(w, i, never);
+        updateContactOffset(w, i, never);
       continue;
     }
     for (std::size_t i = w.cells.first[cell]; i < w.cells.first[cell] + w.cells.count[cell]; i++) {
@@ -144,8 +144,8 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
       double nearest = never;
       for (std::size_t c = before; c < contacts.list.size(); c++)
         nearest = std::min(nearest, contacts.list[c].distance);
-      if (freezing) trackStandoff(w, i, nearest);
-      if (contacts.list.size() > before + 1) shareBetween(x, std::span(contacts.list).subspan(before));
+      if (freezing) updateContactOffset(w, i, nearest);
+      if (contacts.list.size() > before + 1) distributeShares(x, std::span(contacts.list).subspan(before));
     }
   }
 }
@@ -173,14 +173,14 @@ bool followContact(const World& w, WallContact& c) {
   return c.distance < reach;
 }
 
-void addWallFilling(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
+void addWallRelativeDensity(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
   Continuum& p = x.world.particles;
   const double h = x.world.grid.support;
   const auto& list = contacts.list;
   for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
     // Each wall adds the part of its contribution that earlier walls do not overlap. Earlier parts are
     // disjoint, so their overlaps sum up.
-    double filling = 0;
+    double relativeDensity = 0;
     for (end = begin; end < list.size() && list[end].row == list[begin].row; end++) {
       const WallIntegrals t = x.tables(list[end].distance / h);
       const double own = t.space;
@@ -194,10 +194,11 @@ void addWallFilling(const WallContext& x, double perLatticeSum, WallContacts& co
       }
       if (contacts.added.size() <= end - begin) contacts.added.push_back(0);
       contacts.added[end - begin] = std::max(left, 0.0);
-      if (own > 0) filling += contacts.added[end - begin] / own * t.filling;
+      if (own > 0) relativeDensity += contacts.added[end - begin] / own * t.relativeDensity;
     }
     const std::uint32_t i = list[begin].row;
-    p.filling[i] = static_cast<float>(static_cast<double>(p.filling[i]) + perLatticeSum * filling);
+    p.relativeDensity[i] = static_cast<float>(static_cast<double>(p.relativeDensity[i]) +
+                                              perLatticeSum * relativeDensity);
   }
 }
 

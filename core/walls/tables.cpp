@@ -44,7 +44,7 @@ template<class Kernel> WallIntegrals integralsOf(const Numerics& n, double visco
   const double from = std::max(d, 0.25 * spacing);
   for (double depth = 0.5 * spacing; d + depth < 1; depth += spacing) {
     const Plane p = planeAt<Kernel>(d + depth, viscousScale);
-    sum.filling += spacing * p.w;
+    sum.relativeDensity += spacing * p.w;
     sum.push += spacing * p.slope;
     sum.momentShare += spacing * p.slope * (d + depth);
     sum.conduct += spacing * p.laplace * (1 + depth / from);
@@ -93,11 +93,12 @@ WallIntegrals wallIntegrals(const Numerics& n, double d) {
   return scaled(rawIntegrals(n, d), perShearStress(n), perConduction(n));
 }
 
-WallIntegrals asLiquidsFeelIt(const WallIntegrals& w, double filling0) {
+WallIntegrals forLiquids(const WallIntegrals& w, double filling0) {
   WallIntegrals felt = w;
-  felt.space = w.filling;
+  felt.space = w.relativeDensity;
   if (filling0 > 0)
-    felt.filling = w.filling * w.filling / filling0, felt.push = w.push * 2 * w.filling / filling0;
+    felt.relativeDensity = w.relativeDensity * w.relativeDensity / filling0,
+    felt.push = w.push * 2 * w.relativeDensity / filling0;
   return felt;
 }
 
@@ -106,13 +107,14 @@ WallTables makeWallTables(const Numerics& n) {
   WallTables t;
   t.lowest = -0.5 * spacing;
   t.nearest = 0.25 * spacing;
-  const double filling0 = rawIntegrals(n, 0.5 * spacing).filling, softFrom = softBelow * spacing;
-  const WallIntegrals soft = asLiquidsFeelIt(rawIntegrals(n, softFrom), filling0);
+  const double filling0 = rawIntegrals(n, 0.5 * spacing).relativeDensity, softFrom = softBelow * spacing;
+  const WallIntegrals soft = forLiquids(rawIntegrals(n, softFrom), filling0);
   for (int k = 0; k <= WallTables::points; k++) {
     const double d = t.lowest + (1 - t.lowest) * k / WallTables::points;
-    t.at.push_back(asLiquidsFeelIt(scaled(rawIntegrals(n, d), drag, conduct), filling0));
+    t.at.push_back(forLiquids(scaled(rawIntegrals(n, d), drag, conduct), filling0));
     if (d < softFrom)
-      t.at.back().filling = soft.filling + soft.push * (softFrom - d), t.at.back().push = soft.push;
+      t.at.back().relativeDensity = soft.relativeDensity + soft.push * (softFrom - d),
+      t.at.back().push = soft.push;
   }
   return t;
 }

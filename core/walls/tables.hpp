@@ -10,15 +10,15 @@
 
 namespace thaw {
 
-/// Values at one distance. filling: sum V W (1). push: sum V |dW/dz| along the normal (1/h); for Wendland's
-/// and the cubic kernel -d filling / d(distance). conduct: sum V lap W (1 + z/d) (1/h^2), the Laplacian of a
-/// field that is linear across the wall's surface (Morris 1997), z the depth of a layer. drag: the same for a
-/// velocity along the wall with the scene's viscosity, scaled so that layers of particles half a spacing and
-/// whole spacings above a wall, in a linear profile, have the total stress mu du/dz. space: filling before
-/// asLiquidsFeelIt. momentShare: sum V z |dW/dz| (1), the wall's part of the moment along the normal; z:
-/// distance to a layer.
+/// Values at one distance. relativeDensity: sum V W (1). push: sum V |dW/dz| along the normal (1/h); for
+/// Wendland's and the cubic kernel -d relativeDensity / d(distance). conduct: sum V lap W (1 + z/d) (1/h^2),
+/// the Laplacian of a field that is linear across the wall's surface (Morris 1997), z the depth of a layer.
+/// drag: the same for a velocity along the wall with the scene's viscosity, scaled so that layers of
+/// particles half a spacing and whole spacings above a wall, in a linear profile, have the total stress mu
+/// du/dz. space: relativeDensity before forLiquids. momentShare: sum V z |dW/dz| (1), the wall's part of the
+/// moment along the normal; z: distance to a layer.
 struct WallIntegrals {
-  double filling = 0, push = 0, conduct = 0, drag = 0, space = 0, momentShare = 0;
+  double relativeDensity = 0, push = 0, conduct = 0, drag = 0, space = 0, momentShare = 0;
 };
 
 struct WallTables {
@@ -35,29 +35,33 @@ struct WallTables {
     const double t = x - k;
     const WallIntegrals &a = at[static_cast<std::size_t>(k)], &b = at[static_cast<std::size_t>(k) + 1];
     const auto between = [t](double from, double to) { return from + t * (to - from); };
-    return {between(a.filling, b.filling), between(a.push, b.push),   between(a.conduct, b.conduct),
-            between(a.drag, b.drag),       between(a.space, b.space), between(a.momentShare, b.momentShare)};
+    return {between(a.relativeDensity, b.relativeDensity),
+            between(a.push, b.push),
+            between(a.conduct, b.conduct),
+            between(a.drag, b.drag),
+            between(a.space, b.space),
+            between(a.momentShare, b.momentShare)};
   }
 };
 
 /// Returns the values at a distance (h) without interpolation, exact to rounding.
 WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 
-/// Wall contribution for liquids: filling^2 / filling_0, where filling_0 is the value at half a spacing, and
-/// push times 2 filling / filling_0. At half a spacing the relative density is unchanged and the push is
-/// twice the wall's own, as if the wall had the liquid's pressure. This balances a uniform pressure, which
-/// the plain push does not. The push remains the derivative of the relative density, so static walls do no
-/// work. Doubling the push alone makes water at rest boil.
-WallIntegrals asLiquidsFeelIt(const WallIntegrals& wall, double filling0);
+/// Wall contribution for liquids: relativeDensity^2 / relativeDensity_0, where relativeDensity_0 is the value
+/// at half a spacing, and push times 2 relativeDensity / relativeDensity_0. At half a spacing the relative
+/// density is unchanged and the push is twice the wall's own, as if the wall had the liquid's pressure. This
+/// balances a uniform pressure, which the plain push does not. The push remains the derivative of the
+/// relative density, so static walls do no work. Doubling the push alone makes water at rest boil.
+WallIntegrals forLiquids(const WallIntegrals& wall, double filling0);
 
 /// Distance in spacings below which the contribution for liquids continues along its tangent. The unlimited
 /// form is twice as steep a quarter of a spacing from the wall and four times on it, so that few particles in
 /// an impact would limit the step of all.
 inline constexpr double softBelow = 0.42;
 
-/// Makes tables of asLiquidsFeelIt down to softBelow, and of its tangent below; push stays the derivative of
-/// filling. conduct and drag use distances of at least a quarter of a spacing. Interpolation is accurate to
-/// 1e-5.
+/// Makes tables of forLiquids down to softBelow, and of its tangent below; push stays the derivative of
+/// relativeDensity. conduct and drag use distances of at least a quarter of a spacing. Interpolation is
+/// accurate to 1e-5.
 WallTables makeWallTables(const Numerics& numerics);
 
 }  // namespace thaw

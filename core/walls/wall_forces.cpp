@@ -22,18 +22,18 @@ double overStep(double r, double dt) {
 
 /// Forces of walls on one particle.
 struct WallAction {
-  Vec3d force{};      ///< N, total
-  Vec3d resisting{};  ///< N, dissipative part: drag, dashpot, friction
-  double lost = 0;    ///< W, loss by resisting at the half-step velocity
+  Vec3d force{};             ///< N, total
+  Vec3d dissipativeForce{};  ///< N, dissipative part: drag, dashpot, friction
+  double lost = 0;           ///< W, loss by resisting at the half-step velocity
   void resist(const Vec3d& f, const Vec3d& u) {
     force += f;
-    resisting += f;
+    dissipativeForce += f;
     lost -= dot(f, u);
   }
 };
 
 /// A particle relative to one wall.
-struct Meeting {
+struct ParticleAtWall {
   const WallContact& contact;
   const Obstacle& wall;
   const Material& material;
@@ -46,7 +46,7 @@ struct Meeting {
 /// Force (N) along the normal: the wall's part of the hydrostatic pressure gradient. The wall's push uses the
 /// particle's own pressure, but behind the wall the pressure rises by the liquid's weight. The part is that
 /// of the wall in the particle's moment. 0 without positive pressure, as in falling drops.
-double hydrostaticWallForce(const World& w, const Meeting& at, double pressure, double momentShare) {
+double hydrostaticWallForce(const World& w, const ParticleAtWall& at, double pressure, double momentShare) {
   constexpr double depth = 0.25;  // spacings of pressure head; the force fades below it
   const double weight = at.material.density * dot(w.scene.domain.gravity, at.contact.normal);
   const double full = std::abs(weight) * depth * w.scene.spacing;
@@ -55,28 +55,28 @@ double hydrostaticWallForce(const World& w, const Meeting& at, double pressure, 
 }
 
 /// Adds the pressure of a liquid, the gradient of its compression energy (tables.hpp), and drag.
-void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeSum, WallAction& act,
+void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double perLatticeSum, WallAction& act,
                      double& stiffest) {
   const World& w = x.world;
   const Continuum& p = w.particles;
   const double h = w.grid.support;
   const WallIntegrals t = x.tables(at.contact.distance / h);
-  const double filling = static_cast<double>(p.filling[at.row]);
+  const double relativeDensity = static_cast<double>(p.relativeDensity[at.row]);
   const double pressure = w.modules.incompressible
                               ? 0
                               : static_cast<double>(pressureOfParticle(w, x.liquids, at.row));
   const Vec3d& n = at.contact.normal;
-  if (pressure != 0 && filling > 0) {
+  if (pressure != 0 && relativeDensity > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed
-                            ? 0.5 * pressure / filling
-                            : perLatticeSum * pressure / (filling * filling);
+                            ? 0.5 * pressure / relativeDensity
+                            : perLatticeSum * pressure / (relativeDensity * relativeDensity);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
     // This force has no potential: its work is dissipation.
     if (w.modules.continuity)
       act.resist(n * hydrostaticWallForce(w, at, pressure, perLatticeSum * t.momentShare), at.velocity);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed *
-                                      soundSpeedFactor(w.scene.numerics.eos, filling) * perLatticeSum *
-                                      t.push / h);
+                                      soundSpeedFactor(w.scene.numerics.eos, relativeDensity) *
+                                      perLatticeSum * t.push / h);
   }
   if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w, at.contact);
   if (at.wall.slip || w.modules.implicitViscosity) return;
@@ -87,9 +87,9 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
 
 /// Adds a spring with dashpot (Cundall & Strack 1979) and Coulomb friction: for solids within half a spacing;
 /// for liquids, which pressure supports, only within a quarter.
-void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, WallAction& act) {
+void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum& p, WallAction& act) {
   const double dx = x.world.scene.spacing, f = at.liquid, m = p.mass[at.row];
-  const double rest = p.standoff.active ? static_cast<double>(p.standoff[at.row]) : 0.5;
+  const double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[at.row]) : 0.5;
   const double gap = dx * (rest + f * (0.25 - rest)) - at.contact.distance;
   if (gap <= 0) return;
   const Vec3d& n = at.contact.normal;
@@ -133,9 +133,9 @@ Vec3d halfKick(const WallContext& x, std::size_t i, bool substeps) {
 
 }  // namespace
 
-void bookResistance(const WallContext& x, std::span<const ContactResistance> resisting) {
+void recordResistance(const WallContext& x, std::span<const DissipativeForce> dissipativeForce) {
   Continuum& p = x.world.particles;
-  for (const ContactResistance& r : resisting) {
+  for (const DissipativeForce& r : dissipativeForce) {
     if (p.drag.active) p.drag[r.row] += r.force;
     p.dissipation[r.row] -= dot(r.force,
                                 halfKick(x, r.row, p.fastAcceleration.active && p.slot[r.row] != noSlot));
@@ -173,14 +173,14 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
     for (; c < list.size() && list[c].row == i; c++) {
       const Wall& wall = w.walls.list[list[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
-      const Meeting at{list[c],          wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density,
-                       p.velocity[i] - v};
+      const ParticleAtWall at{
+          list[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v};
       if (at.liquid > 0) addLiquidForces(x, at, perLatticeSum, act, contacts.stiffest);
       const WallAction slow = act;
       addContactForces(substeps ? shorter : x, at, p, act);
       if (substeps) {
         often.force += act.force - slow.force;
-        often.resisting += act.resisting - slow.resisting;
+        often.dissipativeForce += act.dissipativeForce - slow.dissipativeForce;
         often.lost += act.lost - slow.lost;
       }
       if (wall.properties.motion.empty()) continue;
@@ -189,12 +189,12 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
     }
     p.force[i] += act.force;
     if (substeps) p.fastAcceleration[i] += often.force / p.mass[i];
-    if (p.drag.active) p.drag[i] += act.resisting;
+    if (p.drag.active) p.drag[i] += act.dissipativeForce;
     const Vec3d half = halfKick(x, i, substeps);
-    p.dissipation[i] += act.lost - dot(act.resisting, half);
+    p.dissipation[i] += act.lost - dot(act.dissipativeForce, half);
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(act.force[a]);
     if (!substeps) continue;
-    p.dissipation[i] += (x.fast - 1) * (often.lost - dot(often.resisting, half));
+    p.dissipation[i] += (x.fast - 1) * (often.lost - dot(often.dissipativeForce, half));
     for (int a = 0; a < 3; a++) {
       contacts.fast[a].add(often.force[a]);
       w.ledger.wallForce[a].add(often.force[a] * (x.fast - 1));
@@ -202,7 +202,7 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
   }
 }
 
-void bookClamps(const WallContext& x, WallContacts& contacts) {
+void recordClamps(const WallContext& x, WallContacts& contacts) {
   World& w = x.world;
   const Continuum& p = w.particles;
   if (!p.clamped.active) return;
@@ -240,7 +240,7 @@ void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts
     Vec3d& force = w.solids.force[p.slot[i]];
     force += act.force;
     const Vec3d half = p.clamped.active && p.clamped[i] ? Vec3d{} : force * (0.5 * x.dt / p.mass[i]);
-    p.dissipated[i] += (act.lost - dot(act.resisting, half)) * x.dt;
+    p.dissipated[i] += (act.lost - dot(act.dissipativeForce, half)) * x.dt;
     for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(act.force[a] * x.dt);
   }
 }
@@ -253,9 +253,9 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
   const double coveredScale = 2 * w.scene.spacing / h;
   for (const WallContact& c : contacts.list) {
     const WallIntegrals t = x.tables(c.distance / h);
-    if (p.exposure.active)
-      p.exposure[c.row] = static_cast<float>(
-          std::max(0.0, static_cast<double>(p.exposure[c.row]) - coveredScale * t.push * c.share));
+    if (p.freeSurfaceIndicator.active)
+      p.freeSurfaceIndicator[c.row] = static_cast<float>(std::max(
+          0.0, static_cast<double>(p.freeSurfaceIndicator[c.row]) - coveredScale * t.push * c.share));
     const Obstacle& o = w.walls.list[c.wall].properties;
     if (!o.temperature || x.sleeps(c.row)) continue;
     const Material& m = w.scene.materials[p.material[c.row]];

@@ -17,9 +17,10 @@ struct WallContext {
   double span;      ///< s, current step: drag and heat are averaged over it, so they cannot overshoot
   double fast = 1;  ///< 1 / substeps: contact of solids acts for this fraction of dt now; addSubstepContacts
                     ///< does the rest
-  const std::vector<std::uint8_t>* deep = nullptr;  ///< by owned row: sleeping with unchanged sums
-                                                    ///< (core/sleep/), so without force and heat; null: none
-  bool sleeps(std::size_t i) const { return deep && (*deep)[i]; }
+  const std::vector<std::uint8_t>* steady = nullptr;  ///< by owned row: sleeping with unchanged sums
+                                                      ///< (core/sleep/), so without force and heat; null:
+                                                      ///< none
+  bool sleeps(std::size_t i) const { return steady && (*steady)[i]; }
 };
 
 /// Lists the owned particles within a support radius of a wall. Particles deeper in a wall than half a
@@ -29,7 +30,7 @@ void findWallContacts(const WallContext& context, WallContacts& contacts);
 
 /// Adds the contribution of walls to the relative density (times 1 / lattice sum, as for particles). At
 /// corners, contributions of several walls overlap as if independent: 1 - prod(1 - filling_k).
-void addWallFilling(const WallContext& context, double perLatticeSum, WallContacts& contacts);
+void addWallRelativeDensity(const WallContext& context, double perLatticeSum, WallContacts& contacts);
 
 /// Adds pressure on liquids, drag of walls without slip, and for solids a spring with dashpot and Coulomb
 /// friction within half a spacing of the wall. Work and impulse are recorded in the ledger.
@@ -37,11 +38,11 @@ void addWallForces(const WallContext& context, double perLatticeSum, WallContact
 
 /// Records the dissipation of solid contacts that their evaluation missed: energy changes with the velocity
 /// between the half kicks on either side of now. Call it after all forces.
-void bookResistance(const WallContext& context, std::span<const ContactResistance> resisting);
+void recordResistance(const WallContext& context, std::span<const DissipativeForce> dissipativeForce);
 
 /// Records the constraint forces of clamped and driven particles, which balance all forces on them. Call it
 /// after all forces except those of the viscous solver, which records its own.
-void bookClamps(const WallContext& context, WallContacts& contacts);
+void recordClamps(const WallContext& context, WallContacts& contacts);
 
 /// Substeps: findSubstepContacts lists contacts, by row, of slots that may touch a wall before the step ends.
 /// followContact updates one. addSubstepContacts adds springs, dashpots and friction at a later position to

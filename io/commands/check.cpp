@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/body_types/body_types.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/shape_volume.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/memory.hpp"
 #include "core/scene/material_use.hpp"
@@ -36,9 +36,9 @@ namespace thaw {
 namespace {
 
 /// Returns a line for each oriented body and each sheet. Collective.
-std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
+std::vector<std::string> bodyTypeLines(const World& w, Reducer& all) {
   std::vector<std::string> lines;
-  const auto count = [&](const KindRows& rows, const auto& bodies, const char* line) {
+  const auto count = [&](const BodyTypeRows& rows, const auto& bodies, const char* line) {
     std::vector<std::int64_t> of(bodies.size(), 0);
     for (std::size_t i = 0; i < rows.owned && !of.empty(); i++) of[rows.body[i]]++;
     all.sum(of);
@@ -54,7 +54,7 @@ constexpr std::size_t mostBodyLines = 100;
 
 /// Returns a line with particles, material and mass of a continuum body. Adds the error of the mass against
 /// the shape if it is above 1 %.
-std::string lineOfBody(const World& w, const SamplingReport& sampled, std::size_t b, double volume) {
+std::string bodyLine(const World& w, const SamplingReport& sampled, std::size_t b, double volume) {
   const Body& body = w.scene.bodies[b];
   const Material& m = w.scene.materials[static_cast<std::size_t>(body.material)];
   const double mass = m.density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b]);
@@ -71,14 +71,14 @@ std::string lineOfBody(const World& w, const SamplingReport& sampled, std::size_
 }
 
 /// Returns a line for each of the first mostBodyLines continuum bodies, and one for all others. Collective.
-std::vector<std::string> linesOfBodies(const World& w, const SamplingReport& sampled, Reducer& all) {
+std::vector<std::string> bodyLines(const World& w, const SamplingReport& sampled, Reducer& all) {
   const std::vector<Body>& bodies = w.scene.bodies;
   const std::size_t shown = std::min(bodies.size(), mostBodyLines);
   std::vector<const Shape*> shapes;
   for (std::size_t b = 0; b < shown; b++) shapes.push_back(&bodies[b].shape);
   const std::vector<double> volumes = shapeVolumes(shapes, meshLoader(), all);
   std::vector<std::string> lines;
-  for (std::size_t b = 0; b < shown; b++) lines.push_back(lineOfBody(w, sampled, b, volumes[b]));
+  for (std::size_t b = 0; b < shown; b++) lines.push_back(bodyLine(w, sampled, b, volumes[b]));
   std::int64_t particles = 0;
   double mass = 0;
   for (std::size_t b = shown; b < bodies.size(); b++) {
@@ -93,7 +93,7 @@ std::vector<std::string> linesOfBodies(const World& w, const SamplingReport& sam
 }
 
 /// Disables relaxation before the start, which may take hours. Returns a note for the report, or "".
-std::string leaveOutRelaxation(Scene& s) {
+std::string disableRelaxation(Scene& s) {
   std::int64_t most = 0;
   for (OrientedBody& b : s.oriented) most = std::max(most, std::exchange(b.relax, 0));
   return most == 0 ? ""
@@ -115,8 +115,8 @@ double emittedAtEnd(const Scene& s, const StepTools& t) {
 }
 
 /// Returns suggestions for the scene with the results of their trials. Collective.
-std::vector<std::string> triedAdvice(const Communicator& comm, const CheckOptions& o, const World& w,
-                                     double particles) {
+std::vector<std::string> testedSuggestions(const Communicator& comm, const CheckOptions& o, const World& w,
+                                           double particles) {
   const std::vector<Suggestion> all = frontierAdvice(w.scene, w.modules);
   std::vector<std::string> lines;
   if (all.empty()) return lines;
@@ -154,23 +154,23 @@ int checkAll(const CheckOptions& o) {
   World w;
   StepTools t;
   w.scene = sceneForAll(comm, o.scene, o.overrides);
-  const std::string notRelaxed = leaveOutRelaxation(w.scene);
-  for (const std::string& line : requireRoomForKinds(comm, w.scene, meshLoader()))
+  const std::string notRelaxed = disableRelaxation(w.scene);
+  for (const std::string& line : requireMemoryForBodyTypes(comm, w.scene, meshLoader()))
     if (comm.rank() == 0) std::printf("%s\n", line.c_str()), std::fflush(stdout);
   prepareWorld(w, t, meshLoader());
   requireMemory(comm, w, t.shapes);
   MpiCellHalo cells(comm, w.grid);
   MpiBondHalo bonds(comm), edges(comm);
-  std::unique_ptr<MpiCellHalo> kinds[kindCount];
-  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
+  std::unique_ptr<MpiCellHalo> kinds[bodyTypeCount];
+  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
     kinds[kind] = std::make_unique<MpiCellHalo>(comm, w.grid);
   });
-  const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
+  const Halos halos{all, cells, bonds, {kinds[orientedType].get(), kinds[sheetType].get()}, &edges};
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // at the start
-  const std::vector<OrientedWork::Field> idleFields = t.oriented.idleFields;
+  const std::vector<OrientedWork::Field> unusedFields = t.oriented.unusedFields;
   // Emission and growth in the steps below change these counts.
-  const std::vector<std::string> ofKinds = linesOfKinds(w, all), ofBodies = linesOfBodies(w, sampled, all);
+  const std::vector<std::string> ofKinds = bodyTypeLines(w, all), ofBodies = bodyLines(w, sampled, all);
   SurfaceTrial surface(comm, w, meshLoader());
   // Time a few steps.
   const auto start = std::chrono::steady_clock::now();
@@ -199,7 +199,7 @@ int checkAll(const CheckOptions& o) {
   const int ranks = o.ranks > 0 ? o.ranks : comm.size();
   const std::vector<std::string> surfaceLines = surface.lines(onSurface, ranks);
   const std::vector<std::string> advice = o.settings ? frontierLines(w.scene, w.modules)
-                                                     : triedAdvice(comm, o, w, total);
+                                                     : testedSuggestions(comm, o, w, total);
   if (comm.rank() != 0) return exitDone;
 
   const Scene& s = w.scene;
@@ -208,17 +208,18 @@ int checkAll(const CheckOptions& o) {
               s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end,
               s.output.every);
   for (const std::string& line : sceneWarnings(s)) std::printf("warning: %s\n", line.c_str());
-  for (const std::string& line : lumpWarnings(s, surface.lumps())) std::printf("warning: %s\n", line.c_str());
+  for (const std::string& line : mergedSheetWarnings(s, surface.mergedSheets()))
+    std::printf("warning: %s\n", line.c_str());
   for (const std::string& line : pieceWarnings(s, surface.pieces()))
     std::printf("warning: %s\n", line.c_str());
   for (const SceneWarning& k : sampled.warnings)
     std::printf("warning: %s\n", warningLine(k.where, k.text).c_str());
   for (const OrientedWork::Event& e : idle)
     std::printf("warning: %s\n",
-                idleEventLine(s.oriented[e.body], s.oriented[e.body].events[e.event]).c_str());
-  for (const OrientedWork::Field& f : idleFields)
+                unusedEventLine(s.oriented[e.body], s.oriented[e.body].events[e.event]).c_str());
+  for (const OrientedWork::Field& f : unusedFields)
     std::printf("warning: %s\n",
-                idleFieldLine(s.oriented[f.body], s.oriented[f.body].fields[f.field]).c_str());
+                unusedFieldLine(s.oriented[f.body], s.oriented[f.body].fields[f.field]).c_str());
   std::printf("\nparticles\n");
   for (const std::string& line : ofBodies) std::printf("  %s\n", line.c_str());
   for (const std::string& line : ofKinds) std::printf("  %s\n", line.c_str());

@@ -38,7 +38,7 @@ constexpr std::int64_t few = 500;
 
 /// Turns everything that can be liquid into liquid and moves it as between two updates. Displacements are up
 /// to 0.1 support radii, with a period of four.
-void meltAll(World& w) {
+void meltWorld(World& w) {
   Continuum& p = w.particles;
   const double h = w.grid.support, k = 0.5 * pi / h;
   for (std::size_t i = 0; i < p.owned; i++) {
@@ -98,7 +98,7 @@ void SurfaceTrial::update() {
   MpiReducer(comm_).sum({&surfels_, 1});
   each_ = flowing_ = timeOfUpdate();
   if (!world_.modules.fluid) return;
-  meltAll(world_);
+  meltWorld(world_);
   flowing_ = timeOfUpdate();
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/surface/update_surface.hpp"
-#include "parallel/row_courier.hpp"
+#include "parallel/row_scatter.hpp"
 
 namespace thaw {
 
@@ -27,7 +27,7 @@ class SurfaceTrial {
   };
   /// particles: number at the end, with emitted ones. Collective.
   Forecast forecast(double steps, double particles) const;
-  const std::vector<std::uint64_t>& lumps() const { return tools_.lumps; }
+  const std::vector<std::uint64_t>& mergedSheets() const { return tools_.mergedSheets; }
   const std::vector<BodyPieces>& pieces() const { return tools_.pieces; }
   /// Returns the lines that `thaw check` prints, for this many ranks. Collective.
   std::vector<std::string> lines(const Forecast& forecast, int ranks) const;

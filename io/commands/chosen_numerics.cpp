@@ -1,6 +1,6 @@
 #include "io/commands/chosen_numerics.hpp"
 
-#include "io/run/coefficient_marks.hpp"
+#include "io/run/restart_coefficients.hpp"
 
 namespace thaw {
 

@@ -14,10 +14,10 @@ namespace thaw {
 namespace {
 
 bool compareFiles(const std::string& pathA, const std::string& pathB, const CompareArguments& how,
-                  bool alwaysTell) {
+                  bool alwaysReport) {
   const Snapshot a = openSnapshot(pathA), b = openSnapshot(pathB);
   const Comparison result = compareSnapshots(a, b, {how.tolerance});
-  if (!alwaysTell && result.equal()) return true;
+  if (!alwaysReport && result.equal()) return true;
   if (!result.equal())
     for (const Snapshot* s : {&a, &b})
       if (const std::vector<std::string> damaged = damagedRows(s->file); !damaged.empty())

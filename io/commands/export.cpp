@@ -81,7 +81,7 @@ RenderStyle styleOf(const SurfaceFrame& frame, const fs::path& file) {
     places.push_back({static_cast<float>(x.x), static_cast<float>(x.y), static_cast<float>(x.z)});
   style.width = job.width;
   style.height = job.height;
-  style.stage = boxOfMost(places);
+  style.stage = robustBox(places);
   style.camera = job.camera ? *job.camera
                             : fittedCamera(style.stage, static_cast<double>(job.width) / job.height);
   addWalls(job.walls, frame.time, style);
@@ -132,9 +132,9 @@ struct OrientedMesh {
       : triangles(triangulate(frame.points())), used(frame.positions.size(), 0) {
     std::set<std::uint32_t> meshed;
     for (const Corners& t : triangles) meshed.insert(frame.groups[t[0]]);
-    std::vector<std::uint8_t> bare;
-    for (const std::uint32_t group : frame.groups) bare.push_back(!meshed.contains(group));
-    lines = joinLines(frame.points(), bare);
+    std::vector<std::uint8_t> withoutTriangles;
+    for (const std::uint32_t group : frame.groups) withoutTriangles.push_back(!meshed.contains(group));
+    lines = joinLines(frame.points(), withoutTriangles);
     for (const Corners& t : triangles)
       for (const std::uint32_t v : t) used[v] = 1;
     for (const auto& l : lines)

@@ -14,7 +14,7 @@ namespace {
 
 /// Reference case of a part of the model; frontier.py has the same list. has: does the scene use this part?
 /// fits: does it also move as the case does, so that advice may follow from it?
-struct Likeness {
+struct ReferenceCase {
   const char* part;
   std::string cases;
   bool (*has)(const Scene&, const Modules&);
@@ -45,7 +45,7 @@ bool isGentle(const Scene& s) {
 }
 
 /// Does a box of liquid end at walls or periodic sides across gravity, so that it stays in place?
-bool isHeld(const Scene& s, const Body& b) {
+bool isConfined(const Scene& s, const Body& b) {
   if (b.shape.kind != ShapeKind::Box || !(b.shape.rotate == Vec3d{}) || b.shape.fitHeight || b.shape.bottom)
     return false;
   for (int a = 0; a < 3; a++) {
@@ -66,12 +66,12 @@ bool isAtRest(const Scene& s) {
   for (const Obstacle& o : s.obstacles)
     if (fastestMove(o.motion) > 0) return false;
   return std::ranges::all_of(s.bodies, [&](const Body& b) {
-    return !isLiquid(s, b) || (b.velocity == Vec3d{} && b.spin == Vec3d{} && isHeld(s, b));
+    return !isLiquid(s, b) || (b.velocity == Vec3d{} && b.spin == Vec3d{} && isConfined(s, b));
   });
 }
 
-const std::vector<Likeness>& likenesses() {
-  static const std::vector<Likeness> all{
+const std::vector<ReferenceCase>& referenceCases() {
+  static const std::vector<ReferenceCase> all{
       {"liquid at rest", "hydrostatic", isHeavy, isAtRest},
       {"liquid that falls", "martin_moyce", isHeavy, isGentle},
       {"viscosity", "poiseuille", viscous, isGentle},
@@ -156,7 +156,7 @@ template<class Score> std::vector<std::string> choose(const Records& records, Sc
 /// Returns the settings of the cases that the scene resembles.
 Records recordsOf(const Scene& s, const Modules& m) {
   Records records;
-  for (const Likeness& like : likenesses()) {
+  for (const ReferenceCase& like : referenceCases()) {
     if (!like.has(s, m) || !like.fits(s)) continue;
     double usual = 0;
     for (const FrontierPoint& p : frontierPoints()) {
@@ -181,7 +181,7 @@ std::string settingList(const std::vector<std::string>& settings, const char* be
 
 std::vector<std::string> frontierLines(const Scene& s, const Modules& m) {
   std::vector<std::string> lines;
-  for (const Likeness& like : likenesses()) {
+  for (const ReferenceCase& like : referenceCases()) {
     if (!like.has(s, m)) continue;
     std::string line;
     for (const FrontierPoint& p : frontierPoints()) {

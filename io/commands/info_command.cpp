@@ -12,9 +12,9 @@
 
 #include "core/ledger/totals.hpp"
 #include "io/commands/info_summary.hpp"
+#include "io/output/body_type_frame.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/damaged_rows.hpp"
-#include "io/output/kind_frame.hpp"
 #include "io/output/series.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/run_lock.hpp"
@@ -61,7 +61,7 @@ Json fieldOf(const H5File& file, const std::string& name, const std::string& pat
 Json frameInfo(const std::string& path) {
   const FrameInfo info = readFrameInfo(path);
   const H5File file = H5File::openToRead(path);
-  const std::string kind = titleOfFrame(file);
+  const std::string kind = pointTypeOf(file);
   Json j = {{"kind", kind == "particles" ? std::string("frame")
                      : kind == "surfels" ? std::string("frame of a surface")
                                          : "frame of kind " + kind},
@@ -96,8 +96,8 @@ Json checkpointInfo(const CheckpointHeader& header, bool fields) {
                     {"last_update_step", h.surface.lastStep}};
     for (const NamedCount& c : countsOf(h.surface.counters)) j["surface"][c.name] = *c.count;
   }
-  for (std::size_t k = 0; k < kindCount; k++)
-    if (h.kinds[k]) j[kindNames[k]] = *h.kinds[k];
+  for (std::size_t k = 0; k < bodyTypeCount; k++)
+    if (h.kinds[k]) j[bodyTypeNames[k]] = *h.kinds[k];
   for (const NamedCount& c : countsOf(h.counters)) j["counters"][c.name] = *c.count;
   for (const NamedSum& s : sumsOf(h.ledger)) j["ledger"][s.name] = s.sum->value();
   if (!fields) return j;

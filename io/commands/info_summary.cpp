@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 #include "io/commands/bytes_text.hpp"
 #include "io/commands/short_text.hpp"
-#include "io/run/process_mark.hpp"
+#include "io/run/process_identity.hpp"
 #include "io/run/run_lock.hpp"
 
 using Json = nlohmann::ordered_json;
@@ -59,7 +59,7 @@ void addContents(const Json& s, std::vector<std::string>& lines) {
   if (s.contains("particles"))
     text = fmt::format("{} particles, {:.1f} % liquid", s["particles"].get<std::int64_t>(),
                        100 * numberOf(s, "liquid_fraction"));
-  for (const char* kind : kindNames)
+  for (const char* kind : bodyTypeNames)
     if (s.contains(kind))
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", kind, s[kind].get<std::int64_t>());
   if (s.contains("surface"))
@@ -71,7 +71,7 @@ void addContents(const Json& s, std::vector<std::string>& lines) {
       "time step", fmt::format("{:.3g} s, limited by {}", numberOf(s, "dt_s"), textOf(s, "dt_limited_by"))));
 }
 
-void addBooks(const Json& s, std::vector<std::string>& lines) {
+void addLedger(const Json& s, std::vector<std::string>& lines) {
   if (!s.contains("ledger")) return;
   const Json &l = s["ledger"], &now = l.at("now"), &residual = l.at("residual");
   lines.push_back(named(
@@ -122,7 +122,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
                           numberOf(s, "wall_s"), s.value("ranks", 1), s.value("ranks", 1) == 1 ? "" : "s",
                           numberOf(s, "particle_steps_per_second") / 1e6, numberOf(s, "imbalance"),
                           bytesText(numberOf(s, "peak_memory_bytes")))));
-    addBooks(s, lines);
+    addLedger(s, lines);
     if (s.contains("counters"))
       if (const std::string counts = countsText(s["counters"]); !counts.empty())
         lines.push_back(named("counters", counts));

@@ -76,7 +76,7 @@ void setCamera(const RenderOptions& options, FrameJob& job) {
 /// Returns the settings of the scene that the run stored. An unusable scene (an obstacle mesh is missing)
 /// leaves the defaults.
 FrameJob jobOfRun(const fs::path& frame) {
-  const KeptScene kept = keptSceneOf(frame);
+  const StoredScene kept = storedSceneOf(frame);
   if (kept.text.empty()) return {};
   try {
     return jobOfScene(sceneOfText(kept.text, kept.name));
@@ -196,7 +196,7 @@ int renderCommand(const RenderOptions& options) {
     const OrientedLook look = orientedLookNamed(options.look);
     const std::vector<fs::path> written = renderFrames(
         job, [&](const std::filesystem::path& file, const std::string& field) {
-          return readWholeView(file, field, look, job.spacing, job.periodic);
+          return readFullView(file, field, look, job.spacing, job.periodic);
         });
     const std::size_t pictures = written.size() - (job.sheet.empty() ? 0 : 1);
     if (!job.sheet.empty()) fmt::print("{}\n", job.sheet.string());

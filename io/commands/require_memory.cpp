@@ -18,9 +18,9 @@
 namespace thaw {
 namespace {
 
-constexpr double manyToSpread = 5e4;     // particles on a surface: sampling takes some 20 s
+constexpr double manyToSample = 5e4;     // particles on a surface: sampling takes some 20 s
 constexpr double leastSolidBytes = 600;  // lower bound for a solid particle's record with its bonds
-// The snapshot for retries has lower bounds of its own (core/watch/good_state.hpp).
+// The snapshot for retries has lower bounds of its own (core/monitor/snapshot.hpp).
 constexpr double pi = 3.14159265358979323846;
 constexpr double leastKeptBytes = 75, leastKeptSolidBytes = 400;
 
@@ -67,22 +67,22 @@ void refuseWideSurfels(const Scene& s, const std::vector<std::shared_ptr<const S
 
 }  // namespace
 
-std::vector<std::string> requireRoomForKinds(const Communicator& comm, const Scene& scene,
-                                             const MeshLoader& load) {
+std::vector<std::string> requireMemoryForBodyTypes(const Communicator& comm, const Scene& scene,
+                                                   const MeshLoader& load) {
   std::vector<std::string> slow;
   if (scene.oriented.empty() && scene.sheets.empty()) return slow;
   const double ranksHere = ranksOfMachine(comm), here = memoryHere();
   SceneProblems problems;
   for (const ExpectedRows& e : expectedRows(scene, load)) {
-    if (e.spread && e.rows > manyToSpread)
+    if (e.spread && e.rows > manyToSample)
       slow.push_back(
           fmt::format("{}: sampling its surface with about {:.1e} {} takes a while", e.name, e.rows, e.word));
     const double bytes = ranksHere * (e.bytesEverywhere + e.bytesShared / comm.size());
     double worst[3] = {bytes / here, bytes, -here};
     MPI_Allreduce(MPI_IN_PLACE, worst, 3, MPI_DOUBLE, MPI_MAX, comm.handle());
-    const bool many = e.rows > mostRowsOfKind;
+    const bool many = e.rows > mostRowsPerBody;
     if (!(worst[0] > 1) && !many) continue;
-    const double fits = 1.1 * e.spacing * std::sqrt(std::max(worst[0], e.rows / mostRowsOfKind));
+    const double fits = 1.1 * e.spacing * std::sqrt(std::max(worst[0], e.rows / mostRowsPerBody));
     problems.add(
         e.where,
         fmt::format("{}: at a spacing of {:.3g} m it would have about {:.1e} {}, which take {:.3g} GB on a "

@@ -19,8 +19,8 @@ void requireMemory(const Communicator& comm, const World& world,
 /// Refuses oriented bodies and sheets that cannot fit into memory. Must be called before the world is
 /// prepared, which makes them. Throws ShapeError with a line for each such body, at its place in the scene.
 /// Returns a line for each body whose sampling takes a while. Collective.
-std::vector<std::string> requireRoomForKinds(const Communicator& comm, const Scene& scene,
-                                             const MeshLoader& load);
+std::vector<std::string> requireMemoryForBodyTypes(const Communicator& comm, const Scene& scene,
+                                                   const MeshLoader& load);
 
 /// Returns the expected number of surfels at the start of bodies of these shapes.
 double expectedSurfels(const Scene& scene, const std::vector<std::shared_ptr<const SignedDistance>>& shapes);

@@ -23,15 +23,15 @@ const char* nameOf(Quality q) {
 
 std::string resolutionLine(const Scene& s, const std::vector<std::string>& overrides) {
   std::string line = fmt::format("spacing {:g} m", s.spacing);
-  std::size_t told = 0;
+  std::size_t listed = 0;
   const auto add = [&](const auto& bodies, const char* what) {
     for (const auto& b : bodies)
-      if (b.spacing > 0 && ++told <= mostBodies)
+      if (b.spacing > 0 && ++listed <= mostBodies)
         line += fmt::format(", {} '{}' {:g} m", what, b.name, b.spacing);
   };
   add(s.oriented, "oriented body");
   add(s.sheets, "sheet");
-  if (told > mostBodies) line += fmt::format(", and {} more with their own", told - mostBodies);
+  if (listed > mostBodies) line += fmt::format(", and {} more with their own", listed - mostBodies);
   if (s.surface.on) line += fmt::format(", surfels {:g} m", surfelSpacing(s));
   line += fmt::format("; quality {}", nameOf(s.quality));
   std::string by;

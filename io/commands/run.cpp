@@ -14,7 +14,7 @@
 #include "io/commands/resolution_line.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/commands/short_text.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/run/ledger_log.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/retry.hpp"
@@ -32,7 +32,7 @@ namespace {
 /// Runs the step loop. Returns the exit code; sets `why` to the reason of a stop or failure.
 int loop(Run& r, std::string& why) {
   World& w = r.world;
-  StopWatch watch = stopWatchOf(r);
+  StopMonitor watch = stopMonitorOf(r);
   WorkMeter meter;
   while (w.clock.time < w.clock.end && (r.options.steps < 0 || w.clock.step < r.options.steps)) {
     Requests wanted;
@@ -46,25 +46,25 @@ int loop(Run& r, std::string& why) {
     StepOutcome o = step(w, r.halos(), r.tools, wanted);
     if (r.profile) r.profile->trace.add(TraceKind::Step, 0, begin, StepTrace::Clock::now());
     // The last step is checked as well, for runs shorter than retry_every.
-    const bool good = goodStateDue(r), last = w.clock.time >= w.clock.end && w.scene.numerics.retryEvery > 0;
-    if ((good || last) && o.alarm == Alarm::None) o.alarm = lookAtBooks(r);
-    warnOfIdle(r);
-    if (o.alarm != Alarm::None) {
-      if (goBack(r, o, why)) continue;
+    const bool good = snapshotDue(r), last = w.clock.time >= w.clock.end && w.scene.numerics.retryEvery > 0;
+    if ((good || last) && o.failure == Failure::None) o.failure = checkLedgerOf(r);
+    warnOfUnused(r);
+    if (o.failure != Failure::None) {
+      if (rollBack(r, o, why)) continue;
       return exitBlewUp;
     }
     if (w.modules.surface && (frameDue(w.clock) || surfaceDue(w, o.surfaceMove2))) updateSurfaceOf(r);
     const bool row = ledgerRowDue(w, before);
     while (frameDue(w.clock)) writeFrameOf(r);
     if (row) writeLedgerRow(r);
-    if (good || w.clock.time >= w.clock.end) warnOfSunken(r);
-    if (good) acceptGoodState(r);
+    if (good || w.clock.time >= w.clock.end) warnOfInterpenetration(r);
+    if (good) acceptSnapshot(r);
     if (o.wanted.report) report(r);
     if (o.wanted.stop) {
       why = reason.empty() ? "a signal to another rank" : reason;
       return exitStopped;
     }
-    if (o.wanted.checkpoint && atGoodState(r)) writeCheckpointOf(r);
+    if (o.wanted.checkpoint && atSnapshot(r)) writeCheckpointOf(r);
     if (w.clock.step % 25 == 0) {
       r.tools.times.start();
       balance(w, *r.cells, r.tools, meter);
@@ -104,7 +104,7 @@ int simulate(Run& r) {
     std::error_code code;
     std::filesystem::remove(r.options.out + "/stop", code);  // left by the previous run
   });
-  const std::vector<std::string> slow = requireRoomForKinds(r.comm, r.world.scene, load);
+  const std::vector<std::string> slow = requireMemoryForBodyTypes(r.comm, r.world.scene, load);
   prepareWorld(r.world, r.tools, load);
   requireMemory(r.comm, r.world, r.tools.shapes);
   renewHalos(r);
@@ -125,12 +125,12 @@ int simulate(Run& r) {
   if (!r.options.restart && !r.options.resume)
     for (const std::string& line : slow) r.say(line);
   begin(r, load);
-  if (r.cutAtStart) {
+  if (r.stoppedInRelaxation) {
     const std::string why = fmt::format(
         "stopped during relaxation before the start, after {} iterations: nothing is written, and the next "
         "run starts anew",
         r.tools.oriented.relaxed);
-    noteCutAtStart(r, why);
+    summariseStoppedRelaxation(r, why);
     r.say(why);
     return exitStopped;
   }
@@ -142,7 +142,7 @@ int simulate(Run& r) {
     return exitDone;
   }
   // Write the line of this step again, with the changes of the restart.
-  if (r.resumed) onFirstRank(r.comm.handle(), [&] { cutProgressLog(r.options.out, c.step - 1); });
+  if (r.resumed) onFirstRank(r.comm.handle(), [&] { truncateProgressLog(r.options.out, c.step - 1); });
   report(r);
   summarise(r, "running", "");
   std::string why;
@@ -159,7 +159,7 @@ int simulate(Run& r) {
     why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` continues from here",
                       o.atRest         ? "reached rest"
                       : o.relaxStopped ? "was stopped"
-                      : o.gotNowhere   ? "made no further progress"
+                      : o.relaxStalled ? "made no further progress"
                                        : "did not reach rest",
                       o.relaxed);
   } else if (code == exitDone && c.time < c.end) {
@@ -167,12 +167,12 @@ int simulate(Run& r) {
   }
   if (code == exitDone || code == exitStopped) {
     if (c.step != r.stepAtReport) report(r);
-    leaveGoodState(r);
+    writeLastSnapshot(r);
     writeCheckpointOf(r);
     warnOfThinLiquid(r);
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
-  const std::size_t told = r.summary.warnings.size();
+  const std::size_t earlierWarnings = r.summary.warnings.size();
   r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} rank{}, {:.1f} s",
                     r.summary.status, r.world.clock.time, r.world.clock.step,
                     why.empty() ? "" : " (" + why + ")", r.summary.particleSteps / r.summary.wall / 1e6,
@@ -180,9 +180,9 @@ int simulate(Run& r) {
   for (const std::string& line : surfaceLines(r.summary.surface)) r.say(line);
   for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.warn(w);
   for (const std::string& w : surfaceWarnings(r.summary.surface)) r.warn(w);
-  if (told > 0)
-    r.say(fmt::format("{} warning{} above {} also in {}/summary.json", told, told == 1 ? "" : "s",
-                      told == 1 ? "is" : "are", r.options.out));
+  if (earlierWarnings > 0)
+    r.say(fmt::format("{} warning{} above {} also in {}/summary.json", earlierWarnings,
+                      earlierWarnings == 1 ? "" : "s", earlierWarnings == 1 ? "is" : "are", r.options.out));
   return code;
 }
 
@@ -262,7 +262,7 @@ int runCommand(const RunOptions& given) {
   Run run(options, comm);
   const auto failed = [&](const std::string& message, int code) {
     if (run.first()) std::fprintf(stderr, "%s\n", message.c_str());
-    noteFailure(run, message, true);
+    summariseFailure(run, message, true);
     return code;
   };
   try {
@@ -273,7 +273,7 @@ int runCommand(const RunOptions& given) {
     // broken invariant.
     const bool alike = !run.stepping && dynamic_cast<const std::runtime_error*>(&e) != nullptr;
     if (alike) return failed(options.scene + ": error: " + e.what(), exitUsage);
-    noteFailure(run, e.what(), false);
+    summariseFailure(run, e.what(), false);
     std::fprintf(stderr, "error: rank %d: %s\n", comm.rank(), e.what());
     lock.release();
     MPI_Abort(comm.handle(), 1);

@@ -14,8 +14,8 @@ void broadcast(const Communicator& comm, std::string& text) {
   std::uint64_t n = text.size();
   MPI_Bcast(&n, 1, MPI_UINT64_T, 0, comm.handle());
   text.resize(n);
-  for (std::size_t done = 0; done < n; done += comm.piece())  // in chunks, since MPI counts in 32 bits
-    MPI_Bcast(text.data() + done, static_cast<int>(std::min(comm.piece(), n - done)), MPI_CHAR, 0,
+  for (std::size_t done = 0; done < n; done += comm.chunk())  // in chunks, since MPI counts in 32 bits
+    MPI_Bcast(text.data() + done, static_cast<int>(std::min(comm.chunk(), n - done)), MPI_CHAR, 0,
               comm.handle());
 }
 

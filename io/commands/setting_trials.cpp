@@ -7,12 +7,12 @@
 #include <cmath>
 #include <memory>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 #include "core/ledger/report.hpp"
 #include "core/setup/setup.hpp"
 #include "io/commands/frontier.hpp"
 #include "io/commands/scene_for_all.hpp"
-#include "io/run/alarm_text.hpp"
+#include "io/run/failure_text.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
 
@@ -57,27 +57,27 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
   prepareWorld(w, t, meshLoader());
   MpiCellHalo cells(comm_, w.grid);
   MpiBondHalo bonds(comm_), edges(comm_);
-  std::unique_ptr<MpiCellHalo> kinds[kindCount];
-  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
+  std::unique_ptr<MpiCellHalo> kinds[bodyTypeCount];
+  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
     kinds[kind] = std::make_unique<MpiCellHalo>(comm_, w.grid);
   });
-  const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
+  const Halos halos{all, cells, bonds, {kinds[orientedType].get(), kinds[sheetType].get()}, &edges};
   startWorld(w, halos, t, meshLoader());
   for (int n = 0; n < steps_ && w.clock.time < w.clock.end; n++) {
     StepOutcome o = step(w, halos, t, {});
     const bool last = n + 1 == steps_ || w.clock.time >= w.clock.end;
-    LedgerReport books;
-    if (last && o.alarm == Alarm::None) {
-      books = reportLedger(w, t, all);
-      o.alarm = checkBooks(w, t.watch, books, all);
+    LedgerReport ledger;
+    if (last && o.failure == Failure::None) {
+      ledger = reportLedger(w, t, all);
+      o.failure = checkEnergyBudget(w, t.watch, ledger, all);
     }
-    if (o.alarm != Alarm::None) {
-      r.failure = fmt::format("step {}: {}", w.clock.step, exceeded(w, t, o));
+    if (o.failure != Failure::None) {
+      r.failure = fmt::format("step {}: {}", w.clock.step, failedCheck(w, t, o));
       return r;
     }
     if (last)
-      r = {"", books.energyResidual, std::max(books.energyScale, books.energyRounding), w.counters.left,
-           books.particles};
+      r = {"", ledger.energyResidual, std::max(ledger.energyScale, ledger.energyRounding), w.counters.left,
+           ledger.particles};
   }
   all.sum({&r.left, 1});
   return r;

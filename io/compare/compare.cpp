@@ -9,7 +9,7 @@
 #include <limits>
 #include <map>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 
 namespace thaw {
 namespace {
@@ -247,18 +247,18 @@ void compareNumbers(const Snapshot& a, const Snapshot& b, const CompareRule& rul
       result.general.push_back(fmt::format("{} is in B only", y.name));
 }
 
-constexpr std::size_t mostOfAKind = 4;
+constexpr std::size_t mostPerGroup = 4;
 
 /// Adds the first lines of each group, by first word, in order of appearance: dissimilar scenes differ in
 /// hundreds of values.
-void addFewOfEachKind(const std::vector<std::string>& all, std::vector<std::string>& lines) {
+void addFewPerGroup(const std::vector<std::string>& all, std::vector<std::string>& lines) {
   const auto kindOf = [](const std::string& line) { return line.substr(0, line.find_first_of(".: ") + 1); };
-  std::map<std::string, std::size_t> told;
+  std::map<std::string, std::size_t> shown;
   for (const std::string& line : all)
-    if (told[kindOf(line)]++ < mostOfAKind) lines.push_back(line);
-  for (const auto& [kind, count] : told)
-    if (count > mostOfAKind)
-      lines.push_back(fmt::format("... and {} more of {} (--all lists them)", count - mostOfAKind,
+    if (shown[kindOf(line)]++ < mostPerGroup) lines.push_back(line);
+  for (const auto& [kind, count] : shown)
+    if (count > mostPerGroup)
+      lines.push_back(fmt::format("... and {} more of {} (--all lists them)", count - mostPerGroup,
                                   kind.substr(0, kind.size() - 1)));
 }
 
@@ -282,7 +282,8 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
     // first table with common ids
     if (result.rows == 0 && (&ta == a.tables.data() || !both.empty()))
       result.rows = both.size(), result.title = ta.title;
-    else if (ta.title == "surfels" || ta.title == kindNames[orientedKind] || ta.title == kindNames[sheetKind])
+    else if (ta.title == "surfels" || ta.title == bodyTypeNames[orientedType] ||
+             ta.title == bodyTypeNames[sheetType])
       result.kinds.push_back({ta.title, both.size()});
     if (ta.ids.empty() && tb->ids.empty()) continue;
     eachColumn(ta.title, ta.columns, tb->columns, result,
@@ -310,7 +311,7 @@ std::vector<std::string> describe(const Comparison& c, bool all) {
   if (c.equal()) return {"equal: " + compared};
   std::vector<std::string> lines{"different"};
   if (all) lines.insert(lines.end(), c.general.begin(), c.general.end());
-  else addFewOfEachKind(c.general, lines);
+  else addFewPerGroup(c.general, lines);
   if (!c.fields.empty()) {
     const auto first = std::min_element(
         c.fields.begin(), c.fields.end(),

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "core/ledger/totals.hpp"
+#include "io/output/body_type_frame.hpp"
 #include "io/output/checkpoint.hpp"
-#include "io/output/kind_frame.hpp"
 
 namespace thaw {
 namespace {
@@ -45,7 +45,7 @@ void openFrame(Snapshot& s) {
   s.numbers = {real("time", "s", info.time), whole("step", info.step)};
   const std::string group = "/VTKHDF/PointData";
   if (!s.file.has(group + "/id")) throw IoError(s.file.path(), "has no ids");
-  SnapshotTable t = tableOf(s.file, titleOfFrame(s.file), group, {"rank"});
+  SnapshotTable t = tableOf(s.file, pointTypeOf(s.file), group, {"rank"});
   t.columns.insert(t.columns.begin(), {"position", "/VTKHDF/Points", "m", info.fields[0].shape});
   s.tables.push_back(std::move(t));
 }
@@ -79,7 +79,7 @@ void openCheckpoint(Snapshot& s) {
     s.tables.push_back(tableOf(s.file, "components", "/surface/components", {}));
     s.tables.push_back(tableOf(s.file, "events", "/surface/events", {}));
   }
-  for (const char* kind : kindNames)
+  for (const char* kind : bodyTypeNames)
     if (const std::string group = std::string("/") + kind; s.file.has(group + "/id"))
       s.tables.push_back(tableOf(s.file, kind, group, {}));
   if (!s.file.has("/solids/id")) return;

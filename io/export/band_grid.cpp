@@ -48,7 +48,7 @@ std::int32_t BandGrid::at(const Corner& c) const {
   return block < 0 ? block : kept_[static_cast<std::size_t>(block)].slot[within(c)];
 }
 
-void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
+void BandGrid::classify(const std::vector<std::uint8_t>& isInside) {
   // Nodes of a set: single corners of stored blocks, and whole blocks that are not stored (named by their
   // first corner).
   struct Node {
@@ -98,7 +98,7 @@ void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
               reach(next, mark);
           }
   };
-  const auto settleFrom = [&](const Corner& first) {
+  const auto classifyFrom = [&](const Corner& first) {
     set.clear();
     votes = 0, border = false;
     reach(first, outside);
@@ -120,7 +120,7 @@ void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
       for (const int step : {-1, 1}) {
         Corner next = corners_[s];
         next[a] += step;
-        if (next[a] >= first_[a] && next[a] <= last_[a] && at(next) == open) settleFrom(next);
+        if (next[a] >= first_[a] && next[a] <= last_[a] && at(next) == open) classifyFrom(next);
       }
   if (corners_.empty()) std::fill(table_.begin(), table_.end(), outside);
 }

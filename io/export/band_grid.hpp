@@ -52,7 +52,7 @@ class BandGrid {
 
   /// Classifies corners without a slot, by connected set: each is inside if most adjacent slots are
   /// (isInside, one per slot). Sets that reach a border without a cut are outside.
-  void settle(const std::vector<std::uint8_t>& isInside);
+  void classify(const std::vector<std::uint8_t>& isInside);
 
  private:
   struct Block {

@@ -52,12 +52,12 @@ struct BandMarcher {
     return {place->second, fresh};
   }
 
-  void add(const Vec3d& x, const Vec3f& normal, const Vec3f& colour, int held) {
+  void add(const Vec3d& x, const Vec3f& normal, const Vec3f& colour, int fixedAxes) {
     out.mesh.mesh.vertices.push_back(x);
     const float l = std::sqrt(dot(normal, normal));
     out.mesh.normals.push_back(l > 0 ? normal / l : Vec3f{0, 0, 1});
     out.mesh.colours.push_back(colour);
-    out.held.push_back(static_cast<std::uint8_t>(held));
+    out.fixedAxes.push_back(static_cast<std::uint8_t>(fixedAxes));
   }
 
   /// Returns the vertex of a cap at an inside corner, the same for all edges that lead beyond the cut.
@@ -160,7 +160,7 @@ MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneF
   return std::move(marcher.out);
 }
 
-void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing) {
+void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing) {
   ComponentMesh& m = band.mesh;
   TriangleMesh& mesh = m.mesh;
   DisjointSets sets(mesh.vertices.size());
@@ -173,7 +173,7 @@ void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing) {
                                6;
   std::vector<double> area(volume.size(), 0.0), onDiscs(volume.size(), 0.0);
   for (const auto& t : mesh.triangles) {
-    if (band.held[t[0]] & band.held[t[1]] & band.held[t[2]]) continue;  // on a cut
+    if (band.fixedAxes[t[0]] & band.fixedAxes[t[1]] & band.fixedAxes[t[2]]) continue;  // on a cut
     const std::uint32_t shell = sets.find(t[0]);
     const double size = length(
         cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
@@ -184,7 +184,7 @@ void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing) {
   double largest = 0;
   for (const double v : volume) largest = std::max(largest, std::abs(v));
   const double least = std::min(largest, 2 * spacing * spacing * spacing);
-  const auto isCrumb = [&](std::uint32_t v) {
+  const auto isFragment = [&](std::uint32_t v) {
     const std::uint32_t shell = sets.find(v);
     return std::abs(volume[shell]) < least ||
            (std::abs(volume[shell]) < largest && onDiscs[shell] < 0.5 * area[shell]);
@@ -192,15 +192,15 @@ void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing) {
   std::vector<std::uint32_t> number(mesh.vertices.size());
   std::uint32_t kept = 0;
   for (std::uint32_t v = 0; v < number.size(); v++) {
-    if (isCrumb(v)) continue;
+    if (isFragment(v)) continue;
     mesh.vertices[kept] = mesh.vertices[v], m.colours[kept] = m.colours[v], m.normals[kept] = m.normals[v],
-    band.held[kept] = band.held[v];
+    band.fixedAxes[kept] = band.fixedAxes[v];
     number[v] = kept++;
   }
-  std::erase_if(mesh.triangles, [&](const auto& t) { return isCrumb(t[0]); });
+  std::erase_if(mesh.triangles, [&](const auto& t) { return isFragment(t[0]); });
   for (auto& t : mesh.triangles)
     for (std::uint32_t& v : t) v = number[v];
-  mesh.vertices.resize(kept), m.colours.resize(kept), m.normals.resize(kept), band.held.resize(kept);
+  mesh.vertices.resize(kept), m.colours.resize(kept), m.normals.resize(kept), band.fixedAxes.resize(kept);
 }
 
 }  // namespace thaw

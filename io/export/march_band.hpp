@@ -18,8 +18,8 @@ struct BandField {
 struct MarchedBand {
   static constexpr std::uint8_t onCap = 8;
   ComponentMesh mesh;
-  std::vector<std::uint8_t> held;  ///< per vertex: bits of the axes on whose cut it lies, and onCap inside a
-                                   ///< cap
+  std::vector<std::uint8_t> fixedAxes;  ///< per vertex: bits of the axes on whose cut it lies, and onCap
+                                        ///< inside a cap
 };
 
 /// Marches all cubes that the surface crosses. At a cut the inside ends with a flat cap on the plane, with a
@@ -30,6 +30,6 @@ MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneF
 /// Removes spurious closed shells next to a larger one. One test is a volume below two cubes, since nearest
 /// surfels may disagree at sharp edges. The other is less than half of the area on discs: for bubbles and
 /// fragments in narrow creases it is about a tenth, for real surfaces nearly all.
-void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing);
+void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing);
 
 }  // namespace thaw

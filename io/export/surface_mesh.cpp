@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "io/export/march_band.hpp"
-#include "io/export/straddle.hpp"
+#include "io/export/offset_vertices.hpp"
 
 namespace thaw {
 
@@ -134,10 +134,10 @@ Patch patchOf(const SurfaceFrame& frame, const ComponentRows& component, const s
   std::vector<std::uint32_t> rows;
   for (const std::uint32_t i : component.rows)
     if (usable(frame, i)) rows.push_back(i);
-  WholeComponent whole = wholeComponent(frame, rows, sides);
+  UnwrappedComponent whole = unwrapComponent(frame, rows, sides);
   Patch p;
   p.sides = sides;
-  p.cut = whole.round;
+  p.cut = whole.selfJoined;
   for (std::size_t k = 0; k < rows.size(); k++) {
     const std::uint32_t i = rows[k];
     p.frame.normals.push_back(frame.normals[i]);
@@ -185,11 +185,11 @@ ComponentMesh meshAt(const Patch& p, double spacing) {
   addPlanes(p, grid, field);
   std::vector<std::uint8_t> isInside(grid.slots());
   for (std::size_t s = 0; s < isInside.size(); s++) isInside[s] = field.value[s] < 0;
-  grid.settle(isInside);
+  grid.classify(isInside);
   const PlaneField planes(p.frame, p.rows, grid.spacing());
   MarchedBand band = marchBand(grid, field, planes, p.meanColour);
-  dropCrumbs(band, planes, grid.spacing());
-  straddle(band, 0.1 * grid.spacing());
+  removeFragments(band, planes, grid.spacing());
+  offsetVertices(band, 0.1 * grid.spacing());
   return std::move(band.mesh);
 }
 

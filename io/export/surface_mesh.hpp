@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/geometry/triangle_mesh.hpp"
-#include "io/export/whole_component.hpp"
+#include "io/export/unwrap_component.hpp"
 #include "io/output/read_surface_frame.hpp"
 
 namespace thaw {
@@ -34,10 +34,10 @@ std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame);
 /// curvature by the mean normal, over near surfels whose normals agree with the nearest one's. Marching
 /// tetrahedra use cubes of edge `cell` times the mean radius, at most 0.15 of the component's size, and
 /// halved up to three times if a component yields no triangle. Vertices lie on the zero set up to the offset
-/// of straddle.hpp. `colours`: one per surfel of the frame, copied to vertices. Returns no triangles if the
-/// component encloses nothing at an eighth of the edge. Memory scales with the number of surfels. Across
-/// periodic sides the mesh is unwrapped (whole_component.hpp); a component that joins its own image is cut
-/// there.
+/// of offset_vertices.hpp. `colours`: one per surfel of the frame, copied to vertices. Returns no triangles
+/// if the component encloses nothing at an eighth of the edge. Memory scales with the number of surfels.
+/// Across periodic sides the mesh is unwrapped (unwrap_component.hpp); a component that joins its own image
+/// is cut there.
 ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& component,
                               const std::vector<Rgb>& colours, const PeriodicSides& sides = {},
                               double cell = 1);

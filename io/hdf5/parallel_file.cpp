@@ -236,7 +236,7 @@ void writeParallelFile(const std::string& path, MPI_Comm comm, const ParallelFil
     {
       // opening is collective and fails on all ranks or none; the writes before closing are independent
       std::vector<H5File> file;
-      agreeOn(comm, [&] { file.push_back(H5File::openToFill(part, comm)); });
+      runCollectively(comm, [&] { file.push_back(H5File::openToFill(part, comm)); });
       std::string problem;
       try {
         for (const SpreadDataset& d : content.datasets)
@@ -256,7 +256,7 @@ void writeParallelFile(const std::string& path, MPI_Comm comm, const ParallelFil
       }
       agree(comm, problem);
     }
-    if (content.checked) agreeOn(comm, [&] { verifyRows(part, content); });
+    if (content.checked) runCollectively(comm, [&] { verifyRows(part, content); });
     onFirstRank(comm, [&] {
       appendTrailer(part, verifyLayout(part, content));
       renameFile(part, path, content.checked);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/h5_file.hpp"
 
 namespace thaw {

@@ -112,7 +112,7 @@ struct ObjReader {
                                  ", but the file has " + std::to_string(count) + " " + plural);
   }
 
-  void takeNormals() {
+  void assignNormals() {
     if (largestNormal.index == 0) return;
     mesh.normals.resize(normalsOf.size());
     for (std::size_t t = 0; t < normalsOf.size(); t++)
@@ -134,7 +134,7 @@ struct ObjReader {
     if (!mesh.colours.empty()) mesh.colours.resize(mesh.vertices.size(), 0xffffffu);
     expectAll(largest, mesh.vertices.size(), "vertex", "vertices");
     expectAll(largestNormal, normals.size(), "normal", "normals");
-    takeNormals();
+    assignNormals();
   }
 };
 

@@ -161,7 +161,7 @@ struct PlyReader {
       }
   }
 
-  void giveNormals() {
+  void assignNormals() {
     if (normals.empty()) return;
     mesh.normals.reserve(mesh.triangles.size());
     for (const auto& t : mesh.triangles)
@@ -196,7 +196,7 @@ TriangleMesh parsePly(std::string_view content, const std::string& file) {
     else if (&e == faces) reader.readFaces(e);
     else reader.skipElement(e);
   }
-  reader.giveNormals();
+  reader.assignNormals();
   return std::move(reader.mesh);
 }
 

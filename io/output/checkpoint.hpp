@@ -1,6 +1,6 @@
 // Checkpoints: the whole state in full precision, in two files in turn (OUT/checkpoint/a.hdf, b.hdf).
 // One complete file thus always exists. Any number of ranks writes and reads them. A run that stops between
-// two snapshots (core/watch/) leaves the last snapshot beside them, good_<step>.hdf, for a later rollback.
+// two snapshots (core/monitor/) leaves the last snapshot beside them, good_<step>.hdf, for a later rollback.
 //   /checkpoint          @format @sequence @step @frame @time @end @every @dt ...; counters, ledger, initial,
 //                        values
 //   /particles/<field>[N, c]   State columns of Continuum, in the order of (rank, row)
@@ -10,7 +10,7 @@
 //   /order                     solid_particle[M]: row of the particle; first_bond[M]: row of the first bond
 //   /surfels/<field>[S, c]     State columns of Surfels, with a surface
 //   /surface                   @last_step, counters; components/<member>[K], events/<member>[E]
-//   /oriented/<field>, /sheet/<field>   State columns of oriented bodies and sheets (core/kinds/)
+//   /oriented/<field>, /sheet/<field>   State columns of oriented bodies and sheets (core/body_types/)
 // Every dataset with rows of all ranks has a checksum. The trailer of the file (io/hdf5/file_trailer.hpp) has
 // one of all other bytes, which is compared before HDF5 opens the file.
 #pragma once
@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
+#include "core/monitor/snapshot.hpp"
 #include "core/solid/bond_records.hpp"
-#include "core/watch/good_state.hpp"
 #include "core/world.hpp"
 #include "io/output/frame.hpp"
 
@@ -54,13 +54,13 @@ struct CheckpointHeader {
   Clock clock;                ///< without limitedBy
   std::string limitedBy;
   std::uint64_t particles = 0, solids = 0, bonds = 0, surfels = 0;
-  std::array<std::optional<std::uint64_t>, kindCount> kinds;  ///< rows of oriented bodies and sheets, if the
-                                                              ///< file has them
+  std::array<std::optional<std::uint64_t>, bodyTypeCount> kinds;  ///< rows of oriented bodies and sheets, if
+                                                                  ///< the file has them
   bool twoFrames = false;  ///< bonds have a reference at both ends; else all refer to one configuration
   Counters counters;
   Ledger ledger;
   SurfaceRecord surface;
-  WatchState watch;  ///< goodStep is -1 in files of versions without it
+  MonitorState watch;  ///< snapshotStep is -1 in files of versions without it
   CheckpointValues values;
   std::string code, commit, sceneName, sceneText;
   std::int64_t ranks = 0;
@@ -76,9 +76,11 @@ struct CheckpointSlice {
   Surfels surfels;                       ///< surfels [r S/P, (r+1) S/P)
   Oriented oriented;                     ///< active columns as above; unsorted
   Sheets sheets;
-  KindRows& kind(std::size_t k) { return k == orientedKind ? static_cast<KindRows&>(oriented) : sheets; }
-  const KindRows& kind(std::size_t k) const {
-    return k == orientedKind ? static_cast<const KindRows&>(oriented) : sheets;
+  BodyTypeRows& kind(std::size_t k) {
+    return k == orientedType ? static_cast<BodyTypeRows&>(oriented) : sheets;
+  }
+  const BodyTypeRows& kind(std::size_t k) const {
+    return k == orientedType ? static_cast<const BodyTypeRows&>(oriented) : sheets;
   }
   std::vector<std::string> warnings;  ///< about newer files that could not be used
 };
@@ -90,17 +92,17 @@ struct CheckpointSlice {
 std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& world, const RunStamp& stamp,
                             const CheckpointValues& values = {});
 
-std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const GoodState& kept,
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const Snapshot& kept,
                             const RunStamp& stamp, const CheckpointValues& values = {});
 
 /// Writes the snapshot of a checkpoint between two snapshots to OUT/checkpoint/good_<step>.hdf, in the same
 /// format. It comes before that checkpoint, which thus never names a missing file.
-std::string writeGoodState(const std::string& out, MPI_Comm comm, const GoodState& kept,
-                           const RunStamp& stamp, const CheckpointValues& values = {});
-std::string goodStatePath(const std::string& out, std::int64_t step);
+std::string writeSnapshot(const std::string& out, MPI_Comm comm, const Snapshot& kept, const RunStamp& stamp,
+                          const CheckpointValues& values = {});
+std::string snapshotFilePath(const std::string& out, std::int64_t step);
 
 /// Removes snapshots that neither checkpoint of a run folder needs. One process only.
-void dropUnusedGoodStates(const std::string& out);
+void dropUnusedSnapshots(const std::string& out);
 
 /// Reads the share of each rank of a checkpoint and compares checksums. Throws the same IoError on all ranks
 /// if it is damaged. Collective.
@@ -113,9 +115,9 @@ std::unique_ptr<CheckpointSlice> readNewestCheckpoint(const std::string& out, MP
 /// Restores a world from a checkpoint: particles (rows in the order of the file, without solid indices),
 /// clock (end and frame interval remain those of the scene), counters and ledger (on the first rank; zero on
 /// others, so that sums are right). Returns records of the solids for MpiBondHalo::adopt. Surfels are
-/// unsorted, for resumeSurface (core/surface/resume_surface.hpp). Sort, adopt and relink before particles
-/// migrate, so that bonds move with them. Throws IoError if the file lacks a field that the scene needs.
-/// Requires: the fields of the scene are active. Not collective; fails alike on all ranks.
+/// unsorted, for resumeSurface (core/surface/resume_surface.hpp). Sort, adopt and rebuildBonds before
+/// particles migrate, so that bonds move with them. Throws IoError if the file lacks a field that the scene
+/// needs. Requires: the fields of the scene are active. Not collective; fails alike on all ranks.
 std::vector<std::byte> restoreWorld(World& world, const CheckpointSlice& slice, bool firstRank);
 
 /// Reads the header of a file. One process only.

@@ -15,7 +15,7 @@ bool holdsRun(const std::string& out) {
   return filled("frames") || filled("checkpoint");
 }
 
-bool setAsideEarlierRun(const std::string& out) {
+bool moveEarlierRunAside(const std::string& out) {
   if (!holdsRun(out)) return false;
   std::error_code error;
   const std::string aside = out + "/" + earlierRunFolder;

@@ -11,6 +11,6 @@ bool holdsRun(const std::string& out);
 
 /// Moves frames, checkpoints, pictures, logs and the summary of `out` to out/previous, and removes its old
 /// content. Returns false if `out` holds no run. One process only. Throws IoError.
-bool setAsideEarlierRun(const std::string& out);
+bool moveEarlierRunAside(const std::string& out);
 
 }  // namespace thaw

@@ -18,7 +18,7 @@ void put6(const Sym3d& s, float* to) {
 /// Returns the number of bonds of a solid.
 std::uint16_t bondsOf(const Bonds& b, std::uint32_t slot) {
   std::uint16_t count = 0;
-  for (int k = 0; k < b.capacity; k++) count = static_cast<std::uint16_t>(count + b.there(slot, k));
+  for (int k = 0; k < b.capacity; k++) count = static_cast<std::uint16_t>(count + b.hasBond(slot, k));
   return count;
 }
 
@@ -70,8 +70,8 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
       if (slot != noSlot && s.deformation.active) {
         const Mat3d& F = s.deformation[slot];
         share = 1 / determinant(s.plasticInverse.active ? F + F * s.plasticInverse[slot] : F);
-      } else if (p.filling.active && (!p.phase.active || p.phase[i] == Liquid))
-        share = static_cast<double>(p.filling[i]);
+      } else if (p.relativeDensity.active && (!p.phase.active || p.phase[i] == Liquid))
+        share = static_cast<double>(p.relativeDensity[i]);
       *to = static_cast<float>(materials[p.material[i]].density * share);
     });
   } else if (name == "pressure") {

@@ -1,5 +1,5 @@
+#include "io/output/body_type_frame.hpp"
 #include "io/output/frame_rows.hpp"
-#include "io/output/kind_frame.hpp"
 
 namespace thaw {
 

@@ -125,8 +125,8 @@ CheckpointHeader headerOf(const H5File& file) {
     h.surfels = file.shape("/surfels/id").rows;
     h.surface = readSurfaceRecord(file);
   }
-  for (std::size_t k = 0; k < kindCount; k++)
-    if (const std::string ids = std::string("/") + kindNames[k] + "/id"; file.has(ids))
+  for (std::size_t k = 0; k < bodyTypeCount; k++)
+    if (const std::string ids = std::string("/") + bodyTypeNames[k] + "/id"; file.has(ids))
       h.kinds[k] = file.shape(ids).rows;
   for (const NamedCount& c : countsOf(h.counters))
     if (file.hasAttribute(at + "/counters", c.name)) *c.count = file.integer(at + "/counters", c.name);
@@ -188,7 +188,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
   auto slice = std::make_unique<CheckpointSlice>();
   std::vector<std::uint64_t> read, stored;
   std::vector<std::string> names;
-  agreeOn(comm, [&] {
+  runCollectively(comm, [&] {
     const H5File file = H5File::openToRead(path, Trailer::MustBe);
     CheckpointSlice& s = *slice;
     s.header = headerOf(file);
@@ -210,9 +210,9 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
         throw IoError(path, "is damaged: solids do not belong to their particles");
     readBonds(in, s, solids);
     if (h.surface.there) readTable(in, "/surfels", s.surfels, share(h.surfels, rank, ranks), h.surfels);
-    for (std::size_t k = 0; k < kindCount; k++)
+    for (std::size_t k = 0; k < bodyTypeCount; k++)
       if (h.kinds[k])
-        readTable(in, std::string("/") + kindNames[k], s.kind(k), share(*h.kinds[k], rank, ranks),
+        readTable(in, std::string("/") + bodyTypeNames[k], s.kind(k), share(*h.kinds[k], rank, ranks),
                   *h.kinds[k]);
     read = std::move(in.read);
     stored = std::move(in.stored);
@@ -278,7 +278,7 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   takeOver(s.particles, p);
   if (w.surface.surfels.id.active) takeOver(s.surfels, w.surface.surfels);
   restoreSurfaceRecord(h.surface, w.surface);
-  eachKind(w, [&](std::size_t kind, KindRows& r, const CellTable&) { takeOver(s.kind(kind), r); });
+  forEachBodyType(w, [&](std::size_t kind, BodyTypeRows& r, const CellTable&) { takeOver(s.kind(kind), r); });
   if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
 
   const double end = w.clock.end, every = w.clock.every;

@@ -99,8 +99,8 @@ std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string
   return entries;
 }
 
-void forgetSeries(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries,
-                  double time) {
+void removeFramesAfter(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries,
+                       double time) {
   std::vector<std::string> gone;
   for (; !entries.empty() && entries.back().time > time; entries.pop_back())
     gone.push_back(entries.back().name);

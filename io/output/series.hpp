@@ -36,8 +36,8 @@ std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string
 
 /// Removes frames after `time` (s): first from the index, which never names a missing file, then from disk.
 /// One process only.
-void forgetSeries(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries,
-                  double time);
+void removeFramesAfter(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries,
+                       double time);
 
 /// Returns all indices in a folder of frames or of a run, ascending by name.
 std::vector<std::string> findSeries(const std::string& folder);

@@ -1,8 +1,8 @@
 #include <array>
 
 #include "core/sheet/inner_forces.hpp"
+#include "io/output/body_type_frame.hpp"
 #include "io/output/frame_rows.hpp"
-#include "io/output/kind_frame.hpp"
 
 namespace thaw {
 

@@ -4,7 +4,8 @@
 
 namespace thaw {
 
-/// Returns the record of a surface; `there` is false if the scene has none and keepState has not filled it.
+/// Returns the record of a surface; `there` is false if the scene has none and takeSnapshot has not filled
+/// it.
 SurfaceRecord surfaceRecordOf(const Surface& surface);
 void restoreSurfaceRecord(const SurfaceRecord& record, Surface& surface);
 

@@ -28,7 +28,7 @@ SolidOrder orderSolids(const World& w, std::uint64_t firstRow) {
     o.slots.push_back(slot);
     o.particle.push_back(firstRow + i);
     o.firstBond.push_back(bonds);
-    for (int k = 0; k < w.bonds.capacity; k++) bonds += w.bonds.there(slot, k);
+    for (int k = 0; k < w.bonds.capacity; k++) bonds += w.bonds.hasBond(slot, k);
   }
   o.firstBond.push_back(bonds);
   return o;
@@ -43,7 +43,7 @@ void eachBond(const Bonds& bonds, const SolidOrder& order, const RowRange& range
                       1;
   for (std::uint64_t at = order.firstBond[solid]; at < range.first + range.count; solid++)
     for (int k = 0; k < bonds.capacity && at < range.first + range.count; k++) {
-      if (!bonds.there(order.slots[solid], k)) continue;
+      if (!bonds.hasBond(order.slots[solid], k)) continue;
       if (at >= range.first) use(at - range.first, bonds.at(order.slots[solid], k));
       at++;
     }
@@ -110,7 +110,7 @@ void addBonds(ParallelFileContent& content, const World& w, const SolidOrder& or
 }
 
 void writeHeader(H5File& file, const CheckpointHeader& h) {
-  WatchState watch = h.watch;
+  MonitorState watch = h.watch;
   const std::string at = "/checkpoint";
   file.setInteger(at, "format", checkpointFormat);
   file.setInteger(at, "sequence", h.sequence);
@@ -179,8 +179,9 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
     addColumns(content, "/surfels", w.surface.surfels, nullptr, spreadRows(comm, w.surface.surfels.owned),
                nullptr);
   }
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) {
-    addColumns(content, std::string("/") + kindNames[kind], r, nullptr, spreadRows(comm, r.owned), nullptr);
+  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& r, const CellTable&) {
+    addColumns(content, std::string("/") + bodyTypeNames[kind], r, nullptr, spreadRows(comm, r.owned),
+               nullptr);
   });
   std::vector<std::uint64_t> firstBond(order.firstBond.begin(), order.firstBond.end() - 1);
   for (std::uint64_t& f : firstBond) f += bonds.mine.first;
@@ -224,26 +225,26 @@ std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& 
   return writeNext(out, comm, w, nullptr, stamp, values);
 }
 
-std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const GoodState& kept,
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const Snapshot& kept,
                             const RunStamp& stamp, const CheckpointValues& values) {
   return writeNext(out, comm, kept.world, &kept.particles, stamp, values);
 }
 
-std::string goodStatePath(const std::string& out, std::int64_t step) {
+std::string snapshotFilePath(const std::string& out, std::int64_t step) {
   return out + "/checkpoint/good_" + std::to_string(step) + ".hdf";
 }
 
-std::string writeGoodState(const std::string& out, MPI_Comm comm, const GoodState& kept,
-                           const RunStamp& stamp, const CheckpointValues& values) {
-  const std::string path = goodStatePath(out, kept.world.clock.step);
+std::string writeSnapshot(const std::string& out, MPI_Comm comm, const Snapshot& kept, const RunStamp& stamp,
+                          const CheckpointValues& values) {
+  const std::string path = snapshotFilePath(out, kept.world.clock.step);
   writeState(path, 0, comm, kept.world, &kept.particles, stamp, values);
   return path;
 }
 
-void dropUnusedGoodStates(const std::string& out) {
+void dropUnusedSnapshots(const std::string& out) {
   std::vector<std::string> used, problems;
   for (const CheckpointHeader& h : findCheckpoints(out, &problems))
-    used.push_back(goodStatePath(out, h.watch.goodStep));
+    used.push_back(snapshotFilePath(out, h.watch.snapshotStep));
   if (!problems.empty()) return;  // an unreadable checkpoint may need one
   std::error_code error;
   std::vector<std::filesystem::path> unused;

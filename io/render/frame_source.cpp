@@ -69,7 +69,7 @@ bool ofSurface(const fs::path& frame) {
 }
 
 /// Returns the body type of a frame that is drawn with others, "sheet" for melt_sheet_000120.hdf; else "".
-std::string kindOfFrame(const fs::path& frame) {
+std::string bodyTypeOfFrame(const fs::path& frame) {
   const std::string stem = stemOf(frame);
   for (const std::string kind : {"sheet", "oriented"}) {
     if (!stem.ends_with("_" + kind)) continue;
@@ -83,10 +83,10 @@ std::string kindOfFrame(const fs::path& frame) {
 fs::path companionOf(const fs::path& frame, const std::string& kind) {
   std::string scene = stemOf(frame);
   const std::string stem = frame.stem().string(), number = stem.substr(scene.size()),
-                    own = ofSurface(frame) ? "surface" : kindOfFrame(frame);
+                    own = ofSurface(frame) ? "surface" : bodyTypeOfFrame(frame);
   if (!own.empty()) scene.resize(scene.size() - own.size() - 1);
   const fs::path other = frame.parent_path() / (scene + "_" + kind + number + ".hdf");
-  return other != frame && fs::exists(other) && kindOfFrame(other) == kind ? other : fs::path();
+  return other != frame && fs::exists(other) && bodyTypeOfFrame(other) == kind ? other : fs::path();
 }
 
 struct FolderFrames {
@@ -102,7 +102,7 @@ FolderFrames framesIn(const fs::path& folder) {
     if (index.ends_with("_oriented.hdf.series") || index.ends_with("_sheet.hdf.series")) continue;
     const std::vector<fs::path> frames = framesOfIndex(index);
     // drawn with the particles' frames
-    if (!frames.empty() && !kindOfFrame(frames.back()).empty()) continue;
+    if (!frames.empty() && !bodyTypeOfFrame(frames.back()).empty()) continue;
     const bool surface = frames.empty() ? fs::path(index).filename().string().ends_with("_surface.hdf.series")
                                         : ofSurface(frames.back());
     (surface ? found.surfaceIndices : found.particleIndices).push_back(index);
@@ -170,7 +170,7 @@ std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
 }
 
 bool drawnAsSurface(const fs::path& frame) {
-  return isSurfaceFrame(readFrameInfo(frame.string())) || kindOfFrame(frame) == "sheet" ||
+  return isSurfaceFrame(readFrameInfo(frame.string())) || bodyTypeOfFrame(frame) == "sheet" ||
          !companionOf(frame, "sheet").empty();
 }
 
@@ -211,10 +211,10 @@ void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame
 }
 
 /// Unwraps components across periodic sides, which would show their insides at the sides.
-void makeWhole(SurfaceFrame& frame, const PeriodicSides& sides) {
+void unwrapComponents(SurfaceFrame& frame, const PeriodicSides& sides) {
   if (!sides.any()) return;
   for (const ComponentRows& c : rowsByComponent(frame)) {
-    const WholeComponent whole = wholeComponent(frame, c.rows, sides);
+    const UnwrappedComponent whole = unwrapComponent(frame, c.rows, sides);
     for (std::size_t k = 0; k < c.rows.size(); k++) frame.positions[c.rows[k]] = whole.positions[k];
   }
 }
@@ -225,7 +225,7 @@ FrameView surfaceView(const fs::path& file, const std::string& field, const Peri
                       bool alone) {
   const std::string name = field == "speed" ? "velocity" : field == "glow" ? "temperature" : field;
   SurfaceFrame frame = readSurfaceFrame(file.string(), [&](const std::string& n) { return n == name; });
-  makeWhole(frame, sides);
+  unwrapComponents(frame, sides);
   FrameView view;
   view.time = frame.time;
   view.positions = inSinglePrecision(frame.positions);
@@ -268,7 +268,7 @@ void addSheets(const fs::path& file, const std::string& field, FrameView& view) 
 }
 
 /// Extends the arrays of a view of surfels, so that discs with all attributes can be added.
-void fillUp(FrameView& view) {
+void extendArrays(FrameView& view) {
   const std::size_t n = view.positions.size();
   view.values.resize(n, std::numeric_limits<float>::quiet_NaN());
   view.colours.resize(n, Rgb{188, 193, 200});
@@ -296,7 +296,7 @@ FrameView particleView(const fs::path& frame, const std::string& field, bool alo
 }  // namespace
 
 FrameView readFrameView(const fs::path& frame, const std::string& field, const PeriodicSides& sides) {
-  const std::string kind = kindOfFrame(frame);
+  const std::string kind = bodyTypeOfFrame(frame);
   if (kind == "sheet") {
     FrameView view;
     addSheets(frame, field, view);
@@ -309,17 +309,17 @@ FrameView readFrameView(const fs::path& frame, const std::string& field, const P
     return surfels ? surfaceView(frame, field, sides, true) : particleView(frame, field, true);
   FrameView view = surfels ? surfaceView(frame, field, sides, false) : particleView(frame, field, false);
   if (!surfels && !view.positions.empty()) {
-    const KeptScene scene = keptSceneOf(frame);
+    const StoredScene scene = storedSceneOf(frame);
     spheresToDiscs(view, static_cast<float>(0.6 * sceneOfText(scene.text, scene.name).spacing));
   }
-  fillUp(view);
+  extendArrays(view);
   addSheets(sheets, field, view);
   view.paint = paintOf(view, field);
   return view;
 }
 
-FrameView readWholeView(const fs::path& frame, const std::string& field, OrientedLook look, float spacing,
-                        const PeriodicSides& sides) {
+FrameView readFullView(const fs::path& frame, const std::string& field, OrientedLook look, float spacing,
+                       const PeriodicSides& sides) {
   const FrameInfo info = readFrameInfo(frame.string());
   if (isOrientedFrame(info)) {
     FrameView view;
@@ -331,11 +331,11 @@ FrameView readWholeView(const fs::path& frame, const std::string& field, Oriente
   FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string(),
                                  sides);
   if (const fs::path oriented = companionOf(frame, "oriented"); !oriented.empty())
-    addKindBeside(view, oriented, look, spacing);
+    addOrientedBeside(view, oriented, look, spacing);
   return view;
 }
 
-KeptScene keptSceneOf(const fs::path& frame) {
+StoredScene storedSceneOf(const fs::path& frame) {
   FrameData data = readFrame(frame.string(), [](const std::string&) { return false; });
   return {std::move(data.sceneName), std::move(data.sceneText)};
 }

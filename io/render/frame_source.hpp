@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/export/whole_component.hpp"
-#include "io/render/kind_view.hpp"
+#include "io/export/unwrap_component.hpp"
+#include "io/render/oriented_view.hpp"
 #include "io/render/render_frames.hpp"
 
 namespace thaw {
@@ -30,7 +30,7 @@ std::vector<std::string> fieldsOf(const std::filesystem::path& frame, bool withS
 /// ReadFrame for VTKHDF frames. The field "speed" is the length of "velocity". For surfels, "surface" selects
 /// their own colours, and "glow" blends them into colours of temperature. Sheets of the same time
 /// (NAME_sheet_000120.hdf) are drawn with surfels or particles; particles then become balls of discs.
-/// Components across periodic sides are unwrapped (whole_component.hpp), unless they join their own image.
+/// Components across periodic sides are unwrapped (unwrap_component.hpp), unless they join their own image.
 /// Throws IoError with file and cause: not HDF5, truncated, not a frame, or unknown field (with the available
 /// ones).
 FrameView readFrameView(const std::filesystem::path& frame, const std::string& field,
@@ -38,13 +38,13 @@ FrameView readFrameView(const std::filesystem::path& frame, const std::string& f
 
 /// Reads the same, and adds oriented particles of the same time in the folder, drawn as discs. spacing: m, of
 /// the particles. A frame of oriented particles is read alone.
-FrameView readWholeView(const std::filesystem::path& frame, const std::string& field, OrientedLook look,
-                        float spacing, const PeriodicSides& sides = {});
+FrameView readFullView(const std::filesystem::path& frame, const std::string& field, OrientedLook look,
+                       float spacing, const PeriodicSides& sides = {});
 
 /// Scene text stored in the frame by the run, and its name; empty if there is none.
-struct KeptScene {
+struct StoredScene {
   std::string name, text;
 };
-KeptScene keptSceneOf(const std::filesystem::path& frame);
+StoredScene storedSceneOf(const std::filesystem::path& frame);
 
 }  // namespace thaw

@@ -22,7 +22,7 @@ bool clipToBox(const Vec3d& origin, const Vec3d& direction, const Bounds& box, d
 }
 
 /// Opacity of glass along a ray, 0 to 1, and brightness of its reflection.
-struct Veil {
+struct GlassLayer {
   double alpha = 0, bright = 0;
 };
 
@@ -45,8 +45,9 @@ Vec3d normalWhereCrossed(const SignedDistance& shape, const Ray& ray, double fro
 /// Marches through all surfaces between `from` and `to` (m along the ray); reflection grows at grazing angles
 /// (Schlick 1994). `up` is the direction of light; `step` (m) is the thickness below which walls may be
 /// missed.
-Veil walk(const SignedDistance& shape, const Ray& ray, double from, double to, const Vec3d& up, double step) {
-  Veil veil;
+GlassLayer walk(const SignedDistance& shape, const Ray& ray, double from, double to, const Vec3d& up,
+                double step) {
+  GlassLayer veil;
   double through = 1, t = from, last = from, before = 1;
   for (int n = 0; n < 160 && t < to; n++) {
     const double d = shape.distance(ray.origin + t * ray.direction, nullptr);
@@ -90,7 +91,7 @@ void drawGlasses(Image& image, const RenderStyle& style, const View& view, const
         double from = 0, to = buffer.depth[sample];  // the ray has depth 1
         if (!clipToBox(origin, ray, box, from, to)) continue;
         const double scale = length(ray);
-        const Veil veil = walk(*glass.shape, {origin, ray / scale}, from * scale, to * scale, up, step);
+        const GlassLayer veil = walk(*glass.shape, {origin, ray / scale}, from * scale, to * scale, up, step);
         if (veil.alpha <= 0) continue;
         const auto grey = static_cast<std::uint8_t>(
             std::lround(255 * std::min(1.0, veil.bright / veil.alpha)));

@@ -27,7 +27,7 @@ struct Particles {
   std::vector<std::uint8_t> colour;  ///< index into the palette
 };
 
-Particles finiteOnes(const RenderInput& in, const ColourScale& scale) {
+Particles finiteParticles(const RenderInput& in, const ColourScale& scale) {
   Particles p;
   p.positions.reserve(in.positions.size());
   const bool single = in.radii.size() == 1;
@@ -144,7 +144,7 @@ Image render(const RenderInput& input, const RenderStyle& style) {
   check(input, style);
   const int s = style.samples;
   const View view = viewOf(style.camera, style.width * s, style.height * s);
-  const Particles particles = finiteOnes(input, style.colours);
+  const Particles particles = finiteParticles(input, style.colours);
   ViewBox stage = style.stage;
   if (stage.empty())
     for (const Vec3f& p : particles.positions) stage.add({p.x, p.y, p.z});

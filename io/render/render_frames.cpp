@@ -48,7 +48,7 @@ Survey survey(const FrameJob& job, const ReadFrame& read) {
   Survey s;
   for (const fs::path& file : job.frames) {
     const FrameView frame = read(file, job.field);
-    const ViewBox box = boxOfMost(frame.positions);
+    const ViewBox box = robustBox(frame.positions);
     if (!box.empty()) s.box.add(box.min), s.box.add(box.max);
     for (float v : frame.values)
       if (std::isfinite(v)) s.min = std::min<double>(s.min, v), s.max = std::max<double>(s.max, v);
@@ -128,7 +128,7 @@ void addWalls(const Walls& walls, double time, RenderStyle& style) {
   }
 }
 
-ViewBox boxOfMost(const std::vector<Vec3f>& positions) {
+ViewBox robustBox(const std::vector<Vec3f>& positions) {
   ViewBox box;
   std::vector<float> sorted;
   sorted.reserve(positions.size());

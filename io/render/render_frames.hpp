@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/walls/walls.hpp"
-#include "io/export/whole_component.hpp"
+#include "io/export/unwrap_component.hpp"
 #include "io/render/render_surfels.hpp"
 
 namespace thaw {
@@ -62,6 +62,6 @@ void addWalls(const Walls& walls, double time, RenderStyle& style);
 
 /// Returns a stable box for the camera: the middle 99.8 % of particles on each axis, without drops that flew
 /// away.
-ViewBox boxOfMost(const std::vector<Vec3f>& positions);
+ViewBox robustBox(const std::vector<Vec3f>& positions);
 
 }  // namespace thaw

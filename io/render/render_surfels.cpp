@@ -19,7 +19,7 @@ namespace {
 
 constexpr Rgb plain{188, 193, 200};
 // Fraction of the drawn radius: small gaps are invisible in shadows, but rims at edges are not.
-constexpr float castingDiscs = 0.7f;
+constexpr float casterScale = 0.7f;
 
 bool finite(const Vec3f& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
@@ -111,7 +111,7 @@ Casters castersOf(const DrawnSurfels& s) {
     all.radii.push_back(radius);
   };
   for (std::size_t i = 0; i < s.positions.size(); i++)
-    if (s.isDisc(i)) add(s.positions[i], s.normals[i], castingDiscs * s.radii[i]);
+    if (s.isDisc(i)) add(s.positions[i], s.normals[i], casterScale * s.radii[i]);
   for (const auto& f : s.faces) {
     const Vec3f &a = s.positions[f[0]], &b = s.positions[f[1]], &c = s.positions[f[2]],
                 n = cross(b - a, c - a), middle = (a + b + c) / 3.0f;
@@ -161,7 +161,8 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
 }
 
 /// Returns clips for undivided discs, which end at edges; parts lie on the surface and need none.
-DiscClips clipsOfWholes(const DrawnSurfels& s, const SplatDiscs& parts, std::span<const std::uint8_t> seen) {
+DiscClips clipsOfUndivided(const DrawnSurfels& s, const SplatDiscs& parts,
+                           std::span<const std::uint8_t> seen) {
   std::vector<std::uint8_t> wanted(s.positions.size(), 0);
   const auto whole = [&](std::size_t k) { return parts.radii[k] == parts.whole[parts.of[k]]; };
   for (std::size_t k = 0; k < seen.size(); k++)
@@ -252,7 +253,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
     }
     shades.push_back(s);
   }
-  const DiscClips clips = clipsOfWholes(surfels, parts, seen);
+  const DiscClips clips = clipsOfUndivided(surfels, parts, seen);
 
   const Encoder encode;
   Image image(style.width, style.height);

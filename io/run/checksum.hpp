@@ -18,7 +18,9 @@ struct Checksum {
   void add(const Vec3d& x) {
     for (int a = 0; a < 3; a++) add(x[a]);
   }
-  double held() const { return static_cast<double>(value >> 16); }  ///< its upper 48 bits, exact in a double
+  double asDouble() const {
+    return static_cast<double>(value >> 16);
+  }  ///< its upper 48 bits, exact in a double
 };
 
 }  // namespace thaw

@@ -7,7 +7,7 @@
 #include "core/ledger/report.hpp"
 #include "core/ledger/stored_parts.hpp"
 #include "core/time/limits.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/step_log.hpp"
 
@@ -44,7 +44,7 @@ class Columns {
 
 void addMass(Columns& c, const LedgerReport& l) {
   c.add("particles", l.particles);
-  for (std::size_t k = 0; k < kindCount; k++) c.add(kindNames[k], l.rows[k]);
+  for (std::size_t k = 0; k < bodyTypeCount; k++) c.add(bodyTypeNames[k], l.rows[k]);
   c.add("liquid_fraction", l.liquidFraction);
   c.add("mass_kg", l.now.mass);
   c.add("entered_mass_kg", l.entered.mass);
@@ -58,7 +58,7 @@ void addMomentum(Columns& c, const LedgerReport& l) {
   c.add("left_momentum", "kg_m_per_s", l.left.momentum);
   c.add("wall_impulse", "N_s", l.wallImpulse);
   c.add("gravity_impulse", "N_s", l.gravityImpulse);
-  c.add("impulse_in_flight", "N_s", l.underWay);
+  c.add("impulse_in_flight", "N_s", l.impulseInFlight);
   c.add("momentum_residual", "kg_m_per_s", l.momentumResidual);
   c.add("angular_momentum", "kg_m2_per_s", l.now.angularMomentum);
 }
@@ -117,7 +117,9 @@ std::string ledgerLogPath(const std::string& out) { return out + "/ledger.csv"; 
 
 void beginLedgerLog(const std::string& out) { replaceTextFile(ledgerLogPath(out), head()); }
 
-void cutLedgerLog(const std::string& out, std::int64_t step) { cutStepLog(ledgerLogPath(out), head(), step); }
+void truncateLedgerLog(const std::string& out, std::int64_t step) {
+  truncateStepLog(ledgerLogPath(out), head(), step);
+}
 
 bool ledgerRowDue(const World& w, double before) {
   const double every = w.scene.output.ledgerEvery;

@@ -14,7 +14,7 @@ void beginLedgerLog(const std::string& out);
 
 /// Drops rows after `step` and an incomplete last line, at a rollback or restart. Starts a log anew that is
 /// missing or has other columns. First rank only. Throws IoError.
-void cutLedgerLog(const std::string& out, std::int64_t step);
+void truncateLedgerLog(const std::string& out, std::int64_t step);
 
 /// Is a row due for the step from the time `before` (s) to now? Requires: the frames of now are not written
 /// yet.

@@ -22,7 +22,7 @@ RankSpread over(double mine, Reducer& all) {
 
 void beginProfile(Profile& p, PhaseTimes& times, const Communicator& comm) {
   p.times = times;
-  p.traffic = comm.traffic();
+  p.statistics = comm.statistics();
   p.start = std::chrono::steady_clock::now();
   times.trace = &p.trace;
   comm.setTrace(&p.trace);
@@ -37,7 +37,7 @@ std::vector<std::string> profileLines(const Profile& p, const PhaseTimes& times,
                                       std::int64_t particles, const Communicator& comm) {
   const double wallHere = std::chrono::duration<double>(std::chrono::steady_clock::now() - p.start).count();
   MpiReducer all(comm);
-  const TrafficSummary t = gatherTraffic(comm.traffic(), p.traffic, all);
+  const TrafficSummary t = gatherTraffic(comm.statistics(), p.statistics, all);
   const double steps = static_cast<double>(std::max<std::int64_t>(1, stepsDone)),
                wall = over(wallHere, all).mean;
   std::vector<std::string> lines;

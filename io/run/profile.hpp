@@ -16,7 +16,7 @@ struct Profile {
   explicit Profile(std::size_t steps) : trace(steps) {}
   StepTrace trace;
   PhaseTimes times;  ///< before the first step
-  Traffic traffic;
+  CommunicationStatistics statistics;
   std::chrono::steady_clock::time_point start{};
 };
 

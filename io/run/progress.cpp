@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/duration_text.hpp"
 #include "io/run/step_log.hpp"
@@ -44,7 +44,7 @@ Columns columnsOf(const Progress& p, const RunSummary& s) {
   add("steps_per_second", p.stepsPerSecond);
   add("seconds_left", p.secondsLeft);
   add("particles", l.particles);
-  for (std::size_t k = 0; k < kindCount; k++) add(kindNames[k], l.rows[k]);
+  for (std::size_t k = 0; k < bodyTypeCount; k++) add(bodyTypeNames[k], l.rows[k]);
   add("liquid_fraction", l.liquidFraction);
   add("mass_kg", l.now.mass);
   add("mass_residual_kg", l.massResidual);
@@ -97,8 +97,8 @@ std::string head() { return headOf(columnsOf({}, {})); }
 std::string progressLine(const Progress& p, const LedgerReport& l) {
   const Clock& c = p.clock;
   std::string kinds;
-  for (std::size_t k = 0; k < kindCount; k++)
-    if (l.rows[k] > 0) kinds += fmt::format("  {} {}", kindNames[k], l.rows[k]);
+  for (std::size_t k = 0; k < bodyTypeCount; k++)
+    if (l.rows[k] > 0) kinds += fmt::format("  {} {}", bodyTypeNames[k], l.rows[k]);
   const bool continuum = l.particles > 0 || kinds.empty();
   if (continuum)
     kinds = fmt::format("  particles {}{}  liquid {:.1f} %", l.particles, kinds, 100 * l.liquidFraction);
@@ -160,8 +160,8 @@ std::map<std::string, std::string> lastProgress(const std::string& out) {
   return columns;
 }
 
-void cutProgressLog(const std::string& out, std::int64_t step) {
-  cutStepLog(progressLogPath(out), head(), step);
+void truncateProgressLog(const std::string& out, std::int64_t step) {
+  truncateStepLog(progressLogPath(out), head(), step);
 }
 
 }  // namespace thaw

@@ -33,6 +33,6 @@ void addToProgressLog(const std::string& out, const Progress& progress, const Ru
 std::map<std::string, std::string> lastProgress(const std::string& out);
 /// Drops lines after `step` and an incomplete last line, at a rollback or restart. Starts a log anew that is
 /// missing or has other columns.
-void cutProgressLog(const std::string& out, std::int64_t step);
+void truncateProgressLog(const std::string& out, std::int64_t step);
 
 }  // namespace thaw

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/monitor/snapshot.hpp"
 #include "core/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
-#include "core/watch/good_state.hpp"
-#include "io/hdf5/agree.hpp"
-#include "io/run/alarm_text.hpp"
-#include "io/run/kind_run.hpp"
-#include "io/run/kind_suspect.hpp"
+#include "io/hdf5/collective_error.hpp"
+#include "io/run/body_type_run.hpp"
+#include "io/run/body_type_suspect.hpp"
+#include "io/run/failure_text.hpp"
 #include "io/run/ledger_log.hpp"
 #include "io/run/progress.hpp"
-#include "io/run/scene_marks.hpp"
+#include "io/run/restart_record.hpp"
 #include "io/run/surface_run.hpp"
 
 namespace thaw {
@@ -24,43 +24,43 @@ constexpr std::size_t mostLines = 20;  // retries among the warnings; all are co
 bool retries(const Run& r) { return r.world.scene.numerics.retryEvery > 0; }
 
 /// Restores the world from the last snapshot.
-void restoreGood(Run& r) {
+void restoreLastSnapshot(Run& r) {
   World& w = r.world;
   const char* limitedBy = w.clock.limitedBy;
   std::unique_ptr<CheckpointSlice> slice;
   // May throw; the world is still unchanged.
-  if (!r.goodInMemory)
-    slice = readCheckpoint(goodStatePath(r.options.out, w.watch.goodStep), r.comm.handle());
+  if (!r.snapshotInMemory)
+    slice = readCheckpoint(snapshotFilePath(r.options.out, w.watch.snapshotStep), r.comm.handle());
   emptyWorld(w, r.tools);
   renewHalos(r);
-  std::vector<std::byte> records = slice ? restoreWorld(w, *slice, r.first()) : bringBack(r.good, w);
+  std::vector<std::byte> records = slice ? restoreWorld(w, *slice, r.first()) : restoreSnapshot(r.good, w);
   if (w.modules.solid) r.bonds->adopt(std::move(records));
   resumeWorld(w, r.halos(), r.tools);
   if (w.modules.surface) resumeSurface(w, r.surface->halos(), r.surfaceTools);
   if (slice) w.clock.limitedBy = limitedBy;
-  if (!r.goodInMemory) keepState(w, r.good);
-  r.goodInMemory = true;
+  if (!r.snapshotInMemory) takeSnapshot(w, r.good);
+  r.snapshotInMemory = true;
 }
 
 /// Removes the frames and rows after the snapshot, which are written again.
-void forgetFrames(Run& r) {
+void removeFramesAfterSnapshot(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
-    forgetSeries(r.options.out, r.name, r.series, r.world.clock.time);
-    cutProgressLog(r.options.out, r.world.clock.step);
-    cutLedgerLog(r.options.out, r.world.clock.step);
-    if (r.world.modules.surface) forgetSurfaceFrames(r);
-    forgetKindFrames(r);
+    removeFramesAfter(r.options.out, r.name, r.series, r.world.clock.time);
+    truncateProgressLog(r.options.out, r.world.clock.step);
+    truncateLedgerLog(r.options.out, r.world.clock.step);
+    if (r.world.modules.surface) removeSurfaceFrames(r);
+    removeBodyTypeFrames(r);
   });
 }
 
 /// Returns what was tried before the run gives up and why it does not try again, or "".
-std::string triedText(const Run& r, const WatchState& watch) {
+std::string triedText(const Run& r, const MonitorState& watch) {
   const Numerics& n = r.world.scene.numerics;
   if (!retries(r) || n.retries == 0) return "";
   std::string text;
   if (watch.failures > 0)
     text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures,
-                       watch.goodStep, std::int64_t(1) << watch.halvings);
+                       watch.snapshotStep, std::int64_t(1) << watch.halvings);
   if (watch.failures < n.retries && retryTooShort(r.world, r.tools.watch))
     text += fmt::format("; half the step would be below {:.3g} s (numerics.watch_step)", r.tools.watch.step);
   return text;
@@ -71,89 +71,89 @@ std::string triedText(const Run& r, const WatchState& watch) {
 void beginRetries(Run& r) {
   World& w = r.world;
   if (!retries(r)) {
-    w.watch.goodStep = -1;
+    w.watch.snapshotStep = -1;
     return;
   }
-  const std::int64_t step = w.clock.step, good = w.watch.goodStep;
+  const std::int64_t step = w.clock.step, good = w.watch.snapshotStep;
   if (good >= 0 && good < step && step % w.scene.numerics.retryEvery != 0) {
     int there = 0;
     onFirstRank(r.comm.handle(), [&] {
       std::error_code error;
-      there = std::filesystem::exists(goodStatePath(r.options.out, good), error);
+      there = std::filesystem::exists(snapshotFilePath(r.options.out, good), error);
     });
     MPI_Bcast(&there, 1, MPI_INT, 0, r.comm.handle());
-    r.goodOnDisk = there != 0;
+    r.snapshotOnDisk = there != 0;
     if (there) return;  // it is read when it is needed
     r.summary.warnings.push_back(fmt::format("{} is missing: a retry can only go back to step {}",
-                                             goodStatePath(r.options.out, good), step));
+                                             snapshotFilePath(r.options.out, good), step));
     r.say("warning: " + r.summary.warnings.back());
   }
   if (good != step) acceptState(w, reportLedger(w, r.tools, r.all));
   findStoredEnergy(w, r.tools);
-  keepState(w, r.good);
-  r.goodInMemory = true;
+  takeSnapshot(w, r.good);
+  r.snapshotInMemory = true;
 }
 
-bool goodStateDue(const Run& r) {
+bool snapshotDue(const Run& r) {
   return retries(r) && r.world.clock.step % r.world.scene.numerics.retryEvery == 0;
 }
 
-bool atGoodState(const Run& r) { return !retries(r) || r.world.watch.goodStep == r.world.clock.step; }
+bool atSnapshot(const Run& r) { return !retries(r) || r.world.watch.snapshotStep == r.world.clock.step; }
 
-Alarm lookAtBooks(Run& r) {
+Failure checkLedgerOf(Run& r) {
   r.tools.times.start();
-  r.books = reportLedger(r.world, r.tools, r.all);
-  const Alarm alarm = checkBooks(r.world, r.tools.watch, r.books, r.all);
+  r.snapshotLedger = reportLedger(r.world, r.tools, r.all);
+  const Failure failure = checkEnergyBudget(r.world, r.tools.watch, r.snapshotLedger, r.all);
   r.tools.times.lap(StepPhase::Other);
-  return alarm;
+  return failure;
 }
 
-void acceptGoodState(Run& r) {
+void acceptSnapshot(Run& r) {
   r.tools.times.start();
-  acceptState(r.world, r.books);
+  acceptState(r.world, r.snapshotLedger);
   findStoredEnergy(r.world, r.tools);
-  keepState(r.world, r.good);
-  r.goodInMemory = true;
-  r.goodOnDisk = false;
+  takeSnapshot(r.world, r.good);
+  r.snapshotInMemory = true;
+  r.snapshotOnDisk = false;
   r.tools.times.lap(StepPhase::Checkpoint);
 }
 
-void leaveGoodState(Run& r) {
+void writeLastSnapshot(Run& r) {
   World& w = r.world;
-  if (atGoodState(r)) return;
+  if (atSnapshot(r)) return;
   if (w.clock.time >= w.clock.end) {  // The run has ended. A later end starts a new period of the check.
     acceptState(w, reportLedger(w, r.tools, r.all));
     return;
   }
-  if (r.goodOnDisk) return;
-  writeGoodState(r.options.out, r.comm.handle(), r.good, r.stamp(), sceneMarks(w.scene));
-  r.goodOnDisk = true;
+  if (r.snapshotOnDisk) return;
+  writeSnapshot(r.options.out, r.comm.handle(), r.good, r.stamp(), restartRecordOf(w.scene));
+  r.snapshotOnDisk = true;
 }
 
-bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
+bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
   World& w = r.world;
   const Clock clock = w.clock;
-  const WatchState watch = w.watch;
+  const MonitorState watch = w.watch;
   const Numerics& n = w.scene.numerics;
   findStoredEnergy(w, r.tools);
-  const Suspect s = findSuspect(w, failed.alarm, failed.limitedBy, r.all);
-  const std::string ofKinds = kindSuspect(w, r.tools, failed, r.all);  // on at most one rank
+  const FailingParticle s = findFailingParticle(w, failed.failure, failed.limitedBy, r.all);
+  const std::string ofKinds = bodyTypeSuspect(w, r.tools, failed, r.all);  // on at most one rank
   double kinds = ofKinds.empty() ? 0 : 1;
   r.all.maximum({&kinds, 1});
-  std::string what = fromOwner(r.comm, kinds > 0 ? ofKinds
-                                       : s.here  ? alarmText(w, r.tools, failed, s)
-                                                 : std::string());
-  if (what.empty()) what = exceeded(w, r.tools, failed) + "; no single particle is responsible";
+  std::string what = broadcastFromOwner(r.comm, kinds > 0 ? ofKinds
+                                                : s.here  ? failureText(w, r.tools, failed, s)
+                                                          : std::string());
+  if (what.empty()) what = failedCheck(w, r.tools, failed) + "; no single particle is responsible";
   const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time,
                                        clock.stepDt);
   std::string problem;
   if (mayRetry(w, r.tools.watch)) {
     try {
       const std::int64_t mine = w.counters.retries + (r.first() ? 1 : 0);
-      restoreGood(r);
+      restoreLastSnapshot(r);
       w.counters.retries = mine;
       halveStep(w, watch, clock.time);
-      forgetFrames(r);
+      removeFramesAfterSnapshot(r);
       const std::string line = fmt::format(
           "failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step,
           w.clock.time, std::int64_t(1) << w.watch.halvings);
@@ -167,8 +167,8 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
       problem = fmt::format("; the snapshot cannot be read: {}", e.what());
     }
   }
-  if (r.goodInMemory && !r.goodOnDisk) {
-    writeCheckpoint(r.options.out, r.comm.handle(), r.good, r.stamp(), sceneMarks(w.scene));
+  if (r.snapshotInMemory && !r.snapshotOnDisk) {
+    writeCheckpoint(r.options.out, r.comm.handle(), r.good, r.stamp(), restartRecordOf(w.scene));
     problem += fmt::format("; the checkpoint holds step {}, before the failure", r.good.world.clock.step);
   } else {
     problem += "; the last checkpoint is older";

@@ -1,4 +1,4 @@
-// Rollback: the snapshots of a run, and the response to failures that the stability monitor (core/watch/)
+// Rollback: the snapshots of a run, and the response to failures that the stability monitor (core/monitor/)
 // finds. All functions are collective.
 #pragma once
 #include "io/run/run_state.hpp"
@@ -10,23 +10,23 @@ void beginRetries(Run& run);
 
 /// Is a snapshot due? Snapshots are at multiples of Numerics::retryEvery, which depend neither on ranks nor
 /// on clocks.
-bool goodStateDue(const Run& run);
+bool snapshotDue(const Run& run);
 
-/// Checks the ledger when a snapshot is due; acceptGoodState then takes the snapshot. Frames may be written
+/// Checks the ledger when a snapshot is due; acceptSnapshot then takes the snapshot. Frames may be written
 /// in between.
-Alarm lookAtBooks(Run& run);
-void acceptGoodState(Run& run);
+Failure checkLedgerOf(Run& run);
+void acceptSnapshot(Run& run);
 
 /// May a checkpoint be written now without a snapshot beside it? Periodic checkpoints are delayed until it
 /// may.
-bool atGoodState(const Run& run);
+bool atSnapshot(const Run& run);
 
 /// Writes the snapshot beside the checkpoint of a run that stops after it, unless it is on disk.
-void leaveGoodState(Run& run);
+void writeLastSnapshot(Run& run);
 
 /// Responds to a failure in the last step. Returns true after a rollback to the last snapshot, with half the
 /// step; later frames are written again. Returns false if the retries are used up. The message is then
 /// printed, `why` is for the summary, and the last snapshot is a checkpoint.
-bool goBack(Run& run, const StepOutcome& failed, std::string& why);
+bool rollBack(Run& run, const StepOutcome& failed, std::string& why);
 
 }  // namespace thaw

@@ -27,7 +27,7 @@ using Wait = std::chrono::steady_clock;
 std::string pathOf(const std::string& out) { return out + "/" + lockName; }
 
 std::string ownText(int ranks) {
-  const ProcessMark own = ownProcess();
+  const ProcessIdentity own = ownProcess();
   const Json j = {{"host", own.host},
                   {"pid", own.pid},
                   {"began_ticks", own.began},
@@ -80,7 +80,7 @@ bool createWith(const std::string& path, const std::string& text) {
 
 /// Writes the text to a file of this process beside the lock. Returns its path.
 std::string prepare(const std::string& path, const std::string& text) {
-  const ProcessMark own = ownProcess();
+  const ProcessIdentity own = ownProcess();
   const std::string aside = fmt::format("{}.{}.{}", path, own.host, own.pid);
   ::unlink(aside.c_str());  // left by a process with this number
   createWith(aside, text);
@@ -147,7 +147,7 @@ Json lockJson(const LockHolder& h) {
           {"began_ticks", h.process.began},
           {"ranks", h.ranks},
           {"since", h.since},
-          {"holder", names[static_cast<int>(presenceOf(h.process))]},
+          {"holder", names[static_cast<int>(processStateOf(h.process))]},
           {"text", holderText(h)}};
 }
 
@@ -173,16 +173,16 @@ std::string RunLock::take(const LockRequest& q) {
     }
     const std::optional<LockHolder> holder = lockHolder(q.out);
     if (!holder) continue;  // the holder has just ended
-    const Presence presence = presenceOf(holder->process);
+    const ProcessState presence = processStateOf(holder->process);
     const std::string who = holderText(*holder);
-    const bool elsewhere = presence == Presence::Unknown && holder->process.pid > 0;
-    if (presence == Presence::Gone) {
+    const bool elsewhere = presence == ProcessState::Unknown && holder->process.pid > 0;
+    if (presence == ProcessState::Gone) {
       note = fmt::format("note: {} has ended and left its lock: this run takes over {}", who, q.out);
-    } else if (presence == Presence::Unknown && q.force) {
+    } else if (presence == ProcessState::Unknown && q.force) {
       note = fmt::format("note: this run takes over {} from {} (--force)", q.out, who);
     } else {
       if (!elsewhere && waited() < q.patience) continue;  // The holder may be ending, or writing its lock.
-      if (presence == Presence::Here)
+      if (presence == ProcessState::Here)
         throw IoError(q.out, fmt::format("another run uses this folder: {}; {}", who, advice));
       throw IoError(
           q.out,

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "io/run/process_mark.hpp"
+#include "io/run/process_identity.hpp"
 
 namespace thaw {
 
@@ -13,7 +13,7 @@ inline constexpr const char* lockName = "lock";
 
 /// Holder of a folder. It has no process if the lock is unreadable.
 struct LockHolder {
-  ProcessMark process;
+  ProcessIdentity process;
   int ranks = 0;
   std::string since;  ///< UTC
   std::string text;   ///< content of the file

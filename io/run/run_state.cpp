@@ -7,24 +7,24 @@
 #include <filesystem>
 #include <span>
 
-#include "core/sleep/unrest.hpp"
+#include "core/monitor/interpenetration.hpp"
+#include "core/sleep/awake_reason.hpp"
 #include "core/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/time/limits.hpp"
-#include "core/watch/sunken.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/output/earlier_run.hpp"
 #include "io/output/frame_fields.hpp"
-#include "io/run/fits_scene.hpp"
-#include "io/run/kind_run.hpp"
+#include "io/run/body_type_run.hpp"
 #include "io/run/ledger_log.hpp"
-#include "io/run/mark_places.hpp"
-#include "io/run/mesh_marks.hpp"
+#include "io/run/mesh_fingerprints.hpp"
 #include "io/run/progress.hpp"
-#include "io/run/scene_marks.hpp"
+#include "io/run/restart_places.hpp"
+#include "io/run/restart_record.hpp"
 #include "io/run/surface_run.hpp"
 #include "io/run/trace_file.hpp"
+#include "io/run/validate_restart.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_warnings.hpp"
 
@@ -33,7 +33,7 @@ namespace thaw {
 namespace {
 
 /// Writes the summary of a run that has no state to gather.
-void noteWithoutState(Run& r, const std::string& status, const std::string& message) {
+void summariseWithoutState(Run& r, const std::string& status, const std::string& message) {
   if (!r.first()) return;
   r.summary.status = status;
   r.summary.message = message;
@@ -50,7 +50,7 @@ void noteWithoutState(Run& r, const std::string& status, const std::string& mess
 
 /// Prints the progress of relaxation, and lets stop requests end it.
 void watchRelaxation(Run& r) {
-  r.tools.oriented.stopRelaxing = [&r, watch = stopWatchOf(r),
+  r.tools.oriented.stopRelaxing = [&r, watch = stopMonitorOf(r),
                                    said = WallClock::now()](std::int64_t done) mutable {
     if (r.first() && done > 0 && since(said) >= r.options.reportEvery) {
       said = WallClock::now();
@@ -69,7 +69,7 @@ bool interpolates(const Scene& s) {
 }
 
 /// Reports the end of relaxation. A body that is not at rest is a warning.
-void sayRelaxed(Run& r) {
+void reportRelaxation(Run& r) {
   const OrientedWork& o = r.tools.oriented;
   if (o.relaxed == 0 && !o.relaxStopped) return;
   const std::string line = fmt::format(
@@ -78,7 +78,7 @@ void sayRelaxed(Run& r) {
   if (o.atRest) return r.say(line);
   std::string why = ": the iterations are used up before rest (below 1e-9, no births)";
   if (o.relaxStopped) why = ": it was stopped before rest";
-  if (o.gotNowhere)
+  if (o.relaxStalled)
     why = fmt::format(
         ": it ended before rest (below 1e-9, no births), since for {} iterations neither the force (lowest "
         "{:.2e}) nor the number of particles ({}) made progress{}",
@@ -90,7 +90,7 @@ void sayRelaxed(Run& r) {
 }
 
 /// Prints the number of particles of the first bodies, and of all others together.
-void sayBodies(const Run& r, const SamplingReport& sampled) {
+void reportBodies(const Run& r, const SamplingReport& sampled) {
   constexpr std::size_t most = 100;
   const std::vector<Body>& bodies = r.world.scene.bodies;
   const std::size_t shown = std::min(most, bodies.size());
@@ -104,8 +104,8 @@ void sayBodies(const Run& r, const SamplingReport& sampled) {
 
 }  // namespace
 
-StopWatch stopWatchOf(const Run& r) {
-  StopWatch watch;
+StopMonitor stopMonitorOf(const Run& r) {
+  StopMonitor watch;
   if (r.first()) {
     watch.stopFile = r.options.out + "/stop";
     watch.timeLimit = r.options.timeLimit;
@@ -117,7 +117,7 @@ StopWatch stopWatchOf(const Run& r) {
 void renewHalos(Run& r) {
   r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
   r.bonds = std::make_unique<MpiBondHalo>(r.comm);
-  eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) {
+  forEachBodyType(r.world, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
     r.kinds[kind] = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
   });
   if (r.world.modules.sheet) r.edges = std::make_unique<MpiBondHalo>(r.comm);
@@ -143,14 +143,14 @@ void writeParticleFrame(Run& r) {
 
 /// Returns "  asleep 8000 (awake: 12 move, 340 have awake neighbours)": particles whose sums were skipped in
 /// the last step, and the reasons of the others. Returns "" if no particle may sleep. Collective.
-std::string sleepersOf(Run& r) {
+std::string sleepText(Run& r) {
   if (!r.world.modules.sleep) return "";
-  std::array<std::int64_t, 2 + unrests> counts{r.world.counters.asleep,
-                                               static_cast<std::int64_t>(r.world.particles.owned)};
+  std::array<std::int64_t, 2 + awakeReasons> counts{r.world.counters.asleep,
+                                                    static_cast<std::int64_t>(r.world.particles.owned)};
   std::ranges::copy(countAwake(r.world), counts.begin() + 2);
   r.all.sum(counts);
-  constexpr const char* words[unrests] = {"have awake neighbours", "are not solid", "move", "accelerate",
-                                          "are warmed"};
+  constexpr const char* words[awakeReasons] = {"have awake neighbours", "are not solid", "move", "accelerate",
+                                               "are warmed"};
   std::string why;
   std::int64_t held = counts[1] - counts[0];
   for (const std::size_t k : {1u, 2u, 3u, 4u, 0u}) {
@@ -169,7 +169,7 @@ void writeFrameOf(Run& r) {
   r.tools.times.start();
   if (hasContinuum(w.scene)) writeParticleFrame(r);
   if (w.modules.surface) writeSurfaceFrameOf(r);
-  writeKindFrames(r);
+  writeBodyTypeFrames(r);
   w.clock.frame++;
   r.tools.times.lap(StepPhase::Frames);
 }
@@ -187,7 +187,7 @@ void report(Run& r) {
   gatherSurface(r);
   r.summary.ledger = l;
   r.summary.solvers = solversOf(r.world, r.tools);
-  r.say(progressLine(progress, l) + sleepersOf(r) + progressOf(r.summary.solvers) +
+  r.say(progressLine(progress, l) + sleepText(r) + progressOf(r.summary.solvers) +
         progressOf(r.summary.surface));
   onFirstRank(r.comm.handle(), [&] { addToProgressLog(r.options.out, progress, r.summary); });
   r.lastReport = WallClock::now();
@@ -195,32 +195,34 @@ void report(Run& r) {
   r.tools.times.lap(StepPhase::Other);
 }
 
-void warnOfIdle(Run& r) {
+void warnOfUnused(Run& r) {
   for (const OrientedWork::Event& e : r.tools.oriented.idle) {
     const OrientedBody& body = r.world.scene.oriented[e.body];
-    r.warn(idleEventLine(body, body.events[e.event]));
+    r.warn(unusedEventLine(body, body.events[e.event]));
   }
-  for (const OrientedWork::Field& f : r.tools.oriented.idleFields) {
+  for (const OrientedWork::Field& f : r.tools.oriented.unusedFields) {
     const OrientedBody& body = r.world.scene.oriented[f.body];
-    r.warn(idleFieldLine(body, body.fields[f.field]));
+    r.warn(unusedFieldLine(body, body.fields[f.field]));
   }
   r.tools.oriented.idle.clear();
-  r.tools.oriented.idleFields.clear();
+  r.tools.oriented.unusedFields.clear();
 }
 
-void warnOfSunken(Run& r) {
+void warnOfInterpenetration(Run& r) {
   const World& w = r.world;
-  if (w.modules.oriented && r.inObstaclesTold.size() < w.scene.oriented.size() * w.walls.list.size())
-    for (const Sunken& s : findSunkenInObstacles(w, r.all))
-      if (r.inObstaclesTold.insert({s.oriented, s.body}).second)
-        r.warn(
-            sunkenLine(w.scene.oriented[s.oriented], w.walls.list[s.body].properties, s.count, w.clock.time));
-  if (!w.modules.meeting || !w.modules.solid ||
-      r.sunkenTold.size() == w.scene.oriented.size() * w.scene.bodies.size())
+  if (w.modules.oriented &&
+      r.obstacleInterpenetrationWarned.size() < w.scene.oriented.size() * w.walls.list.size())
+    for (const Interpenetration& s : findObstacleInterpenetrations(w, r.all))
+      if (r.obstacleInterpenetrationWarned.insert({s.oriented, s.body}).second)
+        r.warn(interpenetrationLine(w.scene.oriented[s.oriented], w.walls.list[s.body].properties, s.count,
+                                    w.clock.time));
+  if (!w.modules.orientedContact || !w.modules.solid ||
+      r.interpenetrationWarned.size() == w.scene.oriented.size() * w.scene.bodies.size())
     return;
-  for (const Sunken& s : findSunken(r.world, r.halos()))
-    if (r.sunkenTold.insert({s.oriented, s.body}).second)
-      r.warn(sunkenLine(w.scene.oriented[s.oriented], w.scene.bodies[s.body], s.count, w.clock.time));
+  for (const Interpenetration& s : findInterpenetrations(r.world, r.halos()))
+    if (r.interpenetrationWarned.insert({s.oriented, s.body}).second)
+      r.warn(
+          interpenetrationLine(w.scene.oriented[s.oriented], w.scene.bodies[s.body], s.count, w.clock.time));
 }
 
 void summarise(Run& r, const std::string& status, const std::string& message) {
@@ -234,7 +236,7 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   for (const std::int64_t rows : s.ledger.rows) moved += static_cast<double>(rows);
   s.particleSteps = moved * static_cast<double>(s.stepsHere);
   s.solvers = solversOf(r.world, r.tools);
-  gatherSummary(s, r.world, r.tools.times, r.comm.traffic(), r.all);
+  gatherSummary(s, r.world, r.tools.times, r.comm.statistics(), r.all);
   gatherSurface(r);
   onFirstRank(r.comm.handle(), [&] {
     RunSummary all = s;
@@ -249,7 +251,7 @@ void reportProfile(Run& r) {
   const std::unique_ptr<Profile> p = std::move(r.profile);
   endProfile(r.tools.times, r.comm);
   std::int64_t particles = static_cast<std::int64_t>(r.world.particles.owned);
-  eachKind(r.world, [&](std::size_t, const KindRows& rows, const CellTable&) {
+  forEachBodyType(r.world, [&](std::size_t, const BodyTypeRows& rows, const CellTable&) {
     particles += static_cast<std::int64_t>(rows.owned);
   });
   r.all.sum({&particles, 1});
@@ -264,21 +266,23 @@ void reportProfile(Run& r) {
 void writeCheckpointOf(Run& r) {
   r.tools.times.start();
   findStoredEnergy(r.world, r.tools);
-  writeCheckpoint(r.options.out, r.comm.handle(), r.world, r.stamp(), sceneMarks(r.world.scene));
-  onFirstRank(r.comm.handle(), [&] { dropUnusedGoodStates(r.options.out); });
+  writeCheckpoint(r.options.out, r.comm.handle(), r.world, r.stamp(), restartRecordOf(r.world.scene));
+  onFirstRank(r.comm.handle(), [&] { dropUnusedSnapshots(r.options.out); });
   r.lastCheckpoint = WallClock::now();
   r.tools.times.lap(StepPhase::Checkpoint);
   summarise(r, "running", "");
 }
 
-void noteFailure(Run& r, const std::string& message, bool together) {
+void summariseFailure(Run& r, const std::string& message, bool together) {
   try {
     if (together && r.begun) return summarise(r, "failed", message);
   } catch (const std::exception&) { return; }
-  noteWithoutState(r, "failed", message);
+  summariseWithoutState(r, "failed", message);
 }
 
-void noteCutAtStart(Run& r, const std::string& message) { noteWithoutState(r, "stopped", message); }
+void summariseStoppedRelaxation(Run& r, const std::string& message) {
+  summariseWithoutState(r, "stopped", message);
+}
 
 namespace {
 
@@ -290,7 +294,7 @@ namespace {
                   r.options.out, why)};
   constexpr std::size_t most = 12;  // a different scene changes every entry
   for (const std::string& line : std::span(about).first(std::min(most, about.size())))
-    lines.push_back("  " + line + placeOfMark(r.world.scene, line));
+    lines.push_back("  " + line + placeOfRecordKey(r.world.scene, line));
   if (about.size() > most)
     lines.push_back(
         fmt::format("  and {} more; the checkpoint may be of another scene", about.size() - most));
@@ -312,9 +316,9 @@ void begin(Run& r, const MeshLoader& load) {
       r.say("warning: " + warning);
       r.summary.warnings.push_back(warning);
     }
-    markMeshes(w.scene, load);
+    fingerprintMeshes(w.scene, load);
     const CheckpointValues& then = slice->header.values;
-    if (const std::vector<std::string> differences = sceneDifferences(then, w.scene); !differences.empty())
+    if (const std::vector<std::string> differences = restartConflicts(then, w.scene); !differences.empty())
       refuseScene(r, "it began with a different one", differences);
     const std::vector<std::string> changes = coefficientChanges(then, w.scene),
                                    settings = settingChanges(then, w.scene, slice->header.clock.time);
@@ -327,28 +331,28 @@ void begin(Run& r, const MeshLoader& load) {
       lines.insert(lines.end(), settings.begin(), settings.end());
       refuseScene(r, std::string("a change needs data that the run has not stored: ") + e.what(), lines);
     }
-    if (const std::vector<std::string> strange = misfits(w, r.all); !strange.empty())
+    if (const std::vector<std::string> strange = checkpointMismatches(w, r.all); !strange.empty())
       refuseScene(r, "the checkpoint does not match it", strange);
-    for (const auto& told : {changes, settings})
-      for (const std::string& change : told) r.warn("changed at the restart: " + change);
-    for (const std::string& change : changesOfPastEvents(then, w.scene, slice->header.clock.time))
+    for (const auto& changeList : {changes, settings})
+      for (const std::string& change : changeList) r.warn("changed at the restart: " + change);
+    for (const std::string& change : pastEventChanges(then, w.scene, slice->header.clock.time))
       r.warn("changed at the restart, without effect, since its time has passed: " + change);
-    for (const std::string& change : changesOfTheStart(then, w.scene))
+    for (const std::string& change : initialStateChanges(then, w.scene))
       r.warn("changed at the restart, without effect, since it sets only how the run begins: " + change);
     // Retries with other settings do not count.
     if (!changes.empty() || !settings.empty()) w.watch.failures = 0;
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
     if (!changes.empty()) {
-      takeNewCoefficients(w, r.halos(), r.tools);
-      w.watch.goodStep = -1;  // earlier snapshots have the energies of the old coefficients
+      applyNewCoefficients(w, r.halos(), r.tools);
+      w.watch.snapshotStep = -1;  // earlier snapshots have the energies of the old coefficients
     }
     if (w.modules.surface) resumeSurface(w, r.surface->halos(), r.surfaceTools);
     w.clock.limitedBy = "the last run";
     r.resumed = true;
     if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
     if (w.modules.surface) resumeSurfaceOutput(r);
-    resumeKindFrames(r);
+    resumeBodyTypeFrames(r);
     r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step,
                       slice->header.path));
   } else {
@@ -356,19 +360,19 @@ void begin(Run& r, const MeshLoader& load) {
       r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
     watchRelaxation(r);
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
-    markMeshes(w.scene, load);  // Unreadable files were reported before, with their body.
-    sayBodies(r, sampled);
-    eachKind(w, [&](std::size_t kind, const KindRows& rows, const CellTable&) {
+    fingerprintMeshes(w.scene, load);  // Unreadable files were reported before, with their body.
+    reportBodies(r, sampled);
+    forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& rows, const CellTable&) {
       std::int64_t n = static_cast<std::int64_t>(rows.owned);
       r.all.sum({&n, 1});
-      r.say(fmt::format("{}: {} {}", kindNames[kind], n, kind == sheetKind ? "vertices" : "particles"));
+      r.say(fmt::format("{}: {} {}", bodyTypeNames[kind], n, kind == sheetType ? "vertices" : "particles"));
     });
     for (const SceneWarning& line : sampled.warnings) r.warn(warningLine(line.where, line.text));
-    warnOfIdle(r);
-    sayRelaxed(r);
+    warnOfUnused(r);
+    reportRelaxation(r);
     if (r.tools.oriented.relaxStopped && r.options.relax == 0) {  // the run would differ from that of the
                                                                   // scene
-      r.cutAtStart = true;
+      r.stoppedInRelaxation = true;
       return;
     }
     for (const std::string& pair : sampled.overlaps) {
@@ -378,7 +382,7 @@ void begin(Run& r, const MeshLoader& load) {
     }
     // Only now is the new run sure to start. An error in the scene leaves the earlier run as it is.
     onFirstRank(r.comm.handle(), [&] {
-      if (setAsideEarlierRun(r.options.out))
+      if (moveEarlierRunAside(r.options.out))
         r.say(fmt::format("note: the earlier run in {0} is now in {0}/{1}", r.options.out, earlierRunFolder));
       makeOutputFolders(r.options.out);
     });
@@ -388,8 +392,8 @@ void begin(Run& r, const MeshLoader& load) {
   }
   r.begun = true;
   onFirstRank(r.comm.handle(), [&] {
-    r.resumed ? cutProgressLog(r.options.out, w.clock.step) : beginProgressLog(r.options.out);
-    r.resumed ? cutLedgerLog(r.options.out, w.clock.step) : beginLedgerLog(r.options.out);
+    r.resumed ? truncateProgressLog(r.options.out, w.clock.step) : beginProgressLog(r.options.out);
+    r.resumed ? truncateLedgerLog(r.options.out, w.clock.step) : beginLedgerLog(r.options.out);
     std::error_code code;
     std::filesystem::remove(r.options.out + "/" + refusedName, code);  // the refusal is obsolete
   });

@@ -9,10 +9,10 @@
 #include <set>
 #include <utility>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
+#include "core/monitor/snapshot.hpp"
 #include "core/setup/setup.hpp"
 #include "core/surface/update_surface.hpp"
-#include "core/watch/good_state.hpp"
 #include "io/commands/run.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
@@ -21,7 +21,7 @@
 #include "io/run/summary.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
-#include "parallel/row_courier.hpp"
+#include "parallel/row_scatter.hpp"
 
 namespace thaw {
 
@@ -40,9 +40,9 @@ struct Run {
   std::unique_ptr<MpiCellHalo> cells;
   std::unique_ptr<MpiBondHalo> bonds;
   std::unique_ptr<SurfaceRanks> surface;  // only if the scene has one; as are the next two
-  std::array<std::unique_ptr<MpiCellHalo>, kindCount> kinds;   // oriented bodies and sheets
-  std::unique_ptr<MpiBondHalo> edges;                          // for sheets
-  std::array<std::vector<SeriesEntry>, kindCount> kindSeries;  // rank 0
+  std::array<std::unique_ptr<MpiCellHalo>, bodyTypeCount> kinds;       // oriented bodies and sheets
+  std::unique_ptr<MpiBondHalo> edges;                                  // for sheets
+  std::array<std::vector<SeriesEntry>, bodyTypeCount> bodyTypeSeries;  // rank 0
   SurfaceTools surfaceTools;
   std::vector<SeriesEntry> surfaceSeries;  // rank 0
   std::string name;                        // name of the scene, for file names
@@ -50,21 +50,24 @@ struct Run {
   RunSummary summary;
   WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
   std::int64_t firstStep = 0, stepAtReport = 0;
-  GoodState good;      // the last snapshot
-  LedgerReport books;  // ledger of the next snapshot
-  bool goodInMemory = false, goodOnDisk = false;
+  Snapshot good;                // the last snapshot
+  LedgerReport snapshotLedger;  // ledger of the next snapshot
+  bool snapshotInMemory = false, snapshotOnDisk = false;
   std::unique_ptr<Profile> profile;  // with --profile, from the first step on
   bool resumed = false;              // the run continues from a checkpoint
   bool begun = false;                // the world holds its particles
-  bool cutAtStart = false;  // stopped during relaxation before the start: nothing of the run is on disk
-  std::set<std::pair<std::size_t, std::size_t>> sunkenTold;       // oriented bodies and bodies of which
-                                                                  // warnOfSunken has warned
-  std::set<std::pair<std::size_t, std::size_t>> inObstaclesTold;  // the same for oriented bodies and walls
+  bool stoppedInRelaxation = false;  // stopped during relaxation before the start: nothing of the run is on
+                                     // disk
+  std::set<std::pair<std::size_t, std::size_t>> interpenetrationWarned;  // oriented bodies and bodies of
+                                                                         // which warnOfInterpenetration has
+                                                                         // warned
+  std::set<std::pair<std::size_t, std::size_t>> obstacleInterpenetrationWarned;  // the same for oriented
+                                                                                 // bodies and walls
   bool stepping = false;  // in the step loop, whose calls are collective
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
   Halos halos() {
-    return {all, *cells, *bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, edges.get()};
+    return {all, *cells, *bonds, {kinds[orientedType].get(), kinds[sheetType].get()}, edges.get()};
   }
   bool first() const { return comm.rank() == 0; }
   /// Prints a warning and adds it to the summary, once.
@@ -90,11 +93,11 @@ void writeFrameOf(Run& run);
 void report(Run& run);
 
 /// Warns of events and fields of oriented bodies that affect no particle.
-void warnOfIdle(Run& run);
+void warnOfUnused(Run& run);
 
 /// Warns of interpenetration, once for each oriented body and body or obstacle. Called when snapshots are due
 /// and at the end. Collective.
-void warnOfSunken(Run& run);
+void warnOfInterpenetration(Run& run);
 
 /// Gathers and writes summary.json.
 void summarise(Run& run, const std::string& status, const std::string& message);
@@ -106,17 +109,17 @@ void reportProfile(Run& run);
 void writeCheckpointOf(Run& run);
 
 /// Returns the monitor of stop requests on this rank. Rank 0 checks clock and disk for all.
-StopWatch stopWatchOf(const Run& run);
+StopMonitor stopMonitorOf(const Run& run);
 
 /// Writes the summary of a failed run; ignores errors in doing so. together: all ranks are here, so that
 /// their state can be gathered, if they have one.
-void noteFailure(Run& run, const std::string& message, bool together);
+void summariseFailure(Run& run, const std::string& message, bool together);
 
 /// Writes the summary of a run that was stopped before its start.
-void noteCutAtStart(Run& run, const std::string& message);
+void summariseStoppedRelaxation(Run& run, const std::string& message);
 
-/// Samples the bodies of the scene, continues from the newest checkpoint, or sets Run::cutAtStart. Throws
-/// SceneErrors, IoError.
+/// Samples the bodies of the scene, continues from the newest checkpoint, or sets Run::stoppedInRelaxation.
+/// Throws SceneErrors, IoError.
 void begin(Run& run, const MeshLoader& load);
 
 }  // namespace thaw

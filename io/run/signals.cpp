@@ -24,7 +24,7 @@ void catchSignals() {
 
 int caughtSignal() { return signalCaught; }
 
-std::string StopWatch::reason() {
+std::string StopMonitor::reason() {
   if (const int s = caughtSignal()) return std::string("signal ") + strsignal(s);
   const auto now = std::chrono::steady_clock::now();
   if (timeLimit > 0 && std::chrono::duration<double>(now - start).count() >= timeLimit) return "time limit";

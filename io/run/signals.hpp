@@ -13,7 +13,7 @@ void catchSignals();
 int caughtSignal();
 
 /// Returns a reason to stop on this rank, or "". It checks for the stop file at most twice a second.
-struct StopWatch {
+struct StopMonitor {
   std::string stopFile;  ///< path
   double timeLimit = 0;  ///< s of wall-clock time, 0: none
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now(), looked{};

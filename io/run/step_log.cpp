@@ -8,7 +8,7 @@
 
 namespace thaw {
 
-void cutStepLog(const std::string& path, const std::string& head, std::int64_t step) {
+void truncateStepLog(const std::string& path, const std::string& head, std::int64_t step) {
   std::ifstream file(path);
   const std::string all{std::istreambuf_iterator<char>(file), {}};
   if (all.rfind(head, 0) != 0) return replaceTextFile(path, head);

@@ -7,6 +7,6 @@ namespace thaw {
 
 /// Drops the rows of steps beyond `step`. Starts the file anew with `head` (a line) if it does not begin with
 /// that.
-void cutStepLog(const std::string& path, const std::string& head, std::int64_t step);
+void truncateStepLog(const std::string& path, const std::string& head, std::int64_t step);
 
 }  // namespace thaw

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 #include "core/ledger/totals.hpp"
 #include "io/hdf5/parallel_file.hpp"
-#include "io/run/process_mark.hpp"
+#include "io/run/process_identity.hpp"
 #include "io/version.hpp"
 
 namespace thaw {
@@ -63,8 +63,8 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) * 1024;
 }
 
-void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, const Traffic& traffic,
-                   Reducer& all) {
+void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times,
+                   const CommunicationStatistics& traffic, Reducer& all) {
   s.traffic = gatherTraffic(traffic, {}, all);
   std::vector<double> most, least;
   std::vector<std::int64_t> sum;
@@ -120,8 +120,8 @@ void writeSummary(const std::string& out, const RunSummary& s, const std::string
   bool kinds = false;
   for (const std::int64_t rows : s.ledger.rows) kinds = kinds || rows > 0;
   if (s.ledger.particles > 0 || !kinds) j["particles"] = s.ledger.particles;
-  for (std::size_t k = 0; k < kindCount; k++)
-    if (s.ledger.rows[k] > 0) j[kindNames[k]] = s.ledger.rows[k];
+  for (std::size_t k = 0; k < bodyTypeCount; k++)
+    if (s.ledger.rows[k] > 0) j[bodyTypeNames[k]] = s.ledger.rows[k];
   j["time_s"] = s.clock.time;
   j["end_s"] = s.clock.end;
   j["step"] = s.clock.step;

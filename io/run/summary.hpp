@@ -38,8 +38,8 @@ struct RunSummary {
 };
 
 /// Gathers phases, imbalance, bytes, memory and counters over ranks. Collective.
-void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times, const Traffic& traffic,
-                   Reducer& all);
+void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times,
+                   const CommunicationStatistics& traffic, Reducer& all);
 
 inline constexpr const char* summaryName = "summary.json";
 /// Summary of a start that is refused, in a folder that holds a run. The summary of that run stays as it is.

@@ -58,8 +58,8 @@ void addToComponentLog(const std::string& out, const World& w) {
   if (!file) throw IoError(componentLogPath(out), "cannot be written");
 }
 
-VolumeHeld cutComponentLog(const std::string& out, std::int64_t step) {
-  VolumeHeld held;
+VolumeErrors truncateComponentLog(const std::string& out, std::int64_t step) {
+  VolumeErrors held;
   std::ifstream file(componentLogPath(out));
   if (!file) {
     beginComponentLog(out);
@@ -77,7 +77,7 @@ VolumeHeld cutComponentLog(const std::string& out, std::int64_t step) {
     if (all.eof() || at < 0 || at > step) continue;
     kept += line + missingCommas(line) + "\n";
     if (at != frameStep) {
-      noteVolumes(held, frame, time);
+      recordVolumes(held, frame, time);
       frame.clear();
       frameStep = at;
     }
@@ -92,7 +92,7 @@ VolumeHeld cutComponentLog(const std::string& out, std::int64_t step) {
     frame.push_back(c);
     time = numberIn(fields, column::time, 0.0);
   }
-  noteVolumes(held, frame, time);
+  recordVolumes(held, frame, time);
   if (kept != all.str()) replaceTextFile(componentLogPath(out), kept);
   return held;
 }

@@ -21,7 +21,7 @@ void addToComponentLog(const std::string& out, const World& world);
 /// Drops lines after `step` and an incomplete last line, at a rollback or restart. Starts a missing log anew.
 /// Returns the volume errors of the remaining frames. Lines of earlier versions lack the target volume; that
 /// field stays empty.
-VolumeHeld cutComponentLog(const std::string& out, std::int64_t step);
+VolumeErrors truncateComponentLog(const std::string& out, std::int64_t step);
 
 /// Replaces the whole log, which is part of the state.
 void writeEventLog(const std::string& out, const std::vector<SurfaceEvent>& events);

@@ -1,7 +1,7 @@
 #include "io/run/surface_run.hpp"
 
 #include "core/solid_step.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/output/surface_frame.hpp"
 #include "io/run/surface_log.hpp"
 #include "io/run/surface_summary.hpp"
@@ -13,7 +13,7 @@ void beginSurface(Run& r, const MeshLoader& load) {
   r.tools.times.start();
   startSurface(r.world, r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Setup);
-  std::vector<std::string> warnings = lumpWarnings(r.world.scene, r.surfaceTools.lumps);
+  std::vector<std::string> warnings = mergedSheetWarnings(r.world.scene, r.surfaceTools.mergedSheets);
   for (std::string& line : pieceWarnings(r.world.scene, r.surfaceTools.pieces))
     warnings.push_back(std::move(line));
   for (const std::string& line : warnings) {
@@ -29,7 +29,7 @@ void beginSurface(Run& r, const MeshLoader& load) {
 void resumeSurfaceOutput(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
     r.surfaceSeries = framesPresent(r.options.out, surfaceName(r.name), r.world.clock.time);
-    r.summary.surface.held = cutComponentLog(r.options.out, r.world.clock.step);
+    r.summary.surface.held = truncateComponentLog(r.options.out, r.world.clock.step);
     writeEventLog(r.options.out, r.world.surface.events);
   });
 }
@@ -57,13 +57,13 @@ void writeSurfaceFrameOf(Run& r) {
     r.surfaceSeries.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, name), r.surfaceSeries);
     addToComponentLog(r.options.out, w);
-    noteVolumes(r.summary.surface.held, w.surface.components, w.clock.time);
+    recordVolumes(r.summary.surface.held, w.surface.components, w.clock.time);
   });
 }
 
-void forgetSurfaceFrames(Run& r) {
-  forgetSeries(r.options.out, surfaceName(r.name), r.surfaceSeries, r.world.clock.time);
-  r.summary.surface.held = cutComponentLog(r.options.out, r.world.clock.step);
+void removeSurfaceFrames(Run& r) {
+  removeFramesAfter(r.options.out, surfaceName(r.name), r.surfaceSeries, r.world.clock.time);
+  r.summary.surface.held = truncateComponentLog(r.options.out, r.world.clock.step);
   writeEventLog(r.options.out, r.world.surface.events);
 }
 

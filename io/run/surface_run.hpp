@@ -1,4 +1,4 @@
-// The surface in a run: start, update and output. All functions but forgetSurfaceFrames are collective. All
+// The surface in a run: start, update and output. All functions but removeSurfaceFrames are collective. All
 // require the surface module.
 #pragma once
 #include "io/run/run_state.hpp"
@@ -18,7 +18,7 @@ void updateSurfaceOf(Run& run);
 void writeSurfaceFrameOf(Run& run);
 
 /// Removes frames, lines and events after the snapshot, at a rollback. First rank only.
-void forgetSurfaceFrames(Run& run);
+void removeSurfaceFrames(Run& run);
 
 /// Adds surfels, components, events, counters and times to the summary. Does nothing without a surface.
 void gatherSurface(Run& run);

@@ -30,7 +30,7 @@ Json surfaceJson(const SurfaceSummary& s) {
                                                                                       s.updatesHere);
   SurfaceCounters counters = s.counters;
   for (const NamedCount& c : countsOf(counters)) j["counters"][c.name] = *c.count;
-  j["volume_held"] = volumeHeldJson(s.held);
+  j["volume_held"] = volumeErrorJson(s.held);
   j["components"] = Json::array();
   for (const SurfaceComponent& c : s.components)
     j["components"].push_back({{"component", c.label},
@@ -70,7 +70,7 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
                           1e3 * s.phases[k] / static_cast<double>(s.updatesHere));
     lines.push_back(line);
   }
-  for (const std::string& line : volumeHeldLines(s.held)) lines.push_back(line);
+  for (const std::string& line : volumeErrorLines(s.held)) lines.push_back(line);
   std::vector<SurfaceComponent> largest = s.components;
   std::stable_sort(largest.begin(), largest.end(), [](const SurfaceComponent& a, const SurfaceComponent& b) {
     return a.particles > b.particles;
@@ -85,10 +85,11 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
   return lines;
 }
 
-std::vector<std::string> lumpWarnings(const Scene& scene, const std::vector<std::uint64_t>& lumps) {
+std::vector<std::string> mergedSheetWarnings(const Scene& scene,
+                                             const std::vector<std::uint64_t>& mergedSheets) {
   std::vector<std::string> w;
   std::uint64_t last = ~std::uint64_t{0};
-  for (const std::uint64_t label : lumps) {  // labels are 1 + the smallest particle id
+  for (const std::uint64_t label : mergedSheets) {  // labels are 1 + the smallest particle id
     const std::uint64_t body = (label - 1) >> idBits;
     if (body == last || body >= scene.bodies.size()) continue;
     last = body;
@@ -123,7 +124,7 @@ std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {
   add(s.counters.flipped, "times a surfel's normal pointed into the particles and was reversed");
   add(s.counters.capped, "updates of the surface reached their limit of births and deaths");
   add(s.counters.unfinished, "updates of the surface ended at surface.iterations while surfels still moved");
-  if (const std::string line = volumeHeldWarning(s.held); s.keepsVolume && !line.empty()) w.push_back(line);
+  if (const std::string line = volumeErrorWarning(s.held); s.keepsVolume && !line.empty()) w.push_back(line);
   return w;
 }
 

@@ -22,7 +22,7 @@ struct SurfaceSummary {
   double seconds = 0;                          ///< their time, largest over ranks
   std::array<double, surfacePhases> phases{};  ///< s, by phase, largest over ranks
   bool keepsVolume = false;                    ///< the scene sets surface.keep_volume
-  VolumeHeld held;                             ///< over all frames of the run so far; first rank only
+  VolumeErrors held;                           ///< over all frames of the run so far; first rank only
   SurfaceCounters counters;
   std::vector<SurfaceComponent> components;
   std::vector<SurfaceEvent> events;
@@ -33,8 +33,9 @@ nlohmann::ordered_json surfaceJson(const SurfaceSummary& summary);
 /// Returns lines with counters, volume errors, and the largest components.
 std::vector<std::string> surfaceLines(const SurfaceSummary& summary);
 
-/// Returns a line for each body with a label in SurfaceTools::lumps, at a start.
-std::vector<std::string> lumpWarnings(const Scene& scene, const std::vector<std::uint64_t>& lumps);
+/// Returns a line for each body with a label in SurfaceTools::mergedSheets, at a start.
+std::vector<std::string> mergedSheetWarnings(const Scene& scene,
+                                             const std::vector<std::uint64_t>& mergedSheets);
 
 /// Returns a line for each body in SurfaceTools::pieces, at a start.
 std::vector<std::string> pieceWarnings(const Scene& scene, const std::vector<BodyPieces>& pieces);

@@ -18,7 +18,7 @@ enum Tag { ClockTag = 51, CountTag = 52, EventsTag = 53 };
 std::int64_t now() { return StepTrace::nanoseconds(StepTrace::Clock::now()); }
 
 /// Returns the clock offset of the first rank of a machine, by round trips to rank 0.
-std::int64_t askFirstRank(MPI_Comm comm) {
+std::int64_t measureClockOffset(MPI_Comm comm) {
   std::int64_t quickest = INT64_MAX, offset = 0;
   for (int k = 0; k < 20; k++) {
     const std::int64_t sent = now();
@@ -33,7 +33,7 @@ std::int64_t askFirstRank(MPI_Comm comm) {
   return offset;
 }
 
-void answer(MPI_Comm comm, int rank) {
+void answerClockRequests(MPI_Comm comm, int rank) {
   for (int k = 0; k < 20; k++) {
     std::int64_t sent = 0;
     MPI_Recv(&sent, 1, MPI_INT64_T, rank, ClockTag, comm, MPI_STATUS_IGNORE);
@@ -121,9 +121,9 @@ std::int64_t clockOffset(const Communicator& comm) {
   std::int64_t offset = 0;
   if (comm.rank() == 0) {
     for (int r = 1; r < comm.size(); r++)
-      if (firsts[static_cast<std::size_t>(r)] == r) answer(comm.handle(), r);
+      if (firsts[static_cast<std::size_t>(r)] == r) answerClockRequests(comm.handle(), r);
   } else if (firstHere == comm.rank()) {
-    offset = askFirstRank(comm.handle());
+    offset = measureClockOffset(comm.handle());
   }
   MPI_Bcast(&offset, 1, MPI_INT64_T, 0, machine);
   MPI_Comm_free(&machine);

@@ -13,9 +13,10 @@ nlohmann::ordered_json json(const RankSpread& s) {
 
 }  // namespace
 
-TrafficSummary gatherTraffic(const Traffic& now, const Traffic& before, Reducer& all) {
+TrafficSummary gatherTraffic(const CommunicationStatistics& now, const CommunicationStatistics& before,
+                             Reducer& all) {
   std::vector<double> mine;
-  const auto add = [&](const Traffic::Sum& a, const Traffic::Sum& b) {
+  const auto add = [&](const CommunicationStatistics::Sum& a, const CommunicationStatistics::Sum& b) {
     mine.push_back(static_cast<double>(a.messages - b.messages));
     mine.push_back(static_cast<double>(a.bytes - b.bytes));
     mine.push_back(a.waited - b.waited);

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/halo/halo.hpp"
-#include "parallel/traffic.hpp"
+#include "parallel/communication_statistics.hpp"
 
 namespace thaw {
 
@@ -24,7 +24,8 @@ struct TrafficSummary {
 };
 
 /// Returns the traffic since `before`. Collective.
-TrafficSummary gatherTraffic(const Traffic& now, const Traffic& before, Reducer& all);
+TrafficSummary gatherTraffic(const CommunicationStatistics& now, const CommunicationStatistics& before,
+                             Reducer& all);
 
 nlohmann::ordered_json trafficJson(const TrafficSummary& traffic);
 

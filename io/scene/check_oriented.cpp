@@ -1,7 +1,7 @@
 // Checks events of oriented bodies against the other bodies and earlier events.
 #include <fmt/format.h>
 
-#include "core/oriented/operations.hpp"
+#include "core/oriented/events.hpp"
 #include "core/oriented/welded_bodies.hpp"
 #include "io/scene/read_sections.hpp"
 

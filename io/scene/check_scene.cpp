@@ -41,15 +41,15 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
     const std::string what = m.name.empty()
                                  ? "its material is missing"
                                  : "there is no material '" + m.name + "'" + suggestion(m.name, names);
-    if (!m.told && x.materials) errors.push_back({m.where, who + ": " + what});
+    if (!m.reported && x.materials) errors.push_back({m.where, who + ": " + what});
   };
   for (std::size_t b = 0; b < s.bodies.size(); b++)
     resolve(x.bodyMaterials[b], "body '" + s.bodies[b].name + "'", s.bodies[b].material);
   for (std::size_t e = 0; e < s.emitters.size(); e++)
     resolve(x.emitterMaterials[e], "emitter '" + s.emitters[e].name + "'", s.emitters[e].material);
-  for (std::size_t t = 0; t < s.temperings.size(); t++)
+  for (std::size_t t = 0; t < s.thermostats.size(); t++)
     if (!x.temperingMaterials[t].name.empty())
-      resolve(x.temperingMaterials[t], "tempering", s.temperings[t].material);
+      resolve(x.temperingMaterials[t], "tempering", s.thermostats[t].material);
 
   const auto unique = [&](const auto& list, const char* kind) {
     std::set<std::string> seen;

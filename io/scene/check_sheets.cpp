@@ -35,7 +35,7 @@ void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
 
 /// Returns a force on a vertex that depends on its position, other than the spring to its rest position.
 /// Returns "" if there is none.
-std::string whatPulls(const Scene& s, const SheetBody& b) {
+std::string positionDependentForce(const Scene& s, const SheetBody& b) {
   if (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 ||
       b.pull > 0)
     return "its neighbours pull at";
@@ -68,7 +68,7 @@ void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std:
          who + ": a vertex needs mass, damping or stiffness at all times, and all three are 0 at some time"});
     return;
   }
-  if (const std::string pulls = whatPulls(s, b); !damped && !pulls.empty())
+  if (const std::string pulls = positionDependentForce(s, b); !damped && !pulls.empty())
     errors.push_back(
         {where, who + ": with neither mass nor damping (at all times) no step is stable for a vertex that " +
                     pulls + ": expected mass or damping"});

@@ -66,7 +66,7 @@ std::string tooFineForBodies(const Scene& s, bool noGrid) {
 
 /// Checks oriented bodies and sheets without files, if the domain cannot be divided into cells. The error is
 /// at the body if it has its own spacing, else at the `spacing` of the scene for the largest body.
-bool tooFineForKinds(const SceneReading& x, std::vector<SceneError>& errors) {
+bool tooFineForBodyTypes(const SceneReading& x, std::vector<SceneError>& errors) {
   const std::size_t before = errors.size();
   const auto refuse = [&](const ExpectedRows& e, const SourcePlace& where, const char* key) {
     errors.push_back(
@@ -89,7 +89,7 @@ bool tooFineForKinds(const SceneReading& x, std::vector<SceneError>& errors) {
 }
 
 /// Returns text on the room for particles in the domain. Meshes in files are not read yet.
-std::string roomIn(const Scene& s) {
+std::string roomText(const Scene& s) {
   double finest = s.spacing;
   for (const OrientedBody& b : s.oriented) finest = std::min(finest, spacingOf(s, b));
   for (const SheetBody& b : s.sheets) finest = std::min(finest, spacingOf(s, b));
@@ -120,8 +120,8 @@ void checkSizes(const SceneReading& x, std::vector<SceneError>& errors) {
   // A body that is too fine is too fine for the domain as well. One message is enough.
   if (const std::string text = tooFineForBodies(s, !noGrid.empty()); !text.empty())
     return errors.push_back({x.spacing, text});
-  if (noGrid.empty() || tooFineForKinds(x, errors)) return;
-  errors.push_back({x.domain.line > 0 ? x.domain : x.spacing, noGrid + roomIn(s)});
+  if (noGrid.empty() || tooFineForBodyTypes(x, errors)) return;
+  errors.push_back({x.domain.line > 0 ? x.domain : x.spacing, noGrid + roomText(s)});
 }
 
 }  // namespace thaw

@@ -116,7 +116,7 @@ void readObstacle(TableReader& r, SceneReading& x) {
 }
 
 void readTempering(TableReader& r, SceneReading& x) {
-  Tempering t;
+  Thermostat t;
   t.where = r.place();
   std::string material;
   r.text("material", material, "material that it acts on; none: all", "name of a material");
@@ -125,7 +125,7 @@ void readTempering(TableReader& r, SceneReading& x) {
   r.number("over", t.over, "s", notNegative(), "duration; 0: one step");
   if (r.describing()) return;
   if (!r.has("temperature")) r.fail("temperature", "is missing");
-  x.scene->temperings.push_back(t);
+  x.scene->thermostats.push_back(t);
   x.temperingMaterials.push_back({material, r.placeOf("material"), r.refused("material")});
 }
 

@@ -86,7 +86,7 @@ void readField(TableReader& r, OrientedBody& b) {
 }
 
 /// Is each piece of the stroke parallel to its direction?
-bool drawsNothing(const OrientedEvent& e) {
+bool isParallelStroke(const OrientedEvent& e) {
   for (std::size_t k = 0; k + 1 < e.path.size(); k++) {
     const Vec3d piece = e.path[k + 1] - e.path[k];
     if (length(cross(piece, e.direction)) > 1e-9 * length(piece) * length(e.direction)) return false;
@@ -151,7 +151,7 @@ void readEvent(TableReader& r, OrientedBody& b) {
   if (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Stroke && e.path.size() < 2)
     r.fail("stroke", "expected at least two points");
   if (length(e.direction) == 0) r.fail("direction", "must not be zero");
-  else if (cut && e.tool == CutTool::Stroke && e.path.size() > 1 && drawsNothing(e))
+  else if (cut && e.tool == CutTool::Stroke && e.path.size() > 1 && isParallelStroke(e))
     r.fail("stroke",
            "is parallel to its `direction` and defines no plane: expected a direction across the stroke");
   b.events.push_back(std::move(e));

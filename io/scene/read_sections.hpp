@@ -9,7 +9,7 @@ namespace thaw {
 struct MaterialName {
   std::string name;
   SourcePlace where;
-  bool told = false;
+  bool reported = false;
 };
 
 /// State of reading beside the scene: names that refer to other tables, which checkScene resolves.

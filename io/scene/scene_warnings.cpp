@@ -18,7 +18,7 @@ std::string at(const SourcePlace& where) {
 }
 
 /// Is a body neither a curve nor points in one plane y = constant?
-bool leavesItsPlane(const OrientedBody& b) {
+bool isNotPlanar(const OrientedBody& b) {
   if (b.source == OrientedSource::Curve) return false;
   if (b.source != OrientedSource::Points) return true;
   return std::any_of(b.points.begin(), b.points.end(),
@@ -26,7 +26,7 @@ bool leavesItsPlane(const OrientedBody& b) {
 }
 
 /// Warns of unused materials. A misspelt name in --set makes one.
-void addIdleMaterials(const Scene& s, std::vector<std::string>& lines) {
+void addUnusedMaterials(const Scene& s, std::vector<std::string>& lines) {
   std::set<int> used;
   std::set<std::string> names;
   for (const Body& b : s.bodies) used.insert(b.material);
@@ -40,7 +40,7 @@ void addIdleMaterials(const Scene& s, std::vector<std::string>& lines) {
 }
 
 /// Warns of temperatures that are probably degrees Celsius without their unit.
-void addColdPlaces(const Scene& s, std::vector<std::string>& lines) {
+void addColdTemperatures(const Scene& s, std::vector<std::string>& lines) {
   constexpr double likely = 100;
   const auto look = [&](const SourcePlace& where, const std::string& what, double kelvin) {
     if (kelvin < likely)
@@ -59,8 +59,8 @@ void addColdPlaces(const Scene& s, std::vector<std::string>& lines) {
 }
 
 /// Warns of materials that melt in a scene without any heat.
-void addHeatless(const Scene& s, std::vector<std::string>& lines) {
-  if (s.numerics.heat == HeatModel::Paper || !s.temperings.empty()) return;
+void addMaterialsWithoutHeat(const Scene& s, std::vector<std::string>& lines) {
+  if (s.numerics.heat == HeatModel::Paper || !s.thermostats.empty()) return;
   for (const Material& m : s.materials)
     if (m.melts() && m.conductivity.solid == 0 && m.conductivity.liquid == 0 && m.convection == 0 &&
         m.emissivity == 0 && m.heatSource == 0)
@@ -74,7 +74,7 @@ void addHeatless(const Scene& s, std::vector<std::string>& lines) {
 
 std::string warningLine(const SourcePlace& where, const std::string& text) { return at(where) + ": " + text; }
 
-std::string idleEventLine(const OrientedBody& b, const OrientedEvent& e) {
+std::string unusedEventLine(const OrientedBody& b, const OrientedEvent& e) {
   const char* what = e.kind == OrientedEventKind::Weld
                          ? "weld has no effect: no particles of the two bodies are near each other"
                      : e.kind == OrientedEventKind::Cut
@@ -85,20 +85,21 @@ std::string idleEventLine(const OrientedBody& b, const OrientedEvent& e) {
   return warningLine(e.where, fmt::format("oriented body '{}': this {}", b.name, what));
 }
 
-std::string idleFieldLine(const OrientedBody& b, const OrientedField& f) {
+std::string unusedFieldLine(const OrientedBody& b, const OrientedField& f) {
   return warningLine(
       f.where, fmt::format("oriented body '{}': no particle is in this field as it begins, at {:g} s", b.name,
                            f.from));
 }
 
-std::string sunkenLine(const OrientedBody& b, const Body& body, std::int64_t count, double time) {
+std::string interpenetrationLine(const OrientedBody& b, const Body& body, std::int64_t count, double time) {
   return warningLine(
       b.where, fmt::format("oriented body '{}': {} of its particles {} inside body '{}' at {:.6g} s: contact "
                            "did not keep them out, or '{}' passes through it; a larger `contact` is stiffer",
                            b.name, count, count == 1 ? "is" : "are", body.name, time, body.name));
 }
 
-std::string sunkenLine(const OrientedBody& b, const Obstacle& obstacle, std::int64_t count, double time) {
+std::string interpenetrationLine(const OrientedBody& b, const Obstacle& obstacle, std::int64_t count,
+                                 double time) {
   return warningLine(
       b.where,
       fmt::format("oriented body '{}': {} of its particles {} inside obstacle '{}' at {:.6g} s: they began "
@@ -109,7 +110,7 @@ std::string sunkenLine(const OrientedBody& b, const Obstacle& obstacle, std::int
 std::vector<std::string> sceneWarnings(const Scene& s) {
   std::vector<std::string> lines;
   for (const OrientedBody& b : s.oriented)
-    if (b.planar && leavesItsPlane(b))
+    if (b.planar && isNotPlanar(b))
       lines.push_back(
           fmt::format("{}: oriented body '{}': planar keeps each particle at its own y, but this body is not "
                       "in one plane y = constant; planar is meant for curves",
@@ -135,9 +136,9 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
                     "oriented bodies and sheets have all their fields",
                     at(s.output.fieldsWhere), names));
   }
-  addIdleMaterials(s, lines);
-  addColdPlaces(s, lines);
-  addHeatless(s, lines);
+  addUnusedMaterials(s, lines);
+  addColdTemperatures(s, lines);
+  addMaterialsWithoutHeat(s, lines);
   for (const std::string& line : surfaceAdvice(s)) lines.push_back(line);
   return lines;
 }

@@ -16,14 +16,15 @@ std::vector<std::string> sceneWarnings(const Scene& scene);
 std::string warningLine(const SourcePlace& where, const std::string& text);
 
 /// Returns the warning of an event of an oriented body that affects no particle.
-std::string idleEventLine(const OrientedBody& body, const OrientedEvent& event);
+std::string unusedEventLine(const OrientedBody& body, const OrientedEvent& event);
 
 /// Returns the warning of a field of an oriented body that begins without particles.
-std::string idleFieldLine(const OrientedBody& body, const OrientedField& field);
+std::string unusedFieldLine(const OrientedBody& body, const OrientedField& field);
 
 /// Returns the warning of particles of an oriented body inside another body, at this time (s).
-std::string sunkenLine(const OrientedBody& oriented, const Body& body, std::int64_t count, double time);
-std::string sunkenLine(const OrientedBody& oriented, const Obstacle& obstacle, std::int64_t count,
-                       double time);
+std::string interpenetrationLine(const OrientedBody& oriented, const Body& body, std::int64_t count,
+                                 double time);
+std::string interpenetrationLine(const OrientedBody& oriented, const Obstacle& obstacle, std::int64_t count,
+                                 double time);
 
 }  // namespace thaw

@@ -3,7 +3,7 @@
 # the ledger, not a failure, the same on any number of ranks. A change that is impossible is refused; a change
 # without effect is reported as such. thaw compare works on runs with all body types.
 . "$(dirname "$0")/../support/run.sh"
-. "$(dirname "$0")/../support/meeting_scene.sh"
+. "$(dirname "$0")/../support/contact_scene.sh"
 { meetingScene; clothOver; } >"$work/all.toml"
 options=(--set 'body.block.velocity=[0, 0, -0.4]' --set numerics.retry_every=20)
 begins() { launch 2 run "$work/all.toml" "${options[@]}" --steps 500 --out "$1" >"$work/log" 2>&1; expectExit 0 "first part"; }  # begins FOLDER
@@ -22,8 +22,8 @@ for change in oriented.net.stiffness=150 sheet.cloth.warp=2000 material.jelly.yo
   awk -v j="$jump" -v r="$residual" 'BEGIN { exit !(j * j > 1e-12 && r * r < 0.01 * j * j) }' || fail "$change: residual $residual J with a jump of $jump J"
   echo "$change: jump $jump J, residual $residual J"
 done
-"$thaw" compare "$work/run.1" "$work/run.3" >"$work/log" 2>&1; expectExit 0 "compare of a run with all kinds"
-expectMessage '^equal: 125 particles, [0-9]* oriented, 256 sheet, [0-9]* fields' "compare of a run with all kinds"
+"$thaw" compare "$work/run.1" "$work/run.3" >"$work/log" 2>&1; expectExit 0 "compare of a run with all types"
+expectMessage '^equal: 125 particles, [0-9]* oriented, 256 sheet, [0-9]* fields' "compare of a run with all types"
 "$thaw" compare "$work/run.1" "$work/first" >"$work/log" 2>&1; expectExit 1 "compare of different runs"
 expectMessage '^oriented position: [0-9]* of [0-9]* ids differ' "compare of different runs"
 expectMessage '^sheet position: 256 of 256 ids differ' "compare of different runs"

@@ -11,7 +11,7 @@ try() {  # try NAME FILE STEPS SETTINGS
   echo "$1: $(value "$work/$1.1/summary.json" oriented) particles, $(value "$work/$1.1/summary.json" oriented_births) births, $(value "$work/$1.1/summary.json" oriented_deaths) deaths"
   rm -rf "${work:?}/$1".*
 }
-. "$(dirname "$0")/../support/meeting_scene.sh"
+. "$(dirname "$0")/../support/contact_scene.sh"
 # A block falls on a surface that is held at its rim. Then a cloth lies on the surface and the block on the
 # cloth, while a patch flies out of the domain.
 meetingScene >"$work/meeting.toml"

@@ -39,7 +39,7 @@ rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set 
 # A bath of 8 layers in a tank of 7.2 spacings is compressed by the walls. A bath of 7.2 spacings has 7 layers
 # and fits, as does one of 8 in a tank of 8.
 tank() {
-  kinds "$1" <<SCENE
+  bodyTypes "$1" <<SCENE
 [material.water]
 [[body]]
 name = 'bath'
@@ -52,7 +52,7 @@ SCENE
 }
 rejects "a bath that is pressed into its tank" "^warning: .*bath.toml:7:1: body 'bath': its liquid starts compressed by up to [0-9]+ % and would burst at about [0-9.]+ m/s" 0 check "$(tank bath 0.4 0.36)" --set quality=preview
 ring() {
-  kinds ring <<SCENE
+  bodyTypes ring <<SCENE
 [material.water]
 [[body]]
 name = 'ring'

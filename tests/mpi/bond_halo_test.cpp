@@ -10,25 +10,25 @@ namespace {
 using namespace test;
 
 void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded,
-          std::size_t piece = largestPiece) {
-  Rig rig(particles, seed, piece);
+          std::size_t chunk = largestChunk) {
+  Rig rig(particles, seed, chunk);
   Dice& d = rig.dice;
   for (int round = 0; round < rounds; round++) {
     SCOPED_TRACE("round " + std::to_string(round));
     const double much = d.chance(0.2) ? 0.6 : 0.03;
     if (round == 0 || d.chance(0.8)) {
       rig.meltAndFreeze(round == 0 ? 0 : much * 0.5, round == 0 ? 0.8 : much);
-      rig.relink();
+      rig.rebuildBonds();
       if (!rig.good("melt and freeze")) return;
     }
     if (round == 0 || d.chance(0.7)) {
-      rig.relink(rig.requests(round == 0 ? 3 * particles : d.below(particles / 4 + 4), oneEnded));
+      rig.rebuildBonds(rig.requests(round == 0 ? 3 * particles : d.below(particles / 4 + 4), oneEnded));
       if (!rig.good("requests")) return;
     }
     if (d.chance(0.3)) {
       rig.breakSome(0.05);
       if (d.chance(0.5)) {
-        rig.relink();
+        rig.rebuildBonds();
         if (!rig.good("break")) return;
       }
     }
@@ -38,16 +38,16 @@ void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded
     if (d.chance(0.3)) rig.meltAndFreeze(0.05, 0.05);  // as at the end of a step
     rig.migrate(everything ? 1 : much, target, d.chance(0.3) ? 0.02 : 0);
     if (withChange) rig.meltAndFreeze(0.05, 0.05);
-    rig.relink();
+    rig.rebuildBonds();
     if (!rig.good("migrate")) return;
-    EXPECT_FALSE(rig.relink());  // nothing changed
+    EXPECT_FALSE(rig.rebuildBonds());  // nothing changed
   }
 }
 
 TEST(BondHalo, MatchesTheModelForManyParticles) { play(400, 1, 40, 0); }
 TEST(BondHalo, MatchesTheModelForOneEndedBonds) { play(150, 2, 60, 0.3); }
 TEST(BondHalo, SplitsMessagesIntoChunks) {
-  play(200, 4, 15, 0.1, smallestPiece);
+  play(200, 4, 15, 0.1, smallestChunk);
   play(200, 5, 15, 0.1, 1000);
 }
 TEST(BondHalo, MatchesTheModelForFewParticles) {
@@ -62,7 +62,7 @@ TEST(BondHalo, HandlesNoParticles) { play(0, 6, 3, 0); }
 TEST(BondHalo, SecondMigrationNeedsARebuild) {
   Rig rig(20, 7);
   rig.meltAndFreeze(0, 1);
-  rig.relink();
+  rig.rebuildBonds();
   rig.migrate(1, 0, 0);
   if (rig.comm.size() == 1) return;  // no rank to migrate to
   EXPECT_THROW(rig.halo->migrate(rig.p, rig.s, rig.b, {}), std::logic_error);
@@ -74,8 +74,8 @@ TEST(BondHalo, BuildsTheSameGraphFromRecords) {
   for (const bool relinkFirst : {false, true}) {
     Rig rig(120, 8);
     rig.meltAndFreeze(0, 0.9);
-    rig.relink();
-    rig.relink(rig.requests(500, 0));
+    rig.rebuildBonds();
+    rig.rebuildBonds(rig.requests(500, 0));
     if (!rig.good("before")) return;
     SolidRecords records;
     for (std::uint32_t slot = 0; slot < rig.s.owned; slot++) appendRecord(rig.s, rig.b, slot, records);
@@ -88,12 +88,12 @@ TEST(BondHalo, BuildsTheSameGraphFromRecords) {
     std::fill_n(rig.p.slot.data(), rig.p.owned, noSlot);
     rig.halo->adopt(std::move(records.bytes));
     if (relinkFirst) {
-      rig.relink();
+      rig.rebuildBonds();
       if (!rig.good("adopted")) return;
     }
     for (const double chance : {1.0, 0.3}) {
       rig.migrate(chance, -1, 0);
-      rig.relink();
+      rig.rebuildBonds();
       if (!rig.good("moved")) return;
     }
   }

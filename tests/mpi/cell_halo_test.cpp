@@ -80,12 +80,12 @@ double measuredImbalance(std::span<const double> cost, Reducer& all) {
   return largest[0] * all.size() / (static_cast<double>(total[0]) * 1e-12);
 }
 
-void run(const Cloud& cloud, bool spread, std::size_t piece = largestPiece) {
+void run(const Cloud& cloud, bool spread, std::size_t chunk = largestChunk) {
   const CellGrid& g = cloud.grid;
   SCOPED_TRACE(testing::Message() << "cells " << g.cells.x << ' ' << g.cells.y << ' ' << g.cells.z
                                   << ", particles " << cloud.number << ", periodic " << g.periodic[0]
                                   << g.periodic[1] << g.periodic[2]);
-  const Communicator comm(MPI_COMM_WORLD, piece);
+  const Communicator comm(MPI_COMM_WORLD, chunk);
   MpiReducer all(comm);
   MpiCellHalo halo(comm, cloud.grid);
   checkTiling(cloud.grid, halo, all);
@@ -130,8 +130,8 @@ TEST(CellHalo, HandlesMoreRanksThanCells) {
 }
 
 TEST(CellHalo, SplitsMessagesIntoChunks) {
-  for (const std::size_t piece : {smallestPiece, std::size_t{96}, std::size_t{1000}})
-    run({plainGrid({5, 4, 6}, 5), 700}, false, piece);
+  for (const std::size_t chunk : {smallestChunk, std::size_t{96}, std::size_t{1000}})
+    run({plainGrid({5, 4, 6}, 5), 700}, false, chunk);
   run({plainGrid({4, 3, 3}, 1), 3000}, true, 4096);
 }
 

@@ -139,7 +139,7 @@ TEST(Compare, ABondIsPartOfTheState) {
       [](World& w) {  // id 100 loses a bond; the first bond of id 101 gets another weight
         for (std::size_t s = 0; s < w.solids.owned; s++)
           for (int k = 0; k < w.bonds.capacity; k++) {
-            if (!w.bonds.there(s, k)) continue;
+            if (!w.bonds.hasBond(s, k)) continue;
             const std::size_t at = w.bonds.at(s, k);
             if (w.solids.id[s] == 100) w.bonds.cut(s, k);
             if (w.solids.id[s] == 101) w.bonds.weight.set(at, nextUp(w.bonds.weight[at]));

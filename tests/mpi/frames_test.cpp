@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/solid/plasticity.hpp"
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/output/earlier_run.hpp"
 #include "io/output/frame_fields.hpp"
@@ -199,7 +199,7 @@ TEST(Series, IsRebuiltFromTheExistingFrames) {
     EXPECT_EQ(back[2].time, 0.08);
     EXPECT_EQ(findSeries(folder.path), std::vector<std::string>{index});
     for (const bool run : {true, false}) {  // the second time the folder is absent
-      EXPECT_EQ(setAsideEarlierRun(folder.path), run);
+      EXPECT_EQ(moveEarlierRunAside(folder.path), run);
       EXPECT_FALSE(fs::exists(index));
       EXPECT_TRUE(fs::exists(folder.path + "/previous/frames/wax_000000.hdf"));
     }

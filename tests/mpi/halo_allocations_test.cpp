@@ -17,7 +17,7 @@ TEST(CellHalo, SteadyStepAllocatesNothing) {
   rig.start(true);
   Continuum& p = rig.particles;
   AnyColumn* const columns[] = {&p.id, &p.position, &p.velocity, &p.liquid};
-  AnyColumn* const refreshed[] = {&p.filling};
+  AnyColumn* const refreshed[] = {&p.relativeDensity};
   for (int step = 0; step < 4; step++) {
     if (step < 2) rig.exchange();
     const long before = allocations;

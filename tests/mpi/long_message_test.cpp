@@ -41,7 +41,7 @@ TEST(LongMessage, MoreThan2To31BytesArriveInOrder) {
     marked([&](std::size_t at) { from.get()[at] = mark(at); });
     startSend(comm, from.get(), bytes, last, 7, MessagesFor::Migration, requests);
   }
-  EXPECT_LE(comm.piece(), std::size_t{1} << 30);
+  EXPECT_LE(comm.chunk(), std::size_t{1} << 30);
   finishAll(requests);
   if (comm.rank() == last) marked([&](std::size_t at) { ASSERT_EQ(to.get()[at], mark(at)) << at; });
 }

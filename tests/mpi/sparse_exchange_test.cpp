@@ -29,7 +29,7 @@ std::byte content(std::size_t i, int from, int k) {
 
 TEST(SparseExchange, EverythingArrivesInOrderOfSenders) {
   const Communicator comm;
-  Inbox in;
+  ReceiveBuffer in;
   for (int round = 0; round < 60; round++) {
     std::vector<Message> out;
     for (int to = comm.size() - 1; to >= 0; to--)
@@ -55,7 +55,7 @@ TEST(SparseExchange, EverythingArrivesInOrderOfSenders) {
 
 TEST(SparseExchange, LongMessagesAreSplitIntoChunks) {
   const Communicator comm(MPI_COMM_WORLD, 64);
-  ASSERT_EQ(comm.piece(), 64u);
+  ASSERT_EQ(comm.chunk(), 64u);
   const std::size_t sizes[] = {1, 63, 64, 65, 128, 1000, 6400};  // multiples of a chunk end with an empty one
   for (int round = 0; round < 10; round++) {
     std::vector<Message> out;
@@ -82,10 +82,10 @@ TEST(SparseExchange, CountsItsMessages) {
   if (comm.size() == 1) return;
   const std::vector<Message> out{{(comm.rank() + 1) % comm.size(), std::vector<std::byte>(100)}};
   sparseExchange(comm, out, 3, MessagesFor::Rows);
-  EXPECT_EQ(comm.traffic()[MessagesFor::Rows].messages, 2);  // in two chunks
-  EXPECT_EQ(comm.traffic()[MessagesFor::Rows].bytes, 100);
-  EXPECT_EQ(comm.traffic().collectives, 1);
-  EXPECT_GE(comm.traffic().total().waited, 0);
+  EXPECT_EQ(comm.statistics()[MessagesFor::Rows].messages, 2);  // in two chunks
+  EXPECT_EQ(comm.statistics()[MessagesFor::Rows].bytes, 100);
+  EXPECT_EQ(comm.statistics().collectives, 1);
+  EXPECT_GE(comm.statistics().total().waited, 0);
 }
 
 TEST(Transfer, ChunksArriveInOrder) {
@@ -113,7 +113,7 @@ TEST(MpiReducer, LongReductionsAreSplit) {
   all.sum(sums);
   for (std::size_t k = 0; k < sums.size(); k++)
     ASSERT_EQ(sums[k], static_cast<std::int64_t>(k) * comm.size() * (comm.size() + 1) / 2);
-  EXPECT_EQ(comm.traffic().collectives, comm.size() == 1 ? 0 : 4);
+  EXPECT_EQ(comm.statistics().collectives, comm.size() == 1 ? 0 : 4);
 }
 
 TEST(MpiReducer, MaximumAndSumOverAllRanks) {

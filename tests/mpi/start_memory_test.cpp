@@ -52,7 +52,7 @@ double askedFor(bool solid) {
                           (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) -
                            1);
   tools.bondsAtStart = solid;
-  takeStock(w, halos, tools);
+  initializeForces(w, halos, tools);
   return static_cast<double>(allocatedBytes - before) / static_cast<double>(p.owned);
 }
 

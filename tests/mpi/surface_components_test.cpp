@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/math/hash_random.hpp"
-#include "parallel/row_courier.hpp"
+#include "parallel/row_scatter.hpp"
 #include "tests/support/surface_rig.hpp"
 
 using namespace thaw;

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <map>
 
+#include "core/monitor/snapshot.hpp"
 #include "core/setup/setup.hpp"
-#include "core/watch/good_state.hpp"
 #include "io/compare/compare.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
@@ -140,11 +140,11 @@ TEST(SurfaceOutput, CheckpointWithoutASurfaceIsReadForScenesWithoutOne) {
 TEST(SurfaceOutput, SnapshotHoldsTheSurface) {
   Sample sample(MPI_COMM_WORLD, 100);
   World& w = sample.w;
-  GoodState kept;
+  Snapshot kept;
   addSurface(w, MPI_COMM_WORLD, 200);
   World before;
   addSurface(before, MPI_COMM_WORLD, 200);
-  keepState(w, kept);
+  takeSnapshot(w, kept);
   expectSame(kept.world.surface, before.surface);
   EXPECT_EQ(rowsOf(kept.world.surface.surfels), rowsOf(before.surface.surfels));
   w.surface.surfels.resize(w.surface.surfels.owned / 2, 0);
@@ -155,7 +155,7 @@ TEST(SurfaceOutput, SnapshotHoldsTheSurface) {
   StepTools tools;
   emptyWorld(w, tools);
   EXPECT_EQ(w.surface.surfels.owned, 0u);
-  bringBack(kept, w);
+  restoreSnapshot(kept, w);
   expectSame(w.surface, before.surface);
   EXPECT_EQ(rowsOf(w.surface.surfels), rowsOf(before.surface.surfels));
 }

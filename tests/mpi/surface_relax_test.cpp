@@ -7,21 +7,21 @@
 
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
-#include "core/surface/ready_particles.hpp"
-#include "parallel/row_courier.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "parallel/row_scatter.hpp"
+#include "tests/support/relax_rig.hpp"
 
 using namespace thaw;
-using test::SettleRig;
+using test::RelaxRig;
 
 namespace {
 
 /// A ball across the periodic side along x, half molten, with some surfels beyond the reach of the particles.
-std::unique_ptr<SettleRig> ball(bool periodic) {
-  auto made = std::make_unique<SettleRig>(0.5, 14, [&](Scene& s) {
+std::unique_ptr<RelaxRig> ball(bool periodic) {
+  auto made = std::make_unique<RelaxRig>(0.5, 14, [&](Scene& s) {
     if (periodic) s.domain.side[0] = {Side::Periodic, Side::Periodic};
   });
-  SettleRig& rig = *made;
+  RelaxRig& rig = *made;
   const Vec3d middle{periodic ? 13.0 : 2.0, 1, -1};
   rig.addLattice(7, {0.5, 0.5, 0.5}, [](const Vec3d& x) { return length(x) < 6; });
   rig.addBallSurfels(6, 0.15);
@@ -35,8 +35,8 @@ std::unique_ptr<SettleRig> ball(bool periodic) {
     p.position[i] = x + middle;
   }
   Surfels& s = rig.w.surface.surfels;
-  s.activate(s.softened);
-  s.activate(s.mark);
+  s.activate(s.maxLiquidFraction);
+  s.activate(s.detailHeight);
   for (std::size_t i = 0; i < s.owned; i++) s.position[i] += middle;
   return made;
 }
@@ -46,7 +46,7 @@ void update(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const auto place = [&] {
     placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
     placeRows(s.grid, halos.particles, s.particles, s.particleCells, t.sort);
-    t.relax.particlesReady = false;
+    t.relax.particlesPrepared = false;
   };
   for (int k = 0; k < 2; k++) {
     s.particles.resize(s.particles.owned, 0);
@@ -58,17 +58,18 @@ void update(World& w, SurfaceHalos halos, SurfaceTools& t) {
       s.particles.position[i] += s.particles.displacement[i];
     place();
     sampleFields(w, halos, t);
-    settle(w, halos, t, forceWeights(w.scene.surface), 15, false);
+    relaxSurfels(w, halos, t, forceWeights(w.scene.surface), 15, false);
     blendSurfels(w);
   }
 }
 
 struct Row {
   Vec3d position, normal, tangent;
-  float liquid, detail, softened, mark;
+  float liquid, detail, maxLiquidFraction, detailHeight;
 };
 Row rowOf(const Surfels& s, std::size_t i) {
-  return {s.position[i], s.normal[i], s.tangent[i], s.liquid[i], s.detail[i], s.softened[i], s.mark[i]};
+  return {s.position[i],          s.normal[i],      s.tangent[i], s.liquid[i], s.detail[i],
+          s.maxLiquidFraction[i], s.detailHeight[i]};
 }
 
 void keepShare(Table& rows, int rank, int size) {
@@ -81,7 +82,7 @@ void keepShare(Table& rows, int rank, int size) {
 void compare(bool periodic) {
   const Communicator comm(MPI_COMM_WORLD);
   const auto one = ball(periodic), many = ball(periodic);
-  SettleRig &serial = *one, &mine = *many;
+  RelaxRig &serial = *one, &mine = *many;
   update(serial.w, serial.ranks->halos(), serial.tools);
   SurfaceRanks ranks(comm, mine.w.surface.grid);
   keepShare(mine.w.surface.surfels, ranks.all.rank(), ranks.all.size());

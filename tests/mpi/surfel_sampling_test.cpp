@@ -11,7 +11,7 @@
 #include "core/surface/resample.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/update_surface.hpp"
-#include "parallel/row_courier.hpp"
+#include "parallel/row_scatter.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace thaw {
@@ -53,7 +53,7 @@ template<class Ranks> void play(World& w, SurfaceTools& t, Ranks& ranks) {
       s.position[i].x *= to / stretch;
       s.normal[i] = normalized({s.normal[i].x * stretch / to, s.normal[i].y, s.normal[i].z});
       s.tangent[i] = normalized(s.tangent[i] - s.normal[i] * dot(s.normal[i], s.tangent[i]));
-      s.calm[i] = 0;  // this test moves it
+      s.resampleMargin[i] = 0;  // this test moves it
     }
     stretch = to;
     resample(w, ranks.halos(), t, 6);

@@ -30,7 +30,7 @@ void stir(Simulation& r) {
     const Vec3d x = r.particles().position[i];
     r.particles().velocity[i] = {std::sin(k * x.y), std::sin(k * x.z), 0.5 * std::sin(k * x.x)};
   }
-  takeStock(r.w, r.halos(), r.tools);
+  initializeForces(r.w, r.halos(), r.tools);
 }
 
 TEST(CarriedDensity, ConservesMomentumToRoundingAndClosesTheLedger) {
@@ -43,9 +43,9 @@ TEST(CarriedDensity, ConservesMomentumToRoundingAndClosesTheLedger) {
       s.numerics.shifting = shifting;
       Simulation r(s);
       stir(r);
-      const double kinetic = r.books().now.kinetic;
+      const double kinetic = r.ledgerReport().now.kinetic;
       ASSERT_TRUE(r.run());
-      const LedgerReport l = r.books();
+      const LedgerReport l = r.ledgerReport();
       EXPECT_LT(length(l.momentumResidual), 1e-8 * l.now.mass) << corrected << shifting;
       EXPECT_LT(std::abs(l.energyResidual), 0.01 * kinetic) << corrected << shifting;
     }
@@ -69,9 +69,9 @@ double lostByCollision(bool corrected, double dt) {
   test::addBox(s, {0, -0.02, -0.01}, {0.04, 0.02, 0.03}).velocity = {-1, 0, 0};
   s.end = 0.02;
   Simulation r(s);
-  const double kinetic = r.books().now.kinetic;
+  const double kinetic = r.ledgerReport().now.kinetic;
   EXPECT_TRUE(r.run());
-  return r.books().energyResidual / kinetic;
+  return r.ledgerReport().energyResidual / kinetic;
 }
 
 TEST(CarriedDensity, PressureWorkIsRecordedToSecondOrder) {
@@ -104,19 +104,20 @@ void stirVortices(Simulation& r) {
     r.particles().velocity[i] = {-std::cos(k * x.x) * std::sin(k * x.y),
                                  std::sin(k * x.x) * std::cos(k * x.y), 0};
   }
-  takeStock(r.w, r.halos(), r.tools);
+  initializeForces(r.w, r.halos(), r.tools);
 }
 
 TEST(CarriedDensity, VorticesDecayAtTheExactRate) {
   Simulation r(vortices(1));
   stirVortices(r);
-  const double start = r.books().now.kinetic;
+  const double start = r.ledgerReport().now.kinetic;
   ASSERT_TRUE(r.run());
   const double exact = start * std::exp(-16 * 3.14159265358979323846 * 3.14159265358979323846 * 0.01);
-  EXPECT_NEAR(r.books().now.kinetic / exact, 1, 0.02);  // 0.90 on a lattice
+  EXPECT_NEAR(r.ledgerReport().now.kinetic / exact, 1, 0.02);  // 0.90 on a lattice
   // A density rate from end positions and middle velocities would give dt/2 int |grad p|^2 / rho: 0.017 of
   // the energy.
-  EXPECT_LT(std::abs(r.books().energyResidual), 0.004 * start) << r.books().energyResidual / start;
+  EXPECT_LT(std::abs(r.ledgerReport().energyResidual), 0.004 * start)
+      << r.ledgerReport().energyResidual / start;
 }
 
 TEST(RelaxedPacking, HasNoGapAtPeriodicSidesThatLiquidFills) {
@@ -127,8 +128,8 @@ TEST(RelaxedPacking, HasNoGapAtPeriodicSidesThatLiquidFills) {
   const Continuum& p = r.particles();
   double least = 2, most = 0, spread = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
-    least = std::min(least, static_cast<double>(p.filling[i]));
-    most = std::max(most, static_cast<double>(p.filling[i]));
+    least = std::min(least, static_cast<double>(p.relativeDensity[i]));
+    most = std::max(most, static_cast<double>(p.relativeDensity[i]));
     const double places = 24 * p.position[i].x, off = places - std::floor(places) - 0.5;
     spread += off * off / static_cast<double>(p.owned);
   }
@@ -141,16 +142,16 @@ TEST(RelaxedPacking, HasNoGapAtPeriodicSidesThatLiquidFills) {
 TEST(Density, GrowsWithCompressionAsTheVolumeShrinks) {
   Scene s = fullBox(0.1);
   Simulation r(s);
-  EXPECT_NEAR(static_cast<double>(r.particles().filling[0]), 1, 1e-6);
+  EXPECT_NEAR(static_cast<double>(r.particles().relativeDensity[0]), 1, 1e-6);
   const double e = 0.001;
   Simulation q(s);
   for (std::size_t i = 0; i < q.particles().owned; i++)
     q.particles().position[i].z = 0.4 + (q.particles().position[i].z - 0.4) * (1 - e);
-  takeStock(q.w, q.halos(), q.tools);
+  initializeForces(q.w, q.halos(), q.tools);
   double middle = 0;  // far from the gap at the periodic side
   for (std::size_t i = 0; i < q.particles().owned; i++)
     if (std::abs(q.particles().position[i].z - 0.4) < 0.06)
-      middle = static_cast<double>(q.particles().filling[i]);
+      middle = static_cast<double>(q.particles().relativeDensity[i]);
   EXPECT_NEAR((middle - 1) / e, 1, 0.02);
 }
 

@@ -158,7 +158,7 @@ TEST(ElasticBody, StepLimitIsStableForUnevenNeighbourhoods) {
       for (std::size_t s = 0; s < points.size(); s++) b.velocity.push_back(0.001 * noise3(s, 8));
       computeForces(*b.body);
       const double first = kinetic(b),
-                   dt = elasticStepLimit(b.body->scene, 1, largestGrip(b.body->work, b.body->solids));
+                   dt = elasticStepLimit(b.body->scene, 1, largestStrainBound(b.body->work, b.body->solids));
       double last = first;
       for (int n = 0; n < 1000 && last < 10 * first; n++) {
         advance(b, dt);
@@ -174,7 +174,7 @@ TEST(ElasticBody, LatticeGripBoundsLattices) {
     BodyOptions options;
     options.support = support;
     const auto b = makeBody(lattice({7, 7, 7}, 0.1), {elasticMaterial()}, options);
-    EXPECT_LT(0.1 * largestGrip(b->work, b->solids), 1.01 * latticeGrip) << support;
+    EXPECT_LT(0.1 * largestStrainBound(b->work, b->solids), 1.01 * latticeStrainBound) << support;
   }
 }
 

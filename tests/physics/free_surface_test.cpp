@@ -55,7 +55,7 @@ TEST(FreeSurface, LiquidAtRestIsNotShifted) {
   Simulation r(cubeOf(6, false));
   ASSERT_TRUE(r.run());
   const Continuum& p = r.particles();
-  for (std::size_t i = 0; i < p.owned; i++) EXPECT_LT(length(p.smoothing[i]), 1e-4);
+  for (std::size_t i = 0; i < p.owned; i++) EXPECT_LT(length(p.shiftingVelocity[i]), 1e-4);
 }
 
 /// Mean number of neighbours of particles within 0.2 m of the z axis.
@@ -110,9 +110,9 @@ TEST(FreeSurface, ReportsThinLayersWithCarriedDensities) {
 TEST(FreeSurface, SpinningLiquidHoldsTogether) {
   const Scene s = spinningSquare();
   Simulation r(s);
-  const double kinetic = r.books().now.kinetic, neighbours = neighboursInside(r.w);
+  const double kinetic = r.ledgerReport().now.kinetic, neighbours = neighboursInside(r.w);
   ASSERT_TRUE(r.run());
-  EXPECT_LT(std::abs(r.books().energyResidual), 0.01 * kinetic);
+  EXPECT_LT(std::abs(r.ledgerReport().energyResidual), 0.01 * kinetic);
   EXPECT_NEAR(neighboursInside(r.w), neighbours, 0.1 * neighbours);
   const Continuum& p = r.particles();
   double spin = 0;

@@ -21,8 +21,8 @@ Scene liquidColumn(int n) {
   return s;
 }
 
-Tempering temper(double start, double over, double temperature) {
-  Tempering t;
+Thermostat temper(double start, double over, double temperature) {
+  Thermostat t;
   t.start = start;
   t.over = over;
   t.temperature = temperature;
@@ -47,7 +47,7 @@ TEST(HeatConduction, TwoSlabsInContactFollowTheErrorFunction) {
     square += std::pow((run.particles().temperature[i] - exact) / 100, 2);
   }
   EXPECT_LT(std::sqrt(square / static_cast<double>(run.particles().owned)), 6e-3);
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.now.internal);
   EXPECT_EQ(r.heatIn, 0);
 }
@@ -61,15 +61,15 @@ TEST(HeatSource, WarmsAtItsRate) {
   EXPECT_TRUE(run.run());
   for (std::size_t i = 0; i < run.particles().owned; i++)
     EXPECT_NEAR(run.particles().temperature[i], 302, 1e-8);
-  EXPECT_NEAR(run.books().heatIn, 500 * 4 * run.books().now.mass, 1e-6);
+  EXPECT_NEAR(run.ledgerReport().heatIn, 500 * 4 * run.ledgerReport().now.mass, 1e-6);
 }
 
-TEST(Tempering, BringsOneMaterialToItsTemperatureAndRecordsTheHeat) {
+TEST(Thermostat, BringsOneMaterialToItsTemperatureAndRecordsTheHeat) {
   Scene s = liquidColumn(6);
   s.materials[0].conductivity = {0, 0};
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
-  s.temperings = {temper(1, 0.5, 280)};
-  s.temperings[0].material = 0;
+  s.thermostats = {temper(1, 0.5, 280)};
+  s.thermostats[0].material = 0;
   s.end = 1.25;
   Simulation run(s);
   EXPECT_TRUE(run.run());
@@ -81,15 +81,15 @@ TEST(Tempering, BringsOneMaterialToItsTemperatureAndRecordsTheHeat) {
   EXPECT_TRUE(whole.run());
   for (std::size_t i = 0; i < whole.particles().owned; i++)
     EXPECT_NEAR(whole.particles().temperature[i], 280, 1e-9);
-  const LedgerReport r = whole.books();
+  const LedgerReport r = whole.ledgerReport();
   EXPECT_NEAR(r.heatIn, -20 * 1000 * r.now.mass, 1e-6 * std::abs(r.heatIn));
   EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.now.internal);
 }
 
-TEST(Tempering, TakesOneStepWithoutADuration) {
+TEST(Thermostat, TakesOneStepWithoutADuration) {
   Scene s = liquidColumn(6);
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
-  s.temperings = {temper(0.2, 0, 310)};
+  s.thermostats = {temper(0.2, 0, 310)};
   s.end = 1;
   Simulation run(s);
   EXPECT_TRUE(run.run());
@@ -98,7 +98,7 @@ TEST(Tempering, TakesOneStepWithoutADuration) {
 }
 
 // K05's model counts c T from 0 K, including the heat of the initial state and of emitters.
-TEST(Tempering, LeavesNoResidualInThePapersModel) {
+TEST(Thermostat, LeavesNoResidualInThePapersModel) {
   Scene s = liquidColumn(12);
   s.numerics.heat = HeatModel::Paper;
   Material& m = s.materials[0];
@@ -114,11 +114,11 @@ TEST(Tempering, LeavesNoResidualInThePapersModel) {
   e.centre = {3 * dx, 3 * dx, 11 * dx};
   e.speed = 1;
   e.temperature = 350;
-  s.temperings = {temper(0.1, 0.05, 290)};
+  s.thermostats = {temper(0.1, 0.05, 290)};
   s.end = 0.25;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_GT(run.w.counters.emitted, 30);
   EXPECT_LT(r.heatIn, -1e3 * r.initial.mass);
   EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.now.internal);

@@ -62,10 +62,10 @@ TEST(ImplicitViscosity, ShearWaveDecaysWithStepsFarAboveTheExplicitLimit) {
       p.velocity[i] = {0.01 * std::sin(k * p.position[i].z), 0, 0};
       p.acceleration[i] = {};
     }
-    run.w.ledger.initial = run.books().now;
+    run.w.ledger.initial = run.ledgerReport().now;
     const double a0 = run.w.ledger.initial.kinetic;
     ASSERT_TRUE(run.run());
-    const LedgerReport r = run.books();
+    const LedgerReport r = run.ledgerReport();
     // the first half kick has no viscosity
     const double measured = -0.5 * std::log(r.now.kinetic / a0) / (s.end - 0.5 * s.numerics.fixedStep);
     std::printf(
@@ -95,7 +95,7 @@ TEST(ImplicitViscosity, PoiseuilleStartUpWithLongSteps) {
               s.numerics.fixedStep / explicitLimit(s, nu), error,
               static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
   EXPECT_LT(error, 0.05);
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_LT(length(r.momentumResidual), 1e-9 * length(r.gravityImpulse));
   EXPECT_LT(std::abs(r.energyResidual - bookedAhead(run)), 0.02 * r.energyScale);
   std::printf("residual %.2e, %.2e without the part recorded ahead\n", r.energyResidual / r.energyScale,
@@ -126,9 +126,9 @@ TEST(ImplicitViscosity, SpinningDropKeepsAngularMomentum) {
     Simulation run(s);
     Continuum& p = run.particles();
     for (std::size_t i = 0; i < p.owned; i++) p.velocity[i].x += 0.5 * std::sin(20 * p.position[i].y);
-    run.w.ledger.initial = run.books().now;
+    run.w.ledger.initial = run.ledgerReport().now;
     ASSERT_TRUE(run.run());
-    const LedgerReport r = run.books();
+    const LedgerReport r = run.ledgerReport();
     EXPECT_GT(run.shortest, 20 * explicitLimit(s, 20));
     EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
     EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum),
@@ -165,7 +165,7 @@ TEST(ImplicitViscosity, ContrastOfSixDecades) {
           p.material[i] == 1 ? 0.05 * std::sin(2 * M_PI * p.position[i].z / (3 * dx)) + 0.02 : 0.0, 0, 0};
       p.acceleration[i] = {};
     }
-    run.w.ledger.initial = run.books().now;
+    run.w.ledger.initial = run.ledgerReport().now;
     ASSERT_TRUE(run.run());
     EXPECT_EQ(run.w.counters.viscousUnfinished, 0);
     double mean = 0, spread = 0, count = 0, drag = 0;
@@ -178,7 +178,7 @@ TEST(ImplicitViscosity, ContrastOfSixDecades) {
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.material[i] == 1) spread = std::max(spread, std::abs(p.velocity[i].x - mean));
       else drag += p.velocity[i].x / count;
-    const LedgerReport r = run.books();
+    const LedgerReport r = run.ledgerReport();
     std::printf(
         "contrast %.0e: stiff layer moves at %.5f m/s +- %.1e, thin one at %.5f, %.1f iterations\n", contrast,
         mean, spread, drag,

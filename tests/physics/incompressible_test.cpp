@@ -16,7 +16,8 @@ double compression(const Simulation& run) {
   const Continuum& p = run.w.particles;
   double sum = 0;
   for (std::size_t i = 0; i < p.owned; i++)
-    sum += std::max(0.0, static_cast<double>(p.filling[i]) - run.tools.pressure.full);
+    sum += std::max(0.0,
+                    static_cast<double>(p.relativeDensity[i]) - run.tools.pressure.targetRelativeDensity);
   return sum / static_cast<double>(p.owned);
 }
 
@@ -63,7 +64,7 @@ TEST(Incompressible, HydrostaticColumnKeepsItsDensity) {
   EXPECT_LT(std::sqrt(square / static_cast<double>(p.owned)), 0.08);
   EXPECT_LT(fastest, 0.02 * std::sqrt(10.0));
   EXPECT_EQ(run.w.counters.unsolvedPressures, 0);
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
 }
 
@@ -79,7 +80,7 @@ TEST(Incompressible, DamBreakNeedsFewSteps) {
   // The tolerance bounds the remaining share of a step's compression, not the compression of splashes. That
   // stays below the limit of a state equation.
   EXPECT_LT(compression(run), s.numerics.maxDensityError);
-  const LedgerReport a = stiff.books(), b = run.books();
+  const LedgerReport a = stiff.ledgerReport(), b = run.ledgerReport();
   EXPECT_NEAR(b.now.potential, a.now.potential, 0.1 * a.initial.potential);
   EXPECT_LT(length(b.momentumResidual), 1e-6 * length(b.gravityImpulse));
   EXPECT_LT(std::abs(b.energyResidual), 0.02 * b.energyScale);
@@ -98,7 +99,7 @@ TEST(Incompressible, NegativePressureDoesNotTearTheFreeSurface) {
   for (std::size_t i = 0; i < run.particles().owned; i++) {
     fastest = std::max(fastest, length(run.particles().velocity[i]));
     // no next step would limit it
-    EXPECT_TRUE(std::isfinite(length(run.particles().pressureKick[i])));
+    EXPECT_TRUE(std::isfinite(length(run.particles().pressureImpulse[i])));
   }
   EXPECT_LT(fastest, 0.05);  // from its packing; closing the surface gaps in one step would give 1000 m/s
 }
@@ -114,7 +115,7 @@ TEST(Incompressible, MomentumIsConserved) {
   s.end = 0.15;
   Simulation run(s);
   ASSERT_TRUE(run.run());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   const double scale = 0.5 * r.now.mass;  // kg m/s, of one drop
   EXPECT_LT(length(r.now.momentum), 1e-6 * scale);
   EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum),
@@ -143,12 +144,12 @@ TEST(Incompressible, FrozenParticlesHaveNoPressure) {
     ASSERT_TRUE(run.step());
     now.clear();
     for (std::size_t i = 0; i < p.owned; i++) {
-      held = std::max(held, static_cast<double>(p.holding[i]));
+      held = std::max(held, static_cast<double>(p.densityPressure[i]));
       if (p.liquid[i] > 0) continue;
       now.push_back(p.id[i]);
       if (!std::binary_search(solid.begin(), solid.end(), p.id[i])) continue;
-      ASSERT_EQ(p.holding[i], 0) << p.id[i];
-      ASSERT_EQ(p.steadying[i], 0) << p.id[i];
+      ASSERT_EQ(p.densityPressure[i], 0) << p.id[i];
+      ASSERT_EQ(p.divergencePressure[i], 0) << p.id[i];
     }
     std::sort(now.begin(), now.end());
     solid.swap(now);

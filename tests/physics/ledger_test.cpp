@@ -32,7 +32,7 @@ TEST(Ledger, FreeSpinningSolidKeepsMomentumAngularMomentumAndEnergy) {
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean}) {
     Simulation run(freeBlock(law));
     EXPECT_TRUE(run.run());
-    const LedgerReport r = run.books();
+    const LedgerReport r = run.ledgerReport();
     const double scale = r.initial.mass * 1.0;
     EXPECT_EQ(r.massResidual, 0);
     EXPECT_LT(length(r.momentumResidual), 1e-12 * scale);
@@ -54,9 +54,9 @@ TEST(Ledger, PeriodicLiquidConservesMomentumAndRecordsDissipation) {
   Continuum& p = run.particles();
   for (std::size_t i = 0; i < p.owned; i++)
     p.velocity[i] = {0.3 + 0.4 * std::sin(2 * M_PI * p.position[i].z / (6 * dx)), 0.2, 0.1};
-  run.w.ledger.initial = run.books().now;
+  run.w.ledger.initial = run.ledgerReport().now;
   EXPECT_TRUE(run.run());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_EQ(r.massResidual, 0);
   EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
   EXPECT_GT(r.dissipated, 0.1 * r.initial.kinetic);
@@ -80,7 +80,7 @@ TEST(Ledger, EmittersAndOpenSidesCountExactly) {
   s.end = 0.6;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_GT(run.w.counters.emitted, 100);
   EXPECT_GT(run.w.counters.left, 20);
   const double m = 1000 * dx * dx * dx;
@@ -115,9 +115,9 @@ class LeavingDrop : public testing::TestWithParam<TensionForm> {};
 // unexplained.
 TEST_P(LeavingDrop, TakesItsSurfaceEnergyAlong) {
   Simulation run(leavingDrop(GetParam()));
-  const double before = run.books().now.potential;
+  const double before = run.ledgerReport().now.potential;
   EXPECT_TRUE(run.run());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_GT(r.left.mass, 0.8 * r.initial.mass);
   EXPECT_LT(std::abs(r.energyResidual), 0.1 * std::abs(before)) << r.left.potential;
 }
@@ -136,7 +136,7 @@ TEST(Ledger, RecordsFallsThroughPeriodicSides) {
   s.end = 0.5;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_GT(r.entered.potential, 2 * r.initial.mass * 10 * 12 * dx * 0.9);  // twice through the domain
   EXPECT_NEAR(r.now.kinetic, 0.5 * r.initial.mass * (1 + 100) * s.end * s.end, 1e-3 * r.now.kinetic);
   EXPECT_LT(std::abs(r.energyResidual), 1e-3 * r.now.kinetic);
@@ -159,7 +159,7 @@ TEST(Ledger, RecordsWorkOfAnEmitterAsAPiston) {
   s.end = 0.5;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_GT(run.w.counters.emitted, 250);
   EXPECT_EQ(run.w.counters.left, 0);
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * r.energyScale);
@@ -183,7 +183,7 @@ TEST(Ledger, ClosesForAMeltingSolid) {
   s.end = 0.6;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_GT(run.w.counters.melted, 10);
   EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.heatIn);
   EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale);
@@ -203,15 +203,15 @@ TEST(Ledger, RecordsContactsOfFreshlyFrozenParticles) {
   for (int k = 0; k < 2; k++)
     addBox(s, {k * 3.8 * dx, 0, 0}, {(k * 3.8 + 4) * dx, 4 * dx, 4 * dx}).temperature = 350;
   s.numerics.maxStep = 1e-4;
-  s.temperings.emplace_back();  // in one step
-  s.temperings[0].start = 0.01;
-  s.temperings[0].temperature = 300;
+  s.thermostats.emplace_back();  // in one step
+  s.thermostats[0].start = 0.01;
+  s.thermostats[0].temperature = 300;
   s.end = 1;
   Simulation run(s);
   while (run.w.counters.frozen == 0) ASSERT_TRUE(run.step());
-  const LedgerReport before = run.books();  // contacts push from the next evaluation on
+  const LedgerReport before = run.ledgerReport();  // contacts push from the next evaluation on
   for (int k = 0; k < 4; k++) ASSERT_TRUE(run.step());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_EQ(run.w.counters.frozen, 128);
   const auto mechanical = [](const Balance& b) { return b.kinetic + b.elastic + b.potential; };
   const double made = mechanical(r.now) - mechanical(before.now);

@@ -52,7 +52,7 @@ TEST(Mixed, SolidFallsIntoALiquid) {
     ASSERT_TRUE(run.step());
     if (run.w.clock.step % 50 == 0) least = std::min(least, closest(run.particles()));
   }
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale);
   EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
   EXPECT_GT(least, 0.5 * s.spacing);  // no liquid enters the solid

@@ -50,7 +50,7 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsTheLedgerClosed) {
   ASSERT_TRUE(x.run());
   EXPECT_GT(x.w.oriented.rows.owned, before * 9 / 8);  // 268 to 306 of 232 with a density 6 % lower or
                                                        // higher, since chance decides which link yields first
-  const LedgerReport l = x.books();
+  const LedgerReport l = x.ledgerReport();
   EXPECT_LT(std::abs(l.massResidual), 1e-12 * l.now.mass);
   EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned - before),
             x.w.counters.orientedBirths - x.w.counters.orientedDeaths);
@@ -121,7 +121,7 @@ TEST(Oriented, ParticlesFarFromGivenPointsAreRemoved) {
   test::Simulation x(s);
   Oriented& o = x.w.oriented.rows;
   std::size_t stray = 0;
-  while (stray < o.owned && (o.flags[stray] & heldPlace)) stray++;
+  while (stray < o.owned && (o.flags[stray] & fixedPosition)) stray++;
   ASSERT_LT(stray, o.owned);
   const std::uint64_t id = o.id[stray];
   const std::int64_t dead = x.w.counters.orientedDeaths;
@@ -138,7 +138,7 @@ TEST(Oriented, BirthsUnderGravityKeepTheMomentumLedgerClosed) {
   test::Simulation x(s);
   ASSERT_TRUE(x.run());
   EXPECT_GT(x.w.counters.orientedBirths, 20);
-  const LedgerReport r = x.books();
+  const LedgerReport r = x.ledgerReport();
   EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
 }
 
@@ -169,7 +169,7 @@ TEST(Oriented, BirthsOnASheetKeepTheLedgerClosed) {
   test::Simulation sim(s);
   const std::size_t before = sim.w.oriented.rows.owned;
   ASSERT_TRUE(sim.run());
-  const LedgerReport l = sim.books();
+  const LedgerReport l = sim.ledgerReport();
   EXPECT_GT(sim.w.oriented.rows.owned, before + 20);
   EXPECT_LT(std::abs(l.energyResidual), 0.001 * l.energyScale);
 }

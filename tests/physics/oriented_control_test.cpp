@@ -84,7 +84,7 @@ TEST(OrientedControl, KeepsThemDuringAndAfterRelaxation) {
     const double relaxed = farthestFromBody(o, f.points, s.spacing);
     ASSERT_TRUE(x.run());
     const double end = farthestFromBody(o, f.points, s.spacing);
-    const LedgerReport l = x.books();
+    const LedgerReport l = x.ledgerReport();
     std::printf("%s: %.3f spacings off when relaxed, %.3f at the end; residual %.1e of %.1e J\n", f.name,
                 relaxed, end, l.energyResidual, l.energyScale);
     EXPECT_LT(relaxed, 0.5) << f.name;

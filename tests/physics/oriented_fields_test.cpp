@@ -57,9 +57,10 @@ TEST(OrientedFields, ActInTheirRegionForTheirTime) {
       EXPECT_NEAR(o.velocity[i].z, 0.01 + (in ? 3 * 0.2 : 0), 0.01);
       EXPECT_NEAR(o.velocity[i].x, 0.5 * 0.5 * 0.4, 0.001);
     }
-    const LedgerReport books = x.books();
-    EXPECT_LT(length(books.momentumResidual), 1e-12);
-    EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale) << static_cast<int>(how);
+    const LedgerReport ledgerReport = x.ledgerReport();
+    EXPECT_LT(length(ledgerReport.momentumResidual), 1e-12);
+    EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.01 * ledgerReport.energyScale)
+        << static_cast<int>(how);
   }
 }
 
@@ -99,9 +100,9 @@ TEST(OrientedFields, GiveTheSameImpulseForAnySteps) {
       EXPECT_NEAR(mean.y, 0.1 * 0.085, 1e-15) << step;
       // normals turn slightly
       EXPECT_NEAR(mean.z, 0.03 * 0.01 * (3 - 2 * 0.105 / 0.2) * perMass, 1e-10) << step;
-      const LedgerReport books = x.books();
-      EXPECT_LT(length(books.momentumResidual), 1e-12);
-      EXPECT_LT(std::abs(books.energyResidual), 1e-7 * books.energyScale)
+      const LedgerReport ledgerReport = x.ledgerReport();
+      EXPECT_LT(length(ledgerReport.momentumResidual), 1e-12);
+      EXPECT_LT(std::abs(ledgerReport.energyResidual), 1e-7 * ledgerReport.energyScale)
           << static_cast<int>(how) << " " << step;
     }
 }
@@ -117,10 +118,10 @@ TEST(OrientedFields, WithoutParticlesAtTheirStartAreReported) {
   s.oriented[0].fields[2].region = test::boxOf({-1, -1, -1}, {1, 1, 1});
   s.end = 0.1;
   test::Simulation x(s);
-  ASSERT_EQ(x.tools.oriented.idleFields.size(), 1u);
+  ASSERT_EQ(x.tools.oriented.unusedFields.size(), 1u);
   ASSERT_TRUE(x.run());
-  ASSERT_EQ(x.tools.oriented.idleFields.size(), 2u);
-  EXPECT_EQ(x.tools.oriented.idleFields[1].field, 1u);
+  ASSERT_EQ(x.tools.oriented.unusedFields.size(), 2u);
+  EXPECT_EQ(x.tools.oriented.unusedFields[1].field, 1u);
 }
 
 /// The force of a point derives from an energy. It acts inside its radius only, and a particle that passes
@@ -141,17 +142,17 @@ TEST(OrientedFields, ForceOfAPointIsConservative) {
       s.end = 0.25;
       s.numerics.maxStep = 2e-4;
       test::Simulation x(s);
-      const double before = x.books().now.kinetic;
+      const double before = x.ledgerReport().now.kinetic;
       double most = 0, largest = 0;
       while (x.w.clock.time < s.end) {
         ASSERT_TRUE(x.step());
-        const LedgerReport books = x.books();
-        most = std::max(most, std::abs(books.now.kinetic - before));
-        largest = std::max(largest, std::abs(books.energyResidual));
+        const LedgerReport ledgerReport = x.ledgerReport();
+        most = std::max(most, std::abs(ledgerReport.now.kinetic - before));
+        largest = std::max(largest, std::abs(ledgerReport.energyResidual));
       }
       EXPECT_GT(most, 0.05 * before);
       EXPECT_LT(largest, 0.02 * most) << static_cast<int>(how);
-      EXPECT_NEAR(x.books().now.kinetic, before,
+      EXPECT_NEAR(x.ledgerReport().now.kinetic, before,
                   0.005 * most + (how == OrientedIntegrator::SemiImplicit ? 0.05 * most : 0))
           << static_cast<int>(how) << " " << pull;
     }

@@ -27,7 +27,7 @@ Shape bowlAt(const Vec3d& x) {
   return s;
 }
 
-std::vector<std::string> toldOf(const test::Simulation& x, const std::string& what) {
+std::vector<std::string> reportsOf(const test::Simulation& x, const std::string& what) {
   std::vector<std::string> all;
   for (const SceneWarning& w : x.report.warnings)
     if (w.text.find(what) != std::string::npos) all.push_back(w.text);
@@ -42,7 +42,7 @@ TEST(OrientedMesh, OpenSurfaceStartsAtRestAndStaysOpen) {
   s.oriented[0].density = 20;
   s.end = 0.05;
   test::Simulation x(s, bowl);
-  EXPECT_EQ(toldOf(x, "open (").size(), 1u);
+  EXPECT_EQ(reportsOf(x, "open (").size(), 1u);
   ASSERT_TRUE(x.run());
   const Oriented& o = x.w.oriented.rows;
   double fastest = 0, highest = -1;
@@ -60,7 +60,7 @@ TEST(OrientedMesh, ClosedHolesOfObstaclesAndAnchorsAreReported) {
   s.oriented[0].anchors.push_back(a);
   test::addFloor(s).shape = bowlAt({0, 0, -0.3});
   test::Simulation x(s, bowl);
-  const std::vector<std::string> told = toldOf(x, "1 hole closed (");
+  const std::vector<std::string> told = reportsOf(x, "1 hole closed (");
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].rfind("oriented body '" + s.oriented[0].name + "': an anchor: mesh 'bowl.ply'", 0), 0u)
       << told[0];

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/watch/sunken.hpp"
+#include "core/monitor/interpenetration.hpp"
 #include "tests/support/oriented_samples.hpp"
 
 namespace thaw {
@@ -18,9 +18,9 @@ Body& addElastic(Scene& s, double young, const Vec3d& low, const Vec3d& high) {
   return test::addBox(s, low, high);
 }
 
-std::int64_t sunkenNow(test::Simulation& x) {
+std::int64_t interpenetrating(test::Simulation& x) {
   std::int64_t n = 0;
-  for (const Sunken& s : findSunken(x.w, x.halos())) n += s.count;
+  for (const Interpenetration& s : findInterpenetrations(x.w, x.halos())) n += s.count;
   return n;
 }
 
@@ -60,8 +60,8 @@ Outcome runBlock(const Scene& s) {
   while (x.w.clock.time < x.w.clock.end) {
     EXPECT_TRUE(x.step());
     if (x.w.clock.step % 20 == 0)
-      out.most = std::max(out.most, sunkenNow(x)),
-      worst = std::max(worst, std::abs(x.books().energyResidual));
+      out.most = std::max(out.most, interpenetrating(x)),
+      worst = std::max(worst, std::abs(x.ledgerReport().energyResidual));
   }
   const Continuum& p = x.w.particles;
   out.bodyLow = 1, out.filmLow = 1;
@@ -70,7 +70,7 @@ Outcome runBlock(const Scene& s) {
     out.bodySpeed += p.velocity[i].z / static_cast<double>(p.owned);
   for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++)
     out.filmLow = std::min(out.filmLow, x.w.oriented.rows.position[i].z);
-  const LedgerReport l = x.books();
+  const LedgerReport l = x.ledgerReport();
   out.residual = worst / l.energyScale;
   out.momentum = length(l.momentumResidual) / length(l.initial.momentum + l.gravityImpulse);
   out.steps = x.w.clock.step;
@@ -193,9 +193,10 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
       in += x.w.walls.list[0].shape->inside(x.w.oriented.rows.position[i]);
     most = std::max(most, in);
     if (x.w.clock.step % 20 == 0)
-      for (const Sunken& f : findSunkenInObstacles(x.w, x.all)) told = std::max(told, f.count);
+      for (const Interpenetration& f : findObstacleInterpenetrations(x.w, x.all))
+        told = std::max(told, f.count);
   }
-  EXPECT_LT(std::abs(x.books().energyResidual), 0.02 * x.books().energyScale);
+  EXPECT_LT(std::abs(x.ledgerReport().energyResidual), 0.02 * x.ledgerReport().energyScale);
   return most;
 }
 

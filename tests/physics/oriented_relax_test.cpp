@@ -32,18 +32,18 @@ Scene pointsOfABall(int count, double inward) {
 TEST(OrientedRelaxation, EndsWherePointsSuggestNoSurface) {
   test::Simulation x(pointsOfABall(100, 0.33));
   const OrientedWork& o = x.tools.oriented;
-  EXPECT_TRUE(o.gotNowhere);
+  EXPECT_TRUE(o.relaxStalled);
   EXPECT_FALSE(o.atRest);
   EXPECT_GT(o.unrest, 1e-9);
   EXPECT_EQ(o.relaxing, static_cast<std::int64_t>(x.w.oriented.rows.owned));
-  EXPECT_EQ(o.relaxed - o.relaxProgress.gained, relaxPatience(o.relaxProgress.most));
-  EXPECT_LT(o.relaxed, 10 * relaxPatience(o.relaxProgress.most));
+  EXPECT_EQ(o.relaxed - o.relaxProgress.gained, relaxStallLimit(o.relaxProgress.most));
+  EXPECT_LT(o.relaxed, 10 * relaxStallLimit(o.relaxProgress.most));
 }
 
 TEST(OrientedRelaxation, RunsToRestForConsistentPoints) {
   test::Simulation x(pointsOfABall(100, 0));
   EXPECT_TRUE(x.tools.oriented.atRest);
-  EXPECT_FALSE(x.tools.oriented.gotNowhere);
+  EXPECT_FALSE(x.tools.oriented.relaxStalled);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/oriented/operations.hpp"
+#include "core/oriented/events.hpp"
 #include "core/oriented/oriented_forces.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "tests/support/oriented_samples.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 using test::patchScene;
 
-double pairEnergy(test::Simulation& x) { return x.books().now.elastic; }
+double pairEnergy(test::Simulation& x) { return x.ledgerReport().now.elastic; }
 
 TEST(Oriented, EnergyAndMomentaAreConserved) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta}) {
@@ -22,9 +22,9 @@ TEST(Oriented, EnergyAndMomentaAreConserved) {
     s.oriented[0].integrator = how;
     s.oriented[0].cfl = 0.05;
     test::Simulation x(s);
-    const LedgerReport before = x.books();
+    const LedgerReport before = x.ledgerReport();
     for (int k = 0; k < 400; k++) ASSERT_TRUE(x.step());
-    const LedgerReport after = x.books();
+    const LedgerReport after = x.ledgerReport();
     const double scale = after.now.kinetic;
     EXPECT_GT(scale, 0);
     EXPECT_LT(std::abs(after.energyResidual), (how == OrientedIntegrator::RungeKutta ? 2e-5 : 0.05) * scale);
@@ -74,7 +74,7 @@ TEST(Oriented, SemiImplicitIsStableFarBeyondTheExplicitStep) {
   const double before = pairEnergy(x);
   ASSERT_TRUE(x.run());
   EXPECT_LT(pairEnergy(x), before);
-  EXPECT_LT(x.books().now.kinetic, 1e-3 * std::abs(before));
+  EXPECT_LT(x.ledgerReport().now.kinetic, 1e-3 * std::abs(before));
 }
 
 // The integrator of the first body applies to all, and so does its step limit.
@@ -183,19 +183,19 @@ TEST(Oriented, WeldOfOverlappingRimsHolds) {
     EXPECT_GE(beside, 2) << i;
     EXPECT_LT(std::abs(o.position[i].z), 0.5 * s.spacing);
   }
-  const LedgerReport books = x.books();
-  EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
-  EXPECT_LT(std::abs(books.massResidual), 1e-12);
+  const LedgerReport ledgerReport = x.ledgerReport();
+  EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.01 * ledgerReport.energyScale);
+  EXPECT_LT(std::abs(ledgerReport.massResidual), 1e-12);
 }
 
 TEST(Oriented, MassIsDensityTimesArea) {
   Scene s = patchScene(0);
   s.oriented[0].density = 3;
   s.oriented[0].shape.scale = 1.3;
-  EXPECT_NEAR(test::Simulation(s).books().now.mass, 3 * 0.65 * 0.65, 1e-12);
+  EXPECT_NEAR(test::Simulation(s).ledgerReport().now.mass, 3 * 0.65 * 0.65, 1e-12);
   s.oriented[0].source = OrientedSource::Disc;
   s.oriented[0].radius = 0.4;
-  EXPECT_NEAR(test::Simulation(s).books().now.mass, 3 * 3.14159265358979 * 0.52 * 0.52, 1e-12);
+  EXPECT_NEAR(test::Simulation(s).ledgerReport().now.mass, 3 * 3.14159265358979 * 0.52 * 0.52, 1e-12);
 }
 
 TEST(Oriented, CurveFollowsALiftedPoint) {  // as in scenes/oriented/curve2d.toml
@@ -258,7 +258,7 @@ TEST(Oriented, ThinPlateThroughControlPointsHoldsWithoutRelaxation) {
     nearest = 1;
     for (std::size_t j = 0; j < o.owned; j++)
       if (i != j) nearest = std::min(nearest, length(o.position[i] - o.position[j]));
-    EXPECT_TRUE((o.flags[i] & heldPlace) || nearest < 1.2 * s.spacing) << i;
+    EXPECT_TRUE((o.flags[i] & fixedPosition) || nearest < 1.2 * s.spacing) << i;
   }
 }
 

@@ -69,9 +69,9 @@ TEST(SheetCoefficients, LedgerRecordsWorkOfChanges) {
       s.numerics.retryEvery = 0;
       test::Simulation sim(s);
       ASSERT_TRUE(sim.run());
-      const LedgerReport books = sim.books();
-      residual[k] = std::abs(books.energyResidual), scale = books.energyScale;
-      EXPECT_GT(std::abs(books.wallWork), 100 * residual[k]) << placeOf(f);
+      const LedgerReport ledgerReport = sim.ledgerReport();
+      residual[k] = std::abs(ledgerReport.energyResidual), scale = ledgerReport.energyScale;
+      EXPECT_GT(std::abs(ledgerReport.wallWork), 100 * residual[k]) << placeOf(f);
     }
     EXPECT_LT(residual[1], 1e-3 * scale) << placeOf(f);
     EXPECT_LT(residual[1], 0.35 * residual[0] + 1e-6 * scale) << placeOf(f);
@@ -92,8 +92,8 @@ TEST(SheetCoefficients, StepsShortenBeforeSpringsGrowStiff) {
   double most = 0;
   while (sim.w.clock.time < s.end) {
     ASSERT_TRUE(sim.step());
-    const LedgerReport books = sim.books();
-    most = std::max(most, std::abs(books.energyResidual) / std::max(books.energyScale, 1e-9));
+    const LedgerReport ledgerReport = sim.ledgerReport();
+    most = std::max(most, std::abs(ledgerReport.energyResidual) / std::max(ledgerReport.energyScale, 1e-9));
   }
   EXPECT_LT(most, 0.02);
   EXPECT_LT(sim.shortest, 0.002);

@@ -66,9 +66,9 @@ TEST(SheetContact, FoldsDoNotCross) {
     layers = 0.3 * 0.36 / (static_cast<double>(covered.size()) * 0.0004);
     EXPECT_GT(layers, ball ? 1.5 : 1.3) << ball;
     EXPECT_GT(low, 0);
-    const LedgerReport books = sim.books();
-    EXPECT_LT(std::abs(books.energyResidual), 0.005 * books.energyScale) << ball;
-    EXPECT_LT(length(books.momentumResidual), 1e-12);
+    const LedgerReport ledgerReport = sim.ledgerReport();
+    EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.005 * ledgerReport.energyScale) << ball;
+    EXPECT_LT(length(ledgerReport.momentumResidual), 1e-12);
   }
 }
 
@@ -98,12 +98,12 @@ TEST(SheetContact, MomentaAreConserved) {
     s.sheets[0].friction = s.sheets[1].friction = friction;  // at nearest points with a gap
     s.end = 0.2;
     test::Simulation sim(s);
-    const LedgerReport before = sim.books();
+    const LedgerReport before = sim.ledgerReport();
     ASSERT_TRUE(sim.run());
-    const LedgerReport books = sim.books();
-    EXPECT_LT(length(books.now.momentum - before.now.momentum), 1e-13);
-    EXPECT_LT(length(books.now.angularMomentum - before.now.angularMomentum), 1e-13);
-    EXPECT_GT(books.dissipated, 0);
+    const LedgerReport ledgerReport = sim.ledgerReport();
+    EXPECT_LT(length(ledgerReport.now.momentum - before.now.momentum), 1e-13);
+    EXPECT_LT(length(ledgerReport.now.angularMomentum - before.now.angularMomentum), 1e-13);
+    EXPECT_GT(ledgerReport.dissipated, 0);
   }
 }
 
@@ -133,7 +133,7 @@ TEST(SheetContact, LedgerClosesForImpactsOfCoarseCloths) {
         s.end = 0.4;
         s.numerics.retryEvery = 0;
         test::Simulation sim(s);
-        const double most = test::worstOfBooks(sim, s.end);
+        const double most = test::worstResidual(sim, s.end);
         EXPECT_LT(most, tilt > 0 ? 0.006 : 0.015) << restitution << " " << warp;
         EXPECT_LT(sim.w.clock.step, 300);
       }
@@ -162,7 +162,7 @@ TEST(SheetContact, LedgerClosesForCollidingSheets) {
       s.end = 0.012;
       s.numerics.retryEvery = 0;
       test::Simulation sim(s);
-      const double most = test::worstOfBooks(sim, s.end);
+      const double most = test::worstResidual(sim, s.end);
       EXPECT_LT(most, 0.004) << restitution << " " << below;
       EXPECT_LT(sim.w.clock.step, 600);
     }

@@ -20,21 +20,22 @@ Scene clothOver() {
 
 void expectDrawn(const Scene& s, double share) {
   test::Simulation sim(s);
-  const Vec3d before = sim.books().now.momentum;
+  const Vec3d before = sim.ledgerReport().now.momentum;
   ASSERT_TRUE(sim.run());
   const Sheets& v = sim.w.sheets.rows;
   Vec3d sheet{};
   double area = 0;
   for (std::size_t i = 0; i < v.owned; i++)
     if (v.body[i] == 0) sheet += v.mass[i] * v.velocity[i], area += v.area[i];
-  const LedgerReport books = sim.books();
+  const LedgerReport ledgerReport = sim.ledgerReport();
   EXPECT_LT(sheet.z, -share * 20 * area * s.end);
-  EXPECT_LT(length(books.momentumResidual), 1e-12 * length(sheet));
-  EXPECT_LT(length(books.now.momentum + books.underWay - before), 1e-12 * length(sheet))
+  EXPECT_LT(length(ledgerReport.momentumResidual), 1e-12 * length(sheet));
+  EXPECT_LT(length(ledgerReport.now.momentum + ledgerReport.impulseInFlight - before), 1e-12 * length(sheet))
       << "the body gains what the sheet loses";
-  EXPECT_LT(length(books.now.angularMomentum - books.initial.angularMomentum), 0.02 * 0.3 * length(sheet));
-  EXPECT_GT(books.wallWork, 0);
-  EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
+  EXPECT_LT(length(ledgerReport.now.angularMomentum - ledgerReport.initial.angularMomentum),
+            0.02 * 0.3 * length(sheet));
+  EXPECT_GT(ledgerReport.wallWork, 0);
+  EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.01 * ledgerReport.energyScale);
 }
 
 TEST(SheetWrap, PullsTowardAContinuumBody) {

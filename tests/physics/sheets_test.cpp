@@ -31,9 +31,9 @@ TEST(Sheets, StepsOfAnyLengthAreExactWhereForcesAreConstant) {
       EXPECT_NEAR(v.position[i].z - v.rest[i].z, z, 1e-13);
       EXPECT_NEAR(v.position[i].x - v.rest[i].x, -0.3 * z, 1e-13);
     }
-    const LedgerReport books = sim.books();
-    EXPECT_NEAR(books.energyResidual, 0, 1e-13 * books.energyScale);
-    EXPECT_NEAR(length(books.momentumResidual), 0, 1e-14);
+    const LedgerReport ledgerReport = sim.ledgerReport();
+    EXPECT_NEAR(ledgerReport.energyResidual, 0, 1e-13 * ledgerReport.energyScale);
+    EXPECT_NEAR(length(ledgerReport.momentumResidual), 0, 1e-14);
   }
 }
 
@@ -95,9 +95,9 @@ TEST(Sheets, SpringResidualIsTheLeapFrogEnergy) {
       if (sim.w.clock.step > 2)
         unexplained = std::max(unexplained,
                                std::abs(missing - (start - dt * dt * (swing / 12 - squares(now) / 24))));
-      const LedgerReport books = sim.books();
-      missing = books.energyResidual;
-      scale = std::max(scale, books.energyScale);
+      const LedgerReport ledgerReport = sim.ledgerReport();
+      missing = ledgerReport.energyResidual;
+      scale = std::max(scale, ledgerReport.energyScale);
       worst[half] = std::max(worst[half], std::abs(missing));
       for (std::size_t i = 0; i < velocity.size(); i++)
         velocity[sim.w.sheets.rows.id[i]] = sim.w.sheets.rows.velocity[i];
@@ -124,10 +124,10 @@ TEST(Sheets, BallThatLosesVerticesLosesItsPressure) {
   test::Simulation sim(s);
   const std::size_t whole = sim.w.sheets.rows.owned;
   ASSERT_TRUE(sim.run());
-  const LedgerReport books = sim.books();
+  const LedgerReport ledgerReport = sim.ledgerReport();
   EXPECT_LT(sim.w.sheets.rows.owned, whole);
-  EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
-  EXPECT_LT(length(books.momentumResidual), 1e-9);
+  EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.01 * ledgerReport.energyScale);
+  EXPECT_LT(length(ledgerReport.momentumResidual), 1e-9);
 }
 
 /// A brush that crosses the sheet in one step, or acts for part of one, has the same effect as in many short
@@ -235,13 +235,13 @@ TEST(Sheets, FallsFromRestToTerminalSpeed) {
     ASSERT_TRUE(x.step());
     const Sheets& v = x.w.sheets.rows;
     for (std::size_t i = 0; i < v.owned; i++) ASSERT_LT(std::abs(v.velocity[i].z), 1.3 * terminal);
-    const LedgerReport books = x.books();
-    ASSERT_LT(std::abs(books.energyResidual), 0.3 * books.energyScale);
+    const LedgerReport ledgerReport = x.ledgerReport();
+    ASSERT_LT(std::abs(ledgerReport.energyResidual), 0.3 * ledgerReport.energyScale);
   }
   for (std::size_t i = 0; i < x.w.sheets.rows.owned; i++)
     EXPECT_NEAR(x.w.sheets.rows.velocity[i].z, -terminal, 0.01 * terminal);
-  const LedgerReport books = x.books();
-  EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
+  const LedgerReport ledgerReport = x.ledgerReport();
+  EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.01 * ledgerReport.energyScale);
 }
 
 TEST(Sheets, LedgerClosesForAClothThatFallsOnFloorAndItself) {
@@ -260,10 +260,10 @@ TEST(Sheets, LedgerClosesForAClothThatFallsOnFloorAndItself) {
   s.end = 0.4;
   test::Simulation sim(s);
   ASSERT_TRUE(sim.run());
-  const LedgerReport books = sim.books();
-  EXPECT_LT(std::abs(books.energyResidual), 0.02 * books.energyScale);
-  EXPECT_LT(length(books.momentumResidual), 1e-12);
-  EXPECT_NEAR(books.now.mass, 0.5 * 0.36, 1e-12);
+  const LedgerReport ledgerReport = sim.ledgerReport();
+  EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.02 * ledgerReport.energyScale);
+  EXPECT_LT(length(ledgerReport.momentumResidual), 1e-12);
+  EXPECT_NEAR(ledgerReport.now.mass, 0.5 * 0.36, 1e-12);
 }
 
 TEST(Sheets, CostNothingInScenesWithoutSheets) {

@@ -48,9 +48,10 @@ TEST(Sleep, BlocksAtRestSleepAndKeepTheirPosition) {
     if (awakeOnes.particles().id[k] != x.particles().id[i]) continue;
     EXPECT_LT(length(awakeOnes.particles().position[k] - x.particles().position[i]), 0.01 * s.spacing);
   }
-  const LedgerReport books = x.books();
-  EXPECT_LT(std::abs(books.energyResidual - awakeOnes.books().energyResidual), 1e-3 * books.energyScale);
-  EXPECT_LT(length(books.momentumResidual), 1e-6 * books.now.mass);
+  const LedgerReport ledgerReport = x.ledgerReport();
+  EXPECT_LT(std::abs(ledgerReport.energyResidual - awakeOnes.ledgerReport().energyResidual),
+            1e-3 * ledgerReport.energyScale);
+  EXPECT_LT(length(ledgerReport.momentumResidual), 1e-6 * ledgerReport.now.mass);
 }
 
 TEST(Sleep, FallingBlockWakesOnlyTheBlockItHits) {
@@ -123,10 +124,10 @@ TEST(Sleep, HeatWakes) {
   s.numerics.sleepSpeed = s.numerics.sleepAfter = 0.02;
   s.bodies.erase(s.bodies.begin() + 1);
   s.materials[0].conductivity = {1, 1};
-  s.temperings.push_back({});
-  s.temperings.back().start = 1;
-  s.temperings.back().over = 0.1;
-  s.temperings.back().temperature = 400;
+  s.thermostats.push_back({});
+  s.thermostats.back().start = 1;
+  s.thermostats.back().over = 0.1;
+  s.thermostats.back().temperature = 400;
   test::Simulation x(s);
   bool slept = false, woken = false;
   while (x.w.clock.time < 1.3) {

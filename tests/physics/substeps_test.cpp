@@ -62,7 +62,7 @@ TEST(Substeps, ConserveMomentumAndEnergyOverAThousandSteps) {
   for (int k = 0; k < 1000; k++) {
     ASSERT_TRUE(run.step());
     if (k % 100 != 99) continue;
-    const LedgerReport r = run.books();
+    const LedgerReport r = run.ledgerReport();
     EXPECT_LT(length(r.momentumResidual), 1e-11 * r.initial.mass);
     EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum), 1e-9 * r.initial.mass);
     EXPECT_LT(std::abs(r.energyResidual), 5e-3 * r.initial.kinetic);
@@ -87,7 +87,7 @@ TEST(Substeps, LedgerClosesForWallsClampsAndCreep) {
     s.end = 0.2;
     Simulation run(s);
     EXPECT_TRUE(run.run());
-    const LedgerReport r = run.books();
+    const LedgerReport r = run.ledgerReport();
     EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse)) << n;
     EXPECT_LT(std::abs(r.energyResidual), 0.02 * r.energyScale) << n;
     double sum = 0;
@@ -123,7 +123,7 @@ TEST(Substeps, KeepAStiffBlockInWaterStable) {
     Simulation run(s);
     EXPECT_TRUE(run.run());
     EXPECT_EQ(run.w.clock.substeps, n);
-    const LedgerReport r = run.books();
+    const LedgerReport r = run.ledgerReport();
     EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse)) << n;
     EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale) << n;
     std::printf("n %d: residual %.2e of %.3g J, elastic %.2e J, velocity %.4g m/s\n", n, r.energyResidual,

@@ -136,8 +136,8 @@ TEST(SurfaceEnergy, LoneParticleHasTheSurfaceOfASphere) {
 TEST(SurfaceEnergy, WallCoverIsSmooth) {
   const double dx = 0.5, step = 1e-5;
   for (const double d : {-0.1, 0.05, 0.2, 0.6, 0.74}) {
-    const WallCover up = wallCover(dx, d + step), down = wallCover(dx, d - step), at = wallCover(dx, d);
-    EXPECT_NEAR((up.cover - down.cover) / (2 * step), at.slope, 1e-7) << d;
+    const WallColour up = wallColour(dx, d + step), down = wallColour(dx, d - step), at = wallColour(dx, d);
+    EXPECT_NEAR((up.colour - down.colour) / (2 * step), at.slope, 1e-7) << d;
     EXPECT_NEAR((up.slope - down.slope) / (2 * step), at.bend, 1e-6) << d;
   }
 }
@@ -146,19 +146,19 @@ TEST(SurfaceEnergy, WallCoverIsSmooth) {
 TEST(SurfaceEnergy, DerivativesOfTheStateMatchDifferences) {
   const SurfaceMeasure m = surfaceMeasure(Numerics{}, 0.1);
   const double step = 1e-6;
-  for (const double cover : {0.0, 0.1 * m.full, 0.3 * m.full, 0.5 * m.full, 0.8 * m.full, 1.1 * m.full}) {
+  for (const double colour : {0.0, 0.1 * m.full, 0.3 * m.full, 0.5 * m.full, 0.8 * m.full, 1.1 * m.full}) {
     const Vec3d g{0.3, -0.2, 0.5};
-    const SurfaceState at = surfaceState(m, 1.5, g, cover);
+    const SurfaceState at = surfaceState(m, 1.5, g, colour);
     EXPECT_NEAR(
-        (surfaceState(m, 1.5, g, cover + step).energy - surfaceState(m, 1.5, g, cover - step).energy) /
+        (surfaceState(m, 1.5, g, colour + step).energy - surfaceState(m, 1.5, g, colour - step).energy) /
             (2 * step),
-        at.draw, 1e-5 * std::abs(at.draw));
+        at.byColour, 1e-5 * std::abs(at.byColour));
     for (int a = 0; a < 3; a++) {
       Vec3d more = g, less = g;
       more[a] += step, less[a] -= step;
-      EXPECT_NEAR(
-          (surfaceState(m, 1.5, more, cover).energy - surfaceState(m, 1.5, less, cover).energy) / (2 * step),
-          at.pull[a], 1e-6 * length(at.pull));
+      EXPECT_NEAR((surfaceState(m, 1.5, more, colour).energy - surfaceState(m, 1.5, less, colour).energy) /
+                      (2 * step),
+                  at.byGradient[a], 1e-6 * length(at.byGradient));
     }
   }
 }
@@ -207,15 +207,15 @@ TEST(SurfaceEnergy, ConservesMomentum) {
   EXPECT_LT(length(total(run.w)), 1e-11);
   EXPECT_TRUE(run.run());
   Vec3d momentum{};
-  double moved = 0, pull = 0;
+  double moved = 0, byGradient = 0;
   for (std::size_t i = 0; i < run.particles().owned; i++) {
     const Vec3d mv = run.particles().velocity[i] * run.particles().mass[i];
     momentum += mv;
     moved += length(mv);
-    pull += mv.z * run.particles().position[i].z;
+    byGradient += mv.z * run.particles().position[i].z;
   }
   EXPECT_LT(length(momentum), 1e-10 * moved);
-  EXPECT_LT(pull, 0);
+  EXPECT_LT(byGradient, 0);
 }
 
 // Laplace: 2 sigma / R. The surface of a drop comes to rest in one of many states: single drops of R / dx = 8
@@ -273,10 +273,10 @@ TEST(RelaxedPacking, BallWithoutTensionStaysAtRest) {
   s.materials[0].soundSpeed = 10;
   s.end = 2;
   Simulation run(s);
-  double filling = 0;
+  double relativeDensity = 0;
   for (std::size_t i = 0; i < run.particles().owned; i++)
-    filling = std::max(filling, static_cast<double>(run.particles().filling[i]));
-  EXPECT_LT(filling, 1 + 1.1e-4);
+    relativeDensity = std::max(relativeDensity, static_cast<double>(run.particles().relativeDensity[i]));
+  EXPECT_LT(relativeDensity, 1 + 1.1e-4);
   const double before = radiusOfGyration(run.particles(), s.spacing);
   EXPECT_NEAR(before / std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / s.spacing,
               1, 0.01);

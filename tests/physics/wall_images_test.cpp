@@ -137,7 +137,7 @@ TEST(WallImages, ActOnOrientedParticles) {
   };
   Simulation here(place({})), there(place({-period.x, period.y, 0})), none(place({0, 0, -1}));
   ASSERT_TRUE(here.run() && there.run() && none.run());
-  const KindRows &a = here.w.oriented.rows, &b = there.w.oriented.rows, &c = none.w.oriented.rows;
+  const BodyTypeRows &a = here.w.oriented.rows, &b = there.w.oriented.rows, &c = none.w.oriented.rows;
   ASSERT_EQ(a.owned, b.owned);
   for (std::size_t i = 0; i < a.owned; i++) {
     EXPECT_LT(length(a.position[i] - b.position[i]), 1e-9);

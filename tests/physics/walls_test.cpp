@@ -31,7 +31,7 @@ TEST(LiquidAtWalls, HydrostaticColumn) {
   EXPECT_LT(std::sqrt(square / static_cast<double>(p.owned)), 0.08);
   EXPECT_LT(fastest, 0.02 * std::sqrt(10 * H));
   EXPECT_EQ(run.w.counters.wallProjections, 0);
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_EQ(r.massResidual, 0);
   EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
 }
@@ -43,7 +43,7 @@ TEST(LiquidAtWalls, WaterAtRestStaysAtRest) {
   s.end = 0.5;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   EXPECT_EQ(r.wallWork, 0);
   EXPECT_LT(r.now.kinetic, 1e-3 * r.initial.potential);
   EXPECT_LT(std::abs(r.energyResidual), 1e-3 * r.initial.potential);
@@ -70,7 +70,7 @@ TEST(LiquidAtWalls, TankCutOutOfAnObstacleActsLikeDomainSides) {
     }
     Simulation run(s);
     EXPECT_TRUE(run.run());
-    return run.books();
+    return run.ledgerReport();
   };
   const LedgerReport sides = restOf(false), tank = restOf(true);
   EXPECT_LT(tank.now.kinetic, 1e-3 * tank.initial.potential);
@@ -106,7 +106,7 @@ TEST(SolidAtWalls, BlockOnASlope) {
     s.end = 0.4;
     Simulation run(s);
     EXPECT_TRUE(run.run());
-    const LedgerReport r = run.books();
+    const LedgerReport r = run.ledgerReport();
     const double speed = r.now.momentum.x / r.now.mass,
                  slide = g * (std::sin(angle) - mu * std::cos(angle)) * s.end;
     if (slide > 0) EXPECT_NEAR(speed, slide, 0.05 * slide);

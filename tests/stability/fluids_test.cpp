@@ -51,7 +51,7 @@ struct Poly6 {
   static double slope(double q2) { return -945 / (32 * M_PI) * std::pow(std::max(0.0, 1 - q2), 2); }
 };
 
-/// Damped motion of particles in a periodic cube under p = c^2 (filling - 1) >= 0, by brute force.
+/// Damped motion of particles in a periodic cube under p = c^2 (relative density - 1) >= 0, by brute force.
 template<class Kernel>
 std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double filling0, int steps) {
   const double h = 2 * dx, dt = 0.1 * h, n3 = dx * dx * dx / (h * h * h);
@@ -116,7 +116,7 @@ TEST(Stability, B06_StretchedLiquid) {
 }
 
 TEST(Stability, B07_FreeSurfaceDensity) {
-  double fastest[2], filling[3] = {};
+  double fastest[2], relativeDensity[3] = {};
   for (const bool naive : {true, false}) {
     Scene s = freeLiquid();
     s.numerics.tensileLimit = naive ? 1 : 0;
@@ -127,7 +127,7 @@ TEST(Stability, B07_FreeSurfaceDensity) {
     for (std::size_t i = 0; i < p.owned && !naive; i++) {
       int sides = 0;
       for (int a = 0; a < 3; a++) sides += std::abs(p.position[i][a]) > 4.1 * dx;
-      if (sides > 0) filling[sides - 1] = static_cast<double>(p.filling[i]);
+      if (sides > 0) relativeDensity[sides - 1] = static_cast<double>(p.relativeDensity[i]);
     }
     double v = 0;
     while (run.w.clock.time < s.end) {
@@ -139,8 +139,8 @@ TEST(Stability, B07_FreeSurfaceDensity) {
   measured(
       "filling of face, edge, corner %.2f, %.2f, %.2f; a cube at rest moves at %.2f m/s (c = 10) with "
       "negative pressure, at %.1e",
-      filling[0], filling[1], filling[2], fastest[0], fastest[1]);
-  EXPECT_LT(filling[2], 0.7);
+      relativeDensity[0], relativeDensity[1], relativeDensity[2], fastest[0], fastest[1]);
+  EXPECT_LT(relativeDensity[2], 0.7);
   EXPECT_GT(fastest[0], 1);
   EXPECT_LT(fastest[1], 1e-4);
 }
@@ -204,7 +204,7 @@ TEST(Stability, B09_CoincidentParticles) {
       static_cast<long long>(counted), n.least);
   EXPECT_EQ(counted, 22);
   EXPECT_GT(n.least, 0.3);
-  EXPECT_EQ(run.books().massResidual, 0);
+  EXPECT_EQ(run.ledgerReport().massResidual, 0);
 }
 
 TEST(Stability, B12_DensityLayers) {
@@ -231,7 +231,7 @@ TEST(Stability, B12_DensityLayers) {
   }
   double largest = 0, fastest = 0;
   for (std::size_t i = 0; i < p.owned; i++)
-    largest = std::max(largest, std::abs(static_cast<double>(p.filling[i]) - 1));
+    largest = std::max(largest, std::abs(static_cast<double>(p.relativeDensity[i]) - 1));
   EXPECT_TRUE(run.run());
   for (std::size_t i = 0; i < p.owned; i++) fastest = std::max(fastest, length(p.velocity[i]));
   measured(

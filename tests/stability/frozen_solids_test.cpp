@@ -50,7 +50,7 @@ TEST(Stability, B13_PulledMoltenFlownFrozen) {
   setHeat(-5e3);  // freeze
   steps(0.001);
   EXPECT_EQ(run.w.counters.frozen, static_cast<std::int64_t>(p.owned));
-  const double frozen = run.books().now.elastic, moving = run.books().now.kinetic;
+  const double frozen = run.ledgerReport().now.elastic, moving = run.ledgerReport().now.kinetic;
   // the same flow with the initial bonds
   std::vector<Vec3d> places(p.owned);
   for (std::size_t i = 0; i < p.owned; i++) places[numberOf(p.id[i])] = p.position[i];
@@ -63,7 +63,7 @@ TEST(Stability, B13_PulledMoltenFlownFrozen) {
   moveAll(*stale, is, [](const Vec3d& x) { return x; });
   computeForces(*stale);
   steps(0.1);
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   measured(
       "elastic energy just after freezing: %.3g J with the old reference, %.3g J (kinetic %.3g J); phase "
       "jump booked %.3g J",
@@ -127,7 +127,8 @@ TEST(Stability, B21_LonelyParticlesAndSmallClusters) {
       for (int i = 0; i < n; i++) last += run.particles().position[static_cast<std::size_t>(i)] / double(n);
       const Vec3d exact = first + b.velocity * s.end + 0.5 * s.end * s.end * s.domain.gravity;
       worst = std::max(worst, length(last - exact) / dx);
-      residual = std::max(residual, std::abs(run.books().energyResidual) / run.books().energyScale);
+      residual = std::max(residual,
+                          std::abs(run.ledgerReport().energyResidual) / run.ledgerReport().energyScale);
       EXPECT_EQ(run.w.counters.singularNeighbourhoods, solid ? n : 0);
     }
   measured(

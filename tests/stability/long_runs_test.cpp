@@ -38,11 +38,11 @@ void launch(Simulation& run) {
     p.velocity[i] = cross(Vec3d{0.5, 2, 1}, x) +
                     Vec3d{0.3 * std::sin(3 * x.x), 0.6 * x.x * x.x - 0.03, 0.4 * x.y};
   }
-  takeStock(run.w, run.halos(), run.tools);
+  initializeForces(run.w, run.halos(), run.tools);
 }
 
 double residual(Simulation& run) {
-  const LedgerReport l = run.books();
+  const LedgerReport l = run.ledgerReport();
   return std::abs(l.energyResidual) / (l.initial.kinetic + l.initial.elastic);
 }
 

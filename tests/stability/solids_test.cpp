@@ -198,7 +198,7 @@ TEST(Stability, B05_Compression) {
   }
   // Slow compression to a fraction of the length, far from inversion. It is reported from 0.577 on, only with
   // Green strain without volume stiffness.
-  const auto toldOf = [](ElasticLaw law, double volume, double length) {
+  const auto reportedCount = [](ElasticLaw law, double volume, double length) {
     Scene s = elasticScene(law, {-2, -2, -2}, {2, 2, 2});
     s.materials[0].volumeStiffness = volume;
     addBox(s, {-0.2, -0.2, -0.2}, {0.2, 0.2, 0.2});
@@ -214,12 +214,12 @@ TEST(Stability, B05_Compression) {
     EXPECT_EQ(run.w.counters.inverted, 0);
     return run.w.counters.squeezed - before;
   };
-  EXPECT_EQ(toldOf(ElasticLaw::Green, 0, 0.58), 0);
-  EXPECT_EQ(toldOf(ElasticLaw::Green, 0, 0.575), 64);
-  EXPECT_EQ(toldOf(ElasticLaw::Green, 0, 0.1), 64);
-  EXPECT_EQ(toldOf(ElasticLaw::Green, 1e5, 0.1), 0);
-  EXPECT_EQ(toldOf(ElasticLaw::NeoHookean, 0, 0.1), 0);
-  EXPECT_EQ(toldOf(ElasticLaw::Corotated, 0, 0.1), 0);
+  EXPECT_EQ(reportedCount(ElasticLaw::Green, 0, 0.58), 0);
+  EXPECT_EQ(reportedCount(ElasticLaw::Green, 0, 0.575), 64);
+  EXPECT_EQ(reportedCount(ElasticLaw::Green, 0, 0.1), 64);
+  EXPECT_EQ(reportedCount(ElasticLaw::Green, 1e5, 0.1), 0);
+  EXPECT_EQ(reportedCount(ElasticLaw::NeoHookean, 0, 0.1), 0);
+  EXPECT_EQ(reportedCount(ElasticLaw::Corotated, 0, 0.1), 0);
   EXPECT_GT(told, 0);  // reported before inversion
   EXPECT_EQ(squeezed[1] + squeezed[2], 0);
   measured(

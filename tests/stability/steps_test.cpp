@@ -14,7 +14,7 @@ constexpr double dx = 0.01;
 /// A measure that grows if steps are too long: kinetic, elastic and potential energy, or the spread of
 /// temperature.
 double unrest(Simulation& run) {
-  const Balance b = run.books().now;
+  const Balance b = run.ledgerReport().now;
   const Continuum& p = run.particles();
   double t = 0;
   for (std::size_t i = 0; i < p.owned && p.temperature.active; i++)
@@ -111,16 +111,16 @@ TEST(Stability, B10_TaitInStrongCompression) {
       for (int a = 0; a < 3; a++)
         p.velocity[i][a] = 0.01 * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5);
     evaluate(run.w, run.halos(), run.tools, 0);
-    vote(run.w, run.halos(), run.tools, {}, {});
+    reduceStep(run.w, run.halos(), run.tools, {}, {});
     const double dt = run.w.clock.dt;
     for (std::size_t i = 0; i < p.owned; i++) p.acceleration[i] = p.force[i] / p.mass[i];
     if (naive) run.w.scene.numerics.fixedStep = run.w.clock.dt = atRest;
-    const double first = run.books().now.kinetic;
+    const double first = run.ledgerReport().now.kinetic;
     bool finite = true;
     double most = 0;
     for (int n = 0; n < 300 && finite && most < 1e6; n++) {
       finite = run.step();
-      most = finite ? std::max(most, run.books().now.kinetic / first) : never;
+      most = finite ? std::max(most, run.ledgerReport().now.kinetic / first) : never;
     }
     measured(
         "Tait at 1.6 times its density, steps %s: %.2e s (at rest %.2e), kinetic energy at most %.2g times "
@@ -171,12 +171,12 @@ TEST(Stability, B12_LightParticlesInAThickLiquid) {
       }
       run.w.scene.numerics.fixedStep = run.w.clock.dt = dt;
       EXPECT_TRUE(run.step());
-      const double first = run.books().now.kinetic;
+      const double first = run.ledgerReport().now.kinetic;
       bool finite = true;
       double most = 0;
       for (int n = 0; n < 400 && finite && most < 1e6; n++) {
         finite = run.step();
-        most = finite ? std::max(most, run.books().now.kinetic / first) : never;
+        most = finite ? std::max(most, run.ledgerReport().now.kinetic / first) : never;
       }
       calmest = std::min(calmest, most);
       wildest = std::max(wildest, most);
@@ -214,7 +214,7 @@ TEST(Stability, B14_FreezeMeltPingPong) {
     p.temperature[0] = 299.95;
     // half of the latent heat; at the edge of the hysteresis
     p.enthalpy[0] = way == 0 ? 299.95 * 1000 : way == 1 ? 0.5 * 1e4 : 0.81 * 1e4;
-    settlePhase(w.scene, w.modules, p, 0, 1);
+    setPhase(w.scene, w.modules, p, 0, 1);
     for (int n = 0; n < 1000; n++) {
       p.heatFlow[0] = n % 2 ? -swing : swing;
       updateHeat(w, 1);

@@ -70,13 +70,13 @@ TEST(Stability, B27_ParticlesThatLeave) {
   Simulation run(s);
   Continuum& p = run.particles();
   for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = 100.0 * p.position[i];
-  run.w.ledger.initial = run.books().now;
+  run.w.ledger.initial = run.ledgerReport().now;
   EXPECT_TRUE(run.run());
   double beyond = 0;
   for (std::size_t i = 0; i < p.owned; i++)
     for (int a = 0; a < 3; a++)
       beyond = std::max({beyond, p.position[i][a] - 6 * dx, -6 * dx - p.position[i][a]});
-  const LedgerReport r = run.books();
+  const LedgerReport r = run.ledgerReport();
   const double m = 1000 * dx * dx * dx;
   measured(
       "%lld of 216 particles left; mass residual %.1e kg, momentum residual %.1e of what left; furthest "

@@ -48,7 +48,7 @@ TEST(Stability, B11_ViscosityRatio) {
   const double stress = upper / (36 * dx * dx) / rate;
   // the same pairs with the arithmetic mean
   const double arithmetic = stress * (mu[0] + mu[1]) * (mu[0] + mu[1]) / (4 * mu[0] * mu[1]);
-  vote(run.w, run.halos(), run.tools, {}, {});
+  reduceStep(run.w, run.halos(), run.tools, {}, {});
   measured(
       "stress across the interface over that of the flow: %.0f with the arithmetic mean, %.2f; the step is "
       "%.1e s (%s), 10^4 times shorter than for the thin layer alone",
@@ -159,9 +159,9 @@ TEST(Stability, B31_SpinningViscousDrop) {
     addBall(s, R).spin = {0, 0, 0.5};
     s.end = 0.02 * R * R / nu;
     Simulation run(s);
-    const double before = run.books().now.angularMomentum.z;
+    const double before = run.ledgerReport().now.angularMomentum.z;
     EXPECT_TRUE(run.run());
-    rate[!naive] = (1 - run.books().now.angularMomentum.z / before) / 0.02;
+    rate[!naive] = (1 - run.ledgerReport().now.angularMomentum.z / before) / 0.02;
   }
   measured("spin lost at %.1f nu/R^2 with the plain Laplacian, at %.1e", rate[0], rate[1]);
   EXPECT_GT(rate[0], 2);
@@ -183,7 +183,7 @@ TEST(Stability, B32_DropThatPropelsItself) {
     s.end = 0.1;
     Simulation run(s);
     EXPECT_TRUE(run.run());
-    const LedgerReport r = run.books();
+    const LedgerReport r = run.ledgerReport();
     speed[!naive] = length(r.now.momentum) / r.now.mass;
   }
   measured("speed of the centre of mass after 0.1 s: %.1e m/s with the colour field, %.1e", speed[0],

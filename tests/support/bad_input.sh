@@ -80,9 +80,9 @@ isAccepted() {
 scene() { sed -E "$2" "$work/good.toml" >"$work/$1.toml"; echo "$work/$1.toml"; }
 good=$work/good.toml
 
-# kinds NAME <<<TABLES: a scene without continuum and with the given tables, which begin in line 6
-printf 'spacing = 0.05\nend = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n' >"$work/kinds.toml"
-kinds() { { cat "$work/kinds.toml"; cat; } >"$work/$1.toml"; echo "$work/$1.toml"; }
+# bodyTypes NAME <<<TABLES: a scene without continuum and with the given tables, which begin in line 6
+printf 'spacing = 0.05\nend = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n' >"$work/bodyTypes.toml"
+bodyTypes() { { cat "$work/bodyTypes.toml"; cat; } >"$work/$1.toml"; echo "$work/$1.toml"; }
 # warns CASE PATTERN NAME TABLES: expects success with one warning
-warns() { rejects "$1" "^warning: .*/$2" 0 check "$(kinds "$3" <<<"$4")"; }
+warns() { rejects "$1" "^warning: .*/$2" 0 check "$(bodyTypes "$3" <<<"$4")"; }
 allCases() { allEnded; echo "$cases cases"; finish; }

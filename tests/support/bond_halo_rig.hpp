@@ -17,7 +17,7 @@ struct ModelBond {
 };
 struct ModelParticle {
   int owner = 0;
-  bool gone = false, solid = false, bare = false;
+  bool gone = false, solid = false, markExposed = false;
   std::vector<ModelBond> bonds;
 };
 
@@ -51,13 +51,13 @@ struct Rig {
   bool changedHere = false;
   std::set<std::size_t> turnedBefore;
 
-  Rig(std::size_t particles, std::uint64_t seed, std::size_t piece = largestPiece)
-      : comm(MPI_COMM_WORLD, piece), dice{seed} {
+  Rig(std::size_t particles, std::uint64_t seed, std::size_t chunk = largestChunk)
+      : comm(MPI_COMM_WORLD, chunk), dice{seed} {
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.phase, &p.material, &p.slot})
       p.activate(*c);
     for (AnyColumn* c :
          std::initializer_list<AnyColumn*>{&s.id, &s.particle, &s.material, &s.volume, &s.plasticInverse,
-                                           &s.position, &s.liquid, &s.bared, &s.changed})
+                                           &s.position, &s.liquid, &s.exposed, &s.changed})
       s.activate(*c);
     b.twoFrames = true;
     model.resize(particles);
@@ -121,7 +121,7 @@ struct Rig {
   }
   void remove(std::size_t i) {
     model[i].solid = false;
-    model[i].bare = false;
+    model[i].markExposed = false;
     model[i].bonds.clear();
     erase([&](std::uint64_t, std::uint64_t to) { return to == idOf(i); });
   }
@@ -130,7 +130,7 @@ struct Rig {
   template<class Is> void erase(Is is) {
     for (std::size_t i = 0; i < model.size(); i++)
       if (std::erase_if(model[i].bonds, [&](const ModelBond& x) { return is(idOf(i), x.to); }) > 0)
-        model[i].bare = true;
+        model[i].markExposed = true;
   }
 
   void meltAndFreeze(double melt, double freeze) {
@@ -171,7 +171,7 @@ struct Rig {
         if (!(b.weight[at] > 0) || broken.count(key(s.id[slot], s.id[b.neighbour[at]])) == 0) continue;
         b.weight.set(at, 0);
         b.broken = true;
-        s.bare(slot);
+        s.markExposed(slot);
         s.changed[slot] = 1;
       }
   }
@@ -201,8 +201,8 @@ struct Rig {
     if (from != to && model[to].solid) model[from].bonds.push_back({idOf(to), weight});
   }
 
-  bool relink(const std::vector<BondRequest>& requests = {}) {
-    const bool any = halo->relink(p, s, b, {requests, changedHere});
+  bool rebuildBonds(const std::vector<BondRequest>& requests = {}) {
+    const bool any = halo->rebuildBonds(p, s, b, {requests, changedHere});
     changedHere = false;
     turnedBefore.clear();
     return any;
@@ -233,7 +233,7 @@ struct Rig {
       }
       ASSERT_EQ(s.volume[slot], volumeOf(id));
       ASSERT_EQ(s.plasticInverse[slot].row[0].y, -volumeOf(id));
-      ASSERT_EQ(s.bared[slot] != 0, m.bare) << "particle " << indexOf(id);
+      ASSERT_EQ(s.exposed[slot] != 0, m.markExposed) << "particle " << indexOf(id);
       std::size_t n = 0;
       std::uint64_t sum = 0;
       for (int k = 0; k < b.capacity; k++) {
@@ -265,11 +265,11 @@ struct Rig {
       s.position[r] = own ? Vec3d{number(s.id[r], salt, 0), number(s.id[r], salt, 1), 1} : Vec3d{};
       s.liquid[r] = own ? static_cast<float>(s.id[r] % 97) : -1;
     }
-    const std::int64_t before = comm.traffic()[MessagesFor::Bonds].bytes;
+    const std::int64_t before = comm.statistics()[MessagesFor::Bonds].bytes;
     AnyColumn* columns[] = {&s.liquid, &s.position};
     halo->begin(s, columns);
     halo->finish(s);
-    std::int64_t sums[2] = {comm.traffic()[MessagesFor::Bonds].bytes - before,
+    std::int64_t sums[2] = {comm.statistics()[MessagesFor::Bonds].bytes - before,
                             static_cast<std::int64_t>(s.ghosts) * 28};
     MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_INT64_T, MPI_SUM, comm.handle());
     ASSERT_EQ(sums[0], sums[1]);

@@ -64,7 +64,7 @@ struct HaloRig {
     Continuum& p = particles;
     for (AnyColumn* c :
          std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.velocity, &p.material, &p.clamped,
-                                           &p.liquid, &p.cell, &p.nextCell, &p.slot, &p.filling})
+                                           &p.liquid, &p.cell, &p.nextCell, &p.slot, &p.relativeDensity})
       p.activate(*c);
   }
   /// The initial particles of a rank, which need not be the ones it owns. spread: over all ranks, else all on
@@ -103,7 +103,7 @@ struct HaloRig {
     }
     for (std::size_t i = particles.owned - m.arrivals; i < particles.owned; i++) {
       ASSERT_EQ(particles.slot[i], noSlot);
-      ASSERT_EQ(particles.filling[i], 0);
+      ASSERT_EQ(particles.relativeDensity[i], 0);
       ASSERT_EQ(particles.cell[i], 0u);
     }
     computeCellKeys(cloud.grid, particles);
@@ -220,14 +220,15 @@ struct HaloRig {
     Continuum& p = particles;
     for (int round = 0; round < 2; round++) {
       for (std::size_t i = 0; i < p.owned; i++) {
-        p.filling[i] = static_cast<float>(p.id[i] % 4096) + 0.5f * static_cast<float>(round);
+        p.relativeDensity[i] = static_cast<float>(p.id[i] % 4096) + 0.5f * static_cast<float>(round);
         p.velocity[i] = Cloud::velocity(p.id[i]) + Vec3d{1.0 + round, 0, 0};
       }
-      std::vector<AnyColumn*> columns{&p.filling, &p.exposure, &p.velocity};
+      std::vector<AnyColumn*> columns{&p.relativeDensity, &p.freeSurfaceIndicator, &p.velocity};
       halo.beginRefresh(p, columns);
       halo.finishRefresh(p);
       for (std::size_t i = p.owned; i < p.size(); i++) {
-        EXPECT_EQ(p.filling[i], static_cast<float>(p.id[i] % 4096) + 0.5f * static_cast<float>(round));
+        EXPECT_EQ(p.relativeDensity[i],
+                  static_cast<float>(p.id[i] % 4096) + 0.5f * static_cast<float>(round));
         EXPECT_TRUE(p.velocity[i] == (Cloud::velocity(p.id[i]) + Vec3d{1.0 + round, 0, 0}));
       }
     }

@@ -91,19 +91,19 @@ struct Block {
     s.kernel = scene.numerics.kernel;
     s.precision = scene.numerics.precision;
     s.support = h;
-    s.fillingScale = 1 / (h * h * h);
+    s.relativeDensityScale = 1 / (h * h * h);
     s.heat = true;
     s.place = scene.numerics.precision == Precision::Single ? records.fixed.data() : records.place.data();
     s.motion = records.motion.data();
     s.state = records.state.data();
     s.surface = records.surface.data();
-    s.filling = particles.filling.data();
+    s.relativeDensity = particles.relativeDensity.data();
     s.force = particles.force.data();
     s.heatFlow = particles.heatFlow.data();
     s.dissipation = particles.dissipation.data();
     s.interaction = particles.interaction.data();
-    s.exposure = particles.exposure.data();
-    s.smoothed = particles.smoothing.data();
+    s.freeSurfaceIndicator = particles.freeSurfaceIndicator.data();
+    s.smoothed = particles.shiftingVelocity.data();
     s.coincident = coincident;
     return s;
   }

@@ -34,7 +34,7 @@ struct MovingBody {
   }
   double stepLimit() const {
     return elasticStepLimit(body->scene, std::max(1.0, last.maxStretch2),
-                            largestGrip(body->work, body->solids));
+                            largestStrainBound(body->work, body->solids));
   }
 };
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <functional>
 
-#include "io/hdf5/agree.hpp"
+#include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/output/checkpoint.hpp"
 #include "tests/support/output_sample.hpp"

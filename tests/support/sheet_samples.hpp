@@ -22,13 +22,13 @@ inline Scene sheetScene(SheetMesh mesh) {
 
 /// Runs to the end of the scene. Returns the largest energy residual of all steps, relative to the largest
 /// term.
-inline double worstOfBooks(Simulation& sim, double end) {
+inline double worstResidual(Simulation& sim, double end) {
   double most = 0;
   while (sim.w.clock.time < end) {
     EXPECT_TRUE(sim.step());
     if (testing::Test::HasFailure()) return never;
-    const LedgerReport books = sim.books();
-    most = std::max(most, std::abs(books.energyResidual) / books.energyScale);
+    const LedgerReport ledgerReport = sim.ledgerReport();
+    most = std::max(most, std::abs(ledgerReport.energyResidual) / ledgerReport.energyScale);
   }
   return most;
 }

@@ -2,8 +2,8 @@
 #pragma once
 #include <memory>
 
+#include "core/body_types/body_types.hpp"
 #include "core/halo/serial.hpp"
-#include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/setup/setup.hpp"
 #include "core/solid/serial_bond_halo.hpp"
@@ -15,7 +15,7 @@ struct Simulation {
   StepTools tools;
   SerialReducer all;
   std::unique_ptr<SerialCellHalo> cells;
-  std::unique_ptr<SerialCellHalo> kinds[kindCount];
+  std::unique_ptr<SerialCellHalo> kinds[bodyTypeCount];
   SerialBondHalo bonds, edges;
   Limit limitedBy = Limit::Scene;
   double shortest = never;  ///< s, smallest dt so far
@@ -26,12 +26,12 @@ struct Simulation {
     w.scene = scene;
     prepareWorld(w, tools, load);
     cells = std::make_unique<SerialCellHalo>(w.grid);
-    eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
+    forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
       kinds[kind] = std::make_unique<SerialCellHalo>(w.grid);
     });
     report = startWorld(w, halos(), tools, load);
   }
-  Halos halos() { return {all, *cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges}; }
+  Halos halos() { return {all, *cells, bonds, {kinds[orientedType].get(), kinds[sheetType].get()}, &edges}; }
   Continuum& particles() { return w.particles; }
 
   /// Takes one step. Returns false if a value is not finite.
@@ -47,7 +47,7 @@ struct Simulation {
       if (!step()) return false;
     return true;
   }
-  LedgerReport books() { return reportLedger(w, tools, all); }
+  LedgerReport ledgerReport() { return reportLedger(w, tools, all); }
 };
 
 /// The wax of scenes/melt.toml: melts from 313 to 338 K.

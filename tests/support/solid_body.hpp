@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/solid/bond_places.hpp"
+#include "core/solid/bond_entries.hpp"
 #include "core/solid/elastic.hpp"
 #include "core/solid/fracture.hpp"
 #include "core/solid/rereference.hpp"

@@ -48,7 +48,7 @@ struct SurfaceRig {
     p().position[i] = x;
     p().volume[i] = dx * dx * dx;
     p().mass[i] = 1000 * p().volume[i];
-    p().share[i] = 1;
+    p().volumeRatio[i] = 1;
     p().component[i] = component;
     p().liquid[i] = liquid;
     p().body[i] = body;

@@ -38,7 +38,7 @@ struct WallRig {
     s.materials.push_back(m);
     s.bodies.emplace_back();
     for (AnyColumn* c : w.particles.columns)
-      if (c != &w.particles.smoothing && c != &w.particles.clamped && c != &w.particles.drag)
+      if (c != &w.particles.shiftingVelocity && c != &w.particles.clamped && c != &w.particles.drag)
         w.particles.activate(*c);
   }
 
@@ -62,10 +62,10 @@ struct WallRig {
     p.mass[i] = w.scene.materials[0].density * w.scene.spacing * w.scene.spacing * w.scene.spacing;
     p.phase[i] = phase;
     p.liquid[i] = phase == Liquid;
-    p.filling[i] = 1;
+    p.relativeDensity[i] = 1;
     p.slot[i] = noSlot;
     p.temperature[i] = 300;
-    p.standoff[i] = 0.5f;
+    p.contactOffset[i] = 0.5f;
   }
 
   void start() {

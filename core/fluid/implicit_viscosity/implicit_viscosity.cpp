@@ -39,11 +39,11 @@ template<class Real> void packParameters(Solver& s) {
   struct Four {
     Real a, b, c, d;
   };
-  const auto* motion = static_cast<const Four*>(s.sums.motion);
-  const auto* state = static_cast<const Four*>(s.sums.state);
+  const auto* velocityViscosity = static_cast<const Four*>(s.sums.velocityViscosity);
+  const auto* pressurePhaseHeat = static_cast<const Four*>(s.sums.pressurePhaseHeat);
   for (std::size_t i = 0; i < s.p.size(); i++) {
-    s.work.records[i].viscosity = static_cast<float>(motion[i].d);
-    s.work.records[i].liquid = static_cast<float>(state[i].b);
+    s.work.records[i].viscosity = static_cast<float>(velocityViscosity[i].d);
+    s.work.records[i].liquid = static_cast<float>(pressurePhaseHeat[i].b);
   }
   const std::size_t dummy = s.w.neighbours.dummy;
   s.work.records[dummy] = s.work.middle[dummy] = {};

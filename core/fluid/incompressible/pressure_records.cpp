@@ -20,8 +20,9 @@ void packMobility(const RecordContext& x, const Continuum& p, std::size_t n, Pai
   withReal(x, [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = 0; i < n; i++)
-      rows<Real>(r.state)[i].c = p.clamped.active && p.clamped[i] ? Real(0)
-                                                                  : static_cast<Real>(1 / p.mass[i]);
+      rows<Real>(r.pressurePhaseHeat)[i].c = p.clamped.active && p.clamped[i]
+                                                 ? Real(0)
+                                                 : static_cast<Real>(1 / p.mass[i]);
   });
 }
 
@@ -30,7 +31,7 @@ void packTrialPressure(const RecordContext& x, const Continuum& p, std::size_t b
   withReal(x, [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = begin; i < end; i++)
-      rows<Real>(r.state)[i].a = static_cast<Real>(p.trialPressure[i]);
+      rows<Real>(r.pressurePhaseHeat)[i].a = static_cast<Real>(p.trialPressure[i]);
   });
 }
 
@@ -39,7 +40,7 @@ void packTrialVelocity(const RecordContext& x, const Continuum& p, std::size_t b
   withReal(x, [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = begin; i < end; i++) {
-      Four<Real>& m = rows<Real>(r.motion)[i];
+      Four<Real>& m = rows<Real>(r.velocityViscosity)[i];
       const Vec3d& v = p.trialVelocity[i];
       m.a = static_cast<Real>(v.x), m.b = static_cast<Real>(v.y), m.c = static_cast<Real>(v.z);
     }
@@ -48,8 +49,8 @@ void packTrialVelocity(const RecordContext& x, const Continuum& p, std::size_t b
 
 float packedFraction(const RecordContext& x, const PairRecords& r, std::size_t row) {
   return x.scene.numerics.precision == Precision::Double
-             ? static_cast<float>(reinterpret_cast<const Four<double>*>(r.state.data())[row].b)
-             : reinterpret_cast<const Four<float>*>(r.state.data())[row].b;
+             ? static_cast<float>(reinterpret_cast<const Four<double>*>(r.pressurePhaseHeat.data())[row].b)
+             : reinterpret_cast<const Four<float>*>(r.pressurePhaseHeat.data())[row].b;
 }
 
 }  // namespace thaw

@@ -48,7 +48,7 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
     if (!(work.response[i] > 0)) continue;
     const double f = static_cast<double>(work.fraction[i]), full = goal.dt * work.response[i],
                  k = static_cast<double>(p.trialPressure[i]);
-    double filled = static_cast<double>(p.filling[i]) - work.full;
+    double filled = static_cast<double>(p.relativeDensity[i]) - work.targetRelativeDensity;
     if (mayPull)
       filled = std::max(filled, 0.0);  // tension keeps gaps from growing; closing those of a free surface
                                        // would tear it apart
@@ -75,7 +75,7 @@ std::int64_t solve(const PressureSystem& x, const Goal& goal) {
   double momentum = 1;
   for (std::int64_t iteration = 1;; iteration++) {
     applyPressures(x);
-    rateOfFilling(x);
+    relativeDensityRate(x);
     Progress progress = jacobiStep(x, goal, work.stepped);
     x.tools.times.lap(StepPhase::Pressure);
     progress.reduce(x.halos.all);
@@ -98,12 +98,12 @@ std::int64_t solve(const PressureSystem& x, const Goal& goal) {
   }
 }
 
-/// Records impulses and work of walls, clamps and drives in a solve. `book` takes an impulse (N s).
-template<class Book> void bookReactions(const PressureSystem& x, Book book) {
+/// Records impulses and work of walls, clamps and drives in a solve. `record` takes an impulse (N s).
+template<class Record> void recordReactions(const PressureSystem& x, Record record) {
   World& w = x.world;
   Continuum& p = w.particles;
   const auto give = [&](std::size_t i, const Vec3d& impulse, const Vec3d& velocity) {
-    book(impulse);
+    record(impulse);
     const double done = dot(impulse, velocity);
     if (done == 0) return;
     w.ledger.wallWork.add(done);
@@ -127,7 +127,7 @@ template<class Book> void bookReactions(const PressureSystem& x, Book book) {
 
 /// Stops liquid without supporting pressure, such as a single drop, a quarter of a spacing from a wall.
 /// Changes trialVelocity.
-template<class Book> void stopAtWalls(const PressureSystem& x, double dt, Book book) {
+template<class Record> void stopAtWalls(const PressureSystem& x, double dt, Record record) {
   World& w = x.world;
   Continuum& p = w.particles;
   for (const WallContact& c : x.tools.wallContacts.list) {
@@ -139,7 +139,7 @@ template<class Book> void stopAtWalls(const PressureSystem& x, double dt, Book b
     if (excess <= 0) continue;
     const Vec3d change = c.normal * (f * excess), impulse = change * p.mass[c.row];
     p.trialVelocity[c.row] += change;
-    book(impulse);
+    record(impulse);
     const double done = dot(impulse, v);
     w.ledger.wallWork.add(done);
     p.dissipated[c.row] += done;
@@ -161,13 +161,13 @@ void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
 /// Corrects the dissipation of resistive forces, which was recorded at the drift velocity v. The force acts
 /// in the past half kick at mean velocity v + a dt/4, and in the next one at v + a dt/2 + pressure change + a
 /// next/4. The difference is significant for steps near the viscous limit.
-void bookResistance(World& w, const std::vector<Vec3d>& before, double dt, double next) {
+void recordResistance(World& w, const std::vector<Vec3d>& before, double dt, double next) {
   Continuum& p = w.particles;
   const double both = (dt + next) * (dt + next) / 8, half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++)
     if (!(p.clamped.active && p.clamped[i]))
       p.dissipated[i] -= dot(
-          p.drag[i], (p.velocity[i] + p.pressureKick[i] - before[i]) * half + p.acceleration[i] * both);
+          p.drag[i], (p.velocity[i] + p.pressureImpulse[i] - before[i]) * half + p.acceleration[i] * both);
 }
 
 /// Changes the velocity by `change`; the loss of kinetic energy is dissipated.
@@ -177,42 +177,42 @@ void change(Continuum& p, std::size_t i, const Vec3d& change) {
 }
 
 /// Divergence solve: removes compression rates from the velocities.
-void stopCompression(const PressureSystem& x, double dt, double next, double share) {
+void solveDivergence(const PressureSystem& x, double dt, double next, double share) {
   World& w = x.world;
   Continuum& p = w.particles;
   std::copy_n(p.velocity.data(), p.owned, x.tools.pressure.start.begin());
-  setTrial(p, x.tools.pressure, p.steadying, dt);
+  setTrial(p, x.tools.pressure, p.divergencePressure, dt);
   w.lastIterations.divergence = solve(x, {next, share * w.scene.numerics.divergenceTolerance, 0});
-  keepTrial(p, p.steadying, dt);
-  bookReactions(x, [&](const Vec3d& impulse) {
+  keepTrial(p, p.divergencePressure, dt);
+  recordReactions(x, [&](const Vec3d& impulse) {
     for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(impulse[a]);
   });
   for (std::size_t i = 0; i < p.owned; i++) change(p, i, p.trialVelocity[i] - p.velocity[i]);
 }
 
 /// Density solve: finds the kick with which the next drift ends at the target density.
-void keepVolume(const PressureSystem& x, double next, double share) {
+void solveDensity(const PressureSystem& x, double next, double share) {
   World& w = x.world;
   Continuum& p = w.particles;
   PressureWork& work = x.tools.pressure;
   const double half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++) work.start[i] = p.velocity[i] + p.acceleration[i] * half;
-  setTrial(p, work, p.holding, next);
+  setTrial(p, work, p.densityPressure, next);
   w.lastIterations.density = solve(x, {next, share * w.scene.numerics.densityTolerance, share});
-  keepTrial(p, p.holding, next);
-  const auto book = [&](const Vec3d& impulse) {  // applied in the next half kick
+  keepTrial(p, p.densityPressure, next);
+  const auto record = [&](const Vec3d& impulse) {  // applied in the next half kick
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(impulse[a] / half);
   };
-  bookReactions(x, book);
-  stopAtWalls(x, next, book);
-  for (std::size_t i = 0; i < p.owned; i++) p.pressureKick[i] = p.trialVelocity[i] - work.start[i];
+  recordReactions(x, record);
+  stopAtWalls(x, next, record);
+  for (std::size_t i = 0; i < p.owned; i++) p.pressureImpulse[i] = p.trialVelocity[i] - work.start[i];
 }
 
 }  // namespace
 
-void addPressureKick(World& w) {
+void addPressureImpulse(World& w) {
   Continuum& p = w.particles;
-  for (std::size_t i = 0; i < p.owned; i++) change(p, i, p.pressureKick[i]);
+  for (std::size_t i = 0; i < p.owned; i++) change(p, i, p.pressureImpulse[i]);
 }
 
 void findPressure(World& w, Halos halos, StepTools& t, double dt) {
@@ -222,11 +222,11 @@ void findPressure(World& w, Halos halos, StepTools& t, double dt) {
   const double planned = nextStep(w.clock), next = std::isfinite(planned) ? planned : dt;
   std::vector<Vec3d>& before = t.pressure.arrived;
   before.assign(p.velocity.data(), p.velocity.data() + p.owned);
-  const double share = std::min(1.0, next / t.pressure.mendingTime);
+  const double share = std::min(1.0, next / t.pressure.correctionTime);
   prepareSystem(system);
-  stopCompression(system, dt, next, share);
-  keepVolume(system, next, share);
-  bookResistance(w, before, dt, next);
+  solveDivergence(system, dt, next, share);
+  solveDensity(system, next, share);
+  recordResistance(w, before, dt, next);
   if (halos.all.rank() == 0) {
     w.counters.densityIterations += w.lastIterations.density;
     w.counters.divergenceIterations += w.lastIterations.divergence;

@@ -4,9 +4,9 @@
 //
 // The scheme is a constrained leap-frog (Andersen 1983, RATTLE). At the end of a step the divergence solve
 // removes compression rates from the velocity. The density solve then finds the impulse with which the next
-// half kick and drift end at the target density. That impulse is stored (Continuum::pressureKick) and applied
-// at the start of the next step. Both solves use the neighbours of the current positions, so a step has one
-// search.
+// half kick and drift end at the target density. That impulse is stored (Continuum::pressureImpulse) and
+// applied at the start of the next step. Both solves use the neighbours of the current positions, so a step
+// has one search.
 //
 // The target is not 1 but the largest relative density of sliding lattice layers (slidingLatticeSum; 1.003 at
 // h = 2 dx). A liquid that fills its vessel cannot expand, and with 1 it would jam like sand: Poiseuille flow
@@ -22,12 +22,13 @@
 
 namespace thaw {
 
-/// Adds Continuum::pressureKick to the velocities; the loss of kinetic energy is recorded as dissipated.
-void addPressureKick(World& world);
+/// Adds Continuum::pressureImpulse to the velocities; the loss of kinetic energy is recorded as dissipated.
+void addPressureImpulse(World& world);
 
 /// Runs both solves. dt (s): the step that ends now; the clock has the next one. Requires: neighbour lists,
 /// ghosts, records and wall contacts of this step's evaluation. Ensures: velocities without compression,
-/// updated pressureKick, holding and steadying, and impulse and work of walls in the ledger. Collective.
+/// updated pressureImpulse, densityPressure and divergencePressure, and impulse and work of walls in the
+/// ledger. Collective.
 void findPressure(World& world, Halos halos, StepTools& tools, double dt);
 
 }  // namespace thaw

@@ -94,7 +94,7 @@ void applyPressures(const PressureSystem& x) {
     p.trialVelocity[i] = clamps && p.clamped[i] ? work.start[i] : work.start[i] + work.impulse[i] / p.mass[i];
 }
 
-void rateOfFilling(const PressureSystem& x) {
+void relativeDensityRate(const PressureSystem& x) {
   Continuum& p = x.world.particles;
   sumWith(x, p.trialVelocity, packTrialVelocity, x.tools.kernels->compression);
   for (const WallSlope& wall : x.tools.pressure.walls)

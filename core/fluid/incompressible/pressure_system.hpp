@@ -20,6 +20,6 @@ void prepareSystem(const PressureSystem& system);
 void applyPressures(const PressureSystem& system);
 
 /// Computes PressureWork::rate (1/s) of the relative density for trialVelocity. Collective.
-void rateOfFilling(const PressureSystem& system);
+void relativeDensityRate(const PressureSystem& system);
 
 }  // namespace thaw

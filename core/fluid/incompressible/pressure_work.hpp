@@ -17,13 +17,13 @@ struct WallSlope {
 /// Extra target density for flow without a free surface, which cannot expand and jams without it. Vortices of
 /// Re 100, 50 spacings long, keep 0.0016 of their energy without it, 0.50 with 0.005, 0.65 with 0.01, 0.70
 /// with 0.02 and 0.69 with 0.03.
-inline constexpr double flowingExcess = 0.02;
+inline constexpr double flowDensityExcess = 0.02;
 
 struct PressureWork {
-  double full = 1;         ///< target relative density: that of sliding layers, slightly above rest
-  double relaxation = 0;   ///< fraction of a Jacobi step that does not overshoot on the lattice
-  double mendingTime = 0;  ///< s, correction time of a compression: one spacing over the largest expected
-                           ///< speed
+  double targetRelativeDensity = 1;  ///< target relative density: that of sliding layers, slightly above rest
+  double relaxation = 0;             ///< fraction of a Jacobi step that does not overshoot on the lattice
+  double correctionTime = 0;  ///< s, correction time of a compression: one spacing over the largest expected
+                              ///< speed
   std::vector<WallSlope> walls;  ///< by row
   std::vector<double> response;  ///< 1/(Pa s^2), response of a particle's density rate to its own pressure
                                  ///< over the step, times liquid fraction; 0: no liquid

@@ -9,27 +9,30 @@ namespace {
 /// Artificial viscosity (Monaghan 1992) of approaching pairs; record: alpha c h rho / 10.
 template<class Real, class Kernel> struct Artificial {
   using L = Lanes<Real>;
-  const Record<Real>*place, *motion, *surface;
+  const Record<Real>*positionVolume, *velocityViscosity, *surface;
   const PairSums* in;
   double scale;
   struct Data {
-    Lanes4<Real> place, motion, surface;
+    Lanes4<Real> positionVolume, velocityViscosity, surface;
   };
   struct Sum {
     L x = L(0.0), y = L(0.0), z = L(0.0), lost = L(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
-    return {loadListed(place, entries), loadListed(motion, entries), loadListed(surface, entries)};
+    return {loadListed(positionVolume, entries), loadListed(velocityViscosity, entries),
+            loadListed(surface, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
-            dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz;
-    const L approach = min(
-        (i.motion.a - j.motion.a) * dx + (i.motion.b - j.motion.b) * dy + (i.motion.c - j.motion.c) * dz,
-        L(0.0));
+    const L approach = min((i.velocityViscosity.a - j.velocityViscosity.a) * dx +
+                               (i.velocityViscosity.b - j.velocityViscosity.b) * dy +
+                               (i.velocityViscosity.c - j.velocityViscosity.c) * dz,
+                           L(0.0));
     const L mean = L(2.0) * i.surface.c * j.surface.c / max(i.surface.c + j.surface.c, L(1e-30));
-    const L mu = mean * j.place.d * Kernel::slope(q2) * approach / (q2 + L(0.01));
+    const L mu = mean * j.positionVolume.d * Kernel::slope(q2) * approach / (q2 + L(0.01));
     s.x += mu * dx;
     s.y += mu * dy;
     s.z += mu * dz;
@@ -38,7 +41,7 @@ template<class Real, class Kernel> struct Artificial {
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
-        const double v = scale * static_cast<double>(i.place.d[l]);
+        const double v = scale * static_cast<double>(i.positionVolume.d[l]);
         Vec3d& f = in->force[rows[l]];
         f.x += v * static_cast<double>(s.x[l]);
         f.y += v * static_cast<double>(s.y[l]);

@@ -23,28 +23,28 @@ template<class Real, class Kernel, Carry carry, bool Surfaces = false, bool Mixe
 struct CarriedDensity {
   using L = Lanes<Real>;
   static constexpr bool Carried = carry != Carry::Nothing, Corrected = carry == Carry::Corrected;
-  const Record<Real>*place, *motion, *state;
+  const Record<Real>*positionVolume, *velocityViscosity, *pressurePhaseHeat;
   const PairSums* in;
   double scale;
   L weight[3];  ///< h g; not Mixed: over c^2
   L half;       ///< s/m, half of the last step over h
   struct Data {
-    Lanes4<Real> place, motion, state;
+    Lanes4<Real> positionVolume, velocityViscosity, pressurePhaseHeat;
   };
   struct Vector {
     L x = L(0.0), y = L(0.0), z = L(0.0);
   };
   struct Sum {
-    L filling = L(0.0), closest = L(1.0), rate = L(0.0), spread = L(0.0), column = L(0.0), size = L(0.0),
-      wetting = L(0.0), solids = L(0.0), nearby = L(0.0), depth = L(0.0);
-    Vector crowding, surface, solid, flow[3];
+    L relativeDensity = L(0.0), closest = L(1.0), rate = L(0.0), spread = L(0.0), column = L(0.0),
+      size = L(0.0), liquidKernelSum = L(0.0), solids = L(0.0), nearby = L(0.0), depth = L(0.0);
+    Vector concentrationGradient, surface, solid, negativeVelocityGradient[3];
     L moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)};
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     Data d;
-    d.place = loadListed(place, entries);
-    if constexpr (Carried) d.motion = loadListed(motion, entries);
-    if constexpr (Carried && Mixed) d.state = loadListed(state, entries);
+    d.positionVolume = loadListed(positionVolume, entries);
+    if constexpr (Carried) d.velocityViscosity = loadListed(velocityViscosity, entries);
+    if constexpr (Carried && Mixed) d.pressurePhaseHeat = loadListed(pressurePhaseHeat, entries);
     return d;
   }
   static THAW_INLINE L size(L a) { return max(a, -a); }
@@ -54,36 +54,39 @@ struct CarriedDensity {
     to.z = fma(factor, z, to.z);
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
-      dz = positionDifference(i.place.c, j.place.c);
+    L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+      dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+      dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     L ux, uy, uz;
     if constexpr (Carried) {
-      ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
+      ux = i.velocityViscosity.a - j.velocityViscosity.a, uy = i.velocityViscosity.b - j.velocityViscosity.b,
+      uz = i.velocityViscosity.c - j.velocityViscosity.c;
       dx -= half * ux, dy -= half * uy, dz -= half * uz;
     }
     const L q2 = dx * dx + dy * dy + dz * dz, q = sqrt(q2),
-            V = Carried && Surfaces && !Mixed ? size(j.place.d) : j.place.d;
+            V = Carried && Surfaces && !Mixed ? size(j.positionVolume.d) : j.positionVolume.d;
     const L w = V * Kernel::w(q, q2), g = V * Kernel::slope(q, q2);
-    s.filling += w;
+    s.relativeDensity += w;
     s.closest = select(V > L(0.0), min(s.closest, q2), s.closest);
     const L gx = g * dx, gy = g * dy, gz = g * dz;
-    s.crowding.x += gx;
-    s.crowding.y += gy;
-    s.crowding.z += gz;
+    s.concentrationGradient.x += gx;
+    s.concentrationGradient.y += gy;
+    s.concentrationGradient.z += gz;
     if constexpr (Carried) {
-      L wet = L(1.0), dry = L(0.0);
+      L pairLiquidFraction = L(1.0), solidFraction = L(0.0);
       if constexpr (Mixed) {
-        const L fi = size(i.state.b), fj = size(j.state.b);
-        wet = fi + fj - fi * fj;
-        dry = L(1.0) - fj;
-        s.wetting += w * fj;
-        s.solids += w * dry;
+        const L fi = size(i.pressurePhaseHeat.b), fj = size(j.pressurePhaseHeat.b);
+        pairLiquidFraction = fi + fj - fi * fj;
+        solidFraction = L(1.0) - fj;
+        s.liquidKernelSum += w * fj;
+        s.solids += w * solidFraction;
       }
       if constexpr (Surfaces) {
         s.size -= g * q;
-        const L marked = select((Mixed ? j.state.b : j.place.d) < L(0.0), L(-1.0), L(0.0));
+        const L marked = select((Mixed ? j.pressurePhaseHeat.b : j.positionVolume.d) < L(0.0), L(-1.0),
+                                L(0.0));
         add(s.surface, marked, gx, gy, gz);
-        if constexpr (Mixed) add(s.solid, -dry, gx, gy, gz);
+        if constexpr (Mixed) add(s.solid, -solidFraction, gx, gy, gz);
       }
       if constexpr (Corrected) {
         s.moment[0] -= gx * dx;
@@ -92,35 +95,36 @@ struct CarriedDensity {
         s.moment[3] -= gx * dy;
         s.moment[4] -= gy * dz;
         s.moment[5] -= gx * dz;
-        add(s.flow[0], wet * gx, ux, uy, uz);
-        add(s.flow[1], wet * gy, ux, uy, uz);
-        add(s.flow[2], wet * gz, ux, uy, uz);
+        add(s.negativeVelocityGradient[0], pairLiquidFraction * gx, ux, uy, uz);
+        add(s.negativeVelocityGradient[1], pairLiquidFraction * gy, ux, uy, uz);
+        add(s.negativeVelocityGradient[2], pairLiquidFraction * gz, ux, uy, uz);
       } else {
-        s.rate += wet * (gx * ux + gy * uy + gz * uz);
+        s.rate += pairLiquidFraction * (gx * ux + gy * uy + gz * uz);
       }
-      const L both = V * Kernel::laplace(q, q2) * wet,
+      const L both = V * Kernel::laplace(q, q2) * pairLiquidFraction,
               down = weight[0] * dx + weight[1] * dy + weight[2] * dz;
       if constexpr (Mixed) {
-        s.spread += both * (j.state.a - i.state.a);
+        s.spread += both * (j.pressurePhaseHeat.a - i.pressurePhaseHeat.a);
         s.column += both * down;
-        s.nearby += w * size(j.state.b) * j.state.a;
-        s.depth += w * size(j.state.b) * down;
+        s.nearby += w * size(j.pressurePhaseHeat.b) * j.pressurePhaseHeat.a;
+        s.depth += w * size(j.pressurePhaseHeat.b) * down;
       } else {
-        s.spread += both * (j.motion.d - i.motion.d + down);
+        s.spread += both * (j.velocityViscosity.d - i.velocityViscosity.d + down);
       }
     }
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
-    const L own = Carried && Surfaces && !Mixed ? size(i.place.d) : i.place.d,
-            total = s.filling + own * Kernel::w(L(0.0));
+    const L own = Carried && Surfaces && !Mixed ? size(i.positionVolume.d) : i.positionVolume.d,
+            total = s.relativeDensity + own * Kernel::w(L(0.0));
     const bool touching = any(s.closest < L(1e-20));
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
         const std::uint32_t row = rows[l];
-        in->filling[row] = static_cast<float>(scale * static_cast<double>(total[l]) -
-                                              in->selfExcess * static_cast<double>(own[l]));
+        in->relativeDensity[row] = static_cast<float>(scale * static_cast<double>(total[l]) -
+                                                      in->selfExcess * static_cast<double>(own[l]));
         if (touching && s.closest[l] < Real(1e-20)) ++*in->coincident;
-        if (in->crowding) in->crowding[row] = single(scale * at(s.crowding, l));
+        if (in->concentrationGradient)
+          in->concentrationGradient[row] = single(scale * at(s.concentrationGradient, l));
         if constexpr (Carried) finishCarried(row, l, i, s);
       }
   }
@@ -137,7 +141,8 @@ struct CarriedDensity {
     if constexpr (Corrected) {
       const auto m = [&](int k) { return static_cast<float>(scale * static_cast<double>(s.moment[k][l])); };
       in->moment[row] = {m(0), m(1), m(2), m(3), m(4), m(5)};
-      for (int a = 0; a < 3; a++) in->flow[row].row[a] = single(scale / h * at(s.flow[a], l));
+      for (int a = 0; a < 3; a++)
+        in->negativeVelocityGradient[row].row[a] = single(scale / h * at(s.negativeVelocityGradient[a], l));
     }
     in->densityRate[row] = scale / h * static_cast<double>(s.rate[l]);
     const LiquidMaterial& m = in->liquids[in->material[row]];
@@ -145,10 +150,11 @@ struct CarriedDensity {
     if constexpr (Mixed) {
       const double c2 = m.soundSpeed * m.soundSpeed;
       spread = (in->stiffness * spread + m.stiffness / c2 * static_cast<double>(s.column[l])) / m.stiffness;
-      if (in->wetting) {
-        const double liquid = static_cast<double>(s.wetting[l]);
-        in->wetting[row] = static_cast<float>(liquid + static_cast<double>(size(i.state.b)[l]));
-        in->solidShare[row] = static_cast<float>(scale * static_cast<double>(s.solids[l]));
+      if (in->liquidKernelSum) {
+        const double liquid = static_cast<double>(s.liquidKernelSum[l]);
+        in->liquidKernelSum[row] = static_cast<float>(liquid +
+                                                      static_cast<double>(size(i.pressurePhaseHeat.b)[l]));
+        in->solidFraction[row] = static_cast<float>(scale * static_cast<double>(s.solids[l]));
         in->liquidNearby[row] = liquid > 0 ? static_cast<float>(
                                                  (in->stiffness * static_cast<double>(s.nearby[l]) +
                                                   m.stiffness / c2 * static_cast<double>(s.depth[l])) /
@@ -156,7 +162,7 @@ struct CarriedDensity {
                                            : 0;
       }
     }
-    in->spreading[row] = in->diffusion * 0.5 * m.soundSpeed / h * spread;
+    in->densityDiffusionRate[row] = in->diffusion * 0.5 * m.soundSpeed / h * spread;
   }
 };
 

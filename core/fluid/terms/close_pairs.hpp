@@ -10,19 +10,22 @@ namespace {
 /// and the phase is checked for close pairs only.
 template<class Real> struct Close {
   using L = Lanes<Real>;
-  const Record<Real>*place, *surface;
+  const Record<Real>*positionVolume, *surface;
   ClosePairs* pairs;
   L limit2;
   struct Data {
-    Lanes4<Real> place;
+    Lanes4<Real> positionVolume;
     const std::uint32_t* entries;
   };
   struct Sum {};
-  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), entries}; }
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(positionVolume, entries), entries};
+  }
   THAW_INLINE bool solid(std::uint32_t entry) const { return ByEntry::of(surface, entry)->b > 0; }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t* at, Sum&) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
-            dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const auto m = dx * dx + dy * dy + dz * dz < limit2;
     if (any(m))
       for (int l = 0; l < 8; l++)

@@ -11,22 +11,24 @@ namespace {
 /// only.
 template<class Real> struct ColourField {
   using L = Lanes<Real>;
-  const Record<Real>*place, *surface, *state;
+  const Record<Real>*positionVolume, *surface, *pressurePhaseHeat;
   const PairSums* in;
   struct Data {
-    Lanes4<Real> place, surface, state;
+    Lanes4<Real> positionVolume, surface, pressurePhaseHeat;
   };
   struct Sum {
     L x = L(0.0), y = L(0.0), z = L(0.0), laplacian = L(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
-    return {loadListed(place, entries), loadListed(surface, entries), loadListed(state, entries)};
+    return {loadListed(positionVolume, entries), loadListed(surface, entries),
+            loadListed(pressurePhaseHeat, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
-            dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz, u = max(L(1.0) - q2, L(0.0));
-    const L c = L(-945 / (32 * pi)) * j.place.d * u;  // derivative of poly6
+    const L c = L(-945 / (32 * pi)) * j.positionVolume.d * u;  // derivative of poly6
     s.x += c * u * dx;
     s.y += c * u * dy;
     s.z += c * u * dz;
@@ -35,13 +37,13 @@ template<class Real> struct ColourField {
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
-        const double h = in->support, V = static_cast<double>(i.place.d[l]) * h * h * h,
+        const double h = in->support, V = static_cast<double>(i.positionVolume.d[l]) * h * h * h,
                      root = static_cast<double>(i.surface.a[l]);
         const Vec3d n{static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
         const double size = __builtin_sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
         if (size < 0.3) continue;  // |n| h: noise inside the liquid (docs/validation/stability.md B24)
         const double laplacian = static_cast<double>(s.laplacian[l]) -
-                                 945 / (32 * pi) * 3 * static_cast<double>(i.place.d[l]);
+                                 945 / (32 * pi) * 3 * static_cast<double>(i.positionVolume.d[l]);
         const double k = -root * root * laplacian / (h * h) * V / size;
         Vec3d& f = in->force[rows[l]];
         f.x += k * n.x;

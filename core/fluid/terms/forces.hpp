@@ -22,14 +22,15 @@ template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool
          bool Relief = false>
 struct Forces {
   using L = Lanes<Real>;
-  const Record<Real>*place, *motion, *state, *diagonal, *mixed;
+  const Record<Real>*positionVolume, *velocityViscosity, *pressurePhaseHeat, *pressureDiagonal,
+      *pressureOffDiagonal;
   const PairSums* in;
   L pressureScale, viscousScale, viscousWeight;  ///< viscousScale: per lengthUnit
   double heatScale;
   L reliefScale, reliefPower;  ///< lattice sums of W to 1, over lengthUnit; 1/m, lengthUnit over the support
   static constexpr double unit = lengthUnit<Real>;
   struct Data {
-    Lanes4<Real> place, motion, state, diagonal, mixed;
+    Lanes4<Real> positionVolume, velocityViscosity, pressurePhaseHeat, pressureDiagonal, pressureOffDiagonal;
   };
   using Wide = Lanes<double>;
   struct Sum {
@@ -39,53 +40,62 @@ struct Forces {
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     Data d;
-    d.place = loadListed(place, entries);
-    d.motion = loadListed(motion, entries);
-    d.state = loadListed(state, entries);
-    if constexpr (Carried) d.diagonal = loadListed(diagonal, entries), d.mixed = loadListed(mixed, entries);
+    d.positionVolume = loadListed(positionVolume, entries);
+    d.velocityViscosity = loadListed(velocityViscosity, entries);
+    d.pressurePhaseHeat = loadListed(pressurePhaseHeat, entries);
+    if constexpr (Carried)
+      d.pressureDiagonal = loadListed(pressureDiagonal, entries),
+      d.pressureOffDiagonal = loadListed(pressureOffDiagonal, entries);
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     // Positions are in lengthUnit; viscousScale and finish contain the remaining factors.
-    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b),
-            dz = unitDifference(i.place.c, j.place.c);
+    const L dx = unitDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = unitDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = unitDifference(i.positionVolume.c, j.positionVolume.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
-    const L VV = i.place.d * j.place.d;
+    const L VV = i.positionVolume.d * j.positionVolume.d;
     const L slope = Kernel::slope(q, q2);
-    const L fi = i.state.b, fj = j.state.b;
+    const L fi = i.pressurePhaseHeat.b, fj = j.pressurePhaseHeat.b;
     // Every factor below is equal for j, or of opposite sign, bit by bit. Summed in double precision, no
     // momentum is lost to rounding.
     const L strength = pressureScale * VV * slope,
-            pressure = Carried ? L(0.0) : strength * (i.state.a + j.state.a);
-    const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
-    const L wet = fi + fj - fi * fj;
+            pressure = Carried ? L(0.0) : strength * (i.pressurePhaseHeat.a + j.pressurePhaseHeat.a);
+    const L ux = i.velocityViscosity.a - j.velocityViscosity.a,
+            uy = i.velocityViscosity.b - j.velocityViscosity.b,
+            uz = i.velocityViscosity.c - j.velocityViscosity.c;
+    const L pairLiquidFraction = fi + fj - fi * fj;
     if constexpr (Carried) {
-      const L xx = i.diagonal.a + j.diagonal.a, yy = i.diagonal.b + j.diagonal.b,
-              zz = i.diagonal.c + j.diagonal.c;
-      const L xy = i.mixed.a + j.mixed.a, xz = i.mixed.b + j.mixed.b, yz = i.mixed.c + j.mixed.c,
-              k = strength * wet;
+      const L xx = i.pressureDiagonal.a + j.pressureDiagonal.a,
+              yy = i.pressureDiagonal.b + j.pressureDiagonal.b,
+              zz = i.pressureDiagonal.c + j.pressureDiagonal.c;
+      const L xy = i.pressureOffDiagonal.a + j.pressureOffDiagonal.a,
+              xz = i.pressureOffDiagonal.b + j.pressureOffDiagonal.b,
+              yz = i.pressureOffDiagonal.c + j.pressureOffDiagonal.c, k = strength * pairLiquidFraction;
       s.x -= wide(k * dot3(xx, xy, xz, dx, dy, dz));
       s.y -= wide(k * dot3(xy, yy, yz, dx, dy, dz));
       s.z -= wide(k * dot3(xz, yz, zz, dx, dy, dz));
     }
     if constexpr (Relief) {
-      const L w = reliefScale * Kernel::w(q, q2), toI = w * (L(1.0) - fj) * j.place.d,
-              toJ = w * (L(1.0) - fi) * i.place.d;
-      const L fx = toI * i.diagonal.d - toJ * j.diagonal.d, fy = toI * i.mixed.d - toJ * j.mixed.d,
-              fz = toI * i.state.a - toJ * j.state.a;
+      const L w = reliefScale * Kernel::w(q, q2), toI = w * (L(1.0) - fj) * j.positionVolume.d,
+              toJ = w * (L(1.0) - fi) * i.positionVolume.d;
+      const L fx = toI * i.pressureDiagonal.d - toJ * j.pressureDiagonal.d,
+              fy = toI * i.pressureOffDiagonal.d - toJ * j.pressureOffDiagonal.d,
+              fz = toI * i.pressurePhaseHeat.a - toJ * j.pressurePhaseHeat.a;
       s.x += wide(fx);
       s.y += wide(fy);
       s.z += wide(fz);
       s.lost -= reliefPower * (fx * ux + fy * uy + fz * uz);
     }
-    const L mui = i.motion.d, muj = j.motion.d;
+    const L mui = i.velocityViscosity.d, muj = j.velocityViscosity.d;
     if constexpr (!Viscous && Carried) {
     } else if constexpr (!Viscous) {
       s.x -= wide(pressure * dx);
       s.y -= wide(pressure * dy);
       s.z -= wide(pressure * dz);
     } else if constexpr (Laplacian) {
-      const L mu = L(0.5) * (mui + muj) * wet * VV * Kernel::laplace(q, q2), m = viscousScale * mu;
+      const L mu = L(0.5) * (mui + muj) * pairLiquidFraction * VV * Kernel::laplace(q, q2),
+              m = viscousScale * mu;
       s.x -= wide(pressure * dx + m * ux);
       s.y -= wide(pressure * dy + m * uy);
       s.z -= wide(pressure * dz + m * uz);
@@ -93,7 +103,8 @@ struct Forces {
     } else {
       const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
       const L approach = dot3(ux, uy, uz, dx, dy, dz);
-      const L mu = wet * mean * VV * weightAt(viscousWeight, q) * approach / (r2 + L(1e-6 / (unit * unit)));
+      const L mu = pairLiquidFraction * mean * VV * weightAt(viscousWeight, q) * approach /
+                   (r2 + L(1e-6 / (unit * unit)));
       const L f = fma(viscousScale, mu, pressure);
       s.x -= wide(f * dx);
       s.y -= wide(f * dy);
@@ -102,7 +113,7 @@ struct Forces {
     }
     if constexpr (Heat) {
       // Summed in double precision so that no heat is lost to rounding.
-      s.heat += wide(conducted(VV, i.state, j.state, Kernel::laplace(q, q2)));
+      s.heat += wide(conducted(VV, i.pressurePhaseHeat, j.pressurePhaseHeat, Kernel::laplace(q, q2)));
     }
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {

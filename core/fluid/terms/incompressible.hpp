@@ -11,24 +11,26 @@ namespace {
 /// Rate of the relative density: d delta_i / dt = s sum_j V_j (v_i - v_j) . grad W_ij (1/s).
 template<class Real, class Kernel> struct Compression {
   using L = Lanes<Real>;
-  const Record<Real>*place, *motion;
+  const Record<Real>*positionVolume, *velocityViscosity;
   double* rate;
   double scale;
   struct Data {
-    Lanes4<Real> place, motion;
+    Lanes4<Real> positionVolume, velocityViscosity;
   };
   struct Sum {
     L rate = L(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
-    return {loadListed(place, entries), loadListed(motion, entries)};
+    return {loadListed(positionVolume, entries), loadListed(velocityViscosity, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
-            dz = positionDifference(i.place.c, j.place.c);
-    const L approach = (i.motion.a - j.motion.a) * dx + (i.motion.b - j.motion.b) * dy +
-                       (i.motion.c - j.motion.c) * dz;
-    s.rate += j.place.d * Kernel::slope(dx * dx + dy * dy + dz * dz) * approach;
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
+    const L approach = (i.velocityViscosity.a - j.velocityViscosity.a) * dx +
+                       (i.velocityViscosity.b - j.velocityViscosity.b) * dy +
+                       (i.velocityViscosity.c - j.velocityViscosity.c) * dz;
+    s.rate += j.positionVolume.d * Kernel::slope(dx * dx + dy * dy + dz * dz) * approach;
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
@@ -39,22 +41,24 @@ template<class Real, class Kernel> struct Compression {
 /// Impulse of the pressures (N s): -s V_i sum_j V_j (k_i + k_j) grad W_ij; equal and opposite for j.
 template<class Real, class Kernel> struct Impulse {
   using L = Lanes<Real>;
-  const Record<Real>*place, *state;
+  const Record<Real>*positionVolume, *pressurePhaseHeat;
   Vec3d* impulse;
   double scale;
   struct Data {
-    Lanes4<Real> place, state;
+    Lanes4<Real> positionVolume, pressurePhaseHeat;
   };
   struct Sum {
     L x = L(0.0), y = L(0.0), z = L(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
-    return {loadListed(place, entries), loadListed(state, entries)};
+    return {loadListed(positionVolume, entries), loadListed(pressurePhaseHeat, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
-            dz = positionDifference(i.place.c, j.place.c);
-    const L k = j.place.d * Kernel::slope(dx * dx + dy * dy + dz * dz) * (i.state.a + j.state.a);
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
+    const L k = j.positionVolume.d * Kernel::slope(dx * dx + dy * dy + dz * dz) *
+                (i.pressurePhaseHeat.a + j.pressurePhaseHeat.a);
     s.x -= k * dx;
     s.y -= k * dy;
     s.z -= k * dz;
@@ -62,7 +66,7 @@ template<class Real, class Kernel> struct Impulse {
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
-        const double V = scale * static_cast<double>(i.place.d[l]);
+        const double V = scale * static_cast<double>(i.positionVolume.d[l]);
         impulse[rows[l]] = {V * static_cast<double>(s.x[l]), V * static_cast<double>(s.y[l]),
                             V * static_cast<double>(s.z[l])};
       }
@@ -73,27 +77,28 @@ template<class Real, class Kernel> struct Impulse {
 /// |gradient by j's position|^2 / m_j (1/(m^2 kg)); 1/m_j is state.c.
 template<class Real, class Kernel> struct Response {
   using L = Lanes<Real>;
-  const Record<Real>*place, *state;
+  const Record<Real>*positionVolume, *pressurePhaseHeat;
   Vec3d* slope;
   double* others;
   double slopeScale;
   struct Data {
-    Lanes4<Real> place, state;
+    Lanes4<Real> positionVolume, pressurePhaseHeat;
   };
   struct Sum {
     L x = L(0.0), y = L(0.0), z = L(0.0), others = L(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
-    return {loadListed(place, entries), loadListed(state, entries)};
+    return {loadListed(positionVolume, entries), loadListed(pressurePhaseHeat, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
-            dz = positionDifference(i.place.c, j.place.c);
-    const L q2 = dx * dx + dy * dy + dz * dz, k = j.place.d * Kernel::slope(q2);
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
+    const L q2 = dx * dx + dy * dy + dz * dz, k = j.positionVolume.d * Kernel::slope(q2);
     s.x += k * dx;
     s.y += k * dy;
     s.z += k * dz;
-    s.others += k * k * q2 * j.state.c;
+    s.others += k * k * q2 * j.pressurePhaseHeat.c;
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)

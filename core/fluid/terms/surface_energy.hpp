@@ -9,15 +9,15 @@ namespace THAW_ISA {
 namespace {
 
 /// h sum V grad W and sum V W over the neighbours.
-template<class Real> struct SurfaceSeen {
+template<class Real> struct SurfaceColour {
   using L = Lanes<Real>;
-  const Record<Real>* place;
+  const Record<Real>* positionVolume;
   const PairSums* in;
   using Data = Lanes4<Real>;
   struct Sum {
-    L x = L(0.0), y = L(0.0), z = L(0.0), cover = L(0.0);
+    L x = L(0.0), y = L(0.0), z = L(0.0), colour = L(0.0);
   };
-  THAW_INLINE Data load(const std::uint32_t* entries) const { return loadListed(place, entries); }
+  THAW_INLINE Data load(const std::uint32_t* entries) const { return loadListed(positionVolume, entries); }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.a, j.a), dy = positionDifference(i.b, j.b),
             dz = positionDifference(i.c, j.c);
@@ -25,14 +25,14 @@ template<class Real> struct SurfaceSeen {
     s.x += g * dx;
     s.y += g * dy;
     s.z += g * dz;
-    s.cover += j.d * SurfaceKernel::w(q2);
+    s.colour += j.d * SurfaceKernel::w(q2);
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
         in->surfaceGradient[rows[l]] = {static_cast<double>(s.x[l]), static_cast<double>(s.y[l]),
                                         static_cast<double>(s.z[l])};
-        in->surfaceCover[rows[l]] = static_cast<double>(s.cover[l]);
+        in->surfaceColour[rows[l]] = static_cast<double>(s.colour[l]);
       }
   }
 };
@@ -42,27 +42,31 @@ template<class Real> struct SurfaceSeen {
 /// double precision, no momentum is lost to rounding.
 template<class Real> struct SurfaceForces {
   using L = Lanes<Real>;
-  const Record<Real>*place, *pull;
+  const Record<Real>*positionVolume, *surfaceEnergyDerivatives;
   const PairSums* in;
   double scale;
   struct Data {
-    Lanes4<Real> place, pull;
+    Lanes4<Real> positionVolume, surfaceEnergyDerivatives;
   };
   using Wide = Lanes<double>;
   struct Sum {
     Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
-    return {loadListed(place, entries), loadListed(pull, entries)};
+    return {loadListed(positionVolume, entries), loadListed(surfaceEnergyDerivatives, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
-            dz = positionDifference(i.place.c, j.place.c);
-    const L q2 = dx * dx + dy * dy + dz * dz, VV = i.place.d * j.place.d;
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
+    const L q2 = dx * dx + dy * dy + dz * dz, VV = i.positionVolume.d * j.positionVolume.d;
     // grad W = slope d, H = slope 1 + bend d d
     const L slope = SurfaceKernel::slope(q2), bend = SurfaceKernel::bend(q2);
-    const L x = i.pull.a - j.pull.a, y = i.pull.b - j.pull.b, z = i.pull.c - j.pull.c;
-    const L along = bend * (x * dx + y * dy + z * dz) + slope * (i.pull.d + j.pull.d);
+    const L x = i.surfaceEnergyDerivatives.a - j.surfaceEnergyDerivatives.a,
+            y = i.surfaceEnergyDerivatives.b - j.surfaceEnergyDerivatives.b,
+            z = i.surfaceEnergyDerivatives.c - j.surfaceEnergyDerivatives.c;
+    const L along = bend * (x * dx + y * dy + z * dz) +
+                    slope * (i.surfaceEnergyDerivatives.d + j.surfaceEnergyDerivatives.d);
     s.x -= widen(VV * (slope * x + along * dx));
     s.y -= widen(VV * (slope * y + along * dy));
     s.z -= widen(VV * (slope * z + along * dz));

@@ -16,14 +16,14 @@ namespace {
 /// row.
 template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false> struct UniformForces {
   using L = Lanes<Real>;
-  const Record<Real>*place, *motion, *tensor;
+  const Record<Real>*positionVolume, *velocityViscosity, *tensor;
   const PairSums* in;
   L pressureScale, viscousScale, viscousWeight, viscosity, conductivity, artificial, volume;
   double heatScale, artificialScale;
   static constexpr double unit = lengthUnit<Real>;
   struct Data {
-    Lanes4<Real> place, motion, tensor;
-    THAW_INLINE L pressure() const { return Heat ? place.d : motion.d; }
+    Lanes4<Real> positionVolume, velocityViscosity, tensor;
+    THAW_INLINE L pressure() const { return Heat ? positionVolume.d : velocityViscosity.d; }
   };
   using Wide = Lanes<double>;
   struct Sum {
@@ -32,28 +32,32 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     Data d;
-    d.place = loadListed(place, entries);
-    d.motion = loadListed(motion, entries);
+    d.positionVolume = loadListed(positionVolume, entries);
+    d.velocityViscosity = loadListed(velocityViscosity, entries);
     if constexpr (Carried) d.tensor = loadListed(tensor, entries);
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     // Positions are in lengthUnit; viscousScale and finish contain the remaining factors.
-    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b),
-            dz = unitDifference(i.place.c, j.place.c);
+    const L dx = unitDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = unitDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = unitDifference(i.positionVolume.c, j.positionVolume.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
-    const L Vi = Heat || Carried ? volume : i.place.d;
-    L Vj = j.place.d;
+    const L Vi = Heat || Carried ? volume : i.positionVolume.d;
+    L Vj = j.positionVolume.d;
     if constexpr (Heat || Carried)
-      Vj = select(j.motion.d > L(0.5 * (Heat ? dummyTemperature : dummyPressure)), volume, L(0.0));
+      Vj = select(j.velocityViscosity.d > L(0.5 * (Heat ? dummyTemperature : dummyPressure)), volume, L(0.0));
     const L VV = Vi * Vj;
     const L slope = Kernel::slope(q, q2);
     const L strength = pressureScale * VV * slope;
-    const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
+    const L ux = i.velocityViscosity.a - j.velocityViscosity.a,
+            uy = i.velocityViscosity.b - j.velocityViscosity.b,
+            uz = i.velocityViscosity.c - j.velocityViscosity.c;
     const L approach = dot3(ux, uy, uz, dx, dy, dz);
     const L mu = viscosity * VV * weightAt(viscousWeight, q) * approach / (r2 + L(1e-6 / (unit * unit)));
     if constexpr (Carried) {
-      const L xx = i.place.d + j.place.d, yy = i.motion.d + j.motion.d, zz = i.tensor.a + j.tensor.a;
+      const L xx = i.positionVolume.d + j.positionVolume.d,
+              yy = i.velocityViscosity.d + j.velocityViscosity.d, zz = i.tensor.a + j.tensor.a;
       const L xy = i.tensor.b + j.tensor.b, xz = i.tensor.c + j.tensor.c, yz = i.tensor.d + j.tensor.d,
               resist = viscousScale * mu;
       s.x -= wide(strength * dot3(xx, xy, xz, dx, dy, dz) + resist * dx);
@@ -67,7 +71,8 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
     }
     s.lost = fma(mu, approach, s.lost);
     if constexpr (Heat)
-      s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) * (j.motion.d - i.motion.d));
+      s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) *
+                     (j.velocityViscosity.d - i.velocityViscosity.d));
     if constexpr (Shocks) {
       const L closing = min(approach, L(0.0)),
               nu = artificial * Vj * slope * closing / (r2 + L(0.01 / (unit * unit)));
@@ -84,7 +89,8 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
         double dissipation = 0.5 * in->support * static_cast<double>(s.lost[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] = heatScale * s.heat[l];
         if constexpr (Shocks) {
-          const double v = artificialScale * static_cast<double>(Heat || Carried ? volume[l] : i.place.d[l]);
+          const double v = artificialScale *
+                           static_cast<double>(Heat || Carried ? volume[l] : i.positionVolume.d[l]);
           f.x += v * static_cast<double>(s.sx[l]);
           f.y += v * static_cast<double>(s.sy[l]);
           f.z += v * static_cast<double>(s.sz[l]);

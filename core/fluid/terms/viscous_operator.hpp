@@ -31,13 +31,13 @@ template<> struct Widened<double> {
 template<class Real, ViscousPass pass> struct ViscousOperator {
   using L = Lanes<Real>;
   static constexpr bool blocks = pass == ViscousPass::Start, lost = pass == ViscousPass::Force;
-  const Record<Real>* place;
+  const Record<Real>* positionVolume;
   const Record<double>*velocity, *middle;
   const ViscousSums* out;
   double scale;
   L weight;  ///< weight of viscosity (viscous_weight.hpp)
   struct Data {
-    Lanes4<Real> place;
+    Lanes4<Real> positionVolume;
     Lanes4<double> velocity, middle;
     LanesF viscosity, liquid;
   };
@@ -47,21 +47,22 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     Data d;
-    d.place = loadListed(place, entries);
+    d.positionVolume = loadListed(positionVolume, entries);
     d.velocity = loadListed(velocity, entries);
     if constexpr (lost) d.middle = loadListed(middle, entries);
     splitFloats(d.velocity.d, d.viscosity, d.liquid);
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
-            dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.positionVolume.a, j.positionVolume.a),
+            dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
+            dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz;
-    const LanesF wet = i.liquid + j.liquid - i.liquid * j.liquid;
+    const LanesF pairLiquidFraction = i.liquid + j.liquid - i.liquid * j.liquid;
     const LanesF mean = LanesF(2.0f) * (i.viscosity * j.viscosity) /
                         max(i.viscosity + j.viscosity, LanesF(1e-30f));
-    const L c = i.place.d * j.place.d * Widened<Real>::of(wet * mean) * alongPair(weight, q2) /
-                (q2 + L(1e-6));
+    const L c = i.positionVolume.d * j.positionVolume.d * Widened<Real>::of(pairLiquidFraction * mean) *
+                alongPair(weight, q2) / (q2 + L(1e-6));
     const LanesD ex = widen(dx), ey = widen(dy), ez = widen(dz);
     const LanesD approach = (i.velocity.a - j.velocity.a) * ex + (i.velocity.b - j.velocity.b) * ey +
                             (i.velocity.c - j.velocity.c) * ez;

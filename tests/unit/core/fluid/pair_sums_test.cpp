@@ -11,12 +11,12 @@ namespace {
 using Kernel = isa_base::WendlandC2;
 
 struct Reference {
-  std::vector<double> filling, heat;
+  std::vector<double> relativeDensity, heat;
   std::vector<Vec3d> force;
 };
 
 /// The same sums by brute force over all pairs, in double.
-Reference bruteForce(const Block& b, double fillingScale) {
+Reference bruteForce(const Block& b, double relativeDensityScale) {
   const Continuum& p = b.particles;
   const double h = b.grid.support;
   const std::size_t n = p.owned;
@@ -26,16 +26,17 @@ Reference bruteForce(const Block& b, double fillingScale) {
   for (std::size_t i = 0; i < n; i++) {
     for (std::size_t j = 0; j < n; j++) {
       const Vec3d d = (p.position[i] - p.position[j]) / h;
-      r.filling[i] += V(j) * Kernel::w(dot(d, d)) * fillingScale;
+      r.relativeDensity[i] += V(j) * Kernel::w(dot(d, d)) * relativeDensityScale;
     }
-    term[i] = std::max(0.0, b.liquids[0].stiffness * (r.filling[i] - 1)) / (r.filling[i] * r.filling[i]);
+    term[i] = std::max(0.0, b.liquids[0].stiffness * (r.relativeDensity[i] - 1)) /
+              (r.relativeDensity[i] * r.relativeDensity[i]);
   }
   for (std::size_t i = 0; i < n; i++)
     for (std::size_t j = 0; j < n; j++) {
       if (i == j) continue;
       const Vec3d d = (p.position[i] - p.position[j]) / h, u = p.velocity[i] - p.velocity[j];
       const double q2 = dot(d, d), VV = V(i) * V(j), slope = Kernel::slope(q2);
-      r.force[i] += d * (-VV * (term[i] + term[j]) * slope * fillingScale / h -
+      r.force[i] += d * (-VV * (term[i] + term[j]) * slope * relativeDensityScale / h -
                          VV * dot(u, d) / (q2 + 1e-6) * isa_base::alongPair(ViscousWeight{}.scale, q2) /
                              (h * h * h * h * h));
       r.heat[i] += VV * -2 * slope / (h * h * h * h * h) * (p.temperature[j] - p.temperature[i]);
@@ -57,7 +58,7 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
   pairKernels()->density(s, b.groups());
   packPressure(x, b.particles, 0, b.particles.owned, b.records);
   pairKernels()->forces(s, b.groups());
-  const Reference r = bruteForce(b, s.fillingScale);
+  const Reference r = bruteForce(b, s.relativeDensityScale);
   // the relative density is stored as float, which the stiffness amplifies
   const double tolerance = GetParam() == Precision::Single ? 2e-5 : 1e-6;
   double scale = 0, heatScale = 0;
@@ -66,7 +67,7 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
   Vec3d total{};
   double heat = 0;
   for (std::size_t i = 0; i < b.particles.owned; i++) {
-    EXPECT_NEAR(b.particles.filling[i], r.filling[i], 1e-6);
+    EXPECT_NEAR(b.particles.relativeDensity[i], r.relativeDensity[i], 1e-6);
     EXPECT_LT(length(b.particles.force[i] - r.force[i]), tolerance * scale) << i;
     EXPECT_NEAR(b.particles.heatFlow[i], r.heat[i], 1e-5 * heatScale);
     total += b.particles.force[i];
@@ -82,7 +83,7 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
 TEST_P(PairSumsTest, OneLiquidHasTheBitsOfTheGeneralCase) {
   for (const bool heat : {false, true}) {
     std::vector<Vec3d> force[2];
-    std::vector<double> flow[2], lost[2];
+    std::vector<double> negativeVelocityGradient[2], lost[2];
     for (const bool uniform : {false, true}) {
       Block b(9, 0.2, 2, GetParam());
       b.modules.heat = heat;
@@ -105,7 +106,7 @@ TEST_P(PairSumsTest, OneLiquidHasTheBitsOfTheGeneralCase) {
       pairKernels()->forces(s, b.groups());
       force[uniform].assign(p.force.data(), p.force.data() + n);
       lost[uniform].assign(p.dissipation.data(), p.dissipation.data() + n);
-      if (heat) flow[uniform].assign(p.heatFlow.data(), p.heatFlow.data() + n);
+      if (heat) negativeVelocityGradient[uniform].assign(p.heatFlow.data(), p.heatFlow.data() + n);
     }
     const auto equal = [](const auto& a, const auto& b) {
       return a.size() == b.size() &&
@@ -113,13 +114,13 @@ TEST_P(PairSumsTest, OneLiquidHasTheBitsOfTheGeneralCase) {
     };
     EXPECT_TRUE(equal(force[0], force[1])) << "heat " << heat;
     EXPECT_TRUE(equal(lost[0], lost[1])) << "heat " << heat;
-    EXPECT_TRUE(equal(flow[0], flow[1])) << "heat " << heat;
+    EXPECT_TRUE(equal(negativeVelocityGradient[0], negativeVelocityGradient[1])) << "heat " << heat;
   }
 }
 INSTANTIATE_TEST_SUITE_P(Precisions, PairSumsTest, testing::Values(Precision::Single, Precision::Double));
 
 TEST(PairSums, AreTheSameBitsForEveryInstructionSet) {
-  std::vector<float> filling[3];
+  std::vector<float> relativeDensity[3];
   std::vector<Vec3d> force[3];
   int n = 0;
   for (const char* name : {"base", "avx2", "avx512"}) {
@@ -136,12 +137,14 @@ TEST(PairSums, AreTheSameBitsForEveryInstructionSet) {
       packPressure({b.scene, b.modules, b.grid, b.liquids}, b.particles, 0, b.particles.owned, b.records);
       k->forces(s, b.groups());
       k->tension(s, b.groups());
-      filling[n].insert(filling[n].end(), b.particles.filling.data(),
-                        b.particles.filling.data() + b.particles.owned);
+      relativeDensity[n].insert(relativeDensity[n].end(), b.particles.relativeDensity.data(),
+                                b.particles.relativeDensity.data() + b.particles.owned);
       force[n].insert(force[n].end(), b.particles.force.data(), b.particles.force.data() + b.particles.owned);
     }
     if (n > 0) {
-      EXPECT_EQ(std::memcmp(filling[0].data(), filling[n].data(), filling[0].size() * sizeof(float)), 0)
+      EXPECT_EQ(std::memcmp(relativeDensity[0].data(), relativeDensity[n].data(),
+                            relativeDensity[0].size() * sizeof(float)),
+                0)
           << name;
       EXPECT_EQ(std::memcmp(force[0].data(), force[n].data(), force[0].size() * sizeof(Vec3d)), 0) << name;
     }

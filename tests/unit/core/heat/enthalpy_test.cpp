@@ -33,7 +33,7 @@ struct Lump {
     p.slot[0] = noSlot;
     p.enthalpy[0] = enthalpyOf(m, T);
     p.temperature[0] = T;
-    settlePhase(w.scene, w.modules, p, 0, 1);
+    setPhase(w.scene, w.modules, p, 0, 1);
   }
   Continuum& p() { return w.particles; }
   void setFraction(double f) {
@@ -186,10 +186,10 @@ TEST(Heat, InitialPhaseFollowsTheTemperatureWithoutHeat) {
   Lump l(wax(), 300);
   l.w.modules.heat = l.w.modules.melting = false;
   l.w.scene.bodies[0].temperature = 500;
-  settlePhase(l.w.scene, l.w.modules, l.p(), 0, 1);
+  setPhase(l.w.scene, l.w.modules, l.p(), 0, 1);
   EXPECT_EQ(l.p().phase[0], Liquid);
   l.w.scene.bodies[0].temperature = 300;
-  settlePhase(l.w.scene, l.w.modules, l.p(), 0, 1);
+  setPhase(l.w.scene, l.w.modules, l.p(), 0, 1);
   EXPECT_EQ(l.p().phase[0], Solid);
 }
 
@@ -201,14 +201,14 @@ TEST(Heat, SurfacesFollowNewtonsAndStefansLaws) {
   l.w.modules.surfaceHeat = true;
   l.w.scene.spacing = 0.05;
   l.w.scene.domain.ambient = 300;
-  l.p().exposure[0] = static_cast<float>(latticeSurfaceExposure(l.w.scene.numerics));
+  l.p().freeSurfaceIndicator[0] = static_cast<float>(flatLatticeIndicator(l.w.scene.numerics));
   l.p().heatFlow[0] = 0;
   addOuterHeat(l.w, 1e-6);
   const double expected = 0.05 * 0.05 *
                           (20 * (300 - 600.0) + 0.9 * 5.670374419e-8 * (std::pow(300, 4) - std::pow(600, 4)));
   EXPECT_NEAR(l.p().heatFlow[0], expected, 1e-6 * std::abs(expected));
   EXPECT_NEAR(l.w.ledger.heatIn.value(), expected * 1e-6, 1e-12 * std::abs(expected));
-  l.p().exposure[0] = 0.4f;  // noise inside a liquid is no surface
+  l.p().freeSurfaceIndicator[0] = 0.4f;  // noise inside a liquid is no surface
   l.p().heatFlow[0] = 0;
   addOuterHeat(l.w, 1);
   EXPECT_EQ(l.p().heatFlow[0], 0);
@@ -222,7 +222,7 @@ TEST(Heat, SurfacesDoNotOvershoot) {
   Lump l(m, 1000);
   l.w.modules.surfaceHeat = true;
   l.w.scene.domain.ambient = 300;
-  l.p().exposure[0] = 1;
+  l.p().freeSurfaceIndicator[0] = 1;
   for (int k = 0; k < 50; k++) {
     l.p().heatFlow[0] = 0;
     addOuterHeat(l.w, 100);

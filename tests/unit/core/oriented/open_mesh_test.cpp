@@ -6,8 +6,8 @@
 
 #include "core/geometry/point_tree.hpp"
 #include "core/geometry/triangle_bvh.hpp"
-#include "core/oriented/cover_surface.hpp"
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
+#include "core/oriented/sample_surface.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace thaw {
@@ -22,8 +22,8 @@ OrientedBody ofMesh(const std::string& path) {
   return b;
 }
 
-MadePoints pointsOf(const TriangleMesh& m, OrientedBody b = ofMesh("m")) {
-  return makePoints(b, spacing, 1, [&](const std::string&) { return m; });
+SampledPoints pointsOf(const TriangleMesh& m, OrientedBody b = ofMesh("m")) {
+  return samplePoints(b, spacing, 1, [&](const std::string&) { return m; });
 }
 
 /// A bowl: the lower half of a ball of 0.3 m.
@@ -39,7 +39,7 @@ TriangleMesh quad(double side) {
   return {{{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-double nearestPair(const MadePoints& m) {
+double nearestPair(const SampledPoints& m) {
   const PointTree tree(m.places);
   for (double r = 0.02; r < 1; r += 0.02)
     for (const Vec3d& x : m.places)
@@ -50,7 +50,7 @@ double nearestPair(const MadePoints& m) {
 TEST(OpenMesh, IsUsedUnchanged) {
   const TriangleMesh mesh = bowl();
   const TriangleBvh tree(mesh);
-  const MadePoints m = pointsOf(mesh);
+  const SampledPoints m = pointsOf(mesh);
   double low = 0, high = -1, off = 0, turned = 1;
   for (std::size_t i = 0; i < m.places.size(); i++) {
     const ClosestPoint there = tree.closest(m.places[i]);
@@ -74,7 +74,7 @@ TEST(OpenMesh, IsUsedUnchanged) {
 }
 
 TEST(OpenMesh, FlatMeshesNeedNoVolume) {
-  const MadePoints m = pointsOf(quad(0.2));
+  const SampledPoints m = pointsOf(quad(0.2));
   EXPECT_NEAR(static_cast<double>(m.places.size()), 115, 10);
   for (const Vec3d& n : m.normals) EXPECT_EQ(n, (Vec3d{0, 0, 1}));
   EXPECT_EQ(m.notes, std::vector<std::string>{"mesh 'm': open (4 edges at its border), kept open"});
@@ -100,13 +100,13 @@ TEST(OpenMesh, RepairsAreReported) {
 TEST(OpenMesh, ClosedMeshesAreSampledAsShapes) {
   TriangleMesh ball = ballMesh({}, 0.1, 0.02);
   const auto load = [&](const std::string&) { return ball; };
-  const MadePoints m = makePoints(ofMesh("m"), spacing, 1, load),
-                   shape = coverSurface(*makeSignedDistance(ofMesh("m").shape, load), spacing, 1);
+  const SampledPoints m = samplePoints(ofMesh("m"), spacing, 1, load),
+                      shape = sampleSurface(*makeSignedDistance(ofMesh("m").shape, load), spacing, 1);
   EXPECT_EQ(m.places, shape.places);
   EXPECT_EQ(m.normals, shape.normals);
   EXPECT_TRUE(m.notes.empty());
   turnAll(ball);
-  EXPECT_EQ(makePoints(ofMesh("m"), spacing, 1, load).notes,
+  EXPECT_EQ(samplePoints(ofMesh("m"), spacing, 1, load).notes,
             std::vector<std::string>{"mesh 'm': 1 shell turned the right side out"});
 }
 
@@ -114,7 +114,7 @@ TEST(OpenMesh, ClosedMeshesAreSampledAsShapes) {
 TEST(OpenMesh, ReimportedSurfaceKeepsItsSize) {
   TriangleMesh m = quad(0.2);
   for (int k = 0; k < 3; k++) {
-    const MadePoints p = pointsOf(m);
+    const SampledPoints p = pointsOf(m);
     Vec3d low{1, 1, 0}, high{0, 0, 0};
     for (const Vec3d& x : p.places)
       for (int a = 0; a < 2; a++) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);

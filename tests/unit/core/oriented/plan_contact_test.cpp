@@ -72,15 +72,17 @@ TEST(OrientedContactPlan, KeepsASurfaceOffObstacles) {
     EXPECT_EQ(c.keep, 0.005);
     for (const double depth : {0.2 * c.room, 0.7 * c.room, 1.5 * c.room}) {
       const double d = 1e-6 * c.room,
-                   force = (pushAt(c, depth + d).energy - pushAt(c, depth - d).energy) / (2 * d);
-      EXPECT_NEAR(pushAt(c, depth).force, force, 1e-6 * force);
-      EXPECT_NEAR(pushAt(c, depth).slope + c.spring,
-                  (pushAt(c, depth + d).force - pushAt(c, depth - d).force) / (2 * d),
-                  1e-5 * (pushAt(c, depth).slope + c.spring));
+                   force = (obstacleForceAt(c, depth + d).energy - obstacleForceAt(c, depth - d).energy) /
+                           (2 * d);
+      EXPECT_NEAR(obstacleForceAt(c, depth).force, force, 1e-6 * force);
+      EXPECT_NEAR(obstacleForceAt(c, depth).slope + c.spring,
+                  (obstacleForceAt(c, depth + d).force - obstacleForceAt(c, depth - d).force) / (2 * d),
+                  1e-5 * (obstacleForceAt(c, depth).slope + c.spring));
     }
     const double v = std::sqrt(2 * 9.81 * 0.5);
-    EXPECT_GT(pushAt(c, c.room).energy, 4 * 0.5 * orientedMass(s.oriented[0], 0.01) * v * v * (1 - 1e-9));
-    EXPECT_GT(pushAt(c, c.room).force,
+    EXPECT_GT(obstacleForceAt(c, c.room).energy,
+              4 * 0.5 * orientedMass(s.oriented[0], 0.01) * v * v * (1 - 1e-9));
+    EXPECT_GT(obstacleForceAt(c, c.room).force,
               8 * s.oriented[0].attract * s.oriented[0].stiffness * 0.01 * (1 - 1e-9));
   }
 }

@@ -13,7 +13,7 @@ template<class Force, class Particles>
 std::int64_t endOf(std::int64_t most, const Force& force, const Particles& particles) {
   RelaxProgress p;
   for (std::int64_t k = 0; k < most; k++)
-    if (!getsAnywhere(p, k, force(k), particles(k))) return k;
+    if (!makesProgress(p, k, force(k), particles(k))) return k;
   return -1;
 }
 
@@ -21,14 +21,14 @@ TEST(RelaxProgress, EndsWithoutImprovement) {
   const auto always = [](std::int64_t n) { return [n](std::int64_t) { return n; }; };
   EXPECT_LT(endOf(
                 100000, [](std::int64_t k) { return 2 + std::sin(static_cast<double>(k)); }, always(900)),
-            2 * relaxPatience(900));
+            2 * relaxStallLimit(900));
   EXPECT_EQ(endOf(
                 100000, [](std::int64_t) { return 1.0; }, always(900)),
-            relaxPatience(900));
+            relaxStallLimit(900));
   // births balance deaths: no growth
   EXPECT_LT(endOf(
                 100000, [](std::int64_t) { return 1.0; }, [](std::int64_t k) { return 1000 + k % 15; }),
-            2 * relaxPatience(1000));
+            2 * relaxStallLimit(1000));
 }
 
 TEST(RelaxProgress, ContinuesWithImprovement) {
@@ -54,13 +54,13 @@ TEST(RelaxProgress, BoundedProgressEnds) {
   std::int64_t particles = 1000, k = 0, waited = 0;
   double force = 1;
   for (; k < 10000000; k++) {
-    const bool last = ++waited >= relaxPatience(particles) - 1;
+    const bool last = ++waited >= relaxStallLimit(particles) - 1;
     if (last && particles < 3000)
       particles = static_cast<std::int64_t>(1.03 * static_cast<double>(particles)) + 1, waited = 0;
     else if (last && force > 1e-9) force *= 0.89, waited = 0;
-    if (!getsAnywhere(p, k, force, particles)) break;
+    if (!makesProgress(p, k, force, particles)) break;
   }
-  EXPECT_LT(k, 260 * relaxPatience(3000));
+  EXPECT_LT(k, 260 * relaxStallLimit(3000));
 }
 
 }  // namespace

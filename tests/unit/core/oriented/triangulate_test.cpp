@@ -7,7 +7,7 @@
 
 #include "core/geometry/point_tree.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/oriented/given_surface.hpp"
+#include "core/oriented/interpolant.hpp"
 
 namespace thaw {
 namespace {
@@ -174,18 +174,18 @@ TEST(GivenSurface, ThinPlateGoesThroughItsPoints) {
 }
 
 TEST(GivenSurface, ProjectionFindsTheSphere) {
-  GivenPoints given;
+  PointInterpolant given;
   given.points = given.normals = onSphere(150);
-  readyGiven(given);
+  buildInterpolant(given);
   for (int k = 0; k < 40; k++) {
     Vec3d x = 1.05 * normalized(Vec3d{std::sin(k * 1.0), std::cos(k * 2.0), std::sin(k * 0.7 + 1)}),
           n = normalized(x);
-    ASSERT_TRUE(projectOnGiven(given, x, n));
+    ASSERT_TRUE(projectOnInterpolant(given, x, n));
     EXPECT_NEAR(length(x), 1, 0.01);
     EXPECT_GT(dot(n, normalized(x)), 0.99);
   }
   Vec3d far{5, 0, 0}, n{1, 0, 0};
-  EXPECT_FALSE(projectOnGiven(given, far, n));
+  EXPECT_FALSE(projectOnInterpolant(given, far, n));
 }
 
 }  // namespace

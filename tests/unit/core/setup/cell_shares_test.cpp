@@ -1,4 +1,4 @@
-#include "core/setup/cell_shares.hpp"
+#include "core/setup/cell_fractions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,32 +18,32 @@ std::vector<std::int64_t> pointsOf(const SignedDistance& shape, const SampleLatt
   return points;
 }
 
-TEST(CellShares, WholeCellsAreFull) {
+TEST(CellFractions, WholeCellsAreFull) {
   const BoxDistance box({0.6, 0.4, 0.3});
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);
   ASSERT_EQ(points.size(), 72u);
-  for (const std::int32_t s : cellShares(box, l, points)) EXPECT_EQ(s, wholeCell);
+  for (const std::int32_t s : cellFractions(box, l, points)) EXPECT_EQ(s, wholeCell);
 }
 
-TEST(CellShares, HoldTheVolumeOfABoxWithPartialCells) {  // 5.35 cells: six points, the outer cells are two
-                                                         // thirds full
+TEST(CellFractions, HoldTheVolumeOfABoxWithPartialCells) {  // 5.35 cells: six points, the outer cells are two
+                                                            // thirds full
   const BoxDistance box({0.535, 0.4, 0.4});
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);
   ASSERT_EQ(points.size(), 96u);
-  const std::vector<std::int32_t> shares = cellShares(box, l, points);
+  const std::vector<std::int32_t> shares = cellFractions(box, l, points);
   for (std::size_t k = 0; k < points.size(); k++) {
     const std::int64_t i = points[k] % l.count[0];
     EXPECT_EQ(shares[k], i == 0 || i == 5 ? 48 : 64);  // three of four layers of samples
   }
 }
 
-TEST(CellShares, HoldTheVolumeOfABallOnAnyNumberOfRanks) {
+TEST(CellFractions, HoldTheVolumeOfABallOnAnyNumberOfRanks) {
   const SphereDistance ball(0.83);
   const SampleLattice l = sampleLattice(ball, 0.1);
   const std::vector<std::int64_t> points = pointsOf(ball, l);
-  const std::vector<std::int32_t> shares = cellShares(ball, l, points);
+  const std::vector<std::int32_t> shares = cellFractions(ball, l, points);
   const double volume = 4.0 / 3 * 3.14159265358979 * 0.83 * 0.83 * 0.83, cells = volume / 1e-3;
   EXPECT_NEAR(static_cast<double>(std::accumulate(shares.begin(), shares.end(), std::int64_t{0})) / wholeCell,
               cells, 0.002 * cells);
@@ -64,7 +64,7 @@ TEST(CellShares, HoldTheVolumeOfABallOnAnyNumberOfRanks) {
     for (std::size_t k = 0; k < points.size(); k++)
       if (const std::int64_t row = points[k] / l.count[0]; row >= range.begin && row < range.end)
         mine.push_back(points[k]), wanted.push_back(shares[k]);
-    EXPECT_EQ(cellShares(ball, l, mine), wanted);
+    EXPECT_EQ(cellFractions(ball, l, mine), wanted);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/oriented/made_points.hpp"
+#include "core/oriented/sample_points.hpp"
 #include "core/setup/make_grid.hpp"
 #include "core/sheet/plan_sheets.hpp"
 
@@ -34,7 +34,7 @@ TEST(ExpectedRows, ApproximateThoseOfOrientedBodies) {
   const std::vector<ExpectedRows> expected = expectedRows(s, {});
   ASSERT_EQ(expected.size(), s.oriented.size());
   for (std::size_t k = 0; k < expected.size(); k++) {
-    const double made = static_cast<double>(makePoints(s.oriented[k], s.spacing, 1, {}).places.size());
+    const double made = static_cast<double>(samplePoints(s.oriented[k], s.spacing, 1, {}).places.size());
     EXPECT_GT(expected[k].rows, 0.65 * made) << k;
     EXPECT_LT(expected[k].rows, (k == 3 ? 2.2 : 1.4) * made) << k;  // 3: the square around the hull
     EXPECT_EQ(expected[k].spread, k >= 3) << k;
@@ -72,11 +72,11 @@ TEST(ExpectedRows, CellsFollowTheFinestBodyWithoutAContinuum) {
   EXPECT_GE(makeGrid(s).edge.x, 0.05 * s.numerics.support);
 }
 
-TEST(MadePoints, ScaledPatchKeepsItsSpacing) {
+TEST(SampledPoints, ScaledPatchKeepsItsSpacing) {
   OrientedBody b;
   b.source = OrientedSource::Patch;
   b.shape.scale = 2;
-  const MadePoints m = makePoints(b, 0.1, 1, {});
+  const SampledPoints m = samplePoints(b, 0.1, 1, {});
   EXPECT_NEAR(length(m.places[1] - m.places[0]), 0.1, 1e-12);
   EXPECT_NEAR(m.places.back().y - m.places.front().y, 2, 0.1);
 }

@@ -188,7 +188,7 @@ TEST(StartFields, EmitterFieldsVaryWithPosition) {
     EXPECT_NEAR(run.particles().temperature[i], 300 + 100 * opening.x, 1e-6);
   }
   EXPECT_TRUE(run.run());
-  EXPECT_LT(std::abs(run.books().energyResidual), 0.02 * run.books().energyScale);
+  EXPECT_LT(std::abs(run.ledgerReport().energyResidual), 0.02 * run.ledgerReport().energyScale);
 }
 
 TEST(StartFields, EmitterRefusesAProfileAndASpreadInItsNozzle) {

@@ -4,8 +4,8 @@
 
 #include <map>
 
+#include "core/solid/bond_entries.hpp"
 #include "core/solid/bond_graph.hpp"
-#include "core/solid/bond_places.hpp"
 #include "core/solid/slot_state.hpp"
 #include "tests/support/solid_body.hpp"
 
@@ -46,14 +46,14 @@ void fillParticles(SolidBody& b, const std::vector<Vec3d>& points) {
   }
 }
 
-/// Adds requested bonds as BondHalo::relink does.
+/// Adds requested bonds as BondHalo::rebuildBonds does.
 void addBonds(SolidBody& b, const std::vector<BondRequest>& requests) {
   Bonds& bonds = b.bonds;
   std::vector<std::vector<BondRequest>> of(b.solids.owned);
   for (std::size_t s = 0; s < b.solids.owned; s++)
     for (int k = 0; k < bonds.capacity; k++) {
       const std::size_t at = bonds.at(s, k);
-      if (bonds.there(s, k))
+      if (bonds.hasBond(s, k))
         of[s].push_back({static_cast<std::uint32_t>(s),
                          bonds.neighbour[at],
                          {bonds.x[at], bonds.y[at], bonds.z[at]},

@@ -61,8 +61,8 @@ struct Lattice {
       p.position[i] = points[i];
       p.slot[i] = noSlot;
     }
-    relink({}, true);
-    relink(bondsAround(0), false);
+    rebuildBonds({}, true);
+    rebuildBonds(bondsAround(0), false);
   }
   std::vector<BondRequest> bondsAround(std::size_t from) const {
     std::vector<BondRequest> q;
@@ -74,8 +74,8 @@ struct Lattice {
       }
     return q;
   }
-  bool relink(const std::vector<BondRequest>& requests, bool changed) {
-    const bool any = halo.relink(p, s, b, {requests, changed});
+  bool rebuildBonds(const std::vector<BondRequest>& requests, bool changed) {
+    const bool any = halo.rebuildBonds(p, s, b, {requests, changed});
     if (any) refreshReference(work, s, b, false);
     halo.graph().check({p, s, b});
     return any;
@@ -83,7 +83,7 @@ struct Lattice {
   std::set<std::uint64_t> bondedTo(std::uint32_t slot) const {
     std::set<std::uint64_t> ids;
     for (int k = 0; k < b.capacity; k++)
-      if (b.there(slot, k)) ids.insert(s.id[b.neighbour[b.at(slot, k)]]);
+      if (b.hasBond(slot, k)) ids.insert(s.id[b.neighbour[b.at(slot, k)]]);
     return ids;
   }
   /// Checks that incremental updates equal a full computation.
@@ -109,12 +109,12 @@ struct Lattice {
 
 TEST(BondGraph, FollowsMeltingAndFreezing) {
   Lattice l;
-  EXPECT_FALSE(l.relink({}, false));
+  EXPECT_FALSE(l.rebuildBonds({}, false));
   const std::size_t n = l.points.size();
   l.p.phase[7] = l.p.phase[20] = l.p.phase[59] = Liquid;
   const std::set<std::uint64_t> before = l.bondedTo(l.p.slot[8]);
   EXPECT_EQ(before.count(1007), 1u);
-  EXPECT_TRUE(l.relink({}, true));
+  EXPECT_TRUE(l.rebuildBonds({}, true));
   EXPECT_EQ(l.s.owned, n - 3);
   EXPECT_EQ(l.p.slot[7], noSlot);
   EXPECT_EQ(l.bondedTo(l.p.slot[8]).count(1007), 0u);
@@ -122,15 +122,15 @@ TEST(BondGraph, FollowsMeltingAndFreezing) {
   l.expectFreshWork();
 
   l.p.phase[20] = Solid;
-  l.relink({}, true);
+  l.rebuildBonds({}, true);
   EXPECT_EQ(l.s.owned, n - 2);
   EXPECT_EQ(l.s.volume[l.p.slot[20]], 0);
   EXPECT_TRUE(l.bondedTo(l.p.slot[20]).empty());
   l.expectFreshWork();
-  l.relink({{l.p.slot[20], 1021, {0.1, 0, 0}, {-0.1, 0, 0}, 2},
-            {l.p.slot[21], 1020, {-0.1, 0, 0}, {0.1, 0, 0}, 2},
-            {l.p.slot[20], 1007, {1, 0, 0}, {}, 3}},
-           false);
+  l.rebuildBonds({{l.p.slot[20], 1021, {0.1, 0, 0}, {-0.1, 0, 0}, 2},
+                  {l.p.slot[21], 1020, {-0.1, 0, 0}, {0.1, 0, 0}, 2},
+                  {l.p.slot[20], 1007, {1, 0, 0}, {}, 3}},
+                 false);
   EXPECT_EQ(l.bondedTo(l.p.slot[20]), std::set<std::uint64_t>{1021});  // 7 is liquid
   EXPECT_EQ(l.bondedTo(l.p.slot[21]).count(1020), 1u);
   l.expectFreshWork();
@@ -142,10 +142,10 @@ TEST(BondGraph, BrokenBondsAreRemoved) {
   const std::size_t at = l.b.at(slot, 2);
   const std::uint32_t other = l.b.neighbour[at];
   for (int k = 0; k < l.b.capacity; k++)
-    if (l.b.there(other, k) && l.b.neighbour[l.b.at(other, k)] == slot) l.b.cut(other, k);
+    if (l.b.hasBond(other, k) && l.b.neighbour[l.b.at(other, k)] == slot) l.b.cut(other, k);
   const std::uint32_t next = l.b.neighbour[l.b.at(slot, 3)];
   l.b.cut(slot, 2);
-  EXPECT_TRUE(l.relink({}, false));
+  EXPECT_TRUE(l.rebuildBonds({}, false));
   EXPECT_FALSE(l.b.broken);
   EXPECT_EQ(l.b.neighbour[at], next);  // the order of the others is kept
   EXPECT_EQ(l.bondedTo(slot).count(l.s.id[other]), 0u);
@@ -162,7 +162,7 @@ TEST(BondGraph, GrowsWithTheNumberOfBonds) {
       q.push_back({l.p.slot[5], l.p.id[j], x, -x, 1});
       q.push_back({l.p.slot[j], l.p.id[5], -x, x, 1});
     }
-  l.relink(q, false);
+  l.rebuildBonds(q, false);
   EXPECT_EQ(l.bondedTo(l.p.slot[5]).size(), l.points.size() - 1);
   EXPECT_EQ(l.bondedTo(l.p.slot[6]).count(1005), 1u);
   l.expectFreshWork();
@@ -178,12 +178,12 @@ TEST(BondGraph, RestoresAllBondsFromRecords) {
     before.push_back(l.bondedTo(l.p.slot[i]));
     l.p.phase[i] = Liquid;
   }
-  l.relink({}, true);
+  l.rebuildBonds({}, true);
   EXPECT_EQ(l.s.size(), 0u);
   l.expectFreshWork();
   std::fill_n(l.p.phase.data(), l.p.owned, std::uint8_t(Solid));
   l.halo.adopt(std::move(records.bytes));
-  EXPECT_TRUE(l.relink({}, false));
+  EXPECT_TRUE(l.rebuildBonds({}, false));
   for (std::size_t i = 0; i < l.points.size(); i++) {
     EXPECT_EQ(l.bondedTo(l.p.slot[i]), before[i]);
     EXPECT_EQ(l.s.volume[l.p.slot[i]], 3.0 + static_cast<double>(i));
@@ -201,14 +201,14 @@ TEST(BondGraph, BrokenRecordsAreRefused) {
   Solids none;
   l.s.resize(l.s.owned, 0);
   l.s.resize(0, 0);
-  EXPECT_THROW(fresh.relink(l.p, l.s, l.b, {}), std::runtime_error);
+  EXPECT_THROW(fresh.rebuildBonds(l.p, l.s, l.b, {}), std::runtime_error);
 }
 
 TEST(BondGraph, RowsAddedByOthersAreRefused) {
   Lattice l;
   l.s.resize(l.s.owned + 1, 0);
   l.s.particle[l.s.owned - 1] = 0;
-  EXPECT_THROW(l.halo.relink(l.p, l.s, l.b, {{}, true}), std::logic_error);
+  EXPECT_THROW(l.halo.rebuildBonds(l.p, l.s, l.b, {{}, true}), std::logic_error);
 }
 
 }  // namespace

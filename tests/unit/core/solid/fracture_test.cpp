@@ -14,14 +14,14 @@ namespace {
 std::int64_t bondsOf(const SolidBody& b, std::size_t i, std::size_t j) {
   std::int64_t n = 0;
   for (int k = 0; k < b.bonds.capacity; k++)
-    n += b.bonds.there(i, k) && b.bonds.neighbour[b.bonds.at(i, k)] == j;
+    n += b.bonds.hasBond(i, k) && b.bonds.neighbour[b.bonds.at(i, k)] == j;
   return n;
 }
 
 std::int64_t ends(const SolidBody& b) {
   std::int64_t n = 0;
   for (std::size_t i = 0; i < b.solids.owned; i++)
-    for (int k = 0; k < b.bonds.capacity; k++) n += b.bonds.there(i, k);
+    for (int k = 0; k < b.bonds.capacity; k++) n += b.bonds.hasBond(i, k);
   return n;
 }
 

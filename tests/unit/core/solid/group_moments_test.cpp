@@ -13,16 +13,12 @@ namespace {
 
 struct Kept {
   Sym3d inverse;
-  double perTrace, perWeight, grip;
+  double perTrace, perWeight, strainBound;
   unsigned rank, singular;
 };
 Kept keptOf(const SolidBody& b, std::size_t s) {
-  return {b.solids.momentInverse[s],
-          b.work.perTrace[s],
-          b.work.perWeight[s],
-          b.work.grip[s],
-          b.work.rank[s],
-          b.work.singularLanes[s / lanes] >> s % lanes & 1u};
+  return {b.solids.momentInverse[s], b.work.perTrace[s], b.work.perWeight[s],
+          b.work.strainBound[s],     b.work.rank[s],     b.work.singularLanes[s / lanes] >> s % lanes & 1u};
 }
 
 /// Number of solids whose data differ between these kernels and one solid at a time.
@@ -35,7 +31,7 @@ std::size_t differing(SolidBody& b, const char* kernels) {
   for (std::size_t g = 0; g < b.solids.owned / lanes; g++) {
     for (std::size_t s = g * lanes; s < (g + 1) * lanes; s++) {
       b.solids.momentInverse[s] = {1, 2, 3, 4, 5, 6};
-      b.work.perTrace[s] = b.work.perWeight[s] = b.work.grip[s] = -1;
+      b.work.perTrace[s] = b.work.perWeight[s] = b.work.strainBound[s] = -1;
       b.solids.changed[s] = 1;
     }
     refreshGroup(b.work, b.solids, b.bonds, g);

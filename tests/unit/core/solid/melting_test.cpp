@@ -35,7 +35,7 @@ TEST(Melting, RemovesBondsAtBothEndsAndRecordsTheirEnergy) {
     for (int k = 0; k < b->bonds.capacity; k++) {
       const std::size_t at = b->bonds.at(s, k);
       const bool liquidEnd = p.phase[s] == Liquid || p.phase[b->bonds.neighbour[at]] == Liquid;
-      EXPECT_FALSE(b->bonds.there(s, k) && liquidEnd);
+      EXPECT_FALSE(b->bonds.hasBond(s, k) && liquidEnd);
     }
   // the recorded energy is that of the next force evaluation
   computeForces(*b);

@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "core/surface/follow_start.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/reference_motion.hpp"
+#include "tests/support/relax_rig.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {
 namespace {
 
-using test::SettleRig;
+using test::RelaxRig;
 using test::SurfelRig;
 
 /// A flat sheet of surfels 0.1 apart that follow their initial positions, stretched, sheared and rotated
@@ -23,16 +23,16 @@ struct Stretched {
     const Vec3d n = normalized(cross(by * Vec3d{1, 0, 0}, by * Vec3d{0, 1, 0}));
     for (int i = -4; i <= 4; i++)
       for (int j = -4; j <= 4; j++) rig.add(by * Vec3d{0.1 * i, 0.1 * j, 0}, n);
-    s.activate(s.follows);
-    s.activate(s.startPlace);
-    s.activate(s.startNormal);
-    s.activate(s.startTangent);
+    s.activate(s.hasReference);
+    s.activate(s.referencePosition);
+    s.activate(s.referenceNormal);
+    s.activate(s.referenceTangent);
     const Mat3d back = inverse(by);
     for (std::size_t i = 0; i < s.owned; i++) {
-      s.follows[i] = 1;
-      s.startPlace[i] = back * s.position[i];
-      s.startNormal[i] = {0, 0, 1};
-      s.startTangent[i] = {1, 0, 0};
+      s.hasReference[i] = 1;
+      s.referencePosition[i] = back * s.position[i];
+      s.referenceNormal[i] = {0, 0, 1};
+      s.referenceTangent[i] = {1, 0, 0};
       s.tangent[i] = normalized(by * Vec3d{1, 0, 0});
     }
   }
@@ -56,8 +56,8 @@ TEST(Births, NewbornsGetTheInitialPositionOfTheUndeformedSheet) {
   Stretched sheet(turned * strained);
   for (const Vec3d& start : {Vec3d{0.04, 0.03, 0}, Vec3d{-0.05, 0.05, 0}, Vec3d{0.02, -0.06, 0}}) {
     const SurfelRow born = sheet.bornAt(start);
-    ASSERT_TRUE(born.follows);
-    EXPECT_LT(length(born.startPlace - start), 1e-12);
+    ASSERT_TRUE(born.hasReference);
+    EXPECT_LT(length(born.referencePosition - start), 1e-12);
   }
 }
 
@@ -72,9 +72,9 @@ TEST(Births, NewbornsRelaxLikeTheirNeighbours) {
   rig.add({0, 0, 0.3}, {0, 0, 1});
   EXPECT_EQ(s.carried[0], (Vec3d{0, 0, 0.3}));
   EXPECT_EQ(s.carriedNormal[0], (Vec3d{0, 0, 1}));
-  s.activate(s.loose);  // the face of a crack relaxes
+  s.activate(s.relaxesOnce);  // the face of a crack relaxes
   rig.add({0.1, 0, 0.3}, {0, 0, 1});
-  EXPECT_EQ(s.loose[1], 1);
+  EXPECT_EQ(s.relaxesOnce[1], 1);
   EXPECT_EQ(s.carriedNormal[1], Vec3d{});
 }
 

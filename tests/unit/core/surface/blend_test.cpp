@@ -6,25 +6,25 @@
 #include <vector>
 
 #include "core/surface/displace.hpp"
-#include "core/surface/ready_particles.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace thaw {
 namespace {
 
-using test::SettleRig;
+using test::RelaxRig;
 
 /// A ball of radius 6 with bumps of 0.3 on its surfels and a uniform liquid fraction.
 struct Bumpy {
-  SettleRig rig{0.5, 12};
+  RelaxRig rig{0.5, 12};
   static double bump(const Vec3d& e) { return 0.3 * std::sin(4 * e.x) * std::sin(4 * e.y + 1); }
 
   Bumpy() {
     rig.addLattice(7, {0.5, 0.5, 0.5}, [](const Vec3d& x) { return length(x) < 6; });
     rig.addBallSurfels(6);
     Surfels& s = rig.w.surface.surfels;
-    s.activate(s.softened);
-    s.activate(s.mark);
+    s.activate(s.maxLiquidFraction);
+    s.activate(s.detailHeight);
     for (std::size_t i = 0; i < s.owned; i++) s.position[i] += bump(normalized(s.position[i])) * s.normal[i];
   }
   void update(double liquid, const Vec3d& by = {}) {
@@ -41,7 +41,7 @@ struct Bumpy {
     for (std::size_t i = 0; i < p.owned; i++) p.position[i] += by;
     rig.place();
     sampleFields(rig.w, halos, rig.tools);
-    rig.settle(60, false);
+    rig.relaxSurfels(60, false);
     blendSurfels(rig.w);
     middle += by;
   }
@@ -113,7 +113,7 @@ TEST(Blend, DeformationErasesDetailOfMoltenSurfaces) {
       for (std::size_t i = 0; i < s.owned; i++)
         s.carried[i] = s.position[i], s.carriedNormal[i] = s.normal[i],
         s.strain[i] = static_cast<float>(1.0 / updates);
-      ball.rig.settle(60, false);
+      ball.rig.relaxSurfels(60, false);
       blendSurfels(ball.rig.w);
     }
     return ball.left();

@@ -95,7 +95,7 @@ TEST(Components, ADropWithoutSurfelsIsListed) {
   EXPECT_EQ(rig.components()[1].particles, 2);
   EXPECT_EQ(rig.components()[1].surfels, 0);
   std::vector<std::uint32_t> rows;
-  listBareParticles(rig.world.surface, rows);
+  listParticlesWithoutSurfels(rig.world.surface, rows);
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_GE(rig.p().position[rows[0]].z, 1.0);
 }

@@ -2,26 +2,26 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/settle_rig.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace thaw {
 namespace {
 
-using test::SettleRig;
+using test::RelaxRig;
 
-void freeze(SettleRig& rig) {
+void freeze(RelaxRig& rig) {
   SurfaceParticles& p = rig.w.surface.particles;
   std::fill_n(p.liquid.data(), p.owned, 0.0f);
 }
 
-void carry(SettleRig& rig) {
+void carry(RelaxRig& rig) {
   rig.place();
   findDisplacementGradients(rig.w, rig.ranks->halos(), rig.tools);
   displaceSurfels(rig.w, rig.ranks->halos(), rig.tools);
 }
 
 void affineMotionIsExact(bool frozen) {
-  SettleRig rig;
+  RelaxRig rig;
   rig.addLattice(5, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5; });
   rig.addBallSurfels(5);
   if (frozen) freeze(rig);
@@ -58,7 +58,7 @@ TEST(Displace, AffineMotionIsExact) {
 // their neighbours. The mean of the particles' gradients is smoother than the displacement of positions and
 // would leave them up to 12 degrees out of plane.
 TEST(Displace, NormalsTurnWithPositions) {
-  SettleRig rig;
+  RelaxRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) {
     return std::abs(x.x) < 6 && std::abs(x.y) < 3 && x.z < 0 && x.z > -3;
   });
@@ -99,7 +99,7 @@ TEST(Displace, NormalsTurnWithPositions) {
 }
 
 TEST(Displace, AFullTurnInManyUpdatesEndsWhereItBegan) {
-  SettleRig rig;
+  RelaxRig rig;
   rig.addLattice(4, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 4; });
   rig.addBallSurfels(4);
   freeze(rig);
@@ -127,7 +127,7 @@ TEST(Displace, AFullTurnInManyUpdatesEndsWhereItBegan) {
 
 TEST(Displace, SheetsRowsAndSingleParticlesTurnAsRigidBodies) {
   for (int kind = 0; kind < 3; kind++) {  // a sheet, a row, one particle
-    SettleRig rig;
+    RelaxRig rig;
     const int nx = kind == 2 ? 0 : 3, ny = kind == 0 ? 3 : 0;
     for (int y = -ny; y <= ny; y++)
       for (int x = -nx; x <= nx; x++) rig.addParticle({double(x), double(y), 0});
@@ -149,7 +149,7 @@ TEST(Displace, SheetsRowsAndSingleParticlesTurnAsRigidBodies) {
 // A plate of one layer turns by a right angle while its ripples reverse. They do not affect its thickness,
 // and its sides stay apart.
 TEST(Displace, ARippledPlateKeepsItsThickness) {
-  SettleRig rig;
+  RelaxRig rig;
   std::vector<double> ripple;
   for (int y = -5; y <= 5; y++)
     for (int x = -5; x <= 5; x++) {
@@ -185,7 +185,7 @@ TEST(Displace, ARippledPlateKeepsItsThickness) {
 }
 
 TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
-  SettleRig rig;
+  RelaxRig rig;
   for (int k = -1; k <= 1; k++) rig.addParticle({double(k), 0, 0}, {0.5, 0, 0});
   rig.addSurfel({0, 0, 3.9}, {0, 0, 1});
   rig.addSurfel({0, 0, 4.4}, {0, 0, 1});       // only the first surfel is near
@@ -199,7 +199,7 @@ TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
 }
 
 TEST(Displace, HandlesAnEmptySurface) {
-  SettleRig rig;
+  RelaxRig rig;
   carry(rig);
   rig.addSurfel({0, 0, 1}, {0, 0, 1});
   carry(rig);
@@ -211,7 +211,7 @@ TEST(Displace, SameBitsForEveryInstructionSet) {
   std::vector<Vec3d> first, firstNormals;
   for (const char* isa : {"base", "avx2", "avx512"}) {
     if (!surfaceKernels(isa)) continue;
-    SettleRig rig;
+    RelaxRig rig;
     rig.tools.relax.kernels = surfaceKernels(isa);
     rig.addLattice(4, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 4; });
     rig.addBallSurfels(4, 0.1);
@@ -234,7 +234,7 @@ TEST(Displace, SameBitsForEveryInstructionSet) {
 // Melt falls off a solid, and the surface of the solid stays with it. The mean motion of all particles would
 // draw it into the solid by a tenth of the melt's fall per update.
 TEST(Displace, SurfaceOfASolidMovesWithTheSolid) {
-  SettleRig rig;
+  RelaxRig rig;
   rig.addLattice(5, {},
                  [](const Vec3d& x) { return std::abs(x.x) < 5 && std::abs(x.y) < 5 && std::abs(x.z) < 3; });
   SurfaceParticles& p = rig.w.surface.particles;
@@ -255,7 +255,7 @@ TEST(Displace, SurfaceOfASolidMovesWithTheSolid) {
 }
 
 TEST(Displace, NewParticlesAndOtherComponentsHaveNoEffect) {
-  SettleRig rig;
+  RelaxRig rig;
   rig.addLattice(3, {}, [](const Vec3d& x) { return length(x) < 3; });
   rig.addParticle({0.5, 0.5, 0.5}, {9, 9, 9}, noComponent);
   rig.addParticle({0.5, 0.5, 1.5}, {9, 9, 9}, 5);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/surface/drop_patch.hpp"
+#include "core/surface/drop_sphere.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/surfel_area.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
@@ -37,7 +37,7 @@ TEST(Facets, VolumesOfSmallDropsAreExact) {
   for (const double particles : {1.0, 2.0, 3.0, 4.0, 20.0}) {
     const double volume = particles * 1e-3;
     SurfelRig rig(surfelScene(0.05));
-    appendSurfels(rig.surfels(), dropPatch(1, {0.3, -0.2, 0.1}, volume, 0.05));
+    appendSurfels(rig.surfels(), dropSphere(1, {0.3, -0.2, 0.1}, volume, 0.05));
     const SurfaceComponent c = measured(rig);
     EXPECT_NEAR(c.volume, volume, 2e-3 * volume) << c.surfels << " surfels";
     EXPECT_LT(c.open, 0.01);

@@ -2,20 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include "core/surface/ready_particles.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace thaw {
 namespace {
 
-using test::SettleRig;
+using test::RelaxRig;
 
 TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
-  SettleRig rig;
+  RelaxRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5.5; });
   rig.addParticle({0, 0, 6.5}, {}, 9);  // another body
   rig.place();
-  readyParticles(rig.w, rig.ranks->halos(), rig.tools);
+  prepareParticles(rig.w, rig.ranks->halos(), rig.tools);
   const SurfaceParticles& p = rig.w.surface.particles;
   const double h = rig.w.surface.particleSupport;
   std::vector<FieldHere> first;
@@ -53,21 +53,21 @@ TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
 }
 
 TEST(FieldProbe, NewtonFindsTheSurfaceOrReportsNone) {
-  SettleRig rig;
+  RelaxRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5.5; });
   rig.place();
-  readyParticles(rig.w, rig.ranks->halos(), rig.tools);
+  prepareParticles(rig.w, rig.ranks->halos(), rig.tools);
   FieldProbe probe(rig.w, rig.tools);
   const std::array<Vec3d, 4> from{{{0, 0, 5}, {0, 0.4, 5}, {0.4, 0, 5.2}, {0, 0, 12}}};
   std::array<std::optional<SurfacePoint>, 4> found;
-  ontoIsoSurface(rig.w, probe, 1, from[0], from.data(), from.size(), 1.5, found.data());
+  projectToIsoSurface(rig.w, probe, 1, from[0], from.data(), from.size(), 1.5, found.data());
   EXPECT_FALSE(found[3]);
   for (std::size_t k = 0; k < 3; k++) {
     ASSERT_TRUE(found[k]);
     EXPECT_NEAR(length(found[k]->position), 5.5, 0.25);
     EXPECT_GT(dot(found[k]->normal, normalized(found[k]->position)), 0.95);
     std::optional<SurfacePoint> alone;
-    ontoIsoSurface(rig.w, probe, 1, from[0], &from[k], 1, 1.5, &alone);
+    projectToIsoSurface(rig.w, probe, 1, from[0], &from[k], 1, 1.5, &alone);
     ASSERT_TRUE(alone);
     EXPECT_TRUE(alone->position == found[k]->position && alone->normal == found[k]->normal);
   }
@@ -78,10 +78,10 @@ TEST(FieldProbe, NewtonFindsTheSurfaceOrReportsNone) {
 TEST(FieldProbe, DoesNotDependOnRemoteParticles) {
   std::vector<FieldHere> found;
   for (const bool more : {false, true}) {
-    SettleRig rig;
+    RelaxRig rig;
     rig.addLattice(9, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return std::abs(x.z) < 2 && std::abs(x.y) < 5; });
     rig.place();
-    readyParticles(rig.w, rig.ranks->halos(), rig.tools);
+    prepareParticles(rig.w, rig.ranks->halos(), rig.tools);
     SurfaceParticles& p = rig.w.surface.particles;
     const Vec3d home{0, 0, 1.5}, away{1.2, 0, 2.2};
     const Vec3d& edge = rig.w.surface.grid.edge;

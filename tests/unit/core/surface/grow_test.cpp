@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/surface/drop_patch.hpp"
+#include "core/surface/drop_sphere.hpp"
 #include "core/surface/measure.hpp"
-#include "core/surface/ready_particles.hpp"
+#include "core/surface/prepare_particles.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {
@@ -68,7 +68,7 @@ TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
       p.position[i] = all[i];
       p.component[i] = 1;
       p.volume[i] = 1e-3;
-      p.share[i] = 1;
+      p.volumeRatio[i] = 1;
       p.liquid[i] = 1;
       middle += all[i] / static_cast<double>(n);
     }
@@ -90,7 +90,7 @@ TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
 
 TEST(Grow, ASmallDropIsASphereOfItsVolume) {
   const double volume = 8e-6;
-  const std::vector<SurfelRow> rows = dropPatch(7, {1, 2, 3}, volume, 0.01);
+  const std::vector<SurfelRow> rows = dropSphere(7, {1, 2, 3}, volume, 0.01);
   const double R = std::cbrt(0.75 * volume / 3.14159265358979);
   EXPECT_GE(rows.size(), 24u);
   for (const SurfelRow& r : rows) {

@@ -1,6 +1,6 @@
 #include "core/surface/measure.hpp"
 
-#include "core/surface/keep_volume.hpp"
+#include "core/surface/enforce_volume.hpp"
 #include "tests/support/surface_rig.hpp"
 
 using namespace thaw;
@@ -97,7 +97,7 @@ TEST(Measure, SpanningComponentHasItsCentroidInTheMiddleAndItsVolume) {
   EXPECT_NEAR(c.volume / 6.4 - 1, 0, 1e-6);
 }
 
-TEST(KeepVolume, RestoresABallAndAFlattenedBall) {
+TEST(EnforceVolume, RestoresABallAndAFlattenedBall) {
   for (const double flat : {1.0, 0.5}) {
     const double wide = 1 / std::sqrt(flat);
     SerialSurfaceRig rig;
@@ -124,41 +124,42 @@ TEST(KeepVolume, RestoresABallAndAFlattenedBall) {
 }
 
 // A flat drop responds to an offset with twice its area. The next offset accounts for that.
-TEST(KeepVolume, OffsetsFollowTheResponseOfTheVolume) {
+TEST(EnforceVolume, OffsetsFollowTheResponseOfTheVolume) {
   SerialSurfaceRig rig;
   Surface& s = rig.world.surface;
   s.spacing = 1;
   s.components.resize(1);
   SurfaceComponent& c = s.components[0];
-  c.label = 1, c.particles = 10, c.surfels = 100, c.area = c.freeArea = 1, c.wantedVolume = 1, c.volume = 0.9;
+  c.label = 1, c.particles = 10, c.surfels = 100, c.area = c.liquidArea = 1, c.wantedVolume = 1,
+  c.volume = 0.9;
   std::vector<VolumeMove> moves;
   offsetToVolume(s, {}, 1, 1, false, moves);
-  EXPECT_NEAR(c.raised, 0.1, 1e-12);
+  EXPECT_NEAR(c.isoOffset, 0.1, 1e-12);
   c.volume = 1.1;
   offsetToVolume(s, {}, 1, 1, false, moves);
-  EXPECT_NEAR(c.raised, 0.05, 1e-12);
+  EXPECT_NEAR(c.isoOffset, 0.05, 1e-12);
 }
 
 // Beyond the range of the iteration level the surface is offset directly.
-TEST(KeepVolume, OffsetsBeyondTheRangeOfTheLevel) {
+TEST(EnforceVolume, OffsetsBeyondTheRangeOfTheLevel) {
   for (const double swollen : {1.2, 0.85}) {  // particles that have expanded or contracted
-    const double end = swollen > 1 ? -mostDrawnIn : mostRaised;
+    const double end = swollen > 1 ? -mostInwardOffset : mostOutwardOffset;
     SerialSurfaceRig rig;
     rig.ball({0, 0, 0}, 0.8);
     for (std::size_t i = 0; i < rig.p().owned; i++) rig.p().position[i] = swollen * rig.p().position[i];
     for (std::size_t i = 0; i < rig.f().owned; i++) rig.f().position[i] = swollen * rig.f().position[i];
     rig.update();
     for (int k = 0; k < 2; k++) {
-      rig.world.surface.components[0].raised = end * rig.dx;
+      rig.world.surface.components[0].isoOffset = end * rig.dx;
       rig.update();
       const SurfaceComponent& c = rig.components()[0];
       EXPECT_NEAR(c.volume / c.particleVolume, 1, 2e-3) << swollen;
-      EXPECT_NEAR(c.raised, end * rig.dx, 0.1 * rig.dx);  // it needs at least this
+      EXPECT_NEAR(c.isoOffset, end * rig.dx, 0.1 * rig.dx);  // it needs at least this
     }
   }
 }
 
-TEST(KeepVolume, AppliesToFrozenSurfacesButNotToUnmeltedOrDetailedOnes) {
+TEST(EnforceVolume, AppliesToFrozenSurfacesButNotToUnmeltedOrDetailedOnes) {
   for (const int way : {0, 1, 2}) {  // frozen, never liquid, frozen under a mesh's detail
     SerialSurfaceRig rig;
     rig.liquid = false;
@@ -167,7 +168,7 @@ TEST(KeepVolume, AppliesToFrozenSurfacesButNotToUnmeltedOrDetailedOnes) {
     for (std::size_t i = 0; i < rig.f().owned; i++)
       rig.f().position[i] = 0.95 * rig.f().position[i], rig.f().detail[i] = way == 2;
     ASSERT_EQ(rig.components().size(), 1u);
-    if (way != 1) rig.world.surface.components[0].raised = 1e-3 * rig.dx;
+    if (way != 1) rig.world.surface.components[0].isoOffset = 1e-3 * rig.dx;
     rig.update();
     const double off = rig.components()[0].volume / rig.components()[0].particleVolume - 1;
     if (way == 0) EXPECT_LT(std::abs(off), 0.006);

@@ -3,7 +3,7 @@
 #include "core/math/hash_random.hpp"
 #include "core/surface/grow.hpp"
 #include "core/surface/near_sheets.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "tests/support/relax_rig.hpp"
 #include "tests/support/surface_rig.hpp"
 #include "tests/support/surface_world.hpp"
 
@@ -192,7 +192,7 @@ struct Fingers {
   std::size_t surfelsInside = 0;
 };
 Fingers fingersApart(double gap) {
-  SettleRig rig(0.5, 24);
+  RelaxRig rig(0.5, 24);
   for (int x = -9; x <= 9; x++)
     for (int y = -9; y <= 9; y++)
       for (int z = 0; z < 4; z++)
@@ -204,7 +204,7 @@ Fingers fingersApart(double gap) {
         rig.addSurfel({0.5 * x, 0.5 * y, side * (0.5 * gap + 4)}, {0, 0, double(side)});
       }
   rig.place();
-  rig.settle(40);
+  rig.relaxSurfels(40);
   const Surfels& s = rig.w.surface.surfels;
   Fingers f;
   double outer = 0;

@@ -8,13 +8,13 @@
 
 #include "core/surface/blend.hpp"
 #include "core/surface/level_table.hpp"
-#include "core/surface/ready_particles.hpp"
-#include "tests/support/settle_rig.hpp"
+#include "core/surface/prepare_particles.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace thaw {
 namespace {
 
-using test::SettleRig;
+using test::RelaxRig;
 
 std::map<std::uint64_t, Vec3d> places(const Surfels& s) {
   std::map<std::uint64_t, Vec3d> at;
@@ -22,7 +22,7 @@ std::map<std::uint64_t, Vec3d> places(const Surfels& s) {
   return at;
 }
 
-void addBall(SettleRig& rig, double R, double noise = 0.1) {
+void addBall(RelaxRig& rig, double R, double noise = 0.1) {
   rig.addLattice(static_cast<int>(R) + 1, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
   rig.addBallSurfels(R, noise);
   rig.place();
@@ -41,7 +41,7 @@ TEST(Relax, LevelTableHasItsDerivative) {
 
 TEST(Relax, DegenerateNeighbourhoodsStayFinite) {
   for (SmoothingForm form : {SmoothingForm::Sphere, SmoothingForm::Plane}) {
-    SettleRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
+    RelaxRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     const auto finite = [&] {
       const Surfels& s = rig.w.surface.surfels;
       for (std::size_t i = 0; i < s.owned; i++) {
@@ -50,23 +50,23 @@ TEST(Relax, DegenerateNeighbourhoodsStayFinite) {
         EXPECT_NEAR(dot(s.normal[i], s.tangent[i]), 0, 1e-9);
       }
     };
-    rig.settle(3);  // nothing
+    rig.relaxSurfels(3);  // nothing
     rig.addSurfel({0, 0, 1}, {0, 0, 1});
     rig.place();
-    rig.settle(3);  // one surfel, no particle
+    rig.relaxSurfels(3);  // one surfel, no particle
     EXPECT_EQ(rig.w.surface.surfels.position[0], (Vec3d{0, 0, 1}));
     rig.addParticle({});
     rig.place();
-    rig.settle(3);
+    rig.relaxSurfels(3);
     finite();
     for (int k = 1; k < 6; k++) rig.addSurfel({0.2 * k, 0, 1}, {0, 0, 1});  // a row
     rig.place();
-    rig.settle(3);
+    rig.relaxSurfels(3);
     finite();
     if (form == SmoothingForm::Plane) { EXPECT_GT(rig.w.surface.counters.keptNormals, 0); }
     for (int k = 0; k < 3; k++) rig.addSurfel({0, 1, 0}, {0, 1, 0});  // at one position
     rig.place();
-    rig.settle(3);
+    rig.relaxSurfels(3);
     finite();
     EXPECT_EQ(places(rig.w.surface.surfels).size(), 9u);
     for (std::size_t i = 0; i < 9; i++)
@@ -76,7 +76,7 @@ TEST(Relax, DegenerateNeighbourhoodsStayFinite) {
 }
 
 TEST(Relax, NormalIsKeptWithoutAPlaneOfNeighbours) {  // B23
-  SettleRig rig(0.5, 12, [](Scene& s) {
+  RelaxRig rig(0.5, 12, [](Scene& s) {
     s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5,
     s.surface.smoothing = SmoothingForm::Plane;
   });
@@ -89,7 +89,7 @@ TEST(Relax, NormalIsKeptWithoutAPlaneOfNeighbours) {  // B23
       rig.addSurfel(x, up);
     }
   rig.place();
-  rig.settle(1);
+  rig.relaxSurfels(1);
   const Surfels& s = rig.w.surface.surfels;
   for (std::size_t i = 0; i < s.owned; i++)
     if (s.id[i] == 1000) { EXPECT_LT(length(s.normal[i] - up), 1e-6); }
@@ -97,16 +97,16 @@ TEST(Relax, NormalIsKeptWithoutAPlaneOfNeighbours) {  // B23
 }
 
 TEST(Relax, NormalsAgainstTheColourFieldAreTurnedAndCounted) {
-  SettleRig rig;
+  RelaxRig rig;
   addBall(rig, 5);
   rig.w.surface.surfels.normal[3] = -rig.w.surface.surfels.normal[3];
-  rig.settle(10);
+  rig.relaxSurfels(10);
   EXPECT_EQ(rig.w.surface.counters.flipped, 1);
   EXPECT_LT(test::ballErrors(rig.w.surface.surfels, 5).normalMax, 20);
 }
 
 TEST(Relax, BlendKeepsSolidsAndFadesDetail) {
-  SettleRig rig;
+  RelaxRig rig;
   Surfels& s = rig.w.surface.surfels;
   rig.addSurfel({1, 0, 0}, {1, 0, 0}, 1, 0);
   rig.addSurfel({2, 0, 0}, {1, 0, 0}, 1, 0.25f);
@@ -133,7 +133,7 @@ TEST(Relax, BlendKeepsSolidsAndFadesDetail) {
 }
 
 TEST(Relax, FieldsAreMeansOfTheParticlesAround) {
-  SettleRig rig;
+  RelaxRig rig;
   rig.addParticle({-1, 0, 0}, {}, 1, 0);
   rig.addParticle({1, 0, 0}, {}, 1, 1);
   rig.addParticle({0, 0.5, 0}, {}, 2, 1);

@@ -208,15 +208,15 @@ TEST(Resample, SeparateTableOfFewOpenSurfelsGivesTheSameBits) {
     for (const SurfacePoint& p : spherePoints(5800, 1))
       // a slot, which closes from its rims
       if (std::abs(p.position.x) > 0.2 || p.position.z < 0) rig.add(p.position, p.normal);
-    rig.tools.openRegion.few = apart ? 12 : 0;
+    rig.tools.activeSet.few = apart ? 12 : 0;
     const BirthPlace near = [](const Surfels&, std::size_t, SurfacePoint& p, bool) {
       p.position = normalized(p.position), p.normal = p.position;
       return true;
     };
-    std::fill_n(rig.surfels().calm.data(), rig.surfels().owned, 0.0f);
+    std::fill_n(rig.surfels().resampleMargin.data(), rig.surfels().owned, 0.0f);
     births[apart] = thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 30, near).births;
-    EXPECT_EQ(rig.tools.openRegion.rows.empty(), !apart);  // the separate table was used
-    EXPECT_FALSE(rig.tools.openRegion.taken);
+    EXPECT_EQ(rig.tools.activeSet.rows.empty(), !apart);  // the separate table was used
+    EXPECT_FALSE(rig.tools.activeSet.taken);
     const Surfels& s = rig.surfels();
     const std::size_t bytes = s.stateBytes();
     state[apart].resize(s.owned * bytes);

@@ -26,15 +26,15 @@ TEST(SurfaceDue, CountsStepsAndMoves) {
 TEST(SurfaceDue, UsesTheNearestImageAndIgnoresNewParticles) {
   World w;
   Continuum& p = w.particles;
-  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.position), static_cast<AnyColumn*>(&p.surfacePlace),
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.position), static_cast<AnyColumn*>(&p.surfacePosition),
                        static_cast<AnyColumn*>(&p.component)})
     p.activate(*c);
   EXPECT_EQ(largestSurfaceMove2(w), 0);
   p.resize(3, 0);
   w.grid.periodic[0] = true;
   w.grid.period = {1, 0, 0};
-  p.position[0] = {0.05, 0, 0}, p.surfacePlace[0] = {0.95, 0, 0}, p.component[0] = 1;  // across the side
-  p.position[1] = {0, 0, 0.05}, p.surfacePlace[1] = {0, 0, 0}, p.component[1] = 1;
+  p.position[0] = {0.05, 0, 0}, p.surfacePosition[0] = {0.95, 0, 0}, p.component[0] = 1;  // across the side
+  p.position[1] = {0, 0, 0.05}, p.surfacePosition[1] = {0, 0, 0}, p.component[1] = 1;
   p.position[2] = {0.5, 7, 7};  // new particle
   EXPECT_NEAR(largestSurfaceMove2(w), 0.01, 1e-15);
 }

@@ -10,7 +10,7 @@
 
 #include "core/math/hash_random.hpp"
 #include "core/surface/bins.hpp"
-#include "core/surface/discs_over.hpp"
+#include "core/surface/disc_cover.hpp"
 
 namespace thaw {
 namespace {
@@ -114,8 +114,8 @@ TEST(SurfaceKernels, SumThePatchWithTheBitsOfSingleTerms) {
   }
 }
 
-TEST(DiscsOver, CoverPointsBelowThem) {
-  DiscsOver discs(1, 1.8);
+TEST(DiscCover, CoverPointsBelowThem) {
+  DiscCover discs(1, 1.8);
   const Vec3d up{0, 0, 1};
   EXPECT_FALSE(discs.covers(up));
   for (int k = 0; k < 11; k++) discs.add({5.0 + k, 0, 1}, up, 0.3);

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/settle_rig.hpp"
+#include "tests/support/relax_rig.hpp"
 
 namespace thaw {
 namespace {
 
-using test::SettleRig;
+using test::RelaxRig;
 
 struct Flat {
   double x, y;
@@ -38,7 +38,7 @@ double voronoiArea(const std::vector<Flat>& all, const Flat& at) {
 }
 
 /// A sheet of surfels at z = 0 on a hexagonal lattice, displaced by up to `noise`.
-std::vector<Flat> addSheet(SettleRig& rig, double noise) {
+std::vector<Flat> addSheet(RelaxRig& rig, double noise) {
   std::vector<Flat> all;
   const double d = rig.w.surface.spacing;
   for (int y = -12; y <= 12; y++)
@@ -54,7 +54,7 @@ std::vector<Flat> addSheet(SettleRig& rig, double noise) {
   return all;
 }
 
-std::vector<double> areas(SettleRig& rig, const SurfaceKernels* kernels) {
+std::vector<double> areas(RelaxRig& rig, const SurfaceKernels* kernels) {
   rig.place();
   AreaLists lists;
   lists.kernels = kernels;
@@ -64,7 +64,7 @@ std::vector<double> areas(SettleRig& rig, const SurfaceKernels* kernels) {
 
 TEST(SurfelArea, EqualsTheVoronoiCell) {
   for (const double noise : {0.0, 0.1, 0.2}) {
-    SettleRig rig;
+    RelaxRig rig;
     const std::vector<Flat> all = addSheet(rig, noise);
     std::vector<double> first;
     for (const char* isa : {"base", "avx2", "avx512"}) {
@@ -86,7 +86,7 @@ TEST(SurfelArea, EqualsTheVoronoiCell) {
 }
 
 TEST(SurfelArea, CoincidentSurfelsHaveFiniteAreas) {
-  SettleRig rig;
+  RelaxRig rig;
   addSheet(rig, 0.1);
   const double before = [&] {
     double sum = 0;

@@ -54,7 +54,7 @@ struct SurfelRig {
     appendSurfels(surfels(), {r});
   }
   Resampled resample(std::int64_t rounds) {  // the test moves surfels directly, so all are checked
-    std::fill_n(surfels().calm.data(), surfels().owned, 0.0f);
+    std::fill_n(surfels().resampleMargin.data(), surfels().owned, 0.0f);
     return thaw::resample(world, ranks->halos(), tools, rounds);
   }
 

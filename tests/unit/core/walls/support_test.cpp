@@ -25,9 +25,9 @@ double fillingBeside(std::initializer_list<Plane> planes) {
   for (const Plane& p : planes) r.add(std::make_shared<Plane>(p));
   r.addParticle({0, 0, 0}, {}, Liquid);
   r.start();
-  r.w.particles.filling[0] = 0;
-  addWallFilling({r.w, r.tables, r.liquids, 0, 0}, 1, r.contacts);
-  return static_cast<double>(r.w.particles.filling[0]);
+  r.w.particles.relativeDensity[0] = 0;
+  addWallRelativeDensity({r.w, r.tables, r.liquids, 0, 0}, 1, r.contacts);
+  return static_cast<double>(r.w.particles.relativeDensity[0]);
 }
 
 }  // namespace
@@ -63,9 +63,9 @@ TEST(WallPressure, CoincidingWallsPushOnce) {
     r.w.scene.domain.gravity = {};
     for (int k = 0; k < copies; k++) r.add(std::make_shared<Plane>(Vec3d{0, 0, 1}, -0.05));
     r.addParticle({0, 0, 0}, {}, Liquid);
-    r.w.particles.filling[0] = 1.01f;
+    r.w.particles.relativeDensity[0] = 1.01f;
     r.start();
-    r.w.particles.filling[0] = 1.01f;
+    r.w.particles.relativeDensity[0] = 1.01f;
     r.evaluate(1e-3);
     return r.w.particles.force[0].z;
   };
@@ -155,9 +155,9 @@ TEST(WallHeat, SurfacesOnAWallAreNotExposed) {
   r.add(std::make_shared<Ground>());
   r.addParticle({0, 0, 0.05}, {}, Liquid);
   r.start();
-  r.w.particles.exposure[0] = static_cast<float>(latticeSurfaceExposure(r.w.scene.numerics));
+  r.w.particles.freeSurfaceIndicator[0] = static_cast<float>(flatLatticeIndicator(r.w.scene.numerics));
   addWallHeat({r.w, r.tables, r.liquids, 1e-6, 1e-6}, r.contacts);
-  EXPECT_NEAR(r.w.particles.exposure[0], 0, 1e-4);
+  EXPECT_NEAR(r.w.particles.freeSurfaceIndicator[0], 0, 1e-4);
 }
 
 }  // namespace thaw::test

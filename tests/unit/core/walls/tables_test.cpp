@@ -35,7 +35,7 @@ template<class Kernel> WallIntegrals bruteForce(double spacing, double d, int n)
         const double x = (i + 0.5) * a, y = (j + 0.5) * a, z = d + depth, q2 = x * x + y * y + z * z,
                      V = 4 * a * a * spacing;
         if (q2 >= 1) continue;
-        sum.filling += V * Kernel::w(q2);
+        sum.relativeDensity += V * Kernel::w(q2);
         sum.push -= V * Kernel::slope(q2) * z;
         sum.conduct += V * Kernel::laplace(q2) * (1 + depth / std::max(d, 0.25 * spacing));
         sum.drag += V * isa_base::alongPair(ViscousWeight{}.scale, q2) * x * x / q2 *
@@ -53,28 +53,28 @@ template<class Kernel> void expectTables(KernelKind kind) {
     for (double d : {-0.4 * spacing, 0.0, 0.1 * spacing, 0.5 * spacing, 0.6, 0.83}) {
       const WallIntegrals b = bruteForce<Kernel>(spacing, d, 1500),
                           e = wallIntegrals(numericsOf(kind, spacing), d), i = t(d);
-      EXPECT_NEAR(e.filling, b.filling, 2e-5) << d;
+      EXPECT_NEAR(e.relativeDensity, b.relativeDensity, 2e-5) << d;
       EXPECT_NEAR(e.push, b.push, 2e-4 * std::max(1.0, b.push)) << d;
       EXPECT_NEAR(e.conduct, b.conduct, 2e-4 * std::max(1.0, b.conduct)) << d;
       EXPECT_NEAR(e.drag, dragScale * b.drag, 5e-4 * std::max(1.0, e.drag)) << d;
-      const double filling0 = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing).filling,
+      const double filling0 = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing).relativeDensity,
                    soft = std::max(d, softBelow * spacing);
-      WallIntegrals felt = asLiquidsFeelIt(wallIntegrals(numericsOf(kind, spacing), soft), filling0);
-      felt.filling += felt.push * (soft - d);
-      EXPECT_NEAR(i.filling, felt.filling, 2e-5 * std::max(1.0, felt.filling)) << d;
+      WallIntegrals felt = forLiquids(wallIntegrals(numericsOf(kind, spacing), soft), filling0);
+      felt.relativeDensity += felt.push * (soft - d);
+      EXPECT_NEAR(i.relativeDensity, felt.relativeDensity, 2e-5 * std::max(1.0, felt.relativeDensity)) << d;
       EXPECT_NEAR(i.push, felt.push, 3e-4 * std::max(1.0, felt.push)) << d;
       EXPECT_NEAR(i.conduct, e.conduct, 1e-3 * std::max(1.0, e.conduct)) << d;
       EXPECT_NEAR(i.drag, e.drag, 1e-3 * std::max(1.0, e.drag)) << d;
     }
-    EXPECT_EQ(t(1.0).filling, 0);
-    EXPECT_EQ(t(-1.0).filling, t(t.lowest).filling);
+    EXPECT_EQ(t(1.0).relativeDensity, 0);
+    EXPECT_EQ(t(-1.0).relativeDensity, t(t.lowest).relativeDensity);
   }
 }
 
 /// Sums over the lattice half-space at and above a particle half a spacing from a wall, and the wall's
 /// contribution for the other half.
 template<class Kernel> struct Half {
-  double filling = 0, push = 0, full = 0, heat = 0;
+  double relativeDensity = 0, push = 0, full = 0, heat = 0;
   explicit Half(double spacing) {
     const int n = static_cast<int>(1 / spacing) + 1;
     const double V = spacing * spacing * spacing;
@@ -84,7 +84,7 @@ template<class Kernel> struct Half {
           const double q2 = (x * x + y * y + z * z) * spacing * spacing;
           full += V * Kernel::w(q2);
           if (z < 0) continue;
-          filling += V * Kernel::w(q2);
+          relativeDensity += V * Kernel::w(q2);
           if (q2 == 0) continue;
           push -= V * Kernel::slope(q2) * z * spacing;
           heat += V * Kernel::laplace(q2) * z * spacing;
@@ -103,15 +103,15 @@ TEST(WallTables, AgreeWithFineSampling) {
 TEST(WallTables, PushIsTheDerivativeOfTheDensity) {
   for (KernelKind kind : {KernelKind::WendlandC2, KernelKind::CubicSpline})
     for (double d : {0.05, 0.25, 0.5, 0.7}) {
-      const double e = 1e-5, slope = (wallIntegrals(numericsOf(kind, 0.5), d - e).filling -
-                                      wallIntegrals(numericsOf(kind, 0.5), d + e).filling) /
+      const double e = 1e-5, slope = (wallIntegrals(numericsOf(kind, 0.5), d - e).relativeDensity -
+                                      wallIntegrals(numericsOf(kind, 0.5), d + e).relativeDensity) /
                                      (2 * e);
       EXPECT_NEAR(wallIntegrals(numericsOf(kind, 0.5), d).push, slope, 1e-6);
-      const double filling0 = wallIntegrals(numericsOf(kind, 0.5), 0.25).filling;
+      const double filling0 = wallIntegrals(numericsOf(kind, 0.5), 0.25).relativeDensity;
       const auto felt = [&](double x) {
-        return asLiquidsFeelIt(wallIntegrals(numericsOf(kind, 0.5), x), filling0);
+        return forLiquids(wallIntegrals(numericsOf(kind, 0.5), x), filling0);
       };
-      EXPECT_NEAR(felt(d).push, (felt(d - e).filling - felt(d + e).filling) / (2 * e),
+      EXPECT_NEAR(felt(d).push, (felt(d - e).relativeDensity - felt(d + e).relativeDensity) / (2 * e),
                   1e-5 * std::max(1.0, felt(d).push));
     }
 }
@@ -122,7 +122,7 @@ TEST(WallTables, ReplaceTheMissingHalfOfTheLattice) {
   const auto check = [&](auto kernel, KernelKind kind, double tolerance) {
     const Half<decltype(kernel)> half(spacing);
     const WallIntegrals w = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing);
-    EXPECT_NEAR(half.filling + w.filling, half.full, tolerance * half.full);
+    EXPECT_NEAR(half.relativeDensity + w.relativeDensity, half.full, tolerance * half.full);
     EXPECT_NEAR(w.push, half.push, 4 * tolerance * half.push);  // a uniform pressure has no force
     // a linear profile does not change
     EXPECT_NEAR(0.5 * spacing * w.conduct, half.heat, 4 * tolerance * half.heat);

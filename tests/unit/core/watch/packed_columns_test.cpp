@@ -1,5 +1,5 @@
 // Packed columns are restored bit by bit, whole and in parts. Only columns that vary take memory.
-#include "core/watch/packed_columns.hpp"
+#include "core/monitor/packed_columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ void fill(Continuum& p, std::size_t rows, std::uint32_t seed) {
                        static_cast<AnyColumn*>(&p.velocity), static_cast<AnyColumn*>(&p.mass),
                        static_cast<AnyColumn*>(&p.material), static_cast<AnyColumn*>(&p.liquid),
                        static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.dissipated),
-                       static_cast<AnyColumn*>(&p.filling)})
+                       static_cast<AnyColumn*>(&p.relativeDensity)})
     p.activate(*c);
   p.resize(p.owned, 0);
   p.resize(rows, 0);
@@ -31,7 +31,7 @@ void fill(Continuum& p, std::size_t rows, std::uint32_t seed) {
     p.mass[i] = 0.1;
     p.liquid[i] = static_cast<float>(i % 3) / 2;
     p.phase[i] = static_cast<std::uint8_t>(random());
-    p.filling[i] = 1;
+    p.relativeDensity[i] = 1;
   }
   if (rows > 2) {
     p.dissipated[1] = -0.0;
@@ -64,7 +64,7 @@ TEST(PackedColumns, AreRestoredBitByBit) {
     packState(from, packed);
     unpackState(packed, to);
     expectSameState(from, to);
-    EXPECT_FALSE(to.filling.active) << "the relative density is not part of the state";
+    EXPECT_FALSE(to.relativeDensity.active) << "the relative density is not part of the state";
   }
 }
 

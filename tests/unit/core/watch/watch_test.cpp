@@ -1,11 +1,11 @@
 // The stability monitor: its step factor over failures and snapshots, and the particle that it names.
-#include "core/watch/watch.hpp"
+#include "core/monitor/monitor.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/halo/serial.hpp"
-#include "core/watch/good_state.hpp"
-#include "core/watch/suspect.hpp"
+#include "core/monitor/failing_particle.hpp"
+#include "core/monitor/snapshot.hpp"
 
 namespace thaw {
 namespace {
@@ -17,7 +17,7 @@ TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   acceptState(w, {});
   EXPECT_EQ(w.watch.fullStep, 0.4);
   EXPECT_EQ(nextFactor(w.watch), 1);
-  WatchState failed = w.watch;
+  MonitorState failed = w.watch;
   halveStep(w, failed, 0);
   EXPECT_EQ(w.clock.dt, 0.2);
   EXPECT_EQ(w.watch.factor, 0.5);
@@ -28,7 +28,7 @@ TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   halveStep(w, failed, 5);
   EXPECT_EQ(w.clock.dt, 0.1);
   EXPECT_EQ(w.watch.failures, 2);
-  EXPECT_EQ(w.watch.patience, 4);
+  EXPECT_EQ(w.watch.requiredSnapshots, 4);
   EXPECT_EQ(w.watch.passed, 5 + 0.4 * static_cast<double>(w.scene.numerics.retryEvery));
   w.clock.time = w.watch.passed;
   for (int good = 0; good < 3; good++) acceptState(w, {});
@@ -47,13 +47,13 @@ TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   for (int good = 0; good < 100; good++) acceptState(w, {});
   EXPECT_EQ(w.watch.halvings, 0);
   EXPECT_EQ(w.watch.failures, 0);
-  EXPECT_EQ(w.watch.patience, 1) << "all failures are forgiven";
+  EXPECT_EQ(w.watch.requiredSnapshots, 1) << "all failures are forgiven";
 }
 
 // Snapshots come arbitrarily close to a failure that no step prevents.
 TEST(Watch, SnapshotsBeforeAFailureDoNotForgiveIt) {
   World w;
-  WatchBounds b;
+  MonitorLimits b;
   w.clock.dt = 1;
   w.clock.end = 1000;
   w.scene.numerics.retryEvery = 10;
@@ -77,7 +77,7 @@ TEST(Watch, SnapshotsBeforeAFailureDoNotForgiveIt) {
 
 TEST(Watch, NoRetryTakesAStepBelowTheLimit) {
   World w;
-  WatchBounds b;
+  MonitorLimits b;
   b.step = 0.2;
   w.clock.dt = 1;
   acceptState(w, {});
@@ -109,12 +109,12 @@ TEST(Watch, HalvesTheFrameIntervalWithoutAStepLimit) {
   halveStep(w, w.watch, 0);
   EXPECT_EQ(w.clock.dt, 0.15);
   EXPECT_EQ(w.watch.halvings, 1);
-  const WatchState failed = w.watch;
+  const MonitorState failed = w.watch;
   w.clock.dt = never;
   w.watch = {};
   halveStep(w, failed, 0);
   EXPECT_EQ(w.clock.dt, 0.075);
-  WatchState often;
+  MonitorState often;
   often.halvings = 100;
   halveStep(w, often, 0);
   EXPECT_LT(w.watch.halvings, 63) << "the message has 1 << halvings";
@@ -129,85 +129,85 @@ TEST(Watch, IgnoresALongHeatLimit) {
   s.bodies[0].velocity = {1, 0, 0};
   StepLimits l;
   l[Limit::Heat] = 300;
-  const double step = watchBounds(s, {}, {}, l).step,
+  const double step = monitorLimits(s, {}, {}, l).step,
                ofSpeed = supportsPerStep * s.numerics.support * 0.01 / 1;
   EXPECT_DOUBLE_EQ(step, s.numerics.watchStep * ofSpeed);
   l[Limit::Sound] = 1e-3;
-  EXPECT_DOUBLE_EQ(watchBounds(s, {}, {}, l).step, s.numerics.watchStep * 1e-3);
+  EXPECT_DOUBLE_EQ(monitorLimits(s, {}, {}, l).step, s.numerics.watchStep * 1e-3);
 }
 
 TEST(Watch, FindsFailuresOfReducedValues) {
   World w;
   w.grid.support = 0.1;
-  WatchBounds b;
-  b.speed = 10, b.filling = 2, b.step = 1e-6;
+  MonitorLimits b;
+  b.speed = 10, b.relativeDensity = 2, b.step = 1e-6;
   StepLimits l;
   l[Limit::Speed] = supportsPerStep * 0.1 / 9.9;
-  EXPECT_EQ(alarmOf(w, b, l, 1.9), Alarm::None);
-  EXPECT_EQ(alarmOf(w, b, l, 2.1), Alarm::Density);
+  EXPECT_EQ(failureOf(w, b, l, 1.9), Failure::None);
+  EXPECT_EQ(failureOf(w, b, l, 2.1), Failure::Density);
   l[Limit::Elastic] = 0.9e-6;
-  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Step);
+  EXPECT_EQ(failureOf(w, b, l, 1), Failure::Step);
   l[Limit::Elastic] = 1.1e-6;
-  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None);
+  EXPECT_EQ(failureOf(w, b, l, 1), Failure::None);
   w.watch.factor = 0.5, w.watch.halvings = 1;
-  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Step) << "half of the limit is reported";
+  EXPECT_EQ(failureOf(w, b, l, 1), Failure::Step) << "half of the limit is reported";
   w.watch = {};
   w.scene.numerics.fixedStep = 1e-3;
-  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None) << "a fixed step ignores the limits";
+  EXPECT_EQ(failureOf(w, b, l, 1), Failure::None) << "a fixed step ignores the limits";
   l[Limit::Speed] = supportsPerStep * 0.1 / 10.1;
-  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Speed);
+  EXPECT_EQ(failureOf(w, b, l, 1), Failure::Speed);
   b.speed = never;
-  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None);
+  EXPECT_EQ(failureOf(w, b, l, 1), Failure::None);
 }
 
 TEST(Watch, FindsUnexplainedEnergySinceTheLastSnapshot) {
   World w;
   SerialReducer all;
-  WatchBounds b;
+  MonitorLimits b;
   b.expected = 2, b.energy = 0.5;
-  LedgerReport books;
-  books.now.mass = 1;       // 2 J at the expected speed
-  books.energyScale = 100;  // over the whole run
+  LedgerReport budget;
+  budget.now.mass = 1;       // 2 J at the expected speed
+  budget.energyScale = 100;  // over the whole run
   w.watch.residual = 5;
-  books.energyResidual = 5.9;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
-  books.energyResidual = 6.1;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Energy);
+  budget.energyResidual = 5.9;
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None);
+  budget.energyResidual = 6.1;
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::Energy);
   w.watch.scale = 3;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
-  books.energyResidual = -never + never;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Energy) << "not a number";
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None);
+  budget.energyResidual = -never + never;
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::Energy) << "not a number";
 }
 
 TEST(Watch, FindsSlowlyGrowingUnexplainedEnergy) {
   World w;
   SerialReducer all;
-  WatchBounds b;
+  MonitorLimits b;
   b.expected = 20, b.energy = 0.5;
-  LedgerReport books;
-  books.now.mass = 1;  // 200 J at the expected speed, 2 J at a tenth of it
-  books.energyScale = 10;
+  LedgerReport budget;
+  budget.now.mass = 1;  // 200 J at the expected speed, 2 J at a tenth of it
+  budget.energyScale = 10;
   for (int good = 0; good < 10; good++) {  // half a joule each time, which is little of 200 J
-    books.energyResidual = 0.5 * good;
-    EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << good;
-    acceptState(w, books);
+    budget.energyResidual = 0.5 * good;
+    EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None) << good;
+    acceptState(w, budget);
   }
   EXPECT_EQ(w.watch.largest, 10);
-  books.energyScale = 1;  // the largest earlier scale counts
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
-  books.energyResidual = 5.1;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Growth);
-  books.energyScale = 11;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
-  books.energyResidual = 5.6;
+  budget.energyScale = 1;  // the largest earlier scale counts
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None);
+  budget.energyResidual = 5.1;
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::Growth);
+  budget.energyScale = 11;
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None);
+  budget.energyResidual = 5.6;
   w.watch.residual = 5.7;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "it has decreased";
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None) << "it has decreased";
   w.watch.residual = 5.5;
   b.energy = never;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "not watched";
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None) << "not watched";
   b.energy = 0.5;
-  books.energyResidual = -100;
-  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "lost";
+  budget.energyResidual = -100;
+  EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None) << "lost";
 }
 
 TEST(Watch, NamesTheLowestIdAmongEquals) {
@@ -221,28 +221,28 @@ TEST(Watch, NamesTheLowestIdAmongEquals) {
   for (std::size_t i = 0; i < 3; i++)
     p.id[i] = ids[i], p.mass[i] = 1, p.velocity[i] = {0, i == 0 ? 2.0 : 3.0, 0};
   SerialReducer all;
-  const Suspect s = findSuspect(w, Alarm::Speed, Limit::Speed, all);
+  const FailingParticle s = findFailingParticle(w, Failure::Speed, Limit::Speed, all);
   EXPECT_TRUE(s.here);
   EXPECT_EQ(s.row, 2u);
   EXPECT_EQ(s.value, 3);
   p.force[0] = {0, 0, never - never};
-  EXPECT_EQ(findSuspect(w, Alarm::NotFinite, Limit::Speed, all).row, 0u);
+  EXPECT_EQ(findFailingParticle(w, Failure::NotFinite, Limit::Speed, all).row, 0u);
 }
 
 TEST(Watch, RestoresASnapshot) {
   World w;
-  GoodState kept;
+  Snapshot kept;
   StepTools tools;
   Continuum& p = w.particles;
   for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position),
-                       static_cast<AnyColumn*>(&p.filling)})
+                       static_cast<AnyColumn*>(&p.relativeDensity)})
     p.activate(*c);
   p.resize(2, 3);
   p.id[0] = 11, p.id[1] = 12;
   p.position[1] = {1, 2, 3};
   w.clock.step = 7;
   w.counters.melted = 4;
-  keepState(w, kept);
+  takeSnapshot(w, kept);
   for (std::size_t c = 0; c < p.columns.size(); c++)
     EXPECT_EQ(kept.particles.columns[c].there, p.columns[c] == &p.id || p.columns[c] == &p.position)
         << p.columns[c]->name << "; the relative density is recomputed";
@@ -250,7 +250,7 @@ TEST(Watch, RestoresASnapshot) {
   w.clock.step = 9;
   emptyWorld(w, tools);
   EXPECT_EQ(p.size(), 0u);
-  EXPECT_TRUE(bringBack(kept, w).empty());
+  EXPECT_TRUE(restoreSnapshot(kept, w).empty());
   EXPECT_EQ(p.owned, 2u);
   EXPECT_EQ(p.ghosts, 0u);
   EXPECT_EQ(p.id[1], 12u);

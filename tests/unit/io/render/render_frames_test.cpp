@@ -111,10 +111,10 @@ TEST(RenderFrames, FewDistantDropsDoNotMoveTheCamera) {
   for (int k = 0; k < 5; k++) x.insert(x.end(), x.begin(), x.begin() + 216);
   x.push_back({1000, 1000, 1000});
   x.push_back({NAN, 0, 0});
-  const ViewBox box = boxOfMost(x);
+  const ViewBox box = robustBox(x);
   EXPECT_FLOAT_EQ(static_cast<float>(box.max.x), 0.5f);
   EXPECT_FLOAT_EQ(static_cast<float>(box.min.z), 0.0f);
-  EXPECT_TRUE(boxOfMost({}).empty());
+  EXPECT_TRUE(robustBox({}).empty());
 }
 
 TEST(ParallelFor, RunsEachPieceOnceAndForwardsErrors) {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/kinds/kinds.hpp"
+#include "core/body_types/body_types.hpp"
 
 namespace thaw {
 namespace {
@@ -16,7 +16,7 @@ bool has(const std::string& line, const std::string& text) { return line.find(te
 
 TEST(ProgressLine, ShowsOnlyPresentParts) {
   LedgerReport l;
-  l.rows[sheetKind] = 81;
+  l.rows[sheetType] = 81;
   const std::string sheets = progressLine({}, l);
   EXPECT_TRUE(has(sheets, "  sheet 81  ")) << sheets;
   EXPECT_FALSE(has(sheets, "particles")) << sheets;
@@ -101,13 +101,13 @@ TEST_F(ProgressLog, ContinuesAfterARollback) {
   beginProgressLog(out);
   for (const std::int64_t step : {0, 50, 120}) add(step);
   std::ofstream(progressLogPath(out), std::ios::app) << "130,0.5";  // a kill in the middle of a line
-  cutProgressLog(out, 100);
+  truncateProgressLog(out, 100);
   add(110);
   ASSERT_EQ(lines().size(), 4u);
   EXPECT_EQ(lines()[2].substr(0, 3), "50,");
   EXPECT_EQ(lines()[3].substr(0, 4), "110,");
   std::ofstream(progressLogPath(out)) << "step,other\n5,6\n";  // a log of another version
-  cutProgressLog(out, 100);
+  truncateProgressLog(out, 100);
   EXPECT_EQ(lines().size(), 1u);
   EXPECT_TRUE(has(lines()[0], "step,time_s"));
 }

@@ -45,19 +45,19 @@ TEST_F(Log, IsTruncatedAtAStep) {
       << whole;
   frame(2, 25);
   std::ofstream(componentLogPath(out), std::ios::app) << "3,4";  // a kill in the middle of a line
-  cutComponentLog(out, 24);
+  truncateComponentLog(out, 24);
   EXPECT_EQ(text(componentLogPath(out)), whole);
   frame(2, 25);
-  cutComponentLog(out, 25);
+  truncateComponentLog(out, 25);
   EXPECT_NE(text(componentLogPath(out)).find("2,25,"), std::string::npos);
   std::filesystem::remove(componentLogPath(out));
-  cutComponentLog(out, 25);
+  truncateComponentLog(out, 25);
   EXPECT_EQ(text(componentLogPath(out)).find("frame,step,time_s,component"), 0u);
 }
 
 TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
   World w;
-  VolumeHeld noted;
+  VolumeErrors noted;
   beginComponentLog(out);
   const double off[] = {0.004, -0.03, 0.2};
   for (int k = 0; k < 3; k++) {
@@ -69,17 +69,18 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
     c.open = 0.004 * (k + 1), small.open = 0.2;
     w.surface.components = {c, small, drop};
     addToComponentLog(out, w);
-    if (k < 2) noteVolumes(noted, w.surface.components, w.clock.time);
+    if (k < 2) recordVolumes(noted, w.surface.components, w.clock.time);
   }
-  const VolumeHeld held = cutComponentLog(out, 10);
+  const VolumeErrors held = truncateComponentLog(out, 10);
   ASSERT_TRUE(held.any);
-  EXPECT_EQ(held.ofParticles.off, noted.ofParticles.off);  // the same bits as in an uninterrupted run
-  EXPECT_EQ(held.ofWanted.off, noted.ofWanted.off);
-  EXPECT_NEAR(held.ofParticles.off, -0.03, 1e-12);
-  EXPECT_EQ(held.ofParticles.time, 0.1);
-  EXPECT_NEAR(held.ofWanted.off, 2.008 / 1.96 - 1, 1e-12);
-  EXPECT_EQ(held.ofWanted.label, 7u);
-  EXPECT_EQ(held.ofWanted.time, 0);
+  EXPECT_EQ(held.againstParticles.off, noted.againstParticles.off);  // the same bits as in an uninterrupted
+                                                                     // run
+  EXPECT_EQ(held.againstTarget.off, noted.againstTarget.off);
+  EXPECT_NEAR(held.againstParticles.off, -0.03, 1e-12);
+  EXPECT_EQ(held.againstParticles.time, 0.1);
+  EXPECT_NEAR(held.againstTarget.off, 2.008 / 1.96 - 1, 1e-12);
+  EXPECT_EQ(held.againstTarget.label, 7u);
+  EXPECT_EQ(held.againstTarget.time, 0);
   EXPECT_EQ(held.small.off, noted.small.off);
   EXPECT_NEAR(held.small.off, -0.3, 1e-12);
   EXPECT_EQ(held.small.label, 9u);
@@ -92,7 +93,7 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
   EXPECT_EQ(held.open.off, 0.008);  // a component of 29 particles does not count
   EXPECT_EQ(held.open.label, 7u);
   EXPECT_EQ(held.unsure, 0);
-  const std::vector<std::string> lines = volumeHeldLines(held);
+  const std::vector<std::string> lines = volumeErrorLines(held);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_NE(lines[0].find("the sum at most -12.40 % off the target (t 0.1 s); 96 % of the particles are "
                           "in components more than 1 % off (99.1 % in the worst frame, t 0.1 s)"),
@@ -105,16 +106,16 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
   EXPECT_NE(lines[2].find("of 5 to 29 particles: at most -30.00 % (component 9 of 29 particles, t 0.1 s)"),
             std::string::npos)
       << lines[2];
-  EXPECT_NE(volumeHeldWarning(held).find("one component was +2.4 % off (component 7"), std::string::npos)
-      << volumeHeldWarning(held);
+  EXPECT_NE(volumeErrorWarning(held).find("one component was +2.4 % off (component 7"), std::string::npos)
+      << volumeErrorWarning(held);
 }
 
-TEST(VolumeHeld, WarnsAboutSmallComponentsAndTheSum) {
+TEST(VolumeErrors, WarnsAboutSmallComponentsAndTheSum) {
   const auto warning = [](std::vector<SurfaceComponent> components) {
     for (SurfaceComponent& c : components) c.wantedVolume = c.particleVolume;
-    VolumeHeld held;
-    noteVolumes(held, components, 0);
-    return volumeHeldWarning(held);
+    VolumeErrors held;
+    recordVolumes(held, components, 0);
+    return volumeErrorWarning(held);
   };
   const SurfaceComponent body{7, 10000, 900, 1, 100, 100.5, 4, {}};
   EXPECT_EQ(warning({body}), "");
@@ -127,37 +128,37 @@ TEST(VolumeHeld, WarnsAboutSmallComponentsAndTheSum) {
   EXPECT_NE(warning(spray).find("23 % of the particles are in components more than 1 % off"),
             std::string::npos)
       << warning(spray);
-  EXPECT_TRUE(volumeHeldLines({}).empty());
+  EXPECT_TRUE(volumeErrorLines({}).empty());
 }
 
-TEST(VolumeHeld, WarnsAboutOpenSurfaces) {
+TEST(VolumeErrors, WarnsAboutOpenSurfaces) {
   SurfaceComponent body{7, 100, 900, 1, 1, 1, 4, {}}, sure{9, 300, 900, 1, 3, 3, 4, {}};
   body.wantedVolume = 1, body.open = 0.03;
   sure.wantedVolume = 3, sure.open = 0.002;
-  VolumeHeld held;
-  noteVolumes(held, {body, sure}, 0.5);
+  VolumeErrors held;
+  recordVolumes(held, {body, sure}, 0.5);
   EXPECT_EQ(held.unsure, 100);
-  const std::vector<std::string> lines = volumeHeldLines(held);
+  const std::vector<std::string> lines = volumeErrorLines(held);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_NE(lines[2].find("25 % of the particles are in components of 30 and more whose surface is open by "
                           "more than 1 % of its area (at most 3 %: component 7 of 100 particles, t 0.5 s)"),
             std::string::npos)
       << lines[2];
-  EXPECT_EQ(volumeHeldWarning(held), "");
+  EXPECT_EQ(volumeErrorWarning(held), "");
 }
 
 TEST_F(Log, KeepsLinesOfEarlierVersions) {
   std::ofstream(componentLogPath(out))
       << "an older head\n0,0,0,5,40,30,1,2,2.1,4,1,2,3\n1,5,0.1,5,40,30,1,2,2,4,1,2,3\n";
-  const VolumeHeld held = cutComponentLog(out, 0);
+  const VolumeErrors held = truncateComponentLog(out, 0);
   EXPECT_NE(text(componentLogPath(out)).find("wanted_volume_m3,open\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,,\n"),
             std::string::npos)
       << text(componentLogPath(out));
-  EXPECT_NEAR(held.ofParticles.off, 0.05, 1e-12);
+  EXPECT_NEAR(held.againstParticles.off, 0.05, 1e-12);
   EXPECT_NEAR(held.sum.off(), 0.05, 1e-12);
-  EXPECT_EQ(held.ofWanted.label, noComponent);
+  EXPECT_EQ(held.againstTarget.label, noComponent);
   const std::string once = text(componentLogPath(out));
-  cutComponentLog(out, 0);
+  truncateComponentLog(out, 0);
   EXPECT_EQ(text(componentLogPath(out)), once);
 }
 

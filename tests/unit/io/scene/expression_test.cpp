@@ -3,7 +3,7 @@
 
 #include <clocale>
 
-#include "io/run/scene_marks.hpp"
+#include "io/run/restart_record.hpp"
 #include "io/scene/expression.hpp"
 #include "io/scene/read_scene.hpp"
 
@@ -120,13 +120,13 @@ TEST(SceneFields, ArePartOfTheRestartRecord) {
                             "temperature = '300 + x'\nvelocity = { x = 'y' }\n");
   const Scene b = sceneWith("velocity = { x = '-200*x' }\n",
                             "temperature = '301 + x'\nvelocity = { x = '2*y' }\n");
-  EXPECT_TRUE(changesOfTheStart(sceneMarks(a), a).empty());
-  const auto start = changesOfTheStart(sceneMarks(a), b);
+  EXPECT_TRUE(initialStateChanges(restartRecordOf(a), a).empty());
+  const auto start = initialStateChanges(restartRecordOf(a), b);
   ASSERT_EQ(start.size(), 1u);
   EXPECT_EQ(start[0].find("body.drop.velocity.x_expression was "), 0u) << start[0];
-  EXPECT_EQ(settingChanges(sceneMarks(a), b, 0).size(), 1u);
-  EXPECT_EQ(sceneDifferences(sceneMarks(a), b).size(), 1u);
-  EXPECT_TRUE(sceneDifferences(sceneMarks(a), a).empty());
+  EXPECT_EQ(settingChanges(restartRecordOf(a), b, 0).size(), 1u);
+  EXPECT_EQ(restartConflicts(restartRecordOf(a), b).size(), 1u);
+  EXPECT_TRUE(restartConflicts(restartRecordOf(a), a).empty());
 }
 
 TEST(SceneFields, SurviveTheTextOfTheScene) {

@@ -1,0 +1,12 @@
+// Ledger entries for rows of oriented and sheet bodies.
+#pragma once
+#include "core/ledger/ledger.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+/// Adds row i of a body type (core/body_types/body_types.hpp) to a balance: mass, momentum, kinetic energy
+/// with rotation, gravitational potential, and BodyTypeRows::energy as elastic energy.
+void addBodyTypeRow(const World& world, std::size_t kind, std::size_t i, ExactBalance& balance);
+
+}  // namespace thaw

@@ -1,0 +1,23 @@
+// State of the stability monitor between steps; part of every checkpoint.
+#pragma once
+#include <cstdint>
+
+namespace thaw {
+
+struct MonitorState {
+  double factor = 1;  ///< 1, multiplies the step limit or the fixed step; grows by a tenth per step up to
+                      ///< 2^-halvings
+  std::int64_t halvings = 0;           ///< number of active halvings of the step
+  std::int64_t failures = 0;           ///< rollbacks whose halving is still active; at most Numerics::retries
+  std::int64_t requiredSnapshots = 1;  ///< snapshots required in succession before the step doubles; each
+                                       ///< failure doubles it
+  std::int64_t snapshotsSinceChange = 0;  ///< snapshots since the last failure or doubling
+  std::int64_t snapshotStep = -1;         ///< step of the last snapshot; -1: none
+  double residual = 0;                    ///< J, LedgerReport::energyResidual of the last snapshot
+  double scale = 0;                       ///< J, LedgerReport::energyScale of the last snapshot
+  double largest = 0;                     ///< J, largest energyScale of all snapshots since the run began
+  double fullStep = 0;  ///< s, step without halvings at the last snapshot, before frames shortened it
+  double passed = 0;    ///< s, simulated time after which the latest failure counts as passed
+};
+
+}  // namespace thaw

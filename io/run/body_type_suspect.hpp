@@ -1,0 +1,19 @@
+// The oriented particle or vertex that made a step fail.
+#pragma once
+#include <string>
+
+#include "core/monitor/monitor.hpp"
+#include "core/time/limits.hpp"
+#include "core/world.hpp"
+#include "io/run/run_state.hpp"
+
+namespace thaw {
+
+/// Returns the failed check and "oriented particle 17 of 'skin' at (x, y, z) m has ..." on the rank that owns
+/// the row, "" on the others. Names the row whose position or velocity is not finite. Names the fastest one
+/// without continuum, or if the body type limits the step. Returns "" if no row of these types failed.
+/// Collective; the same row on any number of ranks.
+std::string bodyTypeSuspect(const World& world, const StepTools& tools, const StepOutcome& failed,
+                            Reducer& all);
+
+}  // namespace thaw
