@@ -58,7 +58,7 @@ void copyKinds(const World& from, World& to) {
 
 }  // namespace
 
-void takeSnapshot(const World& w, Snapshot& good) {
+void takeSnapshot(const World& w, WorldSnapshot& good) {
   if (!w.solids.energyKnown || !w.compressionKnown)
     throw std::logic_error("stored energies must be computed before a snapshot");
   World& kept = good.world;
@@ -92,7 +92,7 @@ void emptyWorld(World& w, StepTools& t) {
   t.maxStretch2 = 1;
 }
 
-std::vector<std::byte> restoreSnapshot(const Snapshot& good, World& w) {
+std::vector<std::byte> restoreSnapshot(const WorldSnapshot& good, World& w) {
   const World& kept = good.world;
   Continuum& p = w.particles;
   unpackState(good.particles, p);

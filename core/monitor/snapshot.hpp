@@ -8,7 +8,7 @@
 
 namespace thaw {
 
-struct Snapshot {
+struct WorldSnapshot {
   World world;  ///< only the parts that takeSnapshot fills; of particles just their number and slots
   PackedTable particles;  ///< State columns of particles: most of the memory for a fluid
 };
@@ -16,7 +16,7 @@ struct Snapshot {
 /// Stores the State columns of particles (and their slots) and solids, bonds, surface, clock, ledger,
 /// counters and monitor state: enough for a checkpoint. Requires: a world between two steps. Memory is
 /// reused.
-void takeSnapshot(const World& world, Snapshot& kept);
+void takeSnapshot(const World& world, WorldSnapshot& kept);
 
 /// Empties particles, solids, bonds and surface, and their data in tools, so that a state can be restored as
 /// after a restart, with new halos.
@@ -25,6 +25,6 @@ void emptyWorld(World& world, StepTools& tools);
 /// Restores a snapshot into a world that emptyWorld has emptied. Returns records of the solids for the new
 /// BondHalo. Then call resumeWorld (core/setup/setup.hpp), and resumeSurface if there is a surface. The run
 /// continues with the same bits as from the state itself.
-std::vector<std::byte> restoreSnapshot(const Snapshot& kept, World& world);
+std::vector<std::byte> restoreSnapshot(const WorldSnapshot& kept, World& world);
 
 }  // namespace thaw

@@ -92,13 +92,13 @@ struct CheckpointSlice {
 std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& world, const RunStamp& stamp,
                             const CheckpointValues& values = {});
 
-std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const Snapshot& kept,
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const WorldSnapshot& kept,
                             const RunStamp& stamp, const CheckpointValues& values = {});
 
 /// Writes the snapshot of a checkpoint between two snapshots to OUT/checkpoint/good_<step>.hdf, in the same
 /// format. It comes before that checkpoint, which thus never names a missing file.
-std::string writeSnapshot(const std::string& out, MPI_Comm comm, const Snapshot& kept, const RunStamp& stamp,
-                          const CheckpointValues& values = {});
+std::string writeSnapshot(const std::string& out, MPI_Comm comm, const WorldSnapshot& kept,
+                          const RunStamp& stamp, const CheckpointValues& values = {});
 std::string snapshotFilePath(const std::string& out, std::int64_t step);
 
 /// Removes snapshots that neither checkpoint of a run folder needs. One process only.

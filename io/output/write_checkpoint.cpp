@@ -225,7 +225,7 @@ std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& 
   return writeNext(out, comm, w, nullptr, stamp, values);
 }
 
-std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const Snapshot& kept,
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const WorldSnapshot& kept,
                             const RunStamp& stamp, const CheckpointValues& values) {
   return writeNext(out, comm, kept.world, &kept.particles, stamp, values);
 }
@@ -234,8 +234,8 @@ std::string snapshotFilePath(const std::string& out, std::int64_t step) {
   return out + "/checkpoint/good_" + std::to_string(step) + ".hdf";
 }
 
-std::string writeSnapshot(const std::string& out, MPI_Comm comm, const Snapshot& kept, const RunStamp& stamp,
-                          const CheckpointValues& values) {
+std::string writeSnapshot(const std::string& out, MPI_Comm comm, const WorldSnapshot& kept,
+                          const RunStamp& stamp, const CheckpointValues& values) {
   const std::string path = snapshotFilePath(out, kept.world.clock.step);
   writeState(path, 0, comm, kept.world, &kept.particles, stamp, values);
   return path;

@@ -50,7 +50,7 @@ struct Run {
   RunSummary summary;
   WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
   std::int64_t firstStep = 0, stepAtReport = 0;
-  Snapshot good;                // the last snapshot
+  WorldSnapshot good;           // the last snapshot
   LedgerReport snapshotLedger;  // ledger of the next snapshot
   bool snapshotInMemory = false, snapshotOnDisk = false;
   std::unique_ptr<Profile> profile;  // with --profile, from the first step on

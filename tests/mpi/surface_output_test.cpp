@@ -140,7 +140,7 @@ TEST(SurfaceOutput, CheckpointWithoutASurfaceIsReadForScenesWithoutOne) {
 TEST(SurfaceOutput, SnapshotHoldsTheSurface) {
   Sample sample(MPI_COMM_WORLD, 100);
   World& w = sample.w;
-  Snapshot kept;
+  WorldSnapshot kept;
   addSurface(w, MPI_COMM_WORLD, 200);
   World before;
   addSurface(before, MPI_COMM_WORLD, 200);

@@ -231,7 +231,7 @@ TEST(Watch, NamesTheLowestIdAmongEquals) {
 
 TEST(Watch, RestoresASnapshot) {
   World w;
-  Snapshot kept;
+  WorldSnapshot kept;
   StepTools tools;
   Continuum& p = w.particles;
   for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position),
