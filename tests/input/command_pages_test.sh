@@ -16,6 +16,10 @@ complete_words() {
 }
 # optionsOf [COMMAND]: options in --help
 optionsOf() { "$thaw" "$@" --help | sed -n 's/^  \(-[^ {]*\).*/\1/p' | tr ',' '\n'; }
+manOptions() {  # manOptions COMMAND: options on the man page
+  awk -v start=".SS $1" '/^\.S[SH]/ { on = $0 == start } tagged { print } { tagged = on && /^\.TP/ }' "$work/plain" |
+    sed -n '/^-/{s/ [A-Z].*//;s/, /\n/g;p}'
+}
 # same WHAT EXPECTED FOUND: the lists have the same words
 same() { diff <(sort -u <<<"$2") <(sort -u <<<"$3") >"$work/log" || { fail "$1"; cat "$work/log"; }; }
 
@@ -26,9 +30,7 @@ same "commands of the completion" "$commands
 $(optionsOf)" "$(complete_words '')"
 for command in $commands; do
   options=$(optionsOf "$command")
-  same "options of $command on the man page" "$options" \
-    "$(sed -n "/^.SS $command\$/,/^.S[SH] /p" "$work/plain" | sed -n '/^.TP/{n;/^-/{s/ .*[^,] *$//;s/, /\n/gp;t;p}}' |
-      sed 's/ .*//')"
+  same "options of $command on the man page" "$options" "$(manOptions "$command")"
   same "options of $command in the completion" "$options" "$(complete_words "$command" -)"
 done
 same "values of an option" $'mesh\nwire\ndiscs\naxes' "$(complete_words render --look '')"
