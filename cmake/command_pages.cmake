@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Installs thaw.1 and the completion for bash. Runs at installation, with THAW_PROGRAM, THAW_PAGES (folder of
 # the build), THAW_MAN and THAW_DATA (folders below the prefix).
 function(print_page file)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake --install: executable, libraries, headers, scenes, and the package that find_package(thaw) reads.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

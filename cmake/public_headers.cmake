@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Installs the public headers and those that they include. The others are no part of the package.
 # Runs at installation, with THAW_SOURCE and THAW_HEADERS (folder below the prefix).
 set(public

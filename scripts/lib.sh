@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Functions shared by the scripts: packages, configuration, build, mpirun. Source it from bash.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -13,6 +14,8 @@ docs_packages=(python3-sphinx python3-myst-parser furo)
 lint_packages=(clang-format-14 clang-tidy-14 codespell git python3)
 
 say() { printf '%s\n' "$*" >&2; }
+# Prints the comment at the top of the running script, its help.
+usage() { sed -n '2,/^[^#]/{/^# SPDX/d;s/^# \{0,1\}//p}' "$0"; }
 fail() { say "$(basename "$0"): $*"; exit 1; }
 
 # Prints those of the given packages that are not installed. It reads dpkg's data only: no network, a few

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completion of the command line in bash.
 #pragma once
 #include <string>

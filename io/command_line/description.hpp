@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command line as data, for its man page and its completion.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The man page thaw.1.
 #pragma once
 #include <string>

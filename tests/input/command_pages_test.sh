@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The man page and the completion for bash name every command and option of --help, and nothing else.
 . "$(dirname "$0")/../support/run.sh"
 
