@@ -18,8 +18,8 @@ complete_words() {
 # optionsOf [COMMAND]: options in --help
 optionsOf() { "$thaw" "$@" --help | sed -n 's/^  \(-[^ {]*\).*/\1/p' | tr ',' '\n'; }
 manOptions() {  # manOptions COMMAND: options on the man page
-  awk -v start=".SS $1" '/^\.S[SH]/ { on = $0 == start } tagged { print } { tagged = on && /^\.TP/ }' "$work/plain" |
-    sed -n '/^-/{s/ [A-Z].*//;s/, /\n/g;p}'
+  awk -v start=".SS $1" '/^\.S[SH]/ { on = $0 == start } tagged { print } { tagged = on && /^\.TP/ }' \
+    "$work/plain" | sed -n '/^-/{s/ [A-Z].*//;s/, /\n/g;p}'
 }
 # same WHAT EXPECTED FOUND: the lists have the same words
 same() { diff <(sort -u <<<"$2") <(sort -u <<<"$3") >"$work/log" || { fail "$1"; cat "$work/log"; }; }
