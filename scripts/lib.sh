@@ -9,6 +9,7 @@ build=$root/build/release
 packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev
   libnanoflann-dev libgtest-dev python3)
+case ${CXX:-} in clang++*) packages+=("clang${CXX#clang++}") ;; esac  # CXX=clang++-14 selects Clang
 chart_packages=(python3-matplotlib)
 docs_packages=(python3-sphinx python3-myst-parser furo)
 lint_packages=(clang-format-14 clang-tidy-14 codespell git python3)
