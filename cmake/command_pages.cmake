@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs thaw.1 and the completion for bash. Runs at installation, with THAW_PROGRAM, THAW_PAGES (folder of
 # the build), THAW_MAN and THAW_DATA (folders below the prefix).
+cmake_policy(VERSION 3.22)  # the oldest that CMakeLists.txt accepts
 function(print_page file)
   # Leak checks of sanitizers would report Open MPI's leaks.
   execute_process(COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0 ${THAW_PROGRAM} docs ${ARGN}

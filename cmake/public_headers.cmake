@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs the public headers and those that they include. The others are no part of the package.
 # Runs at installation, with THAW_SOURCE and THAW_HEADERS (folder below the prefix).
+cmake_policy(VERSION 3.22)  # the oldest that CMakeLists.txt accepts
 set(public
   core/halo/serial.hpp              # halos of one process
   core/kinds/kinds.hpp
