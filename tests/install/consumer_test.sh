@@ -32,7 +32,7 @@ flags=$(sed -n 's/^THAW_SANITIZE:STRING=\(.\+\)/-fsanitize=\1/p' "$build/CMakeCa
 "$consumer/build/from_code"
 
 # The same steps by the program.
-scene=$prefix/share/thaw/scenes/dam_break.toml steps=40
+scene=$prefix/share/thaw/scenes/dam_break.toml steps=73
 "$consumer/build/from_file" "$scene" "$steps" | tee "$dir/found"
 "$prefix/bin/thaw" run "$scene" --set spacing=0.05 --steps "$steps" --out "$dir/out" >"$dir/log" ||
   { cat "$dir/log"; exit 1; }
