@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake --install: executable, libraries, headers, scenes, and the package that find_package(thaw) reads.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -15,9 +16,18 @@ install(TARGETS ${libraries} EXPORT thawTargets ARCHIVE DESTINATION ${CMAKE_INST
 if(TARGET thaw)
   install(TARGETS thaw RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-# Headers say "core/...", so they keep their folders below include/thaw.
-install(DIRECTORY core parallel io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/thaw FILES_MATCHING PATTERN
-  "*.hpp")
+# The program itself prints its man page and the completion of its command line.
+if(TARGET thaw AND NOT CMAKE_CROSSCOMPILING)
+  install(CODE "set(THAW_PROGRAM \"$<TARGET_FILE:thaw>\")
+    set(THAW_PAGES \"${PROJECT_BINARY_DIR}/generated\")
+    set(THAW_DATA \"${CMAKE_INSTALL_DATADIR}\")
+    set(THAW_MAN \"${CMAKE_INSTALL_MANDIR}\")")
+  install(SCRIPT cmake/command_pages.cmake)
+endif()
+# Headers include "core/...", so they keep their folders below include/thaw.
+install(CODE "set(THAW_SOURCE \"${PROJECT_SOURCE_DIR}\")
+  set(THAW_HEADERS \"${CMAKE_INSTALL_INCLUDEDIR}/thaw\")")
+install(SCRIPT cmake/public_headers.cmake)
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/thaw OPTIONAL)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 

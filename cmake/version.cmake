@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Writes the version and the commit into a source file, at build time; the file is left alone if nothing
 # changed.
 # Called as: cmake -DTHAW_SOURCE=... -DTHAW_VERSION=... -DTHAW_OUTPUT=... -P version.cmake

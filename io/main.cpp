@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "io/command_line/completion.hpp"
+#include "io/command_line/man_page.hpp"
 #include "io/commands/check.hpp"
 #include "io/commands/compare_command.hpp"
 #include "io/commands/export.hpp"
@@ -87,6 +89,29 @@ bool parsed(CLI::App& app, int argc, char** argv, int& code) {
   }
 }
 
+/// Options of `thaw docs`.
+struct DocsOptions {
+  bool man = false;
+  std::string completion;
+};
+
+CLI::App* addDocsCommand(CLI::App& app, DocsOptions& o) {
+  CLI::App* command = app.add_subcommand("docs",
+                                         "print the keys of a scene file (docs/scene.md), or other pages");
+  auto* man = command->add_flag("--man", o.man, "print the man page thaw.1 instead");
+  command->add_option("--completion", o.completion, "print the completion of the command line for this shell")
+      ->check(CLI::IsMember({"bash"}))
+      ->excludes(man);
+  return command;
+}
+
+int docsCommand(const CLI::App& app, const DocsOptions& o) {
+  const std::string text = o.man                   ? thaw::manPage(thaw::describe(app), thaw::versionNumber())
+                           : !o.completion.empty() ? thaw::bashCompletion(thaw::describe(app))
+                                                   : thaw::sceneDocumentation();
+  return std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0 ? thaw::exitInputOutput : 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -116,13 +141,14 @@ int main(int argc, char** argv) {
   addExportOptions(*exportApp, exportOptions);
   CLI::App* compareApp = addCompareCommand(app, compare);
   CLI::App* infoApp = addInfoCommand(app, info);
-  CLI::App* docsApp = app.add_subcommand("docs", "print the keys of a scene file (docs/scene.md)");
+  DocsOptions docs;
+  CLI::App* docsApp = addDocsCommand(app, docs);
   int code = 0;
   if (!parsed(app, argc, argv, code)) return code;
 
   if (*renderApp) return renderCommand(render);
   if (*exportApp) return exportCommand(exportOptions);
-  if (*docsApp) return std::fputs(sceneDocumentation().c_str(), stdout) < 0 ? exitInputOutput : 0;
+  if (*docsApp) return docsCommand(app, docs);
   useRomio();  // before MPI starts
   MpiSession mpi(&argc, &argv);
   if (*compareApp) return compareCommand(compare);

@@ -3,7 +3,7 @@
 
 namespace thaw {
 
-/// Returns the version number, such as "0.1.0".
+/// Returns the version number, such as "0.2.0".
 const char* versionNumber();
 /// Returns the commit of the source, with "+" behind it if files differed, or "unknown" outside a git
 /// checkout.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Functions shared by the scripts: packages, configuration, build, mpirun. Source it from bash.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -8,11 +9,14 @@ build=$root/build/release
 packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev
   libnanoflann-dev libgtest-dev python3)
+case ${CXX:-} in clang++*) packages+=("clang${CXX#clang++}") ;; esac  # CXX=clang++-14 selects Clang
 chart_packages=(python3-matplotlib)
 docs_packages=(python3-sphinx python3-myst-parser furo)
 lint_packages=(clang-format-14 clang-tidy-14 codespell git python3)
 
 say() { printf '%s\n' "$*" >&2; }
+# Prints the comment at the top of the running script, its help.
+usage() { sed -n '2,/^[^#]/{/^# SPDX/d;s/^# \{0,1\}//p}' "$0"; }
 fail() { say "$(basename "$0"): $*"; exit 1; }
 
 # Prints those of the given packages that are not installed. It reads dpkg's data only: no network, a few

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Text checks of scripts/lint that clang-format, clang-tidy and codespell do not cover.
 
     lint_checks.py            prints `file:line: message` for each finding; exit status 1 if there are any
@@ -12,7 +13,8 @@ import pathlib
 import re
 import sys
 
-from lint_files import ROOT, comments, headings, isCpp, isScript, readLines, trackedFiles, withoutComments
+from lint_files import (ROOT, comments, headings, isCpp, isScript, licenceLine, readLines, trackedFiles,
+                        withoutComments)
 
 MOST_COLUMNS = 110
 MOST_FILES = 30
@@ -33,6 +35,13 @@ def longLines(files):
         for number, line in enumerate(readLines(file), 1):
             if len(line) > MOST_COLUMNS and not re.search(r'https?://\S{60}', line):
                 yield file, number, file, f'{len(line)} columns, at most {MOST_COLUMNS} are allowed'
+
+
+def withoutLicence(files):
+    for file in files:
+        expected = licenceLine(file)
+        if expected and expected not in readLines(file)[:2]:
+            yield file, 1, 'files', f'no line "{expected}" at the top: run scripts/lint --fix'
 
 
 def levels():
@@ -252,6 +261,7 @@ def record(name, findings, about):
 
 SHRINKS = 'The list may only shrink (scripts/lint).'
 CHECKS = {
+    'licence': (withoutLicence, f'Files without an SPDX line: their count. {SHRINKS}'),
     'long_lines': (longLines, f'Lines of more than {MOST_COLUMNS} columns: count and file. {SHRINKS}'),
     'includes': (upwardIncludes,
                  f'Includes against core/include_order.txt: count, file and include. {SHRINKS}'),

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Files of the tree, their comments and headings, for lint_checks.py and lint_fix.py."""
 import functools
 import os
@@ -6,6 +7,7 @@ import re
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+LICENCE = 'SPDX-License-Identifier: Apache-2.0'
 
 
 def trackedFiles():
@@ -36,6 +38,11 @@ def isScript(file):
         return re.match(rb'#!.*(sh|python3?)$', stream.readline().strip()) is not None
 
 
+def licenceLine(file):
+    """The line of a file that names its licence, or None for files of other types, which have none."""
+    return f'// {LICENCE}' if isCpp(file) else f'# {LICENCE}' if isScript(file) else None
+
+
 @functools.lru_cache(None)
 def readLines(file):
     return tuple((ROOT / file).read_text(encoding='utf-8', errors='replace').split('\n'))
@@ -55,7 +62,7 @@ def cppComments(file):
     text = '\n'.join(readLines(file))
     last = (-1, -1)
     for token in TOKENS.finditer(text):
-        if not token[2]:
+        if not token[2] or LICENCE in token[2]:
             continue
         number = text.count('\n', 0, token.start()) + 1
         column = token.start() - text.rfind('\n', 0, token.start()) - 1
@@ -69,7 +76,7 @@ def scriptComments(file):
     for number, line in enumerate(readLines(file), 1):
         comment = re.match(r'\s*#(?!!) ?(.*)', line)
         comment = comment or re.search(r'(?:^|\s)# (.*)', re.sub(r'"[^"]*"|\'[^\']*\'', '', line))
-        if comment:
+        if comment and comment[1] != LICENCE:
             yield number, comment[1], last != number - 1
             last = number
 

@@ -1,5 +1,7 @@
-"""Line breaks that clang-format does not set, for scripts/lint --fix, which runs clang-format afterwards:
+# SPDX-License-Identifier: Apache-2.0
+"""Corrections of scripts/lint --fix, which runs clang-format afterwards:
 
+- the first line, after "#!", names the licence;
 - fields of tables (`Column<...> name{...}`, between // clang-format off and on) take one line, or break
   before their description;
 - headings of sections (`// ---- fluid -----`) end at the last column;
@@ -9,7 +11,7 @@
 import re
 
 from lint_checks import MOST_COLUMNS
-from lint_files import ROOT, TOKENS, isCpp, isScript, readLines, trackedFiles
+from lint_files import ROOT, TOKENS, isCpp, isScript, licenceLine, readLines, trackedFiles
 
 LEAST_ROOM = 44  # columns for a comment behind a line
 
@@ -139,11 +141,19 @@ def isCMake(file):
     return file.endswith(('.cmake', 'CMakeLists.txt'))
 
 
+def withLicence(file, lines):
+    expected = licenceLine(file)
+    if expected in lines[:2]:
+        return lines
+    first = 1 if lines[0].startswith('#!') else 0
+    return [*lines[:first], expected, *lines[first:]]
+
+
 def main():
     for file in trackedFiles():
         fix = fixCpp if isCpp(file) else fixCMake if isCMake(file) else fixScript if isScript(file) else None
         lines = readLines(file) if fix else ()
-        fixed = fix(lines) if fix else []
+        fixed = withLicence(file, fix(lines)) if fix else []
         if fixed != list(lines):
             (ROOT / file).write_text('\n'.join(fixed), encoding='utf-8')
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs clang-tidy for scripts/lint, two files at a time.
 
     lint_tidy.py BUILD ALL|COMMIT     checks all sources, or those that differ from COMMIT, committed or not

@@ -1,40 +1,48 @@
 #!/usr/bin/env bash
-# Installs the build folder $1 to a temporary prefix, then builds and runs a small program against the
-# installed files.
+# SPDX-License-Identifier: Apache-2.0
+# Installs the build folder $1 to a temporary prefix. Two programs that see only the installed files step a
+# scene: one from C++ with thaw::core, and one from a file with thaw::io, with the result of `thaw run`.
 set -euo pipefail
 build=${1:?usage: consumer_test.sh BUILD_FOLDER}
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
-cmake --install "$build" --prefix "$dir/prefix" >/dev/null
-"$dir/prefix/bin/thaw" --help >/dev/null
+prefix=$dir/prefix
+fail() { echo "FAILED: $*"; exit 1; }
 
-mkdir "$dir/consumer"
-cat >"$dir/consumer/CMakeLists.txt" <<'END'
-cmake_minimum_required(VERSION 3.22)
-project(consumer LANGUAGES CXX)
-find_package(thaw REQUIRED)
-add_executable(consumer consumer.cpp)
-target_link_libraries(consumer PRIVATE thaw::io)
-END
-cat >"$dir/consumer/consumer.cpp" <<'END'
-#include <cstdio>
-#include "core/math/exact_sum.hpp"
-#include "io/version.hpp"
-int main() {
-  thaw::ExactSum sum;
-  for (double x : {1e100, 1.0, -1e100}) sum.add(x);
-  std::printf("thaw %s: 1e100 + 1 - 1e100 = %g\n", thaw::versionNumber(), sum.value());
-  return sum.value() == 1.0 ? 0 : 1;
-}
-END
+cmake --install "$build" --prefix "$prefix" >/dev/null
+"$prefix/bin/thaw" --help >/dev/null
+for file in share/man/man1/thaw.1 share/bash-completion/completions/thaw share/thaw/scenes/dam_break.toml; do
+  [ -s "$prefix/$file" ] || fail "$file is not installed"
+done
+for header in core/simd/dispatch.hpp io/commands/run.hpp; do  # no part of the interface
+  [ ! -e "$prefix/include/thaw/$header" ] || fail "$header is installed"
+done
+
 # The consumer sees only the installed files, not the source tree or the build folder.
+mkdir -p "$dir/tests/install"
+cp -r "$here/consumer" "$dir/tests/install/"
+consumer=$dir/tests/install/consumer
 generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$build/CMakeCache.txt")
+compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
 flags=$(sed -n 's/^THAW_SANITIZE:STRING=\(.\+\)/-fsanitize=\1/p' "$build/CMakeCache.txt")
-(cd "$dir/consumer" && cmake -G "$generator" -B build -DCMAKE_PREFIX_PATH="$dir/prefix" -DCMAKE_CXX_FLAGS="$flags" >log 2>&1 &&
-  cmake --build build >>log 2>&1) || { cat "$dir/consumer/log"; exit 1; }
-"$dir/consumer/build/consumer"
+(cd "$consumer" && cmake -G "$generator" -B build -DCMAKE_PREFIX_PATH="$prefix" \
+  -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" >log 2>&1 && cmake --build build >>log 2>&1) ||
+  { cat "$consumer/log"; exit 1; }
+"$consumer/build/from_code"
+
+# The same steps by the program.
+scene=$prefix/share/thaw/scenes/dam_break.toml steps=73
+"$consumer/build/from_file" "$scene" "$steps" | tee "$dir/found"
+"$prefix/bin/thaw" run "$scene" --set spacing=0.05 --steps "$steps" --out "$dir/out" >"$dir/log" ||
+  { cat "$dir/log"; exit 1; }
+"$prefix/bin/thaw" info "$dir/out" --json >"$dir/info"
+python3 - "$dir/info" >"$dir/expected" <<'END'
+import json, sys
+last = json.load(open(sys.argv[1]))["checkpoints"][-1]
+print(f'particles {last["particles"]}\nstep {last["step"]}\ntime {last["time"]:.17g}')
+END
+diff "$dir/found" "$dir/expected" || fail "the consumer's steps differ from those of thaw run"
+
 source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
-if grep -rlF -e "$source/" "$dir/prefix/lib"*/cmake; then
-  echo "the installed package names the source tree"
-  exit 1
-fi
+if grep -rlF -e "$source/" "$prefix/lib"*/cmake; then fail "the installed package names the source tree"; fi

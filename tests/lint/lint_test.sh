@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # scripts/lint finds each kind of fault and names its place. Every fault is planted in a small tree.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -13,6 +14,8 @@ dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 failures=0
 
+licence='SPDX-License-Identifier: Apache-2.0'
+
 # A tree of few files without findings.
 plantTree() {
   rm -rf "$dir/tree"
@@ -22,9 +25,11 @@ plantTree() {
   printf '# Contributing\n' >"$dir/tree/CONTRIBUTING.md"
   cp "$root"/scripts/{lint,lib.sh,lint_checks.py,lint_files.py,lint_fix.py,lint_words.txt} "$dir/tree/scripts/"
   printf '# Page\n## A part\nSee [the part](#a-part) and [the script](../scripts/lint).\n' >"$dir/tree/docs/page.md"
-  printf '// Squares (docs/page.md).\n#pragma once\n\ninline double square(double x) { return x * x; }\n' \
-    >"$dir/tree/core/math/square.hpp"
-  printf '#include "core/math/square.hpp"\n\ndouble heat(double x) { return square(x); }\n' >"$dir/tree/core/heat/heat.cpp"
+  {
+    printf '// %s\n// Squares (docs/page.md).\n#pragma once\n\n' "$licence"
+    printf 'inline double square(double x) { return x * x; }\n'
+  } >"$dir/tree/core/math/square.hpp"
+  printf '// %s\n#include "core/math/square.hpp"\n\ndouble heat(double x) { return square(x); }\n' "$licence" >"$dir/tree/core/heat/heat.cpp"
 }
 
 # Runs scripts/lint in the tree; sets its exit code and output.
@@ -50,15 +55,42 @@ passes() {
 long='a line that has more columns than are allowed, in a script, which is not wrapped by any program, ever, at all'
 square=core/math/square.hpp
 
+# begins FILE LINE...: the file begins with these lines
+begins() {
+  local file=$1
+  shift
+  if diff <(printf '%s\n' "$@") <(head -n "$#" "$dir/tree/$file"); then return; fi
+  printf 'FAILED: the first lines of %s\n' "$file"
+  failures=$((failures + 1))
+}
+
 plantTree
 passes 'a tree without findings'
 
+# Files without an SPDX line, which --fix adds: below "#!", and only where it is missing.
+plantTree
+sed -i 1d "$dir/tree/$square"
+printf '#!/bin/sh\necho\n' >"$dir/tree/scripts/say"
+printf 'project(tree)\n' >"$dir/tree/CMakeLists.txt"
+lint
+finds 'a header without an SPDX line' "^$square:1: no line \"// $licence\" at the top"
+finds 'a script without an SPDX line' "^scripts/say:1: no line \"# $licence\" at the top"
+finds 'a CMake list without an SPDX line' '^CMakeLists.txt:1: no line'
+"$dir/tree/scripts/lint" --fix
+passes 'SPDX lines that --fix has added'
+begins "$square" "// $licence" '// Squares (docs/page.md).'
+begins scripts/say '#!/bin/sh' "# $licence" echo
+begins CMakeLists.txt "# $licence" 'project(tree)'
+"$dir/tree/scripts/lint" --fix
+begins scripts/say '#!/bin/sh' "# $licence" echo
+begins core/heat/heat.cpp "// $licence" "#include \"$square\""
+
 # A fault of C++ that --fix corrects, and a listed include against the order.
 plantTree
-sed -i '2a #include "core/heat/heat.hpp"' "$dir/tree/$square"
+sed -i '3a #include "core/heat/heat.hpp"' "$dir/tree/$square"
 printf '\n// %s\n' "$long" >>"$dir/tree/$square"
 lint
-finds 'an upward include' "^$square:3: includes core/heat/heat.hpp: core/heat is above core/math"
+finds 'an upward include' "^$square:4: includes core/heat/heat.hpp: core/heat is above core/math"
 finds 'a long comment in C++' "^$square:[0-9]+:.* not formatted"
 "$dir/tree/scripts/lint" --fix
 printf '1 %s core/heat/heat.hpp\n' "$square" >"$dir/tree/scripts/lint_known_includes.txt"

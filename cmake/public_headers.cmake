@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+# Installs the public headers and those that they include. The others are no part of the package.
+# Runs at installation, with THAW_SOURCE and THAW_HEADERS (folder below the prefix).
+cmake_policy(VERSION 3.22)  # the oldest that CMakeLists.txt accepts
+set(public
+  core/halo/serial.hpp              # halos of one process
+  core/kinds/kinds.hpp
+  core/ledger/report.hpp            # energy, momentum and mass
+  core/math/exact_sum.hpp
+  core/scene/scene.hpp              # a scene as a plain struct
+  core/setup/setup.hpp              # from a scene to a world
+  core/solid/serial_bond_halo.hpp
+  core/step.hpp                     # one time step
+  core/surface/update_surface.hpp
+  parallel/balance.hpp
+  parallel/bond_halo.hpp
+  parallel/cell_halo.hpp
+  parallel/communicator.hpp
+  parallel/row_courier.hpp
+  io/meshes/read_mesh.hpp
+  io/scene/read_scene.hpp           # a scene from a file
+  io/version.hpp)
+
+set(headers "")
+while(public)
+  list(POP_FRONT public header)
+  list(APPEND headers ${header})
+  file(STRINGS ${THAW_SOURCE}/${header} includes REGEX "^#include \"")
+  foreach(line ${includes})
+    string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included "${line}")
+    if(NOT included IN_LIST headers AND NOT included IN_LIST public)
+      list(APPEND public ${included})
+    endif()
+  endforeach()
+endwhile()
+foreach(header ${headers})
+  get_filename_component(folder ${header} DIRECTORY)
+  file(INSTALL ${THAW_SOURCE}/${header} DESTINATION ${CMAKE_INSTALL_PREFIX}/${THAW_HEADERS}/${folder})
+endforeach()
