@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Cost of body types that a scene does not have: instructions per step under callgrind, by folder.
 
   scripts/bench body_types [--steps 6]

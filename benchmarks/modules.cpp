@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // modules [--particles N] [--repeat R] [--csv FILE]: cost of each part of the model, as a scene with it
 // against the scene without it: time per particle and step, and bytes per particle. The two scenes take
 // blocks of steps in turn, so that a busy machine slows both. time_ratio is the median ratio of these blocks

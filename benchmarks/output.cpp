@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // output: seconds and bytes per second of a frame and of a checkpoint, against dd writing as many bytes to
 // the same disk.
 //   output [--particles 1000000] [--repeat 5] [--folder out/bench/output] [--csv FILE]

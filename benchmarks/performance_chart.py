@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes docs/performance.md and its chart from performance/text.md and the figures in docs/performance/ and docs/scaling/.
 
 performance_chart.py [--check]    --check compares the page with the figures and needs no matplotlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Whole scenes against the step benchmark: the fraction of its rate, and the time of each phase.
 
   scripts/bench scenes [--quick] [--ranks 4] [--steps 300]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Whole scenes against the step benchmark: fractions of its rate, and phases. scenes_chart.py FILE.csv PICTURE.png"""
 import csv
 import sys

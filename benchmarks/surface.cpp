@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // surface [--surfels N] [--repeat R] [--only GROUP] [--csv FILE]: cost of surface updates on one core, and
 // accuracy of a ball's surface.
 //   iteration: full iterations of all surfels of a ball for several supports h_ss; ns per surfel and

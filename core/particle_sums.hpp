@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of a step that are sums over neighbour pairs.
 #pragma once
 #include "core/step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // First part of an evaluation: particles move to their ranks and into order.
 #pragma once
 #include "core/step.hpp"

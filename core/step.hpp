@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One time step: the starting point for readers of the code.
 #pragma once
 #include <cstdint>

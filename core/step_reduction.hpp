@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Time-step reduction: values of all ranks after a step, reduced by one element-wise maximum.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/stored_energy.hpp"
 
 #include "core/fluid/records.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Energies that only reports, checkpoints, frames and leaving particles need.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The data of a run on one rank.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Sphinx reads this file to build the manual (scripts/docs)."""
 import re
 from pathlib import Path

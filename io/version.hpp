@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Version of the program, for frames, checkpoints, summaries and --version.
 #pragma once
 

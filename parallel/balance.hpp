@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Load balance by measured time.
 #pragma once
 #include "core/step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exchange lists along bonds: slots that this rank sends, and remote rows that it receives, by partner rank.
 // Both ends have the same order, by id.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Migration of solids with their bonds.
 #include <algorithm>
 #include <cstring>

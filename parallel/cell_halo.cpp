@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "parallel/cell_halo.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CellHalo over MPI: migration, ghosts and periodic images, load balance.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Communication statistics of a rank: messages by purpose, and waiting time. The communicator, which all
 // halos share, counts them at the cost of a few additions per message.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RAII wrappers for MPI: library start and end, a private communicator, exact reductions.
 #pragma once
 #include <mpi.h>

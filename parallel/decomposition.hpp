@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ownership of cells: each rank has a box of whole cells, and the boxes tile the grid (weighted recursive
 // bisection).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RowScatter over MPI.
 #pragma once
 #include "core/halo/surface_halos.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Directory of the owners of solid particles, distributed over the ranks by a hash of the id.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages of any size to a few ranks, without known numbers of messages to receive (NBX: Hoefler, Siebert,
 // Lumsdaine 2010).
 #pragma once

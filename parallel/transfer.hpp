@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages of any length between two ranks with known length: MPI counts bytes in 32 bits, so long ones are
 // split into pieces. Pieces of one tag between two ranks arrive in order.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages of 64-bit words to a few ranks, assembled in any order.
 #pragma once
 #include <cstdint>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Charts of the accuracy suite: chart.py FILE.csv PICTURE.png
 
 Each case has a panel for each norm with a target, or else for its first norm. A panel shows error against

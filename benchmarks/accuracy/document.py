@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes docs/validation/accuracy.md from text.md and the figures: document.py ACCURACY.csv [MODULES.csv]
 
 Every number in the document comes from the files. In text.md:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface tension against exact solutions (docs/validation/accuracy.md): Laplace's pressure and the second
 // mode of a drop.
 #include "benchmarks/accuracy/drop_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Elastic bodies that float, sink or rise in water at rest. In each scene body 0 is the solid and body 1 the
 // water.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pressure-driven flows against exact solutions and an experiment (docs/validation/accuracy.md).
 #include <algorithm>
 #include <array>

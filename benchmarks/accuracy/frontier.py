@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes io/commands/frontier_points.cpp, the table of `thaw check`: frontier.py ACCURACY.csv
 
 The table covers each case that represents a part of the model (NORMS), at the spacing where settings vary

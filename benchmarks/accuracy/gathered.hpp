@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All particles of a trial on every rank, for neighbour sums and connected components.
 #pragma once
 #include <cstdint>

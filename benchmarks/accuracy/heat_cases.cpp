@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heat conduction and melting against exact solutions (docs/validation/accuracy.md).
 #include <cmath>
 

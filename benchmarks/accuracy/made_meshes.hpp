@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes that the suite generates in place of reading files.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--points FILE] [--label TEXT] [--strict]
 //          [--limit NORM=ERROR]...
 // Runs one case of the accuracy suite on any number of ranks and prints its error norms with their targets.

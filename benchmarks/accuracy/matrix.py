@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Runs the matrix of the accuracy suite and writes one CSV file.
 
 scripts/bench accuracy [--level quick|full] [--minutes 60] [--jobs N] [--case NAME]... [--ranks N]

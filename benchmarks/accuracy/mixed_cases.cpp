@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stiff solid in a liquid: cost and accuracy of substeps.
 #include <cmath>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Pictures of particles at the end of a case: particles.py CASE POINTS.csv PICTURE.png
 
 The suite writes POINTS.csv with --points: x, y, speed and pressure of the middle layer. Points are coloured

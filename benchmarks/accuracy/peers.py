@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Figures of other programs and plain methods, drawn as marks in the charts.
 
 MARKS maps case -> norm -> list of (name, error or None, core-seconds or None). Sources: files in the

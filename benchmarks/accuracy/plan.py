@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs of the matrix: for each case its resolutions and the settings to vary.
 
 A case runs with its default settings at every resolution. Level quick varies one setting at a time at the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cantilevers of square section against the beam theory of Timoshenko (1921), kappa of Cowper (1966).
 #include "benchmarks/accuracy/solid_trials.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Elastic bodies against exact results: gradients of linear fields, rotation, conservation
 // (docs/validation/accuracy.md).
 #include "benchmarks/accuracy/solid_trials.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plastic flow of whole bodies at large strain.
 #include "benchmarks/accuracy/solid_trials.hpp"
 

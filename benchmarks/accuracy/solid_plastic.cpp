@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plastic flow under a strain prescribed for every particle.
 #include "benchmarks/accuracy/solid_trials.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Declarations and helpers shared by the cases of solids.
 #pragma once
 #include <cmath>

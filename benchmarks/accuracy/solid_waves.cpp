@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Speed of plane waves in a periodic body: standing waves u = a n cos(k x) oscillate with omega = c k.
 #include "benchmarks/accuracy/solid_trials.hpp"
 

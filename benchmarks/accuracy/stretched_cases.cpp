@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Liquids without walls or gravity that deform in their own flow: Taylor's elliptic drop and the rotating
 // square patch.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface (K05 section 4) against exact shapes and motions: surfels at rest, and surfels that move, split
 // and merge.
 #include "benchmarks/accuracy/surface_trials.hpp"

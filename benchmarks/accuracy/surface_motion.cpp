@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moving surfaces against exact motions and balances: a spinning solid, a melting ball, drops that merge and
 // split.
 #include <algorithm>

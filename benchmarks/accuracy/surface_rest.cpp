@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces at rest against exact shapes: ball, cube, flat sheet.
 #include <algorithm>
 #include <cmath>

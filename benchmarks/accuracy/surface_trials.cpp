@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "benchmarks/accuracy/surface_trials.hpp"
 
 #include <mpi.h>

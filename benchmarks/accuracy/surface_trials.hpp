@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Helpers shared by the surface cases: all surfels on every rank, and their distances from exact surfaces.
 #pragma once
 #include "benchmarks/accuracy/trial.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Water at rest in tanks that are no multiple of the spacing. One case runs many tanks.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One run of an accuracy case: a scene, stepped as in `thaw run`, and its figures.
 #pragma once
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Viscosity against exact solutions (docs/validation/accuracy.md): a channel, and a rigidly rotating drop.
 // drop_cases.cpp has drops with tension.
 #include <algorithm>

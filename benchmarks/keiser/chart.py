@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Bar chart of thaw's figures and those of the paper's Table 1: chart.py CSV PNG."""
 import csv
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Runs scenes/keiser/*.toml, each on one core, and compares their times with the paper's Table 1.
 
   scripts/bench keiser [options below; --csv is given by scripts/bench]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // oriented [--csv FILE] [--strict]: accuracy of oriented bodies at rest and of a rebuilt mesh, and time of
 // two neighbour searches.
 //   plane, sphere   energies of co-planarity, co-normality and co-circularity per particle at rest, over

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Neighbour lists by cells and by a kd-tree.
 #include <algorithm>
 

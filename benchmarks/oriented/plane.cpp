@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plane at rest: energies, normals, spacing. Rest spacing of the full Lennard-Jones sum.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A head rebuilt from 5 % of the points of its mesh: distances between the two surfaces.
 #include <cmath>
 #include <string>

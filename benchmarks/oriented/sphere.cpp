@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spheres: co-circularity at rest with and without Lennard-Jones, and the roundness of a scene's sphere after
 // one second.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measurements of scripts/bench oriented and the output of their figures.
 #pragma once
 #include <chrono>

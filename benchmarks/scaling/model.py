@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Model of the time per step on many ranks.
 
 model.py SCALING.csv [--ranks P] [--particles N] [--latency S] [--bandwidth B/s] [--rate PARTICLES/S] ...

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Scaling study: strong and weak series over ranks, copies, an uneven scene, and counts on many ranks.
 
 series.py --csv FILE [--quick] [--cores N] [--only SERIES]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Terminal output of the scaling study, and the machine of its model."""
 import model
 

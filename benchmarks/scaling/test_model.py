@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Tests of model.py: geometry against counting, a fit against its own data, and limits."""
 import itertools
 import math

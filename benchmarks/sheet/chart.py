@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Error against cost and phases of a step of the sheet benchmark: chart.py FILE.csv FILE.png"""
 import csv
 import sys

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sheets (DS): the vertex update against a copy of the same bytes, frames per second of the head and the
 // membrane against the paper, and error against cost of the exact step, symplectic Euler, RK4 and implicit
 // Euler on an oscillator and the head.

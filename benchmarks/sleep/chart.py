@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """chart.py CSV PICTURE: time of a step over the fraction of sleeping particles."""
 import csv
 import sys

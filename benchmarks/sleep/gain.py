@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Gain of sleep: the time of a step over the fraction of sleeping particles, on one core.
 
   scripts/bench sleep [--across 20] [--steps 100] [--repeats 3]

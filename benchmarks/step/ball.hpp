@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A ball as a triangle file, for the set-up of mesh bodies.
 #pragma once
 #include <string>

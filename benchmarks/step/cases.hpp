@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes of the step benchmark and their target rates.
 #pragma once
 #include <string>

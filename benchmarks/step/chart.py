@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Prints the rows of the step benchmark with their targets and charts them: chart.py FILE.csv PICTURE.png.
 
 PICTURE.md holds the same table. With many rows the chart shows those with 33 neighbours in single precision.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // step: particle-steps per second and core of whole steps, with MPI and halos, on the ranks of the launch.
 // benchmarks/step/run starts it on 1, 2 and 4. `default` is the precision of scenes: sums over neighbours in
 // single, bonds in double.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of a benchmark's options. Throws std::invalid_argument with the expected range for an invalid value,
 // so that no benchmark measures something else than its options state.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene on the ranks of a communicator, set up as in a run but without files.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reference for the step benchmark: a plain fluid step on scalar neighbour lists in double precision (cell
 // lists, one neighbour list per particle, no vector code) with the same physics.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A row of the surface benchmark's table.
 #pragma once
 #include <cstdio>

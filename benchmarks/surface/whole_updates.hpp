@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole surface updates (updateSurface) of the bust of scenes/keiser/melting_fast.toml, on one core.
 #pragma once
 #include <cstdint>

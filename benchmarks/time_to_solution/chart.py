@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Wall-clock seconds per simulated second against the error, one mark per solver: chart.py FILE.csv PICTURE.png"""
 import csv
 import sys

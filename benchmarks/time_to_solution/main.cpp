@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // time_to_solution: wall-clock seconds per simulated second, and the error, of two problems with each of
 // thaw's solvers.
 //   mpirun -n 4 time_to_solution [--only cube|beam] [--end 1] [--csv FILE] [--reference 1]

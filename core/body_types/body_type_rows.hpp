@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Columns shared by the tables of all body types besides the continuum, one per line. Sorting, migration,
 // ghosts, checkpoints, snapshots and the ledger use these and the columns a type adds, so none depends on the
 // type.

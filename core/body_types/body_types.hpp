@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // List of the body types besides the continuum, for code that treats all types alike.
 #pragma once
 #include <array>

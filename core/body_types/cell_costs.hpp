@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of a rank's cells over all body types, for the domain decomposition.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/body_types/ledger_rows.hpp"
 
 #include "core/body_types/body_types.hpp"

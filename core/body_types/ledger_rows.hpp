@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ledger entries for rows of oriented and sheet bodies.
 #pragma once
 #include "core/ledger/ledger.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Redistribution of the rows of body types to the ranks that own their cells; the continuum defines cell
 // ownership.
 #pragma once

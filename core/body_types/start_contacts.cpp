@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/body_types/start_contacts.hpp"
 
 #include <cstdio>

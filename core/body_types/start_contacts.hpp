@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings about contacts of sheets before the first step.
 #pragma once
 #include <set>

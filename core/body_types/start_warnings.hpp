@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings about probable mistakes with oriented bodies and sheets at the start of a scene.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Damping ratio of a contact for a coefficient of restitution.
 #pragma once
 

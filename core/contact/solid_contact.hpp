@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact of unbonded solids: separate bodies, pieces of one body, frozen fragments.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Emitters: layers of particles that leave a disc or rectangle one after another. A layer is created a few
 // spacings behind the opening and driven through this nozzle at the emitter's speed against any pressure. It
 // pushes earlier layers like a piston, and no particle is created at an occupied position.

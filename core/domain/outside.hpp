@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Extent of a body outside of the domain: number of particles, sides and distance.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sides of the domain: periodic sides wrap positions, open sides remove particles.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/fluid/carried_density.hpp"
 
 #include <algorithm>
@@ -199,7 +200,11 @@ void carryDensity(World& w, const StepTools& t, double dt) {
     if (w.modules.corrected) correct(x, i);
     carry(x, i);
   }
-  if (p.relief.active) findLatticeRelief(w, t);
+  if (p.relief.active) {
+    const std::span<const std::uint8_t> asleep = w.modules.sleep ? t.sleep.steady
+                                                                 : std::span<const std::uint8_t>{};
+    findLatticeRelief({t.liquids, w.scene.numerics, w.grid.support, asleep}, p);
+  }
   if (p.atSurface.active) shiftAlongWalls(w, t);
 }
 

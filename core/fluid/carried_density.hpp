@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Density by continuity, and particle shifting, from the sums of terms/carried_density.hpp.
 #pragma once
 #include "core/step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mean summed density of connected liquid.
 #pragma once
 #include <array>

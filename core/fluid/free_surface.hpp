@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Free surface of a liquid that carries its density, and particle shifting, which depends on it.
 #pragma once
 #include "core/particle_sums.hpp"

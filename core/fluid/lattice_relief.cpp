@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/fluid/lattice_relief.hpp"
 
 #include "core/fluid/free_surface.hpp"
@@ -12,25 +13,23 @@ constexpr double reliefShare = 0.65;
 /// force of pairs that come closer within half a step.
 constexpr double faintContact = 1e-5;
 
-bool isRelieved(const World& w, const StepTools& t, std::size_t i) {
-  const Continuum& p = w.particles;
+bool isRelieved(const ReliefContext& x, const Continuum& p, std::size_t i) {
   return liquidFraction(p, i) == 1 && p.solidFraction[i] > 0 && !p.atSurface[i] && !besideSurface(p, i) &&
-         !(w.modules.sleep && t.sleep.deep[i]);
+         (x.asleep.empty() || !x.asleep[i]);
 }
 
 }  // namespace
 
-void findLatticeRelief(World& w, const StepTools& t) {
-  Continuum& p = w.particles;
-  const Numerics& n = w.scene.numerics;
+void findLatticeRelief(const ReliefContext& x, Continuum& p) {
   for (std::size_t i = 0; i < p.owned; i++) {
     p.relief[i] = {};
-    if (!isRelieved(w, t, i)) continue;
-    const LiquidMaterial& m = t.liquids[p.material[i]];
-    const double pressure = pressureOf(n.eos, m.stiffness, 1 + p.compression[i], n.tensileLimit);
-    const double volume = p.mass[i] * m.restVolume, share = static_cast<double>(p.solidFraction[i]);
+    if (!isRelieved(x, p, i)) continue;
+    const LiquidMaterial& m = x.liquids[p.material[i]];
+    const double pressure = pressureOf(x.numerics.eos, m.stiffness, 1 + p.compression[i],
+                                       x.numerics.tensileLimit),
+                 volume = p.mass[i] * m.restVolume, share = static_cast<double>(p.solidFraction[i]);
     p.relief[i] = single(wide(p.concentrationGradient[i]) *
-                         (2 * reliefShare * pressure * volume / (w.grid.support * (share + faintContact))));
+                         (2 * reliefShare * pressure * volume / (x.support * (share + faintContact))));
   }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Liquid parameters of a material, computed once per run.
 #pragma once
 #include <string>

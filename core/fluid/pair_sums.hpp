@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums over unbonded neighbours. A sum is a pure function of two particles' records (pair_sums_isa.cpp). One
 // driver loops over groups of eight particles; each lane adds its own neighbours in (cell, id) order.
 #pragma once

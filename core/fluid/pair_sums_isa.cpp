@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pair sums, compiled once per instruction set (core/simd/dispatch.cpp): each term of core/fluid/terms/
 // with the kernel and precision of the scene.
 #include <type_traits>

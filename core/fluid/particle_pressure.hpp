@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pressure of a particle, derived from other fields.
 #pragma once
 #include "core/fluid/liquid_materials.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packing of the fields of pair sums into records of four values (128-bit loads and a transpose, no gathers).
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Equations of state of the liquid as functions of the relative density delta = rho / rho0.
 #pragma once
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface tension as the gradient of a surface energy, for liquids with a free surface.
 // A particle of volume V has
 //   E = sigma V (A / h n^2 / d^2 + B / dx o^2 / (1 + 2 o^2)), o = 1 - colour.

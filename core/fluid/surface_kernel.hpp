@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel of the surface energy. Code for one instruction set includes this only through the namespace of
 // lanes.hpp.
 #pragma once

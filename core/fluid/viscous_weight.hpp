@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Weight of the viscosity along r, and its only evaluation.
 #pragma once
 #include "core/kernels/kernels.hpp"

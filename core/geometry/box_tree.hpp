@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries for boxes that intersect a box, in a tree of bounding boxes.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/builtin_meshes.hpp"
 
 #include "core/sheet/sheet_meshes.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Built-in meshes that scenes can name instead of a file.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Built-in shape: the bust of a queen with a tall crown.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Union, difference, intersection and placement of shapes.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vertex normals from a mesh file.
 #pragma once
 #include "core/geometry/mesh_repair.hpp"

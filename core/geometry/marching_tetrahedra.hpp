@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Marching tetrahedra (Doi and Koide 1991): each cube has six tetrahedra around its diagonal (Kuhn), which
 // match those of adjacent cubes.
 #pragma once

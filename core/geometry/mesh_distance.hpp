@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distance from a triangle mesh.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edges of a triangle mesh with their triangles, and disjoint sets to group joined elements.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closing the holes of a mesh.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Repair of triangles from a file to the surface of a solid or to an open surface.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detection of overlapping bodies.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes of bodies placed in the scene.
 #pragma once
 #include "core/geometry/combined.hpp"

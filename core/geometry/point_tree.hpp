@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nearest neighbours of scattered points without a common spacing, from a kd-tree (nanoflann).
 #pragma once
 #include <cstdint>

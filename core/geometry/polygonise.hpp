@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangulation of an implicit function's zero set.
 #pragma once
 #include <functional>

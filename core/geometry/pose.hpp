@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Position and velocity of a moving obstacle.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact signed distances of simple solids, each in its own frame (scene.hpp). Sizes in m.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors of shapes and meshes, with their place in the scene.
 #pragma once
 #include <stdexcept>

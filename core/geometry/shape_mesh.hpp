@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangulated surfaces of the parts of a shape.
 #pragma once
 #include "core/geometry/primitives.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distance of a shape (negative inside), its gradient and bounds. Immutable and thread-safe.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounding-volume hierarchy of triangles: closest points, and winding numbers by dipole expansion (Barill,
 // Dickson, Schmidt, Levin, Jacobson 2018, "Fast winding numbers for soups and clouds").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles from a file or from code, without guarantees (mesh_repair.hpp makes a solid of them).
 #pragma once
 #include <array>

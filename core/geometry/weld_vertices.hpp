@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Merging of coincident vertices.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"

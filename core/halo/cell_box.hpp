@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes of whole cells: the cells of a rank, and the parts of them that other ranks copy.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Copies of cells of another rank, or of periodic images: their cells, rows and packed columns. The MPI halo
 // and the serial halo use them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of the time step to other ranks. Physics includes this and never mpi.h. parallel/ implements it
 // over MPI; tests and single-process tools use the serial implementation (serial.hpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Halos of a single process: periodic images of its own cells. For tests and tools without MPI.
 #pragma once
 #include "core/halo/cell_copies.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of a surface update to other ranks. Surfels and particle copies have their own domain
 // decomposition, balanced by their own cost: the update is a separate phase, and particles are sent to it.
 #pragma once

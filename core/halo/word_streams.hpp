@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lists of 64-bit words between arbitrary ranks, for exchanges that follow from positions and not from the
 // neighbourhood of ranks.
 #pragma once

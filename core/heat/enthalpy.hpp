@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enthalpy, temperature and liquid fraction of a material. Per mass, zero at the solidus (at 0 K for
 // materials that do not melt):
 //   H < 0            solid    T = solidus + H / c_solid

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/heat/heat.hpp"
 
 #include "core/sleep/sleep.hpp"

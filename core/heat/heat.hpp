@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heat of particles: sources, losses at free surfaces, enthalpy update, melting and freezing.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Smoothing kernels in 3D in units of the support radius: q = r / h, zero for q >= 1. T is double or
 // Lanes<Real>. Each takes q and its square; an unused argument costs nothing.
 //   w(q)       W   = w(q) / h^3

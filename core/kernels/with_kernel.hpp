@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dispatch from the kernel of a scene to its type, for code that is compiled once.
 #pragma once
 #include "core/kernels/kernels.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/ledger/energy_left.hpp"
 
 #include <algorithm>

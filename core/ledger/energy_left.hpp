@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Energy that leaves through open sides with liquids that have surface tension.
 // Surface and compression energy depend on neighbours: removing a particle exposes its neighbours and lowers
 // their density, which changes their energy.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ledger of a run: present amounts, inflow, outflow, dissipation, and the residual that no entry
 // explains.
 #pragma once

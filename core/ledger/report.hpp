@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ledger summed over all ranks, exactly, with its residuals.
 #pragma once
 #include "core/halo/halo.hpp"

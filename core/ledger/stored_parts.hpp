@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of the potential energy in a ledger.
 #pragma once
 #include "core/halo/halo.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact sums of a ledger and the counters of a world as lists, for reductions, checkpoints and
 // comparisons. A new member needs a line in totals.cpp; a static_assert enforces that.
 #pragma once

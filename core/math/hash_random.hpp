@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counter-based random numbers: a pure function of seed, purpose, id and step. They are the same on any
 // number of ranks, in any order and after a restart.
 #pragma once

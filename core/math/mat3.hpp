@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // 3x3 matrices (row major) and symmetric 3x3 tensors (XX YY ZZ XY YZ XZ, the order of VTK).
 #pragma once
 #include "core/math/vec3.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Eigenvalues and eigenvectors of a symmetric 3x3 tensor.
 #pragma once
 #include <cmath>

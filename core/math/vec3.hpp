@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors of the particle methods. T is double, float or Lanes<Real> (one particle per lane), so a formula is
 // written once for scalar and vector code.
 #pragma once

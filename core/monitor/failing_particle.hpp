@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The particle behind a failure: the fastest, the densest, ... of all ranks, and of equals the one with the
 // lowest id.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Forces on one particle by term, for the message of a failed run.
 #pragma once
 #include "core/step.hpp"

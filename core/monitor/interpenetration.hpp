@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detection of interpenetration: oriented particles that have passed into an obstacle or a solid, where
 // contact no longer holds them on one side.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stability monitor. In every step it checks values that the time-step reduction provides anyway; at every
 // snapshot (snapshot.hpp) also the energy budget and inverted solids.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State of the stability monitor between steps; part of every checkpoint.
 #pragma once
 #include <cstdint>

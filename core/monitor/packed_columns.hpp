@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lossless compression of columns: for each block of rows, bytes common to all its words are stored once.
 // Rows are sorted by cell, so ids and positions of a block share high bytes. Mass, material and ledger
 // columns are mostly constant.

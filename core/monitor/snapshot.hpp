@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Snapshot: the data of a checkpoint in memory, for this rank.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The global grid of cells: the same for every run of a scene, on any number of ranks. The edge is at least
 // the support radius. A margin of one cell outside the domain holds periodic images and particles pressed
 // into a wall.

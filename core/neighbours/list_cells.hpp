@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells of rows in any order.
 #pragma once
 #include "core/neighbours/grid.hpp"

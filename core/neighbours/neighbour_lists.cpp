@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/neighbours/neighbour_lists.hpp"
 
 #include "core/neighbours/search.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Neighbours of one particle read directly from the surrounding rows, without copying candidates. It needs
 // AVX2, or AVX-512 with VBMI2 (Ice Lake, Zen 4 and later). Only code for one instruction set includes this.
 #pragma once

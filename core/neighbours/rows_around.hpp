@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows of a table in the cells around a cell.
 #pragma once
 #include <algorithm>

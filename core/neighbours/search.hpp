@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Neighbour search over the sorted cells.
 #pragma once
 #include <cstdint>

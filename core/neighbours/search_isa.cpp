@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set (core/simd/dispatch.cpp).
 #include "core/neighbours/pick_direct.hpp"
 #include "core/simd/lanes.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sorting of particles into (cell, id) order, the order of all neighbour sums.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The only loop over neighbours. A Term defines the data of a particle, the contribution of a pair and the
 // final step. Lanes are particles, so vectorisation, rank count and domain decomposition do not change a
 // particle's summation order.

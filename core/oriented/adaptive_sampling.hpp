@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adaptive sampling (ST92): particles are made in stretched gaps and at open borders, and removed where
 // crowded.
 #pragma once

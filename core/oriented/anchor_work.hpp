@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Impulse and work of anchors, for the ledger.
 #pragma once
 #include "core/step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Anchors: kinematic constraints of position or orientation.
 #pragma once
 #include "core/step.hpp"

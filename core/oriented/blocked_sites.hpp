@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sites where no surface particle may be made: inside obstacles and inside solids.
 #pragma once
 #include "core/step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Potential of pairs with creased particles (ST92).
 #pragma once
 #include "core/oriented/pair_potential.hpp"

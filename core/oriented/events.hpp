@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Timed events of oriented bodies: weld, cut, crease, smooth (ST92).
 #pragma once
 #include "core/step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // External forces on oriented particles besides gravity: push and pressure of the body, and its fields
 // (OrientedField).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/oriented/follow_interpolant.hpp"
 
 #include "core/oriented/adaptive_sampling.hpp"

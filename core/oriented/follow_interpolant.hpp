@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Forces that hold particles on the interpolated surface while it is rebuilt from given points (ST92).
 #pragma once
 #include "core/step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hermite interpolation of points with normals by radial functions r^3 (Wendland 2005; Macedo, Gois & Velho
 // 2011): f = 0 on the surface, and its gradient there is the normal. Pieces around each point are blended by
 // a partition of unity (Ohtake et al. 2003).

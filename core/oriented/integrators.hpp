@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The three integrators of oriented particles. Each requires forces at the current positions and updates the
 // owned rows; ghosts keep their old values. Each records the work of obstacles, fields and damping in its own
 // quadrature. OrientedWork::acting and actingTorque get the mean force and torque of all rows, fixed ones

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interpolated surface of given points, and normals of points without any (ST92).
 #pragma once
 #include <memory>

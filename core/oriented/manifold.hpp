@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes a manifold surface of candidate triangles that were found independently.
 #pragma once
 #include "core/oriented/triangulate.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fields of oriented particles (ST92), one per line.
 #pragma once
 #include "core/body_types/body_type_rows.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interaction rules of oriented particles and their forces.
 #pragma once
 #include "core/step.hpp"

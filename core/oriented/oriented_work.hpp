@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Working data of oriented bodies: made once from the scene or rebuilt in each step. Not part of the state.
 #pragma once
 #include <cstdint>

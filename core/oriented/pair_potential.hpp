@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pair potential of oriented particles and its derivatives (ST92). Pure functions of the pair.
 #pragma once
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact laws of oriented surfaces, from masses, speeds and stiffness in the scene.
 #pragma once
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Selection of surface samples that keep a minimum distance, in random order (Poisson discs).
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Preparation of a scene's oriented bodies.
 #pragma once
 #include "core/body_types/start_warnings.hpp"

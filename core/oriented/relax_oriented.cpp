@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FIRE (Bitzek, Koskinen, Gaehler, Moseler, Gumbsch 2006): dynamics whose velocity is turned toward the
 // force, and reset when the power is negative.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relaxation of sampled points along their surface.
 #pragma once
 #include "core/geometry/point_tree.hpp"

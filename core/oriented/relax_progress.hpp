@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detects a stall of relaxation with adaptive sampling.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Initial positions of the particles of an oriented body.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sampling of a whole surface with particles.
 #pragma once
 #include "core/geometry/signed_distance.hpp"

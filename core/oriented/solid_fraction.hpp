@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel fraction that a solid fills at a position.
 #pragma once
 

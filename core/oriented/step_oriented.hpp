@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Oriented bodies' part of a step.
 #pragma once
 #include "core/step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thinning of points from which the surface can be rebuilt by interpolation (ST92).
 #pragma once
 #include "core/oriented/sample_points.hpp"

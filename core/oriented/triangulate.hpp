@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangulation of oriented particles for display and export; particles store no topology.
 #pragma once
 #include <array>

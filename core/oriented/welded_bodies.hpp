@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events of oriented bodies that a weld has left without particles.
 #pragma once
 #include <vector>

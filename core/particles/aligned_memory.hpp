@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Aligned memory of fields, lists and packed pair data.
 #pragma once
 #include <cstddef>

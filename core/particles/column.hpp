@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One field of a table of particles: a contiguous array with its name, unit and meaning.
 // Sorting, migration, ghost exchange, checkpoints and output work on AnyColumn, so a field is declared once,
 // in its table.

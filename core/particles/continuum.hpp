@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fields of continuum particles (K05), one declaration each. A scene activates the fields of the modules
 // that it uses.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Row ranges for passes that skip parts of a table.
 #pragma once
 #include <cstddef>

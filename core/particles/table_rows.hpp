@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operations on single rows of a table.
 #pragma once
 #include <cstring>

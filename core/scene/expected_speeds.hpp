@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Speeds to expect in a scene. Contact stiffness and the automatic sound speed follow from them.
 #pragma once
 #include <algorithm>

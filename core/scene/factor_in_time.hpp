@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Factors of coefficients and forces as functions of time.
 #pragma once
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounds of initial values. Beyond them energies and radiative heat would overflow.
 #pragma once
 #include <cmath>

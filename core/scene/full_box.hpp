@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Test for a liquid that fills a periodic box and so has no surface.
 #pragma once
 #include "core/scene/scene.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Test for materials in use.
 #pragma once
 #include <algorithm>

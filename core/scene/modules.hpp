@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Modules of the model that a scene needs. An inactive module allocates no field, runs no loop and sends no
 // data.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prescribed motion of obstacles and anchors.
 #pragma once
 #include "core/math/vec3.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An oriented body as the scene defines it ([[oriented]]): source of its particles, their interaction, and
 // events.
 #pragma once

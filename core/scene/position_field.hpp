@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Initial values as functions of position, made by io/scene/expression.hpp.
 #pragma once
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Presets of numerical choices (docs/validation/accuracy.md gives their cost and accuracy).
 #pragma once
 #include "core/scene/scene.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene in SI units, as plain structs. io/scene reads them from TOML; its table of keys gives every
 // member's unit, range, default and documentation. Nothing here depends on MPI or on a file format.
 #pragma once

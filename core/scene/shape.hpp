@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes of a scene in SI units, and types that all parts of a scene use.
 #pragma once
 #include <limits>

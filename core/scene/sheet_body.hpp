@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A sheet body as the scene defines it ([[sheet]]): vertices on exact damped springs (docs/theory/sheets.md).
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/setup/activate_fields.hpp"
 
 #include "core/body_types/redistribute.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Volume fractions of a body around its lattice points.
 #pragma once
 #include <cstdint>

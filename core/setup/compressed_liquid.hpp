@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings about liquid that starts compressed and would burst.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Speeds and heights for the automatic sound speed: start, emitters, moving obstacles.
 #pragma once
 #include <memory>

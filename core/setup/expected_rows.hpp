@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Estimates of particles and vertices of the further body types before they are made.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Initial fill of particles by their body, for the colour field of the surface.
 #pragma once
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include "core/neighbours/grid.hpp"
 #include "core/scene/scene.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packing::Relaxed: particle positions without lattice directions.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a scene to a world that is ready for its first step.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Size of a body for messages: a mesh file in units other than metres is the usual cause of a wrong size.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Initial velocities and temperatures that depend on position: spin, gradients, expressions.
 #pragma once
 #include <memory>

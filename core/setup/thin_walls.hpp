@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings about solid bodies with walls too thin to hold liquid.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pressure of a brush averaged over a step, along its path and its schedule.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact sums over vertices at low cost: floating-point sums within a cell in id order, exact sums over cells.
 // Cells do not depend on the number of ranks, so these sums do not either.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact solution of m q'' + c q' + K (q - q0) = f over a step of constant f (DS section 2): one linear map
 // for all vertices of a material. Accurate at the double root and for c = 0, K = 0 and m to 0.
 #pragma once

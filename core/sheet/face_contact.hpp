@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact of continuum particles with triangles, for sheets whose vertices are as far apart as particles or
 // farther. A particle's depth combines all triangles within reach (face_depth.hpp). Finer sheets use pairs of
 // vertex and particle (sheet_contact.hpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Depth of a particle in the triangles within reach, as one smooth number.
 #pragma once
 #include <algorithm>

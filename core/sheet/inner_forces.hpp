@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal forces of a sheet: edge springs, bending, and the volume of a closed mesh (DS section 3.1).
 #pragma once
 #include "core/step.hpp"

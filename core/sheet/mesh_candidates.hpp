@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of vertices, triangles and edges of sheets that may soon touch: a list with a margin, rebuilt when
 // motion has used it up, and extended when vertices arrive. Contact is tested for each pair in each step, so
 // results do not depend on when lists are built.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact of sheets with each other and themselves, by vertex-triangle and edge-edge pairs, so nothing slips
 // through between vertices.
 #pragma once

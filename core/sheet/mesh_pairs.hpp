@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Search for vertices, triangles and edges of sheets within reach of each other, for mesh_contact.hpp.
 #pragma once
 #include "core/sheet/mesh_candidates.hpp"

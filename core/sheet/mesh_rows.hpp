@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Local rows of mesh vertices by their numbers in the plans, for mesh contact.
 #pragma once
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vertex update: one linear map of position and velocity for all vertices of a law, bound by memory
 // bandwidth.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of overlapping boxes, found by bins of their centres. The set of pairs does not depend on the bins;
 // their order does.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nearest points of a point and a triangle, and of two edges, as weights of their vertices. Mesh contact
 // distributes forces by them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // External forces on a sheet: weight, wind, wrap, brushes, obstacles (DS section 3.1); and the ledger entries
 // of constraints.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact stiffness between heavy continuum particles and a light sheet, if the scene gives none.
 #pragma once
 #include <span>

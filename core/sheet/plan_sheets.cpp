@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/sheet/plan_sheets.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of the scene's sheets: meshes, coefficients, components. Every rank computes them from the scene
 // alone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Overlapping regions of a sheet: all factors of the later one apply.
 #pragma once
 #include "core/body_types/start_warnings.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interactions of vertices by distance: repulsion and attraction, and contact with continuum and oriented
 // particles. Sheet-sheet contact is in mesh_contact.hpp.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Analytic meshes of sheets for scenes without mesh files. Triangles are counter-clockwise seen from outside
 // (or above).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fields of sheet vertices (docs/theory/sheets.md), one per line.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shrink-wrap of sheets around a body (SheetBody::wrapTo): continuum, oriented particles, another sheet.
 // Forces on both are equal and opposite.
 #pragma once

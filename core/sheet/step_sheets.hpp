@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sheets' part of a step (DS): the exact solution over the step, with forces of neighbours and contacts
 // before and after it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Time-dependent coefficients of sheets: their current factors, and the work of changing them (DS section
 // 3.2). The energy of a spring scales with its stiffness; the difference is external work.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vertex rings of a triangle mesh in cyclic order: triangles are consecutive bonds, and a sheet needs no
 // triangle table.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface of a body for shrink-wrap: its outer cells, distributed to the ranks whose vertices they attract.
 #pragma once
 #include "core/halo/halo.hpp"

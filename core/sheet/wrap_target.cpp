@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/sheet/wrap_target.hpp"
 
 #include "core/geometry/shape_error.hpp"

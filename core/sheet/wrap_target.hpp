@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Target of a sheet's shrink-wrap: an obstacle, or a body of any type (DS section 3.1).
 #pragma once
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Run-time choice between kernel sets compiled for several instruction sets (the *_isa.cpp files).
 #pragma once
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors of eight lanes: Lanes<float> is one 256-bit vector, Lanes<double> two. GCC vector extensions
 // compile for AVX-512, AVX2 and SSE2 with the same bits: only IEEE operations, no contraction, no reciprocal
 // approximations. The file is compiled once per instruction set, and each copy has its own namespace so that

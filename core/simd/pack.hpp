@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compaction of selected words, so that a search writes results without a branch per candidate.
 #pragma once
 #include "core/simd/lanes.hpp"

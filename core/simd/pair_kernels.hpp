@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pair loops, one set per instruction set. The best set for the processor is chosen at start. Every set
 // gives the same bits.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion to double through memory. Only code for one instruction set includes this, like lanes.hpp.
 #pragma once
 #include "core/simd/lanes.hpp"

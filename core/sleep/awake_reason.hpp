@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reasons for which particles stay awake (core/sleep/sleep.hpp), for diagnostics.
 #pragma once
 #include <array>

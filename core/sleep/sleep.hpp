@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sleep of solids at rest. Solids that have been at rest for a while, together with their surroundings, are
 // fixed in place, and their sums over neighbours and bonds are skipped. Off unless the scene sets
 // numerics.sleep_speed.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operations on one entry in the arrays of Bonds.
 #pragma once
 #include "core/solid/bond_records.hpp"

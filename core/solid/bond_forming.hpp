@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Selection of bonded pairs and their references: at the start, on freezing, on welding.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of a bond update: rows and bonds move to the positions that bond_graph.cpp assigned.
 #include <algorithm>
 #include <cstring>

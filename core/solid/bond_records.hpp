@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packed form of a solid particle, for migration and checkpoints.
 #pragma once
 #include <cstddef>

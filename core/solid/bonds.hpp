@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bonds of the owned slots. If no reference is ever renewed (no freezing, welding or large plastic flow), all
 // bonds share one configuration. A bond is then its other end alone: X_ij is the difference of
 // Solids::reference, and the weight follows from its length. Otherwise each bond stores its vectors and

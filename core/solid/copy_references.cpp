@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bonds whose other end took a new reference.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Preparation of the bond loops (elastic_isa.cpp), and their scalar parts.
 #include "core/solid/elastic.hpp"
 

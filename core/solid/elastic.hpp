@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The elastic step: displacement gradient by moving least squares over bonds (MKN04), stress, and forces
 // gathered from both ends of each bond. With u_ij = x_ij - X_ij, A_i = sum_j w_ij X_ij X_ij^T:
 //   grad u_i = (sum_j w_ij u_ij X_ij^T) A_i^-1,  F_i = 1 + grad u_i

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Elastic constants of a material at a liquid fraction.
 #pragma once
 #include <cmath>

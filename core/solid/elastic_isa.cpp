@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two bond loops: each lane is a slot and sums its bonds in order.
 #include "core/solid/law_lanes.hpp"
 #include "core/solid/laws/volume.hpp"

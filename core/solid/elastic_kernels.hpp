@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two bond loops, one set per instruction set (elastic_isa.cpp); every set gives the same bits. Only
 // plain pointers here: code compiled for one instruction set must not emit copies of library functions for
 // the linker.

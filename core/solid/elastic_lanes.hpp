@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loads of the bond loops: conversions, position differences, both ends of eight bonds. Only code for one
 // instruction set includes this.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packing of bond end data: Solids::end and ElasticWork::velocityDrag.
 #pragma once
 #include "core/solid/elastic.hpp"

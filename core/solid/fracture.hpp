@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fracture of bonds beyond a stretch limit.
 #pragma once
 #include "core/solid/elastic.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hash table from ids to numbers with open addressing. It cannot be iterated, so its order has no influence.
 #pragma once
 #include <cstdint>

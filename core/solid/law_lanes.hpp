@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of eight slots in double precision: corotated stress and energy, where F - R of small strains cancels,
 // and the Neo-Hookean energy. Only code for one instruction set includes this.
 #pragma once

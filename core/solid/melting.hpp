@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Removal of bonds of melted particles, with their energy recorded.
 #pragma once
 #include "core/solid/elastic.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The moment matrix A = sum w X X^T of a particle's bonds, and its treatment where it is singular: sheets,
 // rows, single particles.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plastic flow at large strain: F = Fe Fp, and the elastic law acts on Fe only.
 // A particle yields where its Cauchy stress sigma exceeds the yield stress: |dev sigma| > 2G y, y =
 // gamma_yield + h eps_p, with the equivalent plastic strain eps_p; the uniaxial yield stress is sqrt(6) G y.

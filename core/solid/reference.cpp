@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reference data of bonds in the elastic step.
 #include <algorithm>
 

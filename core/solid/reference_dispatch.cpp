@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/simd/choose.hpp"
 #include "core/solid/reference_kernels.hpp"
 

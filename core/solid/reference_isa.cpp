@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each lane is a slot and sums its bonds in order, by the same operations as refreshSlot, without fused ones.
 // An unused entry adds zeros: its end is the slot itself, and its weight is set to 0.
 #include "core/simd/lanes.hpp"

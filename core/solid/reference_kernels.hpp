@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moments of eight slots at once, one set of functions per instruction set (reference_isa.cpp); every set
 // gives the bits of refreshSlot. At the start of a scene all slots need them. Only plain pointers here, as in
 // elastic_kernels.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bond graph of a single process: all ends are owned here. For tests and tools without MPI.
 #pragma once
 #include <vector>

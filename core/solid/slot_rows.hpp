@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Entries of bonds, as BondGraph moves them.
 #pragma once
 #include "core/particles/table_rows.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/solid/slot_state.hpp"
 
 #include <span>

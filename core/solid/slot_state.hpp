@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluation of single slots in double precision, for rare events (fracture, new references) whose energy
 // jump is recorded.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fields that the solids of a scene need, and transfer between particles and slots.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid particles and their bonds: the reference configuration (MKN04, K05 3.2). Particles are sorted by cell
 // every step, but rows ("slots") stay in place: they change only when a solid particle migrates, melts or
 // freezes. Rows [0, owned) belong to continuum particles of this rank; rows [owned, owned + ghosts) are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Weight of a bond, and bond vectors across periodic sides.
 #pragma once
 #include <limits>

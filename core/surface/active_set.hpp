@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Active set of surfels for later rounds of resampling.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Selects the surfels that the iterations of an update work on (local work, K05 section 5). Work begins with
 // the surfels that the forces may move. It shrinks to moving surfels and their surroundings.
 #pragma once

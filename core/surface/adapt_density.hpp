@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adapts the spacing of surfels to the curvature of the surface, which keeps small drops and edges (K05,
 // future work).
 #pragma once

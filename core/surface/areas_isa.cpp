@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Areas of Voronoi cells, eight at a time. Each bisector keeps the interval that the other bisectors leave.
 // All pairs are clipped without branches: a surfel has eight to eleven neighbours, and this is faster than
 // clipping a polygon.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows sorted by fine bins. One cell of the grid may hold hundreds of surfels.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colours of surfels that are grown from particles.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // New surfels beside existing ones.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keeps the detail of solids and smooths liquids (K05 4.5).
 #pragma once
 #include "core/world.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blue-noise samples on a triangle mesh.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interpolates the particles' displacement at eight surfels (K05 4.2.1). A lane is a surfel, as in
 // forces_isa.cpp. Double precision avoids drift of surfaces that rotate for long.
 #include "core/math/vec3.hpp"

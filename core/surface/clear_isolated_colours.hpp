@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Removes isolated colours of single surfels.
 #pragma once
 #include "core/halo/surface_halos.hpp"

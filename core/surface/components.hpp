@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Connected components of surfels and particles over all ranks (K05 4.4.1).
 //
 // Links exist within a previous component:

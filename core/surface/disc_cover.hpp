@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Directions of a particle that the surface covers.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves the surface with the particles (K05 4.2.1).
 #pragma once
 #include "core/halo/surface_halos.hpp"

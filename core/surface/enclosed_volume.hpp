@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Volume enclosed by surfels, from sums over their facets. Surfaces may have holes.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enforces the particles' volume on the surface (after DCG98; future work in K05).
 #pragma once
 #include "core/halo/surface_halos.hpp"

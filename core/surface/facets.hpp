@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Facets between a surfel and its neighbours, for the enclosed volume.
 #pragma once
 #include <cstdint>

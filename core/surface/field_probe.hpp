@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colour field of the particles at arbitrary positions, up to eight at a time.
 #pragma once
 #include <array>

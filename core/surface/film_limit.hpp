@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Limits inward offsets on thin films, so that their two sides do not pass each other.
 #pragma once
 #include "core/surface/bins.hpp"

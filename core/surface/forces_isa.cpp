@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums at surfels over surrounding particles and surfels (K05 4.2.2). A lane is a surfel and adds its
 // neighbours in the order of the group's list. Eight adjacent surfels share a list, so that a neighbour is
 // loaded once for all lanes. This is faster than a list for each surfel.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Particle copies for a surface update, and their results returned to the particles.
 #pragma once
 #include "core/halo/surface_halos.hpp"

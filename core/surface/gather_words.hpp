@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All-gather of 64-bit words.
 #pragma once
 #include <cstdint>

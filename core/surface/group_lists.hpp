@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Groups of eight adjacent surfels with their neighbour lists, for the iterations.
 #pragma once
 #include <cstdint>

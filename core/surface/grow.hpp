@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grows surfaces around particles without surfels: bodies that are not sampled, separated drops, and new
 // particles of emitters (K05 4.3).
 #pragma once

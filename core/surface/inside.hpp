@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inside-outside test of a position by the nearest surfels of a component.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projection onto the iso-surface of the particles' colour field.
 #pragma once
 #include <optional>

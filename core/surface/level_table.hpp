@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Level of the colour field on the surface of a body: 3/8 on a plane, less on balls, and much less on small
 // drops.
 #pragma once

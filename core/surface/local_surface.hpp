@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Local continuation of the surface between surfels.
 #pragma once
 #include <cstdint>

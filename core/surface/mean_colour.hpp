@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Means of surfels' colours.
 #pragma once
 #include <cmath>

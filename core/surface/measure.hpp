@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures of components: counts, mass, volume, area.
 #pragma once
 #include "core/halo/surface_halos.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact of components: they join, or their surfaces are separated (K05 4.4.2).
 #pragma once
 #include "core/halo/surface_halos.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Smooth normals of a triangle mesh that keep sharp edges.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bins near several labels, to restrict searches for neighbours with other labels.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detects narrow gaps between sheets by their particles, since there are no surfels before surfaces are first
 // grown (docs/validation/stability.md B22).
 #pragma once

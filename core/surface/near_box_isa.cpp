@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds positions near a box, eight at a time. Every search of the surface begins with it.
 #include "core/simd/pack.hpp"
 #include "core/surface/surface_kernels.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distinguishes neighbours on the same sheet from those on other sheets of a component
 // (docs/validation/stability.md B20, B22).
 #pragma once

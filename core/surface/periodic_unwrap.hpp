@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Unwraps a component along periodic axes: the domain is cut open in the widest gap of the component.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Migrates surfels and particle copies to the ranks that own their cells, in (cell, id) order.
 #pragma once
 #include "core/halo/surface_halos.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points sorted into cubic cells for neighbour searches.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Particle fields at current positions for surfels: colours, liquid fraction, temperature.
 #pragma once
 #include "core/halo/surface_halos.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prepares a scene's surface without surfels.
 #pragma once
 #include "core/world.hpp"

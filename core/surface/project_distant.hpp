@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fast projection of distant surfels onto the surface.
 #pragma once
 #include "core/halo/surface_halos.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/surface/reference_motion.hpp"
 
 #include "core/solid/moment.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves surfels of solids by their reference positions. Incremental motion alone would drift off oscillating
 // particles.
 #pragma once

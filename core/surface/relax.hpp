@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Iterations of a surface update: surfels relax under the four forces of K05 4.2.2, with the constraints of
 // 4.2.3.
 #pragma once

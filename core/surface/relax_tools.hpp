@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Buffers of displacement and iterations, reused between updates. They are not part of the state.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Removal of surfels.
 #pragma once
 #include <cstdint>

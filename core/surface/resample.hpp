@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Births and deaths of surfels, which keep the sampling density within bounds (K05 4.3;
 // docs/validation/stability.md B18).
 #pragma once

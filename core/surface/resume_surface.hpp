@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prepares a surface from a checkpoint or a snapshot, and partitions surfaces over ranks.
 #pragma once
 #include "core/surface/update_surface.hpp"

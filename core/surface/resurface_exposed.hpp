@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grows surfels on exposed particles, as on crack faces (K05 4.3).
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Neighbour lists of the rows of a table.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // First surfels of bodies with known surfaces: meshes, and solids of other shapes.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sampling density around a surfel: crowding and gaps.
 #pragma once
 #include <algorithm>

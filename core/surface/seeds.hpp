@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seed positions on the surface around a particle for new surfels.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drops of few particles: their surface is a sphere that every update rebuilds (renewSurfels).
 #pragma once
 #include "core/surface/measure.hpp"

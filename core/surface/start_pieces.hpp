@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies whose particles form several pieces at the start: thin bodies, oblique to the lattice.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface of continuum bodies: surfels, components, and data of an update (K05 section 4).
 #pragma once
 #include <algorithm>

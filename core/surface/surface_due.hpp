@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Schedule of surface updates: at every frame, every so many steps, or after a given motion. The same on all
 // ranks.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wall-clock time of the phases of surface updates on this rank. No result depends on it.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Area of the surface that belongs to each surfel.
 #pragma once
 #include "core/halo/surface_halos.hpp"

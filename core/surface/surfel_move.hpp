@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Motion of one surfel from the sums over its neighbours (K05 4.2.2, 4.2.3).
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tangent vectors of a surface.
 #pragma once
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keeps surfel ids unique: ids of births are hashes and may exist already.
 #pragma once
 #include "core/halo/surface_halos.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Topology of the surface at the end of an update: overview.
 #pragma once
 #include "core/surface/components.hpp"

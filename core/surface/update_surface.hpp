@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Update of the surface (K05 section 4): overview.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"

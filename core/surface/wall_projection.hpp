@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projects surfels out of walls and obstacles (obstacle constraint, K05 4.2.3).
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulated time. Frame times and the end are hit exactly: the steps before are equal and end there, and the
 // time is then set to that value.
 #pragma once

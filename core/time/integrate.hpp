@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leap-frog in kick-drift-kick form (K05 3.4; Springel 2005 section 4): positions and velocities are known at
 // the same time.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The largest stable time step (docs/validation/stability.md B10; Monaghan 1992, Morris 1997), and its
 // alignment with frame times.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wall-clock time of a run by phase. Nested timers do not count twice: an inner timer pauses the outer one.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Trace of a rank's last steps for `thaw run --profile`: phases, waiting, and exchanges in flight. Bounded in
 // size: the last steps, with a limited number of events each. It does not affect results.
 #pragma once

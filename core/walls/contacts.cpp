@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Search for particles near walls: first cells, then the particles of these cells.
 #include <algorithm>
 #include <cmath>

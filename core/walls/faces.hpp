@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faces of a wall near a point. A concave corner has several, and each supports a liquid.
 #pragma once
 #include <array>

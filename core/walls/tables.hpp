@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contribution of a wall to the sums of a particle at a distance d, tabulated over d / h, in units of the
 // support radius h. Walls have no particles: a smooth wall counts as layers of particles, half a spacing and
 // whole spacings below its surface, each averaged over its plane. A particle half a spacing from a wall thus

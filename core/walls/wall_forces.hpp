@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wall forces on particles: support of liquids (relative density, pressure, drag), contact of solids, heat.
 #pragma once
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Obstacles and domain walls at run time: signed distances, moving, with a temperature or insulating.
 #pragma once
 #include <cstdint>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # An array of runs under SLURM, one per line of a list. Submit it with: sbatch --array=1-$(wc -l <LIST)
 # docs/slurm/array.sh LIST
 # A line of the list has a scene and options of `thaw run`, in quotes where they contain blanks:

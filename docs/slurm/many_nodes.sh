@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Many nodes under SLURM. Submit it with: sbatch --nodes=16 docs/slurm/many_nodes.sh [SCENE]
 # --out must be on a parallel file system that all nodes see: OUT, else $SCRATCH, else ./out. SLURM sends USR1
 # ten minutes before the time limit. thaw then writes a checkpoint and exits with 75, and the job resubmits

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # One node under SLURM. Submit it with: sbatch docs/slurm/one_node.sh [SCENE]
 # SLURM sends USR1 five minutes before the time limit. thaw then writes a checkpoint and exits with 75, and
 # the job resubmits itself to continue. The chain ends when the run is done (0) or has failed (any other

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The check of options for numbers above zero. The check of CLI11 prints a range of 309 digits.
 #pragma once
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `thaw check SCENE`: reports what would be simulated.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Trial of the surface for `thaw check`.
 #pragma once
 #include <string>

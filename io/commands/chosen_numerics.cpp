@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/commands/chosen_numerics.hpp"
 
 #include "io/run/restart_coefficients.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of [numerics] that a scene sets.
 #pragma once
 #include <string>

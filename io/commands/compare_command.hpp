@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // thaw compare A B: exit code 0 equal, 1 different, 3 not readable.
 #pragma once
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `thaw export`: frames of a surface as files for Blender, POV-Ray, ParaView, and as closed meshes.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Advice of `thaw check`: settings on the frontier of error against time, from cases of the accuracy suite
 // that resemble the scene.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; do not edit.
 #include "io/commands/frontier.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `thaw info FILE|FOLDER [--json]`: describes a frame, a checkpoint, an index of frames or a run folder.
 #pragma once
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Summaries of a run or a checkpoint for a screen: `thaw info` without --all.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `thaw render`: pictures of a frame or of all frames of a run.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `thaw run SCENE`: simulates a scene.
 #pragma once
 #include <cstdint>

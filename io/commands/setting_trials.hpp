@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Trials of the settings that `thaw check` recommends.
 #pragma once
 #include <optional>

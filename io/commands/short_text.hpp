@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Long texts of scenes, shortened for lines of output.
 #pragma once
 #include <string>

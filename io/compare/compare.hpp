@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comparison of two frames or checkpoints, bit by bit for every id.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frame or checkpoint for comparison: numbers, and tables of columns whose rows have ids. Columns are read
 // one at a time.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sparse grid of cube corners: blocks of 8 x 8 x 8, of which only those near the surface are stored.
 #pragma once
 #include <algorithm>

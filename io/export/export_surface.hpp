@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Export of a surface frame to the formats of other programs.
 #pragma once
 #include <filesystem>

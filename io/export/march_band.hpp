@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles of the zero set from values at grid corners.
 #pragma once
 #include "io/export/band_grid.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/export/offset_vertices.hpp"
 
 #include <algorithm>

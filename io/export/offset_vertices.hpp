@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vertex offsets that keep the volume of coarse meshes.
 #pragma once
 #include "io/export/march_band.hpp"

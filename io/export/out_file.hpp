@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // File written under a temporary name and renamed at the end, so it is either complete or absent.
 #pragma once
 #include <cstdio>

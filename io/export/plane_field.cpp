@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/export/plane_field.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Implicit surface of surfels: the weighted mean of their planes.
 #pragma once
 #include <cstdint>

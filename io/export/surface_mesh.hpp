@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed triangle meshes of surface components.
 #pragma once
 #include <array>

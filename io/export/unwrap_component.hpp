@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Unwrapping of a surface component across periodic sides of the domain.
 #pragma once
 #include <array>

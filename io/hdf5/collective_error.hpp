@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Collective error handling: an error on one rank becomes an error on all, so that no rank enters a
 // collective call alone.
 #pragma once

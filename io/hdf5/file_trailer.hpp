@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Trailer behind the end of an HDF5 file: a checksum of all bytes except the rows of large datasets. It
 // protects everything that HDF5 parses (superblock, headers, attributes, texts), since damage there can crash
 // the library. Rows are only copied; their checksums, where kept, are attributes

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Element types in HDF5. Private to io/hdf5.
 #pragma once
 #include <hdf5.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RAII wrapper of the HDF5 C API: files of contiguous datasets, texts and numbers. Every return code is
 // checked. Failures throw IoError with path, operation and HDF5's reason. HDF5's own error output is off.
 #pragma once

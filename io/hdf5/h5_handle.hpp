@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // HDF5 identifier that is released at scope exit, and HDF5's reason of the last failure. Private to io/hdf5.
 #pragma once
 #include <hdf5.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // H5File: reading names, shapes, rows, texts and numbers.
 #include <hdf5.h>
 

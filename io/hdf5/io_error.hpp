@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exception of all failures to read or write a file. The program exits with code 3.
 #pragma once
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Atomic output of one HDF5 file from all ranks. Rank 0 creates the layout as "name.part" and reserves its
 // space. All ranks write their rows (independent MPI-IO writes of contiguous datasets). The file is opened
 // again and checked; rank 0 appends a trailer with a checksum (file_trailer.hpp) and renames it. The layout

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cursor over numbers of a binary file, in either byte order, with bounds checks.
 #pragma once
 #include <bit>

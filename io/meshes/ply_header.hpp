@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Header of a PLY file.
 #pragma once
 #include <cstdint>

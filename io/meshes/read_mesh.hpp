@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangle meshes from OBJ, PLY (ascii, binary of both byte orders) and STL (ascii, binary) files.
 #pragma once
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wavefront OBJ: vertices (with colours, if any), normals and faces. Texture coordinates, groups, materials,
 // lines and points are ignored.
 #include <algorithm>

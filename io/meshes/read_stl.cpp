@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // STL, ascii and binary. Every triangle has its own corners; equal ones are merged.
 #include <cmath>
 #include <cstring>

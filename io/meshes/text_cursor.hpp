@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cursor over the words and numbers of a text file, with line numbers for messages.
 #pragma once
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/output/body_type_frame.hpp"
 
 #include "io/output/frame_rows.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames of oriented bodies and sheets: NAME_oriented_000120.hdf, NAME_sheet_000120.hdf, each type with its
 // own index.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checkpoints: the whole state in full precision, in two files in turn (OUT/checkpoint/a.hdf, b.hdf).
 // One complete file thus always exists. Any number of ranks writes and reads them. A run that stops between
 // two snapshots (core/monitor/) leaves the last snapshot beside them, good_<step>.hdf, for a later rollback.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checksums of the rows of a checkpoint, which its trailer does not cover (io/hdf5/file_trailer.hpp).
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves an earlier run in the folder of a new one aside.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames: VTKHDF 1.0 files of type UnstructuredGrid, which ParaView, VTK and h5py read. The cells are one
 // vertex per particle, or triangles.
 #pragma once

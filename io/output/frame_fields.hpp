@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fields of the frames of a scene.
 #pragma once
 #include <memory>

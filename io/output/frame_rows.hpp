@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fields of a frame, row by row.
 #pragma once
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/output/read_oriented_frame.hpp"
 
 #include <cstring>

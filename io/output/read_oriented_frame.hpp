@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames of oriented particles.
 #pragma once
 #include "core/oriented/triangulate.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/output/read_surface_frame.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames of a surface: surfels with their normals, discs, colours and components.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Order of the rows of a frame by id: the same in all frames and on any number of ranks.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The index of a run's frames, NAME.hdf.series, which ParaView opens as one animation, and the names of a
 // run's files.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames of the surface, beside those of the particles: NAME_surface_000120.hdf, with their own index
 // NAME_surface.hdf.series.
 #pragma once

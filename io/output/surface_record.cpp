@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/output/surface_record.hpp"
 
 #include "core/ledger/totals.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State of a surface in a checkpoint, beside its surfels.
 #pragma once
 #include "io/output/checkpoint.hpp"

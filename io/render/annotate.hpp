@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Annotations of pictures: colour bar and caption.
 #pragma once
 #include <span>

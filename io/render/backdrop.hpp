@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Background of a picture: sky, and floors with shadows.
 #pragma once
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colour maps of uniformly increasing lightness, so equal steps look equal, also in greyscale.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfels of strongly curved surfaces, drawn as several smaller discs on the surface, so drops are round and
 // edges smooth.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Depth map of a distant light: for each cell across its direction, the depth of the nearest particle.
 #pragma once
 #include <span>

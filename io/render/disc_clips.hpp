@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clips of discs at the planes of neighbours beyond a crease, so no rim protrudes from an edge.
 #pragma once
 #include <cstdint>

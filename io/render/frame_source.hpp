@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames on disk for pictures: search and reading.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Glass obstacles over a picture, found by ray marching through signed distances.
 #pragma once
 #include "io/render/render.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lighting of pictures: a sun over the camera's left shoulder with soft shadows, and ambient light of the
 // sky.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Light as linear red, green and blue, and conversion to sRGB bytes.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles in a view of surfels: sheets and triangulated oriented bodies share light, shadow and depth with
 // surfels, without gaps at folds.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Movies from pictures, by ffmpeg if installed.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Oriented particles and continuum spheres as small discs, so they share light, shadow and depth with
 // surfels.
 #pragma once

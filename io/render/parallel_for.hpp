@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parallel loop over numbered work on a few threads.
 #pragma once
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rendering of particles as shaded spheres with a depth buffer, sun shadow, and sky light. Deterministic; one
 // thread.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures of many frames with one camera and colour range, several frames in parallel, and a contact sheet.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rendering of surfels as a smooth lit surface: overlapping discs are blended by elliptical weighted average
 // splatting (Zwicker, Pfister, van Baar, Gross 2001), in the two passes of Botsch, Hornung, Zwicker, Kobbelt
 // 2005, with soft shadows and sky light.

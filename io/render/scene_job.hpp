@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Picture settings of a scene, and the scene of a frame.
 #pragma once
 #include <string>

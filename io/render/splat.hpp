@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Depth buffer: the visible sphere at each sample of the picture.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles on the samples of a tile of splatted surfels.
 #pragma once
 #include "io/render/splat_surfels.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Splatting in two passes: the front surfel at each sample, then the mean of those around it.
 #pragma once
 #include <array>

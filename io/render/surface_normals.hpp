@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outward directions at particles near the surface, from neighbour positions: they shade a lattice of spheres
 // as one surface.
 #pragma once

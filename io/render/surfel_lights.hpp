@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Light on surfels: a sun disc and a sky dome, with shadows of casters.
 #pragma once
 #include <vector>

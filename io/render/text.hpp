@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text in pictures with a built-in font: 5x7 dots joined by round strokes, smooth at any size.
 #pragma once
 #include <string>

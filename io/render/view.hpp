@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Camera position and projection.
 #pragma once
 #include "core/math/vec3.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/run/body_type_run.hpp"
 
 #include "io/hdf5/collective_error.hpp"

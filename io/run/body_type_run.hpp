@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames of oriented bodies and sheets. Nothing is done for a scene without them.
 #pragma once
 #include "io/run/run_state.hpp"

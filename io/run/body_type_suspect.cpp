@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/run/body_type_suspect.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The oriented particle or vertex that made a step fail.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A checksum of numbers. Two contents share one with a probability of about 1e-14.
 #pragma once
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Durations and counts as text.
 #pragma once
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts of failures that the stability monitor finds.
 #pragma once
 #include <string>

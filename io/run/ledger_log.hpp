@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OUT/ledger.csv: all terms of the ledger. It has a row for the start, each frame, each `output.ledger_every`
 // of simulated time, and the end. Its bytes do not depend on ranks, restarts and retries.
 #pragma once

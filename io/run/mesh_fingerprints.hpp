@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checksums of the meshes of a scene, for the restart record.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Identity of the process that writes a run, which separates killed runs from live ones.
 #pragma once
 #include <nlohmann/json_fwd.hpp>

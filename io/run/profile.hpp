@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `thaw run --profile`: times and messages of the steps on each rank, as a table for the terminal and a
 // trace.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Progress of a run: a line for the terminal, and all terms of the ledger for OUT/progress.csv.
 #pragma once
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Entries of the restart record that may change at a restart. Changes are reported.
 #pragma once
 #include "core/scene/scene.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Source lines of the entries of the restart record.
 #pragma once
 #include <string>

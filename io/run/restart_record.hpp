@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The restart record: quantities of a scene, compared between a checkpoint and the run that continues it.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text of the restart record (restart_record.hpp) in the terms of the scene file.
 #pragma once
 #include <map>

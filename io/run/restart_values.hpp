@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of the restart record (restart_record.hpp): numbers by the key that sets them.
 #pragma once
 #include <initializer_list>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rollback: the snapshots of a run, and the response to failures that the stability monitor (core/monitor/)
 // finds. All functions are collective.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lock of a run folder. OUT/lock names the process that writes there, from before the first file to after
 // the last.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A run in progress: the world, its halos and its output. All functions are collective.
 #pragma once
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stop requests: signals, a file named "stop" in the output folder, a limit of wall-clock time.
 #pragma once
 #include <chrono>

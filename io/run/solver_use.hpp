@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Iterations of the solvers of a run.
 #pragma once
 #include <cstdint>

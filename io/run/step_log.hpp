@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CSV files of a run whose rows begin with a step.
 #pragma once
 #include <cstdint>

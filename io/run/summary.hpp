@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // summary.json, which a run leaves also when it fails.
 #pragma once
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface in a run: start, update and output. All functions but removeSurfaceFrames are collective. All
 // require the surface module.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface in summary.json and in the last lines of a run.
 #pragma once
 #include <array>

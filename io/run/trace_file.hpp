@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The trace of a run as one file for all ranks, in the Trace Event Format that ui.perfetto.dev and
 // chrome://tracing open.
 #pragma once

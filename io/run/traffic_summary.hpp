@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages, bytes, collectives and waiting time over ranks, for summary.json and `thaw run --profile`.
 #pragma once
 #include <array>

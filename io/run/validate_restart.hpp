@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Validation of a checkpoint against the scene that continues it. It does not rely on the restart record,
 // since rows index lists of the scene.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors of the volume that the surface of a run encloses: the largest over all frames.
 #pragma once
 #include <cstdint>

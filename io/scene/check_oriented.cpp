@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks events of oriented bodies against the other bodies and earlier events.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks sheets against the rest of the scene, and their coefficients against each other.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Refuses spacings that no machine has memory for, before anything is made. The memory of this machine is
 // checked later (io/commands/require_memory.hpp).
 #include <fmt/format.h>

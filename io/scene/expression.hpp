@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions of position in a scene file: "300 + 20*z", "-100*x".
 #pragma once
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Default choices of the method for liquids, in a full periodic box or with a free surface.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keys of the initial state that are numbers or fields of position.
 #pragma once
 #include "io/scene/table_reader.hpp"

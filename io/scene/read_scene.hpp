@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads a scene file: TOML with units, includes and overrides. Reports all errors at once.
 #pragma once
 #include <stdexcept>

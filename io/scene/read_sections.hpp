@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of a scene file: one function per kind of table, used for reading and for describing.
 #pragma once
 #include "io/scene/full_box.hpp"

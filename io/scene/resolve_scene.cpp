@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/scene/resolve_scene.hpp"
 
 #include <algorithm>

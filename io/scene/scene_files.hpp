@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts of a scene, apart from their meaning. One rank reads them and sends them to the others.
 #pragma once
 #include <map>

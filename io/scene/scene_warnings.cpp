@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "io/scene/scene_warnings.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings of valid settings that have no effect or unusual values.
 #pragma once
 #include <string>

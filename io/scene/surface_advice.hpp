@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings of unusual settings of [surface], before the run.
 #pragma once
 #include <string>

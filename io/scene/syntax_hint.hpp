@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hints for common causes of TOML syntax errors in scenes.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the keys of a TOML table, or describes them. The same calls give the scene, its error messages and
 // docs/scene.md. Every key is thus declared once, with unit, range, default and meaning.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Quantities with units: "2 kJ/kg", "15 cm", "56 degC", "0.25 W/(m K)", "30 deg", "2 Pa s".
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """matrix_test.py BUILD (see matrix_test.sh): runs matrix.py with a stand-in for the benchmark with known errors."""
 import csv
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Bonds that form during the run, by freezing onto a solid and by welding, are the same on any number of
 # ranks.
 . "$(dirname "$0")/../support/run.sh"

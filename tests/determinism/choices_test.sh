@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Non-default choices of [numerics], and defaults with solids and walls: the same bits on 1, 2, 3, 4 and 7
 # ranks and over a restart. Covers all solvers, carried density with shifting, free liquid, a ball that falls
 # into water, a full periodic box, initial fields, the printed forms and double precision.

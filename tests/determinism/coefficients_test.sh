@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Coefficients that change at a restart. The change is reported, and the jump of stored energy is an entry of
 # the ledger, not a failure, the same on any number of ranks. A change that is impossible is refused; a change
 # without effect is reported as such. thaw compare works on runs with all body types.

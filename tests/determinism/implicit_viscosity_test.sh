@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Lava with the implicit viscosity solver: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart. The
 # solver iterates.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The incompressible pressure solver: the same bits and iterations on 1, 2, 3, 4 and 7 ranks and over a
 # restart. Scenes: liquid alone, poured liquid, and solids that melt in it.
 . "$(dirname "$0")/../support/run.sh"

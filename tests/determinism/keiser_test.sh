@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The four scenes of Keiser et al. 2005 with surfaces, coarse: the same bits, frames and logs on 1, 2, 3, 4
 # and 7 ranks and over a restart.
 . "$(dirname "$0")/../support/run.sh"

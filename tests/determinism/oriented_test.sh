@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Oriented bodies (scenes/oriented): the same bits on 1, 2, 3, 4 and 7 ranks and over a restart on another
 # number of ranks. Covers births, deaths, cuts, welds, anchors, and contact with a continuum body and a cloth.
 # SCENES selects scenes.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Every scene with a "# test:" line gives the same bits on 1, 2, 3, 4 and 7 ranks, and when it is killed with
 # -9 and resumed on other numbers of ranks. Scenes are coarse, with every module on. STEPS and SCENES select
 # steps and scenes.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A failure that no step prevents: a block falls faster than the stability monitor allows. The run stops
 # within the number of retries, however close the snapshots come to the failure. It has the same bits on any
 # number of ranks, and when it is stopped between two retries.

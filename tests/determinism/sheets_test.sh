@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Sheets (scenes/sheet/) have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed with -9 and
 # resumed on other numbers of ranks, and after a rollback. Covers vertices, ledger, and frames with their
 # triangles. SCENES selects scenes.

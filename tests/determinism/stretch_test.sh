@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A bar that hangs from a clamp and stretches to several times its length: bonded neighbours end up several
 # cells, and ranks, apart. The same bits on 1, 2, 3, 4 and 7 ranks, and over a restart while it is long. A
 # spinning block flies out of an open side: its particles stay on their ranks until a restart or a new

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Stiff solids in water with substeps (numerics.elastic_substeps): a clamped post that yields, is damped and
 # swings over a periodic side. The same bits on 1, 2, 3, 4 and 7 ranks and over a restart, also while bonds
 # melt.

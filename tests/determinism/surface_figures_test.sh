@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The cheap surface cases of the accuracy suite: figures have the same digits on 1, 2, 3 and 4 ranks, and only
 # the targets named here are missed.
 . "$(dirname "$0")/../support/run.sh"

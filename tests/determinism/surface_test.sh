@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The surface (table [surface]): surfels, components, events, frames and logs have the same bits on 1, 2, 3, 4
 # and 7 ranks, when a run is killed with -9 and resumed on other numbers of ranks, and after a rollback.
 # Covers splits and merges, births and deaths. SCENES selects scenes.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Oriented bodies, sheets and emitters that are invalid or implausible.
 . "$(dirname "$0")/../support/bad_input.sh"
 

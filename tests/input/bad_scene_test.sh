@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Bad scenes: values, keys, files, the command line.
 . "$(dirname "$0")/../support/bad_input.sh"
 

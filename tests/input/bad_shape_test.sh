@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Impossible shapes, meshes and sizes.
 . "$(dirname "$0")/../support/bad_input.sh"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Implausible surface settings give a warning, impossible ones an error.
 . "$(dirname "$0")/../support/bad_input.sh"
 

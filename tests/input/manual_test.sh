@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Every complete scene of the manual runs, and every page that README.md, code and tests name exists.
 . "$(dirname "$0")/../support/run.sh"
 mapfile -t pages < <(find "$source_dir/docs" -name '*.md' | sort)

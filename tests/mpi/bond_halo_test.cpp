@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The distributed bond graph against a complete model on every rank: random graphs, owners, melting,
 // freezing, breaking.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checkpoints written on some ranks and read on others; full disks, damaged files, other scenes.
 #include <cstring>
 #include <map>

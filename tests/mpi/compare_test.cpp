@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // thaw compare and thaw info on files written on several ranks; damaged files.
 #include <gtest/gtest.h>
 

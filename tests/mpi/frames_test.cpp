@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames and their series: every field of every particle, written on several ranks; full disks, missing
 // folders.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A steady step allocates nothing in the halo. The test counts calls of operator new.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files with more than 2^32 rows and more than 2^31 bytes. All ranks write and read the far end of a dataset.
 // The file is sparse and takes no disk space.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `thaw check` tries settings on a scene before it recommends them. All ranks find the same answer.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory requested at the start. New memory takes a third of the start's time, so it is requested once.
 #include <gtest/gtest.h>
 

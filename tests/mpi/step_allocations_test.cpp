@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A steady step allocates nothing: solid, liquid, heat, walls, contacts, surface tension.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Components of bodies across ranks have the labels, events and measures of a single process, bit by bit
 // (docs/validation/stability.md B30).
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface in checkpoints, snapshots and frames, written on some ranks and read on others.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An update of the surface (displacement, iterations, blend) gives the same bits on any number of ranks.
 #include <gtest/gtest.h>
 #include <mpi.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sampled surfaces, resampling and adapted density: the same surfels, bit by bit, on any number of ranks.
 #include <gtest/gtest.h>
 

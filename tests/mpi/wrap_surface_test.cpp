@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The distributed surface of a body that sheets wrap: the part on each rank against the complete surface, and
 // the forces returned to it.
 #include "core/sheet/wrap_surface.hpp"

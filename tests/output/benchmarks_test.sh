@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Every benchmark of whole steps, output, scaling, sheets, surfaces and time runs to its end at a tiny size
 # and writes the rows that its charts read.
 #   benchmarks_test.sh BUILD

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A simulation that blows up ends with exit code 4 on every rank, one message that names the particle, a
 # summary with the failure, and the earlier frames and checkpoint.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Reports of commands for scenes with oriented particles and sheets only: the limit that a failure exceeded,
 # numbers of particles, fields, and changes at a restart.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Output of `thaw check`: masses with those of the shapes, short advice, ranks, and a range for a surface that
 # may splash.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The command that scripts/run prints to continue a stopped run has all options that changed the scene.
 . "$(dirname "$0")/../support/run.sh"
 says() {  # says EXPECTED RANKS OPTIONS...

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // damage_files NUMBER FILE [SEED]: damages copies of a checkpoint or a frame in different ways and reads each
 // in a separate process. Prints how many were refused, accepted, or killed the process by a signal. Exits
 // with 1 on a signal, or if a damaged checkpoint was accepted. damage_files 1 FILE SEED --keep leaves the

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Damaged checkpoints are refused before HDF5 opens them, and the other one is used. If both are damaged, the
 # run ends with exit code 3. Damaged frames end no program by a signal. THAW_DAMAGES sets the number of
 # damaged copies per checkpoint (140).

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A full disk, a file size limit, or a folder that cannot be made or written: exit code 3 on every rank, one
 # message, a summary if there is room, whole earlier frames, no partial files, and no hang.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # benchmarks/keiser prints its table also for runs that --seconds stops: a row of the paper and one of thaw
 # per scene.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # ledger.csv has a row for the start, each frame, each output.ledger_every and the end. It has the same bytes
 # on any number of ranks, after a kill and after retries, and does not change the run.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # One run per folder: a second start is refused while the first lives, also with --resume and when both start
 # at once. A new run takes over the lock of a killed one. Every other end removes the lock: done, stopped,
 # blown up, an error in the scene.

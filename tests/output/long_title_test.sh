@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A title of a thousand characters is whole in summary.json and shortened in printed lines; pictures are
 # rendered.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # `thaw check` of 10,000 bodies ends within seconds with a screen of text: its cost is linear in the number of
 # bodies.
 . "$(dirname "$0")/../support/run.sh"

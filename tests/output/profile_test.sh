@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # thaw run --profile: the table, and a trace that is whole however the run ends; neither without --profile.
 . "$(dirname "$0")/../support/run.sh"
 check() { /usr/bin/env python3 "$(dirname "$0")/../support/check_trace.py" "$@" >"$work/log" 2>&1 || { fail "trace"; cat "$work/log"; }; }

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Lines of progress fit on a terminal. progress.csv has the whole ledger, over a kill and on other ranks.
 # `thaw info` of the run fits on a screen.
 . "$(dirname "$0")/../support/run.sh"

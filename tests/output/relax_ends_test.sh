@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Points of a ball with a third of the normals reversed: relaxation of the surface through them does not
 # converge. It ends with progress lines, one warning, and the same bits on any number of ranks.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A restart with another scene. Changes to the initial particles and vertices are refused with the key, both
 # values and the line. Changes with a later effect are reported. It never crashes. Meshes are compared by
 # content.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The model of the scaling study (benchmarks/scaling/model.py) against counting and the committed figures.
 # docs/performance.md equals the output of its script.
 set -eu

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The scripts of docs/slurm/ with stand-ins for srun, sbatch and thaw that log their arguments: which jobs are
 # resubmitted after which exit code.
 . "$(dirname "$0")/../support/run.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A bust falls on a hot box, is compressed, melts from below and jumps off its puddle. Its surface stays
 # whole: volume enforcement leaves out the elastic compression, deep surfels of the softening mesh are not
 # removed as detached, and no second skin grows over its grooves.

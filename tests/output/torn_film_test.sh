@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A liquid ball without surface tension bursts on a floor. In every frame its surface encloses the volume of
 # its particles. A stream freezes with adapted density, and its plates keep their volume as well.
 . "$(dirname "$0")/../support/run.sh"

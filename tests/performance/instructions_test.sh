@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Instructions of a fixed small step, counted by valgrind, which has no noise. A case may take 3 % more than
 # instructions.csv has for this compiler and processor type. The test is skipped with a line without an entry
 # there or without valgrind.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // small_step fluid|heat|carried|elastic|mixed: a few steps of a small block on one rank without MPI.
 // instructions_test.sh counts their instructions.
 #include <cstdio>

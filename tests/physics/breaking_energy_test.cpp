@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ledger records the energy of breaking bonds.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Forms of the density: their conservation properties and their growth under compression.
 #include <gtest/gtest.h>
 

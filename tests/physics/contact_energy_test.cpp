@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ledger records the dissipation of contacts between solids.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Free vibration, waves and stability of whole bodies.
 #include <gtest/gtest.h>
 

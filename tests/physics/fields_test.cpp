@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene allocates only the fields that it needs. A new field belongs in the lists of the scenes that need
 // it, and in no other.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fragments on a puddle: one or a few particles that fall on hot liquid of their own material sink in and
 // take its temperature by conduction.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Free surface and shifting of liquids with carried density (core/fluid/free_surface.hpp).
 #include <gtest/gtest.h>
 

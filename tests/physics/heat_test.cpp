@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heat against exact solutions over whole steps.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The implicit viscosity solver over whole steps: exact solutions far above the explicit step limit,
 // conservation, viscosity contrast.
 #include <gtest/gtest.h>

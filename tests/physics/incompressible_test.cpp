@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The incompressible pressure solver over whole steps: conservation and number of steps.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ledger of closed and open systems.
 #include <gtest/gtest.h>
 

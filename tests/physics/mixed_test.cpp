@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Liquids and solids in one scene: a liquid rests on a solid, and a solid falls into a liquid.
 #include <gtest/gtest.h>
 

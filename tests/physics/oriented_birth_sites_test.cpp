@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces that grow at their borders toward obstacles and solids create no particles inside them, neither in
 // a run nor in the relaxation before it.
 #include <gtest/gtest.h>

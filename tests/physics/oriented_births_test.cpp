@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Growing oriented bodies: births in gaps that anchors open, none in oscillating surfaces, and the energy
 // budget.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A surface through a few control points passes through them as created, relaxed and run.
 #include <gtest/gtest.h>
 

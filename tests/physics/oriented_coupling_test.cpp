@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coupling of oriented bodies with anchors, sheets, the continuum, obstacles and open sides: momentum and
 // energy budget.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Force fields of oriented bodies: region, time, and energy budget.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Open meshes in a scene: used as they are by an oriented body, closed with a warning by solids, obstacles
 // and anchors.
 #include <gtest/gtest.h>

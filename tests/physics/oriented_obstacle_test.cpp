@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An oriented surface is an obstacle to solids, and a solid to it, with the default contact.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relaxation before the start ends for any given points.
 #include <gtest/gtest.h>
 

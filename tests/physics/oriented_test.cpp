@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Oriented bodies: momentum, energy, integrators, rest, mitigations of B17 and B33, operations.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Oriented bodies and sheets that are refused at the start, with their messages.
 #include <gtest/gtest.h>
 

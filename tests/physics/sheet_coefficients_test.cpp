@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coefficients of sheets that vary in time and by region: forces, energy budget, steps.
 #include "tests/support/sheet_samples.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Self-contact and mutual contact of sheets, vertices with triangles and edges with edges: nothing crosses,
 // and the ledger closes.
 #include <gtest/gtest.h>

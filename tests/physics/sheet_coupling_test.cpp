@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coupling of sheets with the continuum: contact, heat, energy budget.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sheets drawn toward bodies from a distance, with the reaction on the body and the energy budget.
 #include "tests/support/sheet_samples.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sheets in a whole simulation: exact motion, forces from energies, plastic flow, energy budget.
 #include <gtest/gtest.h>
 

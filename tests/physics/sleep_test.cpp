@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids at rest sleep (core/sleep/): the same motion within tolerance, nearly no work, and waking by
 // contact, a pushing wall and heat. No body sleeps in the air.
 #include <gtest/gtest.h>

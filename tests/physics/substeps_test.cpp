@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids with substeps (core/solid_substeps.hpp): the same motion, and a closed ledger.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface tension as an energy of the surface (core/fluid/surface_energy.hpp).
 #include <gtest/gtest.h>
 

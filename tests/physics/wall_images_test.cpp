@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Obstacles across periodic sides act the same on both sides.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Liquids and solids on walls over whole steps, against exact solutions.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Failures of density and pressure in liquids: rows of docs/validation/stability.md. Each test provokes the
 // failure, shows a naive implementation fail where that is cheap, and checks the stated behaviour of thaw.
 #include "core/kernels/kernels.hpp"

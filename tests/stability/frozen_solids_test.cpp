@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Failures of solids that are frozen, coincident, or few particles: rows of docs/validation/stability.md.
 // Each test provokes the failure and checks the stated behaviour of thaw.
 #include "core/domain/emit.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Elastic bodies over 5e4 steps and more, which reveal slow growth: row 10 of docs/validation/stability.md.
 #include <cmath>
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // random_scene SEED: prints a scene (TOML) that is a function of the seed. Bodies have all shapes, materials
 // span six decades of stiffness and viscosity, with every law and most keys; 200 to 3000 particles. No
 // parameter is tuned: soft bodies hit hard, hot floors melt falling bodies, and some bodies overlap. Two

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # random_scenes_test.sh BUILD [COUNT] [FIRST SEED]: random scenes (random_scene.cpp) on 1 to 4 ranks. Each
 # must end in one of two ways:
 #   exit 0  a finite summary with the residual of the ledger;

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Rows B29 and B30 of docs/validation/stability.md. B29: ranks without particles, one particle on four ranks,
 # all particles on one rank, a scene that begins empty. No deadlock, no minimum of an empty set, and the bits
 # of one rank. B30: a ring and a long bar across all ranks stay in one piece, bit by bit, and break into the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Failures of time steps and heat: rows of docs/validation/stability.md.
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Extreme times, leaving particles, non-finite values: rows of docs/validation/stability.md.
 #include <cstring>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Shared by the tests of bad input, after run.sh: $1 is the build folder. Cases run side by side on three
 # ranks. Each expects the documented exit code, one clear message (once, not once per rank), no crash and no
 # hang. Ends with `allCases`.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The distributed bond graph and a complete model of it on every rank.
 #pragma once
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks of closed meshes.
 #pragma once
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Scenes with several body types for script tests.
 meetingScene() {  # a block falls on a surface that is held at its rim
   cat <<'SCENE'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts calls of operator new and their bytes. Include it in one source file of a separate program.
 #pragma once
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts crossings of sheets with each other or themselves, from their meshes alone.
 #pragma once
 #include <map>

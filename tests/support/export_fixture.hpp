@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames of a surface and of particles in a temporary folder, and `thaw export` of them.
 #pragma once
 #include <gtest/gtest.h>

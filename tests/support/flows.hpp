@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes of liquids at walls with their exact solutions, shared by several physics tests.
 #pragma once
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Liquid in a space without walls or gravity.
 #pragma once
 #include "tests/support/simulation.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cell halos against brute force: every rank computes all particles (functions of the id) and its expected
 // content.
 #pragma once

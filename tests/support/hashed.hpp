@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random numbers for tests: a function of the index, the same on every rank and in every run.
 #pragma once
 #include <cstdint>

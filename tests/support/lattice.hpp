@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blocks of particles for tests without MPI: a cubic lattice with hashed jitter, sorted, with neighbour
 // lists.
 #pragma once

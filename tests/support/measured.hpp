@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Figures of docs/validation/stability.md: each test of tests/stability prints its measurements.
 #pragma once
 #include <gtest/gtest.h>

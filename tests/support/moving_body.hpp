@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A solid body (solid_body.hpp) moved by leap-frog, without cells, walls or limits.
 #pragma once
 #include "tests/support/solid_body.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A patch of oriented particles, for tests.
 #pragma once
 #include "tests/support/simulation.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that tests write on all ranks: their bytes, and errors that must be the same everywhere.
 #pragma once
 #include <gtest/gtest.h>

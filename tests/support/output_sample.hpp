@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A world for file tests whose values depend on ids only, and folders shared by all ranks.
 #pragma once
 #include <mpi.h>

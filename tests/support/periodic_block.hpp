@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A small block of liquid that fills a periodic domain.
 #pragma once
 #include "tests/support/simulation.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies of lattice particles with surfels in one process, for tests and benchmarks of the surface.
 #pragma once
 #include <functional>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Shared by the script tests: $1 is the build folder. Defines thaw, scenes, work (a new folder, removed at the
 # end) and functions.
 set -u

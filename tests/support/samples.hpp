@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All samples of some rows of a shape.
 #pragma once
 #include "core/geometry/sampling.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes of one sheet, for tests.
 #pragma once
 #include <gtest/gtest.h>

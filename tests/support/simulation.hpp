@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A whole scene on one rank, stepped as in a run, for tests of exact solutions and the ledger.
 #pragma once
 #include <memory>

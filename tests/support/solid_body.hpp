@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A solid body on one rank with bonds found by brute force, for tests of the elastic step without cells or
 // halos.
 #pragma once

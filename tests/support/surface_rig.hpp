@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A world with manually placed particle copies and surfels, for tests of components and measures. Every rank
 // creates all of them and keeps its share.
 #pragma once

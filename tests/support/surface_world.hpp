@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene on one rank whose particles a test moves directly, with whole surface updates as in a run.
 #pragma once
 #include "core/surface/update_surface.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfels sampled from meshes, and frames of them as in a run, for tests of pictures and exports.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Particles and walls without neighbours: the wall part of a step alone.
 #pragma once
 #include <functional>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes floating_cube.csv: heave of a cube in a square tank by linear potential flow.
 
 Usage: floating_cube.py > floating_cube.csv

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Implicit viscosity without a step limit (after Weiler, Koschier, Brand, Bender 2018, "A physically
 // consistent implicit viscosity solver for SPH fluids"): backward Euler, a linear system for the velocities,
 // solved by conjugate gradients.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Work arrays of the implicit viscosity solver, reused in each step. They are not part of the state.
 #pragma once
 #include <vector>

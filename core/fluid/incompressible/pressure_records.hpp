@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Iterates of the pressure solver in the records of pair sums (core/fluid/records.hpp).
 #pragma once
 #include "core/fluid/records.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pressure solver for incompressible liquids (DFSPH, Bender & Koschier 2015/2017). The pressure is the
 // Lagrange multiplier of the constraint relative density <= target. Steps are thus limited by the flow speed
 // and not by sound.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The matrix of the pressure problem as products: from pressures to velocities, and from velocities to
 // density rates.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Work arrays of the incompressible pressure solver. They are not part of the state.
 #pragma once
 #include <cstdint>

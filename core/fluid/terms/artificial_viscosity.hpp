@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Artificial viscosity. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"

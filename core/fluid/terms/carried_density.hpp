@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Continuity density and concentration gradient. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/liquid_materials.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface tension by K05's colour field. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pressure, viscosity and heat conduction of liquids. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
@@ -77,11 +78,11 @@ struct Forces {
       s.z -= wide(k * dot3(xz, yz, zz, dx, dy, dz));
     }
     if constexpr (Relief) {
-      const L w = reliefScale * Kernel::w(q, q2), toI = w * (L(1.0) - fj) * j.positionVolume.d,
-              toJ = w * (L(1.0) - fi) * i.positionVolume.d;
-      const L fx = toI * i.pressureDiagonal.d - toJ * j.pressureDiagonal.d,
-              fy = toI * i.pressureOffDiagonal.d - toJ * j.pressureOffDiagonal.d,
-              fz = toI * i.pressurePhaseHeat.a - toJ * j.pressurePhaseHeat.a;
+      const L w = reliefScale * Kernel::w(q, q2), ofI = w * (L(1.0) - fj) * j.positionVolume.d,
+              ofJ = w * (L(1.0) - fi) * i.positionVolume.d;
+      const L fx = ofI * i.pressureDiagonal.d - ofJ * j.pressureDiagonal.d,
+              fy = ofI * i.pressureOffDiagonal.d - ofJ * j.pressureOffDiagonal.d,
+              fz = ofI * i.pressurePhaseHeat.a - ofJ * j.pressurePhaseHeat.a;
       s.x += wide(fx);
       s.y += wide(fy);
       s.z += wide(fz);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums of the incompressible pressure solver (core/fluid/incompressible/): the constraint gradient applied to
 // velocities, its transpose applied to pressures, and the diagonal of their product. Three terms of the pair
 // sums (term.hpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface tension from a surface energy (surface_energy.hpp): gradient and colour of a particle, and forces.
 // Terms of the pair sums (term.hpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface tension as pair cohesion. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/cohesion.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of a pair-sum term: `load` for a group of eight rows, `pair` for own row and neighbour in each
 // lane, and `finish`, which writes the sums of eight rows. The loop is sweep(). Compiled once per instruction
 // set. d: position difference own - other in support radii; V: volumes in h^3; finish restores the units of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pressure, viscosity, heat and artificial viscosity of one liquid with constant parameters: two records per
 // neighbour instead of three, and no pair means. One term of the pair sums (term.hpp).
 #pragma once

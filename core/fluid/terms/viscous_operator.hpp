@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The viscous forces of forces.hpp as a linear operator on a velocity, for the implicit solver. One term of
 // the pair sums (term.hpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Corotated linear elasticity: mu |F - R|^2 + lambda/2 tr(R^T F - 1)^2 with the rotation R nearest to F
 // (Mueller & Gross 2004; invertible form: Irving, Teran, Fedkiw 2004). It is linear in stretch, so it neither
 // softens in compression nor stays inverted: R is a proper rotation also for det F < 0.

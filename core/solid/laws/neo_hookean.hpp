@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stable Neo-Hookean energy: defined and smooth for every F, inverted ones included
 // (Smith, de Goes, Kim 2018, "Stable Neo-Hookean flesh simulation", eq. 14).
 #pragma once

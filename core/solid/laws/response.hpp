@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Energy and stress of a material at one particle: law, plastic flow and volume force.
 #pragma once
 #include "core/math/mat3.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The volume force of MKN04 (section 3.4), added to any law: energy density k_v/2 (det F - 1)^2.
 #pragma once
 #include "core/solid/laws/neo_hookean.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The operator of the implicit viscosity solver equals the explicit viscous sum: the same forces, symmetric,
 // and the same bits with every instruction set.
 #include <gtest/gtest.h>

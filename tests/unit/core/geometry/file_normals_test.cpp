@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Normals of a mesh file, from the file to the surfels.
 #include "core/geometry/file_normals.hpp"
 

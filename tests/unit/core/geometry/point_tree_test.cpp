@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nearest neighbours of scattered points.
 #include "core/geometry/point_tree.hpp"
 

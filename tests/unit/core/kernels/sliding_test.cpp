@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sliding lattice layers have a higher relative density than at rest with few neighbours, but not with more
 // (incompressible solver).
 #include <gtest/gtest.h>

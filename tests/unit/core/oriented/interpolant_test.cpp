@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface through given points with normals.
 #include "core/oriented/interpolant.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mesh as the source of an oriented body: an open one as it is, a closed one by its distance function.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Forces and torques against finite differences of the energy, and the zeros of the four potentials.
 #include "core/oriented/pair_potential.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contact of an oriented surface stores more energy than the kinetic energy of a particle before the
 // particle is through, for any masses and spacings.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions that end a relaxation without rest.
 #include "core/oriented/relax_progress.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events of bodies that a weld has left without particles, in the order of their execution.
 #include "core/oriented/welded_bodies.hpp"
 

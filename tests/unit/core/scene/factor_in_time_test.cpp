@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/scene/factor_in_time.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Estimated numbers of particles and vertices against the created ones.
 #include "core/setup/expected_rows.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mesh is read and repaired and its tree built once per start. For 100,000 triangles that takes as long as
 // ten steps.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Initial velocities and temperatures that vary with position; the automatic sound speed.
 #include <gtest/gtest.h>
 

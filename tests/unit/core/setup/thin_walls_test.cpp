@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid walls that are too thin to hold liquid are reported, with their place.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nearest points of a triangle and of two edges, as weights of corners.
 #include "core/sheet/nearest_points.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids and bonds of one process: changes of the graph and data that the elastic step caches (several ranks:
 // tests/mpi/bond_halo_test.cpp).
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MLS gradient: exact for linear fields, invariant under rotation, finite in singular neighbourhoods.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nearly flat or nearly linear neighbourhoods, as in frozen fragments: forces are the derivative of the
 // energy and conserve momentum and angular momentum.
 #include <gtest/gtest.h>

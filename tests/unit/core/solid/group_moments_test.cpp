@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Data that the elastic step caches for bonds, computed for eight solids at once: the same bits as one at a
 // time, with every instruction set.
 #include <gtest/gtest.h>

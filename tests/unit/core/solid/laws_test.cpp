@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stresses of material laws against finite differences of their energies, and forces of a body against its
 // energy.
 #include <gtest/gtest.h>

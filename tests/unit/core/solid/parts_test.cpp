@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A body in two parts with manually exchanged remote rows gives the bits of the whole body, through plastic
 // flow, re-reference, fracture and damping.
 #include <gtest/gtest.h>

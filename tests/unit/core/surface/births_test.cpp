@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfels that are born on a solid that bends, melts or tears.
 #include "core/surface/births.hpp"
 

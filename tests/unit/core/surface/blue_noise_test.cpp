@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/surface/blue_noise.hpp"
 #include "core/surface/mesh_normals.hpp"
 

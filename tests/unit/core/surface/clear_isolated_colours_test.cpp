@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/surface/clear_isolated_colours.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/surface/multi_label_bins.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces of one solid that are closer to each other than the width of the colour field
 // (docs/validation/stability.md B20, B22).
 #include "core/surface/narrow_gaps.hpp"

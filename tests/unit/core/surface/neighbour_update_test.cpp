@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // K05 updates the neighbourhoods of surfels by neighbours of neighbours; thaw searches bins with a margin.
 // Compares the neighbours found and the time of both.
 #include <gtest/gtest.h>

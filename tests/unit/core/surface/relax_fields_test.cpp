@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs and outputs of surfel relaxation: levels, normals of few neighbours, fields, detail.
 #include "core/surface/relax.hpp"
 

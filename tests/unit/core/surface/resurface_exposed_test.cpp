@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tearing solid: the faces of the crack get a surface, and each piece is closed.
 #include "core/surface/resurface_exposed.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces of solids with shapes instead of meshes are sampled from their shapes.
 #include <gtest/gtest.h>
 

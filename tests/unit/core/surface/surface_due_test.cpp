@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions for an update of the surface.
 #include "core/surface/surface_due.hpp"
 

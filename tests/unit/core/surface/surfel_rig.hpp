@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A surface without particles and without MPI, for tests.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // At the end of an update no surfel of any component is inside an obstacle.
 #include "core/surface/wall_projection.hpp"
 

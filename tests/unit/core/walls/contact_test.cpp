@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact of particles with walls: springs, dashpots, friction, projection, motion, and energy budget.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faces of walls near a point, in corners, gaps and on curved surfaces.
 #include "core/walls/faces.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Images of obstacles across periodic sides.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Walls replace the missing support of liquids: relative density at corners, pressure, drag, heat.
 #include <gtest/gtest.h>
 

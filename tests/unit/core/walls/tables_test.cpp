@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wall tables against brute-force sums over finely sampled layers, and against the lattice half-space that
 // they replace.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packed columns are restored bit by bit, whole and in parts. Only columns that vary take memory.
 #include "core/monitor/packed_columns.hpp"
 

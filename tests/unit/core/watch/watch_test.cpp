@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stability monitor: its step factor over failures and snapshots, and the particle that it names.
 #include "core/monitor/monitor.hpp"
 

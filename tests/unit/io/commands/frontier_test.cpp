@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Figures of the accuracy suite in `thaw check`: with the scene's own keys, and only applicable settings.
 #include "io/commands/frontier.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The first lines of a run's output.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Output of thaw compare for files with little in common.
 #include <gtest/gtest.h>
 

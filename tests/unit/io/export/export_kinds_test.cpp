@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `thaw export` and `thaw render` of sheets and oriented particles, across periodic sides, and of frames
 // without a surface.
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files of `thaw export`, read back, and its errors.
 #include <cstring>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed meshes of components that cross periodic sides: in one piece, or cut at the sides and capped if they
 // go all the way round.
 #include <gtest/gtest.h>

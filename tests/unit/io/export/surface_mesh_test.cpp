@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed meshes of surfels: watertight, at the surfels, one per component.
 #include "io/export/surface_mesh.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The trailer of files: damage that it detects, and files without one.
 #include "io/hdf5/file_trailer.hpp"
 

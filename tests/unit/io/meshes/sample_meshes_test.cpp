@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scanned and modelled meshes that are not part of the project, in the folder THAW_SAMPLE_MESHES. The tests
 // are skipped without it.
 #include <gtest/gtest.h>

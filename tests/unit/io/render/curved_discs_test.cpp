@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Discs in parts lie on the surface between the surfels without holes. Flat regions and sharp edges have
 // none.
 #include "io/render/curved_discs.hpp"

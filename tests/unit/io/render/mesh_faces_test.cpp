@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles in pictures of surfels: both sides, no gaps at folds.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Images, PNG files, text, colours, colour bars and contact sheets.
 #include <gtest/gtest.h>
 #include <png.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures of surfels: no holes, sharp edges, shadows, blending.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lock of a run's folder: live and dead holders, other hosts, and simultaneous starts.
 #include "io/run/run_lock.hpp"
 

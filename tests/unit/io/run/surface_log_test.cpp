@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The log of components stays whole when a run rolls back or continues.
 #include "io/run/surface_log.hpp"
 

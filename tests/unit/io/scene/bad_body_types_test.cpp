@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Invalid oriented bodies and sheets are refused with their place; ineffective settings give a warning.
 #include <gtest/gtest.h>
 

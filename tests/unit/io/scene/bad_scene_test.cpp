@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages of the reader for wrong scenes: each with its place, all of a file at once.
 #include <gtest/gtest.h>
 #include <unistd.h>

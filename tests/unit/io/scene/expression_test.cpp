@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions of position in scene files: values, places of errors, restart records.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Damaged copies of scenes/melt.toml give a scene with valid values or a list of errors, and nothing else.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Descriptions in the table of keys.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `quality` selects the defaults of [numerics]; explicit keys take precedence. Liquid that fills a periodic
 // box has its own defaults.
 #include <gtest/gtest.h>

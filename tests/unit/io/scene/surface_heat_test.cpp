@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Convection and radiation need a support radius that separates surface from inside.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spacings that exceed any machine's memory give one message with the number of particles, at the line that
 // sets them.
 #include <gtest/gtest.h>

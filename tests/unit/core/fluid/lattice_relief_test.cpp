@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Liquid beside solids: the density that solids carry, and the force that lets liquid slip along them
 // (core/fluid/lattice_relief.hpp).
 #include <gtest/gtest.h>
