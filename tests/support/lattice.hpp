@@ -94,9 +94,10 @@ struct Block {
     s.support = h;
     s.relativeDensityScale = 1 / (h * h * h);
     s.heat = true;
-    s.place = scene.numerics.precision == Precision::Single ? records.fixed.data() : records.place.data();
-    s.motion = records.motion.data();
-    s.state = records.state.data();
+    s.positionVolume = scene.numerics.precision == Precision::Single ? records.fixed.data()
+                                                                     : records.positionVolume.data();
+    s.velocityViscosity = records.velocityViscosity.data();
+    s.pressurePhaseHeat = records.pressurePhaseHeat.data();
     s.surface = records.surface.data();
     s.relativeDensity = particles.relativeDensity.data();
     s.force = particles.force.data();

@@ -48,7 +48,7 @@ TEST(LatticeRelief, SolidsSeeTheMeanDensityOfLiquidNearby) {
   ASSERT_TRUE(r.step());
   const Continuum& p = r.particles();
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.phase[i] == Solid && p.liquidKernelSum[i] > 0) EXPECT_NEAR(p.liquidNearby[i], 2e-3, 1e-8);
+    if (p.phase[i] == Solid && p.liquidKernelSum[i] > 0) { EXPECT_NEAR(p.liquidNearby[i], 2e-3, 1e-8); }
 }
 
 TEST(LatticeRelief, SolidsSeeTheHydrostaticDensity) {
@@ -61,8 +61,9 @@ TEST(LatticeRelief, SolidsSeeTheHydrostaticDensity) {
   ASSERT_TRUE(r.step());
   const Continuum& p = r.particles();
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.phase[i] == Solid && p.liquidKernelSum[i] > 0)
+    if (p.phase[i] == Solid && p.liquidKernelSum[i] > 0) {
       EXPECT_NEAR(p.liquidNearby[i], hydrostatic(p.position[i]), 1e-3 * hydrostatic({0, 0, 0}));
+    }
 }
 
 TEST(LatticeRelief, VanishesOnALattice) {

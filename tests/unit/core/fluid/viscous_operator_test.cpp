@@ -32,7 +32,7 @@ struct Viscous : Block {
         return single ? reinterpret_cast<const float*>(r.data())[4 * i + k]
                       : static_cast<float>(reinterpret_cast<const double*>(r.data())[4 * i + k]);
       };
-      velocity[i] = {v.x, v.y, v.z, value(records.motion, 3), value(records.state, 1)};
+      velocity[i] = {v.x, v.y, v.z, value(records.velocityViscosity, 3), value(records.pressurePhaseHeat, 1)};
     }
   }
   std::vector<Vec3d> forces(bool viscous) {
