@@ -229,7 +229,7 @@ Modules packingModules(const World& w) {
 
 PairSums packingSums(World& w, StepTools& t) {
   PairSums s = pairSumsOf(w, t);
-  s.heat = s.uniform = s.carried = false;
+  s.heat = s.uniform = s.carried = s.relief = false;
   s.pressureForm = PairForm::Consistent;
   s.moment = nullptr;
   s.concentrationGradient = nullptr;
