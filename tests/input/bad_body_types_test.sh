@@ -36,7 +36,7 @@ patch = { width = 0.1, depth = 0.4 }
 place = { move = [0.3, 0, 0] }"
 welds() { rejects "$1" "$2" 2 "$3" "$(bodyTypes "$4" <<<"$welded
 $5")"; }
-after="is part of 'a' by the weld at 0.001 s .line 9., and has no particles left"
+after="is part of 'a' by the weld at 0.001 s .line 9. and has no particles left"
 cut="[[oriented.event]]
 kind = 'cut'
 plane = { point = [0.3, 0, 0] }"
