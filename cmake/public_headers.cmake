@@ -4,7 +4,7 @@
 cmake_policy(VERSION 3.22)  # the oldest that CMakeLists.txt accepts
 set(public
   core/halo/serial.hpp              # halos of one process
-  core/kinds/kinds.hpp
+  core/body_types/body_types.hpp
   core/ledger/report.hpp            # energy, momentum and mass
   core/math/exact_sum.hpp
   core/scene/scene.hpp              # a scene as a plain struct
@@ -16,7 +16,7 @@ set(public
   parallel/bond_halo.hpp
   parallel/cell_halo.hpp
   parallel/communicator.hpp
-  parallel/row_courier.hpp
+  parallel/row_scatter.hpp
   io/meshes/read_mesh.hpp
   io/scene/read_scene.hpp           # a scene from a file
   io/version.hpp)

@@ -64,7 +64,7 @@ grid = { width = 0.4, depth = 0.4 }
 mass = 0
 stiffness = 1000
 warp = 1")"
-rejects "emitter of tiny spacing" "emitter.toml:7:1: error: emitter 'tap': its opening has 3.6e\\+07 places" 2 check "$(bodyTypes emitter <<<"[material.water]
+rejects "emitter of tiny spacing" "emitter.toml:7:1: error: emitter 'tap': its opening has 3.6e\\+07 particle positions" 2 check "$(bodyTypes emitter <<<"[material.water]
 [[emitter]]
 name = 'tap'
 material = 'water'
