@@ -157,8 +157,8 @@ std::vector<Figure> measureLaplace(Trial& r) {
                                      }) /
                                  std::max(core, 1.0);
   // Viscosity is zero at rest and left out. Pairwise cohesion is in the pair forces, so their virial is the
-  // pressure. The other forms of tension act at the surface only: the pressure inside is that of the equation
-  // of state. Both virials are reported as well.
+  // pressure. The other forms of tension act at the surface only: the pressure inside is that of the
+  // equation of state. Both virials are reported as well.
   const double mean = sum(r,
                           [&](const World& x, std::size_t i) {
                             return inside(x, i)

@@ -61,7 +61,9 @@ def points(rows):
 
 def source(rows):
     """The text of frontier_points.cpp."""
-    text = "// SPDX-License-Identifier: Apache-2.0\n// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; do not edit.\n#include \"io/commands/frontier.hpp\"\n\nnamespace thaw {\nnamespace {\n\n"
+    text = ("// SPDX-License-Identifier: Apache-2.0\n"
+            "// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; do not edit.\n"
+            "#include \"io/commands/frontier.hpp\"\n\nnamespace thaw {\nnamespace {\n\n")
     text += "constexpr FrontierPoint points[] = {\n"
     for case, norm, settings, error, cost, best in points(rows):
         text += f'    {{"{case}", "{norm}", "{settings}", {error:.3g}, {cost:.2g}, {"true" if best else "false"}}},\n'

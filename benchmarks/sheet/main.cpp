@@ -4,8 +4,8 @@
 // Euler on an oscillator and the head.
 //   scripts/bench sheet [--vertices 2000000] [--large 1000000] [--csv FILE] [--only
 //   bandwidth|frames|accuracy]
-// Lines of the CSV file: test,case,method,steps,evaluations,seconds,value,unit. Frames also give the phases
-// of a step. Exits with 1 if the update has less than 120 % of the copy's rate.
+// Lines of the CSV file: test,case,method,steps,evaluations,seconds,value,unit. Frames also give the
+// phases of a step. Exits with 1 if the update has less than 120 % of the copy's rate.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
