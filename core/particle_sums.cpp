@@ -103,7 +103,7 @@ PairSums pairSumsOf(World& w, StepTools& t) {
     s.moment = p.moment.data(), s.negativeVelocityGradient = p.negativeVelocityGradient.data();
   if (p.liquidKernelSum.active) {
     s.liquidKernelSum = p.liquidKernelSum.data();
-    s.solidFraction = p.solidFraction.data();
+    s.solidKernelSum = p.solidKernelSum.data();
     s.liquidNearby = p.liquidNearby.data();
   }
   s.relief = p.relief.active;
@@ -123,8 +123,8 @@ namespace {
 void search(World& w, StepTools& t, Part part) {
   const Continuum& p = w.particles;
   const std::size_t n = w.cells.key.size();
-  const bool pressureOffDiagonal = w.modules.fluid && w.modules.solid;
-  if (pressureOffDiagonal) {
+  const bool mixed = w.modules.fluid && w.modules.solid;
+  if (mixed) {
     t.liquidCells.assign(n, 0);
     for (std::size_t c = 0; c < n; c++)
       for (std::uint32_t k = 0; k < w.cells.count[c]; k++) {
@@ -138,7 +138,7 @@ void search(World& w, StepTools& t, Part part) {
   in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
   in.cells = &w.cells;
   in.inner = t.inner.data();
-  in.liquid = pressureOffDiagonal || !w.modules.fluid ? t.liquidCells.data() : nullptr;
+  in.liquid = mixed || !w.modules.fluid ? t.liquidCells.data() : nullptr;
   in.owned = static_cast<std::uint32_t>(p.owned);
   t.kernels->search(in, part, t.search, w.neighbours);
 }
@@ -188,11 +188,11 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     w.compressionKnown = !w.modules.uniform;
   }
   const PairSums s = pairSumsOf(w, t);
-  PairSums dissipativeForce = s;
+  PairSums particleForces = s;
   if (p.drag.active)
-    dissipativeForce.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
-                                             // step
-  if (w.modules.fluid || w.modules.heat) t.kernels->forces(dissipativeForce, range);
+    particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
+                                           // step
+  if (w.modules.fluid || w.modules.heat) t.kernels->forces(particleForces, range);
   if (w.modules.surfaceEnergy) {
     pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
                                        : packSurfaceEnergyDerivatives(x, p, p.owned, p.size(), t.records);
@@ -201,7 +201,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     t.kernels->tension(s, range);
   }
   if (w.modules.artificialViscosity && !w.modules.uniform)
-    t.kernels->artificialViscosity(dissipativeForce, range);
+    t.kernels->artificialViscosity(particleForces, range);
   if (w.modules.xsph) t.kernels->smoothing(s, range);
   if (w.modules.surfaceHeat) t.kernels->freeSurfaceIndicator(s, range);
   if (w.modules.contact) {

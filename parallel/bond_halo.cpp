@@ -80,18 +80,18 @@ bool MpiBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, const B
 
 void MpiBondHalo::sendChanges(const BondedRows& p) {
   WordMessages updates;
-  const auto tell = [&](std::uint64_t id, std::uint64_t owner) {
+  const auto setOwner = [&](std::uint64_t id, std::uint64_t owner) {
     std::vector<std::uint64_t>& w = updates.to(directoryRank(id, comm_.size()));
     w.push_back(id);
     w.push_back(owner);
   };
   // A particle that melts and freezes at once is removed from the directory before it is written again.
-  for (const std::uint32_t slot : removed_) tell(graph_.idOf(slot), SolidDirectory::nobody);
-  for (const std::uint64_t id : meltedArrivals_) tell(id, SolidDirectory::nobody);
+  for (const std::uint32_t slot : removed_) setOwner(graph_.idOf(slot), SolidDirectory::noOwner);
+  for (const std::uint64_t id : meltedArrivals_) setOwner(id, SolidDirectory::noOwner);
   links_.announceRemovals(graph_, removed_, updates);
   for (std::size_t i = 0; i < fresh_.size(); i++)
     if (!recordOf_[i] || pendingRecords_[recordOf_[i]->waiting].adopted)
-      tell(p.id[fresh_[i].particle], static_cast<std::uint64_t>(comm_.rank()));
+      setOwner(p.id[fresh_[i].particle], static_cast<std::uint64_t>(comm_.rank()));
   applyUpdates(exchange(updates.messages(), UpdateKind), true);
 }
 
@@ -161,7 +161,7 @@ int MpiBondHalo::ownerOf(std::uint64_t id) const {
   const auto at = std::lower_bound(queriedIds_.begin(), queriedIds_.end(), id);
   if (at == queriedIds_.end() || *at != id) return -2;
   const std::uint64_t owner = queriedOwners_[static_cast<std::size_t>(at - queriedIds_.begin())];
-  return owner == SolidDirectory::nobody ? -1 : static_cast<int>(owner);
+  return owner == SolidDirectory::noOwner ? -1 : static_cast<int>(owner);
 }
 
 void MpiBondHalo::makeSlots(const SolidTables& t, const BondUpdate& work) {
@@ -187,11 +187,11 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const BondUpdate& work) {
     if (!f) continue;
     const PendingRecords& w = pendingRecords_[f->waiting];
     readRecord(t.solids, w.records, f->at, view);
-    std::size_t told = f->owner;
+    std::size_t nextOwner = f->owner;
     for (const BondRecord& r : view.bonds) {
       int owner = ownerOf(r.neighbourId);
-      if (owner == -2 && !w.adopted) owner = w.owners[told];
-      told++;
+      if (owner == -2 && !w.adopted) owner = w.owners[nextOwner];
+      nextOwner++;
       graph_.bond(t, before + i, r, owner);
     }
   }

@@ -98,7 +98,7 @@ void BondLinks::announceRemovals(const BondGraph& graph, std::span<const std::ui
       if (!holds(p.sends, graph.idOf(s))) continue;
       std::vector<std::uint64_t>& w = out.to(p.rank);
       w.push_back(graph.idOf(s));
-      w.push_back(SolidDirectory::nobody);
+      w.push_back(SolidDirectory::noOwner);
     }
 }
 

@@ -17,7 +17,7 @@ class BondLinks {
   /// Announces (id, new owner) to the holders of copies, for every copied slot whose owner in the graph is
   /// another rank.
   void announceDepartures(const BondGraph& graph, int rank, WordMessages& out) const;
-  /// Announces (id, nobody) to the ranks with copies of these slots.
+  /// Announces (id, noOwner) to the ranks with copies of these slots.
   void announceRemovals(const BondGraph& graph, std::span<const std::uint32_t> slots,
                         WordMessages& out) const;
 

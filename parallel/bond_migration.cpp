@@ -78,7 +78,7 @@ void MpiBondHalo::applyUpdates(const std::vector<Message>& in, bool edit) {
       if (directoryRank(id, comm_.size()) == comm_.rank()) directory_.set(id, owner, m.rank);
       const std::uint32_t row = graph_.rowOf(id);
       if (row == noRow || !graph_.isRemote(row)) continue;
-      if (owner == SolidDirectory::nobody) {
+      if (owner == SolidDirectory::noOwner) {
         graph_.removeRemote(row);
       } else if (!edit) {
         graph_.setOwner(row, static_cast<int>(owner));

@@ -181,8 +181,8 @@ void MpiCellHalo::receiveGhosts(Neighbour& n) {
   }
 }
 
-/// Appends the cells of a received message to the table; their rows begin at n.ghostFirst. Returns the number
-/// of rows.
+/// Appends the cells of a received message to the table; their rows begin at n.ghostFirst. Returns the
+/// number of rows.
 std::size_t MpiCellHalo::appendCells(const Neighbour& n, CellTable& cells) const {
   const std::size_t count = headOf(n.in).cells, at = cells.key.size();
   cells.key.resize(at + count);

@@ -16,17 +16,17 @@ inline int directoryRank(std::uint64_t id, int ranks) {
 /// This rank's part of the directory.
 class SolidDirectory {
  public:
-  static constexpr std::uint64_t nobody = ~0ull;
-  /// Sets the owner of an id. owner: a rank, or nobody (no longer solid), which only the present owner may
+  static constexpr std::uint64_t noOwner = ~0ull;
+  /// Sets the owner of an id. owner: a rank, or noOwner (no longer solid), which only the present owner may
   /// set. Otherwise a particle that melts on one rank and freezes on another could be removed by reordered
   /// messages.
   void set(std::uint64_t id, std::uint64_t owner, int sender) {
-    if (owner != nobody) table_.insert(id, static_cast<std::uint32_t>(owner));
+    if (owner != noOwner) table_.insert(id, static_cast<std::uint32_t>(owner));
     else if (find(id) == static_cast<std::uint64_t>(sender)) table_.erase(id);
   }
   std::uint64_t find(std::uint64_t id) const {
     const std::uint32_t owner = table_.find(id);
-    return owner == IdTable::none ? nobody : owner;
+    return owner == IdTable::none ? noOwner : owner;
   }
   std::size_t size() const { return table_.size(); }
 

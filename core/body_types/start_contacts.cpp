@@ -22,7 +22,7 @@ struct ContactWarnings {
   std::string name(std::size_t sheet) const { return "sheet '" + w.scene.sheets[sheet].name + "'"; }
 
   /// Appends a warning; `what`: "12 of its 81 vertices" or the like.
-  void tell(std::size_t sheet, const std::string& what, double reach, const std::string& other) {
+  void warn(std::size_t sheet, const std::string& what, double reach, const std::string& other) {
     char text[80];
     std::snprintf(text, sizeof text, " start within its contact distance, %.3g m, of ", reach);
     warnings.push_back({w.scene.sheets[sheet].where,
@@ -42,7 +42,7 @@ struct ContactWarnings {
 
   template<class Is> bool warnOfVertices(std::size_t sheet, double reach, const std::string& other, Is&& is) {
     const auto [n, of] = count(sheet, is);
-    if (n > 0) tell(sheet, std::to_string(n) + " of its " + std::to_string(of) + " vertices", reach, other);
+    if (n > 0) warn(sheet, std::to_string(n) + " of its " + std::to_string(of) + " vertices", reach, other);
     return n > 0;
   }
 
@@ -74,7 +74,7 @@ struct ContactWarnings {
     for (std::size_t b = 0; b < n.size(); b++) {
       const std::string other = "body '" + w.scene.bodies[b].name + "'";
       if (n[b] > 0 && !reported.count({name(sheet), other}))
-        tell(sheet, std::to_string(n[b]) + " particles", reach, other);
+        warn(sheet, std::to_string(n[b]) + " particles", reach, other);
     }
   }
 

@@ -24,8 +24,8 @@ struct TouchLaw {
 struct Touch {
   Vec3d force{};             ///< N/m^2 (or N) on the vertex
   double energy = 0;         ///< J/m^2 (or J), stored
-  Vec3d dissipativeForce{};  ///< dissipative part of force; the loss is -resisting * velocity, with the
-                             ///< velocity after the kick of all forces
+  Vec3d dissipativeForce{};  ///< dissipative part of force; the loss is -dissipativeForce * velocity, with
+                             ///< the velocity after the kick of all forces
   double slope = 0;          ///< N/m^3 (or N/m), stiffness that bounds the step, dashpot included
 };
 

@@ -14,7 +14,7 @@ constexpr double reliefShare = 0.65;
 constexpr double faintContact = 1e-5;
 
 bool isRelieved(const ReliefContext& x, const Continuum& p, std::size_t i) {
-  return liquidFraction(p, i) == 1 && p.solidFraction[i] > 0 && !p.atSurface[i] && !besideSurface(p, i) &&
+  return liquidFraction(p, i) == 1 && p.solidKernelSum[i] > 0 && !p.atSurface[i] && !besideSurface(p, i) &&
          (x.asleep.empty() || !x.asleep[i]);
 }
 
@@ -27,7 +27,7 @@ void findLatticeRelief(const ReliefContext& x, Continuum& p) {
     const LiquidMaterial& m = x.liquids[p.material[i]];
     const double pressure = pressureOf(x.numerics.eos, m.stiffness, 1 + p.compression[i],
                                        x.numerics.tensileLimit),
-                 volume = p.mass[i] * m.restVolume, share = static_cast<double>(p.solidFraction[i]);
+                 volume = p.mass[i] * m.restVolume, share = static_cast<double>(p.solidKernelSum[i]);
     p.relief[i] = single(wide(p.concentrationGradient[i]) *
                          (2 * reliefShare * pressure * volume / (x.support * (share + faintContact))));
   }

@@ -97,12 +97,14 @@ struct PairSums {
   Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density; null: not
                                            ///< needed
   float* liquidKernelSum = nullptr;        ///< 1, sum V W of liquid; null: no solids
-  float* solidFraction = nullptr;  ///< 1, sum V W of solids over its lattice value; together with wetting
-  float* liquidNearby = nullptr;   ///< 1, mean carried compression of liquid neighbours; with wetting
-  bool relief = false;             ///< records have forces of core/fluid/lattice_relief.hpp
-  Vec3f* solidNormal = nullptr;    ///< 1, away from solid neighbours; null: no solids
-  Vec3f* surfaceNormal = nullptr;  ///< 1, away from neighbours at the free surface, together with
-                                   ///< gradientSize, h sum V |grad W|; null: not needed
+  float* solidKernelSum = nullptr;         ///< 1, sum V W of solids over its lattice value; together with
+                                           ///< liquidKernelSum
+  float* liquidNearby = nullptr;           ///< 1, mean carried compression of liquid neighbours; with
+                                           ///< liquidKernelSum
+  bool relief = false;                     ///< records have forces of core/fluid/lattice_relief.hpp
+  Vec3f* solidNormal = nullptr;            ///< 1, away from solid neighbours; null: no solids
+  Vec3f* surfaceNormal = nullptr;          ///< 1, away from neighbours at the free surface, together with
+                                           ///< gradientSize, h sum V |grad W|; null: not needed
   float* gradientSize = nullptr;
   Vec3d* smoothed = nullptr;  ///< m/s, velocity change by XSPH
   Vec3d* impulse = nullptr;   ///< N s, of impulse (overwritten); for response the gradient of the relative

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sampling of a body or an opening. Positions depend on the shape and the spacing only, never on the number
-// of ranks.
+// Sampling of a body or an opening. Positions depend on the shape and the spacing only, never on the
+// number of ranks.
 #pragma once
 #include <cstdint>
 #include <vector>

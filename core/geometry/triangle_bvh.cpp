@@ -48,8 +48,8 @@ struct TriangleBvh::Builder {
     return {mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]};
   }
 
-  /// Returns the split of items[first, last) by the surface area heuristic over bins along the longest axis
-  /// of the middles.
+  /// Returns the split of items[first, last) by the surface area heuristic over bins along the longest
+  /// axis of the middles.
   std::uint32_t part(std::uint32_t first, std::uint32_t last, int depth) {
     Box spread;
     for (std::uint32_t k = first; k < last; k++) spread.add(middleOf(items[k]));

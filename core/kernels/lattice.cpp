@@ -25,8 +25,8 @@ template<class Action> void overNeighbours(double support, Action action) {
       }
 }
 
-/// Returns the largest eigenvalue of sum_j V block(d) (1 - cos k.d) over wave vectors k of the first octant
-/// of the lattice's Brillouin zone.
+/// Returns the largest eigenvalue of sum_j V block(d) (1 - cos k.d) over wave vectors k of the first
+/// octant of the lattice's Brillouin zone.
 template<class Block> double largestEigenvalue(double support, Block block) {
   const int waves = 6;
   double largest = 0;

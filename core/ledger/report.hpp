@@ -21,8 +21,8 @@ struct LedgerReport {
   double heatResidual = 0;    ///< J, change of internal energy minus heat inflow
   double energyScale = 0;     ///< J, largest term of energyResidual
   double energyLargest = 0;   ///< J, largest energyScale of now and of all snapshots since the run began
-  double energyRounding = 0;  ///< J, mechanical energies below it are irrelevant: rounding of their terms, or
-                              ///< of the heat that moved
+  double energyRounding = 0;  ///< J, mechanical energies below it are irrelevant: rounding of their terms,
+                              ///< or of the heat that moved
   double heatScale = 0;  ///< J, the larger of the heat that moved and the heat that temperature differences
                          ///< in the scene can move
   double liquidFraction = 0;  ///< fraction of the continuum's mass, without sheets and oriented particles

@@ -22,8 +22,8 @@ struct ExactSum {
   void carry();          ///< brings every digit except the last into [0, 2^32)
   double value() const;  ///< the sum, rounded once to nearest, ties to even; infinite on overflow
   ExactSum& operator+=(const ExactSum& other);
-  /// Adds factor times another sum, exactly except for bits below 2^-1088. The operation is linear, so sums
-  /// of many ranks can be multiplied before they are added.
+  /// Adds factor times another sum, exactly except for bits below 2^-1088. The operation is linear, so
+  /// sums of many ranks can be multiplied before they are added.
   void addProduct(const ExactSum& other, double factor);
 };
 

@@ -12,8 +12,8 @@ struct SymEigen {
   Vec3d vector[3];  ///< unit vectors
 };
 
-/// Returns the eigenvalues in no particular order. Jacobi rotations: each eigenvalue is exact up to rounding
-/// of the largest one.
+/// Returns the eigenvalues in no particular order. Jacobi rotations: each eigenvalue is exact up to
+/// rounding of the largest one.
 inline SymEigen eigenOf(const Sym3d& s) {
   double a[3][3] = {{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}},
          v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -187,8 +187,8 @@ THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, const SearchRound
 /// particles among them.
 struct Surroundings {
   std::uint32_t rounds, candidates;
-  std::uint32_t ownRound, ownPlace, ownStart;  ///< round where the run with the cell's own rows begins; index
-                                               ///< of its first particle in that run, and among all
+  std::uint32_t ownRound, ownPlace, ownStart;  ///< round where the run with the cell's own rows begins;
+                                               ///< index of its first particle in that run, and among all
                                                ///< candidates
   std::uint8_t fluid;
 };

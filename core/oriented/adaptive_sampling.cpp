@@ -166,8 +166,8 @@ BirthCandidate candidateAtBorder(const World& w, const StepTools& t, const PairP
 }
 
 /// Corrects the impulse of gravity for rows that enter or leave. The ledger assumes half kicks
-/// (core/time/integrate.cpp), but oriented particles get gravity at the start of a step: a newborn has none
-/// of it, a removed particle all.
+/// (core/time/integrate.cpp), but oriented particles get gravity at the start of a step: a newborn has
+/// none of it, a removed particle all.
 void recordGravityImpulse(World& w, std::size_t i, double time) {
   for (int a = 0; a < 3; a++)
     if (const double impulse = w.oriented.rows.mass[i] * w.scene.domain.gravity[a] * time; impulse != 0)

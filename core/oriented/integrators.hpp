@@ -9,8 +9,8 @@
 namespace thaw {
 
 /// Symplectic Euler: v += a dt, then x += v dt, and the same for rotations. Damping is exact, exp(-c dt), in
-/// the middle of the kick. The scheme's energy error for a changing step is recorded as dissipation; the work
-/// of pressure and push is recorded as external work.
+/// the middle of the kick. The scheme's energy error for a changing step is recorded as dissipation; the
+/// work of pressure and push is recorded as external work.
 void stepSymplectic(World& world, StepTools& tools, double dt);
 
 /// Runge-Kutta of fourth order, for quaternions too. Obstacles keep their pose at the start of the step, and

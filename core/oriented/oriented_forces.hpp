@@ -29,13 +29,13 @@ void findNormals(Oriented& rows);
 void refreshGhostPoses(World& world, Halos halos);
 
 /// Computes force, torque, energy and stiffness of owned rows from pairs, obstacles, and fields at
-/// OrientedWork::time, and adds Oriented::external. Records no work. Requires: current positions and normals
-/// of ghosts.
+/// OrientedWork::time, and adds Oriented::external. Records no work. Requires: current positions and
+/// normals of ghosts.
 void sumOrientedForces(World& world, StepTools& tools);
 
 /// Records impulse, work and friction loss of obstacles in a step of dt (s), from forces at the current
-/// positions, and those of fields (fields.hpp). The symplectic and semi-implicit integrators record the work
-/// of fields, since they determine the velocity.
+/// positions, and those of fields (fields.hpp). The symplectic and semi-implicit integrators record the
+/// work of fields, since they determine the velocity.
 void recordObstacleWork(World& world, const StepTools& tools, double dt);
 
 }  // namespace thaw

@@ -123,11 +123,11 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
       continue;
     }
     places[b] = made.places;
-    const auto tell = [&](const SourcePlace& where, const std::string& whose,
+    const auto warn = [&](const SourcePlace& where, const std::string& whose,
                           const std::vector<std::string>& notes) {
       for (const std::string& note : notes) warnings.push_back({where, whose + ": " + note});
     };
-    tell(body.where, "oriented body '" + body.name + "'", made.notes);
+    warn(body.where, "oriented body '" + body.name + "'", made.notes);
     if (body.growth != OrientedGrowth::None && made.places.size() > static_cast<std::size_t>(body.most))
       problems.add(body.where, "oriented body '" + body.name + "': it starts with " +
                                    std::to_string(made.places.size()) + " particles and `most` is " +
@@ -139,7 +139,7 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
       regions.push_back(makeSignedDistance(a.region, load, whose, problems));
       std::vector<std::string> notes;
       if (regions.back()) regions.back()->addNotes(notes);
-      tell(a.where, whose, notes);
+      warn(a.where, whose, notes);
     }
     std::vector<std::size_t> holds(body.anchors.size(), 0);
     Outside outside;

@@ -58,7 +58,7 @@ struct Continuum : Table {
       "sum V W over liquid neighbours and the particle itself; 0: no liquid nearby", Rows::Owned};
   Column<Vec3f> solidNormal{*this, "solidNormal", "1", Keep::Transient,
       "weighted direction away from solid neighbours; 0 without any", Rows::Owned};
-  Column<float> solidFraction{*this, "solidShare", "1", Keep::Transient,
+  Column<float> solidKernelSum{*this, "solidKernelSum", "1", Keep::Transient,
       "share of solid neighbours in the relative density", Rows::Owned};
   Column<float> liquidNearby{*this, "liquidNearby", "1", Keep::Transient,
       "carried relative density of liquid neighbours minus 1, extrapolated to the particle", Rows::Owned};

@@ -20,7 +20,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
   on(m.continuity, {&p.compression, &p.densityRate, &p.densityDiffusionRate});
   on(m.corrected, {&p.moment, &p.midCorrection, &p.correction, &p.negativeVelocityGradient});
-  on(m.continuity && m.solid, {&p.liquidKernelSum, &p.solidFraction, &p.liquidNearby});
+  on(m.continuity && m.solid, {&p.liquidKernelSum, &p.solidKernelSum, &p.liquidNearby});
   on(m.continuity && m.substeps, {&p.stepMeanVelocity});
   on(m.xsph || m.shifting, {&p.shiftingVelocity});
   on(m.shifting, {&p.concentrationGradient});

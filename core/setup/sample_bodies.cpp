@@ -88,8 +88,8 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
   }
 }
 
-/// Samples this rank's rows of one body's lattice. inEach: see fillRows; filled: incremented by their 64ths
-/// of cells (cellFractions). Returns the number of samples that the overlap rule removed.
+/// Samples this rank's rows of one body's lattice. inEach: see fillRows; filled: incremented by their
+/// 64ths of cells (cellFractions). Returns the number of samples that the overlap rule removed.
 std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all,
                         const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders,
                         std::int64_t& filled, std::vector<std::int64_t>& inEach) {

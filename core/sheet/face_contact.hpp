@@ -16,11 +16,11 @@ bool coarserThanParticles(const Scene& scene, const SheetPlan& plan);
 /// least length of cells. 0 without such sheets.
 double faceContactReach(const std::vector<SheetPlan>& plans);
 
-/// Adds to Sheets::load, energy, resisting, heatFlow, slope, and to force, interaction, dissipation and
-/// heatFlow of particles. A particle's owner computes its depth and force from the triangles whose corners
-/// lie in the 27 cells around it and around each other. The corners' owners find the triangles again and add
-/// their fractions in (cell, id) order of the particles. Friction acts at the nearest point only, since it
-/// stores no energy. Requires: ghosts of vertices with ids, and of particles. Collective.
+/// Adds to Sheets::load, energy, dissipativeForce, heatFlow, slope, and to force, interaction, dissipation
+/// and heatFlow of particles. A particle's owner computes its depth and force from the triangles whose
+/// corners lie in the 27 cells around it and around each other. The corners' owners find the triangles again
+/// and add their fractions in (cell, id) order of the particles. Friction acts at the nearest point only,
+/// since it stores no energy. Requires: ghosts of vertices with ids, and of particles. Collective.
 void addFaceContact(World& world, Halos halos, const SheetVelocities& now);
 
 }  // namespace thaw

@@ -37,8 +37,8 @@ struct FaceDepth {
   double depth() const { return std::sqrt(std::sqrt(std::sqrt(sum))); }
   double perPush() const { return depth() / sum; }
   Vec3d slope() const { return slopes * perPush(); }
-  /// Bound of the gradient's change, over the depth: times E'(depth) it adds to E'' (gradient)^2 in a bound
-  /// of the force's slope. 0 if all triangles face the same way.
+  /// Bound of the gradient's change, over the depth: times E'(depth) it adds to E'' (gradient)^2 in a
+  /// bound of the force's slope. 0 if all triangles face the same way.
   double bend() const {
     const double d = depth();
     return 7 / d * std::max(0.0, bends * d * d / sum - dot(slope(), slope()));

@@ -14,7 +14,7 @@ bool meshTouches(const Scene& scene, std::size_t sheet);
 /// cells. 0 without such sheets.
 double meshContactReach(const Scene& scene, const std::vector<SheetPlan>& plans);
 
-/// Adds to Sheets::load, energy and resisting, and to SheetBodies::slope and closing.
+/// Adds to Sheets::load, energy and dissipativeForce, and to SheetBodies::slope and closing.
 ///
 /// A vertex and a triangle, or two edges, with nearest points at r < h along n, have the energy
 ///   E = w m (k/2) (h - r)^2,  k = mass rate^2,  w = 1/(1 + c h^2/l^2).

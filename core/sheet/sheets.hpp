@@ -59,8 +59,8 @@ struct SheetEdges {
   Bonds bonds;
 };
 
-/// Time factors of a sheet's coefficients, parallel to sheetCoefficients: current, and largest until the end
-/// of the next step, for its limit.
+/// Time factors of a sheet's coefficients, parallel to sheetCoefficients: current, and largest until the
+/// end of the next step, for its limit.
 struct FactorsNow {
   std::array<double, sheetFactors> now, most;
 };

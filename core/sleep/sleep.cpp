@@ -255,8 +255,8 @@ void recordConstraintForces(World& w, const StepTools& t) {
 
 namespace {
 
-/// Records the constraint force of deep rows. The sum is recomputed when the set of deep cells changes;
-/// particles never enter or leave a deep cell.
+/// Records the constraint force of steady rows. The sum is recomputed when the set of steady cells changes;
+/// particles never enter or leave a steady cell.
 void recordSteady(World& w, SleepWork& s) {
   if (s.recomputeAll || s.steadyCells != s.steadyBefore) {
     s.steadyConstraintForce = {};
@@ -268,7 +268,7 @@ void recordSteady(World& w, SleepWork& s) {
   for (int a = 0; a < 3; a++) w.ledger.wallForce[a] += s.steadyConstraintForce[static_cast<std::size_t>(a)];
 }
 
-/// Keeps the results of the last step for the deep rows of a cell.
+/// Keeps the results of the last step for the steady rows of a cell.
 void keepSteady(World& w, const SleepWork& s, std::size_t first, std::size_t count) {
   Continuum& p = w.particles;
   std::copy_n(s.interaction.data() + first, count, p.interaction.data() + first);
@@ -305,9 +305,9 @@ void updateSleep(World& w, StepTools& t, double dt) {
       const bool fixed = clamps && p.clamped[i];
       const double m = p.mass[i];
       const Vec3d acceleration = fixed ? Vec3d{} : p.force[i] / m + g, constraintForce = balancing(w, i);
-      const bool restTime = awakeReasonOf(w, i, acceleration) == AwakeReason::None;
-      p.restTime[i] = restTime ? static_cast<float>(static_cast<double>(p.restTime[i]) + dt) : 0.0f;
-      if (!restTime || !(around & AtRest)) p.sleep[i] = awake;
+      const bool atRest = awakeReasonOf(w, i, acceleration) == AwakeReason::None;
+      p.restTime[i] = atRest ? static_cast<float>(static_cast<double>(p.restTime[i]) + dt) : 0.0f;
+      if (!atRest || !(around & AtRest)) p.sleep[i] = awake;
       else if (p.sleep[i] == awake) p.sleep[i] = sleepFixed;
       else if (p.sleep[i] == sleepFixed) p.sleep[i] = sleepSettled;
       else p.sleep[i] = (around & Settled) && mayBeSkipped(w, p.slot[i]) ? asleep : sleepSettled;

@@ -47,11 +47,12 @@ struct SleepWork {
   std::vector<RowSpan> rows;               ///< owned rows that are not skipped, with small gaps included
   std::vector<RowSpan> seen;  ///< owned rows in the 27 cells around cells that are not skipped, with small
                               ///< gaps included
-  std::vector<std::uint64_t> steadyCells, steadyBefore;  ///< keys of cells with deep rows, in this step and
+  std::vector<std::uint64_t> steadyCells, steadyBefore;  ///< keys of cells with steady rows, in this step and
                                                          ///< in the last
-  std::array<ExactSum, 3> steadyConstraintForce;  ///< N, sum of Continuum::hold over the rows of steadyBefore
+  std::array<ExactSum, 3> steadyConstraintForce;  ///< N, sum of Continuum::constraintForce over the rows of
+                                                  ///< steadyBefore
   std::vector<std::uint8_t> steady;   ///< by owned row: 1 if it sleeps and nothing in its sums changes
-  std::vector<std::uint8_t> skipped;  ///< by owned row: 1 if deep and already computed on this rank
+  std::vector<std::uint8_t> skipped;  ///< by owned row: 1 if steady and already computed on this rank
   std::vector<double> interaction;    ///< J, by owned row, from the last step
   std::vector<std::uint8_t> fresh;    ///< by slot: 1 if deformation and flux match the sleeping position
   std::vector<double> stretch2;       ///< by group of slots: its largest squared stretch
@@ -86,7 +87,7 @@ void dropSkippedContacts(StepTools& tools);
 void chooseAwakeGroups(World& world, StepTools& tools);
 void forgetChangedSlots(const World& world, StepTools& tools);
 
-/// Sets Continuum::hold of sleeping particles, before wall forces are added.
+/// Sets Continuum::constraintForce of sleeping particles, before wall forces are added.
 void recordConstraintForces(World& world, const StepTools& tools);
 
 /// Updates rest times and sleep stages from all forces of a step of dt (s), and records the energy that

@@ -81,8 +81,8 @@ class BondGraph {
   void reserve(Bonds& bonds, int capacity) const;
   /// Appends a bond to a slot. The other end is owned here, has a remote row, or gets one if owner is another
   /// rank (>= 0). Otherwise no bond is made; nor is one to itself or of a departing slot. A new slot that
-  /// arrives with a bond to a vanished particle has lost that bond: Solids::bared is set. known: owned slot
-  /// of the other end, if available.
+  /// arrives with a bond to a vanished particle has lost that bond: Solids::exposed is set. known: owned
+  /// slot of the other end, if available.
   void bond(const SolidTables& t, std::uint32_t slot, const BondRecord& record, int owner,
             std::uint32_t known = noRow);
   /// Appends many bonds without vectors. ownerOf(pair) is called for ends without a row here and for

@@ -105,8 +105,8 @@ struct ElasticResult {
   }
 };
 
-/// Activates the fields of Solids, Bonds and Continuum that the scene's solids need, and sets the constants
-/// of `work`. Call it once, before the first bond is made.
+/// Activates the fields of Solids, Bonds and Continuum that the scene's solids need, and sets the
+/// constants of `work`. Call it once, before the first bond is made.
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
                          const Scene& scene, const Modules& modules, const CellGrid& grid);
 /// Returns the fields that each step recomputes from positions and bonds, two thirds of the bytes. They are
@@ -171,8 +171,8 @@ void computeCauchyStress(const ElasticWork& work, Solids& solids);
 /// times it (measured squares: 0.21 on a lattice, 0.25-0.35 in disorder, 0.45 in a crumpled sheet). Faces and
 /// corners of a lattice have up to latticeStrainBound / spacing for bonds of at least 1.5 spacings.
 inline constexpr double latticeStrainBound = 4.75;
-inline constexpr double flatStrainFactor = 1.4;  ///< factor for rows and sheets of particles: the frequency
-                                                 ///< of a pair is c_p times the bound
+inline constexpr double flatStrainFactor = 1.4;  ///< factor for rows and sheets of particles: the
+                                                 ///< frequency of a pair is c_p times the bound
 /// Largest bound over the owned slots (1/m), each times the largest stretch of Fp^-1, by which plastic flow
 /// changed the reference.
 double largestStrainBound(const ElasticWork& work, const Solids& solids);

@@ -46,8 +46,8 @@ inline std::uint64_t binOf(const Bins& b, double x, int axis) {
 /// Fills bins with an edge of about `edge` (m) with all rows listed in `cells`.
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& bins);
 
-/// Fills bins with n positions; rows of a bin ascend. For searches whose result does not depend on the order
-/// of rows (nearest row, connected rows), or that sort their result.
+/// Fills bins with n positions; rows of a bin ascend. For searches whose result does not depend on the
+/// order of rows (nearest row, connected rows), or that sort their result.
 void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& bins);
 
 /// Copies the bins with only the rows for which keep[row] is set, in the same order.
@@ -173,8 +173,8 @@ template<class Found> void forRowsWithin(const Bins& b, const Vec3d& x, double r
   });
 }
 
-/// Calls found(row, block) for every row of `of`. The block, found once for each bin, holds at least all rows
-/// of `among` within `radius` (m) of the row.
+/// Calls found(row, block) for every row of `of`. The block, found once for each bin, holds at least all
+/// rows of `among` within `radius` (m) of the row.
 template<class Found>
 void forBlocks(const Bins& of, const Bins& among, double radius, RowBlock& block, Found found) {
   for (std::size_t bin = 0; bin < of.size(); bin++) {

@@ -18,8 +18,8 @@ void findDisplacementGradients(World& world, SurfaceHalos halos, SurfaceTools& t
 /// (r/h_ps)^2)^3 of the component's particles within h_ps, reduced for particles with a larger liquid
 /// fraction (leastMotionWeight). Tangents turn by the exact gradient of this sum, and the normal follows from
 /// them. Liquid surfels use the mean gradient, because the iterations determine their normals. Exact for
-/// affine motion. A surfel without particles takes the mean displacement of neighbouring surfels. Without
-/// those it is deleted and counted (B15). Requires: gradients; surfels on the ranks of their cells.
+/// affine motion. A surfel without particles takes the mean displacement of neighbouring surfels.
+/// Without those it is deleted and counted (B15). Requires: gradients; surfels on the ranks of their cells.
 /// Afterwards surfels have no ghosts and no valid cells (placeRows). With a liquid fraction, `carried` and
 /// `carriedNormal` are set. Collective.
 void displaceSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools);

@@ -23,8 +23,8 @@ struct FacetSums {
 /// of area vector h at position p leaves the error p.h, so d is relative to the centroid of the rims. With
 /// rims, W is proportional to (s^2 + covariance of the rims)^-1 with s of half a spacing. For a film with
 /// distributed holes, the height above its middle plane then determines the volume. An axis along which the
-/// component spans the periodic domain is ignored, unless all axes are such. `middle` replaces the centroid
-/// of the rims if there are none.
+/// component spans the periodic domain is ignored, unless all axes are such. `middle` replaces the
+/// centroid of the rims if there are none.
 double enclosedVolume(const FacetSums& sums, const Vec3d& middle, const std::array<bool, 3>& round,
                       double spacing);
 

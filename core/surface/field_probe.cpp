@@ -27,7 +27,7 @@ FieldProbe::FieldProbe(const World& w, const SurfaceTools& t)
       sums_(particleSumsOf(w, t)),
       slope_(6 * w.surface.grid.support / (w.surface.particleSupport * w.surface.particleSupport)) {}
 
-void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3d& owner) {
+void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3d& ownPosition) {
   const Bins& bins = tools_.relax.particleBins;
   const std::uint64_t* of = world_.surface.particles.component.data();
   const double h = world_.surface.particleSupport, h2 = (1 + 1e-9) * h * h;
@@ -39,7 +39,7 @@ void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3
   for (std::size_t k = 0; k < block_.count; k++) {
     const Vec3d& at = block_.at[k];
     listed_[n] = block_.row[k];
-    n += (box.distance2(at) <= h2) & (dot(at - owner, at - owner) <= edge2) &
+    n += (box.distance2(at) <= h2) & (dot(at - ownPosition, at - ownPosition) <= edge2) &
          (of[block_.row[k]] == component);
   }
   among(listed_.data(), n, component);

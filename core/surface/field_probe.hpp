@@ -30,10 +30,10 @@ class FieldProbe {
   static constexpr std::size_t most = 8;
   FieldProbe(const World& world, const SurfaceTools& tools);
   /// Selects the particles that act on positions in a box: particles of the component within h_ps of it, in
-  /// the order of the bins. Only particles within a cell's edge of `owner`, the position of an owned particle
-  /// or surfel, count, because farther ghosts depend on the ranks. For positions within half a spacing of
-  /// `owner` these are all.
-  void around(const PlaceBox& box, std::uint64_t component, const Vec3d& owner);
+  /// the order of the bins. Only particles within a cell's edge of `ownPosition`, the position of an owned
+  /// particle or surfel, count, because farther ghosts depend on the ranks. For positions within half a
+  /// spacing of `ownPosition` these are all.
+  void around(const PlaceBox& box, std::uint64_t component, const Vec3d& ownPosition);
   /// Selects these rows, in their order.
   void among(const std::uint32_t* rows, std::size_t count, std::uint64_t component);
   /// Evaluates the field at n <= most positions.

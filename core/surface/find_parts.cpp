@@ -165,8 +165,8 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
   }
 }
 
-/// Joins surfels of these bins, ghosts included, with surfels within their link radius. This covers the links
-/// of both ends.
+/// Joins surfels of these bins, ghosts included, with surfels within their link radius. This covers the
+/// links of both ends.
 void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8_t>& mixed, UnionFind& sets) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;

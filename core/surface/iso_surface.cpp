@@ -13,7 +13,7 @@ std::optional<IsoStep> isoStep(const FieldHere& c, double particleSupport, doubl
                  std::clamp(c.tight * (isoOffset - (c.level - c.value) / slope), -longest, longest)};
 }
 
-void projectToIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, const Vec3d& owner,
+void projectToIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, const Vec3d& ownPosition,
                          const Vec3d* from, std::size_t n, double farthest,
                          std::optional<SurfacePoint>* found) {
   const double longest = 0.5 * w.scene.spacing, enough = 0.01 * w.surface.spacing;
@@ -23,7 +23,7 @@ void projectToIsoSurface(const World& w, FieldProbe& probe, std::uint64_t compon
   PlaceBox box{from[0], from[0]};
   for (std::size_t k = 0; k < n; k++) x[k] = from[k], of[k] = k, found[k] = {}, box.add(from[k]);
   const Vec3d room{farthest, farthest, farthest};
-  probe.around({box.low - room, box.high + room}, component, owner);
+  probe.around({box.low - room, box.high + room}, component, ownPosition);
   for (int round = 0; round < 12 && n > 0; round++) {
     probe.at(x.data(), n, field.data());
     std::size_t left = 0;

@@ -18,10 +18,10 @@ std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, d
                                double longest);
 
 /// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns
-/// points and normals. Positions without a surface within `farthest` (m) yield nothing. `owner`: see
+/// points and normals. Positions without a surface within `farthest` (m) yield nothing. `ownPosition`: see
 /// FieldProbe::around. Changes the particles selected in the probe.
-void projectToIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component, const Vec3d& owner,
-                         const Vec3d* from, std::size_t n, double farthest,
+void projectToIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component,
+                         const Vec3d& ownPosition, const Vec3d* from, std::size_t n, double farthest,
                          std::optional<SurfacePoint>* found);
 
 }  // namespace thaw

@@ -66,8 +66,8 @@ double surfelContactReach(const World& w) {
   return std::min(w.surface.particleSupport, std::max(w.scene.spacing, 4 * w.surface.spacing));
 }
 
-/// Returns the previous component of a part of the last split, or noComponent for new particles and for parts
-/// of several components.
+/// Returns the previous component of a part of the last split, or noComponent for new particles and for
+/// parts of several components.
 std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
   std::uint64_t from = noComponent;
   for (const ComponentTools::Piece& p : c.pieces)

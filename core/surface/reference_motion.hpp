@@ -15,7 +15,7 @@ void recordReference(World& world);
 /// The affine map from reference to current positions of the particles is fitted by moving least squares.
 /// Only particles within referenceReach of the surfel in the reference count. Particles that were distant
 /// there do not influence a surfel, however close they are now. A surfel loses its reference when it melts,
-/// relaxes (Surfels::relaxesOnce), or if one of the particles is exposed (Solids::bared). With fewer than
+/// relaxes (Surfels::relaxesOnce), or if one of the particles is exposed (Solids::exposed). With fewer than
 /// three particles, or collinear ones, it moves incrementally. Requires: particle copies with ghosts of
 /// referencePosition and covered, in bins at their previous positions; `carried`.
 void moveByReference(World& world, const Bins& particleBins);

@@ -34,7 +34,7 @@ struct Surfels : Table {
       "largest liquid fraction since it was solid, which has faded its detail (blend.hpp); 0: none yet. Only "
       "with solids that melt"};
   Column<float> detailHeight{*this, "mark", "m", Keep::State,
-      "remaining height of detail over the smooth surface, where softened > 0"};
+      "remaining height of detail over the smooth surface, where maxLiquidFraction > 0"};
   Column<float> temperature{*this, "temperature", "K", Keep::State,
       "temperature of the surrounding particles; only with heat"};
   Column<float> resampleMargin{*this, "calm", "1", Keep::State,
@@ -56,7 +56,7 @@ struct Surfels : Table {
   Column<float> gapCutoff{*this, "ceiling", "m", Keep::State,
       "height over its plane above which particles are across a gap (gap_cutoffs.hpp); infinity: no gap"};
   Column<std::uint8_t> wallAligned{*this, "standing", "1", Keep::State,
-      "1: rests on a wall that it faces during iterations (findStanding); only with walls"};
+      "1: rests on a wall that it faces during iterations (alignWithWalls); only with walls"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State,
       "position after the particles' displacement (displaceSurfels)"};
   Column<Vec3d> carriedNormal{*this, "carriedNormal", "1", Keep::State,
@@ -84,7 +84,7 @@ struct Surfels : Table {
       "1: lies on a wall that it faces; only with walls"};
   // fields of resampling
   Column<double> depth{*this, "depth", "m", Keep::State,
-      "only in an OpenRegion: lower bound of the distance to surfels that were open when it was made"};
+      "only in an ActiveSet: lower bound of the distance to surfels that were open when it was made"};
   Column<double> wanted{*this, "wanted", "m", Keep::Transient, "target radius from curvature"};
   Column<std::uint8_t> resampleFlags{*this, "wish", "1", Keep::Transient,
       "resampling flags: 1 birth candidate, 2 crowded, 4 precedes all that are too close, 8 dies or gives "
@@ -120,14 +120,14 @@ struct SurfaceParticles : Table {
   // clang-format off
   Column<std::uint64_t> id{*this, "id", "1", Keep::State, "id of the particle"};
   Column<Vec3d> position{*this, "position", "m", Keep::State,
-      "position at the last update; current after bringParticlesForward"};
+      "position at the last update; current after advanceParticles"};
   Column<Vec3d> displacement{*this, "displacement", "m", Keep::State,
       "displacement since the last update; 0 for new particles"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State,
       "component label; noComponent: new since the last update"};
   Column<double> volume{*this, "volume", "m^3", Keep::State, "mass over rest density"};
   Column<float> fill{*this, "fill", "1", Keep::State,
-      "initial fraction of its cell inside the body, over the mean (Continuum::surfaceFill); 0: the mean"};
+      "initial fraction of its cell inside the body, over the mean (Continuum::initialFill); 0: the mean"};
   Column<double> volumeRatio{*this, "share", "1", Keep::State,
       "target volume inside the surface over its own volume"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "mass of the particle"};
@@ -139,7 +139,7 @@ struct SurfaceParticles : Table {
   Column<Vec3d> referencePosition{*this, "startPlace", "m", Keep::State,
       "position when the surface was made; only with solids"};
   Column<float> colour{*this, "colour", "1", Keep::Transient,
-      "colour field of its component at the particle (readyParticles)"};
+      "colour field of its component at the particle (prepareParticles)"};
   Column<float> smoothColour{*this, "smoothColour", "1", Keep::Transient,
       "colour field of particles weighted by their colour"};
   Column<std::uint64_t> source{*this, "home", "1", Keep::State, "rank << 32 | row of the original particle"};

@@ -25,7 +25,7 @@ double overStep(double r, double dt) {
 struct WallAction {
   Vec3d force{};             ///< N, total
   Vec3d dissipativeForce{};  ///< N, dissipative part: drag, dashpot, friction
-  double lost = 0;           ///< W, loss by resisting at the half-step velocity
+  double lost = 0;           ///< W, loss by dissipativeForce at the half-step velocity
   void resist(const Vec3d& f, const Vec3d& u) {
     force += f;
     dissipativeForce += f;
@@ -45,8 +45,8 @@ struct ParticleAtWall {
 };
 
 /// Force (N) along the normal: the wall's part of the hydrostatic pressure gradient. The wall's push uses the
-/// particle's own pressure, but behind the wall the pressure rises by the liquid's weight. The part is that
-/// of the wall in the particle's moment. 0 without positive pressure, as in falling drops.
+/// particle's own pressure, but behind the wall the pressure rises by the liquid's weight. The part is
+/// that of the wall in the particle's moment. 0 without positive pressure, as in falling drops.
 double hydrostaticWallForce(const World& w, const ParticleAtWall& at, double pressure, double momentShare) {
   constexpr double depth = 0.25;  // spacings of pressure head; the force fades below it
   const double weight = at.material.density * dot(w.scene.domain.gravity, at.contact.normal);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/command_line/completion.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace thaw {
 namespace {
@@ -18,10 +18,9 @@ std::string names(const CommandDescription& command) {
 std::string valueCases(const CommandDescription& command) {
   std::string to;
   for (const OptionDescription& option : command.options) {
-    std::string values;
-    for (const std::string& choice : option.choices) values += (values.empty() ? "" : " ") + choice;
-    if (!values.empty() && !option.positional)
-      to += fmt::format("    {},{}) words='{}' ;;\n", command.name, option.names.back(), values);
+    if (!option.choices.empty() && !option.positional)
+      to += fmt::format("    {},{}) words='{}' ;;\n", command.name, option.names.back(),
+                        fmt::join(option.choices, " "));
   }
   return to;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/command_line/man_page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace thaw {
 namespace {
@@ -18,20 +18,15 @@ std::string plain(const std::string& text) {
   return to;
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-  std::string to;
-  for (const std::string& word : words) to += (to.empty() ? "" : between) + word;
-  return to;
-}
-
 std::string optionText(const OptionDescription& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.names)
     names.push_back((option.positional ? "\\fI" : "\\fB") + plain(name) + "\\fR");
-  std::string head = joined(names, ", ");
+  std::string head = fmt::format("{}", fmt::join(names, ", "));
   if (!option.value.empty() && !option.positional) head += " \\fI" + plain(option.value) + "\\fR";
   std::string text = plain(option.description);
-  if (!option.choices.empty()) text += "; one of " + plain(joined(option.choices, ", "));
+  if (!option.choices.empty())
+    text += "; one of " + plain(fmt::format("{}", fmt::join(option.choices, ", ")));
   if (!option.fallback.empty()) text += " (default: " + plain(option.fallback) + ")";
   return fmt::format(".TP\n{}\n{}\n", head, text);
 }

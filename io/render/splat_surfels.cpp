@@ -103,8 +103,8 @@ void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View
   }
 }
 
-/// Returns samples without a disc that a clipped one would cover, amid samples with one: gaps between clips
-/// of several discs. A rim that protrudes from an edge is open to at least one side.
+/// Returns samples without a disc that a clipped one would cover, amid samples with one: gaps between
+/// clips of several discs. A rim that protrudes from an edge is open to at least one side.
 std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>& depthCut) {
   constexpr int reach = 3;  // samples: wider gaps belong to the surface
   std::vector<std::size_t> gaps;

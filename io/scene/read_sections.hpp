@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// Name of the material of a body or emitter. told: the name was refused before.
+/// Name of the material of a body or emitter. reported: the name was refused before.
 struct MaterialName {
   std::string name;
   SourcePlace where;

@@ -61,11 +61,12 @@ TEST(OrientedMesh, ClosedHolesOfObstaclesAndAnchorsAreReported) {
   s.oriented[0].anchors.push_back(a);
   test::addFloor(s).shape = bowlAt({0, 0, -0.3});
   test::Simulation x(s, bowl);
-  const std::vector<std::string> told = reportsOf(x, "1 hole closed (");
-  ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[0].rfind("oriented body '" + s.oriented[0].name + "': an anchor: mesh 'bowl.ply'", 0), 0u)
-      << told[0];
-  EXPECT_EQ(told[1].rfind("obstacle 'floor': mesh 'bowl.ply'", 0), 0u) << told[1];
+  const std::vector<std::string> reported = reportsOf(x, "1 hole closed (");
+  ASSERT_EQ(reported.size(), 2u);
+  EXPECT_EQ(reported[0].rfind("oriented body '" + s.oriented[0].name + "': an anchor: mesh 'bowl.ply'", 0),
+            0u)
+      << reported[0];
+  EXPECT_EQ(reported[1].rfind("obstacle 'floor': mesh 'bowl.ply'", 0), 0u) << reported[1];
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ TEST(OrientedObstacle, BirthsInContactAreNotEjected) {
 
 /// A film of 2 cm with a fixed rim is drawn down over a post at 0.5 m/s. Returns the largest number of its
 /// particles inside the post at one time.
-std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
+std::int64_t mostInAPost(double overBarrier, std::int64_t& reported) {
   Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
   test::addFloor(s).shape = test::boxOf({-0.05, -0.05, -0.435}, {0.05, 0.05, -0.035});
   s.oriented.emplace_back();
@@ -195,7 +195,7 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
     most = std::max(most, in);
     if (x.w.clock.step % 20 == 0)
       for (const Interpenetration& f : findObstacleInterpenetrations(x.w, x.all))
-        told = std::max(told, f.count);
+        reported = std::max(reported, f.count);
   }
   EXPECT_LT(std::abs(x.ledgerReport().energyResidual), 0.02 * x.ledgerReport().energyScale);
   return most;
@@ -204,11 +204,11 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
 // A film stretched over an obstacle lies on it and grows or tears rather than being drawn through. If it is
 // drawn through, that is reported.
 TEST(OrientedObstacle, IsNotDrawnThroughByAStretchedFilm) {
-  std::int64_t told = 0;
-  EXPECT_LE(mostInAPost(1, told), 4) << "for a moment, by less than a quarter of a spacing";
-  EXPECT_EQ(told, 0);
-  EXPECT_GT(mostInAPost(0, told), 10);
-  EXPECT_GT(told, 5);
+  std::int64_t reported = 0;
+  EXPECT_LE(mostInAPost(1, reported), 4) << "for a moment, by less than a quarter of a spacing";
+  EXPECT_EQ(reported, 0);
+  EXPECT_GT(mostInAPost(0, reported), 10);
+  EXPECT_GT(reported, 5);
 }
 
 }  // namespace

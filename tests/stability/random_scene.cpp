@@ -160,8 +160,8 @@ std::string solvers(Dice& d, bool laplacian, bool printed) {
   return t;
 }
 
-/// A surface for some scenes, and sleep for some that allow it. `more` holds separate dice, so that the rest
-/// of a seed's scene does not change.
+/// A surface for some scenes, and sleep for some that allow it. `more` holds separate dice, so that the
+/// rest of a seed's scene does not change.
 std::string surfaceOf(Dice& more, double spacing) {
   if (!more.chance(0.4)) return "";
   std::string t = "[surface]\n";

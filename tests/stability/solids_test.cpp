@@ -183,7 +183,7 @@ TEST(Stability, B05_Compression) {
     for (const ElasticLaw law : {ElasticLaw::NeoHookean, ElasticLaw::Corotated})
       EXPECT_GT(force(law, 0, x - 0.05), force(law, 0, x)) << x;
   // A bar under a hard impact: inverted particles are counted.
-  std::int64_t inverted[3], squeezed[3], told = 0;
+  std::int64_t inverted[3], squeezed[3], reported = 0;
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
     Scene s = elasticScene(law, {-2, -2, -1}, {2, 2, 4});
     // 0.8 of the speed of sound along the bar
@@ -192,7 +192,7 @@ TEST(Stability, B05_Compression) {
     s.end = 0.15;
     Simulation run(s);
     while (run.w.clock.time < run.w.clock.end && run.w.counters.inverted == 0) ASSERT_TRUE(run.step());
-    if (law == ElasticLaw::Green) told = run.w.counters.squeezed;
+    if (law == ElasticLaw::Green) reported = run.w.counters.squeezed;
     EXPECT_TRUE(run.run());
     inverted[static_cast<int>(law)] = run.w.counters.inverted;
     squeezed[static_cast<int>(law)] = run.w.counters.squeezed;
@@ -221,13 +221,13 @@ TEST(Stability, B05_Compression) {
   EXPECT_EQ(reportedCount(ElasticLaw::Green, 1e5, 0.1), 0);
   EXPECT_EQ(reportedCount(ElasticLaw::NeoHookean, 0, 0.1), 0);
   EXPECT_EQ(reportedCount(ElasticLaw::Corotated, 0, 0.1), 0);
-  EXPECT_GT(told, 0);  // reported before inversion
+  EXPECT_GT(reported, 0);  // reported before inversion
   EXPECT_EQ(squeezed[1] + squeezed[2], 0);
   measured(
       "squeezed below 0.577 in that impact: %lld particle-steps with green, %lld of them by when the first "
       "is "
       "inside out; pressed slowly: 0 of 64 reported at 0.58, 64 at 0.575",
-      static_cast<long long>(squeezed[0]), static_cast<long long>(told));
+      static_cast<long long>(squeezed[0]), static_cast<long long>(reported));
   measured(
       "force at 0.1 of the length over that at 0.577: green %.2f, neo-hookean %.2f, corotated %.2f; "
       "inversions counted in an impact at 0.8 c: %lld, %lld, %lld",

@@ -43,8 +43,8 @@ inline double energyOf(Simulation& sim) {
   return sum;
 }
 
-/// Bends and stretches the sheets of a scene. Checks the force of every seventh vertex against the gradient
-/// of the energy.
+/// Bends and stretches the sheets of a scene. Checks the force of every seventh vertex against the
+/// gradient of the energy.
 inline void expectForcesFromEnergy(const Scene& s, double time = 0) {
   Simulation sim(s);
   sim.w.clock.time = time;

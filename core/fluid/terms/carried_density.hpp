@@ -155,7 +155,7 @@ struct CarriedDensity {
         const double liquid = static_cast<double>(s.liquidKernelSum[l]);
         in->liquidKernelSum[row] = static_cast<float>(liquid +
                                                       static_cast<double>(size(i.pressurePhaseHeat.b)[l]));
-        in->solidFraction[row] = static_cast<float>(scale * static_cast<double>(s.solids[l]));
+        in->solidKernelSum[row] = static_cast<float>(scale * static_cast<double>(s.solids[l]));
         in->liquidNearby[row] = liquid > 0 ? static_cast<float>(
                                                  (in->stiffness * static_cast<double>(s.nearby[l]) +
                                                   m.stiffness / c2 * static_cast<double>(s.depth[l])) /

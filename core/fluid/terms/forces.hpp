@@ -17,8 +17,8 @@ namespace {
 /// Carried: pressure is a tensor, p / (relative density)^2 times the gradient correction, the inverse moment
 /// (Bonet & Lok 1999). The force is the adjoint of the corrected divergence, so pairs conserve momentum and
 /// energy. It is not central. The pressure of a solid near liquid acts only between that solid and liquids.
-/// Relief: diagonal.d, mixed.d and state.a are the force on liquid from all its solid neighbours
-/// (core/fluid/lattice_relief.hpp), divided among the pairs by V W of the solids.
+/// Relief: pressureDiagonal.d, pressureOffDiagonal.d and pressurePhaseHeat.a are the force on liquid from all
+/// its solid neighbours (core/fluid/lattice_relief.hpp), divided among the pairs by V W of the solids.
 template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false,
          bool Relief = false>
 struct Forces {

@@ -217,16 +217,16 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   other.oriented[0].fields.clear();
   other.sheets[0].selfContact = true;
   other.materials[0].law = ElasticLaw::NeoHookean;
-  std::vector<std::string> told = coefficientChanges(then, other);
-  std::erase_if(told, [](const std::string& t) {
+  std::vector<std::string> reported = coefficientChanges(then, other);
+  std::erase_if(reported, [](const std::string& t) {
     return t.find("field.0") != std::string::npos && t.find("everywhere") == std::string::npos;
   });
-  EXPECT_EQ(told, (std::vector<std::string>{
-                      "material.wax.law was \"green\", and is \"neo-hookean\" now",
-                      "oriented.film.facing was true, and is false now",
-                      "oriented.film.field.0.everywhere was true, and is not in the scene any more",
-                      "oriented.film.integrator was \"symplectic\", and is \"rk4\" now",
-                      "sheet.cloth.self_contact was false, and is true now"}));
+  EXPECT_EQ(reported, (std::vector<std::string>{
+                          "material.wax.law was \"green\", and is \"neo-hookean\" now",
+                          "oriented.film.facing was true, and is false now",
+                          "oriented.film.field.0.everywhere was true, and is not in the scene any more",
+                          "oriented.film.integrator was \"symplectic\", and is \"rk4\" now",
+                          "sheet.cloth.self_contact was false, and is true now"}));
   other = s;
   other.surface.source = SurfelSource::Particles;
   other.bodies[0].packing = Packing::Relaxed;
@@ -291,24 +291,24 @@ TEST(SceneMarks, ExternalActionsAreReported) {
   s.oriented[0].fields.emplace_back().everywhere = false;
   s.obstacles.emplace_back().name = "pan";
   const CheckpointValues then = restartRecordOf(s);
-  const auto told = [&](auto&& change) {
+  const auto reported = [&](auto&& change) {
     Scene other = s;
     change(other);
     EXPECT_TRUE(restartConflicts(then, other).empty());
     return coefficientChanges(then, other).size() + settingChanges(then, other, 0).size();
   };
-  EXPECT_EQ(told([](Scene&) {}), 0u);
-  EXPECT_EQ(told([](Scene& o) { o.sheets[0].wrapTo = "pan"; }), 1u);
-  EXPECT_EQ(told([](Scene& o) { o.sheets[0].brushes[0].motion.push_back({1, {1, 0, 0}, {}}); }), 7u);
-  EXPECT_EQ(told([](Scene& o) { o.oriented[0].cfl = 1; }), 1u);
-  EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].radius = 7; }), 1u);  // its region has a radius as
-                                                                              // well
-  EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].region.radius = 7; }), 1u);
-  EXPECT_EQ(told([](Scene& o) { o.obstacles[0].shape.move.z = 1; }), 1u);
-  EXPECT_EQ(told([](Scene& o) { o.obstacles[0].temperature = 500; }), 1u);
-  EXPECT_EQ(told([](Scene& o) { o.domain.side[2] = {Side::Wall, Side::Open}; }), 1u);
-  EXPECT_EQ(told([](Scene& o) { o.numerics.kernel = KernelKind::Mcg03; }), 1u);
-  EXPECT_EQ(told([](Scene& o) { o.materials[0].emissivity = 1; }), 1u);
+  EXPECT_EQ(reported([](Scene&) {}), 0u);
+  EXPECT_EQ(reported([](Scene& o) { o.sheets[0].wrapTo = "pan"; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.sheets[0].brushes[0].motion.push_back({1, {1, 0, 0}, {}}); }), 7u);
+  EXPECT_EQ(reported([](Scene& o) { o.oriented[0].cfl = 1; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.oriented[0].fields[0].radius = 7; }), 1u);  // its region has a radius
+                                                                                  // as well
+  EXPECT_EQ(reported([](Scene& o) { o.oriented[0].fields[0].region.radius = 7; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.obstacles[0].shape.move.z = 1; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.obstacles[0].temperature = 500; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.domain.side[2] = {Side::Wall, Side::Open}; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.numerics.kernel = KernelKind::Mcg03; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.materials[0].emissivity = 1; }), 1u);
 }
 
 TEST(SceneMarks, PastEventsAreReportedAsWithoutEffect) {
