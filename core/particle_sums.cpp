@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/contact/solid_contact.hpp"
+#include "core/fluid/carried_density.hpp"
 #include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
@@ -92,29 +93,13 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.smoothed = p.shiftingVelocity.data();
   s.coincident = &w.counters.coincidentPairs;
   s.carried = w.modules.continuity;
-  s.diffusion = n.densityDiffusion;
-  s.weight = w.scene.domain.gravity * w.grid.support;
-  s.material = p.material.data();
-  s.liquids = t.liquids.data();
-  s.densityRate = p.densityRate.data();
-  s.densityDiffusionRate = p.densityDiffusionRate.data();
-  if (w.modules.continuity) s.stiffness = t.liquids[0].stiffness;
-  if (w.modules.corrected)
-    s.moment = p.moment.data(), s.negativeVelocityGradient = p.negativeVelocityGradient.data();
-  if (p.liquidKernelSum.active) {
-    s.liquidKernelSum = p.liquidKernelSum.data();
-    s.solidKernelSum = p.solidKernelSum.data();
-    s.liquidNearby = p.liquidNearby.data();
-  }
   s.relief = p.relief.active;
-  if (p.solidNormal.active) s.solidNormal = p.solidNormal.data();
   s.surfaceEnergyDerivatives = t.records.surfaceEnergyDerivatives.data();
   s.surfaceGradient = p.surfaceGradient.data();
   s.surfaceColour = p.surfaceColour.data();
   s.pressureDiagonal = t.records.pressureDiagonal.data();
   s.pressureOffDiagonal = t.records.pressureOffDiagonal.data();
-  s.concentrationGradient = w.modules.shifting ? p.concentrationGradient.data() : nullptr;
-  if (p.atSurface.active) s.surfaceNormal = p.surfaceNormal.data(), s.gradientSize = p.gradientSize.data();
+  if (p.concentrationGradient.active) s.concentrationGradient = p.concentrationGradient.data();
   return s;
 }
 
@@ -143,6 +128,15 @@ void search(World& w, StepTools& t, Part part) {
   t.kernels->search(in, part, t.search, w.neighbours);
 }
 
+/// Searches the neighbours of rows that need no ghosts.
+void searchInner(World& w, StepTools& t) {
+  const Continuum& p = w.particles;
+  clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned),
+             static_cast<std::uint32_t>(p.owned + t.ghostRoom));
+  search(w, t, Part::Inner);
+  t.times.lap(StepPhase::Search);
+}
+
 }  // namespace
 
 void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
@@ -151,18 +145,15 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   NeighbourLists& lists = w.neighbours;
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
-    // The pass may skip rows without liquid nearby, and which ones depends on ranks.
-    if (p.liquidKernelSum.active) std::fill_n(p.liquidKernelSum.data(), p.owned, 0.0F);
     resizeRecords(x, p.owned + t.ghostRoom, t.records);
     for (const RowSpan& rows : rowsToSee(w, t)) packRecords(x, p, rows.begin, rows.end, t.records);
-    clearLists(lists, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.owned + t.ghostRoom));
-    search(w, t, Part::Inner);
-    t.times.lap(StepPhase::Search);
+    searchInner(w, t);
   } else if (pass == NeighbourPass::BoundaryDensity) {
     if (p.ghosts > t.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to rows
                                    // that are now ghosts
       t.ghostRoom = p.ghosts + p.ghosts / 8;
-      sumOverNeighbours(w, t, NeighbourPass::InnerDensity, elapsed);
+      resizeRecords(x, p.owned + t.ghostRoom, t.records);
+      searchInner(w, t);  // the sums of inner particles are done
     }
     packRecords(x, p, p.owned, p.size(), t.records);
     search(w, t, Part::Boundary);
@@ -175,7 +166,9 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   if (density) {
     if (w.modules.fluid) {
       PairSums sums = pairSumsOf(w, t);
-      sums.elapsed = elapsed;
+      const CarryContext context{w, t, elapsed};
+      CarryStep carry;
+      if (sums.carried) carry = carryStepOf(w, context), sums.carry = &carry;
       t.kernels->density(sums, range);
     }
     if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);
@@ -231,7 +224,6 @@ PairSums packingSums(World& w, StepTools& t) {
   PairSums s = pairSumsOf(w, t);
   s.heat = s.uniform = s.carried = s.relief = false;
   s.pressureForm = PairForm::Consistent;
-  s.moment = nullptr;
   s.concentrationGradient = nullptr;
   return s;
 }

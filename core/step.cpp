@@ -107,6 +107,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   // An evaluation with new coefficients records the jump of all contacts.
   const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;
   if (neighbours) {
+    if (w.modules.continuity) beginCarry(w, t, dt);
     markInner(w, halos.cells, t);
     if (w.modules.sleep) markSleepingInner(w, t);
     sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while inner particles are searched and
@@ -118,10 +119,12 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, dt);
   }
   if (w.modules.sleep) dropSkippedContacts(t);
-  if (w.modules.fluid) addWallRelativeDensity(walls, t.perLatticeSum, t.wallContacts);
+  if (w.modules.fluid && !w.modules.continuity)
+    addWallRelativeDensity(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
-  if (w.modules.continuity || w.modules.shifting) carryDensity(w, t, dt);
+  if (w.modules.continuity && neighbours) finishCarry(w, t, dt);
+  if (w.modules.shifting && !w.modules.continuity) shiftInside(w, t);
   if (w.modules.surfaceEnergy) findSurfaceEnergy(walls, t.surface, t.wallContacts);
   if (w.modules.tension) recordEnergyLeft(w, t);
   ColumnList toGhosts{&p.relativeDensity};

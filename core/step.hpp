@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/domain/emit.hpp"
+#include "core/fluid/carry.hpp"
 #include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/records.hpp"
@@ -62,6 +63,7 @@ struct StepTools {
   std::vector<std::uint8_t> inner, liquidCells;
   std::size_t ghostRoom = 1024;  ///< rows reserved for ghosts between the owned rows and the dummy row
   ClosePairs closePairs;
+  CarryWork carry;
   std::vector<DissipativeForce> contactResistance;
   WallContacts wallContacts;
   std::vector<WallContact> substepContacts;  ///< solids that may touch a wall in this step

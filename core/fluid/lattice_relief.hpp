@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Liquid slips along solids.
 #pragma once
-#include <cstdint>
-#include <span>
-
-#include "core/fluid/liquid_materials.hpp"
-#include "core/particles/continuum.hpp"
-#include "core/scene/scene.hpp"
+#include "core/math/vec3.hpp"
 
 namespace thaw {
 
-struct ReliefContext {
-  std::span<const LiquidMaterial> liquids;
-  const Numerics& numerics;
-  double support;                        ///< m
-  std::span<const std::uint8_t> asleep;  ///< per row, not 0: skipped; empty: none
+/// A liquid particle beside a solid, inside the liquid.
+struct ReliefInput {
+  double pressure;    ///< Pa
+  double volume;      ///< m^3
+  double solidShare;  ///< share of solid neighbours in the relative density
+  double support;     ///< m
+  Vec3d gradient;     ///< 1, h times the gradient of the relative density, walls included
 };
 
-/// Sets Continuum::relief. Equal pressures push particles of a liquid to evenly spaced places, and so keep
-/// the first layers on the particles of a solid. The force of the mean pressure p_i on liquid beside a solid,
-/// -2 p_i V_i grad C_i, is reduced by a fixed share. The solid's particles receive the opposite force.
-/// Requires: concentration gradients with the contributions of walls, carried densities of this step.
-void findLatticeRelief(const ReliefContext& context, Continuum& particles);
+/// Force (N) on the particle from all its solid neighbours (Continuum::relief). Equal pressures push
+/// particles of a liquid to evenly spaced places, and so keep the first layers on the particles of a solid.
+/// The force of the mean pressure p_i on liquid beside a solid, -2 p_i V_i grad C_i, is reduced by a fixed
+/// share. The solid's particles receive the opposite force.
+Vec3f latticeRelief(const ReliefInput& input);
 
 }  // namespace thaw

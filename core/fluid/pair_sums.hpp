@@ -14,7 +14,7 @@
 
 namespace thaw {
 
-struct LiquidMaterial;
+struct CarryStep;
 struct GroupRange {
   std::size_t begin, end;
 };
@@ -69,13 +69,7 @@ struct PairSums {
   const void* pressurePhaseHeat = nullptr;
   const void* surface = nullptr;  ///< square root of the liquid's surface tension (N/m)^1/2; 1 if solid, else
                                   ///< 0; artificial viscosity (Pa s); XSPH factor
-  bool carried = false;           ///< density sums include the density rate
-  double elapsed = 0;             ///< s, last step, over which the rate is taken
-  double diffusion = 0;           ///< 1, density diffusion of carried densities
-  Vec3d weight{};                 ///< m^2/s^2, h g
-  const std::uint16_t* material = nullptr;
-  const LiquidMaterial* liquids = nullptr;
-  double closeDistance = 0;              ///< for closePairs, in support radii
+  double closeDistance = 0;       ///< for closePairs, in support radii
   double freeSurfaceIndicatorScale = 0;  ///< m, scale of the free-surface indicator
   // Results, added to owned rows (float results are overwritten).
   float* relativeDensity = nullptr;
@@ -88,27 +82,16 @@ struct PairSums {
                                                    ///< surface energy with respect to gradient and colour, Pa
   Vec3d* surfaceGradient = nullptr;                ///< 1 (overwritten)
   double* surfaceColour = nullptr;                 ///< 1 (overwritten)
-  double stiffness = 0;     ///< Pa, of the first liquid: unit of carried compressions in records
-  Sym3f* moment = nullptr;  ///< 1, at mid-step; null: gradients are not corrected
-  Mat3f* negativeVelocityGradient = nullptr;  ///< 1/s, at mid-step; null: gradients are not corrected
   /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: diagonal is zz xy xz yz; place has xx, motion yy.
   const void *pressureDiagonal = nullptr, *pressureOffDiagonal = nullptr;
-  double *densityRate = nullptr, *densityDiffusionRate = nullptr;  ///< 1/s
-  Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density; null: not
-                                           ///< needed
-  float* liquidKernelSum = nullptr;        ///< 1, sum V W of liquid; null: no solids
-  float* solidKernelSum = nullptr;         ///< 1, sum V W of solids over its lattice value; together with
-                                           ///< liquidKernelSum
-  float* liquidNearby = nullptr;           ///< 1, mean carried compression of liquid neighbours; with
-                                           ///< liquidKernelSum
+  bool carried = false;                    ///< liquids carry their density
+  const CarryStep* carry = nullptr;        ///< with `carried`: density sums advance the carried densities
+  Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density, for densities
+                                           ///< that are not carried; null: not needed
   bool relief = false;                     ///< records have forces of core/fluid/lattice_relief.hpp
-  Vec3f* solidNormal = nullptr;            ///< 1, away from solid neighbours; null: no solids
-  Vec3f* surfaceNormal = nullptr;          ///< 1, away from neighbours at the free surface, together with
-                                           ///< gradientSize, h sum V |grad W|; null: not needed
-  float* gradientSize = nullptr;
-  Vec3d* smoothed = nullptr;  ///< m/s, velocity change by XSPH
-  Vec3d* impulse = nullptr;   ///< N s, of impulse (overwritten); for response the gradient of the relative
-                              ///< density, 1/m
+  Vec3d* smoothed = nullptr;               ///< m/s, velocity change by XSPH
+  Vec3d* impulse = nullptr;  ///< N s, of impulse (overwritten); for response the gradient of the relative
+                             ///< density, 1/m
   double* compression = nullptr;  ///< 1/s, of compression (overwritten); for response the contribution of the
                                   ///< neighbours, 1/(m^2 kg)
   std::int64_t* coincident = nullptr;  ///< counts particles that coincide with another particle

@@ -38,26 +38,29 @@ template<class Action> void choose(const PairSums& in, Action action) {
 
 template<class Real, class Kernel> void carriedDensity(const PairSums& in, GroupRange range, double scale) {
   using L = Lanes<Real>;
-  const double c = in.liquids[0].soundSpeed;
-  const Vec3d down = in.uniform ? in.weight * (1 / (c * c)) : in.weight;
-  const auto sum = [&]<Carry carry, bool Surfaces, bool Mixed>() {
-    CarriedDensity<Real, Kernel, carry, Surfaces, Mixed> term{records<Real>(in.positionVolume),
-                                                              records<Real>(in.velocityViscosity),
-                                                              records<Real>(in.pressurePhaseHeat),
-                                                              &in,
-                                                              scale,
-                                                              {L(down.x), L(down.y), L(down.z)},
-                                                              L(0.5 * in.elapsed / in.support)};
+  const CarryStep& x = *in.carry;
+  const double c = x.liquids[0].soundSpeed;
+  const Vec3d down = in.uniform ? x.weight * (1 / (c * c)) : x.weight;
+  const auto sum = [&]<Carry carry, bool Surfaces, Mix mix>() {
+    CarriedDensity<Real, Kernel, carry, Surfaces, mix> term{records<Real>(in.positionVolume),
+                                                            records<Real>(in.velocityViscosity),
+                                                            records<Real>(in.pressurePhaseHeat),
+                                                            &in,
+                                                            scale,
+                                                            {L(down.x), L(down.y), L(down.z)},
+                                                            L(0.5 * x.dt / in.support)};
     sweep(*in.lists, range, term, Groups::Fluid);
   };
-  const auto withSurfaces = [&]<Carry carry, bool Mixed>() {
-    if (in.surfaceNormal) sum.template operator()<carry, true, Mixed>();
-    else sum.template operator()<carry, false, Mixed>();
+  const auto withSurfaces = [&]<Carry carry, Mix mix>() {
+    if (x.surfaces) sum.template operator()<carry, true, mix>();
+    else sum.template operator()<carry, false, mix>();
   };
-  if (!in.moment) return withSurfaces.template operator()<Carry::Density, true>();
-  if constexpr (std::is_same_v<Kernel, WendlandC2>)  // the only kernel for one liquid (Modules::uniform)
-    if (in.uniform) return withSurfaces.template operator()<Carry::Corrected, false>();
-  withSurfaces.template operator()<Carry::Corrected, true>();
+  if (!x.corrected) return withSurfaces.template operator()<Carry::Density, Mix::Solids>();
+  if constexpr (std::is_same_v<Kernel, WendlandC2>) {  // the default kernel
+    if (in.uniform) return withSurfaces.template operator()<Carry::Corrected, Mix::One>();
+    if (!x.solids) return withSurfaces.template operator()<Carry::Corrected, Mix::Liquids>();
+  }
+  withSurfaces.template operator()<Carry::Corrected, Mix::Solids>();
 }
 
 void density(const PairSums& in, GroupRange range) {

@@ -39,8 +39,9 @@ struct WendlandC2 : OfSquare<WendlandC2> {
     const T u = max(T(1.0) - q, T(0.0));
     return T(-210 / pi) * (u * u * u);
   }
+  static constexpr double laplacePerSlope = -2;
   /// Brookshaw's form 2 |w'| / q: second derivative from first derivatives.
-  template<class T> static THAW_INLINE T laplace(T q, T q2) { return T(-2.0) * slope(q, q2); }
+  template<class T> static THAW_INLINE T laplace(T q, T q2) { return T(laplacePerSlope) * slope(q, q2); }
 };
 
 /// Mueller, Charypar, Gross 2003 (MCG03): poly6 for densities, spiky for gradients, the viscosity kernel for

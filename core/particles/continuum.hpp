@@ -42,26 +42,10 @@ struct Continuum : Table {
       "relative density: delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
   Column<double> compression{*this, "compression", "1", Keep::State,
       "carried relative density minus 1; in solids, that of adjacent liquid, else 0"};
-  Column<double> densityRate{*this, "densityRate", "1/s", Keep::Transient,
-      "rate of compression due to the flow", Rows::Owned};
-  Column<double> densityDiffusionRate{*this, "spreading", "1/s", Keep::Transient,
-      "rate of compression due to density diffusion", Rows::Owned};
-  Column<Sym3f> moment{*this, "moment", "1", Keep::Transient,
-      "moment of the neighbourhood at mid-step", Rows::Owned};
   Column<Sym3f> midCorrection{*this, "midCorrection", "1", Keep::State,
       "inverse of the moment minus 1, at the last mid-step", Rows::Owned};
   Column<Sym3f> correction{*this, "correction", "1", Keep::Transient,
       "gradient correction of the pressure, extrapolated to the end of the step"};
-  Column<Mat3f> negativeVelocityGradient{*this, "flow", "1/s", Keep::Transient,
-      "minus the velocity gradient, uncorrected; one row per derivative", Rows::Owned};
-  Column<float> liquidKernelSum{*this, "wetting", "1", Keep::Transient,
-      "sum V W over liquid neighbours and the particle itself; 0: no liquid nearby", Rows::Owned};
-  Column<Vec3f> solidNormal{*this, "solidNormal", "1", Keep::Transient,
-      "weighted direction away from solid neighbours; 0 without any", Rows::Owned};
-  Column<float> solidKernelSum{*this, "solidKernelSum", "1", Keep::Transient,
-      "share of solid neighbours in the relative density", Rows::Owned};
-  Column<float> liquidNearby{*this, "liquidNearby", "1", Keep::Transient,
-      "carried relative density of liquid neighbours minus 1, extrapolated to the particle", Rows::Owned};
   Column<Vec3f> relief{*this, "relief", "N", Keep::Transient,
       "force on liquid from all its solid neighbours (core/fluid/lattice_relief.hpp)"};
   Column<Vec3d> stepMeanVelocity{*this, "travel", "m/s", Keep::State,
@@ -72,9 +56,6 @@ struct Continuum : Table {
       "concentration gradient times h", Rows::Owned};
   Column<u8> atSurface{*this, "atSurface", "1", Keep::State,
       "1: at the free surface in the last step (core/fluid/free_surface.hpp)"};
-  Column<Vec3f> surfaceNormal{*this, "surfaceNormal", "1", Keep::Transient,
-      "weighted direction away from neighbours at the free surface; 0 without any", Rows::Owned};
-  Column<float> gradientSize{*this, "gradientSize", "1", Keep::Transient, "h sum V |grad W|", Rows::Owned};
   // Incompressible liquids (core/fluid/incompressible/).
   Column<float> densityPressure{*this, "holding", "Pa", Keep::State,
       "density pressure (DFSPH) of the next step, over the step; initial guess of the next solve"};

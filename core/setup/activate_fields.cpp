@@ -18,14 +18,13 @@ void activateFields(World& w, StepTools& t) {
             &p.cell, &p.phase, &p.dissipation, &p.interaction});
   on(m.fluid, {&p.relativeDensity});
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
-  on(m.continuity, {&p.compression, &p.densityRate, &p.densityDiffusionRate});
-  on(m.corrected, {&p.moment, &p.midCorrection, &p.correction, &p.negativeVelocityGradient});
-  on(m.continuity && m.solid, {&p.liquidKernelSum, &p.solidKernelSum, &p.liquidNearby});
+  on(m.continuity, {&p.compression});
+  on(m.corrected, {&p.midCorrection, &p.correction});
   on(m.continuity && m.substeps, {&p.stepMeanVelocity});
   on(m.xsph || m.shifting, {&p.shiftingVelocity});
-  on(m.shifting, {&p.concentrationGradient});
-  on(m.shifting && m.continuity, {&p.atSurface, &p.surfaceNormal, &p.gradientSize});
-  on(m.shifting && m.continuity && m.solid, {&p.solidNormal, &p.relief});
+  on(m.shifting && !m.continuity, {&p.concentrationGradient});
+  on(m.shifting && m.continuity, {&p.atSurface});
+  on(m.shifting && m.continuity && m.solid, {&p.relief});
   on(m.incompressible, {&p.densityPressure, &p.divergencePressure, &p.pressureImpulse, &p.drag,
                         &p.trialPressure, &p.trialVelocity});
   on(m.surfaceHeat, {&p.freeSurfaceIndicator});

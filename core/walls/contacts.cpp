@@ -174,32 +174,39 @@ bool followContact(const World& w, WallContact& c) {
   return c.distance < reach;
 }
 
+double wallRelativeDensity(const WallSupport& x, std::span<const WallContact> contacts,
+                           std::vector<double>& added) {
+  // Each wall adds the part of its contribution that earlier walls do not overlap. Earlier parts are
+  // disjoint, so their overlaps sum up.
+  double relativeDensity = 0;
+  for (std::size_t k = 0; k < contacts.size(); k++) {
+    const WallIntegrals t = x.tables(contacts[k].distance / x.support);
+    const double own = t.space;
+    double left = own;
+    for (std::size_t other = 0; other < k && left > 0; other++) {
+      const double b = x.tables(contacts[other].distance / x.support).space,
+                   g = alignment(contacts[k].normal, contacts[other].normal);
+      if (b <= 0) continue;
+      const double overlap = g <= 0 ? (1 + g) * own * b : (1 - g) * own * b + g * std::min(own, b);
+      left -= overlap * (added[other] / b);
+    }
+    if (added.size() <= k) added.push_back(0);
+    added[k] = std::max(left, 0.0);
+    if (own > 0) relativeDensity += added[k] / own * t.relativeDensity;
+  }
+  return relativeDensity;
+}
+
 void addWallRelativeDensity(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
   Continuum& p = x.world.particles;
-  const double h = x.world.grid.support;
   const auto& list = contacts.list;
   for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
-    // Each wall adds the part of its contribution that earlier walls do not overlap. Earlier parts are
-    // disjoint, so their overlaps sum up.
-    double relativeDensity = 0;
-    for (end = begin; end < list.size() && list[end].row == list[begin].row; end++) {
-      const WallIntegrals t = x.tables(list[end].distance / h);
-      const double own = t.space;
-      double left = own;
-      for (std::size_t other = begin; other < end && left > 0; other++) {
-        const double b = x.tables(list[other].distance / h).space,
-                     g = alignment(list[end].normal, list[other].normal);
-        if (b <= 0) continue;
-        const double overlap = g <= 0 ? (1 + g) * own * b : (1 - g) * own * b + g * std::min(own, b);
-        left -= overlap * (contacts.added[other - begin] / b);
-      }
-      if (contacts.added.size() <= end - begin) contacts.added.push_back(0);
-      contacts.added[end - begin] = std::max(left, 0.0);
-      if (own > 0) relativeDensity += contacts.added[end - begin] / own * t.relativeDensity;
-    }
+    for (end = begin; end < list.size() && list[end].row == list[begin].row;) end++;
     const std::uint32_t i = list[begin].row;
+    const double own = wallRelativeDensity({x.tables, x.world.grid.support},
+                                           std::span(list).subspan(begin, end - begin), contacts.added);
     p.relativeDensity[i] = static_cast<float>(static_cast<double>(p.relativeDensity[i]) +
-                                              perLatticeSum * relativeDensity);
+                                              perLatticeSum * own);
   }
 }
 

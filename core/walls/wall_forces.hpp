@@ -29,8 +29,16 @@ struct WallContext {
 /// them; their kinetic energy is recorded as dissipated.
 void findWallContacts(const WallContext& context, WallContacts& contacts);
 
-/// Adds the contribution of walls to the relative density (times 1 / lattice sum, as for particles). At
-/// corners, contributions of several walls overlap as if independent: 1 - prod(1 - filling_k).
+struct WallSupport {
+  const WallTables& tables;
+  double support;  ///< m
+};
+/// Contribution of the walls that touch a particle to the sum over V W. At corners, contributions of several
+/// walls overlap as if independent: 1 - prod(1 - filling_k). added: room for a value per contact.
+double wallRelativeDensity(const WallSupport& support, std::span<const WallContact> contacts,
+                           std::vector<double>& added);
+
+/// Adds the contribution of walls to the relative density (times 1 / lattice sum, as for particles).
 void addWallRelativeDensity(const WallContext& context, double perLatticeSum, WallContacts& contacts);
 
 /// Adds pressure on liquids, drag of walls without slip, and for solids a spring with dashpot and Coulomb

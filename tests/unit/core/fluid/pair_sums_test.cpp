@@ -84,7 +84,7 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
 TEST_P(PairSumsTest, OneLiquidHasTheBitsOfTheGeneralCase) {
   for (const bool heat : {false, true}) {
     std::vector<Vec3d> force[2];
-    std::vector<double> negativeVelocityGradient[2], lost[2];
+    std::vector<double> heatFlow[2], lost[2];
     for (const bool uniform : {false, true}) {
       Block b(9, 0.2, 2, GetParam());
       b.modules.heat = heat;
@@ -107,7 +107,7 @@ TEST_P(PairSumsTest, OneLiquidHasTheBitsOfTheGeneralCase) {
       pairKernels()->forces(s, b.groups());
       force[uniform].assign(p.force.data(), p.force.data() + n);
       lost[uniform].assign(p.dissipation.data(), p.dissipation.data() + n);
-      if (heat) negativeVelocityGradient[uniform].assign(p.heatFlow.data(), p.heatFlow.data() + n);
+      if (heat) heatFlow[uniform].assign(p.heatFlow.data(), p.heatFlow.data() + n);
     }
     const auto equal = [](const auto& a, const auto& b) {
       return a.size() == b.size() &&
@@ -115,7 +115,7 @@ TEST_P(PairSumsTest, OneLiquidHasTheBitsOfTheGeneralCase) {
     };
     EXPECT_TRUE(equal(force[0], force[1])) << "heat " << heat;
     EXPECT_TRUE(equal(lost[0], lost[1])) << "heat " << heat;
-    EXPECT_TRUE(equal(negativeVelocityGradient[0], negativeVelocityGradient[1])) << "heat " << heat;
+    EXPECT_TRUE(equal(heatFlow[0], heatFlow[1])) << "heat " << heat;
   }
 }
 INSTANTIATE_TEST_SUITE_P(Precisions, PairSumsTest, testing::Values(Precision::Single, Precision::Double));

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+// The step of carried densities of eight particles, from their sums over neighbours (carried_density.hpp):
+// free surface, gradient correction, shifting, and the relative density at the end of the step.
+#pragma once
+#include "core/fluid/carry.hpp"
+#include "core/fluid/free_surface.hpp"
+#include "core/fluid/liquid_materials.hpp"
+#include "core/fluid/terms/term.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+namespace {
+
+THAW_INLINE void setLane(LanesF& v, int l, double x) { v.v[l] = static_cast<float>(x); }
+THAW_INLINE void setLane(LanesD& v, int l, double x) { l < 4 ? v.lo[l] = x : v.hi[l - 4] = x; }
+THAW_INLINE LanesF narrowed(LanesD a, LanesF) {
+  typedef float Half __attribute__((vector_size(16)));
+  const Half lo = __builtin_convertvector(a.lo, Half), hi = __builtin_convertvector(a.hi, Half);
+  return LanesF(__builtin_shufflevector(lo, hi, 0, 1, 2, 3, 4, 5, 6, 7));
+}
+THAW_INLINE LanesD narrowed(LanesD a, LanesD) { return a; }
+template<class L> THAW_INLINE L sizeOf(L a) { return max(a, -a); }
+template<class L> THAW_INLINE L clamped(L a, L least, L most) { return min(max(a, least), most); }
+
+template<class L> struct Vector3 { L x = L(0.0), y = L(0.0), z = L(0.0); };
+template<class L> THAW_INLINE Vector3<L> scaled(L k, const Vector3<L>& v) {
+  return {k * v.x, k * v.y, k * v.z};
+}
+template<class L> THAW_INLINE L dotOf(const Vector3<L>& a, const Vector3<L>& b) {
+  return dot3(a.x, a.y, a.z, b.x, b.y, b.z);
+}
+/// Adds factor (x, y, z).
+template<class L> THAW_INLINE void add(Vector3<L>& to, L factor, L x, L y, L z) {
+  to.x = fma(factor, x, to.x);
+  to.y = fma(factor, y, to.y);
+  to.z = fma(factor, z, to.z);
+}
+template<class L> THAW_INLINE Vec3d laneAt(const Vector3<L>& v, int l) {
+  return {static_cast<double>(v.x[l]), static_cast<double>(v.y[l]), static_cast<double>(v.z[l])};
+}
+
+/// XX YY ZZ XY YZ XZ, the order of Sym3.
+template<class L> struct Tensor {
+  L xx = L(0.0), yy = L(0.0), zz = L(0.0), xy = L(0.0), yz = L(0.0), xz = L(0.0);
+};
+template<class L> THAW_INLINE Tensor<L> scaled(L k, const Tensor<L>& a) {
+  return {k * a.xx, k * a.yy, k * a.zz, k * a.xy, k * a.yz, k * a.xz};
+}
+template<class L> THAW_INLINE Sym3f singleAt(const Tensor<L>& a, int l) {
+  const auto f = [l](const L& v) { return static_cast<float>(v[l]); };
+  return {f(a.xx), f(a.yy), f(a.zz), f(a.xy), f(a.yz), f(a.xz)};
+}
+/// Mask of the matrices whose eigenvalues all exceed `least` (Sylvester's criterion).
+template<class L> THAW_INLINE typename L::Mask eigenvaluesAbove(const Tensor<L>& m, L least) {
+  const L zero(0.0), a = m.xx - least, b = m.yy - least, c = m.zz - least;
+  return (a > zero) & (a * b - m.xy * m.xy > zero) &
+         (a * (b * c - m.yz * m.yz) - m.xy * (m.xy * c - m.yz * m.xz) + m.xz * (m.xy * m.yz - b * m.xz) >
+          zero);
+}
+
+/// Sums over the neighbours of eight particles. Lengths in support radii.
+template<class Real> struct CarrySums {
+  using L = Lanes<Real>;
+  L relativeDensity = L(0.0), rate = L(0.0), diffusion = L(0.0);  ///< 1, 1/s, 1/s
+  L gradientSize = L(0.0), liquidFraction = L(1.0);
+  L liquidKernelSum = L(1.0);  ///< sum V W of liquid; above 0 with liquid nearby
+  L solidShare = L(0.0);       ///< sum V W of solids over its lattice value
+  L nearby = L(0.0);           ///< carried compression of liquid neighbours, extrapolated to the particle
+  Vector3<L> gradient;         ///< of the relative density
+  Vector3<L> surface, solid;   ///< away from neighbours at the free surface, away from solid neighbours
+  Tensor<L> moment;
+  Tensor<L> strain;  ///< 1/s, minus the rate of strain; sums of both halves off the diagonal
+};
+
+/// Advances eight particles; `rows` of lanes that hold no particle repeat a row. Mixed: several liquids, or
+/// solids, which carry the density of adjacent liquid.
+template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLanes {
+  using L = Lanes<Real>;
+  using Wide = Lanes<double>;
+  const CarryStep& x;
+  const PairSums& in;
+  const std::uint32_t* rows;
+  int lanes;  ///< number of particles
+  CarrySums<Real> s;
+  L soundSpeed = L(1.0), atSurface = L(0.0), besideSurface = L(0.0);
+  Wide stiffness = Wide(1.0), restVolume = Wide(1.0), compression = Wide(0.0);
+
+  template<class Column> THAW_INLINE Wide fromRows(Column column) const {
+    Wide v;
+    for (int l = 0; l < 8; l++) setLane(v, l, column(rows[l]));
+    return v;
+  }
+  template<class Column> THAW_INLINE L singleFromRows(Column column) const {
+    L v;
+    for (int l = 0; l < 8; l++) setLane(v, l, static_cast<double>(column(rows[l])));
+    return v;
+  }
+  THAW_INLINE bool isSteady(int l) const { return x.steady && x.steady[rows[l]]; }
+
+  THAW_INLINE void run() {
+    if constexpr (Surfaces) findFreeSurface();
+    if (x.walls.beside) addWalls();
+    if (x.summed)
+      for (int l = 0; l < lanes; l++) x.summed[rows[l]] = static_cast<float>(s.relativeDensity[l]);
+    countCrowded();
+    if constexpr (Surfaces) shift();
+    Tensor<L> now, next;
+    if constexpr (Corrected) correct(now, next);
+    const Wide end = carry();
+    store(now, next, end);
+  }
+
+  THAW_INLINE void loadMaterials() {
+    const auto of = [&](std::uint32_t row) -> const LiquidMaterial& {
+      return x.liquids[Mixed ? x.material[row] : 0];
+    };
+    if constexpr (Mixed) {
+      soundSpeed = singleFromRows([&](std::uint32_t row) { return of(row).soundSpeed; });
+      stiffness = fromRows([&](std::uint32_t row) { return of(row).stiffness; });
+    } else {
+      soundSpeed = L(static_cast<Real>(of(0).soundSpeed));
+      stiffness = Wide(of(0).stiffness);
+    }
+    restVolume = fromRows([&](std::uint32_t row) { return x.mass[row] * of(row).restVolume; });
+    compression = fromRows([&](std::uint32_t row) { return x.compression[row]; });
+  }
+
+  /// Marks the free surface by the moment of the neighbourhood, without moments by its asymmetry.
+  THAW_INLINE void findFreeSurface() {
+    const L one(1.0), zero(0.0), limit = L(surfaceAsymmetry) * s.gradientSize;
+    const L inside = Corrected ? select(eigenvaluesAbove(s.moment, L(surfaceMoment)), one, zero)
+                               : select(dotOf(s.gradient, s.gradient) > limit * limit, zero, one);
+    atSurface = select(s.liquidFraction > zero, one - inside, zero);
+    const L largest = max(max(sizeOf(s.surface.x), sizeOf(s.surface.y)), sizeOf(s.surface.z));
+    besideSurface = select(largest > L(1e-6), one, zero);
+  }
+
+  void addWalls() {
+    for (int l = 0; l < lanes; l++) {
+      if (!x.walls.beside[rows[l]]) continue;
+      const Sym3d moment{static_cast<double>(s.moment.xx[l]), static_cast<double>(s.moment.yy[l]),
+                         static_cast<double>(s.moment.zz[l]), static_cast<double>(s.moment.xy[l]),
+                         static_cast<double>(s.moment.yz[l]), static_cast<double>(s.moment.xz[l])};
+      CarryRow r{static_cast<double>(s.relativeDensity[l]),
+                 static_cast<double>(s.rate[l]),
+                 laneAt(s.gradient, l),
+                 moment,
+                 static_cast<double>(s.gradientSize[l]),
+                 static_cast<double>(s.liquidFraction[l])};
+      x.walls.add(x.walls.context, rows[l], r);
+      setLane(s.relativeDensity, l, r.relativeDensity), setLane(s.rate, l, r.rate);
+      setLane(s.gradient.x, l, r.gradient.x), setLane(s.gradient.y, l, r.gradient.y);
+      setLane(s.gradient.z, l, r.gradient.z);
+      setLane(s.moment.xx, l, r.moment.xx), setLane(s.moment.yy, l, r.moment.yy);
+      setLane(s.moment.zz, l, r.moment.zz), setLane(s.moment.xy, l, r.moment.xy);
+      setLane(s.moment.yz, l, r.moment.yz), setLane(s.moment.xz, l, r.moment.xz);
+      if constexpr (Surfaces) setLane(atSurface, l, r.atSurface);
+    }
+  }
+
+  THAW_INLINE void countCrowded() {
+    constexpr double tooCrowded = 1.3;
+    const L carried = narrowed(compression, L(0.0));
+    const typename L::Mask crowded = (s.relativeDensity > L(tooCrowded) * (L(1.0) + carried)) &
+                                     (s.liquidFraction > L(0.0)) & (s.liquidKernelSum > L(0.0));
+    if (!any(crowded)) return;
+    for (int l = 0; l < lanes; l++) *x.crowded += laneOf(crowded, l) && !isSteady(l);
+  }
+
+  /// Velocity of shifting (m/s), along -grad C (Lind et al. 2012). The speed is at most CarryStep::shifting
+  /// times the speed of sound. Below it follows what makes disorder: strain, and tension (speed of
+  /// sqrt(|p| / rho)), so that liquid at rest is left alone. Particles at the free surface stay; those beside
+  /// it do not move towards it (Sun et al. 2017, eq. 20). Particles beside a solid are shifted only along it:
+  /// shifting must keep the gap, since a few per cent of the displaced volume decide whether the solid
+  /// floats.
+  THAW_INLINE void shift() {
+    const L zero(0.0);
+    L speed = L(x.shifting) * soundSpeed;
+    if constexpr (Corrected) {
+      const L tension = soundSpeed * sqrt(max(-narrowed(compression, zero), zero));
+      const Tensor<L>& e = s.strain;
+      const L rate = sqrt(L(2.0) * dot3(e.xx, e.yy, e.zz, e.xx, e.yy, e.zz) +
+                          dot3(e.xy, e.yz, e.xz, e.xy, e.yz, e.xz));
+      speed = min(speed, L(shiftPerStrain * in.support) * rate + L(shiftPerTension) * tension);
+    }
+    speed = select((s.liquidFraction < L(1.0)), zero, speed);
+    speed = select(atSurface > zero, zero, speed);
+    Vector3<L> u = scaled(-speed, s.gradient);
+    const L outwards = min(dotOf(u, s.surface), zero) / max(dotOf(s.surface, s.surface), L(1e-30));
+    add(u, select(besideSurface > zero, -outwards, zero), s.surface.x, s.surface.y, s.surface.z);
+    if constexpr (Mixed) {
+      const L size2 = dotOf(s.solid, s.solid);
+      const L across = dotOf(u, s.solid) / max(size2, L(1e-30));
+      add(u, select(size2 > L(besideSolid * besideSolid), -across, zero), s.solid.x, s.solid.y, s.solid.z);
+    }
+    for (int l = 0; l < lanes; l++) {
+      if (isSteady(l)) continue;
+      Vec3d v = laneAt(u, l);
+      if (x.walls.beside && x.walls.beside[rows[l]]) v = x.walls.along(x.walls.context, rows[l], v);
+      x.shiftingVelocity[rows[l]] = v;
+    }
+  }
+
+  /// Inverse moment minus 1, times the interior weight: 0 up to a summed relative density of 0.9 (truncated
+  /// by a free surface), 1 from 0.95. 0 where an eigenvalue is below 0.4: corrections above 2.5 would be
+  /// unstable at this step.
+  THAW_INLINE Tensor<L> correctionNow() const {
+    const Tensor<L>& m = s.moment;
+    const L zero(0.0), one(1.0);
+    L weight = clamped((s.relativeDensity - L(0.9)) * L(1 / 0.05), zero, one);
+    weight = select(eigenvaluesAbove(m, L(0.4)), weight, zero);
+    if constexpr (Mixed) weight = select(s.liquidKernelSum > zero, weight, zero);
+    const L xx = m.yy * m.zz - m.yz * m.yz, xy = m.xz * m.yz - m.xy * m.zz, xz = m.xy * m.yz - m.xz * m.yy;
+    const L determinant = m.xx * xx + m.xy * xy + m.xz * xz;
+    const L k = weight / select(weight > zero, determinant, one);
+    return {
+        k * xx - weight, k * (m.xx * m.zz - m.xz * m.xz) - weight, k * (m.xx * m.yy - m.xy * m.xy) - weight,
+        k * xy,          k * (m.xy * m.xz - m.xx * m.yz),          k * xz};
+  }
+
+  /// Adds the corrected divergence at mid-step to the rate. Extrapolates the correction from the last two
+  /// mid-steps to the end of the step, with a limited change.
+  THAW_INLINE void correct(Tensor<L>& d, Tensor<L>& next) {
+    constexpr double most = 0.1;
+    d = correctionNow();
+    const Tensor<L>& e = s.strain;
+    const L one(1.0);
+    s.rate += dot3(one + d.xx, one + d.yy, one + d.zz, e.xx, e.yy, e.zz) +
+              dot3(d.xy, d.yz, d.xz, e.xy, e.yz, e.xz);
+    const L ahead(static_cast<Real>(x.ahead));
+    const auto extrapolated = [&](L now, auto part) {
+      const L before = singleFromRows([&](std::uint32_t row) { return part(x.midCorrection[row]); });
+      return fma(ahead, clamped(now - before, L(-most), L(most)), now);
+    };
+    next = {extrapolated(d.xx, [](const Sym3f& a) { return a.xx; }),
+            extrapolated(d.yy, [](const Sym3f& a) { return a.yy; }),
+            extrapolated(d.zz, [](const Sym3f& a) { return a.zz; }),
+            extrapolated(d.xy, [](const Sym3f& a) { return a.xy; }),
+            extrapolated(d.yz, [](const Sym3f& a) { return a.yz; }),
+            extrapolated(d.xz, [](const Sym3f& a) { return a.xz; })};
+  }
+
+  /// Pressure term p / delta^2 (Pa) at a relative density of 1 + y.
+  THAW_INLINE Wide pressureTerm(Wide y) const {
+    const Wide f = Wide(1.0) + y, f2 = f * f;
+    const Wide p = x.eos == EquationOfState::Linear
+                       ? stiffness * y
+                       : stiffness * Wide(1.0 / 7) * (f2 * f2 * f2 * f - Wide(1.0));
+    return select(p < Wide(0.0), Wide(x.tensileLimit) * p, p) / f2;
+  }
+
+  /// Drift correction: change of the carried relative density in this step towards the summed one.
+  /// Shifting, splashing and clipped tension move particles without changing the carried density.
+  /// Inside the liquid the correction is slow, so that disorder causes no pressure noise; it never makes
+  /// tension. Next to the free surface it only counts what the truncated sum cannot explain, such as voids of
+  /// a splash. An excess above `tolerated` decays faster, also at the surface. off: summed less carried
+  /// relative density; steps: c dt / h.
+  THAW_INLINE Wide driftCorrection(Wide off, Wide carried, Wide steps) const {
+    constexpr double perStep = 0.01, crowdedPerStep = 0.05, tolerated = 0.03, truncated = 0.1;
+    const Wide zero(0.0), one(1.0), beside = widen(besideSurface), at = widen(atSurface);
+    Wide drift = select(beside > zero, min(zero, off + Wide(truncated)), off);
+    drift = select(at > zero, zero, drift);
+    const Wide back = max(min(one, Wide(perStep) * steps) * drift, -max(zero, carried));
+    return back + min(one, Wide(crowdedPerStep) * steps) * max(zero, off - Wide(tolerated));
+  }
+
+  /// Share of the difference to liquid nearby that a solid's density makes up per acoustic time h/c [A12].
+  /// The liquid nearby is that of the step before, so a share near 1 would feed sound.
+  static constexpr double towardsLiquidNearby = 0.5;
+
+  /// Returns the relative density minus 1 at the end of the step. Records the compression energy that
+  /// diffusion and drift correction change.
+  THAW_INLINE Wide carry() {
+    const Wide before = compression, dt(x.dt), zero(0.0), one(1.0);
+    const Wide flow = before + widen(s.rate) * dt;
+    Wide spread = widen(s.diffusion) * dt;
+    const Wide steps = widen(soundSpeed) * Wide(x.dt / in.support), f = widen(s.liquidFraction);
+    Wide drift = zero;
+    if constexpr (Surfaces)
+      drift = driftCorrection(widen(s.relativeDensity) - one - flow - spread, flow + spread, steps);
+    if constexpr (Mixed) {
+      const Wide nearby = min(one, Wide(towardsLiquidNearby) * steps) * (widen(s.nearby) - before);
+      drift = select(f < one, zero, drift);
+      if (x.solids) drift = select(f > zero, drift, nearby);
+    }
+    spread = spread + drift;
+    // mean of both ends of the step, as for the pressure work of the flow
+    const Wide half = Wide(0.5) * spread;
+    const Wide energy = half * restVolume * (pressureTerm(flow + half) + pressureTerm(before + half));
+    for (int l = 0; l < lanes; l++)
+      if (s.liquidKernelSum[l] > 0 && !isSteady(l)) x.dissipated[rows[l]] -= energy[l];
+    return flow + spread;
+  }
+
+  THAW_INLINE void store(const Tensor<L>& now, const Tensor<L>& next, Wide end) {
+    for (int l = 0; l < lanes; l++) {
+      if (isSteady(l)) continue;
+      const std::uint32_t row = rows[l];
+      if constexpr (Surfaces) x.atSurface[row] = atSurface[l] > 0;
+      if (Mixed && !(s.liquidKernelSum[l] > 0)) {
+        resetCarriedDensity(x, in.relativeDensity, row);
+        continue;
+      }
+      x.compression[row] = end[l];
+      in.relativeDensity[row] = static_cast<float>(1 + end[l]);
+      if constexpr (Corrected) {
+        x.midCorrection[row] = singleAt(now, l);
+        x.correction[row] = singleAt(next, l);
+      }
+      if constexpr (Mixed && Surfaces)
+        if (x.relief) storeRelief(l, end[l]);
+    }
+  }
+
+  THAW_INLINE void storeRelief(int l, double end) {
+    const std::uint32_t row = rows[l];
+    x.relief[row] = {};
+    const bool inside = s.liquidFraction[l] == 1 && !(atSurface[l] > 0) && !(besideSurface[l] > 0);
+    if (!inside || !(s.solidShare[l] > 0)) return;
+    const double pressure = pressureTerm(Wide(end))[l] * (1 + end) * (1 + end);
+    x.relief[row] = latticeRelief(
+        {pressure, restVolume[l], static_cast<double>(s.solidShare[l]), in.support, laneAt(s.gradient, l)});
+  }
+};
+
+}  // namespace
+}  // namespace THAW_ISA
+}  // namespace thaw
