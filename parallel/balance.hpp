@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Load balance by measured time.
 #pragma once
-#include "core/step.hpp"
+#include "core/simulation/step.hpp"
 
 namespace thaw {
 

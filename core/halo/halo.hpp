@@ -9,7 +9,7 @@
 #include "core/halo/word_streams.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
-#include "core/solid/solids.hpp"
+#include "core/solid/data/solids.hpp"
 
 namespace thaw {
 

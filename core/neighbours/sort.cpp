@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "core/body_types/body_type_rows.hpp"
 #include "core/neighbours/list_cells.hpp"
+#include "core/particles/body_type_rows.hpp"
 #include "core/particles/table_rows.hpp"
-#include "core/surface/surfels.hpp"
+#include "core/surface/data/surfels.hpp"
 
 namespace thaw {
 

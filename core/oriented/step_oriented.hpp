@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oriented bodies' part of a step.
 #pragma once
-#include "core/step.hpp"
+#include "core/simulation/step.hpp"
 
 namespace thaw {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Preparation of a scene's sheets.
 #pragma once
-#include "core/step.hpp"
+#include "core/simulation/step.hpp"
 
 namespace thaw {
 

@@ -2,7 +2,7 @@
 // Sheets' part of a step (DS): the exact solution over the step, with forces of neighbours and contacts
 // before and after it.
 #pragma once
-#include "core/step.hpp"
+#include "core/simulation/step.hpp"
 
 namespace thaw {
 

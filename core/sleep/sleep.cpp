@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/heat/enthalpy.hpp"
+#include "core/materials/enthalpy.hpp"
+#include "core/simulation/step.hpp"
 #include "core/sleep/awake_reason.hpp"
-#include "core/solid/plasticity.hpp"
-#include "core/step.hpp"
+#include "core/solid/laws/plasticity.hpp"
 
 namespace thaw {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Topology of the surface at the end of an update: overview.
 #pragma once
-#include "core/surface/components.hpp"
-#include "core/surface/merge.hpp"
-#include "core/surface/surfel_area.hpp"
+#include "core/surface/measures/surfel_area.hpp"
+#include "core/surface/topology/components.hpp"
+#include "core/surface/topology/merge.hpp"
 
 namespace thaw {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Update of the surface (K05 section 4): overview.
 #pragma once
-#include "core/geometry/triangle_mesh.hpp"
+#include "core/geometry/basic/triangle_mesh.hpp"
 #include "core/halo/surface_halos.hpp"
 #include "core/neighbours/sort.hpp"
-#include "core/surface/active_set.hpp"
-#include "core/surface/relax_tools.hpp"
-#include "core/surface/row_lists.hpp"
-#include "core/surface/start_pieces.hpp"
-#include "core/surface/surface_times.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_times.hpp"
+#include "core/surface/relaxation/relax_tools.hpp"
+#include "core/surface/resampling/active_set.hpp"
+#include "core/surface/search/row_lists.hpp"
+#include "core/surface/seeding/start_pieces.hpp"
 #include "core/surface/update_components.hpp"
-#include "core/world.hpp"
 
 namespace thaw {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
-#include "core/fluid/particle_pressure.hpp"
-#include "core/fluid/surface_energy.hpp"
-#include "core/heat/enthalpy.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
+#include "core/fluid/laws/surface_energy.hpp"
+#include "core/materials/enthalpy.hpp"
 #include "core/sleep/sleep.hpp"
 
 namespace thaw {

@@ -10,16 +10,16 @@
 #include <set>
 #include <utility>
 
-#include "core/body_types/body_types.hpp"
-#include "core/monitor/snapshot.hpp"
-#include "core/setup/setup.hpp"
+#include "core/simulation/monitor/snapshot.hpp"
+#include "core/simulation/setup/setup.hpp"
+#include "core/simulation/world/body_types.hpp"
 #include "core/surface/update_surface.hpp"
+#include "io/checkpoint/checkpoint.hpp"
 #include "io/commands/run.hpp"
-#include "io/output/checkpoint.hpp"
-#include "io/output/series.hpp"
-#include "io/run/profile.hpp"
+#include "io/frames/series.hpp"
+#include "io/run/reports/profile.hpp"
+#include "io/run/reports/summary.hpp"
 #include "io/run/signals.hpp"
-#include "io/run/summary.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
 #include "parallel/row_scatter.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free surface and shifting of liquids with carried density (core/fluid/free_surface.hpp).
+// Free surface and shifting of liquids with carried density (core/fluid/density/free_surface.hpp).
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/fluid/connected_density.hpp"
-#include "core/fluid/free_surface.hpp"
+#include "core/fluid/density/connected_density.hpp"
+#include "core/fluid/density/free_surface.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw {

@@ -18,7 +18,7 @@
 // are known velocities, so both ends of every pair receive the force. The iteration ends when its error is
 // small relative to the change by viscosity, not relative to the velocity.
 #pragma once
-#include "core/step.hpp"
+#include "core/simulation/step.hpp"
 
 namespace thaw {
 

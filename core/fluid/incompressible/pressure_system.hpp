@@ -2,7 +2,7 @@
 // The matrix of the pressure problem as products: from pressures to velocities, and from velocities to
 // density rates.
 #pragma once
-#include "core/step.hpp"
+#include "core/simulation/step.hpp"
 
 namespace thaw {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Continuity density and concentration gradient. One term of the pair sums (term.hpp).
 #pragma once
-#include "core/fluid/liquid_materials.hpp"
 #include "core/fluid/terms/term.hpp"
+#include "core/materials/liquid_materials.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
@@ -13,7 +13,7 @@ enum class Carry { Nothing, Density, Corrected };
 /// Summed relative density (as Density) and h times its gradient, for shifting.
 /// Carry::Density: also its rate, sum V0_j (u_i - u_j).grad W. The adjoint is the pressure force of Forces,
 /// so pairs conserve energy (Bonet & Lok 1999).
-/// Carry::Corrected: instead the sums for the corrected rate (core/fluid/carried_density.cpp).
+/// Carry::Corrected: instead the sums for the corrected rate (core/fluid/density/carried_density.cpp).
 /// Both: density diffusion (Molteni & Colagrossi 2009, eq. 11) minus its hydrostatic part (Fourtakas 2019,
 /// eq. 10).
 /// Gradients are those at mid-step: pressure work then equals the loss of compression energy to second order.

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/simulation/step.hpp"
+
+namespace thaw {
+
+/// Activates the fields of particles and solids that the scene's modules need.
+void activateFields(World& world, StepTools& tools);
+
+}  // namespace thaw

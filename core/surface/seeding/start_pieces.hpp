@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bodies whose particles form several pieces at the start: thin bodies, oblique to the lattice.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/halo/surface_halos.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct SurfaceTools;
+
+struct BodyPieces {
+  std::size_t body = 0;
+  std::int64_t pieces = 0;
+};
+
+/// Returns bodies, ascending, with unconnected particles less than two spacings apart, so that no layer of
+/// the lattice is missing between them, and the number of such adjacent pieces. Connections are chains of
+/// links (surface.link_length). Requires: gathered particles without components, which it leaves so.
+/// Collective.
+std::vector<BodyPieces> findStartPieces(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
+}  // namespace thaw
