@@ -16,6 +16,7 @@
 
 #include "benchmarks/support/options.hpp"
 #include "benchmarks/support/rig.hpp"
+#include "core/simulation/time/limits.hpp"
 #include "io/scene/read_scene.hpp"
 
 namespace {

@@ -2,8 +2,10 @@
 // Preparation of a scene's oriented bodies.
 #pragma once
 #include "core/geometry/basic/signed_distance.hpp"
+#include "core/halo/halos.hpp"
 #include "core/simulation/setup/warnings/start_warnings.hpp"
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

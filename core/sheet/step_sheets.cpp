@@ -13,6 +13,7 @@
 #include "core/sheet/forces/time_factors.hpp"
 #include "core/sheet/move_vertices.hpp"
 #include "core/sheet/wrap/shrink_wrap.hpp"
+#include "core/simulation/time/limits.hpp"
 
 namespace thaw {
 namespace {

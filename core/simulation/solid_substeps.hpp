@@ -13,7 +13,9 @@
 // over d; fracture, bond forming, melting and new references happen once a step. Contacts between solids need
 // neighbours: they are slow, and limit dt (Limit::Contact) if they exist.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -14,6 +14,7 @@
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/ledger/energy_left.hpp"
 #include "core/simulation/ledger/report.hpp"
+#include "core/simulation/monitor/monitor.hpp"
 #include "core/simulation/redistribute.hpp"
 #include "core/simulation/solid_substeps.hpp"
 #include "core/simulation/sums/particle_sums.hpp"

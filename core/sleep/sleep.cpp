@@ -6,7 +6,8 @@
 #include <limits>
 
 #include "core/materials/enthalpy.hpp"
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 #include "core/sleep/awake_reason.hpp"
 #include "core/solid/laws/plasticity.hpp"
 

@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "core/time/step_trace.hpp"
+#include "core/walls/walls.hpp"
 
 namespace thaw {
 

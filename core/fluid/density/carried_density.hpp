@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Density by continuity, and particle shifting, from the sums of terms/carried_density.hpp.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

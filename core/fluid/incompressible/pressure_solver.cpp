@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/fluid/incompressible/pressure_system.hpp"
+#include "core/simulation/time/limits.hpp"
 
 namespace thaw {
 namespace {

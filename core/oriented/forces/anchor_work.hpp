@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Impulse and work of anchors, for the ledger.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/oriented/data/oriented_work.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Anchors: kinematic constraints of position or orientation.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -4,6 +4,7 @@
 
 #include "core/neighbours/rows_around.hpp"
 #include "core/oriented/step_oriented.hpp"
+#include "core/simulation/time/limits.hpp"
 
 namespace thaw {
 namespace {

@@ -8,6 +8,7 @@
 #include "core/oriented/forces/fields.hpp"
 #include "core/oriented/laws/crease_pair.hpp"
 #include "core/oriented/prepare_oriented.hpp"
+#include "core/simulation/time/limits.hpp"
 
 namespace thaw {
 namespace {

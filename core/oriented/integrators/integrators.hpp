@@ -4,7 +4,9 @@
 // quadrature. OrientedWork::acting and actingTorque get the mean force and torque of all rows, fixed ones
 // included.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -2,7 +2,9 @@
 // Adaptive sampling (ST92): particles are made in stretched gaps and at open borders, and removed where
 // crowded.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

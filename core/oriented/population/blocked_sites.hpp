@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sites where no surface particle may be made: inside obstacles and inside solids.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/halo/halo.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

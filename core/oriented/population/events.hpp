@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Timed events of oriented bodies: weld, cut, crease, smooth (ST92).
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

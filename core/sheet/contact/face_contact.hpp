@@ -5,6 +5,7 @@
 #pragma once
 #include <array>
 
+#include "core/halo/halos.hpp"
 #include "core/sheet/forces/outer_forces.hpp"
 
 namespace thaw {

@@ -2,6 +2,7 @@
 // Interactions of vertices by distance: repulsion and attraction, and contact with continuum and oriented
 // particles. Sheet-sheet contact is in mesh_contact.hpp.
 #pragma once
+#include "core/halo/halos.hpp"
 #include "core/sheet/forces/outer_forces.hpp"
 
 namespace thaw {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Internal forces of a sheet: edge springs, bending, and the volume of a closed mesh (DS section 3.1).
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/halo/halos.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {

@@ -2,7 +2,7 @@
 // External forces on a sheet: weight, wind, wrap, brushes, obstacles (DS section 3.1); and the ledger
 // entries of constraints.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

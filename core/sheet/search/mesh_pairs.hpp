@@ -2,6 +2,7 @@
 // Search for vertices, triangles and edges of sheets within reach of each other, for mesh_contact.hpp.
 #pragma once
 #include "core/sheet/search/mesh_candidates.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

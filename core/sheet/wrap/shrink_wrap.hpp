@@ -2,6 +2,7 @@
 // Shrink-wrap of sheets around a body (SheetBody::wrapTo): continuum, oriented particles, another sheet.
 // Forces on both are equal and opposite.
 #pragma once
+#include "core/halo/halos.hpp"
 #include "core/sheet/forces/outer_forces.hpp"
 
 namespace thaw {

@@ -2,8 +2,10 @@
 // Redistribution of the rows of body types to the ranks that own their cells; the continuum defines cell
 // ownership.
 #pragma once
+#include "core/halo/halos.hpp"
 #include "core/simulation/setup/warnings/start_warnings.hpp"
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

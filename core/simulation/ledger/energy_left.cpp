@@ -8,7 +8,8 @@
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/kernels/with_kernel.hpp"
 #include "core/neighbours/rows_around.hpp"
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 namespace {

@@ -3,23 +3,15 @@
 // Surface and compression energy depend on neighbours: removing a particle exposes its neighbours and lowers
 // their density, which changes their energy.
 #pragma once
-#include <cstdint>
 #include <vector>
 
 #include "core/halo/halo.hpp"
+#include "core/ledger/leaver.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
 
 struct StepTools;
-
-/// A particle that leaves in this step.
-struct Leaver {
-  std::uint64_t id = 0;
-  Vec3d position{};        ///< m
-  double volume = 0;       ///< h^3
-  double rootTension = 0;  ///< (N/m)^1/2
-};
 
 /// Leavers of all ranks, ascending by id. Collective.
 std::vector<Leaver> leaversOfAll(const World& world, const StepTools& tools, Reducer& all);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces on one particle by term, for the message of a failed run.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -2,7 +2,8 @@
 // Detection of interpenetration: oriented particles that have passed into an obstacle or a solid, where
 // contact no longer holds them on one side.
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

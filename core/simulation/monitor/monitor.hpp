@@ -6,25 +6,11 @@
 
 #include "core/materials/liquid_materials.hpp"
 #include "core/simulation/ledger/report.hpp"
+#include "core/simulation/time/monitor_limits.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
-
-/// Kinds of failure. NotFinite: also a particle that would cross its support radius in a step. Energy:
-/// unexplained gain since the last snapshot. Growth: unexplained gain since the run began, however slow.
-enum class Failure { None, NotFinite, Speed, Density, Step, Inverted, Energy, Growth };
-
-/// Limits of the scene, constant over the run. `never` or 0: not monitored.
-struct MonitorLimits {
-  double expected = 0;   ///< m/s, largest speed due to initial motion, gravity, emitters and obstacles, or a
-                         ///< tenth of the slowest wave speed
-  double speed = never;  ///< m/s
-  double relativeDensity = never;  ///< 1, relative density of a liquid
-  double step = 0;  ///< s, fraction of the shorter of the materials' limit and that of the expected speed
-  double inverted = never;  ///< 1, fraction of the solid particles whose law cannot recover
-  double energy = never;    ///< 1, relative to the energy scale
-};
 
 /// Computes the limits. The speed limit is Numerics::watchSpeed times the sum of the expected speed and a
 /// tenth of the fastest wave speed: motion released from stress is slower.

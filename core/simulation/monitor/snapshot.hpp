@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/simulation/monitor/packed_columns.hpp"
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

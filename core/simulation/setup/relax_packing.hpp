@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "core/geometry/basic/signed_distance.hpp"
-#include "core/simulation/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

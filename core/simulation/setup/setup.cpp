@@ -23,6 +23,7 @@
 #include "core/simulation/body_types/cell_costs.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/ledger/report.hpp"
+#include "core/simulation/monitor/monitor.hpp"
 #include "core/simulation/setup/activate_fields.hpp"
 #include "core/simulation/setup/estimates/size_hint.hpp"
 #include "core/simulation/setup/expected_motion.hpp"

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
 
 namespace thaw {
 

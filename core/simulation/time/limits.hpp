@@ -2,42 +2,11 @@
 // The largest stable time step (docs/validation/stability.md B10; Monaghan 1992, Morris 1997), and its
 // alignment with frame times.
 #pragma once
-#include <array>
-
 #include "core/materials/liquid_materials.hpp"
+#include "core/simulation/time/step_limits.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
-
-enum class Limit {
-  Sound,
-  Viscous,
-  Heat,
-  Elastic,
-  Tension,
-  Acceleration,
-  Speed,
-  Contact,
-  Scene,
-  Oriented,
-  Sheet
-};
-inline constexpr std::array<const char*, 11> limitNames{
-    "sound", "viscosity", "heat",  "elastic waves",      "surface tension", "acceleration",
-    "speed", "contact",   "scene", "oriented particles", "sheets"};
-inline constexpr std::size_t bodyTypeLimits = 2;  ///< the last entries: further body types, reduced only in
-                                                  ///< scenes that have them
-
-inline constexpr double supportsPerStep = 0.25;  ///< no particle crosses another particle, or a cell, in a
-                                                 ///< step
-
-/// Limits in s; `never` if not applicable.
-struct StepLimits {
-  std::array<double, limitNames.size()> value;
-  StepLimits() { value.fill(never); }
-  double& operator[](Limit l) { return value[static_cast<std::size_t>(l)]; }
-  Limit smallest() const;
-};
 
 /// Returns the limits that depend on materials alone: sound, tension, elastic waves, contact, the scene's
 /// own, and viscosity and heat of constant materials. It needs no particles, so it can be printed before a
@@ -45,12 +14,6 @@ struct StepLimits {
 StepLimits materialLimits(const Scene& scene, const Modules& modules,
                           const std::vector<LiquidMaterial>& liquids);
 
-/// Largest rates of motion of a rank's particles.
-struct LargestRates {
-  double speed2 = 0;         ///< m^2/s^2, square of the largest speed
-  double acceleration2 = 0;  ///< m^2/s^4, square of the largest acceleration, without forces that act in
-                             ///< substeps
-};
 LargestRates largestRates(const World& world);
 
 /// Returns the limits of this rank's particles: acceleration, speed, and temperature-dependent viscosity,

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
 
 namespace thaw {
 

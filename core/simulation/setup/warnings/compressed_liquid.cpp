@@ -6,7 +6,8 @@
 #include <cstdio>
 
 #include "core/materials/state_equation.hpp"
-#include "core/simulation/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 namespace {
