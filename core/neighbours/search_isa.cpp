@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set (core/fluid/pair_sums/dispatch.cpp).
-#include "core/fluid/pair_sums/pair_kernels.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
 #include "core/neighbours/pick_direct.hpp"
+#include "core/neighbours/search.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/simd/pack.hpp"
 

@@ -16,7 +16,6 @@
 #include "core/scene/position_field.hpp"
 #include "core/scene/shape.hpp"
 #include "core/scene/sheet_body.hpp"
-#include "core/walls/walls.hpp"
 
 namespace thaw {
 

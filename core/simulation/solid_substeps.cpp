@@ -7,6 +7,7 @@
 
 #include "core/domain/sides.hpp"
 #include "core/simulation/time/limits.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 namespace {

@@ -22,6 +22,7 @@
 #include "core/simulation/time/integrate.hpp"
 #include "core/simulation/time/step_reduction.hpp"
 #include "core/surface/surface_due.hpp"
+#include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
 

@@ -7,7 +7,6 @@
 #include <ctime>
 
 #include "core/time/step_trace.hpp"
-#include "core/walls/walls.hpp"
 
 namespace thaw {
 

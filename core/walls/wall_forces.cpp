@@ -6,9 +6,9 @@
 
 #include "core/contact/dashpot.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
-#include "core/fluid/laws/surface_energy.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/sleep/sleep.hpp"
+#include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
 namespace {

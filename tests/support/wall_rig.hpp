@@ -5,7 +5,6 @@
 
 #include "core/neighbours/sort.hpp"
 #include "core/simulation/setup/make_grid.hpp"
-#include "core/simulation/step.hpp"
 #include "core/simulation/time/integrate.hpp"
 #include "core/walls/wall_forces.hpp"
 

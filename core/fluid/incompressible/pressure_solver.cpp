@@ -6,6 +6,7 @@
 
 #include "core/fluid/incompressible/pressure_system.hpp"
 #include "core/simulation/time/limits.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 namespace {

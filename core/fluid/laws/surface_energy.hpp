@@ -33,7 +33,8 @@
 // Walls and solids count as liquid: they contribute to the colour and pull only on its gradient, a contact
 // angle of 90 degrees.
 #pragma once
-#include "core/walls/wall_forces.hpp"
+#include "core/math/vec3.hpp"
+#include "core/scene/scene.hpp"
 
 namespace thaw {
 
@@ -70,13 +71,5 @@ struct WallColour {
   double colour = 0, slope = 0, bend = 0;
 };
 WallColour wallColour(double spacing, double distance);
-
-/// Adds the walls to surfaceGradient and surfaceColour of owned particles, computes surfaceEnergyByGradient
-/// and surfaceEnergyByColour, and adds E to Continuum::interaction.
-void findSurfaceEnergy(const WallContext& context, const SurfaceMeasure& measure,
-                       const WallContacts& contacts);
-
-/// Force (N) of the wall along the contact normal: the gradient of the particle's own surface energy.
-double surfaceForceOfWall(const World& world, const WallContact& contact);
 
 }  // namespace thaw

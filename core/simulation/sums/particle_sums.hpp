@@ -4,6 +4,7 @@
 #include "core/halo/halos.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/domain/emit.hpp"
 #include "core/simulation/world/world.hpp"
 #include "core/surface/field/iso_surface.hpp"
 #include "core/surface/resampling/births.hpp"
