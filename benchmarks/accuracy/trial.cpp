@@ -7,8 +7,8 @@
 #include "benchmarks/accuracy/made_meshes.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/simulation/sums/solid_step.hpp"
-#include "core/simulation/time/limits.hpp"
 #include "core/surface/surface_due.hpp"
+#include "core/time/frame_times.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "parallel/balance.hpp"
 

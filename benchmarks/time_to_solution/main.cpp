@@ -16,7 +16,7 @@
 
 #include "benchmarks/support/options.hpp"
 #include "benchmarks/support/rig.hpp"
-#include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 #include "io/scene/read_scene.hpp"
 
 namespace {

@@ -59,12 +59,6 @@ void refuseSharedPositions(const Scene& s, const std::vector<std::vector<Vec3d>>
 
 }  // namespace
 
-double orientedReach(const Scene& s) {
-  double reach = 0;
-  for (const OrientedBody& b : s.oriented) reach = std::max(reach, 1.1 * b.support * spacingOf(s, b));
-  return reach;
-}
-
 void activateOriented(World& w) {
   Oriented& o = w.oriented.rows;
   activateBodyType(o);

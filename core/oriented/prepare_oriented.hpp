@@ -3,14 +3,11 @@
 #pragma once
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/halo/halos.hpp"
-#include "core/simulation/setup/warnings/start_warnings.hpp"
+#include "core/scene/scene_warning.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
-
-/// Returns 1.1 times the largest radius (m) of interaction of oriented particles: the least length of cells.
-double orientedReach(const Scene& scene);
 
 void activateOriented(World& world);
 

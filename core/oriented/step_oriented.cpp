@@ -10,6 +10,7 @@
 #include "core/oriented/forces/fields.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/integrators/integrators.hpp"
+#include "core/oriented/laws/oriented_reach.hpp"
 #include "core/oriented/population/adaptive_sampling.hpp"
 #include "core/oriented/population/events.hpp"
 #include "core/oriented/prepare_oriented.hpp"

@@ -33,9 +33,4 @@ void recordKickLag(const World& world, const StepTools& tools, double sign, doub
 /// ranks.
 double orientedStepLimit(const World& world, const StepTools& tools);
 
-/// Adds contact forces of oriented particles and the continuum: springs, dashpots and barriers between
-/// centres (plan_contact.hpp), with half of the energy at each end. Sets OrientedWork::fastest2, including
-/// contacts that begin in the next step. Requires: forces and ghosts of both. Not collective.
-void addContinuumContact(World& world, StepTools& tools, double dt);
-
 }  // namespace thaw

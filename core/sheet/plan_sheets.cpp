@@ -14,6 +14,7 @@
 #include "core/sheet/contact/face_contact.hpp"
 #include "core/sheet/contact/mesh_contact.hpp"
 #include "core/sheet/contact/sheet_contact.hpp"
+#include "core/sheet/data/touching_sheets.hpp"
 
 namespace thaw {
 

@@ -2,7 +2,8 @@
 // Overlapping regions of a sheet: all factors of the later one apply.
 #pragma once
 #include "core/geometry/basic/signed_distance.hpp"
-#include "core/simulation/setup/warnings/start_warnings.hpp"
+#include "core/scene/scene_warning.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

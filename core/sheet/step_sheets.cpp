@@ -7,13 +7,14 @@
 
 #include "core/sheet/contact/mesh_contact.hpp"
 #include "core/sheet/contact/sheet_contact.hpp"
+#include "core/sheet/data/touching_sheets.hpp"
 #include "core/sheet/forces/cell_sums.hpp"
 #include "core/sheet/forces/inner_forces.hpp"
 #include "core/sheet/forces/outer_forces.hpp"
 #include "core/sheet/forces/time_factors.hpp"
 #include "core/sheet/move_vertices.hpp"
 #include "core/sheet/wrap/shrink_wrap.hpp"
-#include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 
 namespace thaw {
 namespace {

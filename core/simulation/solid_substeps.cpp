@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/domain/sides.hpp"
-#include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {

@@ -9,6 +9,7 @@
 #include "core/fluid/density/carried_density.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
+#include "core/oriented/forces/continuum_contact.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
@@ -22,6 +23,7 @@
 #include "core/simulation/time/integrate.hpp"
 #include "core/simulation/time/step_reduction.hpp"
 #include "core/surface/surface_due.hpp"
+#include "core/time/frame_times.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {

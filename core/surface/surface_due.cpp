@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/surface_due.hpp"
 
-#include "core/surface/data/small_drops.hpp"
+#include "core/surface/measures/small_drops.hpp"
 #include "core/surface/seeding/grow.hpp"
 
 #include <algorithm>

@@ -5,11 +5,13 @@
 
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/field/prepare_particles.hpp"
-#include "core/surface/measures/enforce_volume.hpp"
 #include "core/surface/measures/measure.hpp"
 #include "core/surface/measures/surfel_area.hpp"
+#include "core/surface/relaxation/enforce_volume.hpp"
 #include "core/surface/relaxation/wall_projection.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/topology/components.hpp"
+#include "core/surface/topology/merge.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

@@ -6,8 +6,8 @@
 #include "core/surface/advection/reference_motion.hpp"
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/field/prepare_particles.hpp"
-#include "core/surface/measures/enforce_volume.hpp"
 #include "core/surface/relaxation/blend.hpp"
+#include "core/surface/relaxation/enforce_volume.hpp"
 #include "core/surface/relaxation/relax.hpp"
 #include "core/surface/relaxation/wall_projection.hpp"
 #include "core/surface/resampling/clear_isolated_colours.hpp"
@@ -15,6 +15,7 @@
 #include "core/surface/seeding/grow.hpp"
 #include "core/surface/seeding/resurface_exposed.hpp"
 #include "core/surface/seeding/sample_mesh.hpp"
+#include "core/surface/start_pieces.hpp"
 #include "core/surface/update_components.hpp"
 
 namespace thaw {

@@ -9,7 +9,6 @@
 #include "core/domain/emit.hpp"
 #include "core/simulation/monitor/force_terms.hpp"
 #include "core/simulation/time/integrate.hpp"
-#include "core/simulation/time/limits.hpp"
 
 namespace thaw {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/ledger/stored_parts.hpp"
-#include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/reports/step_log.hpp"

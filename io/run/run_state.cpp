@@ -10,9 +10,9 @@
 
 #include "core/simulation/monitor/interpenetration.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
-#include "core/simulation/time/limits.hpp"
 #include "core/sleep/awake_reason.hpp"
 #include "core/surface/resume_surface.hpp"
+#include "core/time/frame_times.hpp"
 #include "io/frames/frame_fields.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/io_error.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "core/scene/quality.hpp"
-#include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/simulation.hpp"
 

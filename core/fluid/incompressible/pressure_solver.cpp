@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/fluid/incompressible/pressure_system.hpp"
-#include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {

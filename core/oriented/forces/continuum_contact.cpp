@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/oriented/forces/continuum_contact.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/neighbours/rows_around.hpp"
-#include "core/oriented/step_oriented.hpp"
-#include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 
 namespace thaw {
 namespace {

@@ -7,8 +7,8 @@
 #include "core/math/hash_random.hpp"
 #include "core/oriented/forces/fields.hpp"
 #include "core/oriented/laws/crease_pair.hpp"
-#include "core/oriented/prepare_oriented.hpp"
-#include "core/simulation/time/limits.hpp"
+#include "core/oriented/laws/oriented_reach.hpp"
+#include "core/time/frame_times.hpp"
 
 namespace thaw {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/sheet/contact/friction.hpp"
+#include "core/sheet/data/touching_sheets.hpp"
 #include "core/sheet/search/mesh_pairs.hpp"
 
 namespace thaw {
@@ -119,14 +120,6 @@ struct MeshContact {
 };
 
 }  // namespace
-
-bool meshTouches(const Scene& s, std::size_t sheet) {
-  return s.sheets.size() > 1 || s.sheets[sheet].selfContact;
-}
-
-bool meshesTouch(const Scene& s) {
-  return !s.sheets.empty() && (s.sheets.size() > 1 || s.sheets[0].selfContact);
-}
 
 double meshContactReach(const Scene& s, const std::vector<SheetPlan>& plans) {
   double reach = 0;

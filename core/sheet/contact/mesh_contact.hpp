@@ -6,10 +6,6 @@
 
 namespace thaw {
 
-/// Returns whether sheets can touch each other or themselves; for one sheet, whether it takes part.
-bool meshesTouch(const Scene& scene);
-bool meshTouches(const Scene& scene, std::size_t sheet);
-
 /// Returns the radius (m) around a vertex that contains all vertices of its contacts: the least length of
 /// cells. 0 without such sheets.
 double meshContactReach(const Scene& scene, const std::vector<SheetPlan>& plans);

@@ -10,6 +10,7 @@
 #include "core/sheet/contact/face_contact.hpp"
 #include "core/sheet/contact/mesh_contact.hpp"
 #include "core/sheet/contact/particle_contact.hpp"
+#include "core/sheet/data/touching_sheets.hpp"
 #include "core/sheet/forces/time_factors.hpp"
 #include "core/sheet/search/mesh_pairs.hpp"
 #include "core/simulation/world/body_types.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sheet/search/mesh_candidates.hpp"
 
-#include "core/sheet/contact/mesh_contact.hpp"
+#include "core/sheet/data/touching_sheets.hpp"
 #include "core/sheet/search/mesh_pairs.hpp"
 #include "core/simulation/world/world.hpp"
 

@@ -3,7 +3,7 @@
 // ownership.
 #pragma once
 #include "core/halo/halos.hpp"
-#include "core/simulation/setup/warnings/start_warnings.hpp"
+#include "core/scene/scene_warning.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "core/sheet/data/plan_sheets.hpp"
 #include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 
 namespace thaw {
 namespace {

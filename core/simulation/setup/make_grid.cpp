@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/oriented/prepare_oriented.hpp"
+#include "core/oriented/laws/oriented_reach.hpp"
 #include "core/sheet/data/plan_sheets.hpp"
 
 namespace thaw {

@@ -7,7 +7,7 @@
 #include "core/domain/outside.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/halo/halo.hpp"
-#include "core/simulation/setup/warnings/start_warnings.hpp"
+#include "core/scene/scene_warning.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {

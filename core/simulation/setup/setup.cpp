@@ -32,11 +32,13 @@
 #include "core/simulation/setup/relax_packing.hpp"
 #include "core/simulation/setup/start_fields.hpp"
 #include "core/simulation/setup/warnings/compressed_liquid.hpp"
+#include "core/simulation/setup/warnings/start_warnings.hpp"
 #include "core/simulation/setup/warnings/thin_walls.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 
 namespace thaw {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/solid/elasticity/moment.hpp"
 #include "core/surface/advection/reference_motion.hpp"
 #include "core/surface/data/place_rows.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/surface/seeding/sample_mesh.hpp"
+#include "core/surface/data/sampled_bodies.hpp"
 
 namespace thaw {
 namespace {

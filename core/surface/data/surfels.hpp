@@ -152,4 +152,10 @@ struct SurfaceParticles : Table {
   // clang-format on
 };
 
+/// Deactivates a column: it frees its memory and leaves checkpoints.
+inline void deactivate(AnyColumn& c) {
+  c.active = false;
+  c.bytes.clear();
+}
+
 }  // namespace thaw

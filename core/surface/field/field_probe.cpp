@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/surface/relaxation/surfel_move.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 

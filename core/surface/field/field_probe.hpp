@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/simulation/world/world.hpp"
-#include "core/surface/field/level_table.hpp"
+#include "core/surface/data/level_table.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
 #include "core/surface/search/bins.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/surface/data/place_rows.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

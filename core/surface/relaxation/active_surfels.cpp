@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/surface/data/place_rows.hpp"
-#include "core/surface/data/small_drops.hpp"
+#include "core/surface/measures/small_drops.hpp"
 
 namespace thaw {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/surface/relaxation/relax_tools.hpp"
+#include "core/surface/work/relax_tools.hpp"
 
 namespace thaw {
 namespace {

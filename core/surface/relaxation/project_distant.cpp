@@ -9,7 +9,7 @@
 #include "core/surface/field/iso_surface.hpp"
 #include "core/surface/relaxation/surfel_move.hpp"
 #include "core/surface/relaxation/wall_projection.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

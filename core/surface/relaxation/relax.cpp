@@ -13,7 +13,7 @@
 #include "core/surface/relaxation/surfel_move.hpp"
 #include "core/surface/relaxation/wall_projection.hpp"
 #include "core/surface/search/near_sheets.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

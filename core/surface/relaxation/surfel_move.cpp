@@ -94,13 +94,6 @@ MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeig
   return c;
 }
 
-double isoOffsetOf(const std::vector<ComponentIsoOffset>& isoOffset, std::uint64_t component) {
-  const auto at = std::lower_bound(
-      isoOffset.begin(), isoOffset.end(), component,
-      [](const ComponentIsoOffset& p, std::uint64_t c) { return p.component < c; });
-  return at != isoOffset.end() && at->component == component ? at->by : 0;
-}
-
 NormalForce normalForceOn(const World& w, const MoveContext& c, const SurfelSums& s, double isoOffset,
                           std::size_t i) {
   NormalForce p;

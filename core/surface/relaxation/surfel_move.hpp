@@ -5,17 +5,9 @@
 
 #include "core/simulation/world/world.hpp"
 #include "core/surface/relaxation/relax.hpp"
-#include "core/surface/relaxation/relax_tools.hpp"
+#include "core/surface/work/relax_tools.hpp"
 
 namespace thaw {
-
-/// Sums of one lane: channel c at [8 c + lane].
-struct SurfelSums {
-  const float *surfels, *particles;
-  int lane;
-  double surfel(int channel) const { return static_cast<double>(surfels[8 * channel + lane]); }
-  double particle(int channel) const { return static_cast<double>(particles[8 * channel + lane]); }
-};
 
 struct MoveCounts {
   std::int64_t flipped = 0, keptNormals = 0;
@@ -43,9 +35,6 @@ struct MoveContext {
   bool plane;
 };
 MoveContext moveContext(const World& world, const RelaxTools& tools, const ForceWeights& weights);
-
-/// Returns the offset (m) of a component's surface from its level, 0 if not listed.
-double isoOffsetOf(const std::vector<ComponentIsoOffset>& isoOffset, std::uint64_t component);
 
 /// Forces on a surfel across the surface.
 struct NormalForce {

@@ -7,8 +7,8 @@
 
 #include "core/surface/data/mean_colour.hpp"
 #include "core/surface/data/place_rows.hpp"
-#include "core/surface/seeding/birth_colours.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/resampling/birth_colours.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

@@ -8,14 +8,13 @@
 #include "core/math/hash_random.hpp"
 #include "core/surface/advection/reference_motion.hpp"
 #include "core/surface/data/place_rows.hpp"
-#include "core/surface/data/small_drops.hpp"
-#include "core/surface/resampling/active_set.hpp"
+#include "core/surface/data/surfel_ids.hpp"
+#include "core/surface/measures/small_drops.hpp"
 #include "core/surface/resampling/adapt_density.hpp"
 #include "core/surface/resampling/births.hpp"
 #include "core/surface/resampling/sampling_density.hpp"
-#include "core/surface/seeding/grow.hpp"
-#include "core/surface/seeding/sample_mesh.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/search/active_set.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/halo/gather_words.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/surface/seeding/sample_mesh.hpp"
+#include "core/surface/data/surfel_ids.hpp"
 
 namespace thaw {
 namespace {

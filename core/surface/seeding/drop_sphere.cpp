@@ -6,7 +6,7 @@
 
 #include "core/math/hash_random.hpp"
 #include "core/math/tangent.hpp"
-#include "core/surface/seeding/sample_mesh.hpp"
+#include "core/surface/data/surfel_ids.hpp"
 
 namespace thaw {
 

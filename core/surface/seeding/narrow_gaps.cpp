@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/halo/gather_words.hpp"
-#include "core/surface/seeding/sample_mesh.hpp"
+#include "core/surface/data/sampled_bodies.hpp"
 #include "core/surface/seeding/seeds.hpp"
 
 namespace thaw {

@@ -8,18 +8,18 @@
 #include "core/surface/advection/reference_motion.hpp"
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/data/remove_surfels.hpp"
-#include "core/surface/data/small_drops.hpp"
+#include "core/surface/data/surfel_ids.hpp"
 #include "core/surface/field/iso_surface.hpp"
 #include "core/surface/field/prepare_particles.hpp"
+#include "core/surface/measures/small_drops.hpp"
+#include "core/surface/resampling/birth_colours.hpp"
 #include "core/surface/resampling/births.hpp"
 #include "core/surface/search/bins.hpp"
 #include "core/surface/search/local_surface.hpp"
-#include "core/surface/seeding/birth_colours.hpp"
 #include "core/surface/seeding/disc_cover.hpp"
 #include "core/surface/seeding/grow.hpp"
-#include "core/surface/seeding/sample_mesh.hpp"
 #include "core/surface/seeding/seeds.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

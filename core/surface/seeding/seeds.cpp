@@ -6,8 +6,9 @@
 
 #include "core/math/hash_random.hpp"
 #include "core/math/tangent.hpp"
+#include "core/surface/data/sampled_bodies.hpp"
+#include "core/surface/data/surfel_ids.hpp"
 #include "core/surface/field/iso_surface.hpp"
-#include "core/surface/seeding/sample_mesh.hpp"
 
 namespace thaw {
 

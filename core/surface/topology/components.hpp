@@ -11,38 +11,11 @@
 //
 // A component splits where no link remains.
 #pragma once
-#include <algorithm>
-
 #include "core/halo/surface_halos.hpp"
 #include "core/simulation/world/world.hpp"
-#include "core/surface/search/bins.hpp"
+#include "core/surface/work/topology_tools.hpp"
 
 namespace thaw {
-
-/// Buffers, kept between updates.
-struct ComponentTools {
-  Bins surfelBins, particleBins;
-  std::vector<std::uint32_t> parent;  ///< union-find: rows of surfels, then of particles
-  std::vector<std::uint64_t> least;   ///< smallest label of each root's set
-  std::vector<std::uint8_t> dead;
-  struct Near {
-    double d2;  // m^2
-    std::uint32_t row;
-  };
-  RowBlock block;
-  std::vector<Near> near;
-  struct Piece {
-    std::uint64_t from, part;
-    friend auto operator<=>(const Piece&, const Piece&) = default;
-  };
-  std::vector<Piece> pieces;  ///< previous component of each part of the last split, ascending, the same on
-                              ///< all ranks
-  /// Returns whether there are several parts, which may come into contact.
-  bool several() const {
-    return std::any_of(pieces.begin(), pieces.end(),
-                       [&](const Piece& p) { return p.part != pieces.front().part; });
-  }
-};
 
 /// Number of nearest neighbours for S_rest.
 inline constexpr int nearestSurfels = 10;

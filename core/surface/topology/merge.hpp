@@ -3,18 +3,10 @@
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/simulation/world/world.hpp"
-#include "core/surface/search/inside.hpp"
 #include "core/surface/topology/components.hpp"
+#include "core/surface/work/topology_tools.hpp"
 
 namespace thaw {
-
-struct MergeTools {
-  InsideTools inside;
-  std::vector<SurfaceSide> sides, touching;
-  std::vector<Vec3d> moved;
-  std::vector<std::uint8_t> open;   ///< flags of surfels that resampling must inspect
-  std::vector<std::uint64_t> into;  ///< joined labels of surfels, ghosts included
-};
 
 /// Joins components in contact. Contact means that a particle of one lies inside the surface of the other.
 /// For liquids, a distance as between particles of one liquid suffices. The scene's rule decides: Liquid

@@ -4,8 +4,8 @@
 #pragma once
 #include <vector>
 
+#include "io/render/image/render_style.hpp"
 #include "io/render/light/depth_map.hpp"
-#include "io/render/particles/render.hpp"
 
 namespace thaw {
 

@@ -9,7 +9,7 @@
 #include "core/scene/scene.hpp"
 #include "core/surface/data/surface.hpp"
 #include "core/surface/data/surface_times.hpp"
-#include "core/surface/seeding/start_pieces.hpp"
+#include "core/surface/start_pieces.hpp"
 #include "io/run/reports/volume_held.hpp"
 
 namespace thaw {

@@ -9,6 +9,7 @@
 #include "core/halo/serial.hpp"
 #include "core/simulation/setup/make_grid.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
+#include "core/surface/update_components.hpp"
 #include "core/surface/update_surface.hpp"
 
 namespace thaw::test {

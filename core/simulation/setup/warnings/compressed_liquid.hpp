@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/halo/halo.hpp"
-#include "core/simulation/setup/warnings/start_warnings.hpp"
+#include "core/scene/scene_warning.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {

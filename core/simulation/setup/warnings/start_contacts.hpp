@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulation/setup/warnings/start_warnings.hpp"
+#include "core/halo/halo.hpp"
+#include "core/scene/scene_warning.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -7,15 +7,10 @@
 
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/halo/halo.hpp"
+#include "core/scene/scene_warning.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
-
-/// Warning about the scene, with its source location.
-struct SceneWarning {
-  SourcePlace where;
-  std::string text;
-};
 
 /// Checks sampled bodies before the first step and returns warnings about
 /// - sheets that are clamped as a whole, or far thicker than their vertex spacing;

@@ -7,6 +7,7 @@
 
 #include "core/kernels/lattice.hpp"
 #include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
 
 namespace thaw::test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/measures/measure.hpp"
 
-#include "core/surface/measures/enforce_volume.hpp"
+#include "core/surface/relaxation/enforce_volume.hpp"
 #include "tests/support/surface/surface_rig.hpp"
 
 using namespace thaw;

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 
-#include "core/surface/field/level_table.hpp"
+#include "core/surface/data/level_table.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/relaxation/blend.hpp"
 #include "tests/support/surface/relax_rig.hpp"

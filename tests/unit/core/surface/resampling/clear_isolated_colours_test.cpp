@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/surface/seeding/birth_colours.hpp"
+#include "core/surface/resampling/birth_colours.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {

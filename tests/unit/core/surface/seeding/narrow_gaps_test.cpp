@@ -7,6 +7,7 @@
 
 #include "core/surface/advection/gather_particles.hpp"
 #include "core/surface/field/prepare_particles.hpp"
+#include "core/surface/update_components.hpp"
 #include "tests/support/surface/surface_world.hpp"
 
 namespace thaw {

@@ -9,6 +9,7 @@
 
 #include "core/surface/measures/measure.hpp"
 #include "core/surface/seeding/grow.hpp"
+#include "core/surface/update_components.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/surface/surface_world.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"

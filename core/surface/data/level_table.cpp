@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/surface/field/level_table.hpp"
+#include "core/surface/data/level_table.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/surface/relaxation/gap_cutoffs.hpp"
+#include "core/surface/search/gap_cutoffs.hpp"
 
 #include <algorithm>
 #include <limits>

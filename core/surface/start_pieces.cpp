@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/surface/seeding/start_pieces.hpp"
+#include "core/surface/start_pieces.hpp"
 
 #include <algorithm>
 
 #include "core/domain/emit.hpp"
 #include "core/halo/gather_words.hpp"
 #include "core/surface/data/place_rows.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/update_components.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/surface/seeding/birth_colours.hpp"
+#include "core/surface/resampling/birth_colours.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "core/surface/data/mean_colour.hpp"
 #include "core/surface/data/place_rows.hpp"
-#include "core/surface/seeding/sample_mesh.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/surface/data/sampled_bodies.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

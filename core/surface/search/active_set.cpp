@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/surface/resampling/active_set.hpp"
+#include "core/surface/search/active_set.hpp"
 
 #include <cstring>
 #include <limits>
 
-#include "core/surface/relaxation/relax_tools.hpp"
+#include "core/surface/data/surfels.hpp"
 
 namespace thaw {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/surface/measures/enforce_volume.hpp"
+#include "core/surface/relaxation/enforce_volume.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "core/surface/data/small_drops.hpp"
+#include "core/surface/data/sampled_bodies.hpp"
 #include "core/surface/measures/film_limit.hpp"
 #include "core/surface/measures/measure.hpp"
-#include "core/surface/seeding/sample_mesh.hpp"
+#include "core/surface/measures/small_drops.hpp"
 
 namespace thaw {
 

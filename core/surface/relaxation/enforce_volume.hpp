@@ -3,7 +3,7 @@
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/simulation/world/world.hpp"
-#include "core/surface/relaxation/relax_tools.hpp"
+#include "core/surface/work/relax_tools.hpp"
 
 namespace thaw {
 

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buffers of displacement and iterations, reused between updates. They are not part of the state.
 #pragma once
+#include <algorithm>
+#include <vector>
+
 #include <cstdint>
 #include <vector>
 
 #include "core/particles/column.hpp"
-#include "core/surface/field/level_table.hpp"
+#include "core/surface/data/level_table.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
-#include "core/surface/relaxation/gap_cutoffs.hpp"
 #include "core/surface/search/bins.hpp"
+#include "core/surface/search/gap_cutoffs.hpp"
 #include "core/surface/search/group_lists.hpp"
 
 namespace thaw {
@@ -44,10 +47,20 @@ struct RelaxTools {
   RelaxTimes times;
 };
 
-/// Deactivates a column: it frees its memory and leaves checkpoints.
-inline void deactivate(AnyColumn& c) {
-  c.active = false;
-  c.bytes.clear();
+/// Sums of one lane: channel c at [8 c + lane].
+struct SurfelSums {
+  const float *surfels, *particles;
+  int lane;
+  double surfel(int channel) const { return static_cast<double>(surfels[8 * channel + lane]); }
+  double particle(int channel) const { return static_cast<double>(particles[8 * channel + lane]); }
+};
+
+/// Returns the offset (m) of a component's surface from its level, 0 if not listed.
+inline double isoOffsetOf(const std::vector<ComponentIsoOffset>& isoOffset, std::uint64_t component) {
+  const auto at = std::lower_bound(
+      isoOffset.begin(), isoOffset.end(), component,
+      [](const ComponentIsoOffset& p, std::uint64_t c) { return p.component < c; });
+  return at != isoOffset.end() && at->component == component ? at->by : 0;
 }
 
 }  // namespace thaw
