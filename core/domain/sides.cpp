@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "core/ledger/counters.hpp"
 #include "core/particles/body_type_rows.hpp"
-#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Free surface of a liquid that carries its density, and particle shifting, which depends on it.
 #pragma once
-#include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {

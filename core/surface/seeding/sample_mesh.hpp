@@ -5,8 +5,9 @@
 
 #include "core/geometry/basic/triangle_mesh.hpp"
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/scene/scene.hpp"
 #include "core/surface/data/sampled_bodies.hpp"
+#include "core/surface/data/surface.hpp"
 #include "core/surface/data/surfel_ids.hpp"
 
 namespace thaw {
