@@ -12,6 +12,7 @@ set(public
   core/solid/bonds/serial_bond_halo.hpp
   core/simulation/step.hpp            # one time step
   core/surface/update_surface.hpp
+  core/time/frame_times.hpp           # frames due, and the next step
   parallel/balance.hpp
   parallel/bond_halo.hpp
   parallel/cell_halo.hpp

@@ -13,7 +13,7 @@ struct Halos {
   CellHalo* kinds[2] = {nullptr, nullptr};  ///< for further body types
                                             ///< (core/simulation/world/body_types.hpp), over the same grid;
                                             ///< null for absent types
-  BondHalo* edges = nullptr;  ///< for sheets
+  BondHalo* edges = nullptr;                ///< for sheets
 };
 
 }  // namespace thaw

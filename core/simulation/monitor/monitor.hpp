@@ -6,8 +6,8 @@
 
 #include "core/materials/liquid_materials.hpp"
 #include "core/simulation/ledger/report.hpp"
-#include "core/simulation/time/monitor_limits.hpp"
 #include "core/simulation/time/limits.hpp"
+#include "core/simulation/time/monitor_limits.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {

@@ -7,7 +7,6 @@
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 
-
 namespace thaw {
 
 /// Computes Solids::energy, Solids::deformation and the compression energy in Continuum::interaction, unless

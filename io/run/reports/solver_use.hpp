@@ -8,7 +8,6 @@
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 
-
 namespace thaw {
 
 /// A solver: iterations of the last step, and the mean over all steps.
