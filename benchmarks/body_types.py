@@ -6,8 +6,8 @@
 
 Each scene has one body type: liquid, oriented particles or a sheet. Steps N/2 + 1 ... N are counted as the
 difference of two runs, inside thaw::step. A function belongs to core/oriented, core/sheet or
-core/body_types if an object of that folder defines it. Inlined functions count where they are inlined, so that tests for absent
-body types in step.cpp are in `rest`. Needs valgrind.
+core/simulation/body_types if an object of that folder defines it. Inlined functions count where they are
+inlined, so that tests for absent body types in step.cpp are in `rest`. Needs valgrind.
 """
 import argparse
 import csv
@@ -28,9 +28,10 @@ FOLDERS = ("oriented", "sheet", "body_types")
 
 
 def functionsOf(folder):
-    objects = sorted((build / "CMakeFiles/thaw_core.dir/core" / folder).glob("*.o"))
+    place = "simulation/body_types" if folder == "body_types" else folder
+    objects = sorted((build / "CMakeFiles/thaw_core.dir/core" / place).rglob("*.o"))
     if not objects:
-        sys.exit(f"body_types: no objects of core/{folder} in {build}; build thaw first")
+        sys.exit(f"body_types: no objects of core/{place} in {build}; build thaw first")
     listed = subprocess.run(["nm", "-C", "--defined-only", *map(str, objects)], capture_output=True, text=True, check=True).stdout
     return {m.group(1) for m in re.finditer(r"^[0-9a-f]+ [tT] (.*)$", listed, re.M)}  # no weak ones
 

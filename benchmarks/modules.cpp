@@ -13,7 +13,7 @@
 #include <ctime>
 #include <functional>
 
-#include "core/memory.hpp"
+#include "core/simulation/memory.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace {

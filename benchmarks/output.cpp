@@ -17,9 +17,9 @@
 
 #include "benchmarks/support/options.hpp"
 #include "benchmarks/support/rig.hpp"
-#include "core/stored_energy.hpp"
-#include "io/output/checkpoint.hpp"
-#include "io/output/frame_fields.hpp"
+#include "core/simulation/sums/stored_energy.hpp"
+#include "io/checkpoint/checkpoint.hpp"
+#include "io/frames/frame_fields.hpp"
 
 namespace {
 

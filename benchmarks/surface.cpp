@@ -22,11 +22,11 @@
 
 #include "benchmarks/surface/row.hpp"
 #include "benchmarks/surface/whole_updates.hpp"
-#include "core/geometry/signed_distance.hpp"
-#include "core/surface/blend.hpp"
-#include "core/surface/displace.hpp"
-#include "core/surface/prepare_particles.hpp"
-#include "tests/support/relax_rig.hpp"
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/surface/advection/displace.hpp"
+#include "core/surface/field/prepare_particles.hpp"
+#include "core/surface/relaxation/blend.hpp"
+#include "tests/support/surface/relax_rig.hpp"
 
 namespace {
 

@@ -3,23 +3,24 @@
 # Runs at installation, with THAW_SOURCE and THAW_HEADERS (folder below the prefix).
 cmake_policy(VERSION 3.22)  # the oldest that CMakeLists.txt accepts
 set(public
-  core/halo/serial.hpp              # halos of one process
-  core/body_types/body_types.hpp
-  core/ledger/report.hpp            # energy, momentum and mass
+  core/halo/serial.hpp                # halos of one process
+  core/simulation/world/body_types.hpp
+  core/simulation/ledger/report.hpp   # energy, momentum and mass
   core/math/exact_sum.hpp
-  core/scene/scene.hpp              # a scene as a plain struct
-  core/setup/setup.hpp              # from a scene to a world
-  core/solid/serial_bond_halo.hpp
-  core/step.hpp                     # one time step
+  core/scene/scene.hpp                # a scene as a plain struct
+  core/simulation/setup/setup.hpp     # from a scene to a world
+  core/solid/bonds/serial_bond_halo.hpp
+  core/simulation/step.hpp            # one time step
   core/surface/update_surface.hpp
+  core/time/frame_times.hpp           # frames due, and the next step
   parallel/balance.hpp
   parallel/bond_halo.hpp
   parallel/cell_halo.hpp
   parallel/communicator.hpp
   parallel/row_scatter.hpp
   io/meshes/read_mesh.hpp
-  io/scene/read_scene.hpp           # a scene from a file
-  io/version.hpp)
+  io/scene/read_scene.hpp             # a scene from a file
+  io/text/version.hpp)
 
 set(headers "")
 while(public)

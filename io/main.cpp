@@ -15,10 +15,10 @@
 #include "io/commands/info_command.hpp"
 #include "io/commands/render.hpp"
 #include "io/commands/run.hpp"
-#include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/scene/read_scene.hpp"
-#include "io/version.hpp"
+#include "io/scene/scene_for_all.hpp"
+#include "io/text/version.hpp"
 #include "parallel/communicator.hpp"
 
 namespace {

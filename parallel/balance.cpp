@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/body_types/cell_costs.hpp"
 #include "core/neighbours/list_cells.hpp"
-#include "core/redistribute.hpp"
+#include "core/simulation/body_types/cell_costs.hpp"
+#include "core/simulation/redistribute.hpp"
 
 namespace thaw {
 

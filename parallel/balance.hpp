@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Load balance by measured time.
 #pragma once
-#include "core/step.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

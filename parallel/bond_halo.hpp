@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/solid/bond_graph.hpp"
+#include "core/solid/bonds/bond_graph.hpp"
 #include "parallel/bond_links.hpp"
 #include "parallel/cell_halo.hpp"
 #include "parallel/solid_directory.hpp"

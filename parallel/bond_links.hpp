@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/solid/bond_graph.hpp"
+#include "core/solid/bonds/bond_graph.hpp"
 #include "parallel/communicator.hpp"
 #include "parallel/word_messages.hpp"
 

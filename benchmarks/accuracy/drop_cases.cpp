@@ -2,15 +2,15 @@
 // Surface tension against exact solutions (docs/validation/accuracy.md): Laplace's pressure and the second
 // mode of a drop.
 #include "benchmarks/accuracy/drop_cases.hpp"
-#include "core/fluid/particle_pressure.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/fluid/cohesion.hpp"
-#include "core/fluid/surface_kernel.hpp"
+#include "core/fluid/laws/cohesion.hpp"
+#include "core/fluid/laws/surface_kernel.hpp"
 #include "core/kernels/kernels.hpp"
-#include "core/time/integrate.hpp"
+#include "core/simulation/time/integrate.hpp"
 
 namespace thaw::accuracy {
 namespace {

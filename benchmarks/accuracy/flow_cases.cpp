@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "benchmarks/accuracy/trial.hpp"
-#include "core/fluid/particle_pressure.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
 #include "core/math/hash_random.hpp"
 
 namespace thaw::accuracy {

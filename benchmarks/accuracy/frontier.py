@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes io/commands/frontier_points.cpp, the table of `thaw check`: frontier.py ACCURACY.csv
+"""Writes io/commands/check/frontier_points.cpp, the table of `thaw check`: frontier.py ACCURACY.csv
 
 The table covers each case that represents a part of the model (NORMS), at the spacing where settings vary
 (plan.py). The defaults come first, then every setting with its keys as `--set` takes them. A mark shows the
@@ -13,7 +13,7 @@ import sys
 
 import plan
 
-TARGET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "io", "commands", "frontier_points.cpp")
+TARGET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "io", "commands", "check", "frontier_points.cpp")
 
 NORMS = {"hydrostatic": "L2(p)", "martin_moyce": "RMS(Z)", "poiseuille": "L2(u)", "drop_laplace": "pressure jump", "cantilever": "deflection",
          "p_wave": "P speed at 20 dx", "stiff_in_soft": "energy residual", "conductivity_ratio": "Linf(T)", "stefan_two_phase": "front"}
@@ -63,7 +63,7 @@ def source(rows):
     """The text of frontier_points.cpp."""
     text = ("// SPDX-License-Identifier: Apache-2.0\n"
             "// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; do not edit.\n"
-            "#include \"io/commands/frontier.hpp\"\n\nnamespace thaw {\nnamespace {\n\n")
+            "#include \"io/commands/check/frontier.hpp\"\n\nnamespace thaw {\nnamespace {\n\n")
     text += "constexpr FrontierPoint points[] = {\n"
     for case, norm, settings, error, cost, best in points(rows):
         text += f'    {{"{case}", "{norm}", "{settings}", {error:.3g}, {cost:.2g}, {"true" if best else "false"}}},\n'

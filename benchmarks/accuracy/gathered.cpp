@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "core/fluid/particle_pressure.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
 
 namespace thaw::accuracy {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "io/commands/scene_for_all.hpp"
+#include "io/scene/scene_for_all.hpp"
 
 namespace thaw::accuracy {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes that the suite generates in place of reading files.
 #pragma once
-#include "core/geometry/triangle_mesh.hpp"
+#include "core/geometry/basic/triangle_mesh.hpp"
 
 namespace thaw::accuracy {
 

@@ -17,10 +17,10 @@
 #include <thread>
 
 #include "benchmarks/accuracy/gathered.hpp"
-#include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/scene/read_scene.hpp"
-#include "io/version.hpp"
+#include "io/scene/scene_for_all.hpp"
+#include "io/text/version.hpp"
 
 namespace {
 

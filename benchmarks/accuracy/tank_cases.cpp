@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "benchmarks/accuracy/trial.hpp"
-#include "core/fluid/particle_pressure.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
 
 namespace thaw::accuracy {
 namespace {

@@ -6,9 +6,10 @@
 
 #include "benchmarks/accuracy/made_meshes.hpp"
 #include "core/math/exact_sum.hpp"
-#include "core/solid_step.hpp"
+#include "core/simulation/sums/solid_step.hpp"
 #include "core/surface/surface_due.hpp"
-#include "io/commands/scene_for_all.hpp"
+#include "core/time/frame_times.hpp"
+#include "io/scene/scene_for_all.hpp"
 #include "parallel/balance.hpp"
 
 namespace thaw::accuracy {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/ledger/report.hpp"
-#include "core/setup/setup.hpp"
+#include "core/simulation/ledger/report.hpp"
+#include "core/simulation/setup/setup.hpp"
 #include "core/surface/update_surface.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "benchmarks/oriented/tests.hpp"
-#include "core/body_types/redistribute.hpp"
-#include "core/geometry/point_tree.hpp"
+#include "core/geometry/trees/point_tree.hpp"
+#include "core/simulation/body_types/redistribute.hpp"
 
 namespace thaw::bench {
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "benchmarks/oriented/tests.hpp"
-#include "core/geometry/point_tree.hpp"
-#include "core/oriented/sample_points.hpp"
-#include "core/oriented/triangulate.hpp"
+#include "core/geometry/trees/point_tree.hpp"
+#include "core/oriented/mesh/triangulate.hpp"
+#include "core/oriented/sampling/sample_points.hpp"
 
 namespace thaw::bench {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "core/oriented/oriented_forces.hpp"
+#include "core/oriented/forces/oriented_forces.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::bench {

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "core/setup/setup.hpp"
-#include "io/commands/scene_for_all.hpp"
-#include "io/run/traffic_summary.hpp"
+#include "core/simulation/setup/setup.hpp"
+#include "io/run/reports/traffic_summary.hpp"
+#include "io/scene/scene_for_all.hpp"
 #include "parallel/balance.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "benchmarks/sheet/tests.hpp"
-#include "core/sheet/exact_step.hpp"
-#include "core/sheet/sheet_meshes.hpp"
-#include "core/sheet/topology.hpp"
+#include "core/geometry/builtin/sheet_meshes.hpp"
+#include "core/sheet/data/exact_step.hpp"
+#include "core/sheet/data/topology.hpp"
 
 namespace thaw::bench {
 namespace {

@@ -26,8 +26,8 @@
 #include "benchmarks/support/rig.hpp"
 #include "benchmarks/support/yardstick.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/memory.hpp"
-#include "io/commands/scene_for_all.hpp"
+#include "core/simulation/memory.hpp"
+#include "io/scene/scene_for_all.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <memory>
 
-#include "core/setup/setup.hpp"
+#include "core/simulation/setup/setup.hpp"
 #include "parallel/balance.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "benchmarks/surface/row.hpp"
 
-#include "core/surface/surface_kernels.hpp"
+#include "core/surface/kernels/surface_kernels.hpp"
 
 namespace thaw {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "core/surface/relax_tools.hpp"
+#include "core/surface/work/relax_tools.hpp"
 
 namespace thaw {
 

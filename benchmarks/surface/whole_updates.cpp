@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/halo/serial.hpp"
-#include "core/setup/setup.hpp"
-#include "core/solid/serial_bond_halo.hpp"
+#include "core/simulation/setup/setup.hpp"
+#include "core/solid/bonds/serial_bond_halo.hpp"
 #include "core/surface/update_surface.hpp"
 #include "io/scene/read_scene.hpp"
 

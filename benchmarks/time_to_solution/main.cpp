@@ -16,6 +16,7 @@
 
 #include "benchmarks/support/options.hpp"
 #include "benchmarks/support/rig.hpp"
+#include "core/time/frame_times.hpp"
 #include "io/scene/read_scene.hpp"
 
 namespace {

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/fluid/pair_sums.hpp"
+#include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/scene/scene.hpp"
-#include "core/solid/solids.hpp"
+#include "core/solid/data/solids.hpp"
 
 namespace thaw {
 

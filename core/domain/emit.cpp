@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "core/domain/outside.hpp"
-#include "core/fluid/cohesion.hpp"
-#include "core/fluid/surface_energy.hpp"
-#include "core/geometry/shape_error.hpp"
+#include "core/fluid/laws/cohesion.hpp"
+#include "core/fluid/laws/surface_energy.hpp"
+#include "core/geometry/basic/shape_error.hpp"
 #include "core/scene/field_values.hpp"
 
 namespace thaw {

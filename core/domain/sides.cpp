@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/body_types/body_type_rows.hpp"
-#include "core/world.hpp"
+#include "core/ledger/counters.hpp"
+#include "core/particles/body_type_rows.hpp"
 
 namespace thaw {
 

@@ -8,17 +8,11 @@
 
 #include "core/halo/word_streams.hpp"
 #include "core/neighbours/grid.hpp"
+#include "core/neighbours/migration.hpp"
 #include "core/particles/continuum.hpp"
-#include "core/solid/solids.hpp"
+#include "core/solid/data/solids.hpp"
 
 namespace thaw {
-
-/// Rows that left this rank in a migration, and arrived rows, which are appended behind the owned ones.
-struct Migration {
-  std::vector<std::uint32_t> departed;  ///< rows, ascending; still in the table until it is reordered
-  std::vector<int> departedTo;          ///< destination rank of each departed row
-  std::size_t arrivals = 0;             ///< the last `arrivals` owned rows are new
-};
 
 /// Exact collective sums, minima and maxima, independent of the number of ranks, and sparse exchange of
 /// lists.

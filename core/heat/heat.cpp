@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/heat/enthalpy.hpp"
+#include "core/materials/enthalpy.hpp"
 #include "core/walls/tables.hpp"
 
 namespace thaw {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/world.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

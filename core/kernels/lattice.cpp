@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/fluid/viscous_weight.hpp"
+#include "core/kernels/viscous_weight.hpp"
 #include "core/kernels/with_kernel.hpp"
 
 namespace thaw {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Neighbour sums on the cubic lattice of the scene's spacing, which normalise sums and give stability limits.
 #pragma once
-#include "core/fluid/viscous_weight.hpp"
+#include "core/kernels/viscous_weight.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {

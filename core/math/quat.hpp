@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Unit quaternions as rotations.
 #pragma once
+#include <cmath>
+
 #include "core/math/vec3.hpp"
-#include "core/particles/column.hpp"
 
 namespace thaw {
 
 struct Quat {
   double w = 1, x = 0, y = 0, z = 0;
-};
-template<> struct FieldType<Quat> {
-  static constexpr Scalar scalar = Scalar::F64;
-  static constexpr int components = 4;
 };
 
 inline Quat operator*(const Quat& a, const Quat& b) {

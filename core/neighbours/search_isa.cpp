@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled once per instruction set (core/simd/dispatch.cpp).
+// Compiled once per instruction set (core/fluid/pair_sums/dispatch.cpp).
+#include "core/neighbours/neighbour_lists.hpp"
 #include "core/neighbours/pick_direct.hpp"
+#include "core/neighbours/search.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/simd/pack.hpp"
-#include "core/simd/pair_kernels.hpp"
 
 namespace thaw {
 namespace THAW_ISA {

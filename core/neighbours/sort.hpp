@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/halo/halo.hpp"
 #include "core/neighbours/grid.hpp"
+#include "core/neighbours/migration.hpp"
 #include "core/particles/continuum.hpp"
 
 namespace thaw {

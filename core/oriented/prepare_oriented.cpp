@@ -5,12 +5,12 @@
 #include <stdexcept>
 
 #include "core/domain/outside.hpp"
-#include "core/geometry/point_tree.hpp"
-#include "core/geometry/sampling.hpp"
-#include "core/geometry/shape_error.hpp"
-#include "core/oriented/anchors.hpp"
-#include "core/oriented/fields.hpp"
-#include "core/oriented/sample_points.hpp"
+#include "core/geometry/basic/shape_error.hpp"
+#include "core/geometry/sampling/sampling.hpp"
+#include "core/geometry/trees/point_tree.hpp"
+#include "core/oriented/forces/anchors.hpp"
+#include "core/oriented/forces/fields.hpp"
+#include "core/oriented/sampling/sample_points.hpp"
 
 namespace thaw {
 namespace {
@@ -58,12 +58,6 @@ void refuseSharedPositions(const Scene& s, const std::vector<std::vector<Vec3d>>
 }
 
 }  // namespace
-
-double orientedReach(const Scene& s) {
-  double reach = 0;
-  for (const OrientedBody& b : s.oriented) reach = std::max(reach, 1.1 * b.support * spacingOf(s, b));
-  return reach;
-}
 
 void activateOriented(World& w) {
   Oriented& o = w.oriented.rows;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Preparation of a scene's oriented bodies.
 #pragma once
-#include "core/body_types/start_warnings.hpp"
-#include "core/geometry/signed_distance.hpp"
-#include "core/step.hpp"
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/halo/halos.hpp"
+#include "core/scene/scene_warning.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
-
-/// Returns 1.1 times the largest radius (m) of interaction of oriented particles: the least length of cells.
-double orientedReach(const Scene& scene);
 
 void activateOriented(World& world);
 
@@ -23,8 +22,8 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& world, Halos halos, const 
 
 /// Relaxes the bodies that request it (FIRE: Bitzek et al. 2006), with growth. Stops when no force exceeds
 /// 1e-9 stiffness times spacing, after OrientedBody::relax iterations, when progress stalls
-/// (core/oriented/relax_progress.hpp), or when OrientedWork::stopRelaxing returns true on a rank. Ensures:
-/// velocities are those of the scene. Returns the number of iterations. Collective.
+/// (core/oriented/data/relax_progress.hpp), or when OrientedWork::stopRelaxing returns true on a rank.
+/// Ensures: velocities are those of the scene. Returns the number of iterations. Collective.
 std::int64_t relaxOriented(World& world, Halos halos, StepTools& tools);
 
 }  // namespace thaw

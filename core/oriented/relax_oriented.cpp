@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/body_types/redistribute.hpp"
-#include "core/oriented/adaptive_sampling.hpp"
-#include "core/oriented/anchors.hpp"
-#include "core/oriented/events.hpp"
-#include "core/oriented/follow_interpolant.hpp"
-#include "core/oriented/oriented_forces.hpp"
+#include "core/oriented/forces/anchors.hpp"
+#include "core/oriented/forces/oriented_forces.hpp"
+#include "core/oriented/population/adaptive_sampling.hpp"
+#include "core/oriented/population/events.hpp"
+#include "core/oriented/population/follow_interpolant.hpp"
 #include "core/oriented/prepare_oriented.hpp"
+#include "core/simulation/body_types/redistribute.hpp"
 
 namespace thaw {
 namespace {

@@ -4,16 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/body_types/redistribute.hpp"
 #include "core/domain/sides.hpp"
-#include "core/oriented/adaptive_sampling.hpp"
-#include "core/oriented/anchor_work.hpp"
-#include "core/oriented/anchors.hpp"
-#include "core/oriented/events.hpp"
-#include "core/oriented/fields.hpp"
-#include "core/oriented/integrators.hpp"
-#include "core/oriented/oriented_forces.hpp"
+#include "core/oriented/forces/anchor_work.hpp"
+#include "core/oriented/forces/anchors.hpp"
+#include "core/oriented/forces/fields.hpp"
+#include "core/oriented/forces/oriented_forces.hpp"
+#include "core/oriented/integrators/integrators.hpp"
+#include "core/oriented/laws/oriented_reach.hpp"
+#include "core/oriented/population/adaptive_sampling.hpp"
+#include "core/oriented/population/events.hpp"
 #include "core/oriented/prepare_oriented.hpp"
+#include "core/simulation/body_types/redistribute.hpp"
 
 namespace thaw {
 namespace {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oriented bodies' part of a step.
 #pragma once
-#include "core/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 
@@ -30,10 +32,5 @@ void recordKickLag(const World& world, const StepTools& tools, double sign, doub
 /// Returns the longest stable step (s) of this rank's particles; `never` without any. To be reduced over
 /// ranks.
 double orientedStepLimit(const World& world, const StepTools& tools);
-
-/// Adds contact forces of oriented particles and the continuum: springs, dashpots and barriers between
-/// centres (plan_contact.hpp), with half of the energy at each end. Sets OrientedWork::fastest2, including
-/// contacts that begin in the next step. Requires: forces and ghosts of both. Not collective.
-void addContinuumContact(World& world, StepTools& tools, double dt);
 
 }  // namespace thaw

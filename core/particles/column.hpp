@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/math/mat3.hpp"
+#include "core/math/quat.hpp"
 #include "core/particles/aligned_memory.hpp"
 
 namespace thaw {
@@ -85,6 +86,10 @@ template<class S> struct FieldType<Sym3<S>> {
 template<class S> struct FieldType<Mat3<S>> {
   static constexpr Scalar scalar = FieldType<S>::scalar;
   static constexpr int components = 9;
+};
+template<> struct FieldType<Quat> {
+  static constexpr Scalar scalar = Scalar::F64;
+  static constexpr int components = 4;
 };
 
 struct Table;

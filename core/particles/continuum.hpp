@@ -47,7 +47,7 @@ struct Continuum : Table {
   Column<Sym3f> correction{*this, "correction", "1", Keep::Transient,
       "gradient correction of the pressure, extrapolated to the end of the step"};
   Column<Vec3f> relief{*this, "relief", "N", Keep::Transient,
-      "force on liquid from all its solid neighbours (core/fluid/lattice_relief.hpp)"};
+      "force on liquid from all its solid neighbours (core/fluid/laws/lattice_relief.hpp)"};
   Column<Vec3d> stepMeanVelocity{*this, "travel", "m/s", Keep::State,
       "mean velocity over the step, of particles with substeps"};
   Column<Vec3d> shiftingVelocity{*this, "smoothing", "m/s", Keep::State,
@@ -55,7 +55,7 @@ struct Continuum : Table {
   Column<Vec3f> concentrationGradient{*this, "crowding", "1", Keep::Transient,
       "concentration gradient times h", Rows::Owned};
   Column<u8> atSurface{*this, "atSurface", "1", Keep::State,
-      "1: at the free surface in the last step (core/fluid/free_surface.hpp)"};
+      "1: at the free surface in the last step (core/fluid/laws/free_surface.hpp)"};
   // Incompressible liquids (core/fluid/incompressible/).
   Column<float> densityPressure{*this, "holding", "Pa", Keep::State,
       "density pressure (DFSPH) of the next step, over the step; initial guess of the next solve"};
@@ -71,7 +71,7 @@ struct Continuum : Table {
       "velocity that follows from trialPressure"};
   Column<float> freeSurfaceIndicator{*this, "exposure", "1", Keep::Transient,
       "free-surface indicator; 1 for a column of particles below a flat surface"};
-  // Surface tension as a surface energy (core/fluid/surface_energy.hpp).
+  // Surface tension as a surface energy (core/fluid/laws/surface_energy.hpp).
   Column<Vec3d> surfaceGradient{*this, "surfaceGradient", "1", Keep::Transient,
       "colour gradient h sum V grad W: points into the liquid at its surface, 0 inside"};
   Column<double> surfaceColour{*this, "surfaceCover", "1", Keep::Transient,
@@ -104,7 +104,7 @@ struct Continuum : Table {
   Column<float> initialFill{*this, "surfaceFill", "1", Keep::State,
       "fraction of its cell that its body filled at the start, over the mean (cell_fractions.hpp); 0: the "
       "mean"};
-  // Contact with sheets by triangles (core/sheet/face_contact.hpp), as the owner of the particle computed it.
+  // Contact with sheets by triangles (face_contact.hpp), as the owner of the particle computed it.
   Column<std::uint32_t> sheetFace{*this, "sheetFace", "1", Keep::Transient,
       "1 + number of the sheet triangle with the deepest overlap; 0: no contact"};
   Column<Vec3d> sheetNormalForce{*this, "sheetPush", "N, N, N/m", Keep::Transient,
@@ -123,7 +123,7 @@ struct Continuum : Table {
       "0: awake; 1, 2: sleeping, fixed in place; 3: sleeping, and its sums are skipped"};
   Column<Vec3d> constraintForce{*this, "hold", "N", Keep::State,
       "constraint force of a sleeping particle: balances its weight and all forces except those of walls"};
-  // Bond forming in a running simulation (solid/bond_forming.hpp). Exchanged only after a particle froze.
+  // Bond forming in a running simulation (bond_forming.hpp). Exchanged only after a particle froze.
   Column<Mat3d> frame{*this, "frame", "1", Keep::Transient,
       "deformation gradient F; the identity if the particle has just frozen"};
   Column<u8> justFrozen{*this, "justFrozen", "1", Keep::State,
@@ -136,7 +136,7 @@ struct Continuum : Table {
   // Rates of the current step.
   GuestColumn<Vec3d> force{*this, "force", "N", Keep::Transient,
       "sum of all forces; shares the memory of `acceleration` where possible, until the kick converts it "
-      "(forceOf, core/time/integrate.hpp)", Rows::Owned};
+      "(forceOf, core/simulation/time/integrate.hpp)", Rows::Owned};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient,
       "sum of all heat flows into the particle", Rows::Owned};
   Column<double> dissipation{*this, "dissipation", "W", Keep::Transient,
@@ -150,8 +150,8 @@ struct Continuum : Table {
   // clang-format on
 };
 
-/// Returns true if a particle takes substeps (core/solid_substeps.hpp). Particles that melted or froze at the
-/// end of the last step have no bonds and take none.
+/// Returns true if a particle takes substeps (core/simulation/solid_substeps.hpp). Particles that melted or
+/// froze at the end of the last step have no bonds and take none.
 inline bool takesSubsteps(const Continuum& p, std::size_t i) {
   return p.slot[i] != noSlot && p.phase[i] == Solid && !(p.justFrozen.active && p.justFrozen[i]);
 }

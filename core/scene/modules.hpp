@@ -18,7 +18,7 @@ struct Modules {
                                 ///< equation of state
   bool tension = false;         ///< a liquid has surface tension
   bool surfaceEnergy = false;   ///< surface tension is the gradient of a surface energy
-                                ///< (core/fluid/surface_energy.hpp)
+                                ///< (core/fluid/laws/surface_energy.hpp)
   bool xsph = false, artificialViscosity = false;
   bool implicitViscosity = false;  ///< a liquid has viscosity and the scene selects the implicit solver
   bool solid = false;              ///< some particle is or can become solid: bonds, elastic forces

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Initial values as functions of position, made by io/scene/expression.hpp.
+// Initial values as functions of position, made by io/scene/text/expression.hpp.
 #pragma once
 #include <functional>
 #include <string>

@@ -205,7 +205,7 @@ struct Numerics {
   double sleepSpeed = 0;       // m/s, speed below which a solid is at rest; 0: nothing sleeps
   double sleepAfter = 0.05;    // s, rest time before a solid sleeps
   double sleepHeating = 0.01;  // K/s, heating rate above which a solid is awake
-  // Stability monitor (core/monitor/).
+  // Stability monitor (core/simulation/monitor/).
   std::int64_t retryEvery = 100;    // steps between snapshots in memory; 0: none
   std::int64_t retries = 4;         // largest number of rollbacks for one stretch, each halves the step
   double watchSpeed = 10;           // 1, speed limit over the expected speed of the scene
@@ -280,7 +280,8 @@ struct Output {
   int width = 1280, height = 960;
 };
 
-/// Expected motion of a scene, for the automatic sound speed; set at set-up (core/setup/expected_motion.hpp).
+/// Expected motion of a scene, for the automatic sound speed; set at set-up
+/// (core/simulation/setup/expected_motion.hpp).
 struct ExpectedMotion {
   double start = 0;                          // m/s, fastest particle of the bodies at the start
   double emitted = 0;                        // m/s, fastest particle of the emitters

@@ -20,7 +20,7 @@ struct SourcePlace {
 };
 
 /// Fingerprint of a mesh file. It detects a different mesh under the same name
-/// (io/run/mesh_fingerprints.hpp).
+/// (io/run/restart/mesh_fingerprints.hpp).
 struct MeshFingerprint {
   double vertices = 0, triangles = 0, checksum = 0;
 };

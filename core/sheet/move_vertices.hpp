@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/math/vec3.hpp"
-#include "core/sheet/exact_step.hpp"
+#include "core/sheet/data/exact_step.hpp"
 
 namespace thaw {
 

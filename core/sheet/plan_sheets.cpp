@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sheet/plan_sheets.hpp"
+#include "core/sheet/data/plan_sheets.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/builtin_meshes.hpp"
-#include "core/geometry/placed_mesh.hpp"
-#include "core/geometry/pose.hpp"
-#include "core/geometry/shape_error.hpp"
-#include "core/geometry/weld_vertices.hpp"
+#include "core/geometry/basic/shape_error.hpp"
+#include "core/geometry/builtin/builtin_meshes.hpp"
+#include "core/geometry/builtin/sheet_meshes.hpp"
+#include "core/geometry/meshes/weld_vertices.hpp"
+#include "core/geometry/shapes/placed_mesh.hpp"
+#include "core/geometry/shapes/pose.hpp"
 #include "core/scene/expected_speeds.hpp"
-#include "core/sheet/face_contact.hpp"
-#include "core/sheet/mesh_contact.hpp"
-#include "core/sheet/sheet_contact.hpp"
-#include "core/sheet/sheet_meshes.hpp"
+#include "core/sheet/contact/face_contact.hpp"
+#include "core/sheet/contact/mesh_contact.hpp"
+#include "core/sheet/contact/sheet_contact.hpp"
+#include "core/sheet/data/touching_sheets.hpp"
 
 namespace thaw {
 

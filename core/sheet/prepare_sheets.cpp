@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "core/domain/outside.hpp"
-#include "core/geometry/shape_error.hpp"
-#include "core/sheet/inner_forces.hpp"
-#include "core/sheet/sheet_contact.hpp"
-#include "core/sheet/time_factors.hpp"
+#include "core/geometry/basic/shape_error.hpp"
+#include "core/sheet/contact/sheet_contact.hpp"
+#include "core/sheet/forces/inner_forces.hpp"
+#include "core/sheet/forces/time_factors.hpp"
 
 namespace thaw {
 

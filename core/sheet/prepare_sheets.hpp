@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Preparation of a scene's sheets.
 #pragma once
-#include "core/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

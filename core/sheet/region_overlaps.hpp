@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overlapping regions of a sheet: all factors of the later one apply.
 #pragma once
-#include "core/body_types/start_warnings.hpp"
-#include "core/geometry/signed_distance.hpp"
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/scene/scene_warning.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -5,14 +5,16 @@
 #include <array>
 #include <cmath>
 
-#include "core/sheet/cell_sums.hpp"
-#include "core/sheet/inner_forces.hpp"
-#include "core/sheet/mesh_contact.hpp"
+#include "core/sheet/contact/mesh_contact.hpp"
+#include "core/sheet/contact/sheet_contact.hpp"
+#include "core/sheet/data/touching_sheets.hpp"
+#include "core/sheet/forces/cell_sums.hpp"
+#include "core/sheet/forces/inner_forces.hpp"
+#include "core/sheet/forces/outer_forces.hpp"
+#include "core/sheet/forces/time_factors.hpp"
 #include "core/sheet/move_vertices.hpp"
-#include "core/sheet/outer_forces.hpp"
-#include "core/sheet/sheet_contact.hpp"
-#include "core/sheet/shrink_wrap.hpp"
-#include "core/sheet/time_factors.hpp"
+#include "core/sheet/wrap/shrink_wrap.hpp"
+#include "core/time/frame_times.hpp"
 
 namespace thaw {
 namespace {

@@ -2,7 +2,9 @@
 // Sheets' part of a step (DS): the exact solution over the step, with forces of neighbours and contacts
 // before and after it.
 #pragma once
-#include "core/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

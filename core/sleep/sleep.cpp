@@ -5,10 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "core/heat/enthalpy.hpp"
+#include "core/materials/enthalpy.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 #include "core/sleep/awake_reason.hpp"
-#include "core/solid/plasticity.hpp"
-#include "core/step.hpp"
+#include "core/solid/laws/plasticity.hpp"
 
 namespace thaw {
 namespace {

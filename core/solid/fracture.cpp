@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/solid/slot_state.hpp"
+#include "core/solid/elasticity/slot_state.hpp"
 
 namespace thaw {
 

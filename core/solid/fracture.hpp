@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fracture of bonds beyond a stretch limit.
 #pragma once
-#include "core/solid/elastic.hpp"
+#include "core/solid/elasticity/elastic.hpp"
 
 namespace thaw {
 

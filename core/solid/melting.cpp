@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/solid/melting.hpp"
 
-#include "core/solid/slot_state.hpp"
+#include "core/solid/elasticity/slot_state.hpp"
 
 namespace thaw {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Removal of bonds of melted particles, with their energy recorded.
 #pragma once
-#include "core/solid/elastic.hpp"
+#include "core/solid/elasticity/elastic.hpp"
 
 namespace thaw {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prepares a surface from a checkpoint or a snapshot, and partitions surfaces over ranks.
 #pragma once
-#include "core/surface/update_surface.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 
 #include "core/domain/emit.hpp"
-#include "core/surface/gather_words.hpp"
-#include "core/surface/place_rows.hpp"
-#include "core/surface/update_surface.hpp"
+#include "core/halo/gather_words.hpp"
+#include "core/surface/data/place_rows.hpp"
+#include "core/surface/update_components.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

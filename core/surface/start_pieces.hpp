@@ -5,16 +5,10 @@
 #include <vector>
 
 #include "core/halo/surface_halos.hpp"
-#include "core/world.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
-
-struct SurfaceTools;
-
-struct BodyPieces {
-  std::size_t body = 0;
-  std::int64_t pieces = 0;
-};
 
 /// Returns bodies, ascending, with unconnected particles less than two spacings apart, so that no layer of
 /// the lattice is missing between them, and the number of such adjacent pieces. Connections are chains of

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/surface_due.hpp"
 
-#include "core/surface/grow.hpp"
-#include "core/surface/small_drops.hpp"
+#include "core/surface/measures/small_drops.hpp"
+#include "core/surface/seeding/grow.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Schedule of surface updates: at every frame, every so many steps, or after a given motion. The same on all
 // ranks.
 #pragma once
-#include "core/world.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 
-#include "core/surface/enforce_volume.hpp"
-#include "core/surface/measure.hpp"
-#include "core/surface/place_rows.hpp"
-#include "core/surface/prepare_particles.hpp"
-#include "core/surface/surfel_area.hpp"
-#include "core/surface/update_surface.hpp"
-#include "core/surface/wall_projection.hpp"
+#include "core/surface/data/place_rows.hpp"
+#include "core/surface/field/prepare_particles.hpp"
+#include "core/surface/measures/measure.hpp"
+#include "core/surface/measures/surfel_area.hpp"
+#include "core/surface/relaxation/enforce_volume.hpp"
+#include "core/surface/relaxation/wall_projection.hpp"
+#include "core/surface/topology/components.hpp"
+#include "core/surface/topology/merge.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 namespace {

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Topology of the surface at the end of an update: overview.
 #pragma once
-#include "core/surface/components.hpp"
-#include "core/surface/merge.hpp"
-#include "core/surface/surfel_area.hpp"
+#include "core/halo/surface_halos.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
-
-struct SurfaceTools;
-
-/// Buffers of updateComponents, kept between updates.
-struct TopologyTools {
-  ComponentTools components;
-  MergeTools merge;
-  AreaLists areas;
-};
 
 /// Splits and merges components; deletes or moves surfels inside others (splitComponents, mergeComponents).
 /// Surfels and particle copies may be on any rank, unsorted, without ghosts. Afterwards both are placed,

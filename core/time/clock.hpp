@@ -14,7 +14,7 @@ struct Clock {
   std::int64_t frame = 0;      ///< frames written; the next is due at frame * every
   double dt = 0;               ///< s, target length of the next step; an upper bound (nextStep)
   double stepDt = 0;           ///< s, last step
-  int substeps = 1;            ///< number for solids in the next step (core/solid_substeps.hpp)
+  int substeps = 1;            ///< number for solids in the next step (core/simulation/solid_substeps.hpp)
   const char* limitedBy = "";  ///< name of the limit that set dt
 };
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/geometry/signed_distance.hpp"
+#include "core/geometry/basic/signed_distance.hpp"
 
 namespace thaw {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/fluid/viscous_weight.hpp"
 #include "core/kernels/lattice.hpp"
+#include "core/kernels/viscous_weight.hpp"
 #include "core/kernels/with_kernel.hpp"
 
 namespace thaw {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
-#include "core/fluid/particle_pressure.hpp"
-#include "core/fluid/surface_energy.hpp"
-#include "core/heat/enthalpy.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
+#include "core/materials/enthalpy.hpp"
 #include "core/sleep/sleep.hpp"
+#include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
 namespace {

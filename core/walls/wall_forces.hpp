@@ -4,9 +4,9 @@
 #include <span>
 
 #include "core/contact/solid_contact.hpp"
-#include "core/fluid/liquid_materials.hpp"
+#include "core/materials/liquid_materials.hpp"
+#include "core/simulation/world/world.hpp"
 #include "core/walls/tables.hpp"
-#include "core/world.hpp"
 
 namespace thaw {
 

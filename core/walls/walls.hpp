@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/pose.hpp"
-#include "core/geometry/signed_distance.hpp"
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/geometry/shapes/pose.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/scene/scene.hpp"
 

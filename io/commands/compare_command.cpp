@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <set>
 
+#include "io/checkpoint/damaged_rows.hpp"
 #include "io/compare/compare.hpp"
-#include "io/output/damaged_rows.hpp"
 
 namespace thaw {
 namespace {

@@ -13,13 +13,13 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/oriented/manifold.hpp"
+#include "core/oriented/mesh/manifold.hpp"
 #include "io/export/export_surface.hpp"
+#include "io/frames/read_oriented_frame.hpp"
+#include "io/frames/rows_by_id.hpp"
 #include "io/hdf5/io_error.hpp"
-#include "io/output/read_oriented_frame.hpp"
-#include "io/output/rows_by_id.hpp"
 #include "io/render/frame_source.hpp"
-#include "io/render/parallel_for.hpp"
+#include "io/render/image/parallel_for.hpp"
 #include "io/render/scene_job.hpp"
 
 namespace thaw {

@@ -11,13 +11,13 @@
 #include <limits>
 #include <map>
 
-#include "core/ledger/totals.hpp"
+#include "core/simulation/ledger/totals.hpp"
+#include "io/checkpoint/checkpoint.hpp"
+#include "io/checkpoint/damaged_rows.hpp"
 #include "io/commands/info_summary.hpp"
-#include "io/output/body_type_frame.hpp"
-#include "io/output/checkpoint.hpp"
-#include "io/output/damaged_rows.hpp"
-#include "io/output/series.hpp"
-#include "io/run/progress.hpp"
+#include "io/frames/body_type_frame.hpp"
+#include "io/frames/series.hpp"
+#include "io/run/reports/progress.hpp"
 #include "io/run/run_lock.hpp"
 
 namespace fs = std::filesystem;

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "core/body_types/body_types.hpp"
-#include "io/commands/bytes_text.hpp"
-#include "io/commands/short_text.hpp"
-#include "io/run/process_identity.hpp"
+#include "core/simulation/world/body_types.hpp"
+#include "io/run/reports/process_identity.hpp"
 #include "io/run/run_lock.hpp"
+#include "io/text/bytes_text.hpp"
+#include "io/text/short_text.hpp"
 
 using Json = nlohmann::ordered_json;
 

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "io/frames/read_surface_frame.hpp"
 #include "io/hdf5/io_error.hpp"
-#include "io/output/read_surface_frame.hpp"
 #include "io/render/frame_source.hpp"
 #include "io/render/movie.hpp"
 #include "io/render/scene_job.hpp"

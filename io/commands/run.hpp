@@ -1,30 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // `thaw run SCENE`: simulates a scene.
 #pragma once
-#include <cstdint>
-#include <string>
-#include <vector>
+#include "io/run/run_options.hpp"
 
 namespace CLI {
 class App;
 }
 
 namespace thaw {
-
-struct RunOptions {
-  std::string scene, out;
-  std::vector<std::string> overrides;
-  long long steps = -1;    ///< stop after this many steps in all; < 0: at the scene's end
-  double timeLimit = 0;    ///< s of wall-clock time; 0: none
-  bool restart = false;    ///< continue from the last checkpoint, which must be there
-  bool resume = false;     ///< continue if there is a checkpoint, else start anew
-  bool force = false;      ///< take over the folder from a run of another host
-  std::int64_t relax = 0;  ///< smallest number of relaxation iterations for all oriented bodies; above 0, no
-                           ///< step follows
-  bool profile = false;    ///< phase table at the end, and a trace
-  int traceSteps = 20;     ///< number of last steps in the trace
-  double reportEvery = 2;  ///< s of wall-clock time between progress lines
-};
 
 /// Adds the options of `thaw relax`, which are some of those of `thaw run`.
 void addRelaxOptions(CLI::App& command, RunOptions& options);

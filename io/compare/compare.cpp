@@ -10,7 +10,7 @@
 #include <limits>
 #include <map>
 
-#include "core/body_types/body_types.hpp"
+#include "core/simulation/world/body_types.hpp"
 
 namespace thaw {
 namespace {

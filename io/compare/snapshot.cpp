@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <numeric>
 
-#include "core/ledger/totals.hpp"
-#include "io/output/body_type_frame.hpp"
-#include "io/output/checkpoint.hpp"
+#include "core/simulation/ledger/totals.hpp"
+#include "io/checkpoint/checkpoint.hpp"
+#include "io/frames/body_type_frame.hpp"
 
 namespace thaw {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/export/surface_mesh.hpp"
-#include "io/render/render.hpp"
+#include "io/render/particles/render.hpp"
+#include "io/surface_mesh/surface_mesh.hpp"
 
 namespace thaw {
 

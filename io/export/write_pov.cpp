@@ -7,7 +7,7 @@
 
 #include "io/export/export_surface.hpp"
 #include "io/export/out_file.hpp"
-#include "io/render/lights.hpp"
+#include "io/render/light/lights.hpp"
 
 namespace thaw {
 

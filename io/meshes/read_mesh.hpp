@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/geometry/triangle_mesh.hpp"
+#include "core/geometry/basic/triangle_mesh.hpp"
 
 namespace thaw {
 
@@ -16,8 +16,8 @@ struct MeshError : std::runtime_error {
 
 /// Reads a mesh; the content determines the format. Polygons become triangle fans; lengths are in m. Ensures:
 /// finite coordinates, valid indices, at least one triangle. The mesh may be open
-/// (core/geometry/mesh_repair.hpp). Independent of the locale. Memory is a small multiple of the file's size.
-/// Throws MeshError.
+/// (core/geometry/meshes/mesh_repair.hpp). Independent of the locale. Memory is a small multiple of the
+/// file's size. Throws MeshError.
 TriangleMesh readMesh(const std::string& path);
 
 /// Parses the content of a file; `file` is for messages.

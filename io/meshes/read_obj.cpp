@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/geometry/file_normals.hpp"
+#include "core/geometry/meshes/file_normals.hpp"
 #include "io/meshes/text_cursor.hpp"
 
 namespace thaw {

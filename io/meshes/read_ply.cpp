@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/file_normals.hpp"
+#include "core/geometry/meshes/file_normals.hpp"
 #include "io/meshes/ply_header.hpp"
 
 namespace thaw {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/geometry/weld_vertices.hpp"
+#include "core/geometry/meshes/weld_vertices.hpp"
 #include "io/meshes/byte_cursor.hpp"
 #include "io/meshes/text_cursor.hpp"
 

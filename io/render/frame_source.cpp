@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "io/export/surface_mesh.hpp"
-#include "io/output/frame.hpp"
-#include "io/output/read_oriented_frame.hpp"
-#include "io/output/read_surface_frame.hpp"
-#include "io/output/series.hpp"
+#include "io/frames/frame.hpp"
+#include "io/frames/read_oriented_frame.hpp"
+#include "io/frames/read_surface_frame.hpp"
+#include "io/frames/series.hpp"
 #include "io/render/mesh_faces.hpp"
 #include "io/render/scene_job.hpp"
+#include "io/surface_mesh/surface_mesh.hpp"
 
 namespace thaw {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "io/export/unwrap_component.hpp"
 #include "io/render/oriented_view.hpp"
 #include "io/render/render_frames.hpp"
+#include "io/surface_mesh/unwrap_component.hpp"
 
 namespace thaw {
 

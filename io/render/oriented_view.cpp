@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "io/output/read_oriented_frame.hpp"
+#include "io/frames/read_oriented_frame.hpp"
 #include "io/render/mesh_faces.hpp"
 
 namespace thaw {

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "io/render/annotate.hpp"
-#include "io/render/parallel_for.hpp"
-#include "io/render/surface_normals.hpp"
+#include "io/render/image/annotate.hpp"
+#include "io/render/image/parallel_for.hpp"
+#include "io/render/light/surface_normals.hpp"
 
 namespace thaw {
 

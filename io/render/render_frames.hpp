@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/walls/walls.hpp"
-#include "io/export/unwrap_component.hpp"
-#include "io/render/render_surfels.hpp"
+#include "io/render/surfels/render_surfels.hpp"
+#include "io/surface_mesh/unwrap_component.hpp"
 
 namespace thaw {
 

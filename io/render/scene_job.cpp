@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include "core/geometry/signed_distance.hpp"
+#include "core/geometry/basic/signed_distance.hpp"
 #include "core/scene/modules.hpp"
-#include "io/commands/scene_for_all.hpp"
 #include "io/scene/read_scene.hpp"
+#include "io/scene/scene_for_all.hpp"
 
 namespace thaw {
 

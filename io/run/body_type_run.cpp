@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/run/body_type_run.hpp"
 
+#include "io/frames/body_type_frame.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
-#include "io/output/body_type_frame.hpp"
 
 namespace thaw {
 

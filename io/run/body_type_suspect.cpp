@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/body_types/body_types.hpp"
+#include "core/simulation/world/body_types.hpp"
 #include "io/run/failure_text.hpp"
 
 namespace thaw {

@@ -3,9 +3,9 @@
 #pragma once
 #include <string>
 
-#include "core/monitor/monitor.hpp"
-#include "core/time/limits.hpp"
-#include "core/world.hpp"
+#include "core/simulation/monitor/monitor.hpp"
+#include "core/simulation/time/limits.hpp"
+#include "core/simulation/world/world.hpp"
 #include "io/run/run_state.hpp"
 
 namespace thaw {

@@ -7,9 +7,8 @@
 #include <cmath>
 
 #include "core/domain/emit.hpp"
-#include "core/monitor/force_terms.hpp"
-#include "core/time/integrate.hpp"
-#include "core/time/limits.hpp"
+#include "core/simulation/monitor/force_terms.hpp"
+#include "core/simulation/time/integrate.hpp"
 
 namespace thaw {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "core/monitor/failing_particle.hpp"
+#include "core/simulation/monitor/failing_particle.hpp"
 #include "io/run/run_state.hpp"
 
 namespace thaw {

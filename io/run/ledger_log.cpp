@@ -5,12 +5,12 @@
 #include <fstream>
 #include <vector>
 
-#include "core/ledger/report.hpp"
-#include "core/ledger/stored_parts.hpp"
-#include "core/time/limits.hpp"
+#include "core/simulation/ledger/report.hpp"
+#include "core/simulation/ledger/stored_parts.hpp"
+#include "core/time/frame_times.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
-#include "io/run/step_log.hpp"
+#include "io/run/reports/step_log.hpp"
 
 namespace thaw {
 namespace {

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/monitor/snapshot.hpp"
-#include "core/stored_energy.hpp"
+#include "core/simulation/monitor/snapshot.hpp"
+#include "core/simulation/sums/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/run/body_type_run.hpp"
 #include "io/run/body_type_suspect.hpp"
 #include "io/run/failure_text.hpp"
 #include "io/run/ledger_log.hpp"
-#include "io/run/progress.hpp"
-#include "io/run/restart_record.hpp"
+#include "io/run/reports/progress.hpp"
+#include "io/run/restart/restart_record.hpp"
 #include "io/run/surface_run.hpp"
 
 namespace thaw {

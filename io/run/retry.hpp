@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rollback: the snapshots of a run, and the response to failures that the stability monitor (core/monitor/)
-// finds. All functions are collective.
+// Rollback: the snapshots of a run, and the response to failures that the stability monitor
+// (core/simulation/monitor/) finds. All functions are collective.
 #pragma once
 #include "io/run/run_state.hpp"
 

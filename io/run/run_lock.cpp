@@ -15,8 +15,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "io/frames/series.hpp"
 #include "io/hdf5/io_error.hpp"
-#include "io/output/series.hpp"
 
 using Json = nlohmann::ordered_json;
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "io/run/process_identity.hpp"
+#include "io/run/reports/process_identity.hpp"
 
 namespace thaw {
 

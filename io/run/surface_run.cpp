@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/run/surface_run.hpp"
 
-#include "core/solid_step.hpp"
+#include "core/simulation/sums/solid_step.hpp"
+#include "io/frames/surface_frame.hpp"
 #include "io/hdf5/collective_error.hpp"
-#include "io/output/surface_frame.hpp"
-#include "io/run/surface_log.hpp"
-#include "io/run/surface_summary.hpp"
+#include "io/run/reports/surface_log.hpp"
+#include "io/run/reports/surface_summary.hpp"
 
 namespace thaw {
 

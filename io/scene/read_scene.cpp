@@ -7,8 +7,8 @@
 #include <sstream>
 #include <tuple>
 
-#include "io/scene/read_sections.hpp"
 #include "io/scene/resolve_scene.hpp"
+#include "io/scene/tables/read_sections.hpp"
 
 namespace thaw {
 namespace {

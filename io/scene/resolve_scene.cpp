@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <set>
 
-#include "core/geometry/builtin_meshes.hpp"
-#include "io/scene/syntax_hint.hpp"
+#include "core/geometry/builtin/builtin_meshes.hpp"
+#include "io/scene/text/syntax_hint.hpp"
 
 namespace thaw {
 namespace {

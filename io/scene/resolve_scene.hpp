@@ -7,7 +7,7 @@
 #include <toml++/toml.h>
 
 #include "io/scene/scene_files.hpp"
-#include "io/scene/table_reader.hpp"
+#include "io/scene/tables/table_reader.hpp"
 
 namespace thaw {
 

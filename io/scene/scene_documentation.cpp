@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "io/scene/expression.hpp"
 #include "io/scene/read_scene.hpp"
-#include "io/scene/read_sections.hpp"
+#include "io/scene/tables/read_sections.hpp"
+#include "io/scene/text/expression.hpp"
 
 namespace thaw {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "io/scene/nearest_word.hpp"
 #include "io/scene/surface_advice.hpp"
+#include "io/scene/text/nearest_word.hpp"
 
 namespace thaw {
 namespace {

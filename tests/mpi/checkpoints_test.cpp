@@ -3,9 +3,9 @@
 #include <cstring>
 #include <map>
 
-#include "core/ledger/totals.hpp"
-#include "io/output/checkpoint.hpp"
-#include "io/output/series.hpp"
+#include "core/simulation/ledger/totals.hpp"
+#include "io/checkpoint/checkpoint.hpp"
+#include "io/frames/series.hpp"
 #include "parallel/communicator.hpp"
 #include "tests/support/output_files.hpp"
 

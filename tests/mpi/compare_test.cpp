@@ -7,12 +7,12 @@
 #include <cstring>
 #include <fstream>
 
+#include "io/checkpoint/checkpoint.hpp"
 #include "io/commands/compare_command.hpp"
 #include "io/commands/info_command.hpp"
 #include "io/compare/compare.hpp"
+#include "io/frames/series.hpp"
 #include "io/hdf5/parallel_file.hpp"
-#include "io/output/checkpoint.hpp"
-#include "io/output/series.hpp"
 #include "tests/support/output_sample.hpp"
 
 using namespace thaw;

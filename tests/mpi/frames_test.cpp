@@ -5,12 +5,12 @@
 #include <array>
 #include <set>
 
-#include "core/solid/plasticity.hpp"
+#include "core/solid/laws/plasticity.hpp"
+#include "io/frames/frame_fields.hpp"
+#include "io/frames/series.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
-#include "io/output/earlier_run.hpp"
-#include "io/output/frame_fields.hpp"
-#include "io/output/series.hpp"
+#include "io/run/earlier_run.hpp"
 #include "tests/support/output_files.hpp"
 
 using namespace thaw;

@@ -2,7 +2,7 @@
 // `thaw check` tries settings on a scene before it recommends them. All ranks find the same answer.
 #include <gtest/gtest.h>
 
-#include "io/commands/setting_trials.hpp"
+#include "io/commands/check/setting_trials.hpp"
 #include "tests/support/output_sample.hpp"
 
 using namespace thaw;

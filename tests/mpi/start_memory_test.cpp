@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/math/hash_random.hpp"
-#include "core/setup/setup.hpp"
+#include "core/simulation/setup/setup.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
 #include "tests/support/count_allocations.hpp"

@@ -2,7 +2,7 @@
 // A steady step allocates nothing: solid, liquid, heat, walls, contacts, surface tension.
 #include <gtest/gtest.h>
 
-#include "core/setup/setup.hpp"
+#include "core/simulation/setup/setup.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
 #include "tests/support/count_allocations.hpp"

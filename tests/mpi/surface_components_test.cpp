@@ -5,7 +5,7 @@
 
 #include "core/math/hash_random.hpp"
 #include "parallel/row_scatter.hpp"
-#include "tests/support/surface_rig.hpp"
+#include "tests/support/surface/surface_rig.hpp"
 
 using namespace thaw;
 using namespace thaw::test;

@@ -5,12 +5,12 @@
 #include <cstring>
 #include <map>
 
-#include "core/monitor/snapshot.hpp"
-#include "core/setup/setup.hpp"
+#include "core/simulation/monitor/snapshot.hpp"
+#include "core/simulation/setup/setup.hpp"
+#include "io/checkpoint/checkpoint.hpp"
 #include "io/compare/compare.hpp"
-#include "io/output/checkpoint.hpp"
-#include "io/output/series.hpp"
-#include "io/output/surface_frame.hpp"
+#include "io/frames/series.hpp"
+#include "io/frames/surface_frame.hpp"
 #include "tests/support/output_sample.hpp"
 
 using namespace thaw;

@@ -6,11 +6,11 @@
 #include <cstring>
 #include <map>
 
-#include "core/surface/blend.hpp"
-#include "core/surface/displace.hpp"
-#include "core/surface/prepare_particles.hpp"
+#include "core/surface/advection/displace.hpp"
+#include "core/surface/field/prepare_particles.hpp"
+#include "core/surface/relaxation/blend.hpp"
 #include "parallel/row_scatter.hpp"
-#include "tests/support/relax_rig.hpp"
+#include "tests/support/surface/relax_rig.hpp"
 
 using namespace thaw;
 using test::RelaxRig;

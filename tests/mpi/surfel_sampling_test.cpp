@@ -7,10 +7,10 @@
 #include <cstring>
 
 #include "core/halo/serial.hpp"
-#include "core/surface/place_rows.hpp"
-#include "core/surface/prepare_surface.hpp"
-#include "core/surface/resample.hpp"
-#include "core/surface/sample_mesh.hpp"
+#include "core/simulation/setup/prepare_surface.hpp"
+#include "core/surface/data/place_rows.hpp"
+#include "core/surface/resampling/resample.hpp"
+#include "core/surface/seeding/sample_mesh.hpp"
 #include "core/surface/update_surface.hpp"
 #include "parallel/row_scatter.hpp"
 #include "tests/support/meshes.hpp"

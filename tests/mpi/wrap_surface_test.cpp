@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The distributed surface of a body that sheets wrap: the part on each rank against the complete surface, and
 // the forces returned to it.
-#include "core/sheet/wrap_surface.hpp"
+#include "core/sheet/wrap/wrap_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/math/hash_random.hpp"
-#include "core/setup/make_grid.hpp"
+#include "core/simulation/setup/make_grid.hpp"
 #include "parallel/communicator.hpp"
 
 namespace thaw {

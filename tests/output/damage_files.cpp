@@ -17,7 +17,7 @@
 #include <random>
 #include <string>
 
-#include "io/output/checkpoint.hpp"
+#include "io/checkpoint/checkpoint.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Energy and momentum budget of sheets and oriented bodies that leave the domain, act on constrained bodies,
 // or are pressed.
-#include "core/monitor/monitor.hpp"
+#include "core/simulation/monitor/monitor.hpp"
 #include "tests/support/sheet_samples.hpp"
 
 namespace thaw {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "core/memory.hpp"
-#include "core/time/integrate.hpp"
+#include "core/simulation/memory.hpp"
+#include "core/simulation/time/integrate.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {

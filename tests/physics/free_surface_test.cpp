@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free surface and shifting of liquids with carried density (core/fluid/free_surface.hpp).
+// Free surface and shifting of liquids with carried density (core/fluid/terms/carry.hpp).
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/fluid/connected_density.hpp"
-#include "core/fluid/free_surface.hpp"
+#include "core/fluid/density/connected_density.hpp"
+#include "core/fluid/terms/carry.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw {
@@ -33,10 +33,13 @@ Scene cubeOf(int n, bool floor) {
 }
 
 TEST(FreeSurface, EigenvaluesAreComparedByDeterminants) {
-  const Sym3d m{2, 2, 3, 0.5, 0, 0};  // eigenvalues 1.5, 2.5, 3
-  EXPECT_TRUE(eigenvaluesAbove(m, 1.49));
-  EXPECT_FALSE(eigenvaluesAbove(m, 1.51));
-  EXPECT_FALSE(eigenvaluesAbove(m, 2.7));  // two eigenvalues are below, so the determinant is positive
+  using isa_base::LanesD;
+  isa_base::Tensor<LanesD> m;  // eigenvalues 1.5, 2.5, 3
+  m.xx = m.yy = LanesD(2.0), m.zz = LanesD(3.0), m.xy = LanesD(0.5);
+  const auto above = [&](double least) { return laneOf(eigenvaluesAbove(m, LanesD(least)), 0); };
+  EXPECT_TRUE(above(1.49));
+  EXPECT_FALSE(above(1.51));
+  EXPECT_FALSE(above(2.7));  // two eigenvalues are below, so the determinant is positive
 }
 
 TEST(FreeSurface, IsTheOutermostLayerWithoutWalls) {

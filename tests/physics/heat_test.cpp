@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/heat/enthalpy.hpp"
+#include "core/materials/enthalpy.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {

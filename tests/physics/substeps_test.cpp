@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids with substeps (core/solid_substeps.hpp): the same motion, and a closed ledger.
+// Solids with substeps (core/simulation/solid_substeps.hpp): the same motion, and a closed ledger.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/solid/plasticity.hpp"
+#include "core/solid/laws/plasticity.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {

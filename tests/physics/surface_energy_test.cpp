@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surface tension as an energy of the surface (core/fluid/surface_energy.hpp).
+// Surface tension as an energy of the surface (core/fluid/laws/surface_energy.hpp).
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/fluid/particle_pressure.hpp"
-#include "core/fluid/surface_energy.hpp"
-#include "core/time/integrate.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
+#include "core/fluid/laws/surface_energy.hpp"
+#include "core/simulation/time/integrate.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/fluid/particle_pressure.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
 #include "tests/support/flows.hpp"
 
 namespace thaw::test {

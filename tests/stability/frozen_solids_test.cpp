@@ -2,8 +2,8 @@
 // Failures of solids that are frozen, coincident, or few particles: rows of docs/validation/stability.md.
 // Each test provokes the failure and checks the stated behaviour of thaw.
 #include "core/domain/emit.hpp"
+#include "core/solid/elasticity/moment.hpp"
 #include "core/solid/laws/response.hpp"
-#include "core/solid/moment.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/moving_body.hpp"
 #include "tests/support/simulation.hpp"

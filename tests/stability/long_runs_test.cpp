@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/scene/quality.hpp"
+#include "core/time/frame_times.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/simulation.hpp"
 

@@ -2,8 +2,8 @@
 // Failures of elastic solids: rows of docs/validation/stability.md. Each test provokes the failure, shows a
 // naive implementation fail where that is cheap, and checks the stated behaviour of thaw.
 #include "core/kernels/kernels.hpp"
+#include "core/solid/elasticity/moment.hpp"
 #include "core/solid/laws/response.hpp"
-#include "core/solid/moment.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/moving_body.hpp"
 #include "tests/support/simulation.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Failures of time steps and heat: rows of docs/validation/stability.md.
-#include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/kernels/lattice.hpp"
+#include "core/materials/enthalpy.hpp"
 #include "tests/support/hashed.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/periodic_block.hpp"

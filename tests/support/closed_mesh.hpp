@@ -3,8 +3,8 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "core/geometry/mesh_edges.hpp"
-#include "core/geometry/triangle_mesh.hpp"
+#include "core/geometry/basic/triangle_mesh.hpp"
+#include "core/geometry/meshes/mesh_edges.hpp"
 
 namespace thaw {
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "io/commands/export.hpp"
-#include "tests/support/surfel_samples.hpp"
+#include "tests/support/surface/surfel_samples.hpp"
 
 namespace thaw::test {
 

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/fluid/records.hpp"
+#include "core/fluid/pair_sums/pair_kernels.hpp"
+#include "core/fluid/pair_sums/records.hpp"
 #include "core/neighbours/search.hpp"
 #include "core/neighbours/sort.hpp"
-#include "core/setup/make_grid.hpp"
-#include "core/simd/pair_kernels.hpp"
+#include "core/simulation/setup/make_grid.hpp"
 #include "tests/support/hashed.hpp"
 
 namespace thaw::test {

@@ -3,9 +3,9 @@
 #pragma once
 #include <algorithm>
 
-#include "core/geometry/polygonise.hpp"
-#include "core/geometry/triangle_bvh.hpp"
-#include "core/geometry/triangle_mesh.hpp"
+#include "core/geometry/basic/triangle_mesh.hpp"
+#include "core/geometry/builtin/polygonise.hpp"
+#include "core/geometry/trees/triangle_bvh.hpp"
 #include "core/math/hash_random.hpp"
 
 namespace thaw {

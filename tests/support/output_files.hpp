@@ -8,9 +8,9 @@
 #include <fstream>
 #include <functional>
 
+#include "io/checkpoint/checkpoint.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/parallel_file.hpp"
-#include "io/output/checkpoint.hpp"
 #include "tests/support/output_sample.hpp"
 
 namespace thaw::test {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "core/solid/bond_records.hpp"
-#include "core/world.hpp"
-#include "io/output/frame_fields.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/solid/bonds/bond_records.hpp"
+#include "io/frames/frame_fields.hpp"
 
 namespace thaw::test {
 

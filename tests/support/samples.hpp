@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All samples of some rows of a shape.
 #pragma once
-#include "core/geometry/sampling.hpp"
+#include "core/geometry/sampling/sampling.hpp"
 
 namespace thaw {
 

@@ -3,11 +3,11 @@
 #pragma once
 #include <memory>
 
-#include "core/body_types/body_types.hpp"
 #include "core/halo/serial.hpp"
-#include "core/ledger/report.hpp"
-#include "core/setup/setup.hpp"
-#include "core/solid/serial_bond_halo.hpp"
+#include "core/simulation/ledger/report.hpp"
+#include "core/simulation/setup/setup.hpp"
+#include "core/simulation/world/body_types.hpp"
+#include "core/solid/bonds/serial_bond_halo.hpp"
 
 namespace thaw::test {
 

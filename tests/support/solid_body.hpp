@@ -7,10 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/solid/bond_entries.hpp"
-#include "core/solid/elastic.hpp"
+#include "core/solid/bonds/bond_entries.hpp"
+#include "core/solid/elasticity/elastic.hpp"
+#include "core/solid/elasticity/rereference.hpp"
 #include "core/solid/fracture.hpp"
-#include "core/solid/rereference.hpp"
 
 namespace thaw::test {
 

@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "core/neighbours/sort.hpp"
-#include "core/setup/make_grid.hpp"
-#include "core/time/integrate.hpp"
+#include "core/simulation/setup/make_grid.hpp"
+#include "core/simulation/time/integrate.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw::test {

@@ -18,7 +18,10 @@
 // are known velocities, so both ends of every pair receive the force. The iteration ends when its error is
 // small relative to the change by viscosity, not relative to the velocity.
 #pragma once
-#include "core/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "core/fluid/pair_sums.hpp"
+#include "core/fluid/pair_sums/pair_sums.hpp"
 
 namespace thaw {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Iterates of the pressure solver in the records of pair sums (core/fluid/records.hpp).
+// Iterates of the pressure solver in the records of pair sums (core/fluid/pair_sums/records.hpp).
 #pragma once
-#include "core/fluid/records.hpp"
+#include "core/fluid/pair_sums/records.hpp"
 
 namespace thaw {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/fluid/incompressible/pressure_system.hpp"
+#include "core/time/frame_times.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 namespace {

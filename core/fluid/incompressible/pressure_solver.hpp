@@ -19,7 +19,9 @@
 // (Nesterov 1983), restarted where it points uphill (O'Donoghue & Candes 2015). All decisions rest on integer
 // sums over all ranks, so the number of iterations does not depend on the number of ranks.
 #pragma once
-#include "core/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/fluid/incompressible/pressure_records.hpp"
-#include "core/particle_sums.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
 
 namespace thaw {
 namespace {

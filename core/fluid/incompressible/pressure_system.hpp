@@ -2,7 +2,9 @@
 // The matrix of the pressure problem as products: from pressures to velocities, and from velocities to
 // density rates.
 #pragma once
-#include "core/step.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 

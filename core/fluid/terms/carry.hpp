@@ -2,10 +2,10 @@
 // The step of carried densities of eight particles, from their sums over neighbours (carried_density.hpp):
 // free surface, gradient correction, shifting, and the relative density at the end of the step.
 #pragma once
-#include "core/fluid/carry.hpp"
-#include "core/fluid/free_surface.hpp"
-#include "core/fluid/liquid_materials.hpp"
+#include "core/fluid/laws/free_surface.hpp"
+#include "core/fluid/pair_sums/carry.hpp"
 #include "core/fluid/terms/term.hpp"
+#include "core/materials/liquid_materials.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
@@ -39,7 +39,7 @@ template<class L> THAW_INLINE Vec3d laneAt(const Vector3<L>& v, int l) {
   return {static_cast<double>(v.x[l]), static_cast<double>(v.y[l]), static_cast<double>(v.z[l])};
 }
 
-/// XX YY ZZ XY YZ XZ, the order of Sym3.
+/// Components XX YY ZZ XY YZ XZ, the order of Sym3.
 template<class L> struct Tensor {
   L xx = L(0.0), yy = L(0.0), zz = L(0.0), xy = L(0.0), yz = L(0.0), xz = L(0.0);
 };
@@ -66,7 +66,7 @@ template<class Real> struct CarrySums {
   L liquidKernelSum = L(1.0);  ///< sum V W of liquid; above 0 with liquid nearby
   L solidShare = L(0.0);       ///< sum V W of solids over its lattice value
   L nearby = L(0.0);           ///< carried compression of liquid neighbours, extrapolated to the particle
-  Vector3<L> gradient;         ///< of the relative density
+  Vector3<L> gradient;         ///< gradient of the relative density
   Vector3<L> surface, solid;   ///< away from neighbours at the free surface, away from solid neighbours
   Tensor<L> moment;
   Tensor<L> strain;  ///< 1/s, minus the rate of strain; sums of both halves off the diagonal

@@ -2,7 +2,7 @@
 // Pressure, viscosity and heat conduction of liquids. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
-#include "core/fluid/viscous_weight.hpp"
+#include "core/kernels/viscous_weight.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
@@ -18,7 +18,8 @@ namespace {
 /// (Bonet & Lok 1999). The force is the adjoint of the corrected divergence, so pairs conserve momentum and
 /// energy. It is not central. The pressure of a solid near liquid acts only between that solid and liquids.
 /// Relief: pressureDiagonal.d, pressureOffDiagonal.d and pressurePhaseHeat.a are the force on liquid from all
-/// its solid neighbours (core/fluid/lattice_relief.hpp), divided among the pairs by V W of the solids.
+/// its solid neighbours (core/fluid/laws/lattice_relief.hpp), divided among the pairs by V W of the
+/// solids.
 template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false,
          bool Relief = false>
 struct Forces {

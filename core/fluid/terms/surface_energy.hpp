@@ -2,7 +2,7 @@
 // Surface tension from a surface energy (surface_energy.hpp): gradient and colour of a particle, and forces.
 // Terms of the pair sums (term.hpp).
 #pragma once
-#include "core/fluid/surface_kernel.hpp"
+#include "core/fluid/laws/surface_kernel.hpp"
 #include "core/fluid/terms/term.hpp"
 
 namespace thaw {

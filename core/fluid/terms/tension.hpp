@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surface tension as pair cohesion. One term of the pair sums (term.hpp).
 #pragma once
-#include "core/fluid/cohesion.hpp"
+#include "core/fluid/laws/cohesion.hpp"
 #include "core/fluid/terms/term.hpp"
 
 namespace thaw {

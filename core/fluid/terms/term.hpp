@@ -4,9 +4,9 @@
 // set. d: position difference own - other in support radii; V: volumes in h^3; finish restores the units of
 // length.
 #pragma once
+#include "core/fluid/pair_sums/pair_kernels.hpp"
+#include "core/fluid/pair_sums/sweep.hpp"
 #include "core/kernels/kernels.hpp"
-#include "core/neighbours/sweep.hpp"
-#include "core/simd/pair_kernels.hpp"
 #include "core/simd/wide.hpp"
 
 namespace thaw {

@@ -3,7 +3,7 @@
 // the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
-#include "core/fluid/viscous_weight.hpp"
+#include "core/kernels/viscous_weight.hpp"
 
 namespace thaw {
 namespace THAW_ISA {

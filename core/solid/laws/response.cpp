@@ -5,8 +5,8 @@
 
 #include "core/solid/laws/corotated.hpp"
 #include "core/solid/laws/green.hpp"
+#include "core/solid/laws/plasticity.hpp"
 #include "core/solid/laws/volume.hpp"
-#include "core/solid/plasticity.hpp"
 
 namespace thaw {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Energy and stress of a material at one particle: law, plastic flow and volume force.
 #pragma once
+#include "core/materials/elastic_constants.hpp"
 #include "core/math/mat3.hpp"
-#include "core/solid/elastic_constants.hpp"
 
 namespace thaw {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/ledger/report.hpp"
 #include "core/math/exact_sum.hpp"
+#include "core/simulation/ledger/report.hpp"
 #include "tests/install/consumer/one_process.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/scene/read_scene.hpp"
-#include "io/version.hpp"
+#include "io/text/version.hpp"
 #include "tests/install/consumer/one_process.hpp"
 
 int main(int argc, char** argv) {

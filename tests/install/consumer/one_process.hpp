@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "core/halo/serial.hpp"
-#include "core/setup/setup.hpp"
-#include "core/solid/serial_bond_halo.hpp"
+#include "core/simulation/setup/setup.hpp"
+#include "core/solid/bonds/serial_bond_halo.hpp"
 
 struct OneProcess {
   thaw::World world;

@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-#include "core/surface/row_lists.hpp"
+#include "core/surface/search/row_lists.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {

@@ -8,12 +8,12 @@
 
 #include "core/halo/serial.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/surface/births.hpp"
-#include "core/surface/place_rows.hpp"
-#include "core/surface/prepare_surface.hpp"
-#include "core/surface/resample.hpp"
-#include "core/surface/sample_mesh.hpp"
-#include "core/surface/tangent.hpp"
+#include "core/math/tangent.hpp"
+#include "core/simulation/setup/prepare_surface.hpp"
+#include "core/surface/data/place_rows.hpp"
+#include "core/surface/resampling/births.hpp"
+#include "core/surface/resampling/resample.hpp"
+#include "core/surface/seeding/sample_mesh.hpp"
 #include "core/surface/update_surface.hpp"
 #include "tests/support/meshes.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "core/geometry/combined.hpp"
-#include "core/geometry/primitives.hpp"
+#include "core/geometry/shapes/combined.hpp"
+#include "core/geometry/shapes/primitives.hpp"
 
 namespace thaw::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "core/fluid/viscous_weight.hpp"
 #include "core/kernels/kernels.hpp"
+#include "core/kernels/viscous_weight.hpp"
 #include "core/walls/tables.hpp"
 
 namespace thaw::test {

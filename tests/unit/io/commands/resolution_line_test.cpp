@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/commands/resolution_line.hpp"
-#include "io/commands/short_text.hpp"
+#include "io/text/short_text.hpp"
 
 namespace thaw {
 namespace {

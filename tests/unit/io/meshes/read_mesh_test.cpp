@@ -11,7 +11,7 @@
 
 #include <unistd.h>
 
-#include "core/geometry/mesh_repair.hpp"
+#include "core/geometry/meshes/mesh_repair.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace thaw {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/geometry/mesh_distance.hpp"
+#include "core/geometry/shapes/mesh_distance.hpp"
 #include "io/meshes/read_mesh.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/samples.hpp"

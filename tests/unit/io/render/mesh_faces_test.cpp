@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/render/mesh_faces.hpp"
-#include "io/render/render_surfels.hpp"
+#include "io/render/surfels/render_surfels.hpp"
 
 namespace thaw {
 namespace {

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "io/render/annotate.hpp"
-#include "io/render/text.hpp"
+#include "io/render/image/annotate.hpp"
+#include "io/render/image/text.hpp"
 
 using namespace thaw;
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "io/render/render_surfels.hpp"
-#include "tests/support/surfel_samples.hpp"
+#include "io/render/surfels/render_surfels.hpp"
+#include "tests/support/surface/surfel_samples.hpp"
 
 using namespace thaw;
 

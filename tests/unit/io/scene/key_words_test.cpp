@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "io/scene/read_scene.hpp"
-#include "io/scene/read_sections.hpp"
+#include "io/scene/tables/read_sections.hpp"
 
 namespace thaw {
 namespace {

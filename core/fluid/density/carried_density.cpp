@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/fluid/density/carried_density.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "core/fluid/density/connected_density.hpp"
+#include "core/fluid/laws/free_surface.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
+
+namespace thaw {
+namespace {
+
+/// Moment at a wall, with 1 along the normal. The sums contain only liquid neighbours, as the gradient does
+/// along the wall. Along the normal the wall's push already balances a uniform pressure.
+Sym3d alongWall(const Sym3d& moment, const Vec3d& n) {
+  const Vec3d m = moment * n;
+  const Vec3d k = m - n * (0.5 * (dot(n, m) + 1));  // M - n m^T - m n^T + (n.m + 1) n n^T
+  return {moment.xx - 2 * n.x * k.x,         moment.yy - 2 * n.y * k.y,
+          moment.zz - 2 * n.z * k.z,         moment.xy - n.x * k.y - n.y * k.x,
+          moment.yz - n.y * k.z - n.z * k.y, moment.xz - n.x * k.z - n.z * k.x};
+}
+
+/// Removes the components of a vector along the normals of adjacent walls.
+Vec3d alongWalls(Vec3d v, std::span<const WallContact> contacts, double spacing) {
+  // distance in spacings within which a wall is adjacent
+  constexpr double wallLayer = 1.2;
+  for (const WallContact& c : contacts)
+    if (c.distance < wallLayer * spacing) v -= c.normal * dot(v, c.normal);
+  return v;
+}
+
+std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint32_t row) {
+  const auto [begin, end] = std::ranges::equal_range(contacts.list, row, {}, &WallContact::row);
+  return {begin, end};
+}
+
+/// Slope of the wall's part of the relative density at a distance (m), times h. It is that of the wall's
+/// pressure force (wall_forces.cpp), so that force and density rate are adjoint.
+double wallSlope(const CarryContext& x, const WallContact& c, double distance) {
+  return x.tools.perLatticeSum * x.tools.wallTables(distance / x.world.grid.support).push * c.share;
+}
+
+/// Adds the walls' parts to the sums of a row. The density rate uses distances at mid-step, as pairs do.
+void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
+  const CarryContext& x = *static_cast<const CarryContext*>(context);
+  const World& w = x.world;
+  const Continuum& p = w.particles;
+  WallContacts& contacts = x.tools.wallContacts;
+  const std::span<const WallContact> mine = contactsOf(contacts, row);
+  const double h = w.grid.support;
+  r.relativeDensity += x.tools.perLatticeSum *
+                       wallRelativeDensity({x.tools.wallTables, h}, mine, contacts.added);
+  for (const WallContact& c : mine) {
+    // the slope is twice the gradient of the wall's own relative density
+    r.gradient += c.normal * (-0.5 * wallSlope(x, c, c.distance));
+    const double off = dot(p.velocity[row] - wallVelocity(w.walls.list[c.wall], p.position[row]), c.normal);
+    r.rate -= r.liquidFraction * wallSlope(x, c, c.distance - 0.5 * x.dt * off) / h * off;
+  }
+  r.atSurface = r.liquidFraction > 0 &&
+                length(alongWalls(r.gradient, mine, w.scene.spacing)) > surfaceAsymmetry * r.gradientSize;
+  for (const WallContact& c : mine) r.moment = alongWall(r.moment, c.normal);
+}
+
+Vec3d alongWallsOf(const void* context, std::uint32_t row, Vec3d velocity) {
+  const CarryContext& x = *static_cast<const CarryContext*>(context);
+  return alongWalls(velocity, contactsOf(x.tools.wallContacts, row), x.world.scene.spacing);
+}
+
+/// True in steps that note the summed densities.
+bool notesSums(const World& w, double dt) {
+  constexpr std::int64_t everySteps = 16;
+  return dt == 0 || w.clock.step % everySteps == 0;
+}
+
+}  // namespace
+
+void beginCarry(World& w, StepTools& t, double dt) {
+  const std::size_t rows = w.particles.owned;
+  CarryWork& work = t.carry;
+  work.besideWall.clear();
+  if (!t.wallContacts.list.empty()) {
+    work.besideWall.assign(rows, 0);
+    for (const WallContact& c : t.wallContacts.list) work.besideWall[c.row] = 1;
+  }
+  if (notesSums(w, dt)) work.summed.assign(rows, 0);
+  w.counters.crowded = 0;
+}
+
+CarryStep carryStepOf(World& w, const CarryContext& context) {
+  Continuum& p = w.particles;
+  StepTools& t = context.tools;
+  const Numerics& n = w.scene.numerics;
+  const double dt = context.dt;
+  CarryStep s;
+  s.dt = dt;
+  s.ahead = dt > 0 ? dt / (dt + w.clock.stepDt) : 0;
+  s.diffusion = n.densityDiffusion;
+  s.shifting = n.shifting;
+  s.weight = w.scene.domain.gravity * w.grid.support;
+  s.eos = n.eos;
+  s.tensileLimit = n.tensileLimit;
+  s.liquids = t.liquids.data();
+  s.material = p.material.data();
+  s.mass = p.mass.data();
+  if (w.modules.sleep) s.steady = t.sleep.steady.data();
+  s.corrected = w.modules.corrected;
+  s.surfaces = p.atSurface.active;
+  s.solids = w.modules.solid;
+  if (!t.carry.besideWall.empty()) s.walls = {&context, t.carry.besideWall.data(), addWallsTo, alongWallsOf};
+  s.compression = p.compression.data();
+  s.dissipated = p.dissipated.data();
+  s.midCorrection = p.midCorrection.data();
+  s.correction = p.correction.data();
+  s.atSurface = p.atSurface.data();
+  s.shiftingVelocity = p.shiftingVelocity.data();
+  if (p.relief.active) s.relief = p.relief.data();
+  if (notesSums(w, dt)) s.summed = t.carry.summed.data();
+  s.crowded = &w.counters.crowded;
+  return s;
+}
+
+void resetCarriedDensity(const CarryStep& x, float* relativeDensity, std::uint32_t row) {
+  const LiquidMaterial& m = x.liquids[x.material[row]];
+  if (x.compression[row] != 0)
+    x.dissipated[row] += x.mass[row] * m.restVolume *
+                         compressionEnergy(x.eos, m.stiffness, 1 + x.compression[row], x.tensileLimit);
+  x.compression[row] = 0;
+  relativeDensity[row] = 1;
+  if (x.corrected) x.midCorrection[row] = x.correction[row] = {};
+  if (x.surfaces) {
+    x.atSurface[row] = 0;
+    x.shiftingVelocity[row] = {};
+  }
+  if (x.relief) x.relief[row] = {};
+}
+
+void finishCarry(World& w, StepTools& t, double dt) {
+  Continuum& p = w.particles;
+  const NeighbourLists& lists = w.neighbours;
+  const CarryContext context{w, t, dt};
+  const CarryStep x = carryStepOf(w, context);
+  for (std::size_t g = 0; g < lists.groups; g++)
+    for (std::size_t l = 0; l < 8 && !lists.fluid[g]; l++) {
+      const std::uint32_t row = lists.self[8 * g + l];
+      if (row != lists.dummy && !(x.steady && x.steady[row]))
+        resetCarriedDensity(x, p.relativeDensity.data(), row);
+    }
+  if (!notesSums(w, dt)) return;
+  if (dt == 0) w.startDensity = t.carry.summed;
+  const std::array<std::int64_t, 2> sums = connectedSums(w, t.carry.summed);
+  w.counters.connected = sums[0];
+  w.counters.connectedDensity = sums[1];
+}
+
+void shiftInside(World& w, const StepTools& t) {
+  Continuum& p = w.particles;
+  for (const WallContact& c : t.wallContacts.list)
+    p.concentrationGradient[c.row] += single(
+        c.normal * (-0.5 * t.perLatticeSum * t.wallTables(c.distance / w.grid.support).push * c.share));
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const bool inside = liquidFraction(p, i) == 1 && static_cast<double>(p.relativeDensity[i]) > 0.9;
+    p.shiftingVelocity[i] = inside ? wide(p.concentrationGradient[i]) *
+                                         (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed)
+                                   : Vec3d{};
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Free surface of a liquid that carries its density, and particle shifting, which depends on it
+// (terms/carry.hpp).
+#pragma once
+namespace thaw {
+
+/// Smallest eigenvalue of the moment below which a particle is at the free surface (Marrone et al. 2010). It
+/// is 1 on a lattice, 0.5 in its outermost layer and 0.86 on average where particles are moved by up to a
+/// fifth of a spacing.
+inline constexpr double surfaceMoment = 0.68;
+/// Asymmetry |sum V grad W| / sum V |grad W| above which a particle is at the free surface, near walls, whose
+/// part of the moment is unknown, and without moments: 0.25 in the outermost layer of a lattice.
+inline constexpr double surfaceAsymmetry = 0.19;
+/// Shifting velocity over h times the strain rate, and over sqrt(|p| / rho) under tension, each per
+/// concentration gradient.
+inline constexpr double shiftPerStrain = 20, shiftPerTension = 40;
+/// Length of the normal of a solid above which it is adjacent; 0.75 in the first layer of a lattice.
+inline constexpr double besideSolid = 0.1;
+
+}  // namespace thaw

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/fluid/laws/lattice_relief.hpp"
+
+namespace thaw {
+namespace {
+
+/// Share of the force that is taken away. With 1 nothing keeps the particles evenly spaced.
+constexpr double reliefShare = 0.65;
+/// Share of solid neighbours at which half of the force acts: a distance of 0.95 support radii. It bounds the
+/// force of pairs that come closer within half a step.
+constexpr double faintContact = 1e-5;
+
+}  // namespace
+
+Vec3f latticeRelief(const ReliefInput& in) {
+  return single(in.gradient *
+                (2 * reliefShare * in.pressure * in.volume / (in.support * (in.solidShare + faintContact))));
+}
+
+}  // namespace thaw

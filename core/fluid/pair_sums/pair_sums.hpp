@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sums over unbonded neighbours. A sum is a pure function of two particles' records (pair_sums_isa.cpp). One
+// driver loops over groups of eight particles; each lane adds its own neighbours in (cell, id) order.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/kernels/viscous_weight.hpp"
+#include "core/math/mat3.hpp"
+#include "core/math/vec3.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+struct CarryStep;
+struct GroupRange {
+  std::size_t begin, end;
+};
+
+/// Two solid particles closer than the contact distance; `own` is an owned row.
+struct ClosePair {
+  std::uint32_t own, other;
+};
+struct ClosePairs {
+  std::vector<ClosePair> list;
+  /// Out of line, see neighbour_lists.hpp.
+  static void append(ClosePairs& pairs, std::uint32_t own, std::uint32_t other);
+};
+
+/// Temperature (K) that marks the dummy row where records hold no volume: one liquid (Modules::uniform) with
+/// heat.
+inline constexpr double dummyTemperature = -1e30;
+/// Pressure term (Pa) of the dummy row in records of a carried density.
+inline constexpr double dummyPressure = -1e24;
+
+/// Input and output of the pair sums. Records are four values per row, float or double by `precision`, for
+/// all owned and ghost rows and the dummy row behind them. Lengths in records are in support radii h.
+struct PairSums {
+  const NeighbourLists* lists = nullptr;
+  KernelKind kernel = KernelKind::WendlandC2;
+  Precision precision = Precision::Single;
+  PairForm pressureForm = PairForm::Consistent;
+  ViscosityForm viscosityForm = ViscosityForm::Pairwise;
+  bool viscous = true;          ///< forces include viscosity; false if it is solved implicitly
+  ViscousWeight viscousWeight;  ///< for the pairwise form
+  bool printedTension = false;  ///< colour field as in K05 instead of pair cohesion
+  /// One liquid (Modules::uniform) has no state records. The fourth value of motion is the pressure term.
+  /// With heat it is the temperature, and the fourth value of place becomes the pressure term. With a carried
+  /// density it is the compression until the pressure is packed. A negative volume marks the free surface.
+  /// Forces overwrite their results; the other terms add to them.
+  bool uniform = false;
+  double volume = 0;                                       ///< V0 / h^3 of all particles of that liquid
+  double viscosity = 0, conductivity = 0, artificial = 0;  ///< for that liquid: Pa s, W/(m K), Pa s; 0: no
+                                                           ///< artificial viscosity
+  bool heat = false;                                       ///< forces include heat conduction
+  double conductionScale = 1;       ///< factor of heat conduction (kernels/lattice.hpp)
+  double support = 0;               ///< h, m
+  double relativeDensityScale = 0;  ///< h^-3 over the lattice sum: relative density is 1 on the lattice of
+                                    ///< the scene
+  double selfExcess = 0;  ///< subtracted from a particle's relative density, per V0 / h^3 of its own
+  const void* positionVolume = nullptr;     ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3
+                                            ///< with the printed pressure)
+  const void* velocityViscosity = nullptr;  ///< velocity (m/s), viscosity (Pa s)
+  /// Pressure term (Pa): f p / (relative density)^2, printed: f p (for densities: carried compression in
+  /// units of stiffness); liquid fraction f (for densities: -f at the free surface); temperature (K);
+  /// conductivity (W/(m K)).
+  const void* pressurePhaseHeat = nullptr;
+  const void* surface = nullptr;  ///< square root of the liquid's surface tension (N/m)^1/2; 1 if solid, else
+                                  ///< 0; artificial viscosity (Pa s); XSPH factor
+  double closeDistance = 0;       ///< for closePairs, in support radii
+  double freeSurfaceIndicatorScale = 0;  ///< m, scale of the free-surface indicator
+  // Results, added to owned rows (float results are overwritten).
+  float* relativeDensity = nullptr;
+  Vec3d* force = nullptr;                          ///< N
+  double* heatFlow = nullptr;                      ///< W
+  double* dissipation = nullptr;                   ///< W
+  double* interaction = nullptr;                   ///< J, half of each pair's potential energy
+  float* freeSurfaceIndicator = nullptr;           ///< 1
+  const void* surfaceEnergyDerivatives = nullptr;  ///< records of surface_energy.hpp: derivatives of the
+                                                   ///< surface energy with respect to gradient and colour, Pa
+  Vec3d* surfaceGradient = nullptr;                ///< 1 (overwritten)
+  double* surfaceColour = nullptr;                 ///< 1 (overwritten)
+  /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: diagonal is zz xy xz yz; place has xx, motion yy.
+  const void *pressureDiagonal = nullptr, *pressureOffDiagonal = nullptr;
+  bool carried = false;                    ///< liquids carry their density
+  const CarryStep* carry = nullptr;        ///< with `carried`: density sums advance the carried densities
+  Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density, for densities
+                                           ///< that are not carried; null: not needed
+  bool relief = false;                     ///< records have forces of core/fluid/laws/lattice_relief.hpp
+  Vec3d* smoothed = nullptr;               ///< m/s, velocity change by XSPH
+  Vec3d* impulse = nullptr;  ///< N s, of impulse (overwritten); for response the gradient of the relative
+                             ///< density, 1/m
+  double* compression = nullptr;  ///< 1/s, of compression (overwritten); for response the contribution of the
+                                  ///< neighbours, 1/(m^2 kg)
+  std::int64_t* coincident = nullptr;  ///< counts particles that coincide with another particle
+};
+
+/// Velocity (m/s) for the viscous operator, with the particle's viscosity (Pa s) and liquid fraction; the
+/// size of four doubles.
+struct alignas(32) ViscousRecord {
+  double x = 0, y = 0, z = 0;
+  float viscosity = 0, liquid = 0;
+};
+
+/// Start: also the diagonal blocks; Apply: the operator only; Force: also the dissipation.
+enum class ViscousPass { Start, Apply, Force };
+
+/// Input and output of the viscous operator of the implicit solver, besides PairSums::positionVolume. Rows
+/// without liquid neighbours are not written.
+struct ViscousSums {
+  ViscousPass pass = ViscousPass::Apply;
+  const ViscousRecord* velocity = nullptr;  ///< all rows and the dummy
+  const ViscousRecord* middle = nullptr;  ///< m/s, velocities at which the force dissipates energy; only with
+                                          ///< Force
+  Vec3d* result = nullptr;                ///< N, minus the viscous force for these velocities; overwritten
+  Sym3d* block = nullptr;                 ///< kg/s, diagonal block; overwritten by Start
+  double* lost = nullptr;                 ///< W, dissipation, added by Force
+};
+
+}  // namespace thaw

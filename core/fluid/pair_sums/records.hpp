@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Packing of the fields of pair sums into records of four values (128-bit loads and a transpose, no gathers).
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/fluid/pair_sums/pair_sums.hpp"
+#include "core/materials/liquid_materials.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/modules.hpp"
+
+namespace thaw {
+
+/// Parameters that depend on liquid fraction and temperature only.
+struct MaterialParameters {
+  double viscosity = 0, conductivity = 0;
+};
+
+/// Records of all rows and the dummy row behind them; bytes, because they are float or double.
+struct PairRecords {
+  AlignedVector<std::byte> fixed;  ///< fixed-point positions and V0 / h^3, float: place in single precision
+  AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePosition)
+  AlignedVector<std::byte> positionVolume, velocityViscosity, pressurePhaseHeat, surface, pressureDiagonal,
+      pressureOffDiagonal, surfaceEnergyDerivatives;
+  std::vector<double> volumePerMass;         ///< 1/kg, V0 / h^3 over the mass, by material
+  std::vector<MaterialParameters> constant;  ///< by material, if constant
+};
+
+/// Properties of the run for packing. With Modules::uniform there is no state, and motion holds the pressure
+/// term instead of the viscosity. With heat it holds the temperature, and place holds the pressure term
+/// instead of the volume after the density sums.
+struct RecordContext {
+  const Scene& scene;
+  const Modules& modules;
+  const CellGrid& grid;
+  const std::vector<LiquidMaterial>& liquids;
+  int substeps = 1;  ///< substeps of solids in the last step
+};
+
+/// Packs rows [begin, end): positions, volumes, velocities, liquid fraction, temperature and material
+/// parameters.
+void packRecords(const RecordContext& context, const Continuum& particles, std::size_t begin, std::size_t end,
+                 PairRecords& records);
+
+/// Makes room for `rows` rows and the dummy row, which gets zero volume.
+void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& records);
+
+/// Compression energy (J) of a particle with liquid fraction f. With a carried density f is ignored.
+double compressionOf(const RecordContext& context, const Continuum& particles, std::size_t row, double f);
+
+/// Packs the pressure of rows [begin, end) from their relative density into the state records, with the
+/// printed pressure form also the volume V0 over relative density. Adds the compression energy of owned rows
+/// to Continuum::interaction, except for one liquid (Modules::uniform), where it is computed on demand
+/// (core/simulation/sums/stored_energy.hpp).
+void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end,
+                  PairRecords& records);
+
+/// Packs Continuum::surfaceEnergyByGradient and surfaceEnergyByColour of rows [begin, end).
+void packSurfaceEnergyDerivatives(const RecordContext& context, const Continuum& particles, std::size_t begin,
+                                  std::size_t end, PairRecords& records);
+
+/// Sets pressure terms of 1 Pa, all liquid, no viscosity, to relax the packing of bodies.
+void setUnitPressure(const RecordContext& context, std::size_t rows, PairRecords& records);
+
+/// Sets pressure terms (Pa) after that: the relative density of liquid particles above 1, 0 for others. Used
+/// to relax the packing of bodies.
+void setExcessPressure(const RecordContext& context, const Continuum& particles, PairRecords& records);
+
+}  // namespace thaw

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The only loop over neighbours. A Term defines the data of a particle, the contribution of a pair and the
+// final step. Lanes are particles, so vectorisation, rank count and domain decomposition do not change a
+// particle's summation order.
+#pragma once
+#include "core/fluid/pair_sums/pair_sums.hpp"
+#include "core/simd/lanes.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+
+/// Groups that a sum covers. Wet: cells around the group contain liquid. Dry groups add nothing to sums over
+/// liquid.
+enum class Groups { All, Fluid, NonFluid };
+
+/// Term: Data load(const uint32_t entries[8]) const; struct Sum; pair(own, other, entries, sum) const;
+/// finish(rows, own, sum, dummy).
+template<class Term>
+THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, Groups groups) {
+  const std::uint32_t* const list = lists.list.data();
+  const std::uint32_t* const self = lists.self.data();
+  for (std::size_t g = range.begin; g < range.end; g++) {
+    if (groups != Groups::All && (lists.fluid[g] != 0) != (groups == Groups::Fluid)) continue;
+    const std::uint32_t* rows = self + 8 * g;
+    alignas(32) std::uint32_t ownEntries[8];
+    for (int l = 0; l < 8; l++) ownEntries[l] = 2 * rows[l];
+    const typename Term::Data own = term.load(ownEntries);
+    typename Term::Sum sum{};
+    const std::uint32_t* at = list + lists.first[g];
+    for (std::uint32_t n = lists.count[g]; n > 0; n--, at += 8) {
+      __builtin_prefetch(at + listAhead);
+      term.pair(own, term.load(at), at, sum);
+    }
+    const typename Term::Sum total = sum;  // read lane by lane from memory, so that sum itself stays in
+                                           // registers
+    term.finish(rows, own, total, lists.dummy);
+  }
+}
+
+}  // namespace THAW_ISA
+}  // namespace thaw

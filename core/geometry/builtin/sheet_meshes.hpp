@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Analytic meshes of sheets for scenes without mesh files. Triangles are counter-clockwise seen from outside
+// (or above).
+#pragma once
+#include "core/geometry/basic/triangle_mesh.hpp"
+
+namespace thaw {
+
+/// Rectangle in z = 0 around the origin: squares of about `spacing` (m) along x and y, each cut into two
+/// triangles.
+TriangleMesh gridSheet(double width, double depth, double spacing);
+
+/// Sphere around the origin: an icosahedron with edges divided into equal parts of about `spacing` (m).
+TriangleMesh sphereSheet(double radius, double spacing);
+
+/// Head of `height` (m) from chin to crown, facing -y, around the origin and closed below. Vertices of a
+/// sphere are moved along rays from the centre.
+TriangleMesh headSheet(double height, double spacing);
+
+/// Cap of a dome over a disc in z = 0, `height` high, with radial ribs like a scallop.
+TriangleMesh domeSheet(double radius, double height, double spacing, int ribs, double ribHeight);
+
+/// Skin on the +z side of a ball of this radius (m) around the origin, width (x) by height (y) measured along
+/// the ball. It has `wrinkles` furrows across, which rise `depth` above the ball and fade towards the border.
+TriangleMesh foreheadSheet(double radius, double width, double height, double spacing, double depth,
+                           int wrinkles);
+
+}  // namespace thaw

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edges of a triangle mesh with their triangles, and disjoint sets to group joined elements.
+#pragma once
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "core/geometry/basic/triangle_mesh.hpp"
+#include "core/particles/aligned_memory.hpp"
+
+namespace thaw {
+
+/// One side of a triangle. Sides of the same edge (unordered pair of vertices) are adjacent, sorted by
+/// triangle.
+struct EdgeSide {
+  std::uint64_t edge = 0;  ///< smaller vertex << 32 | larger vertex
+  std::uint32_t triangle = 0;
+  std::int8_t sign = 0;  ///< +1: the triangle runs from the smaller to the larger vertex
+};
+/// Requires: the indices of the mesh are valid.
+AlignedVector<EdgeSide> edgeSides(const TriangleMesh& mesh);
+
+/// Calls f(first, last) for the range of sides of each edge.
+template<class F> void forEachEdge(const AlignedVector<EdgeSide>& sides, F&& f) {
+  for (std::size_t first = 0; first < sides.size();) {
+    std::size_t last = first + 1;
+    while (last < sides.size() && sides[last].edge == sides[first].edge) last++;
+    f(first, last);
+    first = last;
+  }
+}
+
+/// Disjoint sets of 0..n-1; the smallest member represents its set.
+struct DisjointSets {
+  explicit DisjointSets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    i = find(i), j = find(j);
+    if (i < j) parent[j] = i;
+    else parent[i] = j;
+  }
+  std::vector<std::uint32_t> parent;
+};
+
+}  // namespace thaw

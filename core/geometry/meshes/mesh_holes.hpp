@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Closing the holes of a mesh.
+#pragma once
+#include <cstdint>
+
+#include "core/geometry/meshes/mesh_edges.hpp"
+
+namespace thaw {
+
+/// Closes each hole by triangles between its border and the middle of the border's vertices, so that every
+/// edge is traversed equally often in both directions. sides: edgeSides of the input mesh. Returns the
+/// number of holes.
+std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides);
+
+}  // namespace thaw

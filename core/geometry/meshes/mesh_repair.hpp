@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Repair of triangles from a file to the surface of a solid or to an open surface.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "core/geometry/basic/triangle_mesh.hpp"
+
+namespace thaw {
+
+/// Defects found and repaired.
+struct MeshReport {
+  std::int64_t triangles = 0, vertices = 0;  ///< after merging equal vertices, before closing holes
+  std::int64_t shells = 0;                   ///< number of connected parts
+  std::int64_t turnedTriangles = 0;          ///< flipped to agree with their neighbours
+  std::int64_t turnedShells = 0;             ///< inverted shells that were flipped
+  std::int64_t holes = 0;                    ///< number of holes closed
+  std::int64_t normals = 0;                  ///< number of corner normals in the file
+  std::int64_t turnedNormals = 0;            ///< normals of shells whose normals mostly pointed inward
+  std::int64_t unusedNormals = 0;            ///< normals that are 0 or oppose their triangle
+  double area = 0, holeArea = 0;             ///< m^2, triangles of the file; triangles that close holes
+  double volume = 0;                         ///< m^3, sum of the signed volumes of the shells
+  std::int64_t border = 0;                   ///< open edges of a surface that stays open (repairSurface)
+  std::int64_t branched = 0;                 ///< edges of more than two triangles in the file
+  bool closed = true;  ///< false: too many open edges, nothing was closed; an unconnected set of triangles
+};
+
+/// Returns a closed, outward surface:
+/// 1. Equal vertices are merged; if edges stay open, also vertices within 1e-6 of the mesh's diagonal.
+/// Duplicate triangles and triangles with two equal corners are removed.
+/// 2. Within a patch (triangles joined by edges that exactly two of them share), triangles are flipped to
+/// agree with the larger part of the patch's area.
+/// 3. The border is followed around each hole, which is closed by triangles to the middle of its vertices.
+/// Every edge is then balanced, and winding numbers are integers off the surface.
+/// 4. A shell (triangles joined by any edges) with negative volume is inverted and is flipped, unless it lies
+/// within another shell. The outermost shell decides for all shells within it, so hollows stay hollow.
+/// 5. File normals are validated (file_normals.hpp).
+/// If more than 30 % of the edges are open, steps 3 and 4 are skipped. The total volume then decides the
+/// direction, and inside is where the generalised winding number exceeds 1/2. Throws ShapeError: no
+/// triangles, an index out of range, a coordinate that is not finite, no volume enclosed.
+TriangleMesh repairMesh(const TriangleMesh& mesh, MeshReport& report);
+
+/// Returns a surface that need not be closed. A mesh without open edges is repaired as by repairMesh. Any
+/// other mesh takes steps 1, 2 and 5 only: it stays open and keeps the sides of its triangles. Throws
+/// ShapeError as repairMesh does, except for meshes that enclose no volume.
+TriangleMesh repairSurface(const TriangleMesh& mesh, MeshReport& report);
+
+/// Returns one sentence about the repairs; empty without repairs.
+std::string describeRepairs(const std::string& name, const MeshReport& report);
+
+}  // namespace thaw

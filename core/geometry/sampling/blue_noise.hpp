@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blue-noise samples on a triangle mesh.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/geometry/basic/triangle_mesh.hpp"
+
+namespace thaw {
+
+struct MeshSample {
+  Vec3d position{};  ///< m, on the triangle
+  std::uint32_t triangle = 0;
+};
+
+/// Part of a mesh that receives samples.
+struct MeshPart {
+  /// Returns whether the part may come within `reach` (m) of a position.
+  std::function<bool(const Vec3d& middle, double reach)> near;
+  /// Returns whether a position on a triangle belongs to the part.
+  std::function<bool(const Vec3d& place, std::uint32_t triangle)> isThere;
+};
+
+/// Returns samples about `spacing` (m) apart, as many as a hexagonal lattice has. Each triangle piece of at
+/// most 0.55 spacings has one random candidate. Dart throwing in a hashed order accepts candidates at least
+/// 0.75 spacings apart (Poisson discs). Lloyd steps move samples to the centroids of their candidates.
+/// Isolated candidates are then added, so that no point of the mesh is farther than `spacing` from a sample.
+/// The two sides of a thin sheet do not interact. All ranks sample the whole mesh, with the same bits.
+/// Memory: 40 bytes a candidate, about 15 candidates a sample. With `part` only that part has candidates.
+std::vector<MeshSample> blueNoise(const TriangleMesh& mesh, double spacing, std::uint64_t seed,
+                                  const MeshPart* part = nullptr);
+
+}  // namespace thaw

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sampling of a body or an opening. Positions depend on the shape and the spacing only, never on the
+// number of ranks.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/basic/signed_distance.hpp"
+
+namespace thaw {
+
+/// Number of lattice points along a size that is no integer number of spacings. Cover rounds up: points reach
+/// the surface. Fit rounds down: no point is nearer to the surface than half a spacing. Emitted liquid uses
+/// Fit, since Cover would push adjacent liquid away.
+enum class Layers { Cover, Fit };
+
+/// Cubic lattice around the bounding box of a body, centred on it, along the axes of the scene. A box of n
+/// spacings gets n points, the outer ones half a spacing inside.
+struct SampleLattice {
+  Vec3d corner{};           ///< m, half a spacing below point (0, 0, 0)
+  double spacing = 0;       ///< m
+  std::int64_t count[3]{};  ///< points along x, y, z; at least 1
+  std::int64_t rows() const { return count[1] * count[2]; }
+  Vec3d at(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    return {corner.x + (static_cast<double>(i) + 0.5) * spacing,
+            corner.y + (static_cast<double>(j) + 0.5) * spacing,
+            corner.z + (static_cast<double>(k) + 0.5) * spacing};
+  }
+};
+
+/// Rows along x that a rank samples: [begin, end) of lattice.rows().
+struct SampleRange {
+  std::int64_t begin = 0, end = 0;
+};
+
+/// Throws ShapeError if the bounds are not finite or the lattice has 2^40 points or more.
+SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers = Layers::Cover);
+
+/// Returns the rows of one rank: equal shares, empty for some ranks if there are fewer rows than ranks.
+SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks);
+
+/// Returns the indices i, ascending, of the points of a row that are inside the shape. The number of such a
+/// point is i + count[0] * row: unique within the body and below 2^40. known: one object for all rows of a
+/// body.
+std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& lattice,
+                                      std::int64_t row, KnownSides& known);
+
+/// Returns a lattice point moved randomly by up to `amount` spacings along each axis, as the start of a
+/// relaxed packing. The offset is a function of seed and id (unique over all bodies).
+Vec3d jittered(const Vec3d& point, double amount, double spacing, std::uint64_t seed, std::uint64_t id);
+
+/// Moves a point against the gradient until it is at least `margin` (m) deep. In thinner shapes it gets as
+/// deep as a few steps allow. Points that are deep enough keep their bits.
+Vec3d pullInside(const SignedDistance& shape, const Vec3d& x, double margin);
+
+}  // namespace thaw

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes of bodies placed in the scene.
+#pragma once
+#include "core/geometry/basic/triangle_mesh.hpp"
+#include "core/geometry/meshes/mesh_repair.hpp"
+#include "core/geometry/shapes/combined.hpp"
+
+namespace thaw {
+
+struct PlacedMesh {
+  TriangleMesh mesh;  ///< repaired, in the frame of the scene; with the colours and normals of its file
+  MeshReport report;
+  Placement placement;  ///< placement of the mesh's own frame
+};
+
+/// Requires a shape of kind Mesh. Throws ShapeError and the errors of the loader.
+PlacedMesh makePlacedMesh(const Shape& shape, const MeshLoader& load);
+
+/// As makePlacedMesh, for a surface that may be open and then stays open (repairSurface).
+PlacedMesh makePlacedSurface(const Shape& shape, const MeshLoader& load);
+
+/// Applies the placement of a shape of any kind to a mesh. Throws ShapeError.
+Placement placeMesh(const Shape& shape, TriangleMesh& mesh);
+
+}  // namespace thaw

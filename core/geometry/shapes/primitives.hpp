@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact signed distances of simple solids, each in its own frame (scene.hpp). Sizes in m.
+#pragma once
+#include <vector>
+
+#include "core/geometry/basic/signed_distance.hpp"
+
+namespace thaw {
+
+class BoxDistance final : public SignedDistance {
+ public:
+  explicit BoxDistance(const Vec3d& size) : half_(0.5 * size) {}
+  /// Gradient inside: towards the nearest face; of equal faces the first of x, y, z.
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
+  Bounds bounds() const override { return {-half_, half_}; }
+  bool convex() const override { return true; }
+
+ private:
+  Vec3d half_;
+};
+
+class SphereDistance final : public SignedDistance {
+ public:
+  explicit SphereDistance(double radius) : radius_(radius) {}
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;  ///< gradient at the centre: +x
+  Bounds bounds() const override { return {{-radius_, -radius_, -radius_}, {radius_, radius_, radius_}}; }
+  double extent(const Vec3d& direction) const override { return radius_ * length(direction); }
+  bool convex() const override { return true; }
+
+ private:
+  double radius_;
+};
+
+class TorusDistance final : public SignedDistance {
+ public:
+  TorusDistance(double ring, double tube) : ring_(ring), tube_(tube) {}  ///< ring around z
+  /// Gradient on the axis: from the ring's +x; on the ring: outward.
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
+  Bounds bounds() const override { return boundsFromExtents(*this); }
+  double extent(const Vec3d& direction) const override;
+
+ private:
+  double ring_, tube_;
+};
+
+class HalfSpaceDistance final : public SignedDistance {
+ public:
+  HalfSpaceDistance(const Vec3d& point, const Vec3d& normal)
+      : normal_(normalized(normal)), offset_(dot(normal_, point)) {}
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
+  Bounds bounds() const override { return {{-never, -never, -never}, {never, never, never}}; }
+  double extent(const Vec3d& direction) const override { return alongNormal(direction, normal_, offset_); }
+  double outerExtent(const Vec3d& direction) const override {
+    return alongNormal(direction, -normal_, -offset_);
+  }
+  bool convex() const override { return true; }
+
+ private:
+  static double alongNormal(const Vec3d& direction, const Vec3d& normal, double offset);
+  Vec3d normal_;
+  double offset_;  ///< dot(normal, x) on the plane
+};
+
+/// Solid of revolution about z. The outline in the half-plane (distance from the axis, z) is a chain of
+/// straight pieces with the solid on their left. It begins and ends on the axis.
+class RevolvedDistance final : public SignedDistance {
+ public:
+  struct Point {
+    double r, z;
+  };
+  explicit RevolvedDistance(std::vector<Point> outline);
+  /// Gradient on the axis: radial means +x; of equally near pieces the first counts.
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
+  Bounds bounds() const override { return boundsFromExtents(*this); }
+  double extent(const Vec3d& direction) const override;
+  bool convex() const override { return convex_; }
+
+ private:
+  std::vector<Point> outline_;
+  bool convex_;
+};
+
+/// Outline of a cylinder centred on the origin.
+std::vector<RevolvedDistance::Point> cylinderOutline(double radius, double height);
+/// Outline of a glass that stands on z = 0 and is open at the top; thickness of wall and floor.
+std::vector<RevolvedDistance::Point> glassOutline(double radius, double height, double thickness);
+
+}  // namespace thaw

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangulated surfaces of the parts of a shape.
+#pragma once
+#include "core/geometry/basic/triangle_mesh.hpp"
+#include "core/geometry/shapes/primitives.hpp"
+#include "core/scene/shape.hpp"
+
+namespace thaw {
+
+/// Returns the surfaces of all simple parts of a shape, placed in the scene, outward from the body;
+/// subtracted parts face the other way. Surface inside another part, or outside of a cut, is included:
+/// combined shapes show only some of it. Chords deviate from curved faces by at most `sag` (m); corners lie
+/// on them. Planes are squares larger than the body. Colours and normals of meshes are dropped. Throws
+/// ShapeError; std::invalid_argument for an infinite body.
+TriangleMesh shapeMesh(const Shape& shape, double sag, const MeshLoader& load);
+
+/// Returns the shape in its own frame.
+Shape withoutPlacement(Shape shape);
+
+/// Revolves an outline about z in `around` steps; corners on the axis are one vertex. closed: joins the last
+/// point to the first. The solid is on the left of the outline (RevolvedDistance).
+TriangleMesh revolvedMesh(const std::vector<RevolvedDistance::Point>& outline, bool closed, int around);
+
+}  // namespace thaw

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Volumes of shapes.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/halo/halo.hpp"
+
+namespace thaw {
+
+/// Returns the volume of each shape (m^3): exact for boxes, spheres, cylinders and tori, else from 96 points
+/// along each edge of the bounding box (accurate to 0.3 %), distributed over the ranks. The result is the
+/// same on any number of ranks; 0 for infinite shapes. Collective.
+std::vector<double> shapeVolumes(std::span<const Shape* const> shapes, const MeshLoader& load, Reducer& all);
+
+}  // namespace thaw

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/geometry/trees/point_tree.hpp"
+
+#include <algorithm>
+#include <nanoflann.hpp>
+
+namespace thaw {
+namespace {
+
+struct Cloud {
+  std::vector<Vec3d> points;
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  double kdtree_get_pt(std::size_t k, std::size_t axis) const { return points[k][static_cast<int>(axis)]; }
+  template<class Box> bool kdtree_get_bbox(Box&) const { return false; }
+};
+using Index =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::uint32_t>;
+
+}  // namespace
+
+struct PointTree::Tree {
+  Cloud cloud;
+  Index index;
+  explicit Tree(const std::vector<Vec3d>& points)
+      : cloud{points}, index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(12)) {
+    index.buildIndex();
+  }
+};
+
+PointTree::PointTree(const std::vector<Vec3d>& points) : tree_(std::make_unique<Tree>(points)) {}
+PointTree::~PointTree() = default;
+const std::vector<Vec3d>& PointTree::points() const { return tree_->cloud.points; }
+
+std::vector<std::uint32_t> PointTree::nearest(const Vec3d& x, std::size_t count) const {
+  const std::vector<Vec3d>& p = points();
+  count = std::min(count, p.size());
+  if (count == 0) return {};
+  std::vector<std::uint32_t> found(count);
+  std::vector<double> far2(count);
+  const double at[3] = {x.x, x.y, x.z};
+  const std::size_t n = tree_->index.knnSearch(at, count, found.data(), far2.data());
+  // All points as far as the last one are included, so that ties do not depend on the tree. The added term
+  // keeps the square of a tiny radius above 0.
+  std::vector<std::uint32_t> all = within(x, std::sqrt(far2[n - 1]) * (1 + 1e-12) + 1e-150);
+  const auto distance2 = [&](std::uint32_t k) { return dot(p[k] - x, p[k] - x); };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return distance2(a) < distance2(b); });
+  if (all.size() > count) all.resize(count);
+  return all;
+}
+
+std::vector<std::uint32_t> PointTree::within(const Vec3d& x, double radius) const {
+  std::vector<std::uint32_t> found;
+  if (points().empty()) return found;
+  const double at[3] = {x.x, x.y, x.z};
+#if NANOFLANN_VERSION >= 0x150
+  std::vector<nanoflann::ResultItem<std::uint32_t, double>> hits;
+  tree_->index.radiusSearch(at, radius * radius, hits, nanoflann::SearchParameters());
+#else
+  std::vector<std::pair<std::uint32_t, double>> hits;
+  tree_->index.radiusSearch(at, radius * radius, hits, nanoflann::SearchParams());
+#endif
+  for (const auto& h : hits) found.push_back(h.first);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace thaw

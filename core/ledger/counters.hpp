@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counters of a run.
+#pragma once
+#include <cstdint>
+
+namespace thaw {
+
+/// Counts of problems and corrections, for progress lines and the summary. Sums over ranks are exact.
+struct Counters {
+  std::int64_t singularNeighbourhoods = 0;  ///< particles with a moment matrix of rank < 3 at its last
+                                            ///< computation
+  std::int64_t brokenBonds = 0;
+  std::int64_t inverted = 0;  ///< particles with det F <= 0 (particle-steps)
+  std::int64_t squeezed = 0;  ///< particles of law "green" compressed below sqrt(1/3) in some direction
+                              ///< (particle-steps)
+  std::int64_t coincidentPairs = 0;
+  std::int64_t melted = 0, frozen = 0;  ///< phase changes
+  std::int64_t welds = 0;
+  std::int64_t rereferenced = 0;
+  std::int64_t wallProjections = 0;  ///< particles projected out of an obstacle
+  std::int64_t left = 0, emitted = 0;
+  std::int64_t leftThrough[3][2] = {};  ///< particles that left, by the open side that each was farthest
+                                        ///< beyond, [axis][low, high]
+  std::int64_t viscousIterations = 0;   ///< implicit viscosity, all steps; on the first rank only
+  std::int64_t viscousUnfinished = 0;   ///< steps without convergence; on the first rank only
+  std::int64_t retries = 0;             ///< failed stretches that were repeated with shorter steps
+  std::int64_t densityIterations = 0, divergenceIterations = 0;  ///< incompressible solver; on the
+                                                                 ///< first rank only
+  std::int64_t orientedBirths = 0, orientedDeaths = 0;
+  std::int64_t crowded = 0;    ///< liquid particles whose summed density far exceeds the carried one in the
+                               ///< last step
+  std::int64_t connected = 0;  ///< liquid particles with at least two neighbours, in the last step with
+                               ///< carried densities
+  std::int64_t connectedDensity = 0;   ///< 1e-6, sum of their summed relative densities
+  std::int64_t asleep = 0;             ///< particles whose sums were skipped in the last step
+  std::int64_t unsolvedPressures = 0;  ///< solves that reached the iteration limit; on the first rank only
+};
+
+/// Iterations of the incompressible solver in the last step, equal on all ranks; not part of the state.
+struct PressureIterations {
+  std::int64_t density = 0, divergence = 0;
+};
+
+}  // namespace thaw

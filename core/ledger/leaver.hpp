@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Particles that leave through open sides.
+#pragma once
+#include <cstdint>
+
+#include "core/math/vec3.hpp"
+
+namespace thaw {
+
+/// A particle that leaves in this step.
+struct Leaver {
+  std::uint64_t id = 0;
+  Vec3d position{};        ///< m
+  double volume = 0;       ///< h^3
+  double rootTension = 0;  ///< (N/m)^1/2
+};
+
+}  // namespace thaw

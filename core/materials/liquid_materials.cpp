@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/materials/liquid_materials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/scene/expected_speeds.hpp"
+
+namespace thaw {
+
+double expectedSpeed(const Scene& s) { return expectedFlow(s).speed; }
+
+namespace {
+
+/// Speed (m/s) that surface tension causes at one spacing.
+double tensionSpeed(const Material& m, double spacing) {
+  return std::sqrt(2 * m.surfaceTension / (m.density * spacing));
+}
+
+constexpr double leastSpeed = 1e-3;  // m/s, if nothing moves
+
+}  // namespace
+
+std::vector<LiquidMaterial> liquidMaterials(const Scene& s) {
+  std::vector<LiquidMaterial> all;
+  const double v = expectedSpeed(s), h = s.numerics.support * s.spacing;
+  for (const Material& m : s.materials) {
+    LiquidMaterial l;
+    l.soundSpeed = m.soundSpeed > 0 ? m.soundSpeed
+                                    : std::max({v, tensionSpeed(m, s.spacing), leastSpeed}) /
+                                          std::sqrt(s.numerics.maxDensityError);
+    l.stiffness = m.density * l.soundSpeed * l.soundSpeed;
+    l.artificial = m.artificialViscosity * l.soundSpeed * h * m.density / 10;
+    l.rootTension = std::sqrt(m.surfaceTension);
+    l.restVolume = 1 / m.density;
+    all.push_back(l);
+  }
+  const auto liquid = std::find_if(s.materials.begin(), s.materials.end(), canBeLiquid);
+  for (std::size_t k = 0; k < all.size() && liquid != s.materials.end(); k++)
+    if (!canBeLiquid(s.materials[k])) {
+      const LiquidMaterial& around = all[static_cast<std::size_t>(liquid - s.materials.begin())];
+      all[k].stiffness = around.stiffness;
+      all[k].soundSpeed = around.soundSpeed;
+    }
+  return all;
+}
+
+std::string soundSpeedReason(const Scene& s, const Material& m) {
+  if (m.soundSpeed > 0) return "given by the material's sound_speed";
+  const FlowSpeed flow = expectedFlow(s);
+  const double tension = tensionSpeed(m, s.spacing), speed = std::max({flow.speed, tension, leastSpeed});
+  const std::string why = speed == flow.speed ? flow.why
+                          : speed == tension  ? "from surface tension at one spacing"
+                                              : "minimum value; no motion is expected";
+  char times[80];
+  std::snprintf(times, sizeof times, "%.3g times %.3g m/s, ", 1 / std::sqrt(s.numerics.maxDensityError),
+                speed);
+  return times + why;
+}
+
+double viscosityAt(const Material& m, double liquidFraction, double temperature) {
+  const auto& t = m.viscosityTable;
+  if (t.empty()) return m.viscosity.at(liquidFraction);
+  if (temperature <= t.front().first) return t.front().second;
+  for (std::size_t k = 1; k < t.size(); k++)
+    if (temperature < t[k].first) {
+      const double a = (temperature - t[k - 1].first) / (t[k].first - t[k - 1].first);
+      return t[k - 1].second * std::pow(t[k].second / t[k - 1].second, a);
+    }
+  return t.back().second;
+}
+
+}  // namespace thaw

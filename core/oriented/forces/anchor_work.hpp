@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Impulse and work of anchors, for the ledger.
+#pragma once
+#include "core/oriented/data/oriented_work.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// State before a step of dt (s), for recordAnchorWork: call stateBefore, the step, moveAnchored,
+/// recordAnchorWork.
+struct StateBefore {
+  double dt;
+  std::vector<Vec3d> velocity, place, spin;
+  std::vector<Quat> turn;
+  std::vector<std::uint8_t> flags;  ///< flags before the step, since an anchor may release rows at its end
+};
+StateBefore stateBefore(const World& world, double dt);
+
+/// Records impulse and work of the anchors in the ledger: the change of momentum and energy, less those of
+/// all other forces and torques (OrientedWork::acting, actingTorque). Requires: the forces of the step, with
+/// Oriented::external scaled by `weight` (see stepOriented).
+void recordAnchorWork(World& world, const StateBefore& before, const OrientedWork& work, double weight);
+
+}  // namespace thaw

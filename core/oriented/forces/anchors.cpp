@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/oriented/forces/anchors.hpp"
+
+#include <cmath>
+
+#include "core/geometry/shapes/pose.hpp"
+
+namespace thaw {
+namespace {
+
+// Rotation matrix to quaternion (Shepperd 1978).
+Quat turnOf(const Mat3d& m) {
+  const double trace = m.row[0].x + m.row[1].y + m.row[2].z;
+  if (trace > 0)
+    return unitQuat(
+        Quat{1 + trace, m.row[2].y - m.row[1].z, m.row[0].z - m.row[2].x, m.row[1].x - m.row[0].y});
+  if (m.row[0].x >= m.row[1].y && m.row[0].x >= m.row[2].z)
+    return unitQuat(Quat{m.row[2].y - m.row[1].z, 1 + m.row[0].x - m.row[1].y - m.row[2].z,
+                         m.row[0].y + m.row[1].x, m.row[0].z + m.row[2].x});
+  if (m.row[1].y >= m.row[2].z)
+    return unitQuat(Quat{m.row[0].z - m.row[2].x, m.row[0].y + m.row[1].x,
+                         1 + m.row[1].y - m.row[0].x - m.row[2].z, m.row[1].z + m.row[2].y});
+  return unitQuat(Quat{m.row[1].x - m.row[0].y, m.row[0].z + m.row[2].x, m.row[1].z + m.row[2].y,
+                       1 + m.row[2].z - m.row[0].x - m.row[1].y});
+}
+
+}  // namespace
+
+void moveAnchored(World& w, double time, double dt) {
+  Oriented& o = w.oriented.rows;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    if (!(o.flags[i] & (fixedPosition | fixedOrientation))) continue;
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    const OrientedAnchor* anchor = o.anchor[i] == noAnchor ? nullptr : &body.anchors[o.anchor[i]];
+    if (anchor && time > anchor->until) {
+      o.flags[i] &= creased;
+      continue;
+    }
+    const Pose pose = anchor ? poseAt(anchor->motion, time) : Pose{};
+    if (o.flags[i] & fixedPosition) {
+      o.position[i] = fromRest(pose, o.restPosition[i]);
+      o.velocity[i] = pose.moved && dt > 0 ? velocityAt(pose, o.position[i]) : Vec3d{};
+    }
+    if (o.flags[i] & fixedOrientation) {
+      o.orientation[i] = pose.moved ? unitQuat(turnOf(pose.rotation) * o.restOrientation[i])
+                                    : o.restOrientation[i];
+      o.spin[i] = pose.moved && dt > 0 ? pose.angularVelocity : Vec3d{};
+    }
+  }
+}
+
+}  // namespace thaw

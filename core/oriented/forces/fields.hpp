@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// External forces on oriented particles besides gravity: push and pressure of the body, and its fields
+// (OrientedField).
+#pragma once
+#include "core/halo/halo.hpp"
+#include "core/oriented/data/oriented_work.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct FieldForce {
+  Vec3d force{};     ///< N
+  double slope = 0;  ///< 1/s^2, bound of the force gradient over mass
+};
+
+/// Returns the force on an owned row at OrientedWork::time. Within a step of length OrientedWork::over it is
+/// the mean over the step, so impulses do not depend on step size. Runge-Kutta samples a linear factor at its
+/// stages, which gives the same mean. A pull at distance r is a u (1 - u^2)^2 / 0.2862 with u = r/R, from the
+/// energy per mass -a R (1 - u^2)^3 / 1.717, so it is conservative.
+FieldForce fieldForce(const World& world, const OrientedWork& work, std::size_t row);
+
+/// Replaces the field forces at the start of a step of dt (s) by their means over it, where fields change.
+void averageFields(World& world, OrientedWork& work, double dt);
+
+/// Appends to OrientedWork::unusedFields the fields that begin in (after, upTo] and act on no particle.
+/// Collective, if such fields exist.
+void recordUnusedFields(const World& world, Reducer& all, OrientedWork& work, double after, double upTo);
+
+/// Returns the regions of all fields, null for an unbounded one. Throws ShapeError for a mesh that cannot be
+/// read.
+std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions(const Scene& scene,
+                                                                             const MeshLoader& load);
+
+}  // namespace thaw

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/oriented/population/adaptive_sampling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/math/hash_random.hpp"
+#include "core/oriented/forces/oriented_forces.hpp"
+#include "core/oriented/interpolation/interpolant.hpp"
+#include "core/oriented/population/blocked_sites.hpp"
+#include "core/oriented/population/follow_interpolant.hpp"
+#include "core/simulation/ledger/ledger_rows.hpp"
+#include "core/simulation/world/body_types.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+// Spacings around a birth that must be free: Lennard-Jones would eject a closer particle.
+constexpr double clearance = 0.86;
+// Spacings, widest gap: wider ones have other particles between, or are borders.
+constexpr double widestGap = 2.9;
+// Empty radius around a gap's middle over its width (Gabriel's test, slightly short of the ends).
+constexpr double emptyShare = 0.45;
+// Sine of the largest angle between the gap and the surface at its ends: a particle above a surface forms no
+// gap with it.
+constexpr double steepest = 0.7;
+// Spacings above and below a gap that must be free, so that no particle can return into it.
+constexpr double column = 2;
+constexpr double ring = 1.5;  // spacings around a birth, in which a lattice at rest has six neighbours
+constexpr int mostInRing = 6;
+constexpr int leastInRing = 3;  // least neighbours of a gap's end; with fewer it is a stray particle, not a
+                                // surface edge
+// Kinetic energy of the ends' relative motion over the depth of Lennard-Jones' well: above, they separate.
+constexpr double burst = 0.5;
+constexpr double beside = 1.65;  // spacings, range of neighbours for an open border
+// Angle (rad) between neighbours with room for one more; it is 60 degrees in a hexagonal lattice.
+constexpr double openAngle = 1.95;
+// Fraction of the thickness, for births at borders. A surface on an obstacle is pressed in by less, unless
+// bonds pull it in, as at a gap.
+constexpr double fromObstacles = 0.5;
+constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
+
+struct BirthCandidate {
+  bool there = false;
+  Vec3d place{}, normal{};
+};
+
+/// Returns whether no neighbour of i on the same surface lies within a radius of a position, whatever its
+/// normal.
+bool isFree(const Oriented& o, const OrientedLists& l, std::size_t i, const Vec3d& place, double radius) {
+  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+    const Vec3d d = o.position[l.list[k]] - place;
+    if (sameSurface(o, i, l.list[k]) && dot(d, d) < radius * radius) return false;
+  }
+  const Vec3d d = o.position[i] - place;
+  return dot(d, d) >= radius * radius;
+}
+
+bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::size_t j) {
+  return sameSurface(o, i, j) && (!p.facing || dot(o.normal[i], o.normal[j]) > 0);
+}
+
+/// Returns whether the candidate lies in a gap of width `far` between i and j, where the surface is stretched
+/// or torn. Surfaces at rest or in vibration have none: the gap's sphere or column is occupied, the ring is
+/// full, or a birth costs more than a bond. Particles that fly apart are no surface.
+bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j,
+           const BirthCandidate& at, int leastBeside, bool planar) {
+  const Vec3d r = o.position[j] - o.position[i], apart = o.velocity[j] - o.velocity[i];
+  const double far = length(r), rise = steepest * far;
+  if (!planar && (std::abs(dot(o.normal[i], r)) > rise || std::abs(dot(o.normal[j], r)) > rise ||
+                  std::abs(dot(at.normal, r)) > rise))
+    return false;
+  const double holds = p.scale * (p.attract > 0 ? p.attract : std::max({p.plane, p.normal, p.circle}));
+  if (0.25 * o.mass[i] * dot(apart, apart) > burst * holds) return false;
+  const double free = std::max(clearance * p.spacing, emptyShare * far), free2 = free * free,
+               ring2 = ring * ring * p.spacing * p.spacing;
+  const Vec3d back = o.position[i] - at.place;
+  if (dot(back, back) < clearance * clearance * p.spacing * p.spacing) return false;
+  int around = 1, beside = 0;  // neighbours of the position, i included; neighbours of i
+  double energy = pairForces(p, back, at.normal, o.normal[i]).energy;
+  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+    const std::uint32_t q = l.list[k];
+    if (!sameSurface(o, i, q)) continue;
+    const Vec3d d = o.position[q] - at.place, along = o.position[q] - o.position[i];
+    const double d2 = dot(d, d), height = dot(d, at.normal);
+    if (d2 < free2) return false;
+    if (!isNeighbour(o, p, i, q)) continue;
+    if (q != j && d2 - height * height < free2 && std::abs(height) < column * p.spacing) return false;
+    around += d2 < ring2;
+    beside += dot(along, along) < ring2;
+    energy += pairForces(p, d, at.normal, o.normal[q]).energy;
+  }
+  return beside >= leastBeside && around <= mostInRing && (energy < p.attract * p.scale || p.attract == 0);
+}
+
+/// Returns the candidate half way on the arc to the neighbour across the widest gap. The particle of lower id
+/// makes it.
+BirthCandidate candidateInGap(const World& w, const StepTools& t, const OrientedBody& body,
+                              const PairPotential& p, std::size_t i) {
+  const Oriented& o = w.oriented.rows;
+  const OrientedLists& l = t.oriented.lists;
+  BirthCandidate best;
+  // given points may be isolated, and ends of a line have one neighbour
+  const int leastBeside = body.planar || !t.oriented.given[o.body[i]].points.empty() ? 0 : leastInRing;
+  double widest = body.gap * p.spacing;
+  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+    const std::uint32_t j = l.list[k];
+    const Vec3d r = o.position[j] - o.position[i];
+    const double far = length(r);
+    if (!isNeighbour(o, p, i, j) || o.id[i] > o.id[j] || far <= widest || far > widestGap * p.spacing)
+      continue;
+    const Vec3d n = normalized(o.normal[i] + o.normal[j]);
+    // middle of the arc
+    const BirthCandidate candidate{
+        true, o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n, n};
+    if (!isGap(o, l, p, i, j, candidate, leastBeside, body.planar)) continue;
+    widest = far;
+    best = candidate;
+  }
+  return best;
+}
+
+/// Returns a candidate a spacing away in the widest angle without neighbours, 60 degrees from the nearest
+/// one, on the arc of the neighbours' normals.
+BirthCandidate candidateAtBorder(const World& w, const StepTools& t, const PairPotential& p, std::size_t i) {
+  const Oriented& o = w.oriented.rows;
+  const OrientedLists& l = t.oriented.lists;
+  const Vec3d n = o.normal[i], e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0},
+              u = normalized(cross(n, e)), v = cross(n, u);
+  std::array<double, 64> angle;
+  std::size_t count = 0;
+  double bend = 0, weight = 0;  // mean curvature, from the change of normals along r
+  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+    const std::uint32_t j = l.list[k];
+    const Vec3d r = o.position[j] - o.position[i];
+    const double far2 = dot(r, r);
+    if (!isNeighbour(o, p, i, j)) continue;
+    if (far2 < 4 * p.spacing * p.spacing) bend += dot(o.normal[j] - n, r), weight += far2;
+    if (far2 < beside * beside * p.spacing * p.spacing && count < angle.size())
+      angle[count++] = std::atan2(dot(r, v), dot(r, u));
+  }
+  double at = 2 * pi * randomUniform(w.scene.seed, Purpose::OrientedBirth, o.id[i]), widest = 2 * pi;
+  if (count > 0) {
+    std::sort(angle.begin(), angle.begin() + static_cast<std::ptrdiff_t>(count));
+    widest = 0;
+    for (std::size_t k = 0; k < count; k++) {
+      const double next = k + 1 < count ? angle[k + 1] : angle[0] + 2 * pi, room = next - angle[k];
+      if (room <= widest) continue;
+      widest = room;
+      at = angle[k] + (room > 2.4 ? pi / 3 : 0.5 * room);
+    }
+  }
+  if (widest < openAngle) return {};
+  const Vec3d way = std::cos(at) * u + std::sin(at) * v;
+  // rad, turn of the normal over a spacing
+  const double turn = std::clamp(weight > 0 ? bend / weight * p.spacing : 0, -0.7, 0.7);
+  BirthCandidate candidate{
+      true, o.position[i] + p.spacing * (std::cos(0.5 * turn) * way - std::sin(0.5 * turn) * n),
+      std::cos(turn) * n + std::sin(turn) * way};
+  const PointInterpolant& given = t.oriented.given[o.body[i]];
+  if (!given.points.empty() && !projectOnInterpolant(given, candidate.place, candidate.normal)) return {};
+  if (dot(candidate.normal, n) < 0.2 || !isFree(o, l, i, candidate.place, clearance * p.spacing)) return {};
+  return candidate;
+}
+
+/// Corrects the impulse of gravity for rows that enter or leave. The ledger assumes half kicks
+/// (core/simulation/time/integrate.cpp), but oriented particles get gravity at the start of a step: a newborn
+/// has none of it, a removed particle all.
+void recordGravityImpulse(World& w, std::size_t i, double time) {
+  for (int a = 0; a < 3; a++)
+    if (const double impulse = w.oriented.rows.mass[i] * w.scene.domain.gravity[a] * time; impulse != 0)
+      w.ledger.gravityImpulse[a].add(impulse);
+}
+
+/// Returns for each body the largest candidate rank (63 bits) for which its size stays within `most` on all
+/// ranks together; no limit for bodies with room.
+std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int64_t>& members,
+                                      const std::vector<std::uint32_t>& parents, Reducer& all) {
+  const Oriented& o = w.oriented.rows;
+  const std::size_t bodies = members.size();
+  const auto born = [&](const std::vector<std::uint64_t>& limit) {
+    std::vector<std::int64_t> n(bodies, 0);
+    for (const std::uint32_t i : parents) n[o.body[i]] += o.candidateRank[i] <= limit[o.body[i]];
+    all.sum(n);
+    return n;
+  };
+  std::vector<std::uint64_t> low(bodies, 0), high(bodies, std::uint64_t(1) << 63), limit = high;
+  std::vector<std::int64_t> n = born(limit);
+  std::vector<std::size_t> over;
+  for (std::size_t b = 0; b < bodies; b++)
+    if (members[b] + n[b] > w.scene.oriented[b].most) over.push_back(b);
+  for (int k = 0; k < 63 && !over.empty(); k++) {
+    for (const std::size_t b : over) limit[b] = low[b] + (high[b] - low[b]) / 2;
+    n = born(limit);
+    for (const std::size_t b : over)
+      (members[b] + n[b] > w.scene.oriented[b].most ? high : low)[b] = limit[b];
+  }
+  for (const std::size_t b : over) limit[b] = low[b];
+  return limit;
+}
+
+void insertCandidate(World& w, const PairPotential& p, std::size_t parent, const BirthCandidate& candidate,
+                     double dt) {
+  Oriented& o = w.oriented.rows;
+  const std::size_t i = o.owned;
+  o.resize(i + 1, 0);
+  o.id[i] = bornBit | randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[parent],
+                                 static_cast<std::uint64_t>(w.clock.step) + 1) >>
+                          1;
+  o.position[i] = candidate.place;
+  o.velocity[i] = o.velocity[parent];
+  o.mass[i] = orientedMass(w.scene.oriented[o.body[parent]], p.spacing);
+  o.inertia[i] = w.scene.oriented[o.body[parent]].inertia * o.mass[i] * p.spacing * p.spacing;
+  o.body[i] = o.body[parent];
+  o.group[i] = o.group[parent];
+  o.cutSides[i] = o.cutSides[parent];
+  o.orientation[i] = o.restOrientation[i] = towards(candidate.normal);
+  o.restPosition[i] = candidate.place;
+  o.flags[i] |= w.modules.orientedContact ? newborn | emerging : newborn;
+  addBodyTypeRow(w, orientedType, i, w.ledger.entered);
+  recordGravityImpulse(w, i, -0.5 * dt);
+  w.counters.orientedBirths++;
+}
+
+}  // namespace
+
+void removeRow(World& w, std::size_t i, double dt) {
+  Oriented& o = w.oriented.rows;
+  o.energy[i] = 0;
+  addBodyTypeRow(w, orientedType, i, w.ledger.left);
+  w.ledger.dissipated.add(o.dissipated[i]);
+  recordGravityImpulse(w, i, 0.5 * dt);
+  o.mass[i] = 0;  // dropped by redistributeOriented
+}
+
+bool adaptSamplingDue(const World& w, double dt) {
+  bool due = false;
+  if (dt == 0) return due;
+  for (const OrientedBody& b : w.scene.oriented)
+    due = due || ((b.growth != OrientedGrowth::None || b.crowd > 0) && (w.clock.step + 1) % b.every == 0);
+  return due;
+}
+
+bool adaptSampling(World& w, Halos halos, StepTools& t, double dt) {
+  Oriented& o = w.oriented.rows;
+  const OrientedLists& l = t.oriented.lists;
+  const std::uint64_t step = static_cast<std::uint64_t>(w.clock.step);
+  std::vector<std::int64_t> members(w.scene.oriented.size(), 0);
+  for (std::size_t i = 0; i < o.owned; i++) members[o.body[i]]++;
+  halos.all.sum(members);
+  // all criteria use columns that ghosts carry
+  std::vector<BirthCandidate> candidates(o.owned);
+  std::vector<std::uint32_t> parents, dead;
+  std::vector<BirthSite> places;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    o.candidateRank[i] = 0;
+    o.candidate[i] = {};
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    if (body.growth == OrientedGrowth::None || members[o.body[i]] >= body.most) continue;
+    const PairPotential& p = t.oriented.potentials[o.body[i]];
+    candidates[i] = candidateInGap(w, t, body, p, i);
+    double apart = 0;
+    if (!candidates[i].there && body.growth == OrientedGrowth::Borders) {
+      candidates[i] = candidateAtBorder(w, t, p, i);
+      apart = fromObstacles * body.thickness * p.spacing;
+    }
+    if (!candidates[i].there) continue;
+    if (!w.scene.domain.holds(candidates[i].place) && !w.grid.periodic[0] && !w.grid.periodic[1] &&
+        !w.grid.periodic[2])
+      continue;
+    parents.push_back(static_cast<std::uint32_t>(i));
+    places.push_back({o.body[i], candidates[i].place, apart});
+  }
+  const std::vector<char> taken = blockedSites(w, places, halos.all);
+  for (std::size_t k = 0; k < parents.size(); k++) {
+    const std::uint32_t i = parents[k];
+    if (taken[k]) continue;
+    o.candidate[i] = candidates[i].place - o.position[i];
+    o.candidateRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i], step) >> 1);
+  }
+  halos.kinds[orientedType]->beginRefresh(o, ColumnList{&o.candidate, &o.candidateRank});
+  halos.kinds[orientedType]->finishRefresh(o);
+
+  parents.clear();
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    const PairPotential& p = t.oriented.potentials[o.body[i]];
+    bool wins = o.candidateRank[i] > 0, dies = isOffInterpolant(w, t, i);
+    const std::uint64_t own = randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[i], step);
+    for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+      const std::uint32_t j = l.list[k];
+      if (!sameSurface(o, i, j)) continue;
+      const Vec3d r = o.position[j] - o.position[i];
+      if (wins && o.candidateRank[j] > 0 && o.candidateRank[j] < o.candidateRank[i]) {
+        const Vec3d d = r + o.candidate[j] - o.candidate[i];
+        wins = dot(d, d) >= 0.81 * p.spacing * p.spacing;
+      }
+      if (body.crowd > 0 && !(o.flags[i] & fixedPosition) && isNeighbour(o, p, i, j) &&
+          dot(r, r) < body.crowd * body.crowd * p.spacing * p.spacing)
+        dies = dies || (o.flags[j] & fixedPosition) ||
+               own < randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[j], step);
+    }
+    if (dies) dead.push_back(static_cast<std::uint32_t>(i));
+    else if (wins) parents.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (std::any_of(w.scene.oriented.begin(), w.scene.oriented.end(),
+                  [](const OrientedBody& b) { return b.growth != OrientedGrowth::None; })) {
+    const std::vector<std::uint64_t> limit = rankLimits(w, members, parents, halos.all);
+    std::erase_if(parents, [&](std::uint32_t i) { return o.candidateRank[i] > limit[o.body[i]]; });
+  }
+  std::int64_t changed = static_cast<std::int64_t>(parents.size() + dead.size());
+  halos.all.sum({&changed, 1});
+  if (changed == 0) return false;
+  o.resize(o.owned, 0);
+  for (const std::uint32_t i : parents)
+    insertCandidate(w, t.oriented.potentials[o.body[i]], i, candidates[i], dt);
+  for (const std::uint32_t i : dead) removeRow(w, i, dt);
+  w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
+  return true;
+}
+
+}  // namespace thaw

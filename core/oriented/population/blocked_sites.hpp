@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sites where no surface particle may be made: inside obstacles and inside solids.
+#pragma once
+#include "core/halo/halo.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Candidate position of a new particle of an oriented body.
+struct BirthSite {
+  std::size_t body = 0;
+  Vec3d place{};
+  double apart = 0;  ///< m, least distance from obstacles
+};
+
+/// Returns for each site of this rank whether it is blocked: by an obstacle nearer than `apart`, or by a
+/// continuum body that is solid there. Rows may lie outside of their rank's cells while surfaces relax, so
+/// all ranks test the sites of all ranks; the result does not depend on their number. Requires: current
+/// walls, and cells of the owned particles. Collective.
+std::vector<char> blockedSites(const World& world, const std::vector<BirthSite>& places, Reducer& all);
+
+}  // namespace thaw

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Timed events of oriented bodies: weld, cut, crease, smooth (ST92).
+#pragma once
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct EventDue {
+  double time;
+  std::size_t body, event;
+};
+
+/// Returns the events in (from, to] (s) in order of execution: by time, then as in the scene.
+std::vector<EventDue> eventsBetween(const Scene& scene, double from, double to);
+
+/// Returns whether an event lies in (from, to].
+bool eventsDue(const Scene& scene, double from, double to);
+
+/// Applies the events in (from, to] (s) to the owned rows, in order. Each row is changed by its own position,
+/// group and normal alone, so the result does not depend on the number of ranks.
+void applyEvents(World& world, Halos halos, StepTools& tools, double from, double to);
+
+/// Returns the number of a cut among all cuts, at most 32: its two bits in Oriented::cutSides.
+int cutNumber(const Scene& scene, std::size_t body, std::size_t event);
+inline constexpr int mostCuts = 32;
+
+/// Returns the side of a position at a cut: 0 away from it, 1 or 2. reach: m, of the pair forces.
+int sideOfCut(const OrientedEvent& cut, const SignedDistance* region, double reach, const Vec3d& x);
+
+/// Distance (m) of a position from a polyline.
+double distanceToPath(const std::vector<Vec3d>& path, const Vec3d& x);
+
+/// Redistributes rows and rebuilds ghosts and neighbour lists, after flags, groups or rows have changed.
+/// Collective.
+void redistributeAndUpdate(World& world, Halos halos, StepTools& tools);
+
+}  // namespace thaw

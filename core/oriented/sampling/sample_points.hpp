@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Initial positions of the particles of an oriented body.
+#pragma once
+#include <string>
+
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/scene/oriented_body.hpp"
+
+namespace thaw {
+
+/// Sampled points, one per particle in the order of their numbers; the same on all ranks.
+struct SampledPoints {
+  std::vector<Vec3d> places, normals;
+  std::vector<std::uint8_t> held;  ///< Oriented::flags of given points and control points
+  std::vector<std::string> notes;  ///< repairs of meshes, a sentence each
+  double reach = 0;  ///< m, after thinning the largest distance of a surface position from the points, else 0
+};
+
+inline void addPoint(SampledPoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t held = 0) {
+  m.places.push_back(x);
+  m.normals.push_back(n);
+  m.held.push_back(held);
+}
+
+/// Samples a body: a shape's surface or an open mesh, a hexagonal patch or disc, points, a thin plate through
+/// control points, or a curve. Throws std::invalid_argument, ShapeError.
+SampledPoints samplePoints(const OrientedBody& body, double spacing, std::uint64_t seed,
+                           const MeshLoader& load);
+
+/// Returns the OrientedBody::cellShare for which the particles' areas sum to that of the patch or disc; 1 for
+/// other sources.
+double areaFactorOf(const OrientedBody& body, double spacing);
+
+/// Returns evenly spread points of an open or closed mesh with its normals (blueNoise). Throws ShapeError and
+/// exceptions of the loader.
+SampledPoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load);
+
+}  // namespace thaw

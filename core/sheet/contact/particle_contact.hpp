@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact stiffness between heavy continuum particles and a light sheet, if the scene gives none.
+#pragma once
+#include <span>
+
+#include "core/materials/liquid_materials.hpp"
+#include "core/sheet/data/plan_sheets.hpp"
+
+namespace thaw {
+
+/// Sets SheetPlan::particleRate. The contact spring is sized for a light vertex; a heavier particle would
+/// pass through. A barrier (TouchLaw) beside the spring stops it within the contact distance at the scene's
+/// speeds. For a liquid it is at least as stiff as the liquid, m (c/s)^2 for spacing s and sound speed c, so
+/// pressure does not push particles through.
+void planParticleContact(const Scene& scene, std::span<const LiquidMaterial> liquids,
+                         std::vector<SheetPlan>& plans);
+
+/// Returns TouchLaw::barrier (N/m) for a particle of this material and mass (kg).
+inline double particleBarrier(const SheetPlan& plan, std::size_t material, double mass) {
+  return mass * plan.particleRate[material] * plan.particleRate[material];
+}
+
+}  // namespace thaw

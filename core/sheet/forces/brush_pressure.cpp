@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sheet/forces/brush_pressure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/shapes/pose.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double finest = 0.125;  // radii between samples
+constexpr double most = 4096;     // samples per piece of the path
+
+/// Falls from 1 to 0 with zero slope at both ends.
+double falloff(double r2, double radius) {
+  const double u2 = r2 / (radius * radius);
+  return u2 < 1 ? (1 - u2) * (1 - u2) : 0;
+}
+
+}  // namespace
+
+std::vector<BrushSample> brushSamples(const SheetBrush& b, double time, double dt) {
+  const double from = time - 0.5 * dt, to = time + 0.5 * dt;
+  std::vector<double> ends{from};  // pieces of constant velocity and factor slope
+  for (const Keyframe& k : b.motion)
+    if (k.time > from && k.time < to) ends.push_back(k.time);
+  for (const auto& [when, factor] : b.inTime.points)
+    if (when > from && when < to) ends.push_back(when);
+  std::sort(ends.begin(), ends.end());
+  ends.push_back(to);
+  const auto centreAt = [&](double t) {
+    return b.motion.empty() ? b.centre : fromRest(poseAt(b.motion, t), b.centre);
+  };
+  if (!(dt > 0) || (ends.size() == 2 && length(centreAt(to) - centreAt(from)) == 0)) {
+    const double factor = b.inTime.at(time);
+    return factor != 0 ? std::vector<BrushSample>{{centreAt(time), factor}} : std::vector<BrushSample>{};
+  }
+  std::vector<BrushSample> stroke;
+  for (std::size_t k = 0; k + 1 < ends.size(); k++) {
+    const double over = ends[k + 1] - ends[k];
+    if (!(over > 0)) continue;
+    // just inside the piece: the last of keyframes with equal times counts
+    const double way = length(centreAt(ends[k] + 0.999999 * over) - centreAt(ends[k]));
+    const auto touches = static_cast<int>(std::clamp(std::ceil(way / (finest * b.radius)), 1.0, most));
+    for (int q = 0; q < touches; q++) {
+      const double t = ends[k] + over * ((q + 0.5) / touches), share = b.inTime.at(t) * over / (dt * touches);
+      if (share != 0) stroke.push_back({centreAt(t), share});
+    }
+  }
+  return stroke;
+}
+
+Vec3d brushPressure(const SheetBrush& b, const std::vector<BrushSample>& stroke, const Vec3d& place) {
+  double share = 0;
+  for (const BrushSample& t : stroke) {
+    const Vec3d d = place - t.centre;
+    if (const double f = falloff(dot(d, d), b.radius); f > 0) share += t.share * f;
+  }
+  return share * b.pressure;
+}
+
+}  // namespace thaw

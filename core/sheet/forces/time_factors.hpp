@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time-dependent coefficients of sheets: their current factors, and the work of changing them (DS section
+// 3.2). The energy of a spring scales with its stiffness; the difference is external work.
+#pragma once
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Updates the factors to the end of a step of dt (s; 0 at the start). Call before force evaluation.
+void updateTimeFactors(World& world, double dt);
+
+/// Activates Sheets::changing if a spring, volume, repulsion or attraction changes in time.
+void activateTimeFactors(World& world);
+
+/// Returns the longest step (s) from `now` (s) that resolves the changes of a sheet's coefficients;
+/// stableStep covers only their stiffness. It ends where a change begins. During a change it is a small
+/// fraction of its length and of an oscillation: the error of a midpoint coefficient is (rate step)^2 / 12 of
+/// the change. swing: 1/s, fastest rate of the law's own motion (damping, stiffness); of: 1/s, that of forces
+/// between neighbours.
+double timeFactorStepLimit(const SheetBody& body, double now, double swing, double of);
+
+/// Returns the fastest rate (1/s) of a single vertex after a time.
+double fastestRate(const SheetBody& body, const SpringLaw& law, double from);
+
+/// Index range of Sheets::changing.
+inline constexpr std::size_t firstEnergyFactor = placeOf(SheetFactor::Warp),
+                             lastEnergyFactor = placeOf(SheetFactor::Pull);
+inline double& factorEnergyOf(Sheets& s, std::size_t i, SheetFactor f) {
+  const std::size_t k = placeOf(f) - firstEnergyFactor;
+  return s.changing[i].row[k / 3][static_cast<int>(k % 3)];
+}
+
+/// Records half of the work of coefficient changes between two times (s), from the current energies. Call at
+/// both ends of a step for the trapezoidal rule.
+void recordFactorWork(World& world, double from, double to);
+
+}  // namespace thaw

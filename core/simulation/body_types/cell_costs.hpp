@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cost of a rank's cells over all body types, for the domain decomposition.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "core/simulation/world/body_types.hpp"
+
+namespace thaw {
+
+struct CellCosts {
+  CellTable cells;           ///< owned cells, ascending by key; only keys and their number are set
+  std::vector<double> cost;  ///< parallel to cells.key
+};
+
+/// Cost of a row in any unit, > 0: of liquid and solid continuum particles, and of each body type.
+struct RowCosts {
+  double liquid = 1, solid = 1;
+  std::array<double, bodyTypeCount> kind;
+  RowCosts() { kind.fill(1); }
+};
+CellCosts costOfCells(const World& world, const RowCosts& costs);
+
+/// Returns the number of rows per cell as the cost.
+inline CellCosts countCells(const World& world) { return costOfCells(world, {}); }
+
+}  // namespace thaw

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/body_types/redistribute.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/domain/sides.hpp"
+#include "core/oriented/prepare_oriented.hpp"
+#include "core/sheet/forces/inner_forces.hpp"
+#include "core/sheet/prepare_sheets.hpp"
+#include "core/sheet/step_sheets.hpp"
+#include "core/simulation/ledger/ledger_rows.hpp"
+#include "core/simulation/world/body_types.hpp"
+
+namespace thaw {
+
+namespace {
+
+/// Migrates and sorts one body type; rows in `leaving` (ascending, with noCell as their next cell) are
+/// dropped.
+void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, BodyTypeRows& r,
+                      CellTable& cells) {
+  const std::size_t before = r.owned;
+  Migration m = halos.kinds[kind]->migrate(r, {r.nextCell.data(), r.owned});
+  computeCellKeys(w.grid, r, before, r.owned);
+  if (kind == sheetType)
+    halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
+  if (!t.leaving.empty()) {
+    std::vector<std::uint32_t> gone;
+    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(),
+               std::back_inserter(gone));
+    m.departed = std::move(gone);
+  }
+  sortByCell(r, m, t.sort, cells);
+}
+
+}  // namespace
+
+void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
+  forEachBodyType(w, [&](std::size_t kind, BodyTypeRows& r, CellTable& cells) {
+    halos.kinds[kind]->follow(halos.cells);
+    if (r.ghosts > 0) r.resize(r.owned, 0);
+    for (std::size_t i = 0; i < r.owned; i++)
+      if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0)
+        w.ledger.entered.potential.add(r.mass[i] * more);
+    computeCellKeys(w.grid, r);
+    // evaluateOriented removes oriented rows, after it has the energy of their pairs
+    t.leaving.clear();
+    if (kind != orientedType) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
+    if (kind == sheetType) finaliseRemoved(w, t.leaving, dt);
+    for (const std::uint32_t i : t.leaving) {
+      addBodyTypeRow(w, kind, i, w.ledger.left);
+      w.ledger.dissipated.add(r.dissipated[i]);
+      countLeaving(w.scene.domain, r.position[i], w.counters);
+    }
+    if (kind == sheetType) clearSlotsAtStart(w.sheets, !t.leaving.empty());
+    redistributeRows(w, halos, t, kind, r, cells);
+  });
+}
+
+void redistributeOriented(World& w, Halos halos, StepTools& t) {
+  Oriented& o = w.oriented.rows;
+  if (o.ghosts > 0) o.resize(o.owned, 0);
+  computeCellKeys(w.grid, static_cast<BodyTypeRows&>(o));
+  // rows born since the last sort are at the end, without a cell; their number makes sortByCell treat them as
+  // arrivals
+  std::size_t fresh = 0;
+  while (fresh < o.owned && o.cell[o.owned - 1 - fresh] == 0) fresh++;
+  std::vector<std::uint32_t> dead;
+  for (std::size_t i = 0; i < o.owned; i++)
+    if (o.mass[i] == 0) {
+      o.nextCell[i] = noCell;
+      dead.push_back(static_cast<std::uint32_t>(i));
+    }
+  const std::size_t before = o.owned;
+  Migration m = halos.kinds[orientedType]->migrate(o, {o.nextCell.data(), o.owned});
+  computeCellKeys(w.grid, static_cast<BodyTypeRows&>(o), before, o.owned);
+  std::vector<std::uint32_t> gone;
+  std::merge(m.departed.begin(), m.departed.end(), dead.begin(), dead.end(), std::back_inserter(gone));
+  m.departed = std::move(gone);
+  m.arrivals += fresh;
+  sortByCell(static_cast<BodyTypeRows&>(o), m, t.sort, w.oriented.cells);
+}
+
+void activateBodyTypes(World& w) {
+  if (w.modules.oriented) activateOriented(w);
+  if (w.modules.sheet) activateSheets(w);
+}
+
+std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools& t, const MeshLoader& load,
+                                                std::vector<SceneWarning>& warnings) {
+  t.oriented.begins = true;
+  std::vector<std::vector<Vec3d>> oriented;
+  if (w.modules.oriented) oriented = sampleOriented(w, halos, load, warnings);
+  if (w.modules.sheet) sampleSheets(w, halos, load);
+  forEachBodyType(w, [&](std::size_t, BodyTypeRows& r, CellTable& cells) {
+    for (std::size_t i = 0; i < r.owned; i++) wrapPlace(w.grid, w.scene.domain, r.position[i]);
+    computeCellKeys(w.grid, r);
+    Migration all;
+    all.arrivals = r.owned;
+    sortByCell(r, all, t.sort, cells);
+  });
+  return oriented;
+}
+
+bool bodyTypesAreFinite(const World& w) {
+  bool finite = true;
+  forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
+    for (std::size_t i = 0; i < r.owned; i++) {
+      const Vec3d &x = r.position[i], &v = r.velocity[i];
+      finite = finite && std::isfinite(x.x + x.y + x.z + v.x + v.y + v.z);
+    }
+  });
+  return finite;
+}
+
+void clearBodyTypes(World& w) {
+  forEachBodyType(w, [](std::size_t, BodyTypeRows& r, CellTable& cells) {
+    r.resize(r.owned, 0);
+    r.resize(0, 0);
+    cells = {};
+  });
+  if (w.modules.sheet) clearEdges(w.sheets);
+}
+
+}  // namespace thaw

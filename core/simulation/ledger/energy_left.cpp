@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/ledger/energy_left.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/fluid/laws/cohesion.hpp"
+#include "core/fluid/laws/particle_pressure.hpp"
+#include "core/kernels/with_kernel.hpp"
+#include "core/neighbours/rows_around.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr std::size_t words = 6;  // per leaver in a message
+
+double volumeOf(const World& w, std::size_t i) {
+  const double h = w.grid.support;
+  return w.particles.mass[i] / (w.scene.materials[w.particles.material[i]].density * h * h * h);
+}
+
+double rootTensionOf(const World& w, const StepTools& t, std::size_t i) {
+  return t.liquids[w.particles.material[i]].rootTension * liquidFraction(w.particles, i);
+}
+
+/// Positions of a leaver and of its periodic images within a support radius of the domain.
+std::vector<Vec3d> imagesOf(const World& w, const Vec3d& x) {
+  const Domain& d = w.scene.domain;
+  std::vector<Vec3d> images{x};
+  for (int a = 0; a < 3; a++) {
+    if (!w.grid.periodic[a]) continue;
+    const std::size_t had = images.size();
+    for (std::size_t k = 0; k < had; k++)
+      for (const double shift : {-w.grid.period[a], w.grid.period[a]}) {
+        Vec3d image = images[k];
+        image[a] += shift;
+        const bool near = image[a] > d.min[a] - w.grid.support && image[a] < d.max[a] + w.grid.support;
+        if (near) images.push_back(image);
+      }
+  }
+  return images;
+}
+
+/// Calls pair(row, leaver, (position - leaver's position) / h) for remaining liquid particles, leavers
+/// ascending.
+template<class Pair> void eachNearLeaver(const World& w, const StepTools& t, Pair&& pair) {
+  const Continuum& p = w.particles;
+  std::vector<RowSpan> ranges;
+  for (const Leaver& l : t.leavers)
+    for (const Vec3d& x : imagesOf(w, l.position)) {
+      rowsAround(w.cells, cellKey(cellOf(w.grid, x)), ranges);
+      for (const RowSpan& r : ranges)
+        for (std::uint32_t j = r.begin; j < r.end && j < p.owned; j++) {
+          const Vec3d d = (p.position[j] - x) / w.grid.support;
+          if (dot(d, d) < 1 && liquidFraction(p, j) > 0) pair(j, l, d);
+        }
+    }
+}
+
+/// Each particle of a pair stores half of its energy (terms/tension.hpp).
+void recordCohesion(World& w, const StepTools& t) {
+  using isa_base::Cohesion;
+  const double h = w.grid.support;
+  eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
+    const double pair = l.volume * l.rootTension * volumeOf(w, j) * rootTensionOf(w, t, j) * h * h;
+    w.ledger.left.potential.add(0.5 * Cohesion::scale * pair * Cohesion::potential(length(d)));
+  });
+}
+
+/// Changes of a neighbour's sums by removed particles.
+struct Lost {
+  std::uint32_t row = 0;
+  SurfaceKernelValue surface{};
+  double relativeDensity = 0;
+};
+
+/// Losses of all neighbours of leavers, ascending by row.
+std::vector<Lost> lostSums(const World& w, const StepTools& t) {
+  std::vector<Lost> pairs, sums;
+  const Numerics& n = w.scene.numerics;
+  eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
+    const SurfaceKernelValue s = surfaceKernelAt(d);
+    const double relativeDensity = t.perLatticeSum * l.volume *
+                                   withKernel(n.kernel,
+                                              [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
+    pairs.push_back({j, {s.gradient * l.volume, s.colour * l.volume}, relativeDensity});
+  });
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Lost& a, const Lost& b) { return a.row < b.row; });
+  for (const Lost& one : pairs) {
+    if (sums.empty() || sums.back().row != one.row) sums.push_back({one.row});
+    sums.back().surface.gradient += one.surface.gradient;
+    sums.back().surface.colour += one.surface.colour;
+    sums.back().relativeDensity += one.relativeDensity;
+  }
+  return sums;
+}
+
+/// Loss of surface energy (J/m^3 of liquid).
+double surfaceLost(const World& w, const StepTools& t, const Lost& lost) {
+  const double tension = w.scene.materials[w.particles.material[lost.row]].surfaceTension;
+  if (!w.modules.surfaceEnergy || !(tension > 0)) return 0;
+  const Vec3d n = w.particles.surfaceGradient[lost.row];
+  const double colour = w.particles.surfaceColour[lost.row];
+  const Vec3d before = n + lost.surface.gradient;
+  const SurfaceState with = surfaceState(t.surface, tension, before, colour + lost.surface.colour);
+  return with.energy - surfaceState(t.surface, tension, n, colour).energy;
+}
+
+/// Loss of compression energy (J/m^3 of liquid); 0 with a carried density.
+double compressionLost(const World& w, const StepTools& t, const Lost& lost) {
+  if (w.modules.continuity || w.modules.incompressible) return 0;
+  const Numerics& n = w.scene.numerics;
+  const double stiffness = t.liquids[w.particles.material[lost.row]].stiffness;
+  const auto relativeDensity = static_cast<double>(w.particles.relativeDensity[lost.row]);
+  const auto energy = [&](double f) { return compressionEnergy(n.eos, stiffness, f, n.tensileLimit); };
+  return energy(relativeDensity + lost.relativeDensity) - energy(relativeDensity);
+}
+
+void recordNeighbourhoods(World& w, const StepTools& t) {
+  const Continuum& p = w.particles;
+  for (const Lost& lost : lostSums(w, t)) {
+    const double V = p.mass[lost.row] / w.scene.materials[p.material[lost.row]].density;
+    const double density = surfaceLost(w, t, lost) + compressionLost(w, t, lost);
+    w.ledger.left.potential.add(liquidFraction(p, lost.row) * V * density);
+  }
+}
+
+}  // namespace
+
+std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& all) {
+  std::int64_t leaving = static_cast<std::int64_t>(t.leaving.size());
+  all.sum({&leaving, 1});
+  if (leaving == 0) return {};  // most steps: nothing is allocated
+  const auto rank = static_cast<std::size_t>(all.rank());
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(all.size()));
+  counts[rank] = static_cast<std::int64_t>(t.leaving.size());
+  all.sum(counts);
+  std::int64_t before = 0, total = 0;
+  for (std::size_t r = 0; r < counts.size(); r++) {
+    if (r == rank) before = total;
+    total += counts[r];
+  }
+  std::vector<std::int64_t> packed(static_cast<std::size_t>(total) * words);
+  std::int64_t* to = packed.data() + static_cast<std::size_t>(before) * words;
+  for (const std::uint32_t i : t.leaving) {
+    *to++ = std::bit_cast<std::int64_t>(w.particles.id[i]);
+    const Vec3d& x = w.particles.position[i];
+    for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w, t, i)})
+      *to++ = std::bit_cast<std::int64_t>(value);
+  }
+  all.sum(packed);
+  std::vector<Leaver> leavers;
+  for (std::size_t k = 0; k < packed.size(); k += words) {
+    const auto number = [&](std::size_t n) { return std::bit_cast<double>(packed[k + n]); };
+    const Vec3d place{number(1), number(2), number(3)};
+    leavers.push_back({std::bit_cast<std::uint64_t>(packed[k]), place, number(4), number(5)});
+  }
+  std::sort(leavers.begin(), leavers.end(), [](const Leaver& a, const Leaver& b) { return a.id < b.id; });
+  return leavers;
+}
+
+void recordEnergyLeft(World& w, const StepTools& t) {
+  if (t.leavers.empty()) return;
+  recordNeighbourhoods(w, t);
+  if (w.scene.numerics.tension == TensionForm::Pairwise) recordCohesion(w, t);
+}
+
+}  // namespace thaw

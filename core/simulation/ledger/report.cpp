@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/ledger/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/materials/liquid_materials.hpp"
+#include "core/materials/state_equation.hpp"
+#include "core/simulation/ledger/ledger_rows.hpp"
+#include "core/simulation/sums/stored_energy.hpp"
+#include "core/simulation/world/body_types.hpp"
+
+namespace thaw {
+namespace {
+
+void addRow(const World& w, std::size_t i, ExactBalance& b) {
+  const Continuum& p = w.particles;
+  const double m = p.mass[i];
+  const Vec3d &x = p.position[i], &v = p.velocity[i], L = cross(x, v);
+  b.mass.add(m);
+  for (int a = 0; a < 3; a++) {
+    b.momentum[a].add(m * v[a]);
+    b.angularMomentum[a].add(m * L[a]);
+  }
+  b.kinetic.add(0.5 * m * dot(v, v));
+  b.potential.add(-m * dot(w.scene.domain.gravity, x));
+  if (p.interaction.active) b.potential.add(p.interaction[i]);
+  if (p.enthalpy.active) b.internal.add(m * p.enthalpy[i]);
+  if (p.slot.active && p.slot[i] != noSlot && w.solids.energy.active)
+    b.elastic.add(w.solids.energy[p.slot[i]]);
+}
+
+/// Exact sums, packed for one reduction.
+struct Pack {
+  std::vector<ExactSum> sums;
+  void add(const ExactBalance& b) {
+    sums.push_back(b.mass);
+    for (int a = 0; a < 3; a++) sums.push_back(b.momentum[a]);
+    for (int a = 0; a < 3; a++) sums.push_back(b.angularMomentum[a]);
+    for (const ExactSum* s : {&b.kinetic, &b.elastic, &b.potential, &b.internal}) sums.push_back(*s);
+  }
+};
+
+struct Unpack {
+  const std::vector<ExactSum>& sums;
+  std::size_t at = 0;
+  double next() { return sums[at++].value(); }
+  Vec3d next3() {
+    const double x = next(), y = next(), z = next();
+    return {x, y, z};
+  }
+  Balance balance() {
+    Balance b;
+    b.mass = next();
+    b.momentum = next3();
+    b.angularMomentum = next3();
+    b.kinetic = next();
+    b.elastic = next();
+    b.potential = next();
+    b.internal = next();
+    return b;
+  }
+};
+
+double mechanical(const Balance& b) { return b.kinetic + b.elastic + b.potential; }
+
+/// Heat (J) that temperature differences in the scene can move.
+double movableHeat(const World& w, double mass) {
+  const Scene& s = w.scene;
+  if (!w.modules.heat) return 0;
+  double lowest = never, highest = -never, capacity = 0;
+  const auto see = [&](double T) { lowest = std::min(lowest, T), highest = std::max(highest, T); };
+  for (const Body& b : s.bodies) {
+    const double half = 0.5 * length(b.temperatureGradient) * length(s.domain.max - s.domain.min);
+    see(b.temperature - half), see(b.temperature + half);
+  }
+  for (const Emitter& e : s.emitters) see(e.temperature);
+  for (const Thermostat& t : s.thermostats) see(t.temperature);
+  for (const Obstacle& o : s.obstacles)
+    if (o.temperature) see(*o.temperature);
+  for (const Material& m : s.materials) {
+    if (m.convection > 0 || m.emissivity > 0) see(s.domain.ambient);
+    capacity = std::max({capacity, m.heatCapacity.solid, m.heatCapacity.liquid});
+  }
+  return highest > lowest ? mass * capacity * (highest - lowest) : 0;
+}
+
+/// Largest heat (J) that moved or can move.
+double heatScaleOf(const World& w, const LedgerReport& r) {
+  const double gained = r.now.internal - r.initial.internal - r.entered.internal + r.left.internal;
+  return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(w, r.now.mass)});
+}
+
+/// Rounding limit of mechanical energies, which are sums of cancelling terms. It is 1e-14 of the energies of
+/// all bodies at a strain of 1, of their fall through the domain, and of motion through it in the scene's
+/// time. It is also 2^-24 of the heat that moves: less would not show in temperatures of a frame, which are
+/// in single precision.
+double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
+  const Scene& s = w.scene;
+  const Vec3d size = s.domain.max - s.domain.min;
+  double fall = 0, strained = 0;
+  for (int a = 0; a < 3; a++) fall += std::abs(s.domain.gravity[a]) * size[a];
+  for (std::size_t k = 0; k < s.materials.size() && r.particles > 0; k++) {
+    const Material& m = s.materials[k];
+    if (m.canBeSolid()) strained = std::max(strained, m.young.solid / m.density * r.now.mass);
+    if (w.modules.fluid && k < t.liquids.size())
+      strained = std::max(strained, t.liquids[k].stiffness / m.density * r.now.mass);
+  }
+  for (const OrientedBody& b : s.oriented) {
+    const double spacing = spacingOf(s, b);
+    strained = std::max(strained,
+                        b.stiffness * spacing * spacing * static_cast<double>(r.rows[orientedType]));
+  }
+  for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
+    const SheetBody& b = s.sheets[n];
+    double area = 0;
+    for (const double x : w.sheets.plans[n].topology.area) area += x;
+    strained = std::max(strained, area * std::max({b.warp, b.weft, b.shear, b.bending}));
+  }
+  const double speed = s.end > 0 ? length(size) / s.end : 0;
+  const double mechanical = std::max({strained, r.now.mass * fall, 0.5 * r.now.mass * speed * speed});
+  return std::max(1e-14 * mechanical, std::ldexp(r.heatScale, -24));
+}
+
+}  // namespace
+
+void addToBalance(const World& w, std::span<const std::uint32_t> rows, ExactBalance& b) {
+  for (std::uint32_t i : rows) addRow(w, i, b);
+}
+
+ExactBalance balanceHere(const World& w) {
+  ExactBalance now;
+  for (std::size_t i = 0; i < w.particles.owned; i++) addRow(w, i, now);
+  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& r, const CellTable&) {
+    for (std::size_t i = 0; i < r.owned; i++) addBodyTypeRow(w, kind, i, now);
+  });
+  return now;
+}
+
+LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
+  findStoredEnergy(w, t);
+  const Continuum& p = w.particles;
+  const ExactBalance now = balanceHere(w);
+  ExactSum dissipated = w.ledger.dissipated, liquid, continuum, impulseInFlight[3];
+  for (std::size_t i = 0; i < p.owned; i++) {
+    dissipated.add(p.dissipated[i]);
+    continuum.add(p.mass[i]);
+    liquid.add(p.liquid.active        ? p.mass[i] * static_cast<double>(p.liquid[i])
+               : p.phase[i] == Liquid ? p.mass[i]
+                                      : 0.0);
+  }
+  forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
+    for (std::size_t i = 0; i < r.owned; i++) dissipated.add(r.dissipated[i]);
+  });
+  const Oriented& o = w.oriented.rows;
+  for (std::size_t i = 0; i < o.owned && o.external.active; i++)
+    for (int a = 0; a < 3; a++) impulseInFlight[a].add(0.5 * w.clock.stepDt * o.external[i][a]);
+  Pack pack;
+  pack.add(now);
+  pack.add(w.ledger.entered);
+  pack.add(w.ledger.left);
+  for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump,
+                            w.ledger.restartJump, liquid, continuum})
+    pack.sums.push_back(s);
+  for (const ExactSum& s : w.ledger.wallImpulse) pack.sums.push_back(s);
+  for (const ExactSum& s : w.ledger.gravityImpulse) pack.sums.push_back(s);
+  for (const ExactSum& s : impulseInFlight) pack.sums.push_back(s);
+  std::vector<std::int64_t> digits;
+  for (ExactSum& s : pack.sums) {
+    s.carry();
+    digits.insert(digits.end(), s.digit.begin(), s.digit.end());
+  }
+  forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
+    digits.push_back(static_cast<std::int64_t>(r.owned));
+  });
+  digits.push_back(static_cast<std::int64_t>(p.owned));
+  all.sum(digits);
+  for (std::size_t k = 0; k < pack.sums.size(); k++)
+    std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, pack.sums[k].digit.data());
+
+  Unpack u{pack.sums};
+  LedgerReport r;
+  r.particles = digits.back();
+  std::size_t counted = pack.sums.size() * ExactSum::digits;
+  forEachBodyType(
+      w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) { r.rows[kind] = digits[counted++]; });
+  r.now = u.balance();
+  r.entered = u.balance();
+  r.left = u.balance();
+  r.dissipated = u.next();
+  r.wallWork = u.next();
+  r.heatIn = u.next();
+  r.phaseJump = u.next();
+  r.restartJump = u.next();
+  const double liquidMass = u.next(), continuumMass = u.next();
+  r.liquidFraction = continuumMass > 0 ? liquidMass / continuumMass : 0;
+  r.wallImpulse = u.next3();
+  r.initial = w.ledger.initial;
+  r.gravityImpulse = u.next3() + w.scene.domain.gravity * (r.initial.mass * w.clock.time);
+  r.impulseInFlight = u.next3();
+  r.massResidual = r.now.mass - (r.initial.mass + r.entered.mass - r.left.mass);
+  r.momentumResidual = r.now.momentum + r.impulseInFlight -
+                       (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse +
+                        r.gravityImpulse);
+  const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork -
+                          r.dissipated - r.phaseJump + r.restartJump;
+  r.energyResidual = mechanical(r.now) - expected;
+  r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated),
+                            std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic),
+                            std::abs(r.wallWork), r.entered.kinetic, r.left.kinetic});
+  r.energyLargest = std::max(r.energyScale, w.watch.largest);
+  r.heatScale = heatScaleOf(w, r);
+  r.energyRounding = roundingOf(w, t, r);
+  r.heatResidual = r.now.internal - (r.initial.internal + r.entered.internal - r.left.internal + r.heatIn);
+  return r;
+}
+
+}  // namespace thaw

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/monitor/force_terms.hpp"
+
+#include <algorithm>
+
+#include "core/contact/solid_contact.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/time/integrate.hpp"
+
+namespace thaw {
+namespace {
+
+/// Force on `row` summed by `add`.
+template<class Add> Vec3d forceOf(Continuum& p, std::size_t row, Add add) {
+  std::fill_n(p.force.data(), p.owned, Vec3d{});
+  add();
+  return p.force[row];
+}
+
+}  // namespace
+
+ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
+  Continuum& p = w.particles;
+  const double dt = w.clock.stepDt;
+  const std::vector<Vec3d> force(p.force.data(), p.force.data() + p.owned),
+      velocity(p.velocity.data(), p.velocity.data() + p.size());
+  const Ledger ledger = w.ledger;
+  const Counters counters = w.counters;
+  Vec3d rest = forceOf(w, i);
+  ForceTerms f;
+  if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned) {
+    f.elastic = length(w.solids.force[p.slot[i]]);
+    rest -= w.solids.force[p.slot[i]];
+  }
+  // Velocities at the force evaluation.
+  for (std::size_t k = 0; k < p.owned; k++) p.velocity[k] -= p.acceleration[k] * (0.5 * dt);
+  const auto take = [&](double& share, const Vec3d& part) {
+    share = length(part);
+    rest -= part;
+  };
+  if (w.modules.contact)
+    take(f.contact, forceOf(p, i, [&] {
+           addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt}, t.closePairs, p);
+         }));
+  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
+  take(f.walls, forceOf(p, i, [&] { addWallForces(walls, t.perLatticeSum, t.wallContacts); }));
+  if (w.modules.fluid) {
+    std::fill_n(p.velocity.data(), p.size(), Vec3d{});  // removes resistance
+    packRecords({w.scene, w.modules, w.grid, t.liquids}, p, 0, p.size(), t.records);
+    if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
+    take(f.pressure, forceOf(p, i, [&] {
+           sumOverNeighbours(w, t, NeighbourPass::InnerForces);
+           sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
+         }));
+    f.viscosity = length(rest);
+    if (w.modules.incompressible && dt > 0)
+      f.pressure = std::max(f.pressure, p.mass[i] * length(p.pressureImpulse[i]) / dt);
+  }
+  std::copy(force.begin(), force.end(), p.force.data());
+  std::copy(velocity.begin(), velocity.end(), p.velocity.data());
+  w.ledger = ledger;
+  w.counters = counters;
+  f.weight = p.mass[i] * length(w.scene.domain.gravity);
+  f.atWall = std::any_of(t.wallContacts.list.begin(), t.wallContacts.list.end(),
+                         [&](const WallContact& c) { return c.row == i && c.distance < w.scene.spacing; });
+  return f;
+}
+
+}  // namespace thaw

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/monitor/interpenetration.hpp"
+
+#include <cmath>
+
+#include "core/neighbours/rows_around.hpp"
+#include "core/oriented/laws/solid_fraction.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double inside = 0.7;       // fraction of the kernel
+constexpr double inObstacle = 0.25;  // spacings; thin surfaces penetrate as deep as the contact spring allows
+
+}  // namespace
+
+std::vector<Interpenetration> findInterpenetrations(World& w, Halos halos) {
+  const std::size_t bodies = w.scene.bodies.size();
+  Continuum& p = w.particles;
+  const Oriented& o = w.oriented.rows;
+  halos.cells.beginRefresh(p, ColumnList{&p.phase});  // the phase may have changed since
+  halos.cells.finishRefresh(p);
+  const double s = w.scene.spacing;
+  std::vector<std::int64_t> count(w.scene.oriented.size() * bodies, 0);
+  std::vector<RowSpan> ranges;
+  std::vector<double> full(bodies);
+  for (std::size_t c = 0; c < w.oriented.cells.key.size(); c++) {
+    const CellTable& cells = w.oriented.cells;
+    if (cells.first[c] >= o.owned) continue;
+    rowsAround(w.cells, cells.key[c], ranges);
+    if (ranges.empty()) continue;
+    for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) {
+      std::fill(full.begin(), full.end(), 0.0);
+      for (const RowSpan& r : ranges)
+        for (std::uint32_t j = r.begin; j < r.end; j++)
+          if (p.phase[j] == Solid && p.body[j] < bodies)
+            full[p.body[j]] += solidFraction(length(p.position[j] - o.position[i]), s);
+      for (std::size_t b = 0; b < bodies; b++) count[o.body[i] * bodies + b] += full[b] > inside;
+    }
+  }
+  halos.all.sum(count);
+  std::vector<Interpenetration> found;
+  for (std::size_t k = 0; k < count.size(); k++)
+    if (count[k] > 0) found.push_back({k / bodies, k % bodies, count[k]});
+  return found;
+}
+
+std::vector<Interpenetration> findObstacleInterpenetrations(const World& w, Reducer& all) {
+  const Oriented& o = w.oriented.rows;
+  const std::size_t walls = w.walls.list.size();
+  std::vector<std::int64_t> count(w.scene.oriented.size() * walls, 0);
+  for (std::size_t i = 0; i < o.owned; i++) {
+    if (o.flags[i] & fixedPosition) continue;
+    const double deep = inObstacle * spacingOf(w.scene, w.scene.oriented[o.body[i]]);
+    for (std::size_t k = 0; k < walls; k++) {
+      const Wall& wall = w.walls.list[k];
+      if (!wall.present) continue;
+      const Vec3d rest = toRest(wall.pose, o.position[i]);
+      count[o.body[i] * walls + wall.originalAt(k)] += nearBounds(wall.bounds, rest, 0) &&
+                                                       wall.shape->distanceWithin(rest, 2 * deep) < -deep;
+    }
+  }
+  if (!count.empty()) all.sum(count);
+  std::vector<Interpenetration> found;
+  for (std::size_t k = 0; k < count.size(); k++)
+    if (count[k] > 0) found.push_back({k / walls, k % walls, count[k]});
+  return found;
+}
+
+}  // namespace thaw

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Detection of interpenetration: oriented particles that have passed into an obstacle or a solid, where
+// contact no longer holds them on one side.
+#pragma once
+#include "core/halo/halos.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// An oriented body and a continuum body.
+struct Interpenetration {
+  std::size_t oriented = 0, body = 0;
+  std::int64_t count = 0;  ///< particles of the oriented body, over all ranks
+};
+
+/// Returns the oriented particles that are as deep in a solid as its outermost particles. Solid particles of
+/// one body then fill more than 0.7 of the kernel around them (0.5 at its surface, at most 0.3 where contact
+/// holds). Also counts particles of a surface that a solid passes through. The same on any number of ranks.
+/// Requires: a world between two steps, with the ghosts of the last one; it refreshes their phase.
+/// Collective.
+std::vector<Interpenetration> findInterpenetrations(World& world, Halos halos);
+
+/// Returns free oriented particles more than a quarter of their spacing inside an obstacle (`body`: its wall
+/// number), drawn into it or initially there. Collective.
+std::vector<Interpenetration> findObstacleInterpenetrations(const World& world, Reducer& all);
+
+}  // namespace thaw

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/monitor/monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/sheet/data/plan_sheets.hpp"
+#include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr std::int64_t longestPatience = 64, mostHalvings = 60;
+
+bool recovers(const Material& m) { return m.law != ElasticLaw::Green || m.volumeStiffness > 0; }
+
+/// Returns the step (s) of the clock without halvings; half of an unlimited step would be unlimited.
+double fullStep(const Clock& c, double factor) {
+  return c.dt < never ? c.dt / factor : longestUnlimitedStep(c);
+}
+
+/// Returns the number of active halvings after one more failure.
+std::int64_t moreHalvings(const MonitorState& failed, const Clock& c) {
+  std::int64_t h = std::min(failed.halvings + 1, mostHalvings);
+  // If frames shorten the step, halving a longer one would change nothing.
+  while (c.every > 0 && h < mostHalvings && std::ldexp(failed.fullStep, 1 - static_cast<int>(h)) > c.every)
+    h++;
+  return h;
+}
+
+}  // namespace
+
+MonitorLimits monitorLimits(const Scene& s, const Modules& modules,
+                            const std::vector<LiquidMaterial>& liquids, const StepLimits& materials) {
+  const Numerics& n = s.numerics;
+  MonitorLimits b;
+  double given = 0, fastest = 0, slowest = never;  // speeds of rotating bodies; speeds of waves
+  for (const Body& body : s.bodies)
+    given = std::max(given, length(body.velocity) + length(body.spin) * length(s.domain.max - s.domain.min));
+  const auto wave = [&](double c) {
+    fastest = std::max(fastest, c);
+    slowest = std::min(slowest, c);
+  };
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    const Material& m = s.materials[k];
+    if (modules.fluid && (!m.canBeSolid() || m.melts() || m.liquidAtStart)) wave(liquids[k].soundSpeed);
+    if (modules.solid && m.canBeSolid()) wave(std::sqrt(std::max(m.young.solid, m.young.liquid) / m.density));
+  }
+  b.expected = std::max({expectedSpeed(s), given, expectedSheetSpeed(s)});
+  if (slowest < never) b.expected = std::max(b.expected, 0.1 * slowest);
+  if (n.watchSpeed < never) b.speed = n.watchSpeed * (b.expected + 0.1 * fastest);
+  b.relativeDensity = n.watchDensity;
+  double longest = *std::min_element(materials.value.begin(), materials.value.end());
+  // The step also depends on the expected speed: if the materials limit only heat, that is by far the shorter
+  // one.
+  if (longest < never && b.expected > 0)
+    longest = std::min(longest, supportsPerStep * n.support * s.spacing / b.expected);
+  b.step = longest < never ? n.watchStep * longest : n.watchStep * 1e-5 * s.end;
+  b.inverted = n.watchInverted;
+  b.energy = n.watchEnergy;
+  return b;
+}
+
+double largestRelativeDensity(const World& w) {
+  const Continuum& p = w.particles;
+  constexpr std::size_t lanes = 16;  // independent chains, to hide latency
+  float most[lanes] = {};
+  const auto see = [&](std::size_t i, std::size_t l) {
+    const float f = p.phase[i] == Liquid ? p.relativeDensity[i] : 0.0f;
+    most[l] = f > most[l] ? f : most[l];
+  };
+  const std::size_t whole = p.owned - p.owned % lanes;
+  for (std::size_t i = 0; i < whole; i += lanes)
+    for (std::size_t l = 0; l < lanes; l++) see(i + l, l);
+  for (std::size_t i = whole; i < p.owned; i++) see(i, i - whole);
+  return static_cast<double>(*std::max_element(most, most + lanes));
+}
+
+Failure failureOf(const World& w, const MonitorLimits& b, const StepLimits& limits, double relativeDensity) {
+  const double perSpeed = limits.value[static_cast<std::size_t>(Limit::Speed)];
+  if (perSpeed < supportsPerStep * w.grid.support / b.speed) return Failure::Speed;
+  if (relativeDensity > b.relativeDensity) return Failure::Density;
+  const double shortest = nextFactor(w.watch) * limits.value[static_cast<std::size_t>(limits.smallest())];
+  if (!(w.scene.numerics.fixedStep > 0) && shortest < b.step) return Failure::Step;
+  return Failure::None;
+}
+
+Failure checkEnergyBudget(const World& w, const MonitorLimits& b, const LedgerReport& budget, Reducer& all) {
+  const double expected = 0.5 * budget.now.mass * b.expected * b.expected;
+  if (b.energy < never &&
+      !(budget.energyResidual - w.watch.residual <=
+        b.energy * std::max({w.watch.scale, std::abs(budget.wallWork), expected, budget.energyRounding})))
+    return Failure::Energy;
+  // Slow growth is never half of anything between snapshots.
+  const double largest = std::max(
+      {w.watch.largest, budget.energyScale, 0.01 * expected, budget.energyRounding});
+  if (b.energy < never && budget.energyResidual > b.energy * largest &&
+      budget.energyResidual > w.watch.residual)
+    return Failure::Growth;
+  if (!w.modules.solid || !(b.inverted < never)) return Failure::None;
+  std::int64_t counts[2] = {0, 0};
+  for (std::size_t s = 0; s < w.solids.owned; s++) {
+    if (recovers(w.scene.materials[w.solids.material[s]])) continue;
+    counts[0]++;
+    counts[1] += !(determinant(w.solids.deformation[s]) > 0);
+  }
+  all.sum(counts);
+  return static_cast<double>(counts[1]) > b.inverted * static_cast<double>(counts[0]) ? Failure::Inverted
+                                                                                      : Failure::None;
+}
+
+double nextFactor(const MonitorState& s) {
+  return std::min(std::ldexp(1.0, -static_cast<int>(s.halvings)), 1.1 * s.factor);
+}
+
+void acceptState(World& w, const LedgerReport& budget) {
+  MonitorState& s = w.watch;
+  s.snapshotStep = w.clock.step;
+  s.residual = budget.energyResidual;
+  s.scale = budget.energyScale;
+  s.largest = std::max(s.largest, budget.energyScale);
+  s.fullStep = fullStep(w.clock, s.factor);
+  if (s.halvings == 0 && s.requiredSnapshots == 1) return;
+  if (++s.snapshotsSinceChange < s.requiredSnapshots || w.clock.time < s.passed) return;
+  s.snapshotsSinceChange = 0;
+  if (s.halvings == 0) {
+    s.requiredSnapshots /= 2;  // an old failure must not prolong the next one
+    return;
+  }
+  s.halvings--;
+  s.failures = s.halvings == 0 ? 0 : std::max(s.failures - 1, std::int64_t(0));
+}
+
+bool mayRetry(const World& w, const MonitorLimits& b) {
+  const Numerics& n = w.scene.numerics;
+  return n.retryEvery > 0 && w.watch.failures < n.retries && !retryTooShort(w, b);
+}
+
+bool retryTooShort(const World& w, const MonitorLimits& b) {
+  return std::ldexp(w.watch.fullStep, -static_cast<int>(moreHalvings(w.watch, w.clock))) < b.step;
+}
+
+void halveStep(World& w, const MonitorState& failed, double failedAt) {
+  MonitorState& s = w.watch;
+  Clock& c = w.clock;
+  const double full = fullStep(c, s.factor);
+  s.failures = failed.failures + 1;
+  s.halvings = moreHalvings(failed, c);
+  s.requiredSnapshots = std::min(2 * failed.requiredSnapshots, longestPatience);
+  s.snapshotsSinceChange = 0;
+  const double stretch = static_cast<double>(w.scene.numerics.retryEvery) *
+                         std::min(full, longestUnlimitedStep(c));
+  s.passed = std::max(failed.passed, failedAt + stretch);
+  s.factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.halvings)));
+  c.dt = s.factor * full;
+}
+
+}  // namespace thaw

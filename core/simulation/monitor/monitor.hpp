@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stability monitor. In every step it checks values that the time-step reduction provides anyway; at every
+// snapshot (snapshot.hpp) also the energy budget and inverted solids.
+#pragma once
+#include <cstdint>
+
+#include "core/materials/liquid_materials.hpp"
+#include "core/simulation/ledger/report.hpp"
+#include "core/simulation/time/limits.hpp"
+#include "core/simulation/time/monitor_limits.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Computes the limits. The speed limit is Numerics::watchSpeed times the sum of the expected speed and a
+/// tenth of the fastest wave speed: motion released from stress is slower.
+MonitorLimits monitorLimits(const Scene& scene, const Modules& modules,
+                            const std::vector<LiquidMaterial>& liquids, const StepLimits& materials);
+
+/// Returns the largest relative density of this rank's liquid particles.
+double largestRelativeDensity(const World& world);
+
+/// Checks reduced values after the time-step reduction. limits: of all ranks, before Numerics::fixedStep and
+/// MonitorState::factor; relativeDensity: largest relative density of all ranks. The result is equal on all
+/// ranks.
+Failure failureOf(const World& world, const MonitorLimits& bounds, const StepLimits& limits,
+                  double relativeDensity);
+
+/// Checks the energy budget at a possible snapshot:
+/// - Energy: the unexplained gain since the last snapshot exceeds MonitorLimits::energy times the largest of
+/// the ledger's terms at that snapshot, the external work so far, and the kinetic energy of all mass at the
+/// expected speed.
+/// - Growth: the same since the run began, relative to the largest ledger term so far, and at least the
+/// kinetic energy at a tenth of the expected speed.
+/// - Inverted: the fraction of solid particles with det F <= 0 whose law (Green strain without volume force)
+/// has no restoring force.
+/// Energy losses do not count: they make no run unstable and are in the ledger's residual. Collective.
+Failure checkEnergyBudget(const World& world, const MonitorLimits& bounds, const LedgerReport& budget,
+                          Reducer& all);
+
+/// Returns the factor of the next step, one step closer to 2^-halvings.
+double nextFactor(const MonitorState& watch);
+
+/// Accepts the state as a snapshot. After MonitorState::patience snapshots since the latest failure, and past
+/// the time MonitorState::passed, the step doubles and the number of counted failures decreases.
+void acceptState(World& world, const LedgerReport& budget);
+
+/// Returns true if a failed run may retry with half the step: not after Numerics::retries, and not with a
+/// step below MonitorLimits::step.
+bool mayRetry(const World& world, const MonitorLimits& bounds);
+/// Returns true if half the step is below MonitorLimits::step.
+bool retryTooShort(const World& world, const MonitorLimits& bounds);
+
+/// Halves the step after a rollback. failed: monitor state of the failed run; failedAt: its time (s). The
+/// step is counted from the time between frames if that is shorter. The failure counts as passed
+/// Numerics::retryEvery full steps after that time.
+void halveStep(World& world, const MonitorState& failed, double failedAt);
+
+}  // namespace thaw

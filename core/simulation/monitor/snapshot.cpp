@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/monitor/snapshot.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include "core/simulation/body_types/redistribute.hpp"
+#include "core/solid/bonds/bond_records.hpp"
+#include "core/surface/resume_surface.hpp"
+
+namespace thaw {
+namespace {
+
+void setRows(Table& to, std::size_t owned, std::size_t ghosts) {
+  if (to.size() != owned + ghosts) {
+    to.resize(to.owned, 0);
+    to.resize(0, 0);
+    to.resize(owned, ghosts);
+  }
+  to.owned = owned;
+  to.ghosts = ghosts;
+}
+
+/// Copies the State columns of the first rows of `from` into the columns of the same names. Both tables list
+/// the same columns in the same order.
+void copyState(const Table& from, Table& to, std::size_t owned, std::size_t ghosts) {
+  const std::size_t n = owned + ghosts;
+  setRows(to, owned, ghosts);
+  for (std::size_t c = 0; c < from.columns.size(); c++) {
+    const AnyColumn& column = *from.columns[c];
+    if (!column.active || column.keep != Keep::State) continue;
+    to.activate(*to.columns[c]);
+    if (n > 0) std::memcpy(to.columns[c]->bytes.data(), column.bytes.data(), n * column.elementBytes);
+  }
+}
+
+void copyLedger(const World& from, World& to) {
+  to.clock = from.clock;
+  to.ledger = from.ledger;
+  to.counters = from.counters;
+  to.watch = from.watch;
+}
+
+void copySurface(const Surface& from, Surface& to) {
+  if (!from.surfels.id.active) return;
+  copyState(from.surfels, to.surfels, from.surfels.owned, 0);
+  to.components = from.components;
+  to.events = from.events;
+  to.counters = from.counters;
+  to.lastStep = from.lastStep;
+}
+
+void copyKinds(const World& from, World& to) {
+  if (from.oriented.rows.id.active)
+    copyState(from.oriented.rows, to.oriented.rows, from.oriented.rows.owned, 0);
+  if (from.sheets.rows.id.active) copyState(from.sheets.rows, to.sheets.rows, from.sheets.rows.owned, 0);
+}
+
+}  // namespace
+
+void takeSnapshot(const World& w, WorldSnapshot& good) {
+  if (!w.solids.energyKnown || !w.compressionKnown)
+    throw std::logic_error("stored energies must be computed before a snapshot");
+  World& kept = good.world;
+  packState(w.particles, good.particles);
+  setRows(kept.particles, w.particles.owned, 0);
+  if (w.particles.slot.active) {
+    kept.particles.activate(kept.particles.slot);
+    std::copy_n(w.particles.slot.data(), w.particles.owned, kept.particles.slot.data());
+  }
+  // Remote rows are kept because bonds refer to them by id.
+  copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts);
+  kept.bonds = w.bonds;
+  copySurface(w.surface, kept.surface);
+  copyKinds(w, kept);
+  copyLedger(w, kept);
+}
+
+void emptyWorld(World& w, StepTools& t) {
+  for (Table* table : {static_cast<Table*>(&w.particles), static_cast<Table*>(&w.solids)}) {
+    table->resize(table->owned, 0);
+    table->resize(0, 0);
+  }
+  w.bonds.clear();
+  w.cells = {};
+  emptySurface(w.surface);
+  clearBodyTypes(w);
+  t.elastic.capacity = 0;  // everything derived from bonds is recomputed
+  t.requests.clear();
+  t.leaving.clear();
+  t.bondsAtStart = t.emitFirst = t.phaseChangedHere = t.frozeAnywhere = t.meltedAnywhere = false;
+  t.maxStretch2 = 1;
+}
+
+std::vector<std::byte> restoreSnapshot(const WorldSnapshot& good, World& w) {
+  const World& kept = good.world;
+  Continuum& p = w.particles;
+  unpackState(good.particles, p);
+  if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
+  copySurface(kept.surface, w.surface);
+  copyKinds(kept, w);
+  copyLedger(kept, w);
+  SolidRecords records;
+  for (std::size_t i = 0; kept.particles.slot.active && i < p.owned; i++)
+    if (kept.particles.slot[i] != noSlot)
+      appendRecord(kept.solids, kept.bonds, kept.particles.slot[i], records);
+  return std::move(records.bytes);
+}
+
+}  // namespace thaw

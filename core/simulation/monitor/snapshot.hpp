@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Snapshot: the data of a checkpoint in memory, for this rank.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "core/simulation/monitor/packed_columns.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct WorldSnapshot {
+  World world;  ///< only the parts that takeSnapshot fills; of particles just their number and slots
+  PackedTable particles;  ///< State columns of particles: most of the memory for a fluid
+};
+
+/// Stores the State columns of particles (and their slots) and solids, bonds, surface, clock, ledger,
+/// counters and monitor state: enough for a checkpoint. Requires: a world between two steps. Memory is
+/// reused.
+void takeSnapshot(const World& world, WorldSnapshot& kept);
+
+/// Empties particles, solids, bonds and surface, and their data in tools, so that a state can be restored as
+/// after a restart, with new halos.
+void emptyWorld(World& world, StepTools& tools);
+
+/// Restores a snapshot into a world that emptyWorld has emptied. Returns records of the solids for the new
+/// BondHalo. Then call resumeWorld (core/simulation/setup/setup.hpp), and resumeSurface if there is a
+/// surface. The run continues with the same bits as from the state itself.
+std::vector<std::byte> restoreSnapshot(const WorldSnapshot& kept, World& world);
+
+}  // namespace thaw

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/redistribute.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/domain/sides.hpp"
+#include "core/heat/heat.hpp"
+#include "core/materials/enthalpy.hpp"
+#include "core/simulation/ledger/energy_left.hpp"
+#include "core/simulation/ledger/report.hpp"
+#include "core/simulation/sums/stored_energy.hpp"
+
+namespace thaw {
+namespace {
+
+/// Appends the particles of layers that leave in (before, after] whose cell this rank owns.
+std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, double after, bool first) {
+  Continuum& p = w.particles;
+  const std::size_t had = p.owned;
+  for (std::size_t e = 0; e < w.scene.emitters.size(); e++) {
+    const Emitter& emitter = w.scene.emitters[e];
+    const EmitterPlan& plan = t.emitters[e];
+    const Material& m = w.scene.materials[static_cast<std::size_t>(emitter.material)];
+    const Vec3d direction = normalized(emitter.direction);
+    const std::int64_t begin = first ? 0 : layersUntil(emitter, plan, before),
+                       end = layersUntil(emitter, plan, after);
+    for (std::int64_t layer = begin; layer < end; layer++) {
+      const double age = after - leavingTime(emitter, plan, layer);  // negative in the nozzle
+      for (std::size_t k = 0; k < plan.layer.size(); k++) {
+        const Vec3d velocity = plan.velocity.empty() ? direction * emitter.speed : plan.velocity[k];
+        const Vec3d x = plan.velocity.empty() ? plan.layer[k] + direction * (emitter.speed * age)
+                                              : plan.layer[k] + velocity * age;
+        const double temperature = plan.temperature.empty() ? emitter.temperature : plan.temperature[k];
+        const std::uint64_t cell = cellKey(cellOf(w.grid, x));
+        if (!halos.cells.owns(cell)) continue;
+        const std::size_t i = p.owned;
+        p.resize(i + 1, 0);
+        const std::uint64_t source = w.scene.bodies.size() + e;
+        p.id[i] = particleId(source, static_cast<std::uint64_t>(layer) * plan.layer.size() + k);
+        p.clamped[i] = age < 0 ? driven : 0;
+        p.position[i] = x;
+        p.velocity[i] = velocity;
+        p.mass[i] = plan.particleMass;
+        p.material[i] = static_cast<std::uint16_t>(emitter.material);
+        p.body[i] = static_cast<std::uint16_t>(source);
+        if (p.enthalpy.active) p.enthalpy[i] = ledgerEnthalpy(w.scene.numerics.heat, m, temperature, 1);
+        if (p.temperature.active) p.temperature[i] = temperature;
+        p.cell[i] = p.nextCell[i] = cell;
+        if (p.slot.active) p.slot[i] = noSlot;
+        w.ledger.entered.potential.add(cohesionAtEntry(plan, layer, k));
+        w.counters.emitted++;
+      }
+    }
+  }
+  setPhase(w.scene, w.modules, p, had, p.owned);
+  return p.owned - had;
+}
+
+/// Computes cell keys, if needed, and finds leaving particles, in blocks that fit the cache.
+void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool open) {
+  constexpr std::size_t block = 1024;
+  Continuum& p = w.particles;
+  leaving.clear();
+  if (!keys && !open) return;
+  for (std::size_t begin = 0; begin < p.owned; begin += block) {
+    const std::size_t end = std::min(p.owned, begin + block);
+    if (keys) computeCellKeys(w.grid, p, begin, end);
+    if (open) findLeaving(w.scene.domain, p, begin, end, leaving);
+  }
+}
+
+/// Frees buffers sized for the old partition.
+void freeOldBuffers(World& w, StepTools& t) {
+  w.particles.shrink(1.0 / 64);
+  w.neighbours = {};
+  t.records = {};
+  t.sort = {};
+}
+
+}  // namespace
+
+bool needsOrder(const World& w, const StepTools& t) {
+  return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface;
+}
+
+bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
+  Continuum& p = w.particles;
+  if (p.ghosts > 0) p.resize(p.owned, 0);
+  // The clock still shows the beginning of the step.
+  if (w.modules.emitters) releaseDriven(w.scene, t.emitters, w.clock.time + dt, p);
+  const std::size_t emitted = w.modules.emitters
+                                  ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst)
+                                  : 0;
+  t.emitFirst = false;
+  std::vector<std::uint32_t> fresh;
+  for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
+    fresh.push_back(static_cast<std::uint32_t>(i));
+    if (p.phase[i] == Solid) t.phaseChangedHere = true;  // emitted as solid: needs a slot
+  }
+  addToBalance(w, fresh, w.ledger.entered);
+
+  // Without neighbour sums particles may stay on their first rank, so that bonds, which follow their ends
+  // across ranks, need not migrate.
+  const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
+  const bool partitioned = std::exchange(t.newPartition, false);
+  if (std::exchange(t.looseMemory, partitioned)) trimFreedMemory();
+  const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
+  t.mayLeave = true;
+  findCells(w, t.leaving, moves, open);
+  if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
+  findStoredEnergy(w, t, t.leaving);
+  addToBalance(w, t.leaving, w.ledger.left);
+  if (w.modules.tension && hasOpenSide(w.scene.domain)) t.leavers = leaversOfAll(w, t, halos.all);
+  bool leftSlots = false;
+  for (std::uint32_t i : t.leaving) {
+    w.ledger.dissipated.add(p.dissipated[i]);
+    countLeaving(w.scene.domain, p.position[i], w.counters);
+    leftSlots = leftSlots || (p.slot.active && p.slot[i] != noSlot);
+  }
+  const std::size_t before = p.owned;
+  Migration m;
+  if (moves) m = halos.cells.migrate(p, {p.nextCell.data(), p.owned});
+  computeCellKeys(w.grid, p, before, p.owned);
+  if (w.modules.solid && moves) halos.bonds.migrate(p, w.solids, w.bonds, m);
+  t.times.lap(StepPhase::Migrate);
+  if (!t.leaving.empty()) {
+    std::vector<std::uint32_t> gone;
+    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(),
+               std::back_inserter(gone));
+    m.departed = std::move(gone);
+  }
+  if (w.modules.sleep)
+    for (std::size_t i = before; i < p.owned; i++)
+      t.sleep.recomputeAll = t.sleep.recomputeAll || p.sleep[i] == asleep;
+  m.arrivals += emitted;
+  ColumnList stale{};  // columns that this step recomputes before they are read
+  // Both contacts read the last acceleration.
+  if (dt > 0 && !w.modules.sheet && !w.modules.orientedContact) stale.push_back(&p.acceleration);
+  if (!w.modules.sleep) stale.push_back(&p.interaction);
+  if (ordered) sortByCell(p, m, t.sort, w.cells, stale);
+  else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
+  if (partitioned) freeOldBuffers(w, t);
+  t.times.lap(StepPhase::Sort);
+  return leftSlots;
+}
+
+}  // namespace thaw

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// First part of an evaluation: particles move to their ranks and into order.
+#pragma once
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Emits particles, removes those beyond an open side (recorded in the ledger), migrates the others to the
+/// rank that owns their cell, and sorts by (cell, id). Returns true if a particle with bonds left the domain.
+bool redistribute(World& world, Halos halos, StepTools& tools, double dt);
+
+/// Returns true if this evaluation needs neighbour lists. A scene of one solid needs them once, to make its
+/// bonds.
+inline bool needsNeighbours(const World& world, const StepTools& tools) {
+  return world.modules.neighbours || tools.bondsAtStart;
+}
+
+/// Returns true if this evaluation visits cells or rows in (cell, id) order. Otherwise rows keep their order
+/// while none comes or goes. No result depends on that: sums over all particles are exact, and bonds have an
+/// order of their own.
+bool needsOrder(const World& world, const StepTools& tools);
+
+}  // namespace thaw

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/setup/activate_fields.hpp"
+
+#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/setup/initial_fill.hpp"
+#include "core/simulation/setup/prepare_surface.hpp"
+
+namespace thaw {
+
+void activateFields(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  const Modules& m = w.modules;
+  const auto on = [&](bool needed, std::initializer_list<AnyColumn*> columns) {
+    if (needed)
+      for (AnyColumn* c : columns) p.activate(*c);
+  };
+  on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated,
+            &p.cell, &p.phase, &p.dissipation, &p.interaction});
+  on(m.fluid, {&p.relativeDensity});
+  on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
+  on(m.continuity, {&p.compression});
+  on(m.corrected, {&p.midCorrection, &p.correction});
+  on(m.continuity && m.substeps, {&p.stepMeanVelocity});
+  on(m.xsph || m.shifting, {&p.shiftingVelocity});
+  on(m.shifting && !m.continuity, {&p.concentrationGradient});
+  on(m.shifting && m.continuity, {&p.atSurface});
+  on(m.shifting && m.continuity && m.solid, {&p.relief});
+  on(m.incompressible, {&p.densityPressure, &p.divergencePressure, &p.pressureImpulse, &p.drag,
+                        &p.trialPressure, &p.trialVelocity});
+  on(m.surfaceHeat, {&p.freeSurfaceIndicator});
+  on(m.surfaceEnergy,
+     {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
+  on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
+  on(m.melting, {&p.liquid, &p.softening});
+  on(m.surface, {&p.surfacePosition, &p.component});
+  on(m.surface && m.solid, {&p.surfaceStartPosition});
+  on(m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceVolumeRatio});
+  on(m.surface && anyInitialFill(w.scene), {&p.initialFill});
+  on(m.solid, {&p.slot});
+  on(m.substeps, {&p.fastAcceleration});
+  on(m.freezing, {&p.contactOffset});
+  on(m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
+  if (m.sleep)  // values of skipped rows persist and move with their rows
+    for (AnyColumn* c :
+         {static_cast<AnyColumn*>(&p.relativeDensity), static_cast<AnyColumn*>(&p.freeSurfaceIndicator)})
+      c->keep = Keep::Local;
+  bool clamped = m.emitters;
+  for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
+  on(clamped, {&p.clamped});
+  p.nextCell.shareWith(p.dissipation);  // valid from the drift to the sort; dissipation is then summed anew
+                                        // until the kick
+  // Contacts with sheets and oriented bodies read the last acceleration during force sums. For clamped and
+  // sleeping particles it does not follow from the force.
+  if (clamped || m.sheet || m.orientedContact || m.sleep) on(true, {&p.force});
+  else p.force.shareWith(p.acceleration);
+  activateBodyTypes(w);
+  bool faces = false;
+  for (const SheetPlan& s : w.sheets.plans) faces = faces || s.byFaces;
+  on(faces, {&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
+  if (m.surface) activateSurfaceFields(w.surface, m, !w.walls.list.empty());
+  if (p.initialFill.active) w.surface.particles.activate(w.surface.particles.fill);
+  if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);
+}
+
+}  // namespace thaw

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sampling of the scene's bodies at time 0.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/domain/outside.hpp"
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/halo/halo.hpp"
+#include "core/scene/scene_warning.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Results of sampling, summed over ranks.
+struct SamplingReport {
+  std::vector<std::int64_t> particles;  ///< by body
+  std::vector<std::int64_t> clamped;    ///< clamped particles, by body
+  std::vector<std::string> overlaps;    ///< one sentence with counts per pair of overlapping bodies
+  std::int64_t removed = 0;             ///< samples removed by the scene's overlap rule
+  std::vector<Outside> outside;         ///< extent outside of the domain, by body
+  std::int64_t inObstacles = 0;
+  std::string firstObstacle;                ///< names, for the message
+  SourcePlace overlapWhere, obstacleWhere;  ///< place of the first body with such particles
+  std::vector<SceneWarning> warnings;  ///< about narrow bodies, oriented bodies and sheets, and repairs of
+                                       ///< meshes
+};
+
+/// Appends this rank's part of all bodies' particles: the rows of each body's lattice are distributed evenly.
+/// Ids consist of the body's number and the index in its lattice, the same on any number of ranks. Overlaps
+/// follow the scene's rule; the caller handles OverlapRule::Error. Collective.
+SamplingReport sampleBodies(World& world, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                            Reducer& all);
+
+}  // namespace thaw

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/setup/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "core/domain/sides.hpp"
+#include "core/fluid/incompressible/pressure_solver.hpp"
+#include "core/fluid/laws/surface_energy.hpp"
+#include "core/geometry/basic/shape_error.hpp"
+#include "core/kernels/lattice.hpp"
+#include "core/oriented/forces/oriented_forces.hpp"
+#include "core/oriented/prepare_oriented.hpp"
+#include "core/oriented/step_oriented.hpp"
+#include "core/scene/full_box.hpp"
+#include "core/sheet/contact/face_contact.hpp"
+#include "core/sheet/contact/mesh_contact.hpp"
+#include "core/sheet/contact/particle_contact.hpp"
+#include "core/sheet/prepare_sheets.hpp"
+#include "core/sheet/region_overlaps.hpp"
+#include "core/simulation/body_types/cell_costs.hpp"
+#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/ledger/report.hpp"
+#include "core/simulation/monitor/monitor.hpp"
+#include "core/simulation/setup/activate_fields.hpp"
+#include "core/simulation/setup/estimates/size_hint.hpp"
+#include "core/simulation/setup/expected_motion.hpp"
+#include "core/simulation/setup/make_grid.hpp"
+#include "core/simulation/setup/prepare_surface.hpp"
+#include "core/simulation/setup/relax_packing.hpp"
+#include "core/simulation/setup/start_fields.hpp"
+#include "core/simulation/setup/warnings/compressed_liquid.hpp"
+#include "core/simulation/setup/warnings/start_warnings.hpp"
+#include "core/simulation/setup/warnings/thin_walls.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/sums/solid_step.hpp"
+#include "core/simulation/sums/stored_energy.hpp"
+#include "core/simulation/time/limits.hpp"
+#include "core/time/frame_times.hpp"
+
+namespace thaw {
+namespace {
+
+/// Computes forces and accelerations at the current positions, without a preceding step.
+void evaluateNow(World& w, Halos halos, StepTools& t) {
+  Continuum& p = w.particles;
+  evaluate(w, halos, t, 0);
+  for (std::size_t i = 0; i < p.owned; i++)
+    p.acceleration[i] = p.force[i] / p.mass[i] + w.scene.domain.gravity;
+  if (p.clamped.active)
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (p.clamped[i]) p.acceleration[i] = {};
+}
+
+/// Adds `sign` times the stored energy of this rank, and the part that symplectic Euler has not yet
+/// delivered, to `to`.
+void recordStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
+  const ExactBalance here = balanceHere(w);
+  to.addProduct(here.elastic, sign);
+  to.addProduct(here.potential, sign);
+  if (w.modules.oriented) recordKickLag(w, t, sign, w.clock.stepDt, to);
+}
+
+/// Frees the buffers of the first sorts, which cover all rows.
+void dropBuffersOfStart(World& w, StepTools& t) {
+  w.particles.shrink();
+  t.sort = {};
+  trimFreedMemory();
+}
+
+/// Largest height of fall: from the highest point of bodies and emitters to the lowest end of the domain.
+double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
+  const double g = length(s.domain.gravity);
+  if (g == 0) return 0;
+  const Vec3d up = s.domain.gravity * (-1 / g);
+  double top = -never, low = 0;
+  for (int a = 0; a < 3; a++) low += std::min(up[a] * s.domain.min[a], up[a] * s.domain.max[a]);
+  for (const auto& shape : shapes) {
+    const Bounds b = shape->bounds();
+    double height = 0;
+    for (int a = 0; a < 3; a++) height += std::max(up[a] * b.min[a], up[a] * b.max[a]);
+    top = std::max(top, height);
+  }
+  for (const Emitter& e : s.emitters) top = std::max(top, dot(up, e.centre));
+  return std::max(0.0, top - low);
+}
+
+/// Largest distance (m) at which something interacts with an obstacle.
+double reachOfWalls(const World& w) {
+  double reach = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
+  for (const SheetPlan& plan : w.sheets.plans) reach = std::max(reach, 2 * plan.thickness);
+  for (const OrientedBody& b : w.scene.oriented)
+    reach = std::max(reach, 2 * b.thickness * spacingOf(w.scene, b));
+  return reach;
+}
+
+/// Adds notes on the meshes of obstacles, and a warning for obstacles with a step at a periodic side.
+void addWallWarnings(const World& w, std::vector<SceneWarning>& warnings) {
+  for (const Wall& wall : w.walls.list) {
+    if (wall.isImage()) continue;
+    const auto add = [&](const std::string& text) {
+      warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "'" + text});
+    };
+    if (const std::string axes = unevenAxes(w.scene.domain, wall, w.grid.support); !axes.empty())
+      add(" is as long as the domain, or longer, along the periodic axis " + axes +
+          ", but differs at both sides: particles that cross that side hit a step");
+    std::vector<std::string> notes;  // repairs of meshes
+    wall.shape->addNotes(notes);
+    for (const std::string& note : notes) add(": " + note);
+  }
+}
+
+}  // namespace
+
+void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
+  w.modules = modulesOf(w.scene);
+  w.grid = makeGrid(w.scene);
+  if (w.modules.surface) prepareSurface(w);
+  w.clock.end = w.scene.end;
+  w.clock.every = w.scene.output.every;
+  SceneProblems problems;  // unreadable meshes, all reported together with their places in the scene
+  for (const Obstacle& o : w.scene.obstacles) {
+    Wall wall;
+    wall.shape = makeSignedDistance(o.shape, load, "obstacle '" + o.name + "'", problems);
+    if (!wall.shape) continue;
+    wall.bounds = wall.shape->bounds();
+    wall.properties = o;
+    w.walls.list.push_back(std::move(wall));
+  }
+  addDomainWalls(w.scene.domain, w.walls);
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;
+  for (const Body& b : w.scene.bodies)
+    shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
+  problems.raise();
+  t.shapes = shapes;
+  if (w.modules.sheet) prepareSheets(w, load);
+  if (const double reach = std::max(faceContactReach(w.sheets.plans),
+                                    meshContactReach(w.scene, w.sheets.plans));
+      reach > w.grid.edge.x)
+    w.grid = makeGrid(w.scene, reach);
+  addWallImages(w.scene.domain, reachOfWalls(w), w.walls);
+  w.scene.fallHeight = fallHeightOf(w.scene, shapes);
+  t.emitters = planEmitters(w.scene);
+  w.scene.expected = expectedMotion(w.scene, shapes, w.walls, t.emitters);
+
+  if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
+  t.kernels = pairKernels();
+  t.liquids = liquidMaterials(w.scene);
+  if (w.modules.sheet) planParticleContact(w.scene, t.liquids, w.sheets.plans);
+  if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
+  if (w.modules.orientedContact) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
+  t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
+  if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
+  t.watch = monitorLimits(w.scene, w.modules, t.liquids, t.fixedLimits);
+  if (w.modules.fluid) {
+    t.viscousWeight = viscousWeight(w.scene.numerics);
+    t.stableViscousStep = stableViscousStep(w.scene.numerics);
+  }
+  t.conductionScale = conductionScale(w.scene.numerics);
+  t.wallTables = makeWallTables(w.scene.numerics);
+  const double h = w.grid.support;
+  const Numerics& n = w.scene.numerics;
+  const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
+  t.perLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
+  const double cellsInSupport = std::pow(h / w.scene.spacing, 3);
+  t.selfExcess = (latticeSum(n) * t.perLatticeSum - 1) * cellsInSupport;
+  if (w.modules.incompressible) {
+    double sound = 0;  // proportional to the expected speed
+    for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
+    t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.perLatticeSum;
+    if (liquidFillsTheBox(w.scene)) t.pressure.targetRelativeDensity += flowDensityExcess;
+    t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
+    t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
+  }
+  if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(w.scene.numerics, w.scene.spacing);
+  t.relativeDensityScale = t.perLatticeSum / (h * h * h);
+  activateFields(w, t);
+}
+
+SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+  const std::vector<std::shared_ptr<const SignedDistance>> shapes = std::exchange(t.shapes, {});
+  moveWalls(w.walls, 0);
+  SamplingReport report = sampleBodies(w, shapes, halos.all);
+  SceneProblems problems;
+  if (w.scene.numerics.overlap == OverlapRule::Error)
+    for (const std::string& pair : report.overlaps)
+      problems.add(report.overlapWhere, pair +
+                                            "; move them apart, or set numerics.overlap to \"keep\", "
+                                            "\"remove later\" or \"remove earlier\"");
+  for (std::size_t b = 0; b < shapes.size(); b++)
+    if (const Body& body = w.scene.bodies[b]; report.outside[b].count > 0)
+      problems.add(body.where, "body '" + body.name + "': " +
+                                   outsideText(report.outside[b], w.scene.domain, report.particles[b],
+                                               "particles", "body") +
+                                   sizeHint(w.scene, body.shape, shapes[b]->bounds()));
+  for (std::size_t e = 0; e < t.emitters.size(); e++)
+    if (const std::string why = misplacedOpening(w.scene, w.walls, w.scene.emitters[e], t.emitters[e]);
+        !why.empty())
+      problems.add(w.scene.emitters[e].where, why);
+  if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
+    problems.add(report.obstacleWhere, std::to_string(report.inObstacles) +
+                                           " particles lie inside obstacles (first: " + report.firstObstacle +
+                                           "); move them apart, or set numerics.overlap to \"keep\"");
+  problems.raise();
+  for (std::size_t e = 0; e < t.emitters.size(); e++)
+    if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty())
+      report.warnings.push_back({w.scene.emitters[e].where, much});
+  for (SceneWarning& thin : thinWalls(w, shapes, report.particles, halos.all))
+    report.warnings.push_back(std::move(thin));
+  // First partition, by the number of particles; they are still where they were sampled.
+  Continuum& p = w.particles;
+  const std::vector<std::vector<Vec3d>> oriented = sampleBodyTypes(w, halos, t, load, report.warnings);
+  if (w.modules.kinds())
+    for (SceneWarning& warning : bodyTypeStartWarnings(w, shapes, oriented, halos.all, problems))
+      report.warnings.push_back(std::move(warning));
+  problems.raise();
+  addWallWarnings(w, report.warnings);
+  for (std::size_t b = 0; b < shapes.size(); b++) {
+    std::vector<std::string> notes;
+    shapes[b]->addNotes(notes);
+    for (const std::string& note : notes)
+      report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});
+  }
+  for (SceneWarning& warning : overlapsOfRegions(w, load)) report.warnings.push_back(std::move(warning));
+  // Jitter may cross a seam by rounding.
+  for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);
+  computeCellKeys(w.grid, p);
+  Migration all;
+  all.arrivals = p.owned;
+  sortByCell(p, all, t.sort, w.cells);
+  const CellCosts costs = countCells(w);
+  halos.cells.rebalance(costs.cells, costs.cost, true);
+  t.newPartition = true;
+  relaxPacking(w, halos, t, shapes);
+  assignStartFields(w, shapes, halos.all, true);
+  return report;
+}
+
+void initializeForces(World& w, Halos halos, StepTools& t) {
+  Continuum& p = w.particles;
+  t.times.start();
+  const double fixed = w.scene.numerics.fixedStep;
+  // Used until particle limits are known.
+  w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];
+  if (fieldsDeferred(w, t))
+    for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.deactivate(*c);
+  evaluateNow(w, halos, t);
+  if (!w.modules.neighbours) {  // only needed for the bonds of the start
+    w.neighbours = {};
+    t.records = {};
+    t.search = {};
+  }
+  dropBuffersOfStart(w, t);
+  t.mass = totalMass(w, halos.all);
+  const LedgerReport now = reportLedger(w, t, halos.all);
+  w.ledger.initial = now.now;
+  // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
+  w.ledger.entered = w.ledger.left = {};
+  reduceStep(w, halos, t, {}, {});
+  if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
+  const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step records
+  for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
+}
+
+SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+  SamplingReport report = sampleWorld(w, halos, t, load);
+  if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
+  t.bondsAtStart = w.modules.solid;
+  t.emitFirst = true;
+  initializeForces(w, halos, t);
+  for (SceneWarning& warning : compressedLiquids(w, t, halos.all))
+    report.warnings.push_back(std::move(warning));
+  w.startDensity = {};
+  return report;
+}
+
+void resumeWorld(World& w, Halos halos, StepTools& t) {
+  Continuum& p = w.particles;
+  t.times.start();
+  moveWalls(w.walls, w.clock.time);
+  t.shapes = {};
+  t.sleep = {};
+  w.solids.energyKnown = w.compressionKnown = true;  // part of the state
+  if (p.slot.active) {
+    for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
+    rebuildSolidBonds(w, halos, t, {{}, true});  // slots of the records, on the rank that read them
+  }
+  computeCellKeys(w.grid, p);
+  Migration all;
+  all.arrivals = p.owned;
+  sortByCell(p, all, t.sort, w.cells);
+  forEachBodyType(w, [&](std::size_t, BodyTypeRows& r, CellTable& cells) {
+    computeCellKeys(w.grid, r);
+    Migration fresh;
+    fresh.arrivals = r.owned;
+    sortByCell(r, fresh, t.sort, cells);
+  });
+  const CellCosts costs = countCells(w);
+  halos.cells.rebalance(costs.cells, costs.cost, true);
+  t.newPartition = true;
+  if (w.modules.kinds())
+    redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
+  if (w.modules.oriented) updateNeighbours(w, halos, t);
+  t.oriented.time = w.clock.time;
+  dropBuffersOfStart(w, t);
+  t.mass = totalMass(w, halos.all);
+  double froze = 0;
+  if (p.justFrozen.active)
+    for (std::size_t i = 0; i < p.owned; i++) froze = p.justFrozen[i] ? 1 : froze;
+  halos.all.maximum({&froze, 1});
+  t.frozeAnywhere = froze > 0;
+  t.phaseChangedHere = true;
+  // A resumed scene with a shorter step limit applies it to the first step too; for the same scene no bit
+  // changes.
+  const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
+  StepLimits limits = t.fixedLimits;
+  if (w.modules.substeps)
+    limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
+  w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
+}
+
+void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
+  ExactSum jump;
+  findStoredEnergy(w, t);
+  recordStored(w, t, -1, jump);
+  if (w.modules.oriented) applyPendingImpulse(w);
+  if (w.modules.sleep) wakeEverything(w.particles);
+  evaluateNow(w, halos, t);
+  findStoredEnergy(w, t);
+  recordStored(w, t, 1, jump);
+  w.ledger.restartJump += jump;
+  t.frozeAnywhere = false;  // newly frozen particles have bonds now
+  reduceStep(w, halos, t, {}, {});
+  if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
+}
+
+}  // namespace thaw

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a scene to a world that is ready for its first step.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/simulation/setup/sample_bodies.hpp"
+#include "core/simulation/step.hpp"
+
+namespace thaw {
+
+/// Prepares grid, modules, walls and fields of a scene, without particles: the common part of a fresh run and
+/// a restart. Requires: world.scene is set. Throws ShapeError or std::runtime_error (one sentence) if the
+/// scene cannot be simulated.
+void prepareWorld(World& world, StepTools& tools, const MeshLoader& load);
+
+/// Samples the bodies (each rank its part) and assigns cells to ranks by weight. Throws std::runtime_error if
+/// bodies overlap without a rule in the scene, or lie outside of the domain or in an obstacle. Collective.
+SamplingReport sampleWorld(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
+
+/// Computes forces and accelerations at time 0, the first dt, and the ledger's initial state; makes bonds if
+/// StepTools::bondsAtStart. Call it again after a program has changed positions, velocities or enthalpies.
+/// Collective.
+void initializeForces(World& world, Halos halos, StepTools& tools);
+
+/// Calls sampleWorld, then initializeForces with bonds and the particles emitted at time 0. Collective.
+SamplingReport startWorld(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
+
+/// Resumes a run after a restart, with particles and solid records on any rank: migrates and sorts them and
+/// prepares the next step. Collective.
+void resumeWorld(World& world, Halos halos, StepTools& tools);
+
+/// Call it after resumeWorld if the scene's coefficients differ from those of the run so far. Recomputes
+/// forces, stored energies and the step at the current positions and time. The change of stored energy is
+/// recorded in Ledger::restartJump. Collective.
+void applyNewCoefficients(World& world, Halos halos, StepTools& tools);
+
+}  // namespace thaw

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Warnings about liquid that starts compressed and would burst.
+#pragma once
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/scene/scene_warning.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct StepTools;
+
+/// Returns a warning for each body whose liquid stores so much compression energy at time 0 that it would
+/// burst at more than a tenth of the largest expected speed: its lattice, of whole spacings, is wider than
+/// the space between walls and other bodies. Call it after the first evaluation. The same on any number of
+/// ranks. Collective.
+std::vector<SceneWarning> compressedLiquids(const World& world, const StepTools& tools, Reducer& all);
+
+}  // namespace thaw

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Warnings about solid bodies with walls too thin to hold liquid.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/halo/halo.hpp"
+#include "core/scene/scene_warning.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Thickness in spacings of a wall that holds liquid. A solid responds with the liquid's own pressure, and
+/// one layer of particles does not raise it, so liquid passes.
+constexpr double leastWall = 2;
+
+/// Returns a warning, with place and thickness, for each initially solid body with walls thinner than
+/// `leastWall`, if something else is liquid or melts. It checks about 20,000 particles per body at most,
+/// chosen by id. particles: by body. The same on any number of ranks. Collective.
+std::vector<SceneWarning> thinWalls(const World& world,
+                                    const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                                    const std::vector<std::int64_t>& particles, Reducer& all);
+
+}  // namespace thaw

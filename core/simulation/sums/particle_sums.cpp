@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/sums/particle_sums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "core/contact/solid_contact.hpp"
+#include "core/fluid/density/carried_density.hpp"
+#include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
+#include "core/heat/heat.hpp"
+#include "core/materials/enthalpy.hpp"
+#include "core/math/hash_random.hpp"
+
+namespace thaw {
+ColumnList ghostColumns(World& w) {
+  Continuum& p = w.particles;
+  ColumnList c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
+  if (w.modules.solid) c.push_back(&p.id);
+  if (w.modules.solid) c.push_back(&p.body);
+  if (p.liquid.active) c.push_back(&p.liquid);
+  if (p.temperature.active) c.push_back(&p.temperature);
+  if (p.compression.active) c.push_back(&p.compression);
+  if (p.stepMeanVelocity.active) c.push_back(&p.stepMeanVelocity);
+  if (p.atSurface.active) c.push_back(&p.atSurface);
+  if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
+  if (w.modules.sleep) c.push_back(&p.restTime);
+  if (w.modules.sleep) c.push_back(&p.sleep);
+  return c;
+}
+
+void clearRates(World& w, bool pairsSet) {
+  Continuum& p = w.particles;
+  std::fill_n(p.interaction.data(), p.owned, 0.0);
+  if (!pairsSet) {
+    std::fill_n(p.force.data(), p.owned, Vec3d{});
+    std::fill_n(p.dissipation.data(), p.owned, 0.0);
+    if (p.heatFlow.active) std::fill_n(p.heatFlow.data(), p.owned, 0.0);
+  }
+  if (p.fastAcceleration.active) std::fill_n(p.fastAcceleration.data(), p.owned, Vec3d{});
+  if (p.softening.active) std::fill_n(p.softening.data(), p.owned, 0.0);
+  if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
+}
+
+namespace {
+
+RecordContext recordsOf(const World& w, const StepTools& t) {
+  return {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps};
+}
+
+}  // namespace
+
+PairSums pairSumsOf(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  const Numerics& n = w.scene.numerics;
+  PairSums s;
+  s.lists = &w.neighbours;
+  s.kernel = n.kernel;
+  s.precision = n.precision;
+  s.pressureForm = n.pressure;
+  s.viscosityForm = n.viscosity;
+  s.viscous = !w.modules.implicitViscosity;
+  s.viscousWeight = t.viscousWeight;
+  s.printedTension = n.tension == TensionForm::ColourField;
+  s.heat = w.modules.heat;
+  s.uniform = w.modules.uniform;
+  if (s.uniform) {
+    const Material& m = w.scene.materials[0];
+    const double dx = w.scene.spacing, h = w.grid.support;
+    s.volume = m.density * dx * dx * dx * (1 / (m.density * h * h * h));  // the same rounding as in
+                                                                          // packRecords
+    s.viscosity = viscosityAt(m, 1, 293);
+    s.conductivity = conductivityOf(n.heat, m, 1);
+    s.artificial = w.modules.artificialViscosity ? t.liquids[0].artificial : 0;
+  }
+  s.conductionScale = t.conductionScale;
+  s.support = w.grid.support;
+  s.relativeDensityScale = t.relativeDensityScale;
+  s.selfExcess = t.selfExcess;
+  s.positionVolume = n.precision == Precision::Single ? t.records.fixed.data()
+                                                      : t.records.positionVolume.data();
+  s.velocityViscosity = t.records.velocityViscosity.data();
+  s.pressurePhaseHeat = t.records.pressurePhaseHeat.data();
+  s.surface = t.records.surface.data();
+  s.closeDistance = contactDistance * w.scene.spacing / w.grid.support;
+  s.freeSurfaceIndicatorScale = 2 * w.scene.spacing;
+  s.relativeDensity = p.relativeDensity.data();
+  s.force = p.force.data();
+  s.heatFlow = p.heatFlow.data();
+  s.dissipation = p.dissipation.data();
+  s.interaction = p.interaction.data();
+  s.freeSurfaceIndicator = p.freeSurfaceIndicator.data();
+  s.smoothed = p.shiftingVelocity.data();
+  s.coincident = &w.counters.coincidentPairs;
+  s.carried = w.modules.continuity;
+  s.relief = p.relief.active;
+  s.surfaceEnergyDerivatives = t.records.surfaceEnergyDerivatives.data();
+  s.surfaceGradient = p.surfaceGradient.data();
+  s.surfaceColour = p.surfaceColour.data();
+  s.pressureDiagonal = t.records.pressureDiagonal.data();
+  s.pressureOffDiagonal = t.records.pressureOffDiagonal.data();
+  if (p.concentrationGradient.active) s.concentrationGradient = p.concentrationGradient.data();
+  return s;
+}
+
+namespace {
+
+void search(World& w, StepTools& t, Part part) {
+  const Continuum& p = w.particles;
+  const std::size_t n = w.cells.key.size();
+  const bool mixed = w.modules.fluid && w.modules.solid;
+  if (mixed) {
+    t.liquidCells.assign(n, 0);
+    for (std::size_t c = 0; c < n; c++)
+      for (std::uint32_t k = 0; k < w.cells.count[c]; k++) {
+        const std::size_t i = w.cells.first[c] + k;
+        if (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)) t.liquidCells[c] = 1;
+      }
+  } else if (!w.modules.fluid) {
+    t.liquidCells.assign(n, 0);
+  }
+  SearchInput in;
+  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
+  in.cells = &w.cells;
+  in.inner = t.inner.data();
+  in.liquid = mixed || !w.modules.fluid ? t.liquidCells.data() : nullptr;
+  in.owned = static_cast<std::uint32_t>(p.owned);
+  t.kernels->search(in, part, t.search, w.neighbours);
+}
+
+/// Searches the neighbours of rows that need no ghosts.
+void searchInner(World& w, StepTools& t) {
+  const Continuum& p = w.particles;
+  clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned),
+             static_cast<std::uint32_t>(p.owned + t.ghostRoom));
+  search(w, t, Part::Inner);
+  t.times.lap(StepPhase::Search);
+}
+
+}  // namespace
+
+void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
+  Continuum& p = w.particles;
+  const RecordContext x = recordsOf(w, t);
+  NeighbourLists& lists = w.neighbours;
+  const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
+  if (pass == NeighbourPass::InnerDensity) {
+    resizeRecords(x, p.owned + t.ghostRoom, t.records);
+    for (const RowSpan& rows : rowsToSee(w, t)) packRecords(x, p, rows.begin, rows.end, t.records);
+    searchInner(w, t);
+  } else if (pass == NeighbourPass::BoundaryDensity) {
+    if (p.ghosts > t.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to rows
+                                   // that are now ghosts
+      t.ghostRoom = p.ghosts + p.ghosts / 8;
+      resizeRecords(x, p.owned + t.ghostRoom, t.records);
+      searchInner(w, t);  // the sums of inner particles are done
+    }
+    packRecords(x, p, p.owned, p.size(), t.records);
+    search(w, t, Part::Boundary);
+    t.times.lap(StepPhase::Search);
+  }
+  const GroupRange inner{0, lists.innerGroups}, boundary{lists.innerGroups, lists.groups};
+  const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces
+                               ? inner
+                               : boundary;
+  if (density) {
+    if (w.modules.fluid) {
+      PairSums sums = pairSumsOf(w, t);
+      const CarryContext context{w, t, elapsed};
+      CarryStep carry;
+      if (sums.carried) carry = carryStepOf(w, context), sums.carry = &carry;
+      t.kernels->density(sums, range);
+    }
+    if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);
+    t.times.lap(StepPhase::Density);
+    return;
+  }
+  if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
+    pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records)
+                                       : packPressure(x, p, p.owned, p.size(), t.records);
+    w.compressionKnown = !w.modules.uniform;
+  }
+  const PairSums s = pairSumsOf(w, t);
+  PairSums particleForces = s;
+  if (p.drag.active)
+    particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
+                                           // step
+  if (w.modules.fluid || w.modules.heat) t.kernels->forces(particleForces, range);
+  if (w.modules.surfaceEnergy) {
+    pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
+                                       : packSurfaceEnergyDerivatives(x, p, p.owned, p.size(), t.records);
+    t.kernels->surfaceForces(s, range);
+  } else if (w.modules.tension) {
+    t.kernels->tension(s, range);
+  }
+  if (w.modules.artificialViscosity && !w.modules.uniform)
+    t.kernels->artificialViscosity(particleForces, range);
+  if (w.modules.xsph) t.kernels->smoothing(s, range);
+  if (w.modules.surfaceHeat) t.kernels->freeSurfaceIndicator(s, range);
+  if (w.modules.contact) {
+    if (pass == NeighbourPass::InnerForces) t.closePairs.list.clear();
+    t.kernels->closePairs(s, range, t.closePairs);
+  }
+  if (pass == NeighbourPass::BoundaryForces && p.drag.active)
+    for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
+  t.times.lap(StepPhase::Forces);
+}
+
+void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
+  addImplicitViscosity(w, halos, t, pairSumsOf(w, t), walls);
+}
+
+namespace {
+
+/// Modules for the packing of bodies, independent of the scene's.
+Modules packingModules(const World& w) {
+  Modules m = w.modules;
+  m.fluid = m.neighbours = true;
+  m.heat = m.melting = m.uniform = false;
+  return m;
+}
+
+PairSums packingSums(World& w, StepTools& t) {
+  PairSums s = pairSumsOf(w, t);
+  s.heat = s.uniform = s.carried = s.relief = false;
+  s.pressureForm = PairForm::Consistent;
+  s.concentrationGradient = nullptr;
+  return s;
+}
+
+}  // namespace
+
+void sumUnitPressure(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  const Modules modules = packingModules(w);
+  const RecordContext x{w.scene, modules, w.grid, t.liquids};
+  resizeRecords(x, p.size(), t.records);
+  packRecords(x, p, 0, p.size(), t.records);
+  setUnitPressure(x, p.size(), t.records);
+  clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.size()));
+  std::fill(t.inner.begin(), t.inner.end(), std::uint8_t{1});
+  SearchInput in;
+  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
+  in.cells = &w.cells;
+  in.inner = t.inner.data();
+  in.owned = static_cast<std::uint32_t>(p.owned);
+  t.kernels->search(in, Part::Inner, t.search, w.neighbours);
+  PairSums s = packingSums(w, t);
+  s.relativeDensityScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
+  t.kernels->forces(s, {0, w.neighbours.groups});
+}
+
+void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
+  Continuum& p = w.particles;
+  const GroupRange all{0, w.neighbours.groups};
+  const PairSums s = packingSums(w, t);
+  t.kernels->density(s, all);
+  halo.beginRefresh(p, std::array<AnyColumn*, 1>{&p.relativeDensity});
+  halo.finishRefresh(p);
+  const Modules modules = packingModules(w);
+  setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.records);
+  std::fill_n(p.force.data(), p.owned, Vec3d{});
+  t.kernels->forces(s, all);
+}
+
+void markInner(const World& w, const CellHalo& halo, StepTools& t) {
+  t.inner.resize(w.cells.key.size());
+  for (std::size_t c = 0; c < t.inner.size(); c++)
+    t.inner[c] = w.cells.first[c] < w.particles.owned && halo.inner(w.cells.key[c]);
+}
+
+void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
+  if (w.counters.coincidentPairs == before) return;
+  Continuum& p = w.particles;
+  const NeighbourLists& lists = w.neighbours;
+  const std::uint32_t* positionVolume = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  for (std::size_t g = 0; g < lists.groups; g++)
+    for (std::size_t l = 0; l < 8; l++) {
+      const std::uint32_t i = lists.self[8 * g + l];
+      if (i == lists.dummy) continue;
+      bool together = false;
+      for (std::uint32_t k = 0; k < lists.count[g] && !together; k++) {
+        const std::uint32_t j = lists.row(g, k, l);
+        together = j != lists.dummy &&
+                   std::memcmp(positionVolume + 4ull * i, positionVolume + 4ull * j, 12) == 0;
+      }
+      if (!together) continue;
+      Vec3d d;
+      for (int a = 0; a < 3; a++)
+        d[a] = randomUniform(w.scene.seed, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 0.5;
+      p.position[i] += d * (1e-5 * w.scene.spacing);
+      if (p.restTime.active) p.restTime[i] = 0;
+    }
+}
+
+void beginSoftening(World& w, const StepTools& t) {
+  Continuum& p = w.particles;
+  const RecordContext x = recordsOf(w, t);
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const double f = static_cast<double>(p.liquid[i]);
+    const double compression = compressionOf(x, p, i, f), tension = p.interaction[i] - compression;
+    const double all = (w.modules.surfaceEnergy ? 1 : 2) * tension + (w.modules.continuity ? 0 : compression);
+    p.softening[i] = f > 0 ? all / f : 0;
+  }
+}
+
+}  // namespace thaw

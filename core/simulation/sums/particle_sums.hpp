@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a step that are sums over neighbour pairs.
+#pragma once
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/walls/wall_forces.hpp"
+
+namespace thaw {
+
+/// Returns the ghost columns that neighbour sums read, for the active modules.
+ColumnList ghostColumns(World& world);
+
+/// Returns input and output of the neighbour sums for this world.
+PairSums pairSumsOf(World& world, StepTools& tools);
+
+/// Clears all accumulated rates. pairsSet: except those that the pair sums of one liquid (Modules::uniform)
+/// assign, which come first.
+void clearRates(World& world, bool pairsSet = false);
+
+/// Sets StepTools::inner of the present cells: 1 if sums need no ghosts.
+void markInner(const World& world, const CellHalo& halo, StepTools& tools);
+
+/// Gives coincident particles a tiny opposite impulse, with a direction derived from the id
+/// (docs/validation/stability.md B9). before: Counters::coincidentPairs before the sums. Called at the end of
+/// an evaluation; takes effect in the next step.
+void separateCoincident(World& world, const StepTools& tools, std::int64_t before);
+
+/// Searches, and adds to Continuum::force the force of a uniform pressure of 1 Pa, -2 V_i sum V_j grad W (N).
+/// Requires: ghosts.
+void sumUnitPressure(World& world, StepTools& tools);
+
+/// After sumUnitPressure, at the same positions: computes the relative density (without walls), and in
+/// Continuum::force the force of a pressure of 1 Pa times the excess of liquids' relative density above 1. It
+/// is -V_i times the gradient (1/m), with respect to the position of i, of half the sum of squared excesses.
+/// Collective.
+void sumExcessPressure(World& world, CellHalo& halo, StepTools& tools);
+
+/// Inner passes cover particles whose neighbours are all owned, boundary passes the others. Density passes
+/// search first.
+enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };
+/// elapsed: s, last step, over which liquids carry their density.
+void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass, double elapsed = 0);
+
+/// Computes viscous forces of the implicit solver (fluid/implicit_viscosity/), after all others.
+void solveViscosity(World& world, Halos halos, StepTools& tools, const WallContext& walls);
+
+/// Computes Continuum::softening of compression and surface tension from Continuum::interaction. Requires:
+/// called after the neighbour sums and before contacts are added. Summed compression is proportional to the
+/// particle's liquid fraction, carried compression is not; the tension of a pair is proportional to both
+/// fractions. Liquids only.
+void beginSoftening(World& world, const StepTools& tools);
+
+}  // namespace thaw

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/sums/solid_step.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/contact/solid_contact.hpp"
+#include "core/solid/bonds/bond_forming.hpp"
+#include "core/solid/elasticity/rereference.hpp"
+#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/fracture.hpp"
+#include "core/solid/melting.hpp"
+
+namespace thaw {
+namespace {
+
+ElasticStep elasticStep(const StepTools& t, double dt) {
+  return {dt, t.elastic.energyInSteps, t.elastic.deformationInSteps};
+}
+
+void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
+  if (w.modules.sleep) chooseAwakeGroups(w, t);
+  ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Inner);
+  t.times.lap(StepPhase::Elastic);
+  halos.bonds.finish(w.solids);
+  t.times.lap(StepPhase::Bonds);
+  r += computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Boundary);
+  w.counters.inverted += r.inverted;
+  w.counters.squeezed += r.squeezed;
+  t.maxStretch2 = r.maxStretch2;
+  // Includes sleeping groups; empty without sleep.
+  for (const double stretch2 : t.elastic.groupStretch2) t.maxStretch2 = std::max(t.maxStretch2, stretch2);
+}
+
+BondForming bondForming(const World& w, const StepTools& t) {
+  BondForming forming;
+  forming.rule = t.bondsAtStart      ? BondRule::Start
+                 : w.modules.welding ? BondRule::Welding
+                                     : BondRule::Freezing;
+  forming.support = t.elastic.support;
+  forming.touch = contactDistance * w.scene.spacing;  // distance of contact repulsion
+  forming.selfWeld = w.scene.numerics.selfContact;
+  forming.periods = t.elastic.periods;
+  forming.materials = &w.scene.materials;
+  return forming;
+}
+
+/// Updates data after a bond update that changed something on any rank.
+void updateBondData(World& w, Halos& halos, StepTools& t) {
+  fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
+  if (w.modules.sleep) forgetChangedSlots(w, t);
+  const ColumnList columns = remoteColumnsAfterRelink(w.solids);
+  halos.bonds.begin(w.solids, columns);
+  halos.bonds.finish(w.solids);
+  w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
+}
+
+/// Returns true if bonds form in this step on any rank. Welding is checked at the current positions, so a
+/// restart needs no extra state.
+bool bondsForm(World& w, Halos& halos, StepTools& t) {
+  if (t.bondsAtStart || t.frozeAnywhere) return t.bondsAtStart || w.modules.freezing;
+  if (!w.modules.welding) return false;
+  double touch = touchesToWeld(w.particles, w.solids, w.bonds, w.neighbours, bondForming(w, t));
+  halos.all.maximum({&touch, 1});
+  return touch > 0;
+}
+
+/// Records the energy of the particles that requested bonds, times `sign`: 1 before they have the bonds, -1
+/// after, at the same positions.
+void recordEnergyJump(World& w, StepTools& t, double sign) {
+  if (sign > 0) {
+    t.rebonded.clear();
+    for (const BondRequest& q : t.requests) {
+      const std::uint32_t row = w.solids.particle[q.slot];  // requests of a particle are contiguous
+      if (t.rebonded.empty() || t.rebonded.back() != row) t.rebonded.push_back(row);
+    }
+  }
+  for (const std::uint32_t row : t.rebonded)
+    w.ledger.phaseJump.add(sign * slotEnergy(t.elastic, w.solids, w.bonds, w.particles.slot[row]));
+}
+
+/// Number of solid ghosts, an upper bound of remote rows at the start.
+std::size_t solidGhosts(const Continuum& p) {
+  std::size_t n = 0;
+  for (std::size_t i = p.owned; i < p.size(); i++) n += p.phase[i] == Solid;
+  return n;
+}
+
+/// Returns the number of parts in which all ranks make the initial bonds, such that the requests of one part
+/// fit a cache.
+std::size_t partsOfStart(const World& w, Halos& halos) {
+  double listed = 0;
+  for (const std::uint16_t n : w.neighbours.neighbours) listed += n;
+  halos.all.maximum({&listed, 1});
+  constexpr double together = 1 << 18;
+  return static_cast<std::size_t>(std::clamp(listed / together, 8.0, 64.0));
+}
+
+/// Makes all initial bonds in parts: all requests at once would take many times the memory of the bonds.
+void bondScene(World& w, Halos& halos, StepTools& t) {
+  takeReferences(w.particles, w.solids);
+  const BondForming forming = bondForming(w, t);
+  std::vector<BondRequest> requests;
+  std::vector<BondPair> pairs;
+  int mostNeighbours = 0;
+  for (const std::uint16_t n : w.neighbours.neighbours) mostNeighbours = std::max<int>(mostNeighbours, n);
+  const std::size_t remotes = solidGhosts(w.particles);
+  w.solids.reserve(w.solids.owned + remotes);
+  const std::size_t parts = partsOfStart(w, halos);
+  const auto part = [&](std::size_t k) {
+    return ListedGroups{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts};
+  };
+  if (!w.bonds.vectors) {  // for the largest part; growth would take twice the memory
+    std::size_t most = 0;
+    for (std::size_t k = 0; k < parts; k++) {
+      std::size_t places = 0;
+      for (std::size_t g = part(k).first; g < part(k).last; g++)
+        places += std::size_t(lanes) * w.neighbours.count[g];
+      most = std::max(most, places);
+    }
+    pairs.reserve(most);
+  }
+  for (std::size_t k = 0; k < parts; k++) {
+    requests.clear();
+    pairs.clear();
+    if (w.bonds.vectors) formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, part(k));
+    else pairAtStart(w.particles, w.neighbours, forming, pairs, part(k));
+    halos.bonds.rebuildBonds(w.particles, w.solids, w.bonds,
+                             {requests, false, pairs, mostNeighbours, remotes});
+  }
+  if (fieldsDeferred(w, t))
+    for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.activate(*c);
+  updateBondData(w, halos, t);
+  t.bondsAtStart = false;
+}
+
+/// Makes the bonds of the start or after freezing. Existing stress does not change: F of older ends is taken
+/// into account.
+void makeBonds(World& w, Halos& halos, StepTools& t) {
+  Continuum& p = w.particles;
+  prepareBondForming(p, w.solids);
+  const ColumnList columns = bondFormingColumns(p);
+  // Only one refresh at a time is allowed, so the pending one of the relative density is finished first.
+  if (w.modules.fluid) halos.cells.finishRefresh(p);
+  halos.cells.beginRefresh(p, columns);
+  halos.cells.finishRefresh(p);
+  if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.relativeDensity});
+  if (t.bondsAtStart) return bondScene(w, halos, t);
+  t.requests.clear();
+  w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, bondForming(w, t), t.requests);
+  recordEnergyJump(w, t, 1);
+  rebuildSolidBonds(w, halos, t, {t.requests, true});
+}
+
+}  // namespace
+
+void rebuildSolidBonds(World& w, Halos halos, StepTools& t, const BondUpdate& work) {
+  t.times.lap(StepPhase::Sort);
+  linkSlots(w.particles, w.solids);
+  if (halos.bonds.rebuildBonds(w.particles, w.solids, w.bonds, work) && !fieldsDeferred(w, t))
+    updateBondData(w, halos, t);
+  t.times.lap(StepPhase::Bonds);
+}
+
+void findElasticEnergy(World& w, const StepTools& t) {
+  if (w.solids.energyKnown) return;
+  const bool still = atReference(w.solids);
+  for (std::size_t s = 0; s < w.solids.owned; s++) {
+    const auto [gradU, energy] = still ? slotStrainAtReference(t.elastic, w.solids, w.bonds, s)
+                                       : slotStrain(t.elastic, w.solids, w.bonds, s);
+    w.solids.energy[s] = energy;
+    if (!t.elastic.deformationInSteps) w.solids.deformation[s] = identity3<double>() + gradU;
+  }
+  w.solids.energyKnown = true;
+}
+
+void findElasticEnergy(World& w, const StepTools& t, std::span<const std::uint32_t> rows) {
+  if (w.solids.energyKnown) return;
+  for (const std::uint32_t i : rows)
+    if (const std::uint32_t slot = w.particles.slot[i]; slot != noSlot)
+      w.solids.energy[slot] = slotEnergy(t.elastic, w.solids, w.bonds, slot);
+}
+
+void melt(World& w, Halos halos, StepTools& t) {
+  if (!w.solids.melted.active) return;
+  markMelted(w.particles, w.solids);
+  halos.bonds.begin(w.solids, std::array<AnyColumn*, 1>{&w.solids.melted});
+  halos.bonds.finish(w.solids);
+  dropMeltedBonds(t.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
+  t.times.lap(StepPhase::Bonds);
+}
+
+void beginDeformation(World& w, Halos halos, const StepTools& t) {
+  if (fieldsDeferred(w, t)) return;
+  copyToSolids(w.particles, w.solids);
+  const ColumnList columns = remoteColumnsBeforeDeformation(w.solids);
+  halos.bonds.begin(w.solids, columns);
+}
+
+void deform(World& w, Halos halos, StepTools& t, double dt) {
+  dt /= w.clock.substeps;  // the last of them
+  ElasticStep now = elasticStep(t, dt);
+  if (!fieldsDeferred(w, t)) deformAll(w, halos, t, now);
+  if (bondsForm(w, halos, t)) {
+    const bool start = t.bondsAtStart;
+    makeBonds(w, halos, t);
+    t.frozeAnywhere = false;
+    beginDeformation(w, halos, t);
+    now.dt = 0;  // plastic flow is done
+    deformAll(w, halos, t, now);
+    if (!start) recordEnergyJump(w, t, -1);
+    now.dt = dt;
+  }
+  if (w.modules.fracture)
+    w.counters.brokenBonds += breakBonds(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
+  if (w.modules.plastic)
+    w.counters.rereferenced += rereference(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
+  t.times.lap(StepPhase::Elastic);
+  const ColumnList columns = remoteColumnsBeforeForces(w.solids);
+  halos.bonds.begin(w.solids, columns);
+  t.times.lap(StepPhase::Bonds);
+}
+
+void addElasticForces(World& w, Halos halos, StepTools& t, double dt) {
+  const ElasticStep now = elasticStep(t, dt / w.clock.substeps);
+  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
+  t.times.lap(StepPhase::Elastic);
+  halos.bonds.finish(w.solids);
+  t.times.lap(StepPhase::Bonds);
+  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
+  w.solids.energyKnown = now.energy;
+  addSolidForces(t.elastic, w.solids, w.particles, dt);
+  if (w.particles.fastAcceleration.active)
+    for (std::size_t s = 0; s < w.solids.owned; s++) {
+      const std::uint32_t i = w.solids.particle[s];
+      w.particles.fastAcceleration[i] = w.solids.force[s] / w.particles.mass[i];
+    }
+  t.times.lap(StepPhase::Elastic);
+}
+
+}  // namespace thaw

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a step that involve bonds.
+#pragma once
+#include "core/halo/halos.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Updates the table of solids (BondHalo::rebuildBonds) and, if anything changed on any rank, the data
+/// derived from bonds. Collective.
+void rebuildSolidBonds(World& world, Halos halos, StepTools& tools, const BondUpdate& work);
+
+/// Drops the bonds of particles that melted in this step and records their elastic energy. Collective.
+void melt(World& world, Halos halos, StepTools& tools);
+
+/// Returns true at the start of a scene whose bonds have no vectors. Until the bonds exist, the fields of
+/// columnsOfSteps are unused. Their memory is better allocated once the lists of the start are freed and
+/// remote rows are known. Forming bonds with vectors reads F of their ends.
+inline bool fieldsDeferred(const World& world, const StepTools& tools) {
+  return tools.bondsAtStart && !world.bonds.vectors;
+}
+
+/// Copies positions (velocities, liquid fractions) to the slots and sends them along the bonds.
+void beginDeformation(World& world, Halos halos, const StepTools& tools);
+
+/// Computes deformation, plastic flow and stress. Then bonds break, form (at the start and after freezing),
+/// and large plastic flow moves into the reference. It ends with the stress exchange along bonds in flight.
+/// Collective. Requires: neighbour lists if bonds form.
+void deform(World& world, Halos halos, StepTools& tools, double dt);
+
+/// Adds elastic forces to the particles.
+void addElasticForces(World& world, Halos halos, StepTools& tools, double dt);
+
+/// Computes Solids::energy and Solids::deformation of all owned slots for the last evaluation, if steps do
+/// not (core/simulation/sums/stored_energy.hpp).
+void findElasticEnergy(World& world, const StepTools& tools);
+/// As above for the particles in these rows, which are about to leave.
+void findElasticEnergy(World& world, const StepTools& tools, std::span<const std::uint32_t> rows);
+
+}  // namespace thaw

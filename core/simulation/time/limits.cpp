@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/time/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/kernels/lattice.hpp"
+#include "core/materials/enthalpy.hpp"
+#include "core/materials/state_equation.hpp"
+#include "core/scene/material_use.hpp"
+#include "core/solid/elasticity/elastic.hpp"
+
+namespace thaw {
+
+Limit StepLimits::smallest() const {
+  return static_cast<Limit>(std::min_element(value.begin(), value.end()) - value.begin());
+}
+
+namespace {
+
+/// Largest stiffness of liquids of these materials (Pa).
+double stiffestLiquid(const Scene& s, const std::vector<LiquidMaterial>& liquids) {
+  double stiffest = 0;
+  for (std::size_t k = 0; k < s.materials.size(); k++)
+    if (inUse(s, k) && canBeLiquid(s.materials[k])) stiffest = std::max(stiffest, liquids[k].stiffness);
+  return stiffest;
+}
+
+/// Largest effective diffusivity (m^2/s) of a particle of material m. Next to a much better conductor the
+/// harmonic mean is up to twice its own conductivity.
+double largestDiffusivity(const Scene& s, const Material& m) {
+  const HeatModel model = s.numerics.heat;
+  double largest = 0;
+  for (const double f : {0.0, 1.0}) {
+    const double own = conductivityOf(model, m, f), capacity = m.density * heatCapacityOf(model, m, f);
+    for (std::size_t k = 0; k < s.materials.size(); k++)
+      for (const double g : {0.0, 1.0}) {
+        const double other = inUse(s, k) ? conductivityOf(model, s.materials[k], g) : 0;
+        if (own > 0 && other > 0) largest = std::max(largest, 2 * own * other / (own + other) / capacity);
+      }
+  }
+  return largest;
+}
+
+/// Viscosity (Pa s) between two particles, as in the forces (terms/forces.hpp).
+double pairViscosity(const Numerics& n, double a, double b) {
+  if (n.viscosity == ViscosityForm::Laplacian) return 0.5 * (a + b);
+  return a + b > 0 ? 2 * a * b / (a + b) : 0;
+}
+
+double largestViscosity(const Material& m) {
+  if (m.viscosityTable.empty()) return std::max(m.viscosity.solid, m.viscosity.liquid);
+  double largest = 0;
+  for (const auto& point : m.viscosityTable) largest = std::max(largest, point.second);
+  return largest;
+}
+
+/// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
+/// velocity change depends on their own mass alone (docs/validation/stability.md B12). Between liquids of the
+/// pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as large,
+/// but the fastest wave among equal particles, with opposite motion of neighbours, is as fast
+/// (tests/stability: LightParticlesInAThickLiquid). The arithmetic mean of the printed form has no such
+/// bound; solids interact with liquids only.
+double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
+  const bool liquid = canBeLiquid(s.materials[k]), printed = s.numerics.viscosity == ViscosityForm::Laplacian;
+  double pairs = 0;
+  for (std::size_t j = 0; j < s.materials.size(); j++)
+    if (j != k && inUse(s, j) && (liquid || canBeLiquid(s.materials[j])))
+      pairs = std::max(pairs, pairViscosity(s.numerics, mu, largestViscosity(s.materials[j])));
+  if (printed) return liquid ? std::max(mu, pairs) : pairs;
+  return liquid ? mu : std::min(mu, pairs);
+}
+
+}  // namespace
+
+StepLimits materialLimits(const Scene& s, const Modules& modules,
+                          const std::vector<LiquidMaterial>& liquids) {
+  const Numerics& n = s.numerics;
+  StepLimits l;
+  const double h = n.support * s.spacing, h3 = h * h * h;
+  const auto take = [&](Limit which, double value) { l[which] = std::min(l[which], value); };
+  const double stiffest = modules.fluid ? stiffestLiquid(s, liquids) : 0;
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    if (!inUse(s, k)) continue;
+    const Material& m = s.materials[k];
+    // A wider support does not soften the lattice: supports beyond 2 spacings count as 2. A light particle,
+    // liquid or solid, among those of a stiffer liquid oscillates with their stiffness and its own mass
+    // (docs/validation/stability.md B12).
+    if (stiffest > 0 && !modules.incompressible) {
+      const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0, near = std::sqrt(stiffest / m.density);
+      take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
+    }
+    if (modules.fluid) {
+      // Tables are evaluated per particle.
+      const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity
+                             ? viscosityOfStep(s, k, largestViscosity(m))
+                             : 0) +
+                        (canBeLiquid(m) ? 1.6 * liquids[k].artificial : 0);
+      if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
+    }
+    if (modules.fluid && canBeLiquid(m)) {
+      // The surface energy is stiff where few particles interact: an inviscid drop gains 26 % of its energy
+      // in 6 s at 0.2, 0.8 % in 3 s at 0.1.
+      const double stiff = modules.surfaceEnergy ? 0.12 : 1;
+      if (m.surfaceTension > 0)
+        take(Limit::Tension,
+             stiff * n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
+    }
+    if (modules.heat) {
+      const double diffusivity = largestDiffusivity(s, m);
+      if (diffusivity > 0) take(Limit::Heat, n.cflHeat * stableHeatStep(n) * h * h / diffusivity);
+    }
+    if (modules.solid && m.canBeSolid())
+      take(Limit::Contact, 0.5 * s.spacing * std::sqrt(m.density / std::max(m.young.solid, m.young.liquid)));
+  }
+  if (modules.solid) take(Limit::Elastic, elasticStepLimit(s));
+  take(Limit::Scene, n.maxStep);
+  return l;
+}
+
+LargestRates largestRates(const World& w) {
+  const Continuum& p = w.particles;
+  LargestRates largest;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    largest.speed2 = std::max(largest.speed2, dot(p.velocity[i], p.velocity[i]));
+    const Vec3d a = p.fastAcceleration.active && !(p.clamped.active && p.clamped[i])
+                        ? p.acceleration[i] - p.fastAcceleration[i]
+                        : p.acceleration[i];
+    largest.acceleration2 = std::max(largest.acceleration2, dot(a, a));
+  }
+  return largest;
+}
+
+StepLimits particleLimits(const World& w, const LargestRates& largest, double stableViscousStep) {
+  const Continuum& p = w.particles;
+  const Numerics& n = w.scene.numerics;
+  StepLimits l;
+  const double h = w.grid.support;
+  if (largest.speed2 > 0) l[Limit::Speed] = supportsPerStep * h / std::sqrt(largest.speed2);
+  if (largest.acceleration2 > 0)
+    l[Limit::Acceleration] = n.cflAcceleration * std::sqrt(h / std::sqrt(largest.acceleration2));
+  for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
+    const Material& m = w.scene.materials[k];
+    if (m.viscosityTable.empty() || w.modules.implicitViscosity) continue;
+    double mu = 0;  // the viscosity of single particles: pairs on this rank may not be pairs on another
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (p.material[i] == k && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
+        mu = std::max(mu, viscosityAt(m, 1, p.temperature.active ? p.temperature[i] : 0));
+    if (mu > 0) mu = viscosityOfStep(w.scene, k, mu);
+    if (mu > 0)
+      l[Limit::Viscous] = std::min(l[Limit::Viscous],
+                                   n.cflViscous * stableViscousStep * h * h * m.density / mu);
+  }
+  return l;
+}
+
+double soundStiffening(const World& w) {
+  if (w.scene.numerics.eos != EquationOfState::Tait || !w.modules.fluid || w.modules.incompressible) return 1;
+  const Continuum& p = w.particles;
+  float most = 1;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.relativeDensity[i] > most && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
+      most = p.relativeDensity[i];
+  return soundSpeedFactor(w.scene.numerics.eos, static_cast<double>(most));
+}
+
+double fastAccelerationLimit(const World& w) {
+  const Continuum& p = w.particles;
+  double hardest = 0;
+  for (std::size_t i = 0; i < p.owned; i++)
+    hardest = std::max(hardest, dot(p.acceleration[i], p.acceleration[i]));
+  return hardest > 0 ? w.scene.numerics.cflAcceleration * std::sqrt(w.grid.support / std::sqrt(hardest))
+                     : never;
+}
+
+}  // namespace thaw

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The largest stable time step (docs/validation/stability.md B10; Monaghan 1992, Morris 1997).
+#pragma once
+#include "core/materials/liquid_materials.hpp"
+#include "core/simulation/time/step_limits.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Returns the limits that depend on materials alone: sound, tension, elastic waves, contact, the scene's
+/// own, and viscosity and heat of constant materials. It needs no particles, so it can be printed before a
+/// run.
+StepLimits materialLimits(const Scene& scene, const Modules& modules,
+                          const std::vector<LiquidMaterial>& liquids);
+
+LargestRates largestRates(const World& world);
+
+/// Returns the limits of this rank's particles: acceleration, speed, and temperature-dependent viscosity,
+/// stable on the lattice up to dt nu / h^2 = stableViscousStep. The caller reduces them over ranks.
+StepLimits particleLimits(const World& world, const LargestRates& largest, double stableViscousStep);
+
+/// Returns the largest ratio of the sound speed to that at rest in this rank's compressed liquid, at least 1;
+/// it divides the sound limit of the materials. 1 with the linear equation of state.
+double soundStiffening(const World& world);
+
+/// Returns the acceleration limit (s) of a substep by the forces that act in substeps, for this rank's
+/// particles. particleLimits excludes these forces.
+double fastAccelerationLimit(const World& world);
+
+}  // namespace thaw

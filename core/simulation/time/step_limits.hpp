@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kinds of limits of the time step.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+enum class Limit {
+  Sound,
+  Viscous,
+  Heat,
+  Elastic,
+  Tension,
+  Acceleration,
+  Speed,
+  Contact,
+  Scene,
+  Oriented,
+  Sheet
+};
+inline constexpr std::array<const char*, 11> limitNames{
+    "sound", "viscosity", "heat",  "elastic waves",      "surface tension", "acceleration",
+    "speed", "contact",   "scene", "oriented particles", "sheets"};
+inline constexpr std::size_t bodyTypeLimits = 2;  ///< the last entries: further body types, reduced only in
+                                                  ///< scenes that have them
+
+inline constexpr double supportsPerStep = 0.25;  ///< no particle crosses another particle, or a cell, in a
+                                                 ///< step
+
+/// Limits in s; `never` if not applicable.
+struct StepLimits {
+  std::array<double, limitNames.size()> value;
+  StepLimits() { value.fill(never); }
+  double& operator[](Limit l) { return value[static_cast<std::size_t>(l)]; }
+  Limit smallest() const;
+};
+
+/// Largest rates of motion of a rank's particles.
+struct LargestRates {
+  double speed2 = 0;         ///< m^2/s^2, square of the largest speed
+  double acceleration2 = 0;  ///< m^2/s^4, square of the largest acceleration, without forces that act in
+                             ///< substeps
+};
+
+}  // namespace thaw

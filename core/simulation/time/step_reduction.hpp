@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time-step reduction: values of all ranks after a step, reduced by one element-wise maximum.
+#pragma once
+#include <array>
+#include <bit>
+#include <span>
+
+#include "core/halo/halo.hpp"
+#include "core/simulation/time/limits.hpp"
+
+namespace thaw {
+
+/// Minima are maxima of negated values. A flag is above 0 if some rank sets it.
+struct StepReduction {
+  std::array<double, limitNames.size() - bodyTypeLimits> negatedLimits{};  ///< s
+  double froze = 0, bad = 0, stop = 0, report = 0, checkpoint = 0, melted = 0;
+  double stretch2 = 1;          ///< squared largest stretch of solids
+  double strainBound = 0;       ///< largestStrainBound
+  double negatedFastLimit = 0;  ///< s, fastAccelerationLimit
+  double relativeDensity = 0;   ///< 1, largestRelativeDensity
+  double surfaceMove2 = 0;      ///< m^2, squared largest displacement of a particle since the last surface
+                                ///< update; sent only with a surface or a further body type
+  std::array<double, bodyTypeLimits> negatedBodyTypeLimits{};  ///< s; sent only with a further body type
+};
+
+/// Collective: one reduction.
+inline void reduceOverRanks(StepReduction& reduction, Reducer& all, const Modules& modules) {
+  constexpr std::size_t n = sizeof(StepReduction) / sizeof(double);
+  std::array<double, n> values = std::bit_cast<std::array<double, n>>(reduction);
+  all.maximum(std::span(values).first(modules.kinds()   ? n
+                                      : modules.surface ? n - bodyTypeLimits
+                                                        : n - bodyTypeLimits - 1));
+  reduction = std::bit_cast<StepReduction>(values);
+}
+
+}  // namespace thaw

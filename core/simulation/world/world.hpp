@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data of a run on one rank.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/ledger/counters.hpp"
+#include "core/ledger/ledger.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/oriented/data/oriented.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/modules.hpp"
+#include "core/scene/scene.hpp"
+#include "core/sheet/data/sheets.hpp"
+#include "core/simulation/world/monitor_state.hpp"
+#include "core/solid/data/solids.hpp"
+#include "core/surface/data/surface.hpp"
+#include "core/time/clock.hpp"
+#include "core/walls/walls.hpp"
+
+namespace thaw {
+
+struct World {
+  Scene scene;
+  Modules modules;
+  CellGrid grid;
+  Continuum particles;
+  CellTable cells;
+  NeighbourLists neighbours;
+  Solids solids;
+  Bonds bonds;
+  Walls walls;
+  std::vector<float> startDensity;  ///< with carried densities: summed relative density at the start, by
+                                    ///< owned row, until it is checked
+  Clock clock;
+  Ledger ledger;
+  Counters counters;
+  MonitorState watch;
+  Surface surface;
+  OrientedBodies oriented;
+  SheetBodies sheets;
+  PressureIterations lastIterations;
+  bool compressionKnown = true;  ///< Continuum::interaction contains the compression energy; else
+                                 ///< findStoredEnergy (core/simulation/sums/stored_energy.hpp) adds it
+};
+
+}  // namespace thaw

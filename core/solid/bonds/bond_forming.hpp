@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Selection of bonded pairs and their references: at the start, on freezing, on welding.
+#pragma once
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solid/data/weight.hpp"
+
+namespace thaw {
+
+enum class BondRule {
+  Start,     ///< all solid particles of the same body, at rest: X = x
+  Freezing,  ///< pairs with at least one particle that just froze (Continuum::justFrozen), of one body or of
+             ///< weldable materials
+  Welding    ///< as Freezing, and pairs of older particles of weldable materials closer than `touch`, of
+             ///< different bodies (or see selfWeld)
+};
+
+struct BondForming {
+  BondRule rule = BondRule::Start;
+  double support = 0;     ///< m, upper limit of bond lengths
+  double touch = 0;       ///< m, for Welding
+  bool selfWeld = false;  ///< pieces of one body weld too, unless their material breaks: cracks do not heal
+                          ///< by closing
+  Periods periods;
+  const std::vector<Material>* materials = nullptr;
+};
+
+/// Sets the particle fields that bonds need. They are particle fields because slots are renumbered:
+/// Continuum::frame where active (F of the slot at the last phase 1; the identity if the particle just froze
+/// or has no slot yet), and Continuum::home with periodic sides. The order after freezing: set justFrozen and
+/// phase, prepareBondForming, rebuildBonds (makes the slots), refresh bondFormingColumns on ghosts,
+/// formBonds, rebuildBonds with the requests, refreshReference.
+void prepareBondForming(Continuum& particles, const Solids& solids);
+/// Columns of ghosts that formBonds reads besides position.
+ColumnList bondFormingColumns(Continuum& particles);
+
+/// Returns x_ij in the frame of an end with this F: F^-1 x, so that a new bond does not change F. If F is
+/// nearly singular or inverted (det F < 0.05), returns x itself.
+Vec3d referenceIn(const Mat3d& frame, const Vec3d& x);
+
+/// Returns true if some owned particle can weld to an older solid neighbour, so that formBonds with
+/// BondRule::Welding has work although nothing froze. Requires: id, body, material, phase and position of
+/// ghosts.
+bool touchesToWeld(const Continuum& particles, const Solids& solids, const Bonds& bonds,
+                   const NeighbourLists& lists, const BondForming& forming);
+
+/// Groups [first, last) of the neighbour lists; each particle is in one group.
+struct ListedGroups {
+  std::size_t first = 0, last = SIZE_MAX;
+};
+
+/// Appends requests for bonds of owned particles with a slot to solid neighbours (owned or ghosts), in the
+/// order of the neighbour lists. Both ends request the same bond with the same bits. Bonded pairs are
+/// skipped. Returns the number of welds: bonds between different bodies, counted at the end with the smaller
+/// id.
+std::int64_t formBonds(const Continuum& particles, const Solids& solids, const Bonds& bonds,
+                       const NeighbourLists& lists, const BondForming& forming,
+                       std::vector<BondRequest>& requests, ListedGroups range = {});
+/// As formBonds with BondRule::Start, where bonds have no vectors (Bonds::vectors).
+void pairAtStart(const Continuum& particles, const NeighbourLists& lists, const BondForming& forming,
+                 std::vector<BondPair>& pairs, ListedGroups range);
+
+}  // namespace thaw

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Packed form of a solid particle, for migration and checkpoints.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/solid/data/solids.hpp"
+
+namespace thaw {
+
+struct BondRecord {
+  std::uint64_t neighbourId;
+  double reference[3], reverse[3];  ///< m, X_ij and X_ji; 0, like the weight, if bonds have no vectors
+                                    ///< (Bonds::vectors)
+  double weight;
+};
+
+/// A sequence of solid particles. Each record has the id, the number of bonds, the State columns of Solids
+/// and the bonds in order (ids alone if bonds have no vectors).
+struct SolidRecords {
+  std::vector<std::byte> bytes;
+};
+
+/// Appends the record of a slot.
+void appendRecord(const Solids& solids, const Bonds& bonds, std::uint32_t slot, SolidRecords& records);
+
+/// Appends a record without its State columns; returns the offset for them.
+std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stateBytes,
+                       std::span<const BondRecord> bonds, bool vectors);
+
+/// One record read back. readRecord returns the offset of the next record. Throws std::runtime_error if the
+/// bytes end early.
+struct SolidRecordView {
+  std::uint64_t id = 0;
+  const std::byte* state = nullptr;
+  std::vector<BondRecord> bonds;
+};
+std::size_t readRecord(const Solids& solids, const std::vector<std::byte>& bytes, std::size_t at,
+                       SolidRecordView& view);
+
+/// Makes room for `slots` slots with `capacity` bonds each; new entries hold no bond.
+void resizeBonds(Bonds& bonds, std::size_t slots, int capacity);
+
+}  // namespace thaw

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Entries of bonds, as BondGraph moves them.
+#pragma once
+#include "core/particles/table_rows.hpp"
+#include "core/solid/data/solids.hpp"
+
+namespace thaw {
+
+inline std::size_t groupsOf(std::size_t slots) { return (slots + lanes - 1) / lanes; }
+
+/// Clears entries [from, to) of a slot.
+inline void clearEntries(Bonds& b, std::size_t slot, int from, int to) {
+  for (int k = from; k < to; k++) clearBond(b, b.at(slot, k), static_cast<std::uint32_t>(slot));
+}
+
+}  // namespace thaw

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "core/simd/choose.hpp"
-#include "core/solid/elastic_kernels.hpp"
-
-namespace thaw {
-
-THAW_CHOOSE(ElasticKernels, elasticKernelSet, elasticKernels)
-
-}  // namespace thaw

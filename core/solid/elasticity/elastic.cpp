@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// Preparation of the bond loops (elastic_isa.cpp), and their scalar parts.
+#include "core/solid/elasticity/elastic.hpp"
+
+#include "core/solid/elasticity/elastic_kernels.hpp"
+#include "core/solid/elasticity/elastic_records.hpp"
+#include "core/solid/elasticity/rereference.hpp"
+#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/laws/plasticity.hpp"
+#include "core/solid/laws/response.hpp"
+
+namespace thaw {
+
+namespace {
+
+ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step,
+                       SolidPart part) {
+  ElasticArrays a;
+  const bool single = work.precision == Precision::Single;
+  const std::vector<std::uint32_t>& groups = part == SolidPart::Inner
+                                                 ? (work.sleeping ? work.innerAwake : work.inner)
+                                                 : (work.sleeping ? work.boundaryAwake : work.boundary);
+  a.precision = work.precision;
+  a.vectors = bonds.vectors;
+  a.periodic = work.periodic;
+  a.damping = work.damping;
+  a.plastic = work.plastic;
+  a.energy = step.energy;
+  a.owned = solids.owned;
+  a.capacity = static_cast<std::size_t>(bonds.capacity);
+  a.groups = groups.data();
+  a.groupCount = groups.size();
+  a.bondCount = work.bondCount.data();
+  a.singularLanes = work.singularLanes.data();
+  a.ownFrames = work.ownFrames.data();
+  a.neighbour = bonds.neighbour.data();
+  const auto pick = [&](const AlignedVector<float>& f, const AlignedVector<double>& d) {
+    return single ? static_cast<const void*>(f.data()) : d.data();
+  };
+  a.x = bonds.x.data();
+  a.y = bonds.y.data();
+  a.z = bonds.z.data();
+  a.rx = bonds.rx.data();
+  a.ry = bonds.ry.data();
+  a.rz = bonds.rz.data();
+  a.weight = bonds.weight.data();
+  a.end = single ? static_cast<void*>(solids.end.data()) : solids.endDouble.data();
+  a.motion = pick(work.velocityDrag, work.velocityDragDouble);
+  a.unit = work.support / fixedUnitsPerSupport;
+  a.perSupport2 = 1 / (work.support * work.support);
+  for (int k = 0; k < 3; k++) a.period[k] = single ? work.periods.length[k] / a.unit : work.periods.length[k];
+  a.dt = step.dt;
+  if (work.minBreakStretch < never) {
+    // Slightly early, since lengths in the loop are rounded to float; fracture.cpp decides in double.
+    a.breakStretch2 = 0.9999 * work.minBreakStretch * work.minBreakStretch;
+    a.stretched = work.stretched.data();
+  }
+  if (work.sleeping) a.held = work.held.data(), a.groupStretch2 = work.groupStretch2.data();
+  a.momentInverse = solids.momentInverse.data();
+  a.rank = work.rank.data();
+  a.perTrace = work.perTrace.data();
+  a.perWeight = work.perWeight.data();
+  a.volume = solids.volume.data();
+  a.plasticInverse = work.plastic ? solids.plasticInverse.data() : nullptr;
+  a.referenceGradient = solids.referenceGradient.active ? solids.referenceGradient.data() : nullptr;
+  a.plasticPath = solids.plasticPath.active ? solids.plasticPath.data() : nullptr;
+  a.flows = solids.rereferenced.active ? work.flows.data() : nullptr;
+  a.deformation = step.deformation ? solids.deformation.data() : nullptr;
+  a.energyColumn = solids.energy.data();
+  a.dragColumn = solids.drag.active ? solids.drag.data() : nullptr;
+  a.dissipated = solids.dissipated.active ? solids.dissipated.data() : nullptr;
+  a.force = solids.force.data();
+  a.work = &work;
+  a.solids = &solids;
+  return a;
+}
+
+const ElasticKernels& kernelsOf(const ElasticWork& work) {
+  return work.kernels ? *work.kernels : *elasticKernels();
+}
+
+Mat3d laneMatrix(const double m[9][8], int l) {
+  return {{{m[0][l], m[1][l], m[2][l]}, {m[3][l], m[4][l], m[5][l]}, {m[6][l], m[7][l], m[8][l]}}};
+}
+
+}  // namespace
+
+void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out) {
+  const Solids& solids = *a.solids;
+  // Most groups have a single material, that of the previous group.
+  bool same = n == 8 && out.material >= 0;
+  for (int l = 0; same && l < 8; l++) {
+    const std::size_t s = slot0 + static_cast<std::size_t>(l);
+    same = solids.material[s] == out.material && !(solids.liquid.active && solids.liquid[s] > 0);
+  }
+  if (!same) {
+    out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = false;
+    out.material = solids.material[slot0];
+    for (int l = 0; l < 8; l++) {
+      const std::size_t s = slot0 + static_cast<std::size_t>(l);
+      if (l >= n) {
+        out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.neoHookean[l] = out.corotated[l] = 0;
+        out.constants[l] = {};
+        out.constants[l].law = ElasticLaw::Green;
+        out.material = -1;
+        continue;
+      }
+      const ElasticConstants c = slotConstants(*a.work, solids, s);
+      if (solids.material[s] != out.material || (solids.liquid.active && solids.liquid[s] > 0))
+        out.material = -1;
+      out.constants[l] = c;
+      out.lambda[l] = c.lambda;
+      out.mu[l] = c.mu;
+      out.volumeStiffness[l] = c.volume;
+      out.neoHookean[l] = c.law == ElasticLaw::NeoHookean;
+      out.corotated[l] = c.law == ElasticLaw::Corotated;
+      out.anyVolumeStiffness = out.anyVolumeStiffness || c.volume > 0;
+      out.anyGreen = out.anyGreen || c.law == ElasticLaw::Green;
+      out.anyNeoHookean = out.anyNeoHookean || c.law == ElasticLaw::NeoHookean;
+      out.anyCorotated = out.anyCorotated || c.law == ElasticLaw::Corotated;
+    }
+  }
+  for (int l = 0; l < 8; l++) {
+    const std::size_t s = slot0 + static_cast<std::size_t>(l < n ? l : 0);
+    const ElasticConstants& c = out.constants[l];
+    out.volume[l] = l < n ? a.volume[s] : 0;
+    out.hourglass[l] = c.hourglass * out.volume[l] * a.perTrace[s];
+    // A bond's damping is the mean of both ends, hence 0.5. The factor 3 is because a bond acts along its
+    // direction only.
+    out.drag[l] = 0.5 * 3 * c.dragDensity * out.volume[l] * a.perWeight[s];
+    if (l < n && a.dissipated && !a.keepDissipated) a.dissipated[s] = 0;
+  }
+}
+
+void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]) {
+  const Mat3d g = completeGradient(laneMatrix(gradU, lane), a.momentInverse[slot], a.rank[slot]);
+  for (int r = 0; r < 3; r++)
+    for (int c = 0; c < 3; c++) gradU[3 * r + c][lane] = g.row[r][c];
+}
+
+void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
+                     const FlatLane& of) {
+  if (a.rank[slot] != 2 || !(a.perTrace[slot] > 0)) return;
+  const Mat3d more = stressOfNormal({laneMatrix(of.gradU, lane), a.momentInverse[slot], 1 / a.perTrace[slot],
+                                     laneMatrix(of.sum, lane), c.volume[lane] * laneMatrix(of.stress, lane),
+                                     c.hourglass[lane]}) *
+                     full(a.momentInverse[slot]);
+  for (int r = 0; r < 3; r++)
+    for (int q = 0; q < 3; q++) of.flux[3 * r + q][lane] += more.row[r][q];
+}
+
+namespace {
+
+void putLane(const Mat3d& m, int lane, double out[9][8]) {
+  for (int r = 0; r < 3; r++)
+    for (int q = 0; q < 3; q++) out[3 * r + q][lane] = m.row[r][q];
+}
+
+}  // namespace
+
+void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
+              int lane, PlasticLanes& out) {
+  Mat3d& inverse = a.plasticInverse[slot];
+  const Mat3d g = laneMatrix(gradU, lane);
+  PlasticFlow flow{{inverse, a.plasticPath ? a.plasticPath[slot] : 0}, {}, 0, false};
+  if (a.flow && c.yield < never && !(a.held && a.held[slot])) {
+    flow = plasticFlow(c, g, flow.state, a.referenceGradient ? a.referenceGradient[slot] : Mat3d{}, a.dt);
+    if (flow.flows) {
+      inverse = flow.state.inverse;
+      if (a.plasticPath) a.plasticPath[slot] = flow.state.path;
+      a.dissipated[slot] += a.volume[slot] * flow.loss;
+    }
+  } else {
+    flow.elastic = elasticGradient(g, inverse);
+  }
+  if (a.flows && a.flow) a.flows[slot] = flow.flows;
+  putLane(flow.elastic, lane, out.elastic);
+  putLane(inverse, lane, out.inverse);
+}
+
+void takeLogarithms(double values[8]) {
+  for (int l = 0; l < 8; l++) values[l] = std::log(values[l]);
+}
+
+double respondLane(const ElasticConstants& c, const double gradU[9][8], int lane, double stress[9][8]) {
+  const ElasticResponse r = elasticResponse(c, laneMatrix(gradU, lane));
+  putLane(r.stress, lane, stress);
+  return r.energy;
+}
+
+ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, const Bonds& bonds,
+                                          const ElasticStep& step, SolidPart part) {
+  if (part == SolidPart::Inner)
+    forEachAwake(work, solids,
+                 [&](std::size_t first, std::size_t last) { packPositions(work, solids, first, last); });
+  else packPositions(work, solids, solids.owned, solids.size());
+  ElasticArrays a = arraysOf(work, solids, bonds, step, part);
+  kernelsOf(work).deformation(a);
+  return {a.inverted, a.squeezed, a.maxStretch2};
+}
+
+void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step,
+                       std::span<const std::uint32_t> groups) {
+  ElasticArrays a = arraysOf(work, solids, bonds, step, SolidPart::Boundary);
+  a.groups = groups.data();
+  a.groupCount = groups.size();
+  a.dt = 0;
+  a.keepDissipated = true;
+  a.flow = false;
+  kernelsOf(work).deformation(a);
+}
+
+void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
+                          SolidPart part) {
+  if (part == SolidPart::Boundary) copyRemoteReferences(work, solids, bonds);
+  if (part == SolidPart::Inner) packVelocityDrag(work, solids, 0, solids.owned);
+  else packVelocityDrag(work, solids, solids.owned, solids.size());
+  kernelsOf(work).forces(arraysOf(work, solids, bonds, step, part));
+}
+
+void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds) {
+  packPositions(work, solids, 0, solids.size());
+  for (const SolidPart part : {SolidPart::Inner, SolidPart::Boundary}) {
+    ElasticArrays a = arraysOf(work, solids, bonds, ElasticStep{0, true}, part);
+    a.keepDissipated = true;
+    a.flow = false;
+    kernelsOf(work).deformation(a);
+  }
+  for (const SolidPart part : {SolidPart::Inner, SolidPart::Boundary}) {
+    ElasticArrays a = arraysOf(work, solids, bonds, ElasticStep{0, true}, part);
+    a.damping = false;  // no dissipation here
+    kernelsOf(work).forces(a);
+  }
+}
+
+void computeCauchyStress(const ElasticWork& work, Solids& solids) {
+  solids.activate(solids.stress);
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    const Mat3d gradU = solids.deformation[s] - identity3<double>();
+    const Mat3d elastic = work.plastic ? elasticGradient(gradU, solids.plasticInverse[s]) : gradU;
+    solids.stress[s] = cauchyStress(elasticResponse(slotConstants(work, solids, s), elastic).stress, elastic);
+  }
+}
+
+}  // namespace thaw

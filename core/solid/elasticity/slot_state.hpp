@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Evaluation of single slots in double precision, for rare events (fracture, new references) whose energy
+// jump is recorded.
+#pragma once
+#include "core/solid/elasticity/elastic.hpp"
+#include "core/solid/elasticity/moment.hpp"
+
+namespace thaw {
+
+/// Reference X_ij (m) and weight of bond k of a slot, for both storage forms (Bonds::vectors).
+struct ReferenceBond {
+  Vec3d vector;
+  double weight;
+};
+ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
+                            std::size_t slot, int k);
+
+/// Current x_ij, references X_ij and X_ji (m), and weight of bond k of a slot.
+struct BondVectors {
+  Vec3d current, reference, reverse;
+  double weight;
+};
+BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot,
+                        int k);
+
+/// Recomputes A^-1, rank and the other bond data of one owned slot.
+void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot);
+/// As refreshSlot, with the same bits, for the eight owned slots of a group at once. Requires: bonds without
+/// vectors. ElasticWork::bondCount stays.
+void refreshGroup(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t group);
+
+/// Returns grad u of one owned slot at Solids::position, completed where A is singular.
+Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
+
+/// Returns the stored energy (J) of one owned slot at Solids::position: law, volume and hourglass.
+double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
+/// Gradient and energy together.
+struct SlotStrain {
+  Mat3d gradU;
+  double energy;
+};
+SlotStrain slotStrain(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
+/// Equals slotStrain bit by bit if all ends are at their reference positions (atReference), without reading
+/// the bonds.
+SlotStrain slotStrainAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
+                                 std::size_t slot);
+/// Returns true if every row, remote rows included, is at its reference position, as at the start of a scene.
+bool atReference(const Solids& solids);
+
+/// Constants of a slot's material at its liquid fraction.
+ElasticConstants slotConstants(const ElasticWork& work, const Solids& solids, std::size_t slot);
+
+}  // namespace thaw

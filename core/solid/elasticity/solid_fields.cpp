@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fields that the solids of a scene need, and transfer between particles and slots.
+#include <algorithm>
+
+#include "core/contact/solid_contact.hpp"
+#include "core/solid/elasticity/elastic.hpp"
+
+namespace thaw {
+
+void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
+                         const Scene& scene, const Modules& modules, const CellGrid& grid) {
+  work.materials = scene.materials;
+  work.precision = scene.numerics.elasticPrecision;
+  work.support = scene.numerics.bondSupport * scene.spacing;
+  work.rereference = scene.numerics.plasticRereference;
+  work.periods = periodsOf(grid);
+  work.periodic = grid.periodic[0] || grid.periodic[1] || grid.periodic[2];
+  work.plastic = modules.plastic;
+  work.touch = modules.contact ? contactDistance * scene.spacing : 0;
+  bool rereferences = false, hardens = false;
+  for (const Material& m : scene.materials) {
+    work.solidConstants.push_back(elasticConstants(m, 0));
+    if (!m.canBeSolid()) continue;
+    if (modules.fracture) work.minBreakStretch = std::min(work.minBreakStretch, m.breakStretch);
+    work.damping = work.damping || m.damping > 0;
+    rereferences = rereferences || (modules.plastic && work.solidConstants.back().yield < never &&
+                                    m.maxPlasticStrain > work.rereference);
+    hardens = hardens || (modules.plastic && m.hardening > 0);
+  }
+  // If references are ever renewed, each bond has its own. Otherwise all bonds share the initial
+  // configuration.
+  const bool vectors = modules.freezing || modules.welding || rereferences;
+  bonds.choose(vectors, vectors, work.precision == Precision::Single);
+
+  // Melting records the energy of softening particles in every step, and substeps end at positions of their
+  // own.
+  work.energyInSteps = modules.melting || modules.substeps;
+  work.deformationInSteps = work.energyInSteps || vectors || modules.sleep;
+
+  particles.activate(particles.slot);
+  if (modules.freezing || modules.welding) {
+    particles.activate(particles.frame);
+    particles.activate(particles.justFrozen);
+  }
+  if (work.periodic) particles.activate(particles.unwrappedPosition);
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&solids.id), static_cast<AnyColumn*>(&solids.particle),
+                       static_cast<AnyColumn*>(&solids.material), static_cast<AnyColumn*>(&solids.volume),
+                       static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
+    solids.activate(*c);
+  if (!vectors) solids.activate(solids.reference);
+  if (work.plastic) solids.activate(solids.plasticInverse);
+  if (hardens) solids.activate(solids.plasticPath);
+  if (work.plastic || work.damping) solids.activate(solids.dissipated);
+  if (rereferences) {
+    solids.activate(solids.rereferenced);
+    solids.activate(solids.referenceGradient);
+  }
+  if (modules.surface) solids.activate(solids.exposed);
+  if (modules.melting) {
+    solids.activate(solids.liquid);
+    solids.activate(solids.melted);
+  }
+  for (AnyColumn* c : columnsOfSteps(solids, work)) solids.activate(*c);
+}
+
+std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work) {
+  std::vector<AnyColumn*> columns{&solids.position, &solids.momentInverse, &solids.deformation,
+                                  &solids.force};
+  columns.push_back(work.precision == Precision::Single ? static_cast<AnyColumn*>(&solids.end)
+                                                        : &solids.endDouble);
+  if (work.damping || work.minBreakStretch < never) columns.push_back(&solids.velocity);
+  if (work.damping) columns.push_back(&solids.drag);
+  return columns;
+}
+
+ColumnList remoteColumnsAfterRelink(Solids& solids) {
+  if (solids.reference.active) return {&solids.material, &solids.reference};
+  return {&solids.material};
+}
+
+ColumnList remoteColumnsBeforeDeformation(Solids& solids) {
+  if (solids.velocity.active) return {&solids.position, &solids.velocity};
+  return {&solids.position};
+}
+
+ColumnList remoteColumnsBeforeForces(Solids& solids) {
+  ColumnList columns{solids.end.active ? static_cast<AnyColumn*>(&solids.end) : &solids.endDouble};
+  if (solids.drag.active) columns.push_back(&solids.drag);
+  if (solids.rereferenced.active) columns.push_back(&solids.rereferenced);
+  return columns;
+}
+
+void takeReferences(const Continuum& particles, Solids& solids) {
+  if (!solids.reference.active) return;
+  for (std::size_t s = 0; s < solids.owned; s++) solids.reference[s] = particles.position[solids.particle[s]];
+}
+
+void copyToSolids(const Continuum& particles, Solids& solids) {
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    const std::uint32_t p = solids.particle[s];
+    solids.position[s] = particles.position[p];
+    if (solids.velocity.active) solids.velocity[s] = particles.velocity[p];
+    if (solids.liquid.active) solids.liquid[s] = particles.liquid[p];
+  }
+}
+
+void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart) {
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    if (solids.volume[s] > 0) continue;
+    solids.volume[s] = particles.mass[solids.particle[s]] / work.materials[solids.material[s]].density;
+    if (solids.exposed.active) solids.exposed[s] = !atStart;
+  }
+}
+
+void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& particles, double dt) {
+  const bool losses = solids.dissipated.active && particles.dissipation.active && dt > 0;
+  forEachAwake(work, solids, [&](std::size_t first, std::size_t last) {
+    for (std::size_t s = first; s < last; s++) {
+      const std::uint32_t p = solids.particle[s];
+      particles.force[p] += solids.force[s];
+      if (losses) particles.dissipation[p] += solids.dissipated[s] / dt;
+    }
+  });
+}
+
+}  // namespace thaw

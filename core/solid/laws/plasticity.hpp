@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plastic flow at large strain: F = Fe Fp, and the elastic law acts on Fe only.
+// A particle yields where its Cauchy stress sigma exceeds the yield stress: |dev sigma| > 2G y, y =
+// gamma_yield + h eps_p, with the equivalent plastic strain eps_p; the uniaxial yield stress is sqrt(6) G y.
+// Flow scales the deviator e of the logarithmic elastic strain at fixed F: e <- r e with one r for all three
+// principal axes. It thus conserves volume, is frame-independent, and ends where the stress of the law is on
+// the yield surface. Small strains give the additive plastic strain of OBH02. Split and logarithmic return:
+// Simo 1992, "Algorithms for static and dynamic multiplicative plasticity that preserve the classical return
+// mapping schemes of the infinitesimal theory".
+#pragma once
+#include "core/materials/elastic_constants.hpp"
+#include "core/math/mat3.hpp"
+
+namespace thaw {
+
+/// Frobenius norm.
+inline double norm(const Sym3d& a) { return std::sqrt(doubleDot(a, a)); }
+
+/// (1 + a)(1 + b) - 1: composition of two deformations (b first) without the rounding of 1.
+inline Mat3d compose(const Mat3d& a, const Mat3d& b) { return a + b + a * b; }
+/// Fe - 1, with plasticInverse = Fp^-1 - 1.
+inline Mat3d elasticGradient(const Mat3d& gradU, const Mat3d& plasticInverse) {
+  return compose(gradU, plasticInverse);
+}
+
+struct PlasticState {
+  Mat3d inverse{};  ///< 1, Fp^-1 - 1
+  double path = 0;  ///< 1, equivalent plastic strain: integral of sqrt(2/3) |d e|
+};
+
+struct PlasticFlow {
+  PlasticState state;
+  Mat3d elastic{};  ///< 1, Fe - 1
+  double loss = 0;  ///< Pa, work of the flow: final stress times its strain
+  bool flows = false;
+};
+
+/// Returns the flow at fixed F in a time dt (s). The excess |dev sigma|/2G - y decays as exp(-creep dt),
+/// instantly if creep is infinite, so two steps of dt/2 equal one of dt. The norm of the total plastic strain
+/// stays below gamma_max; only this limit uses referenceGradient. There is no flow where det Fe <= 0, or
+/// where it would gain energy: under a pressure at which the law is unstable in shear (Green strain at a
+/// Poisson's ratio of 0.3: below 0.67 of the volume).
+PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
+                        const Mat3d& referenceGradient, double dt);
+
+/// Returns ln Up of the total plastic deformation Fp F_ref = R Up, F_ref = 1 + referenceGradient: the
+/// logarithmic plastic strain along the axes of the first reference configuration.
+Sym3d plasticStrain(const Mat3d& plasticInverse, const Mat3d& referenceGradient);
+
+/// (Fp^-1 Fp^-T - 1)/2: minus the plastic strain since the last reference, if that is small.
+Sym3d plasticMetric(const Mat3d& plasticInverse);
+
+/// Returns Fp^-1 - 1 after the present configuration became the reference, at the same stress: Ve - 1 of Fe =
+/// Ve R.
+Mat3d pushForward(const Mat3d& gradU, const Mat3d& plasticInverse);
+
+}  // namespace thaw

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Moves the surface with the particles (K05 4.2.1).
+#pragma once
+#include "core/halo/surface_halos.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct SurfaceTools;
+
+/// Computes the gradient of the particles' displacement (1) by moving least squares at the previous
+/// positions. Neighbours are within the support radius, of the same component, and not new. If they lie in a
+/// plane or a line, the gradient is completed by a rotation (core/solid/elasticity/moment.hpp). Requires:
+/// particles on the ranks of their cells at their previous positions; they have ghosts afterwards.
+/// Collective.
+void findDisplacementGradients(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
+/// Moves surfels with the particles: x += sum w (u_j + grad u_j (x - x_j)). w are the normalised weights (1 -
+/// (r/h_ps)^2)^3 of the component's particles within h_ps, reduced for particles with a larger liquid
+/// fraction (leastMotionWeight). Tangents turn by the exact gradient of this sum, and the normal follows from
+/// them. Liquid surfels use the mean gradient, because the iterations determine their normals. Exact for
+/// affine motion. A surfel without particles takes the mean displacement of neighbouring surfels.
+/// Without those it is deleted and counted (B15). Requires: gradients; surfels on the ranks of their cells.
+/// Afterwards surfels have no ghosts and no valid cells (placeRows). With a liquid fraction, `carried` and
+/// `carriedNormal` are set. Collective.
+void displaceSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
+}  // namespace thaw

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/surface/field/field_probe.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/surface/work/surface_tools.hpp"
+
+namespace thaw {
+
+ForceSums particleSumsOf(const World& w, const SurfaceTools& t) {
+  const Surface& s = w.surface;
+  ForceSums in;
+  in.particle = t.relax.particle.data();
+  in.particleColour = t.relax.particleColour.data();
+  const double h = s.particleSupport / s.grid.support,
+               narrow = nearSupport * w.scene.spacing / s.grid.support;
+  in.perParticleSupport2 = static_cast<float>(1 / (h * h));
+  in.perNearSupport2 = static_cast<float>(1 / (narrow * narrow));
+  return in;
+}
+
+FieldProbe::FieldProbe(const World& w, const SurfaceTools& t)
+    : world_(w),
+      tools_(t),
+      sums_(particleSumsOf(w, t)),
+      slope_(6 * w.surface.grid.support / (w.surface.particleSupport * w.surface.particleSupport)) {}
+
+void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3d& ownPosition) {
+  const Bins& bins = tools_.relax.particleBins;
+  const std::uint64_t* of = world_.surface.particles.component.data();
+  const double h = world_.surface.particleSupport, h2 = (1 + 1e-9) * h * h;
+  const Vec3d& edges = world_.surface.grid.edge;
+  const double edge = std::min({edges.x, edges.y, edges.z}), edge2 = edge * edge;
+  block_.find(bins, box, h);
+  if (listed_.size() < block_.count) listed_.resize(2 * block_.count);
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < block_.count; k++) {
+    const Vec3d& at = block_.at[k];
+    listed_[n] = block_.row[k];
+    n += (box.distance2(at) <= h2) & (dot(at - ownPosition, at - ownPosition) <= edge2) &
+         (of[block_.row[k]] == component);
+  }
+  among(listed_.data(), n, component);
+}
+
+void FieldProbe::among(const std::uint32_t* rows, std::size_t count, std::uint64_t component) {
+  rows_ = rows, count_ = count;
+  tight_ = levelRiseOf(isoOffsetOf(tools_.relax.isoOffset, component) / world_.scene.spacing);
+}
+
+void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
+  static constexpr std::uint32_t self[most] = {0, 1, 2, 3, 4, 5, 6, 7}, group[1] = {0};
+  const CellGrid& grid = world_.surface.grid;
+  for (std::size_t k = 0; k < n; k++)
+    for (int a = 0; a < 3; a++) {
+      const std::uint32_t bits = fixedPoint(grid, x[k][a], a);
+      std::memcpy(&place_[4 * k + static_cast<std::size_t>(a)], &bits, 4);
+    }
+  const std::uint64_t range[2] = {0, count_};
+  ForceSums in = sums_;
+  in.place = place_.data();
+  in.self = self;
+  in.firstParticle = range;
+  in.particleRow = rows_;
+  in.groups = group;
+  in.groupCount = 1;
+  in.overParticles = over_.data();
+  tools_.relax.kernels->overParticles(in);
+  for (std::size_t k = 0; k < n; k++) {
+    const SurfelSums s{nullptr, over_.data(), static_cast<int>(k)};
+    FieldHere& c = found[k] = {};
+    c.value = s.particle(Colour);
+    c.gradient = -slope_ * Vec3d{s.particle(Gradient), s.particle(Gradient + 1), s.particle(Gradient + 2)};
+    if (!(c.value > 0)) continue;
+    const double near = s.particle(Near);
+    c.tight = near < tight_.full ? 0.5 : 1;
+    c.level = raisedLevel(tools_.relax.level.level(s.particle(SmoothColour) / c.value), near, tight_) *
+              world_.scene.surface.isoLevel / 0.5;
+  }
+}
+
+void forFieldAtSurfels(const World& w, SurfaceTools& t, const std::vector<std::uint8_t>& probed,
+                       const std::function<void(std::size_t, const FieldHere&)>& found) {
+  const Surface& s = w.surface;
+  GroupLists& l = t.relax.lists;
+  listGroups(s, probed, t.relax.particleBins, t.relax.particleBins, {0, s.particleSupport}, l);
+  FieldProbe probe(w, t);
+  std::array<Vec3d, FieldProbe::most> x;
+  std::array<FieldHere, FieldProbe::most> field;
+  for (std::size_t g = 0; g < l.groups(); g++) {
+    const std::uint32_t* rows = &l.self[8 * g];
+    for (std::size_t k = 0; k < l.lanes[g]; k++) x[k] = s.surfels.position[rows[k]];
+    probe.among(l.particle.data() + l.firstParticle[g], l.firstParticle[g + 1] - l.firstParticle[g],
+                s.surfels.component[rows[0]]);
+    probe.at(x.data(), l.lanes[g], field.data());
+    for (std::size_t k = 0; k < l.lanes[g]; k++) found(rows[k], field[k]);
+  }
+}
+
+}  // namespace thaw

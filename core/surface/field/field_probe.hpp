@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colour field of the particles at arbitrary positions, up to eight at a time.
+#pragma once
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "core/simulation/world/world.hpp"
+#include "core/surface/data/level_table.hpp"
+#include "core/surface/kernels/surface_kernels.hpp"
+#include "core/surface/search/bins.hpp"
+
+namespace thaw {
+
+struct SurfaceTools;
+
+/// Returns pointers and lengths for sums over particles. The caller sets the query positions and the output.
+ForceSums particleSumsOf(const World& world, const SurfaceTools& tools);
+
+/// Colour field of one component at a position (sum of prepareParticles, 1 deep inside), its level on the
+/// surface there (LevelTable), the damping of Newton's step, and the gradient (1/m).
+struct FieldHere {
+  double value = 0, level = 0.5, tight = 1;
+  Vec3d gradient{};
+};
+
+/// Evaluates the colour field with the kernels of the iterations. Requires: prepareParticles.
+class FieldProbe {
+ public:
+  static constexpr std::size_t most = 8;
+  FieldProbe(const World& world, const SurfaceTools& tools);
+  /// Selects the particles that act on positions in a box: particles of the component within h_ps of it, in
+  /// the order of the bins. Only particles within a cell's edge of `ownPosition`, the position of an owned
+  /// particle or surfel, count, because farther ghosts depend on the ranks. For positions within half a
+  /// spacing of `ownPosition` these are all.
+  void around(const PlaceBox& box, std::uint64_t component, const Vec3d& ownPosition);
+  /// Selects these rows, in their order.
+  void among(const std::uint32_t* rows, std::size_t count, std::uint64_t component);
+  /// Evaluates the field at n <= most positions.
+  void at(const Vec3d* x, std::size_t n, FieldHere* found);
+
+ private:
+  const World& world_;
+  const SurfaceTools& tools_;
+  ForceSums sums_;
+  double slope_;
+  LevelRise tight_;
+  RowBlock block_;
+  std::vector<std::uint32_t> listed_;
+  const std::uint32_t* rows_ = nullptr;
+  std::size_t count_ = 0;
+  alignas(32) std::array<float, 4 * most> place_{};
+  alignas(32) std::array<float, most * particleSums> over_{};
+};
+
+/// Calls found(row, field) for the owned surfels with asked[row], in any order. The field is that of their
+/// component at their position. Uses tools.relax.lists.
+void forFieldAtSurfels(const World& world, SurfaceTools& tools, const std::vector<std::uint8_t>& probed,
+                       const std::function<void(std::size_t, const FieldHere&)>& found);
+
+}  // namespace thaw

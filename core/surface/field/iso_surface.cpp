@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/surface/field/iso_surface.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace thaw {
+
+std::optional<IsoStep> isoStep(const FieldHere& c, double particleSupport, double isoOffset, double longest) {
+  const double slope = length(c.gradient);
+  if (!(slope * particleSupport > 0.05 * c.level && c.value > 0)) return {};
+  return IsoStep{c.gradient * (-1 / slope),
+                 std::clamp(c.tight * (isoOffset - (c.level - c.value) / slope), -longest, longest)};
+}
+
+void projectToIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, const Vec3d& ownPosition,
+                         const Vec3d* from, std::size_t n, double farthest,
+                         std::optional<SurfacePoint>* found) {
+  const double longest = 0.5 * w.scene.spacing, enough = 0.01 * w.surface.spacing;
+  std::array<Vec3d, FieldProbe::most> x;
+  std::array<std::size_t, FieldProbe::most> of;  // index of the starting position of x[k]
+  std::array<FieldHere, FieldProbe::most> field;
+  PlaceBox box{from[0], from[0]};
+  for (std::size_t k = 0; k < n; k++) x[k] = from[k], of[k] = k, found[k] = {}, box.add(from[k]);
+  const Vec3d room{farthest, farthest, farthest};
+  probe.around({box.low - room, box.high + room}, component, ownPosition);
+  for (int round = 0; round < 12 && n > 0; round++) {
+    probe.at(x.data(), n, field.data());
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < n; k++) {
+      const std::optional<IsoStep> step = isoStep(field[k], w.surface.particleSupport, 0, longest);
+      if (!step) continue;
+      const Vec3d to = x[k] + step->outward * step->out, gone = to - from[of[k]];
+      if (dot(gone, gone) > farthest * farthest) continue;
+      if (std::abs(step->out) <= enough) {
+        found[of[k]] = {to, step->outward};
+        continue;
+      }
+      x[left] = to;
+      of[left++] = of[k];
+    }
+    n = left;
+  }
+}
+
+}  // namespace thaw

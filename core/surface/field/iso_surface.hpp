@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Projection onto the iso-surface of the particles' colour field.
+#pragma once
+#include <optional>
+
+#include "core/surface/field/field_probe.hpp"
+#include "core/surface/search/local_surface.hpp"
+
+namespace thaw {
+
+/// Newton's step onto the iso-surface, or onto an offset of `isoOffset` (m): the outward direction and the
+/// distance along it (m, clamped to `longest`). Returns nothing where the gradient is too small.
+struct IsoStep {
+  Vec3d outward{};
+  double out = 0;
+};
+std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, double isoOffset,
+                               double longest);
+
+/// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns
+/// points and normals. Positions without a surface within `farthest` (m) yield nothing. `ownPosition`: see
+/// FieldProbe::around. Changes the particles selected in the probe.
+void projectToIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component,
+                         const Vec3d& ownPosition, const Vec3d* from, std::size_t n, double farthest,
+                         std::optional<SurfacePoint>* found);
+
+}  // namespace thaw

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Enforces the particles' volume on the surface (after DCG98; future work in K05).
+#pragma once
+#include "core/halo/surface_halos.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/surface/work/relax_tools.hpp"
+
+namespace thaw {
+
+/// Largest outward offset and largest inward request of volume enforcement, in particle spacings
+/// (levelRiseOf).
+inline constexpr double mostOutwardOffset = 0.75, mostInwardOffset = 1.15;
+
+/// Last offset (m) of a component and its volume (m^3) before that. An offset of 0 means none yet.
+struct VolumeMove {
+  double volume = 0, by = 0;
+};
+
+/// Moves surfels along their normals to enforce the volume: by the liquid fraction times keepVolume (V_target
+/// - V) / sum of liquid fractions times areas of the component, at most half the surfel spacing.
+/// SurfaceComponent::isoOffset changes equally, so that solid surfaces keep position and detail. V_target is
+/// the particles' mass over rest density, times the ratio of mesh to particle volume at the start. A
+/// component with less than 0.03 of its area liquid that was enforced as a liquid and has almost no mesh
+/// detail left moves as a whole, so that frozen bodies keep their shape. The tolerance is 0.001 of V_target,
+/// 0.005 for frozen components. Components of fewer than twelve surfels, solids that never were liquid, and
+/// surfaces with a large hole do not move. With `start`, grown solids are corrected once and keep their
+/// position afterwards. `moves`: state of the calls of one update for each component; empty at the first.
+/// Requires: measured Surface::components. Not collective.
+void offsetToVolume(Surface& surface, const Bins& surfelBins, double keepVolume, double particleSpacing,
+                    bool start, std::vector<VolumeMove>& moves);
+
+/// Returns whether a component would move.
+bool volumesDeviate(const Surface& surface, bool start);
+
+/// Lists the offsets SurfaceComponent::isoOffset (m) of liquid surfaces for the iterations. Without them,
+/// each update would draw the surface back to its level.
+void listIsoOffsets(const World& world, std::vector<ComponentIsoOffset>& isoOffset);
+
+/// Records Continuum::surfaceShare at the start, and the share of the copies: the volume of the surfaces of
+/// sampled bodies over that of their particles, 1 for other bodies. Requires: measured Surface::components;
+/// particle copies. Collective.
+void recordStartVolumes(World& world, SurfaceHalos halos);
+
+}  // namespace thaw

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/surface/relaxation/relax.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <ctime>
+
+#include "core/surface/data/place_rows.hpp"
+#include "core/surface/field/field_probe.hpp"
+#include "core/surface/field/prepare_particles.hpp"
+#include "core/surface/relaxation/active_surfels.hpp"
+#include "core/surface/relaxation/project_distant.hpp"
+#include "core/surface/relaxation/surfel_move.hpp"
+#include "core/surface/relaxation/wall_projection.hpp"
+#include "core/surface/search/near_sheets.hpp"
+#include "core/surface/work/surface_tools.hpp"
+
+namespace thaw {
+namespace {
+
+/// Processor time since the last call.
+class Lap {
+ public:
+  void operator()(double& to) {
+    const std::clock_t now = std::clock();
+    to += static_cast<double>(now - last_) / CLOCKS_PER_SEC;
+    last_ = now;
+  }
+
+ private:
+  std::clock_t last_ = std::clock();
+};
+
+void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
+  const Surfels& f = s.surfels;
+  float *place = &r.place[4 * i], *normal = &r.normal[4 * i];
+  for (int a = 0; a < 3; a++) {
+    const std::uint32_t bits = fixedPoint(s.grid, f.position[i][a], a);
+    std::memcpy(place + a, &bits, 4);
+    normal[a] = static_cast<float>(f.normal[i][a]);
+  }
+  // Surfels stopped at the margin do not activate others.
+  place[3] = f.moving[i] == 1 ? 1.0f : 0.0f;
+  normal[3] = static_cast<float>(std::min(f.radius[i], s.spacing) / s.grid.support);
+}
+
+/// Largest relevant gap over h_ps: a sheet's particles lie half a spacing behind its surface.
+constexpr double gapReach = 0.75;
+
+/// Number of iterations before moves across the surface are damped, and the damping factor of each later
+/// iteration.
+constexpr std::int64_t easeAfter = 8;
+constexpr double easing = 0.8;
+
+void markMovable(const Surface& s, bool all, RelaxTools& r) {
+  markFree(s, all, r.free);
+  for (std::size_t i = 0; i < r.free.size() && !r.only.empty(); i++)
+    r.free[i] = r.free[i] && std::binary_search(r.only.begin(), r.only.end(), s.surfels.component[i]);
+}
+
+/// Migrates and sorts surfels, adds ghosts, and rebuilds all lists. Collective.
+void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first, double margin, Lap& lap) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  RelaxTools& r = t.relax;
+  placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
+  ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.moving, &f.resampleFlags};
+  addGhosts(halos.surfels, f, s.surfelCells, columns);
+  lap(r.times.place);
+  const ListRadii radii{s.surfelSupport + margin, s.particleSupport + 0.5 * margin};
+  fillBins(s.grid, s.surfelCells, f.position.data(), radii.surfels, r.surfelBins);
+  markMovable(s, all, r);
+  r.core.assign(r.free.begin(), r.free.end());
+  if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);
+  listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
+  const double gap = gapReach * s.particleSupport;
+  // All pairs of bins within a gap are tested.
+  if (first) fillBins(s.grid, s.surfelCells, f.position.data(), gap / 3, r.gapBins);
+  findGapCutoffs(s, r.free, first ? r.gapBins : r.surfelBins, gap, !first);
+  packGapCutoffs(s, r.lists, r.gapCutoffs);
+  r.found.assign(f.position.data(), f.position.data() + f.owned);
+  r.place.resize(4 * f.size());
+  r.normal.resize(4 * f.size());
+  for (std::size_t i = 0; i < f.size(); i++) packSurfel(s, r, i);
+  lap(r.times.search);
+  r.times.searches++;
+}
+
+ForceSums sumsOf(const World& w, SurfaceTools& t) {
+  RelaxTools& r = t.relax;
+  ForceSums in = particleSumsOf(w, t);
+  in.plane = w.scene.surface.smoothing == SmoothingForm::Plane;
+  r.overSurfels.resize(r.lists.groups() * 8 * (in.plane ? planeSums : sphereSums));
+  r.overParticles.resize(r.lists.groups() * 8 * particleSums);
+  in.place = r.place.data();
+  in.normal = r.normal.data();
+  in.self = r.lists.self.data();
+  in.firstSurfel = r.lists.firstSurfel.data();
+  in.firstParticle = r.lists.firstParticle.data();
+  in.surfel = r.lists.surfel.data();
+  in.particleRow = r.lists.particle.data();
+  in.support = static_cast<float>(w.scene.surface.support);
+  in.repelRange = 1.5f;
+  in.sameSide = 0.70710678f;
+  in.perSide = 10;
+  in.apart = static_cast<float>(twoSheets);
+  if (r.gapCutoffs.any)
+    in.gapCutoff = r.gapCutoffs.height.data(), in.groupHasGapCutoff = r.gapCutoffs.ofGroup.data();
+  in.overSurfels = r.overSurfels.data();
+  in.overParticles = r.overParticles.data();
+  return in;
+}
+
+/// Lists groups with a moving surfel in their list.
+void listMovingGroups(const GroupLists& l, const Surfels& f, std::vector<std::uint32_t>& groups) {
+  groups.clear();
+  for (std::uint32_t g = 0; g < l.groups(); g++)
+    for (std::uint64_t k = l.firstSurfel[g]; k < l.firstSurfel[g + 1]; k++)
+      if (f.moving[l.surfel[k]]) {
+        groups.push_back(g);
+        break;
+      }
+}
+
+/// Keeps groups with a surfel that has a moving surfel within h_ss, or moves itself.
+void keepMovingGroups(const GroupLists& l, const float* sums, int channels,
+                      std::vector<std::uint32_t>& groups) {
+  std::erase_if(groups, [&](std::uint32_t g) {
+    const float* movedNearby = sums + (static_cast<std::size_t>(g) * static_cast<std::size_t>(channels) +
+                                       MovedNearby) *
+                                          8;
+    return std::none_of(movedNearby, movedNearby + l.lanes[g], [](float x) { return x > 0; });
+  });
+}
+
+/// Returns the sums of a group and lane.
+SurfelSums sumsAt(const ForceSums& in, std::uint32_t g, int lane) {
+  const std::size_t channels = in.plane ? planeSums : sphereSums;
+  return {in.overSurfels + static_cast<std::size_t>(g) * 8 * channels,
+          in.overParticles + static_cast<std::size_t>(g) * 8 * particleSums, lane};
+}
+
+}  // namespace
+
+RelaxationResult relaxSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights& weights,
+                              std::int64_t iterations, bool all) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  RelaxTools& r = t.relax;
+  Lap lap;
+  prepareParticles(w, halos, t);
+  lap(r.times.ready);
+  f.resize(f.owned, 0);
+  markMovable(s, all, r);
+  std::int64_t free[1] = {std::count(r.free.begin(), r.free.end(), 1)};
+  halos.all.sum(free);
+  if (free[0] == 0) return {0, true};
+  // In an update, blendSurfels reads the motion.
+  if (all) std::fill_n(f.resampleMargin.data(), f.owned, 0.0f);
+  f.activate(f.moving);
+  f.activate(f.stepShare);
+  f.activate(f.gapCutoff);
+  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = r.free[i], f.stepShare[i] = 0;
+  alignWithWalls(w, r.free);
+  // A surfel may move by half the margin before lists are stale. The grid's cells leave room for half a
+  // particle spacing.
+  const double margin = listMargin(s, w.scene.spacing);
+  search(w, halos, t, all, true, margin, lap);
+  RelaxationResult done;
+  MoveCounts counts;
+  // Across the surface, most surfels stop after a few iterations. Along it, long waves of density would move
+  // them on, hence K05's damping. The rims of a splash would do so across it; their motion after easeAfter
+  // continues in the next update.
+  double spread = 1, ease = 1;
+  bool spreads = false, anyStopped = false, running = true;
+  std::int64_t nextSearch = 1;
+  while (done.iterations < iterations && !done.finished) {
+    // A surfel stopped at its margin continues after the next search. Searches become less frequent, since
+    // few such surfels remain.
+    if (spreads || (anyStopped && (!running || done.iterations >= nextSearch))) {
+      if (done.iterations == 1)
+        // Only once: forces may move surfels off the iso-surface again.
+        projectDistantSurfels(w, halos, t);
+      std::replace(f.moving.data(), f.moving.data() + f.owned, stoppedAtMargin, std::uint8_t{1});
+      search(w, halos, t, all, false, margin, lap);
+      nextSearch = done.iterations + 2 + done.iterations / 2;
+    }
+    ForceSums in = sumsOf(w, t);
+    const int channels = in.plane ? planeSums : sphereSums;
+    listMovingGroups(r.lists, f, r.groups);
+    in.groups = r.groups.data();
+    in.groupCount = r.groups.size();
+    r.kernels->overSurfels(in);
+    lap(r.times.surfelSums);
+    keepMovingGroups(r.lists, in.overSurfels, channels, r.groups);
+    in.groupCount = r.groups.size();
+    r.kernels->overParticles(in);
+    lap(r.times.particleSums);
+    MoveContext context = moveContext(w, r, weights);
+    context.spread = spread;
+    context.ease = ease;
+    spread *= 0.95;
+    if (done.iterations >= easeAfter) ease *= easing;
+    context.stray = 0.5 * margin;
+    context.found = r.found.data();
+    // flags: a surfel moves; one moves outside of the core; one stopped at its margin
+    double state[3]{0, 0, 0};
+    // Surfels of groups without work did not move in the last iteration.
+    for (const std::uint32_t g : r.groups) {
+      const double isoOffset = isoOffsetOf(r.isoOffset, f.component[r.lists.self[8 * g]]);
+      for (int lane = 0; lane < r.lists.lanes[g]; lane++) {
+        const SurfelSums sums = sumsAt(in, g, lane);
+        if (!(sums.surfel(MovedNearby) > 0)) continue;
+        const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
+        moveSurfel(w, context, sums, isoOffset, i, counts);
+        if (f.moving[i] == 1) {
+          state[0] = 1;
+          if (!r.core[i]) state[1] = 1;
+        }
+        packSurfel(s, r, i);
+        r.times.surfels++;
+      }
+    }
+    if (std::find(f.moving.data(), f.moving.data() + f.owned, stoppedAtMargin) != f.moving.data() + f.owned)
+      state[2] = 1;
+    lap(r.times.finish);
+    ColumnList columns{&f.position, &f.normal, &f.moving};
+    refreshGhosts(halos.surfels, f, columns);
+    for (std::size_t i = f.owned; i < f.size(); i++) packSurfel(s, r, i);
+    halos.all.maximum(state);
+    running = state[0] > 0;
+    spreads = state[1] > 0;
+    anyStopped = state[2] > 0;
+    done.finished = !anyStopped && !running;
+    done.iterations++;
+    lap(r.times.exchange);
+  }
+  std::int64_t total[2]{counts.flipped, counts.keptNormals};
+  halos.all.sum(total);
+  s.counters.flipped += total[0];
+  s.counters.keptNormals += total[1];
+  f.resize(f.owned, 0);
+  deactivate(f.moving);
+  deactivate(f.stepShare);
+  deactivate(f.gapCutoff);
+  deactivate(f.wallAligned);
+  return done;
+}
+
+}  // namespace thaw

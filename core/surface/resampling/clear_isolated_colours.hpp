@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Removes isolated colours of single surfels.
+#pragma once
+#include "core/halo/surface_halos.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct SurfaceTools;
+
+/// Replaces isolated colours. Where liquids of two colours mix, single surfels move in among surfels of the
+/// other colour. A liquid surfel whose colour is rare among its neighbours on its side of the component takes
+/// their mean colour. Borders between colours and spots of several surfels remain; solids keep their colours.
+/// Does nothing in scenes of one colour. Places the surfels. Collective.
+void clearIsolatedColours(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
+}  // namespace thaw

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inside-outside test of a position by the nearest surfels of a component.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/surface/data/surfels.hpp"
+#include "core/surface/search/bins.hpp"
+
+namespace thaw {
+
+/// Position relative to the surface of a nearby component.
+struct SurfaceSide {
+  std::uint64_t component = noComponent;
+  double distance = 0;  ///< m, to the nearest disc; negative inside
+  Vec3d normal{};       ///< out of the component, at the nearest surface
+  double liquid = 0;    ///< mean liquid fraction of the surfels used
+  int discsUsed = 0;
+  std::uint32_t nearest = 0;  ///< row of the nearest surfel
+};
+
+/// Least number of surfels for a valid inside-outside test.
+inline constexpr int leastDiscs = 3;
+
+/// Buffers, kept between calls.
+struct InsideTools {
+  struct Candidate {
+    std::uint64_t component;
+    double distance;  // m, to the disc
+    std::uint64_t id;
+    std::uint32_t row;
+  };
+  struct Seen {
+    std::uint32_t row, group;  // group: index of its component
+    double d2;                 // m^2, to the centre of the disc
+  };
+  struct Group {
+    std::uint64_t component;
+    double d2;  // m^2, to the nearest centre
+  };
+  std::vector<Candidate> near;
+  std::vector<Seen> seen;
+  std::vector<Group> groups;
+};
+
+/// Finds the sides of components within `reach` (m) of x, ascending by label: all but component `label` with
+/// `others`, else only that one. `bins` hold the surfels, ghosts included. Each surfel counts as a disc of
+/// half its radius, so that neighbours touch but do not extend beyond edges. Discs at most one radius farther
+/// than the nearest one count, at most 12. The sign is that of the sum of (x - c).n / |x - c|^2 with the
+/// closest point c of each disc. At an edge, the disc that x is in front of is nearer, or seen less
+/// obliquely. Between the two faces of a sheet, both give inside; in front of it, the nearer one dominates
+/// (docs/validation/stability.md B20). Inside also requires a view on the back of a disc at more than 30
+/// degrees, which excludes the open end of a parted neck.
+void findSides(const Surfels& surfels, const Bins& bins, const Vec3d& x, std::uint64_t label, bool others,
+               double reach, InsideTools& tools, std::vector<SurfaceSide>& sides);
+
+}  // namespace thaw

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grows surfaces around particles without surfels: bodies that are not sampled, separated drops, and new
+// particles of emitters (K05 4.3).
+#pragma once
+#include <functional>
+
+#include "core/halo/surface_halos.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct SurfaceTools;
+
+/// Grows surfels around the owned particle copies selected by `bare` (row). Seeds in all directions around
+/// each particle are projected onto the iso-surface of their component's colour field. Seeds that end far
+/// from their particle are dropped, so inner particles have none. No forces act. The surface is oversampled
+/// until resample thins it. Requires: placed particles. Surfels have no valid cells afterwards. Collective.
+void growSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools,
+                 const std::function<bool(std::size_t)>& bare);
+
+/// Grows the initial surfaces of all bodies that are not sampled (isSampled). Surfels relax first by the
+/// implicit force alone, then by the scene's forces, with resampling between. Requires: no surfels.
+/// Collective.
+void growBodies(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
+/// Renews surfels before the iterations of an update. Components without surfels get some. Components of at
+/// most smallDrop particles get a sphere of the particles' volume around their centroid. Surfels deep inside
+/// their own component (old caps of a stream, sheets in contact) or far off it are deleted. Requires:
+/// Surface::components of the last update. Collective.
+void renewSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
+/// Resamples, with births beyond borders where the particles' surface continues. Collective.
+void resampleOnParticles(World& world, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds);
+
+}  // namespace thaw

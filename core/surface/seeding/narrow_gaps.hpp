@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Detects narrow gaps between sheets by their particles, since there are no surfels before surfaces are first
+// grown (docs/validation/stability.md B22).
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/surface/search/bins.hpp"
+
+namespace thaw {
+
+/// Labels, ascending, of components with a gap between two of their solid or liquid particles.
+struct NarrowGaps {
+  std::vector<std::uint64_t> solid, liquid;
+};
+
+/// Finds components with narrow gaps, which the colour field would merge. A particle of a body with a grown
+/// surface has a gap to a particle of its component within h_ps behind an empty place if no path connects
+/// them, or only one of 1.5 times their distance. Steps of a path are at most the distance of lattice
+/// neighbours. Requires: particle colours, bins and ghosts (prepareParticles). Collective.
+NarrowGaps findNarrowGaps(const World& world, const Bins& particleBins, Reducer& all);
+
+}  // namespace thaw

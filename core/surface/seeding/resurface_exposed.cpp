@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/surface/seeding/resurface_exposed.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/surface/advection/reference_motion.hpp"
+#include "core/surface/data/place_rows.hpp"
+#include "core/surface/data/remove_surfels.hpp"
+#include "core/surface/data/surfel_ids.hpp"
+#include "core/surface/field/iso_surface.hpp"
+#include "core/surface/field/prepare_particles.hpp"
+#include "core/surface/measures/small_drops.hpp"
+#include "core/surface/resampling/birth_colours.hpp"
+#include "core/surface/resampling/births.hpp"
+#include "core/surface/search/bins.hpp"
+#include "core/surface/search/local_surface.hpp"
+#include "core/surface/seeding/disc_cover.hpp"
+#include "core/surface/seeding/grow.hpp"
+#include "core/surface/seeding/seeds.hpp"
+#include "core/surface/work/surface_tools.hpp"
+
+namespace thaw {
+namespace {
+
+/// A particle within this many spacings blocks a seed direction (FreeDirections).
+constexpr double neighbourReach = 1.7;
+/// Search radius for surfels around a particle or seed, in spacings. A mesh may lie a spacing above the
+/// outermost particles.
+constexpr double surfelReach = 1.8;
+/// At a true opening, the colour half a spacing farther out is below this share of its level.
+constexpr double openingDrop = 0.75;
+/// Largest deviation of the colour from its level at a grown surfel, over the level: a third of a spacing
+/// outward, half a spacing inward. Surfels of a mesh may lie 0.8 spacings outward.
+constexpr double mostOutward = 0.2, mostInward = 0.4, mostMeshOutward = 0.5;
+/// A spur is a mesh surfel at the edge of a grown crack face. It stands more than spurHeight spacings above
+/// the nearest surfel of the face within spurReach, although the two meet at a convex edge. Only fully solid
+/// surfels count, because the detail of a melting mesh fades unevenly.
+constexpr double spurHeight = 0.2, spurReach = 1.5, spurTurn = 0.7;
+/// Grown surfels within this many spacings of new ones relax with them.
+constexpr double relaxingReach = 2.5;
+constexpr int mostRounds = 3;
+/// Liquid of the same component within this many spacings is adjacent to a solid particle.
+constexpr double liquidReach = 2;
+/// A surfel with a reference position within this many spacings covers a particle.
+constexpr double coverReach = 1.2;
+
+/// Marks solid particles beside liquid as not covered. They may lose their surface to the liquid, or share
+/// it, and would be exposed when the liquid drains. A cold particle below surfels that follow their reference
+/// stays covered. Requires: surfels with ghosts and bins.
+void uncoverBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p) {
+  const Surfels& f = w.surface.surfels;
+  if (!p.covered.active || !p.liquid.active) return;
+  constexpr float wet = 0.02f;
+  std::vector<std::uint8_t> flows(p.size());
+  for (std::size_t i = 0; i < p.size(); i++) flows[i] = p.liquid[i] >= wet;
+  if (std::find(flows.begin(), flows.end(), 1) == flows.end()) return;
+  Bins liquid;
+  pickRows(t.relax.particleBins, flows.data(), liquid);
+  for (std::uint32_t i = 0; i < p.owned; i++) {
+    if (!p.covered[i]) continue;
+    bool beside = flows[i];
+    if (!beside)
+      forRowsWithin(liquid, p.position[i], liquidReach * w.scene.spacing,
+                    [&](std::uint32_t j, double) { beside = beside || p.component[j] == p.component[i]; });
+    if (!beside) continue;
+    bool kept = false;
+    if (!flows[i])
+      forRowsWithin(t.relax.surfelBins, p.position[i], coverReach * w.scene.spacing,
+                    [&](std::uint32_t j, double) {
+                      kept = kept || (f.component[j] == p.component[i] && hasReference(f, j));
+                    });
+    p.covered[i] = kept;
+  }
+}
+
+/// Appends seed surfels around exposed owned particles to `rows`. Particles that the initial surface still
+/// covers are skipped. Where a solid is bent or compressed, that surface deviates from the colour's
+/// iso-surface, and seeds would form a second skin. Requires: surfels with ghosts and bins.
+void seedExposed(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
+  const Surface& s = w.surface;
+  const Surfels& f = s.surfels;
+  const SurfaceParticles& p = s.particles;
+  const double dx = w.scene.spacing, reach = surfelReach * dx,
+               near2 = neighbourReach * neighbourReach * dx * dx;
+  double largest = 0;
+  for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
+  // seen from a seed, up to 1.2 spacings from its particle
+  const double far = 1.2 * dx + std::hypot(reach, largest);
+  SeedDirections seeds(w);
+  FreeDirections free;
+  DiscCover near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
+  RowBlock block;
+  FieldProbe probe(w, t);
+  std::array<Vec3d, FieldProbe::most> direction;
+  std::array<int, FieldProbe::most> number;
+  std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
+  const Bins& bins = t.relax.particleBins;
+  const auto mayBeSeeded = [&](std::uint32_t i) {
+    if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour ||
+        (p.covered.active && p.covered[i]))
+      return false;
+    const SurfaceComponent* c = findComponent(s, p.component[i]);
+    return c && c->particles > smallDrop;
+  };
+  const auto seed = [&](std::uint32_t i) {
+    const Vec3d x = p.position[i];
+    seeds.turn(p.id[i]);
+    free.begin(seeds);
+    forRowsAround(bins, x, x, neighbourReach * dx, [&](std::uint32_t j, const Vec3d& at) {
+      const Vec3d d = at - x;
+      const double r2 = dot(d, d);
+      if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) free.take(d / std::sqrt(r2));
+    });
+    near.clear();
+    for (const std::uint32_t k : block.around(x, dx)) {
+      const std::uint32_t j = block.row[k];
+      const Vec3d d = block.at[k] - x;
+      if (dot(d, d) < dx * dx && f.component[j] == p.component[i]) near.add(d, f.normal[j], f.radius[j]);
+    }
+    bool gathered = false;
+    const auto gather = [&] {
+      if (gathered) return;
+      gathered = true;
+      all.clear();
+      forRowsAround(t.relax.surfelBins, x, x, far, [&](std::uint32_t j, const Vec3d& there) {
+        if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
+      });
+    };
+    std::size_t n = 0;
+    const auto tryAll = [&] {
+      seedsOnSurface(w, probe, i, direction.data(), n, at.data());
+      for (std::size_t k = 0; k < n; k++) {
+        if (!at[k] || all.covers(at[k]->position - x, at[k]->normal)) continue;
+        const std::array<Vec3d, 2> places{at[k]->position, at[k]->position + at[k]->normal * (0.5 * dx)};
+        std::array<FieldHere, 2> field;
+        PlaceBox box{places[0], places[0]};
+        box.add(places[1]);
+        probe.around(box, p.component[i], x);
+        probe.at(places.data(), 2, field.data());
+        if (field[1].value <= openingDrop * field[0].level)
+          rows.push_back(seedSurfel(w, i, number[k], *at[k]));
+      }
+      n = 0;
+    };
+    for (int k = 0; k < seeds.count(); k++) {
+      const Vec3d u = seeds[k];
+      if (free.taken(k) || near.covers(u)) continue;
+      // Surfels near the particle already cover most directions.
+      gather();
+      if (all.covers(u)) continue;
+      direction[n] = u, number[n] = k;
+      if (++n == direction.size()) tryAll();
+    }
+    if (n > 0) tryAll();
+  };
+  for (std::size_t b = 0; b < bins.size(); b++) {
+    std::uint32_t seedable = 0;
+    PlaceBox box{};
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
+      if (mayBeSeeded(bins.row[k])) {
+        if (seedable++ == 0) box = {bins.at[k], bins.at[k]};
+        box.add(bins.at[k]);
+      }
+    if (seedable == 0) continue;
+    block.find(t.relax.surfelBins, box, dx);
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
+      if (mayBeSeeded(bins.row[k])) seed(bins.row[k]);
+  }
+}
+
+/// Marks surfels of solids that left the surface: surfels beyond the edge of a crack, and surfels inside a
+/// crack that opened. Mesh surfels are tested only beside grown faces. Requires: surfels with ghosts.
+void findDetached(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) {
+  const Surfels& f = w.surface.surfels;
+  const double reach = detachedReach * w.scene.spacing;
+  const auto solid = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.5f; };
+  const auto cold = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.02f; };
+  const auto softens = [&](std::size_t i) {
+    return !cold(i) && f.maxLiquidFraction.active && f.maxLiquidFraction[i] > 0;
+  };
+  std::vector<Vec3d> grown;
+  std::vector<std::uint32_t> row;
+  for (std::uint32_t i = 0; i < f.size(); i++)
+    if (f.detail[i] < 0.5f && cold(i)) grown.push_back(f.position[i]), row.push_back(i);
+  Bins bins;
+  fillBins(grown.data(), grown.size(), reach, bins);
+  dead.assign(f.owned, 0);
+  std::vector<std::uint8_t> probed(f.owned, 0);
+  RowBlock block;
+  // All grown surfels of this rank are tested, except those that follow their reference. Another sheet nearby
+  // may disturb the colour there.
+  for (std::uint32_t i = 0; i < f.owned; i++)
+    if (f.detail[i] < 0.5f && solid(i) && !(f.hasReference.active && f.hasReference[i])) probed[i] = 1;
+  if (!grown.empty())
+    forBlocks(t.relax.surfelBins, bins, reach, block, [&](std::uint32_t i, RowBlock& around) {
+      if (i >= f.owned || !solid(i) || f.detail[i] < 0.5f) return;
+      // Meshes resolve more than particles do and lie up to a spacing above the particles' surface.
+      bool beside = false;
+      double nearest2 = spurReach * spurReach * w.scene.spacing * w.scene.spacing;
+      std::uint32_t face = 0xffffffffu;
+      for (const std::uint32_t k : around.around(f.position[i], reach)) {
+        const std::uint32_t j = row[around.row[k]];
+        const Vec3d d = around.at[k] - f.position[i];
+        const double d2 = dot(d, d);
+        if (d2 > reach * reach || f.component[j] != f.component[i]) continue;
+        beside = true;
+        if (!(f.id[j] & birthBit) || !cold(i)) continue;
+        if (dot(f.normal[i], f.normal[j]) > spurTurn || d2 > nearest2 ||
+            (d2 == nearest2 && face != 0xffffffffu && f.id[j] > f.id[face]))
+          continue;
+        nearest2 = d2;
+        face = j;
+      }
+      if (!beside) return;
+      if (face != 0xffffffffu) {
+        const Vec3d d = f.position[i] - f.position[face];
+        // The face lies behind the surfel: a convex edge.
+        if (dot(d, f.normal[face]) > spurHeight * w.scene.spacing && dot(d, f.normal[i]) > 0) {
+          dead[i] = 1;
+          return;
+        }
+      }
+      probed[i] = 1;
+    });
+  forFieldAtSurfels(w, t, probed, [&](std::size_t i, const FieldHere& c) {
+    const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
+    const double under = c.value / c.level - 1;
+    // A mesh may begin half a spacing inside the particles' surface. The iterations move softening surfels
+    // outward from there.
+    dead[i] = f.detail[i] >= 0.5f
+                  ? under < -mostMeshOutward || along < -0.2
+                  : under < -mostOutward || (under > mostInward && !softens(i)) || along < 0.5;
+  });
+}
+
+/// Lets grown surfels near new ones relax, because an opening crack moves the surface beside its new faces.
+/// Requires: surfels with ghosts.
+void relaxAroundNew(const World& w, Surfels& f) {
+  const double reach = relaxingReach * w.scene.spacing;
+  std::vector<Vec3d> relaxesOnce;
+  std::vector<std::uint64_t> component;
+  for (std::size_t i = 0; i < f.size(); i++)
+    if (f.relaxesOnce[i]) relaxesOnce.push_back(f.position[i]), component.push_back(f.component[i]);
+  Bins bins;
+  fillBins(relaxesOnce.data(), relaxesOnce.size(), reach, bins);
+  for (std::size_t i = 0; i < f.owned && !relaxesOnce.empty(); i++) {
+    if (f.relaxesOnce[i] || f.detail[i] >= 0.5f) continue;
+    forRowsWithin(bins, f.position[i], reach,
+                  [&](std::uint32_t j, double) { f.relaxesOnce[i] |= component[j] == f.component[i]; });
+  }
+}
+
+}  // namespace
+
+std::int64_t resurfaceExposed(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  prepareParticles(w, halos, t);
+  const bool coloured = coloursMayDiffer(w.scene);
+  const auto look = [&] {
+    placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
+    ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.detail};
+    if (f.liquid.active) columns.push_back(&f.liquid);
+    if (f.relaxesOnce.active) columns.push_back(&f.relaxesOnce);
+    if (f.hasReference.active) columns.push_back(&f.hasReference);
+    if (coloured) columns.push_back(&f.colour);
+    addGhosts(halos.surfels, f, s.surfelCells, columns);
+    fillBins(s.grid, s.surfelCells, f.position.data(), surfelReach * w.scene.spacing, t.relax.surfelBins);
+  };
+  std::int64_t all = 0;
+  for (int round = 0; round < mostRounds; round++) {
+    look();
+    if (round == 0) uncoverBesideLiquid(w, t, s.particles);
+    std::vector<std::uint8_t> dead;
+    findDetached(w, t, dead);
+    std::int64_t count[2] = {0, std::count(dead.begin(), dead.end(), 1)};
+    halos.all.sum({count + 1, 1});
+    if (count[1] > 0) {
+      removeSurfels(s, dead);
+      look();
+    }
+    std::vector<SurfelRow> rows;
+    // Without deletions, all seeds would be rejected again.
+    if (round == 0 || count[1] > 0) seedExposed(w, t, rows);
+    if (coloured) inheritColours(w, t.relax.surfelBins, rows);
+    count[0] = static_cast<std::int64_t>(rows.size());
+    halos.all.sum({count, 1});
+    f.resize(f.owned, 0);
+    if (count[0] > 0) {
+      f.activate(f.relaxesOnce);
+      addSurfels(f, rows, w.scene.seed, halos.all);
+    }
+    s.counters.births += count[0];
+    s.counters.deaths += count[1];
+    all += count[0];
+    if (count[0] == 0) break;
+  }
+  if (all > 0) {
+    look();
+    relaxAroundNew(w, f);
+    f.resize(f.owned, 0);
+  }
+  return all;
+}
+
+}  // namespace thaw

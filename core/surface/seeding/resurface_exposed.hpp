@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grows surfels on exposed particles, as on crack faces (K05 4.3).
+#pragma once
+#include <cstdint>
+
+#include "core/halo/surface_halos.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct SurfaceTools;
+
+/// Distance in particle spacings from grown surfels within which mesh surfels are tested for detachment.
+inline constexpr double detachedReach = 3.5;
+
+/// Grows surfels around exposed particles. A particle is exposed in a direction without particles and surfels
+/// of its component: on crack faces once the colour field drops in the gap, and on separated parts at once.
+/// Existing surfels keep position and detail. New ones keep a distance to them, and resampling closes the
+/// seam. Detached surfels of solids, as at the edge of a crack, are deleted. If surfels are born,
+/// Surfels::relaxesOnce becomes active: it lets new surfels, and those added by resampling, relax in this
+/// update although they are solid. Returns the number of births on all ranks. Requires: placed surfels and
+/// particles; components of this update. Surfels have no valid cells afterwards. Collective.
+std::int64_t resurfaceExposed(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
+}  // namespace thaw

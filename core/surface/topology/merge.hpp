@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact of components: they join, or their surfaces are separated (K05 4.4.2).
+#pragma once
+#include "core/halo/surface_halos.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/surface/topology/components.hpp"
+#include "core/surface/work/topology_tools.hpp"
+
+namespace thaw {
+
+/// Joins components in contact. Contact means that a particle of one lies inside the surface of the other.
+/// For liquids, a distance as between particles of one liquid suffices. The scene's rule decides: Liquid
+/// requires that the particle or the surface is more than half liquid; All and None. All contacts of an
+/// update are united at once, and the smallest label remains. Surfels inside the other surface, or less than
+/// half a spacing off it, are deleted on both sides; resampling then closes the seam. Without joining,
+/// surfels inside the other surface move to the middle between the two. Requires: placed surfels and
+/// particles with ghosts. Afterwards surfels have no ghosts and may have left their cells. Collective.
+void mergeComponents(World& world, SurfaceHalos halos, ComponentTools& components, MergeTools& tools);
+
+}  // namespace thaw

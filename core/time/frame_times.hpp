@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frame times, and lengths of steps that hit them.
+#pragma once
+#include <cstdint>
+
+#include "core/time/clock.hpp"
+
+namespace thaw {
+
+/// frameTime: time (s) of a frame, equal to the end if they differ by rounding only. frameDue: true if the
+/// next frame is due now.
+double frameTime(const Clock& clock, std::int64_t frame);
+bool frameDue(const Clock& clock);
+
+/// Returns the longest step up to dt of which an integer number reaches exactly the next frame time or the
+/// end. All steps are shortened slightly instead of the last one strongly: steps that vary periodically pump
+/// energy into fast oscillations (docs/validation/stability.md, 10).
+double clip(const Clock& clock, double dt);
+
+/// Returns the next step (s), at most Clock::dt. It equals the last step where possible, so that limits that
+/// vary by a percent or two, as with oscillating stretch, change no step. This costs two to four steps in a
+/// hundred where limits do vary (scenes/melt.toml). A changed step is aligned with frame times. The result
+/// depends on the clock alone, which is in every checkpoint.
+double nextStep(const Clock& clock);
+
+/// Returns the longest step (s) without any limit: from frame to frame, or to the end of a scene without
+/// frames.
+double longestUnlimitedStep(const Clock& clock);
+
+/// Returns the time after a step of dt: exactly the frame time or the end if clip aligned the step.
+double timeAfter(const Clock& clock, double dt);
+
+}  // namespace thaw

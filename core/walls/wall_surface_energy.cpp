@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/walls/wall_surface_energy.hpp"
+
+#include <algorithm>
+
+namespace thaw {
+namespace {
+
+WallColour atWall(const World& w, const WallContact& c) {
+  const double h = w.grid.support, dx = w.scene.spacing / h;
+  return wallColour(dx, std::max(c.distance / h, -0.5 * dx));
+}
+
+}  // namespace
+
+void findSurfaceEnergy(const WallContext& x, const SurfaceMeasure& measure, const WallContacts& contacts) {
+  World& w = x.world;
+  Continuum& p = w.particles;
+  for (const WallContact& c : contacts.list) {
+    const WallColour t = atWall(w, c);
+    p.surfaceGradient[c.row] += c.normal * (t.slope * c.share);
+    p.surfaceColour[c.row] += t.colour * c.share;
+  }
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Material& m = w.scene.materials[p.material[i]];
+    const double f = p.liquid.active        ? static_cast<double>(p.liquid[i])
+                     : p.phase[i] == Liquid ? 1
+                                            : 0,
+                 tension = f * m.surfaceTension;
+    p.surfaceEnergyByGradient[i] = {};
+    p.surfaceEnergyByColour[i] = 0;
+    if (!(tension > 0)) continue;
+    const SurfaceState s = surfaceState(measure, tension, p.surfaceGradient[i], p.surfaceColour[i]);
+    p.surfaceEnergyByGradient[i] = s.byGradient;
+    p.surfaceEnergyByColour[i] = s.byColour;
+    p.interaction[i] += s.energy * p.mass[i] / m.density;
+  }
+}
+
+double surfaceForceOfWall(const World& w, const WallContact& c) {
+  const Continuum& p = w.particles;
+  const WallColour t = atWall(w, c);
+  const double V = p.mass[c.row] / w.scene.materials[p.material[c.row]].density;
+  return -V * c.share / w.grid.support *
+         (dot(p.surfaceEnergyByGradient[c.row], c.normal) * t.bend +
+          p.surfaceEnergyByColour[c.row] * t.slope);
+}
+
+}  // namespace thaw

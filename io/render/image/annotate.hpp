@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Annotations of pictures: colour bar and caption.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/render/image/colour_map.hpp"
+#include "io/render/image/image.hpp"
+
+namespace thaw {
+
+/// Round numbers (steps of 1, 2 or 5 times a power of ten) within [min, max], at most about `most` of them,
+/// with labels.
+struct Ticks {
+  std::vector<double> values;
+  std::vector<std::string> labels;
+};
+Ticks ticksBetween(double min, double max, int most);
+
+/// Draws a vertical bar of the scale's colours at the right edge, with title, unit and tick labels.
+void drawColourBar(Image& image, const ColourScale& scale);
+
+/// Draws one line in the upper left corner: the title, shortened to fit, then the time.
+void drawCaption(Image& image, const std::string& title, const std::string& time);
+
+/// Returns pictures of one size in rows of `columns`, each with its label below, on a light background.
+/// Throws std::invalid_argument if sizes differ or the number of labels is wrong.
+Image contactSheet(std::span<const Image> pictures, int columns, std::span<const std::string> labels);
+
+}  // namespace thaw

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/render/light/lights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace thaw {
+
+namespace {
+
+Vec3f unit(const Vec3f& a) {
+  const float l = std::sqrt(dot(a, a));
+  return l > 0 ? a / l : a;
+}
+Vec3f toFloat(const Vec3d& a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+constexpr int skyDirections = 24;
+
+}  // namespace
+
+Vec3f sunDirection(const View& view) {
+  Vec3f level{view.forward.x, view.forward.y, 0};
+  level = dot(level, level) > 1e-6f ? unit(level) : unit({view.up.x, view.up.y, 0});
+  return unit(-0.62f * view.right - 0.52f * level + Vec3f{0, 0, 0.95f});
+}
+
+std::vector<Vec3f> sunDisc(const Vec3f& toSun, int count) {
+  constexpr float sunRadius = 0.07f;  // rad, about ten times the real one, as in haze
+  const Vec3f u = unit(cross(toSun, std::abs(toSun.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0})),
+              v = cross(toSun, u);
+  std::vector<Vec3f> directions;
+  for (int k = 0; k < count; k++) {  // Vogel's spiral: uniform over the disc
+    const float r = sunRadius * std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count));
+    const float angle = static_cast<float>(k * std::numbers::pi * (3 - std::sqrt(5.0)));
+    directions.push_back(unit(toSun + (r * std::cos(angle)) * u + (r * std::sin(angle)) * v));
+  }
+  return directions;
+}
+
+std::vector<Vec3f> skyDome(int count) {
+  // Fibonacci's spiral: uniform over the hemisphere, from nearly horizontal to nearly vertical.
+  std::vector<Vec3f> directions;
+  for (int k = 0; k < count; k++) {
+    const float z = 0.06f + 0.93f * (static_cast<float>(k) + 0.5f) / static_cast<float>(count),
+                s = std::sqrt(1 - z * z);
+    const float angle = static_cast<float>(k * std::numbers::pi * (3 - std::sqrt(5.0)));
+    directions.push_back({s * std::cos(angle), s * std::sin(angle), z});
+  }
+  return directions;
+}
+
+Lights makeLights(const Discs& spheres, const View& view) {
+  Lights lights;
+  double sum = 0;
+  for (std::size_t i = 0; i < spheres.positions.size(); i++) sum += spheres.radius(i);
+  lights.radius = spheres.positions.empty()
+                      ? 0
+                      : static_cast<float>(sum / static_cast<double>(spheres.positions.size()));
+  lights.sun = makeDepthMap(spheres, sunDirection(view), 3.5f, 2048);
+  for (const Vec3f& toLight : skyDome(skyDirections))
+    lights.sky.push_back(makeDepthMap(spheres, toLight, 1.3f, 512));
+  return lights;
+}
+
+float skyLight(const Lights& lights, const Vec3f& point, const Vec3f& normal) {
+  float light = 0, full = 0, open = 0;
+  const Vec3f from = point + (0.5f * lights.radius) * normal;
+  for (const DepthMap& map : lights.sky) {
+    const float facing = dot(normal, map.toLight) + 0.15f;  // slightly beyond the horizon, as for a sky
+    full += map.toLight.z + 0.15f;
+    if (facing <= 0) continue;
+    const float visible = map.visible(from, 1.4f * lights.radius, 0);
+    light += facing * visible;
+    open += visible;
+  }
+  const float bounce = 0.2f * (1 - normal.z) * (0.5f + open / static_cast<float>(lights.sky.size()));
+  return light / full + bounce;
+}
+
+float sunLight(const Lights& lights, const Vec3f& point, const Vec3f& normal, int taps) {
+  const float facing = dot(normal, lights.sun.toLight);
+  if (facing <= 0) return 0;
+  return facing * lights.sun.visible(point + (0.6f * lights.radius) * normal, 1.2f * lights.radius, taps);
+}
+
+namespace {
+
+/// Grid on a floor for shadow outlines.
+struct FloorGrid {
+  Vec3f origin, normal, u, v;
+  float reach = 1;
+  int side = 1;
+  std::vector<std::uint8_t> dark;
+
+  /// Marks cells in the shadow of the casters for a distant light. Discs with normals away from it are
+  /// skipped.
+  void drawShadows(const Discs& casters, const Vec3f& toLight) {
+    std::fill(dark.begin(), dark.end(), 0);
+    const float scale = 0.5f * static_cast<float>(side) / reach, up = dot(normal, toLight);
+    // Shift of the shadow along u and v per displacement.
+    const Vec3f shiftU = u - (dot(toLight, u) / up) * normal, shiftV = v - (dot(toLight, v) / up) * normal;
+    for (std::size_t i = 0; i < casters.positions.size(); i++) {
+      const Vec3f n = casters.normals.empty() ? toLight : casters.normals[i];
+      const float facing = dot(n, toLight);
+      if (facing <= 0.02f) continue;
+      const Vec3f d = casters.positions[i] - origin;
+      if (dot(d, normal) <= 0) continue;
+      const float r = casters.radius(i), x = (dot(d, shiftU) + reach) * scale,
+                  y = (dot(d, shiftV) + reach) * scale;
+      const auto half = [&](const Vec3f& shift) {
+        const float along = dot(shift, n);
+        return r * scale * std::sqrt(std::max(0.0f, dot(shift, shift) - along * along));
+      };
+      drawOutline({x, y, half(shiftU), half(shiftV), r * scale, dot(d, normal) * scale}, n, toLight, facing);
+    }
+  }
+
+  /// Position and half size of a shadow, radius of the disc and height of its centre above the floor, in
+  /// cells.
+  struct Outline {
+    float x, y, halfX, halfY, r, height;
+  };
+
+  /// Draws the shadow of one disc: points q relative to its centre that project to the cells. Parts below the
+  /// floor cast none.
+  void drawOutline(const Outline& o, const Vec3f& n, const Vec3f& toLight, float facing) {
+    const auto [x, y, halfX, halfY, r, height] = o;
+    const float most = static_cast<float>(side);
+    if (!(x > -halfX && y > -halfY && x < most + halfX && y < most + halfY)) return;
+    const int y0 = std::max(0, static_cast<int>(std::ceil(y - halfY - 0.5f))),
+              y1 = std::min(side - 1, static_cast<int>(std::floor(y + halfY - 0.5f)));
+    const int x0 = std::max(0, static_cast<int>(std::ceil(x - halfX - 0.5f))),
+              x1 = std::min(side - 1, static_cast<int>(std::floor(x + halfX - 0.5f)));
+    const Vec3f stepU = u - (dot(n, u) / facing) * toLight, stepV = v - (dot(n, v) / facing) * toLight;
+    const float r2 = r * r;
+    for (int j = y0; j <= y1; j++) {
+      const Vec3f across = (static_cast<float>(j) + 0.5f - y) * stepV;
+      std::uint8_t* row = dark.data() + static_cast<std::size_t>(j) * side;
+      for (int k = x0; k <= x1; k++) {
+        const Vec3f q = across + (static_cast<float>(k) + 0.5f - x) * stepU;
+        if (dot(q, q) <= r2 && dot(q, normal) > -height) row[k] = 1;
+      }
+    }
+    // smaller than a cell
+    if (x >= 0 && y >= 0 && x < most && y < most)
+      dark[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)] = 1;
+  }
+};
+
+/// Averages each cell with its eight neighbours, repeatedly.
+void blur(std::vector<float>& field, int side, int times) {
+  std::vector<float> other(field.size());
+  for (int pass = 0; pass < 2 * times; pass++) {
+    const int step = pass % 2 ? side : 1;
+    for (int j = 0; j < side; j++)
+      for (int i = 0; i < side; i++) {
+        const int k = pass % 2 ? j : i;
+        const std::size_t c = static_cast<std::size_t>(j) * side + i;
+        other[c] = (field[c] + field[k > 0 ? c - step : c] + field[k < side - 1 ? c + step : c]) / 3;
+      }
+    field.swap(other);
+  }
+}
+
+constexpr int floorSunDirections = 32, floorSkyDirections = 64;
+
+}  // namespace
+
+FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHint& floor,
+                       const Vec3f& centre, float reach)
+    : reach_(reach) {
+  normal_ = toFloat(floor.normal);
+  origin_ = centre - dot(centre - toFloat(floor.point), normal_) * normal_;
+  u_ = unit(cross(normal_, std::abs(normal_.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0}));
+  v_ = cross(normal_, u_);
+  // The table extends farther for high objects, whose shadows fall far aside.
+  const float height = std::max(0.0f, dot(centre - origin_, normal_)),
+              up = std::max(0.2f, dot(normal_, lights.sun.toLight));
+  reach_ += std::min(height * std::sqrt(std::max(0.0f, 1 - up * up)) / up, 2 * reach);
+  FloorGrid grid{origin_,
+                 normal_,
+                 u_,
+                 v_,
+                 reach_,
+                 side_,
+                 std::vector<std::uint8_t>(static_cast<std::size_t>(side_) * side_)};
+  // Blocked light by direction, faded out toward the border.
+  std::vector<float> sun(grid.dark.size()), sky(grid.dark.size());
+  const float sunFacing = std::max(0.0f, dot(normal_, lights.sun.toLight));
+  float full = 0;
+  for (const Vec3f& toLight : sunDisc(lights.sun.toLight, floorSunDirections)) {
+    if (dot(normal_, toLight) <= 0.02f) continue;
+    grid.drawShadows(casters, toLight);
+    for (std::size_t c = 0; c < sun.size(); c++)
+      sun[c] += static_cast<float>(grid.dark[c]) * (sunFacing / floorSunDirections);
+  }
+  open_ = {sunFacing, 0};
+  for (const Vec3f& toLight : skyDome(floorSkyDirections)) {
+    full += toLight.z + 0.15f;
+    const float facing = dot(normal_, toLight) + 0.15f;
+    if (facing <= 0.17f) continue;
+    open_.sky += facing;
+    grid.drawShadows(casters, toLight);
+    for (std::size_t c = 0; c < sky.size(); c++) sky[c] += static_cast<float>(grid.dark[c]) * facing;
+  }
+  blur(sun, side_, 1);
+  blur(sky, side_, 2);
+  open_.sky /= full;
+  table_.resize(sun.size());
+  const auto inner = [](std::size_t i) {
+    return std::min(1.0f, 0.05f * static_cast<float>(std::min<std::size_t>(i, side_ - 1 - i)));
+  };
+  for (std::size_t c = 0; c < table_.size(); c++) {
+    const float share = inner(c % side_) * inner(c / side_);
+    table_[c] = {std::max(0.0f, open_.sun - share * sun[c]),
+                 std::max(0.0f, open_.sky - share * sky[c] / full)};
+  }
+}
+
+FloorLight::Light FloorLight::at(const Vec3f& point) const {
+  const Vec3f d = point - origin_;
+  const float x = (dot(d, u_) / reach_ + 1) * 0.5f * side_ - 0.5f,
+              y = (dot(d, v_) / reach_ + 1) * 0.5f * side_ - 0.5f;
+  if (!(x > 0 && y > 0 && x < side_ - 1 && y < side_ - 1)) return open_;
+  const int i = static_cast<int>(x), j = static_cast<int>(y);
+  const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j);
+  const Light* p = &table_[static_cast<std::size_t>(j) * side_ + i];
+  const auto between = [&](float Light::*m) {
+    return (1 - fy) * ((1 - fx) * p[0].*m + fx * p[1].*m) +
+           fy * ((1 - fx) * p[side_].*m + fx * p[side_ + 1].*m);
+  };
+  return {between(&Light::sun), between(&Light::sky)};
+}
+
+}  // namespace thaw

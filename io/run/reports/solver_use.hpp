@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Iterations of the solvers of a run.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// A solver: iterations of the last step, and the mean over all steps.
+struct SolverUse {
+  const char* name;
+  std::int64_t last;
+  double mean;
+};
+
+/// Returns the use of each solver of the scene. On the first rank, whose counters have it.
+std::vector<SolverUse> solversOf(const World& world, const StepTools& tools);
+
+}  // namespace thaw

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/run/reports/volume_held.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace thaw {
+namespace {
+
+constexpr double mostOff = 0.01, mostSmallOff = 0.1, mostMissed = 0.01;
+
+void note(VolumeError& worst, const SurfaceComponent& c, double volume, double time) {
+  if (!(volume > 0)) return;
+  const double off = c.volume / volume - 1;
+  if (worst.label == noComponent || std::abs(off) > std::abs(worst.off))
+    worst = {off, c.label, c.particles, time};
+}
+
+/// Returns the target volume. Logs of earlier versions lack it.
+double wantedOf(const SurfaceComponent& c) { return c.wantedVolume > 0 ? c.wantedVolume : c.particleVolume; }
+
+bool there(const VolumeError& w) { return w.label != noComponent; }
+std::string placeOf(const VolumeError& w) {
+  return fmt::format("component {} of {} particles, t {:.5g} s", w.label, w.particles, w.time);
+}
+std::string worstOf(const VolumeError& w) { return fmt::format("{:+.2f} % ({})", 100 * w.off, placeOf(w)); }
+double shareOf(const VolumeErrors& h) {
+  return h.particles > 0 ? static_cast<double>(h.missed) / static_cast<double>(h.particles) : 0;
+}
+
+nlohmann::ordered_json jsonOf(const VolumeError& w) {
+  return {{"off", w.off}, {"component", w.label}, {"particles", w.particles}, {"time_s", w.time}};
+}
+
+}  // namespace
+
+void recordVolumes(VolumeErrors& held, const std::vector<SurfaceComponent>& components, double time) {
+  if (components.empty()) return;
+  VolumeSums frame;
+  frame.time = time;
+  for (const SurfaceComponent& c : components) {
+    const double wanted = wantedOf(c);
+    frame.volume += c.volume;
+    frame.wanted += wanted;
+    frame.particles += c.particles;
+    if (wanted > 0 && std::abs(c.volume / wanted - 1) > mostOff) frame.missed += c.particles;
+    if (c.particles < leastSmallParticles) continue;
+    if (c.particles < leastComponentParticles) {
+      note(held.small, c, wanted, time);
+    } else if (c.surfels >= leastControlledSurfels) {
+      note(held.againstParticles, c, c.particleVolume, time);
+      note(held.againstTarget, c, c.wantedVolume, time);
+      if (c.open > closedTolerance) held.unsure += c.particles;
+      if (c.open > held.open.off) held.open = {c.open, c.label, c.particles, time};
+    }
+  }
+  if (!held.any || std::abs(frame.off()) > std::abs(held.sum.off())) held.sum = frame;
+  if (!held.any || frame.missedShare() > held.missing.missedShare()) held.missing = frame;
+  held.particles += frame.particles;
+  held.missed += frame.missed;
+  held.any = true;
+}
+
+std::vector<std::string> volumeErrorLines(const VolumeErrors& h) {
+  if (!h.any) return {};
+  std::vector<std::string> lines{fmt::format(
+      "  volume over all frames: the sum at most {:+.2f} % off the target (t {:.5g} s); {:.2g} % of the "
+      "particles are in components more than 1 % off ({:.3g} % in the worst frame, t {:.5g} s)",
+      100 * h.sum.off(), h.sum.time, 100 * shareOf(h), 100 * h.missing.missedShare(), h.missing.time)};
+  if (there(h.againstParticles)) {
+    lines.push_back(
+        fmt::format("    components of {} particles and more: at most {} off the volume of the particles",
+                    leastComponentParticles, worstOf(h.againstParticles)));
+    if (there(h.againstTarget) && h.againstTarget.off != h.againstParticles.off)
+      lines.back() += fmt::format(", {} off the target, which follows the meshes at the start",
+                                  worstOf(h.againstTarget));
+  }
+  if (h.unsure > 0)
+    lines.push_back(fmt::format(
+        "    {:.2g} % of the particles are in components of {} and more whose surface is open by more than 1 "
+        "% of its area (at most {:.2g} %: {}): the reported volume is uncertain by more than that",
+        100 * static_cast<double>(h.unsure) / static_cast<double>(h.particles), leastComponentParticles,
+        100 * h.open.off, placeOf(h.open)));
+  if (there(h.small))
+    lines.push_back(fmt::format("    components of {} to {} particles: at most {}", leastSmallParticles,
+                                leastComponentParticles - 1, worstOf(h.small)));
+  return lines;
+}
+
+nlohmann::ordered_json volumeErrorJson(const VolumeErrors& h) {
+  nlohmann::ordered_json j = {{"least_particles", leastComponentParticles}};
+  if (!h.any) return j;
+  if (there(h.againstParticles)) j["worst_against_particles"] = jsonOf(h.againstParticles);
+  if (there(h.againstTarget)) j["worst_against_wanted"] = jsonOf(h.againstTarget);
+  if (there(h.small)) j["worst_of_small"] = jsonOf(h.small);
+  if (there(h.open))
+    j["worst_open"] = {{"share_of_area", h.open.off},
+                       {"component", h.open.label},
+                       {"particles", h.open.particles},
+                       {"time_s", h.open.time}};
+  j["share_of_particles_unsure"] = h.particles > 0
+                                       ? static_cast<double>(h.unsure) / static_cast<double>(h.particles)
+                                       : 0;
+  j["worst_sum"] = {{"off", h.sum.off()}, {"time_s", h.sum.time}};
+  j["share_of_particles_off"] = shareOf(h);
+  j["worst_share_of_particles_off"] = {{"share", h.missing.missedShare()}, {"time_s", h.missing.time}};
+  return j;
+}
+
+std::string volumeErrorWarning(const VolumeErrors& h) {
+  const bool component = std::abs(h.againstTarget.off) > mostOff, sum = std::abs(h.sum.off()) > mostOff,
+             small = std::abs(h.small.off) > mostSmallOff, share = shareOf(h) > mostMissed;
+  if (!component && !sum && !small && !share) return {};
+  const VolumeError& worst = component || !there(h.small) ? h.againstTarget : h.small;
+  std::string line = fmt::format(
+      "surface.keep_volume: {:.2g} % of the particles are in components more than 1 % off their target "
+      "volume, the sum is at most {:+.2g} % off",
+      100 * shareOf(h), 100 * h.sum.off());
+  if (there(worst))
+    line += fmt::format(", one component was {:+.1f} % off ({})", 100 * worst.off, placeOf(worst));
+  return line + "; see docs/reference/surfaces.md";
+}
+
+}  // namespace thaw

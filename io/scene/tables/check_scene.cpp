@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/scene/full_box.hpp"
+#include "io/scene/tables/full_box.hpp"
+#include "io/scene/tables/read_sections.hpp"
+#include "io/scene/text/nearest_word.hpp"
+
+namespace thaw {
+namespace {
+
+void checkSurface(const Scene& scene, std::vector<SceneError>& errors) {
+  const SurfaceSettings& s = scene.surface;
+  const auto placeOf = [&](std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (const auto at = s.places.find(key); at != s.places.end()) return at->second;
+    return s.where;
+  };
+  if (s.leastLevel >= s.isoLevel)
+    errors.push_back(
+        {placeOf({"least_level", "iso_level"}),
+         fmt::format(
+             "surface.least_level ({:g}) must be below surface.iso_level ({:g}), the level of the surface",
+             s.leastLevel, s.isoLevel)});
+  if (s.spacing > 0 && s.spacing < 1e-3 * scene.spacing)
+    errors.push_back({placeOf({"spacing"}),
+                      fmt::format("surface.spacing ({:g} m) is less than a thousandth of spacing ({:g} m)",
+                                  s.spacing, scene.spacing)});
+}
+
+}  // namespace
+
+void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
+  Scene& s = *x.scene;
+  std::set<std::string> names;
+  for (const Material& m : s.materials) names.insert(m.name);
+  const auto resolve = [&](const MaterialName& m, const std::string& who, int& index) {
+    for (std::size_t k = 0; k < s.materials.size(); k++)
+      if (s.materials[k].name == m.name) return static_cast<void>(index = static_cast<int>(k));
+    const std::string what = m.name.empty()
+                                 ? "its material is missing"
+                                 : "there is no material '" + m.name + "'" + suggestion(m.name, names);
+    if (!m.reported && x.materials) errors.push_back({m.where, who + ": " + what});
+  };
+  for (std::size_t b = 0; b < s.bodies.size(); b++)
+    resolve(x.bodyMaterials[b], "body '" + s.bodies[b].name + "'", s.bodies[b].material);
+  for (std::size_t e = 0; e < s.emitters.size(); e++)
+    resolve(x.emitterMaterials[e], "emitter '" + s.emitters[e].name + "'", s.emitters[e].material);
+  for (std::size_t t = 0; t < s.thermostats.size(); t++)
+    if (!x.temperingMaterials[t].name.empty())
+      resolve(x.temperingMaterials[t], "tempering", s.thermostats[t].material);
+
+  const auto unique = [&](const auto& list, const char* kind) {
+    std::set<std::string> seen;
+    for (const auto& item : list)
+      if (!seen.insert(item.name).second)
+        errors.push_back({item.where, fmt::format("a second {} is called '{}'", kind, item.name)});
+  };
+  unique(s.bodies, "body");
+  unique(s.emitters, "emitter");
+  unique(s.oriented, "oriented body");
+  unique(s.sheets, "sheet");
+  unique(s.obstacles, "obstacle");
+  checkSheets(s, errors);
+  checkOrientedEvents(x, errors);
+  if (s.bodies.empty() && s.emitters.empty() && s.oriented.empty() && s.sheets.empty())
+    errors.push_back({x.start,
+                      "there is nothing to simulate: a scene needs a [[body]] or an [[emitter]] and its "
+                      "[material.NAME], an [[oriented]] or a [[sheet]]; all else has defaults"});
+  if (s.numerics.heat == HeatModel::Paper)
+    for (const Material& m : s.materials)
+      if (m.paperDiffusivity == 0 && (m.conductivity.solid > 0 || m.conductivity.liquid > 0))
+        errors.push_back({m.where, fmt::format("material.{}: with numerics.heat = \"paper\" heat spreads by "
+                                               "paper_diffusivity, not by conductivity",
+                                               m.name)});
+  const auto solid = std::find_if(s.materials.begin(), s.materials.end(),
+                                  [](const Material& m) { return m.canBeSolid(); });
+  if (solid != s.materials.end() && s.numerics.bondSupport > s.numerics.support)
+    errors.push_back(
+        {solid->where, fmt::format("material.{} can be solid, and numerics.bond_support ({:g}) is above "
+                                   "numerics.support ({:g}), the radius of the neighbour search",
+                                   solid->name, s.numerics.bondSupport, s.numerics.support)});
+  const Numerics& n = s.numerics;
+  if (n.sleepSpeed > 0) {
+    const auto refuse = [&](bool is, const char* what) {
+      if (is)
+        errors.push_back({x.start, std::string("numerics.sleep_speed cannot be combined with ") + what +
+                                       ": leave one of them out"});
+    };
+    refuse(n.elasticSubsteps > 1, "numerics.elastic_substeps above 1");
+    refuse(n.solver == PressureSolver::Incompressible, "numerics.pressure_solver = \"incompressible\"");
+    refuse(n.viscositySolver == ViscositySolver::Implicit, "numerics.viscosity_solver = \"implicit\"");
+    refuse(!s.oriented.empty(), "tables [[oriented]]");
+    refuse(!s.sheets.empty(), "tables [[sheet]]");
+  }
+  if (n.solver == PressureSolver::Incompressible && n.pressure == PairForm::Printed)
+    errors.push_back({x.start,
+                      "numerics.pressure_solver = \"incompressible\" needs numerics.pressure = "
+                      "\"consistent\": the printed form has no potential to solve for"});
+  if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
+    errors.push_back({x.start,
+                      "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit must be 0 "
+                      "(no tension in liquid) or 1 (full tension, for boxes filled with liquid)"});
+  if (s.surface.on) checkSurface(s, errors);
+  if (n.support < 2)
+    for (const Material& m : s.materials)
+      if (m.convection > 0 || m.emissivity > 0)
+        errors.push_back(
+            {m.where,
+             fmt::format(
+                 "material.{}: convection and emissivity need numerics.support of 2 at least, got {:g}: with "
+                 "fewer neighbours inner particles look like surface particles and would cool, too",
+                 m.name, n.support)});
+  checkSizes(x, errors);
+  // The density of a quality belongs to the consistent form of the equation of state.
+  if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed))
+    s.numerics.density = Numerics().density;
+  if (!errors.empty()) return;
+  chooseForFullBox(s, x.open);
+  chooseForLiquids(s, x.open);
+  if (n.tensileLimit == 0 || n.solver == PressureSolver::Incompressible || liquidFillsTheBox(s)) return;
+  if (n.shifting == 0)
+    errors.push_back(
+        {x.start,
+         "numerics.tensile_limit above 0 needs numerics.shifting above 0 (0.2 is recommended, with density = "
+         "\"continuity\"): without shifting, negative pressure makes particles clump"});
+  else if (n.density != DensityForm::Continuity)
+    errors.push_back({x.start,
+                      "numerics.tensile_limit above 0 needs numerics.density = \"continuity\": a summed "
+                      "density is low at a free surface and causes tension there"});
+}
+
+}  // namespace thaw

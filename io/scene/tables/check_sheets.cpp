@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks sheets against the rest of the scene, and their coefficients against each other.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/sheet/data/wrap_target.hpp"
+#include "io/scene/tables/read_sections.hpp"
+#include "io/scene/text/nearest_word.hpp"
+
+namespace thaw {
+namespace {
+
+void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
+  const SheetBody& b = s.sheets[n];
+  if (b.wrapTo.empty()) return;
+  const std::vector<WrapTarget> found = wrapTargets(s, b.wrapTo);
+  const auto refuse = [&](const std::string& text) {
+    errors.push_back({b.where, "sheet '" + b.name + "': wrap_to: " + text});
+  };
+  if (found.empty()) {
+    std::set<std::string> names;
+    const auto add = [&](const auto& list) {
+      for (const auto& item : list) names.insert(item.name);
+    };
+    add(s.obstacles), add(s.bodies), add(s.emitters), add(s.oriented), add(s.sheets);
+    names.erase(b.name);
+    refuse("there is no obstacle or body '" + b.wrapTo + "'" + suggestion(b.wrapTo, names));
+  } else if (found.size() > 1) {
+    refuse("'" + b.wrapTo +
+           "' is the name of two things in this scene: expected another name for one of them");
+  } else if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(n)}) {
+    refuse("a sheet cannot wrap itself: expected another name, or none to act against its own normals");
+  }
+}
+
+/// Returns a force on a vertex that depends on its position, other than the spring to its rest position.
+/// Returns "" if there is none.
+std::string positionDependentForce(const Scene& s, const SheetBody& b) {
+  if (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 ||
+      b.pull > 0)
+    return "its neighbours pull at";
+  if (!b.brushes.empty()) return "a brush pushes";
+  if (b.wrap != 0) return "wrap draws";
+  if (!s.obstacles.empty()) return "obstacles can touch";
+  for (const auto& axis : s.domain.side)
+    for (const Side side : axis)
+      if (side == Side::Wall) return "walls of the domain can touch";
+  if (!s.bodies.empty() || !s.emitters.empty() || !s.oriented.empty() || s.sheets.size() > 1)
+    return "other bodies can touch";
+  if (b.selfContact) return "its other vertices can touch";
+  return "";
+}
+
+/// Checks mass, damping and stiffness of a sheet or a region, at their smallest in time.
+void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std::vector<SceneError>& errors) {
+  const auto factor = [&](SheetFactor f) { return r ? r->factor[placeOf(f)] : 1.0; };
+  const auto least = [&](SheetFactor f) {
+    return b.inTime[placeOf(f)].least(0, never) * factor(f) * b.*sheetCoefficients[placeOf(f)].value;
+  };
+  if (b.mass * factor(SheetFactor::Mass) > 0) return;
+  const std::string who = r ? fmt::format("sheet '{}': this region", b.name)
+                            : fmt::format("sheet '{}': mass", b.name);
+  const SourcePlace where = r ? r->where : b.massWhere;
+  const bool damped = least(SheetFactor::Damping) > 0;
+  if (!damped && !(least(SheetFactor::Stiffness) > 0)) {
+    errors.push_back(
+        {where,
+         who + ": a vertex needs mass, damping or stiffness at all times, and all three are 0 at some time"});
+    return;
+  }
+  if (const std::string pulls = positionDependentForce(s, b); !damped && !pulls.empty())
+    errors.push_back(
+        {where, who + ": with neither mass nor damping (at all times) no step is stable for a vertex that " +
+                    pulls + ": expected mass or damping"});
+  if (r && b.windDensity * factor(SheetFactor::Wind) > 0)
+    errors.push_back({where, who + ": the air's drag on vertices without mass has no stable step: expected "
+                                   "mass > 0, or wind_density = 0 there"});
+}
+
+}  // namespace
+
+void checkSheets(const Scene& s, std::vector<SceneError>& errors) {
+  for (std::size_t n = 0; n < s.sheets.size(); n++) {
+    const SheetBody& b = s.sheets[n];
+    checkWrap(s, n, errors);
+    checkInertia(s, b, nullptr, errors);
+    if (b.mass > 0)  // otherwise the error of the whole sheet is enough
+      for (const SheetRegion& r : b.regions) checkInertia(s, b, &r, errors);
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene/tables/full_box.hpp"
+
+#include <algorithm>
+
+#include "core/materials/liquid_materials.hpp"
+#include "core/scene/full_box.hpp"
+
+namespace thaw {
+
+void chooseForFullBox(Scene& s, const OpenChoices& open) {
+  Numerics& n = s.numerics;
+  if (n.pressure != PairForm::Consistent || !liquidFillsTheBox(s)) return;
+  const bool mayRelax = open.packing && length(s.bodies[0].temperatureGradient) == 0;
+  if (n.solver == PressureSolver::Incompressible) {
+    if (mayRelax) s.bodies[0].packing = Packing::Relaxed;
+    return;
+  }
+  if (open.density) n.density = DensityForm::Continuity;
+  if (open.tensileLimit) n.tensileLimit = 1;
+  if (n.density != DensityForm::Continuity) return;
+  if (open.shifting) n.shifting = 0.2;
+  if (mayRelax) s.bodies[0].packing = Packing::Relaxed;
+}
+
+namespace {
+
+/// Raises a liquid to an alpha of 0.02, the customary value for inviscid liquids (Antuono et al. 2012). An
+/// alpha equals a viscosity of alpha c h rho / 10. Skipped if the scene has solids, which it would drag.
+void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
+  constexpr double least = 0.02;
+  if (std::any_of(s.materials.begin(), s.materials.end(), [](const Material& m) { return m.canBeSolid(); }))
+    return;
+  const std::vector<LiquidMaterial> liquids = liquidMaterials(s);
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    Material& m = s.materials[k];
+    if (!canBeLiquid(m) || !open.artificialViscosity[k]) continue;
+    const auto lowest = std::min_element(m.viscosityTable.begin(), m.viscosityTable.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    const double viscosity = lowest == m.viscosityTable.end() ? m.viscosity.liquid : lowest->second;
+    const double unit = liquids[k].soundSpeed * s.numerics.support * s.spacing * m.density / 10;
+    m.artificialViscosity = std::max(0.0, least - viscosity / unit);
+  }
+}
+
+}  // namespace
+
+void chooseForLiquids(Scene& s, const OpenChoices& open) {
+  Numerics& n = s.numerics;
+  const bool equation = n.pressure == PairForm::Consistent && n.solver == PressureSolver::StateEquation;
+  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s) || someSurfaceTension(s)) return;
+  if (open.density) n.density = DensityForm::Continuity;
+  if (n.density != DensityForm::Continuity) return;
+  if (open.shifting) n.shifting = length(s.domain.gravity) > 0 ? 0.07 : 0.2;
+  if (open.tensileLimit && n.shifting > 0)
+    n.tensileLimit = 1;  // tension without shifting makes particles clump
+  chooseArtificialViscosity(s, open);
+}
+
+}  // namespace thaw

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdlib>
+
+#include "io/scene/tables/read_sections.hpp"
+
+namespace thaw {
+
+bool readColour(const std::string& text, std::uint32_t& colour) {
+  if (text.size() != 7 || text[0] != '#' ||
+      text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
+    return false;
+  const unsigned long rgb = std::strtoul(text.c_str() + 1, nullptr, 16);
+  colour = static_cast<std::uint32_t>((rgb >> 16 & 255) | (rgb & 0xff00) | (rgb & 255) << 16);
+  return true;
+}
+
+namespace {
+
+using Liquid = TableReader::Liquid;
+constexpr const char* meltsRange = "> 0, one temperature or [solidus, liquidus]";
+
+void readLiquid(TableReader& r, Material& m) {
+  r.number("density", m.density, "kg/m^3", positive(), "density at rest");
+  if (r.hasList("viscosity")) {
+    r.node("viscosity", "", "", "");
+    r.pairs({"viscosity", "K", "Pa s", {0, never, true, false, false}, positive()}, m.viscosityTable);
+  } else {
+    r.blend({"viscosity", "Pa s", notNegative(), Liquid::Same,
+             "viscosity of the liquid; or a table of pairs `[[\"900 degC\", \"1e4 Pa s\"], [\"1200 degC\", "
+             "\"50 Pa s\"]]`, interpolated logarithmically"},
+            m.viscosity);
+  }
+  std::string colour;
+  r.text("colour", colour,
+         "colour of its surface in pictures and exports, if its mesh has none; default: a pale one",
+         "\"#rrggbb\"");
+  if (!colour.empty() && !readColour(colour, m.colour))
+    r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+  r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "surface tension of the liquid");
+  r.number(
+      "sound_speed", m.soundSpeed, "m/s", notNegative(),
+      "speed of sound of the equation of state; 0: from the largest expected speed and max_density_error");
+  r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
+  r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10),
+           "Monaghan's alpha for approaching pairs. Default with density = \"continuity\", a free surface "
+           "and no solid material: 0.02 minus the alpha that equals the liquid's viscosity; else 0");
+}
+
+void readSolid(TableReader& r, Material& m) {
+  r.blend({"young", "Pa", notNegative(), Liquid::Unchanged,
+           "Young's modulus; above 0 the material can be solid. A single value is for the solid, and the "
+           "liquid has 0"},
+          m.young);
+  r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
+  r.choice("law", m.law, {"green", "neo-hookean", "corotated"},
+           "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated");
+  r.blend({"yield_strain", "", orNever(positive()), Liquid::Same,
+           "yield stress as a strain (gamma_yield): the material flows if the norm of the deviatoric stress "
+           "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": no plasticity"},
+          m.yieldStrain);
+  r.blend({"creep_rate", "1/s", orNever(notNegative()), Liquid::Same,
+           "rate at which stress above the yield stress decays at a fixed deformation (gamma_creep); its "
+           "viscosity is G / creep_rate; \"never\": at once"},
+          m.creepRate);
+  r.number("hardening", m.hardening, "Pa", notNegative(),
+           "growth of the uniaxial yield stress with the equivalent plastic strain; 0: none");
+  r.number("max_plastic_strain", m.maxPlasticStrain, "", orNever(positive()),
+           "largest norm of the logarithmic plastic strain (gamma_max), beyond which the material is "
+           "elastic; \"never\": no limit");
+  r.number("volume_stiffness", m.volumeStiffness, "Pa", notNegative(),
+           "k_v of the volume force (Mueller et al. 2004)");
+  r.number("hourglass", m.hourglass, "", between(0, 10), "strength of the control of zero-energy modes");
+  r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}),
+           "length at which a bond breaks, over its rest length; \"never\": no bond breaks");
+  r.number("damping", m.damping, "1/s", notNegative(),
+           "rate at which velocity differences of bonded particles decay");
+  r.flag("weld", m.weld, "solids of this material that touch after freezing weld together");
+  r.number("friction", m.friction, "", between(0, 10),
+           "Coulomb friction between separate solids: the smaller of the two counts; at an obstacle, the "
+           "obstacle's counts");
+  r.number("restitution", m.restitution, "", between(0, 1),
+           "restitution of contacts between separate solids and with obstacles: the smaller of the two "
+           "counts, so above 0.5 set both");
+}
+
+void readHeat(TableReader& r, Material& m) {
+  r.blend(
+      {"conductivity", "W/(m K)", notNegative(), Liquid::Same, "heat conductivity; 0: no heat is conducted"},
+      m.conductivity);
+  r.blend({"heat_capacity", "J/(kg K)", positive(), Liquid::Same,
+           "heat capacity; required for a material that melts"},
+          m.heatCapacity);
+  r.number("latent_heat", m.latentHeat, "J/kg", notNegative(), "latent heat of melting");
+  if (const toml::node* n = r.node("melts", "K", meltsRange,
+                                   "melting temperature; none: the material does not melt")) {
+    const toml::array* a = n->as_array();
+    const Range T = positive();
+    if (a && a->size() == 2) {
+      if (r.quantity(*a->get(0), "melts", "K", T, m.solidus) &&
+          r.quantity(*a->get(1), "melts", "K", T, m.liquidus) && m.liquidus < m.solidus)
+        r.fail("melts", "the liquidus (second) must not be below the solidus (first)");
+    } else if (a) {
+      r.fail("melts", "expected one temperature or [solidus, liquidus]");
+    } else if (r.quantity(*n, "melts", "K", T, m.solidus)) {
+      m.liquidus = m.solidus;
+    }
+  }
+  r.number("hysteresis", m.hysteresis, "", Range{0, 0.5, false, true, false},
+           "liquid freezes below this liquid fraction, solid melts above 1 minus it");
+  r.number("heat_source", m.heatSource, "W/kg", anyNumber(), "heat produced in the material");
+  r.number("emissivity", m.emissivity, "", between(0, 1),
+           "emissivity of free surfaces, for radiation to domain.ambient");
+  r.number("convection", m.convection, "W/(m^2 K)", notNegative(),
+           "heat transfer coefficient of free surfaces to domain.ambient");
+  r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(),
+           "k_heat of Keiser et al. 2005, with numerics.heat = \"paper\"");
+}
+
+/// Refuses meaningless combinations of keys.
+void checkMaterial(TableReader& r, const Material& m) {
+  if (r.has("melts") && !m.canBeSolid())
+    r.fail(
+        "melts",
+        "a material that melts is a solid below its melting temperature: give it a Young's modulus (young)",
+        {"young"});
+  if (r.has("melts") && !r.has("heat_capacity"))
+    r.fail("heat_capacity", "is missing: a material that melts needs one");
+  if (r.has("phase") && r.has("melts"))
+    r.fail("phase", "the temperature decides the phase of a material that melts; leave phase out");
+  if (r.textOf("phase") == "solid" && !m.canBeSolid())
+    r.fail("phase", "a solid needs a Young's modulus (young)", {"young"});
+  if (m.latentHeat > 0 && !r.has("melts"))
+    r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");
+  if (r.has("hysteresis") && !r.has("melts"))
+    r.fail("hysteresis", "only a material that melts has one: give melts, too");
+  if ((m.yieldStrain.solid < never || m.yieldStrain.liquid < never) && !m.canBeSolid())
+    r.fail("yield_strain", "requires a solid: set young, or remove yield_strain", {"young"});
+  if (r.has("creep_rate") && !r.has("yield_strain"))
+    r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
+  if (m.hardening > 0 && !r.has("yield_strain"))
+    r.fail("hardening", "only a material that yields hardens: give yield_strain, too");
+}
+
+}  // namespace
+
+void readMaterial(TableReader& r, Material& m) {
+  if (!r.describing()) m.where = r.place();
+  readLiquid(r, m);
+  readSolid(r, m);
+  int phase = m.liquidAtStart ? 1 : 0;
+  r.choice(
+      "phase", phase, {"solid", "liquid"},
+      "phase of a material that does not melt and has a Young's modulus; without a modulus it is liquid");
+  m.liquidAtStart = phase == 1;
+  readHeat(r, m);
+  if (!r.describing()) checkMaterial(r, m);
+}
+
+}  // namespace thaw

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The keys of a scene file: one function per kind of table, used for reading and for describing.
+#pragma once
+#include "io/scene/tables/full_box.hpp"
+#include "io/scene/tables/table_reader.hpp"
+
+namespace thaw {
+
+/// Name of the material of a body or emitter. reported: the name was refused before.
+struct MaterialName {
+  std::string name;
+  SourcePlace where;
+  bool reported = false;
+};
+
+/// State of reading beside the scene: names that refer to other tables, which checkScene resolves.
+struct SceneReading {
+  Scene* scene = nullptr;
+  SourcePlace start;  ///< start of the file, for errors without a place
+  SourcePlace domain, spacing;
+  bool materials = true;  ///< all materials are tables, so an unknown name is an error of its own
+  OpenChoices open;       ///< choices of [numerics] that the scene leaves open
+  /// one per element of Scene::bodies, emitters, temperings
+  std::vector<MaterialName> bodyMaterials, emitterMaterials, temperingMaterials;
+};
+
+/// Reads all keys of a scene file.
+void readSections(TableReader& top, SceneReading& reading);
+/// Returns their descriptions.
+std::vector<KeyDescription> sceneKeys();
+/// Returns the keys of a sheet's mesh, by SheetMesh.
+const std::vector<std::string>& sheetMeshWords();
+
+void readDomain(TableReader& reader, Domain& domain);
+void readNumerics(TableReader& reader, Numerics& numerics);
+void readSurface(TableReader& reader, SurfaceSettings& surface);
+void readOutput(TableReader& reader, Output& output);
+void readMaterial(TableReader& reader, Material& material);
+/// Reads a list of pairs of a time and a factor.
+void readInTime(TableReader& reader, const char* key, FactorInTime& factor, const char* about,
+                const Range& range = notNegative());
+/// Converts "#rrggbb" to red | green << 8 | blue << 16. Returns false for other texts.
+bool readColour(const std::string& text, std::uint32_t& colour);
+void readBody(TableReader& reader, SceneReading& reading);
+void readOriented(TableReader& reader, SceneReading& reading);
+void readSheet(TableReader& reader, SceneReading& reading);
+void readEmitter(TableReader& reader, SceneReading& reading);
+void readTempering(TableReader& reader, SceneReading& reading);
+void readObstacle(TableReader& reader, SceneReading& reading);
+
+/// Checks references, duplicates and sizes, which concern several tables. Adds to errors.
+void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
+/// Checks sheets in the same way.
+void checkSheets(const Scene& scene, std::vector<SceneError>& errors);
+/// Checks events of oriented bodies. Finds the bodies of welds, and refuses those that have no particles left
+/// by then.
+void checkOrientedEvents(SceneReading& reading, std::vector<SceneError>& errors);
+/// Refuses a spacing too fine for any machine, or a domain too large for its cells. Adds one message, with
+/// the number of particles if these are too many.
+void checkSizes(const SceneReading& reading, std::vector<SceneError>& errors);
+
+}  // namespace thaw

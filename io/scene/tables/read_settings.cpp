@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "io/frames/frame_fields.hpp"
+#include "io/scene/tables/read_sections.hpp"
+#include "io/scene/text/nearest_word.hpp"
+
+namespace thaw {
+namespace {
+
+bool sideOf(const toml::node* n, Side& side) {
+  const auto* word = n ? n->as_string() : nullptr;
+  if (!word) return false;
+  if (word->get() == "open") side = Side::Open;
+  else if (word->get() == "wall") side = Side::Wall;
+  else if (word->get() == "periodic") side = Side::Periodic;
+  else return false;
+  return true;
+}
+
+void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
+  const toml::node* n = r.node(
+      key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]",
+      "type of the two sides across this axis. open: leaving particles are recorded in the ledger. periodic: "
+      "leaving particles enter at the other side. A body may be placed across a periodic side, with its mesh "
+      "and surface, if it does not overlap its own image; a sheet or an oriented body may not. A periodic "
+      "axis is at least three support radii long: 6 spacings if `numerics.support` is 2");
+  if (r.describing() || !n) return;
+  const toml::array* pair = n->as_array();
+  const bool good = pair ? pair->size() == 2 && sideOf(pair->get(0), sides[0]) &&
+                               sideOf(pair->get(1), sides[1])
+                         : sideOf(n, sides[0]) && sideOf(n, sides[1]);
+  if (!good)
+    r.fail(key,
+           "expected \"open\", \"wall\" or \"periodic\", or a pair of them such as [\"wall\", \"open\"]");
+  else if ((sides[0] == Side::Periodic) != (sides[1] == Side::Periodic))
+    r.fail(key, "expected both sides of an axis to be periodic, or none");
+}
+
+Range factor() { return {0, 2, true, false, false}; }
+
+}  // namespace
+
+void readDomain(TableReader& r, Domain& d) {
+  r.vector("min", d.min, "m", "low corner");
+  r.vector("max", d.max, "m", "high corner, above the low one");
+  r.table("sides",
+          "types of the domain's sides, open by default. Bodies and obstacles may lie across periodic sides: "
+          "the part beyond acts at the other side",
+          [&](TableReader& s) {
+            readSides(s, "x", d.side[0]);
+            readSides(s, "y", d.side[1]);
+            readSides(s, "z", d.side[2]);
+          });
+  r.vector("gravity", d.gravity, "m/s^2", "acceleration of everything");
+  r.number("ambient", d.ambient, "K", positive(), "ambient temperature, for convection and radiation");
+  for (int a = 0; a < 3; a++)
+    if (!(d.max[a] > d.min[a]))
+      r.fail(r.has("max") ? "max" : "min",
+             fmt::format("max must be above min along {}", static_cast<char>('x' + a)), {"min", "max"});
+}
+
+void readNumerics(TableReader& r, Numerics& n) {
+  r.number("support", n.support, "", between(1.2, 6), "support radius of the kernel in spacings");
+  r.number("bond_support", n.bondSupport, "", between(1.2, 6),
+           "longest bond of solids in spacings, at most `support`; longer bonds soften thin bodies, shorter "
+           "ones need shorter steps in irregular arrangements");
+  r.choice("kernel", n.kernel, {"wendland", "mcg03", "cubic"},
+           "Wendland C2; poly6, spiky and viscosity kernel of Mueller et al. 2003; cubic spline");
+  r.choice("precision", n.precision, {"single", "double"},
+           "precision of sums over pairs; the state is double");
+  r.choice("elastic_precision", n.elasticPrecision, {"single", "double"},
+           "precision of sums over bonds of solids; single is accurate to 1e-6 of the strain");
+  r.choice("pressure", n.pressure, {"consistent", "printed"},
+           "consistent pair form, or the sum as printed in Keiser et al. 2005 (half the gradient)");
+  r.choice("density", n.density, {"summation", "continuity", "plain"},
+           "density of liquids: summed over positions and consistent with compression; integrated from the "
+           "divergence of the flow; or the plain sum. Default: \"continuity\", except with surface tension, "
+           "quality = \"preview\", pressure = \"printed\" or the incompressible solver");
+  r.flag("corrected_gradients", n.correctedGradients,
+         "gradients of the continuity form are exact for linear fields inside the liquid (Bonet & Lok 1999)");
+  r.number("density_diffusion", n.densityDiffusion, "", between(0, 1),
+           "density diffusion of the continuity form");
+  r.number("shifting", n.shifting, "", between(0, 0.3),
+           "largest speed at which particles of a liquid are shifted down the gradient of their "
+           "concentration C, over the speed of sound times h grad C; with the continuity form it scales with "
+           "strain and tension, and particles at the free surface are not shifted. 0: no shifting. Default "
+           "with density = \"continuity\": 0.07 with gravity, 0.2 without");
+  r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure as a function of the density");
+  r.number("tensile_limit", n.tensileLimit, "", between(0, 1),
+           "share of negative pressure that is kept; requires density = \"continuity\" and shifting above 0, "
+           "and is then 1 by default");
+  r.choice("pressure_solver", n.solver, {"state equation", "incompressible"},
+           "pressure from the density, or solved for so that liquids keep their volume (steps are limited by "
+           "the speed of the flow, not of sound)");
+  r.number("density_tolerance", n.densityTolerance, "", {0, 0.1, true, false, false},
+           "incompressible: the solver stops when the mean remaining compression of a step is below it; "
+           "earlier compression is undone over the time that the flow takes for a spacing");
+  r.number("divergence_tolerance", n.divergenceTolerance, "", {0, 0.1, true, false, false},
+           "incompressible: mean rate of compression, times the step, at which it stops");
+  r.whole("max_iterations", n.maxIterations, 1, 100000,
+          "incompressible: largest number of iterations per solve; the summary counts solves that reach it");
+  r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"},
+           "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");
+  r.choice("viscosity_solver", n.viscositySolver, {"explicit", "implicit"},
+           "explicit: viscosity limits the step; implicit: a linear system in each step, without this limit "
+           "(recommended if viscosity sets the step)");
+  r.number("viscosity_tolerance", n.viscosityTolerance, "", between(1e-10, 0.1),
+           "implicit solver: error of the velocity change by viscosity in a step, over that change");
+  r.whole("viscosity_iterations", n.viscosityIterations, 1, 100000,
+          "implicit solver: largest number of iterations per step; the summary counts steps that need more");
+  if (n.viscositySolver == ViscositySolver::Implicit && n.viscosity == ViscosityForm::Laplacian)
+    r.fail("viscosity_solver",
+           "the implicit solver supports the pairwise form of viscosity only: leave numerics.viscosity at "
+           "\"pairwise\"");
+  r.choice("tension", n.tension, {"pairwise", "colour field", "surface energy"},
+           "cohesion of pairs: cheap, but drops behave like soft crystals; as printed in Keiser et al. 2005; "
+           "or an energy of the free surface: drops have Laplace's pressure and oscillate like liquids");
+  r.choice("heat", n.heat, {"enthalpy", "paper"},
+           "enthalpy with latent heat, or the plain temperature of Keiser et al. 2005");
+  r.choice("conduction", n.conduction, {"normalised", "plain"},
+           "the sum for heat conduction: exact for a quadratic temperature on the lattice, or with the "
+           "kernel's own constant");
+  r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");
+  r.number("max_density_error", n.maxDensityError, "", {0, 0.2, true, false, false},
+           "compression that the automatic sound speed allows");
+  r.choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"},
+           "treatment of the particles of two bodies that overlap; a sheet or an oriented body that begins "
+           "inside a solid one is an error except with \"keep\"");
+  r.number("fixed_step", n.fixedStep, "s", notNegative(),
+           "longest time step, at most `end`, shortened to a whole number of steps per frame; 0: as large as "
+           "the limits allow");
+  r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
+  r.number("cfl_sound", n.cflSound, "", factor(), "factor of h / c, with the support radius h");
+  r.number("cfl_viscous", n.cflViscous, "", factor(),
+           "factor of the largest dt that is stable on a lattice: 0.044 h^2 rho / mu for the pairwise form "
+           "at a support of 2 (a clump stiffens it)");
+  r.number("cfl_heat", n.cflHeat, "", factor(),
+           "factor of the largest dt that is stable on a lattice: 0.078 h^2 / diffusivity for the wendland "
+           "kernel at a support of 2");
+  r.number("cfl_elastic", n.cflElastic, "", factor(), "factor of spacing / speed of pressure waves");
+  r.number("cfl_tension", n.cflTension, "", factor(), "factor of sqrt(rho h^3 / (2 pi sigma))");
+  r.number("cfl_acceleration", n.cflAcceleration, "", factor(),
+           "factor of sqrt(h / a), with the acceleration a");
+  std::int64_t substeps = n.elasticSubsteps;
+  r.whole("elastic_substeps", substeps, 0, 64,
+          "largest number of substeps of solids within a step, if their elastic limit is the shortest; 0: 4 "
+          "with liquid and without contact of solids, else 1. Above 8 the liquid may pump energy into solids "
+          "without damping");
+  n.elasticSubsteps = static_cast<int>(substeps);
+  r.number("sleep_speed", n.sleepSpeed, "m/s", notNegative(),
+           "solids that are slower than this for sleep_after, like all their neighbours, sleep: they stay in "
+           "place, at little cost, until something wakes them. Progress lines show how many sleep and what "
+           "keeps the others awake. 0: never. Not with sheets, oriented bodies, elastic_substeps, an "
+           "incompressible or an implicit solver");
+  r.number(
+      "sleep_after", n.sleepAfter, "s", positive(),
+      "time at rest before a solid sleeps; an acceleration that reaches sleep_speed within this time, or "
+      "half of gravity, keeps it awake or wakes it. With less, a solid with weak vibrations sleeps sooner");
+  r.number("sleep_heating", n.sleepHeating, "K/s", positive(),
+           "rate of change of the temperature that keeps a solid awake or wakes it");
+  r.whole("retry_every", n.retryEvery, 0, 1000000000,
+          "steps between snapshots in memory; a run that fails goes back to the last one and continues with "
+          "half the step; 0: no snapshots, and a failure stops the run");
+  r.whole("retries", n.retries, 0, 40,
+          "largest number of retries, each with half the step of the one before; the next failure stops the "
+          "run with exit code 4 and the last snapshot as a checkpoint. A retry no longer counts when the "
+          "step doubles, at least retry_every full steps past the failure");
+  r.number("watch_speed", n.watchSpeed, "", orNever(positive()),
+           "speed that counts as failure, over the sum of the expected speed (from start, gravity, emitters "
+           "and obstacles) and 0.1 of the largest wave speed");
+  r.number("watch_density", n.watchDensity, "", orNever(positive()),
+           "density of a liquid that counts as failure, over the rest density");
+  r.number("watch_step", n.watchStep, "", {0, 1, true, false, false},
+           "time step that counts as failure, over the limit of the materials (without one: over 1e-5 "
+           "`end`); no retry takes a shorter step; 0: none");
+  r.number("watch_inverted", n.watchInverted, "", orNever(positive()),
+           "share of inverted solid particles (det F <= 0) that counts as failure, for materials that do not "
+           "recover from inversion: law \"green\" without volume_stiffness");
+  r.number("watch_energy", n.watchEnergy, "", orNever(positive()),
+           "unexplained energy that counts as failure, over the largest term of the ledger, within "
+           "retry_every steps or since the run began");
+  r.number("plastic_rereference", n.plasticRereference, "", positive(),
+           "norm of the plastic strain above which the reference follows the flow");
+}
+
+void readOutput(TableReader& r, Output& o) {
+  const std::vector<std::string> known = knownFrameFields();
+  r.number("every", o.every, "s", positive(), "simulated time between frames");
+  r.number("ledger_every", o.ledgerEvery, "s", notNegative(),
+           "simulated time between additional rows of ledger.csv, which has one per frame; a row is written "
+           "at the first step at or after its time and changes no step; 0: none");
+  r.words("fields", o.fields, known,
+          "fields of the frames of bodies and emitters; frames of oriented bodies and sheets have all their "
+          "fields. The six numbers of stress (Cauchy's), strain (Green's) and plastic_strain are xx, yy, zz, "
+          "xy, yz, xz, each off-diagonal one once, not doubled");
+  if (r.has("fields")) o.fieldsWhere = r.placeOf("fields");
+  r.number("checkpoint", o.checkpoint, "s", positive(),
+           "wall-clock time between checkpoints; the last two are kept");
+  int pieces = o.piecesByRank ? 1 : 0;
+  r.choice("pieces", pieces, {"one", "ranks"},
+           "pieces of a frame's file: one, or one per rank (for parallel ParaView)");
+  o.piecesByRank = pieces == 1;
+  r.text("colour", o.colour,
+         "source of the colours of pictures; none: temperature; without heat speed, and for sheets alone "
+         "their own colours",
+         "\"speed\" or a field; for a surface also \"surface\" (its own colours) or \"glow\" (own colours "
+         "that blend into those of the temperature)");
+  std::set<std::string> words(known.begin(), known.end());
+  words.insert({"speed", "surface", "glow", "detail"});
+  if (!o.colour.empty() && !words.count(o.colour))
+    r.fail("colour", "there is no field '" + o.colour + "'" + suggestion(o.colour, words));
+  r.number("colour_min", o.colourMin, "", anyNumber(),
+           "SI value of the lowest colour; none: the lowest of all frames");
+  r.number("colour_max", o.colourMax, "", anyNumber(),
+           "SI value of the highest colour; none: the highest of all frames");
+  if (o.colourMin && o.colourMax && !(*o.colourMax > *o.colourMin))
+    r.fail("colour_max", "must be above colour_min", {"colour_min"});
+  std::int64_t width = o.width, height = o.height;
+  r.whole("width", width, 64, 16384, "width of pictures, in pixels");
+  r.whole("height", height, 64, 16384, "height of pictures, in pixels");
+  o.width = static_cast<int>(width);
+  o.height = static_cast<int>(height);
+  r.table("camera", "camera of the pictures; without it the view is fitted to all frames",
+          [&](TableReader& c) {
+            if (!c.describing()) o.camera.fitted = false;
+            c.vector("from", o.camera.from, "m", "position of the camera");
+            c.vector("at", o.camera.at, "m", "point that it looks at");
+            c.number("field_of_view", o.camera.fieldOfView, "rad", between(0.01, 3), "vertical angle");
+            if (c.describing()) return;
+            if (!c.has("from") || !c.has("at")) c.fail(c.place(), c.path() + ": needs from and at");
+            else if (o.camera.from == o.camera.at) c.fail("at", "must differ from `from`");
+          });
+}
+
+}  // namespace thaw

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/scene/tables/read_sections.hpp"
+#include "io/scene/tables/read_shape.hpp"
+
+namespace thaw {
+namespace {
+
+Range factorRange(std::size_t f) {
+  return static_cast<SheetFactor>(f) == SheetFactor::Wrap ? anyNumber() : notNegative();
+}
+
+const char* aboutInRegion(std::size_t f) {
+  switch (static_cast<SheetFactor>(f)) {
+    case SheetFactor::Warp:
+    case SheetFactor::Weft:
+    case SheetFactor::Shear:
+    case SheetFactor::Bending:
+    case SheetFactor::Push:
+    case SheetFactor::Pull:
+      return "factor of the sheet's value; forces between two vertices use the mean of both";
+    case SheetFactor::Volume:
+      return "factor of the sheet's value; a closed piece has one pressure and uses the mean over its area";
+    default: return "factor of the sheet's value";
+  }
+}
+
+void readSheetMesh(TableReader& r, SheetBody& b) {
+  int given = 0;
+  for (std::size_t k = 0; k < sheetMeshWords().size(); k++)
+    if (const char* key = sheetMeshWords()[k].c_str(); r.has(key)) {
+      b.mesh = static_cast<SheetMesh>(k);
+      if (++given == 2) r.fail(key, "a second mesh; expected one, and a sheet for each mesh");
+    }
+  if (given == 0 && !r.describing())
+    r.fail(r.place(), r.path() + ": its mesh is missing: grid, sphere, head, dome, forehead or mesh");
+  r.table("grid", "rectangle in the plane z = 0 of threads along x and y", [&](TableReader& t) {
+    t.number("width", b.width, "m", positive(), "along x");
+    t.number("depth", b.depth, "m", positive(), "along y");
+  });
+  r.table("sphere", "closed sphere around its own origin",
+          [&](TableReader& t) { t.number("radius", b.radius, "m", positive(), "radius"); });
+  r.table("head", "closed head around its own origin, looking along -y", [&](TableReader& t) {
+    t.number("height", b.height, "m", positive(), "height from chin to crown");
+  });
+  r.table("dome", "cap with its border in the plane z = 0", [&](TableReader& t) {
+    std::int64_t ribs = b.ribs;
+    t.number("radius", b.radius, "m", positive(), "radius of the border");
+    t.number("height", b.height, "m", positive(), "height of the middle");
+    t.whole("ribs", ribs, 0, 1000, "radial ribs, as of a scallop");
+    t.number("rib_height", b.ribHeight, "m", notNegative(), "height from groove to ridge");
+    b.ribs = static_cast<int>(ribs);
+  });
+  r.table("forehead", "skin over a ball around its own origin, on its side towards +z, with furrows",
+          [&](TableReader& t) {
+            std::int64_t wrinkles = b.wrinkles;
+            t.number("radius", b.radius, "m", positive(), "radius of the ball");
+            t.number("width", b.width, "m", positive(), "along x, measured along the ball");
+            t.number("height", b.height, "m", positive(), "along y, measured along the ball");
+            t.whole("wrinkles", wrinkles, 0, 1000, "furrows along x");
+            t.number("wrinkle_height", b.wrinkleHeight, "m", notNegative(), "height above the ball");
+            b.wrinkles = static_cast<int>(wrinkles);
+            constexpr double pi = 3.14159265358979323846;
+            if (t.describing()) return;
+            if (!(b.width < 2 * pi * b.radius))
+              t.fail("width", fmt::format("must be less than once around the ball, {:.4g} m, got {:g}",
+                                          2 * pi * b.radius, b.width));
+            if (!(b.height < pi * b.radius))
+              t.fail("height",
+                     fmt::format("must be less than from pole to pole of the ball, {:.4g} m, got {:g}",
+                                 pi * b.radius, b.height));
+          });
+  r.text("mesh", b.shape.mesh,
+         "triangles of an OBJ, PLY or STL file, open or closed, in one piece or several; or \"builtin:bust\" "
+         "or \"builtin:head\"",
+         "path or \"builtin:bust\"");
+  if (!r.describing()) checkMeshPath(r, b.shape.mesh);
+  r.number("spacing", b.spacing, "m", notNegative(),
+           "distance of vertices of generated meshes; 0: that of the scene's particles");
+  readPlace(r, b.shape);
+}
+
+void readExactStep(TableReader& r, SheetBody& b) {
+  r.number("mass", b.mass, "kg/m^2", notNegative(), "mass per area; 0: the sheet creeps without inertia");
+  r.number("damping", b.damping, "kg/(m^2 s)", notNegative(), "viscous damping per area");
+  r.number("stiffness", b.stiffness, "N/m^3", notNegative(),
+           "stiffness per area of the springs that pull each vertex to its rest position");
+  r.number("plasticity", b.plasticity, "", between(0, 1),
+           "permanent share of the displacement beyond the elastic limit; 0: elastic, 1: plastic");
+  r.number("elastic_limit", b.elasticLimit, "m", orNever(positive()),
+           "largest elastic displacement from rest; \"never\": no limit");
+  r.tables("region",
+           "part of the sheet with other coefficients: its vertices in a SHAPE at the start; where regions "
+           "overlap, all factors are those of the last one",
+           [&](TableReader& t) {
+             SheetRegion g;
+             g.where = t.place();
+             readShape(t, g.shape);
+             for (std::size_t f = 0; f < sheetFactors; f++)
+               t.number(sheetCoefficients[f].key, g.factor[f], "", factorRange(f), aboutInRegion(f));
+             if (!t.describing()) b.regions.push_back(std::move(g));
+           });
+}
+
+void readInner(TableReader& r, SheetBody& b) {
+  r.number("warp", b.warp, "N/m", notNegative(),
+           "stiffness of springs along edges in the direction of the warp: tension per width and strain");
+  r.number("weft", b.weft, "N/m", notNegative(), "stiffness of springs along edges across the warp");
+  r.number("shear", b.shear, "N/m", notNegative(),
+           "stiffness of springs along the edges between, both diagonals of a square");
+  r.vector("warp_direction", b.warpDirection, "",
+           "direction of the warp in the mesh's own axes, which `place` rotates; edges within 25 degrees of "
+           "it are warp, beyond 72 degrees weft");
+  r.number("rest_length", b.restLength, "", positive(),
+           "rest length of the springs, over their length at the start");
+  r.number("bending", b.bending, "N/m", notNegative(),
+           "stiffness of springs between the vertices on both sides of each edge");
+  r.number("stretch_limit", b.stretchLimit, "", orNever(atLeast(1)),
+           "length over rest length beyond which springs are nearly rigid");
+  r.number("rigid", b.rigid, "", notNegative(),
+           "additional stiffness beyond stretch_limit, over that of the springs; it shortens the step");
+  r.number("volume_stiffness", b.volumeStiffness, "Pa", notNegative(),
+           "pressure of a closed mesh per relative change of its volume");
+  r.number("push", b.push, "N/m", notNegative(), "repulsion between vertices closer than the thickness");
+  r.number("pull", b.pull, "N/m", notNegative(),
+           "attraction between vertices beyond the thickness, up to pull_reach");
+  r.number("pull_reach", b.pullReach, "m", notNegative(), "range of pull beyond the thickness");
+}
+
+void readOuter(TableReader& r, SheetBody& b) {
+  r.vector("wind", b.wind, "m/s", "velocity of the air");
+  r.number("wind_density", b.windDensity, "kg/m^3", notNegative(),
+           "density of the air times a drag coefficient: pressure over squared velocity along the normal; 0: "
+           "no air; without `wind` the air is at rest and drags");
+  r.number("wrap", b.wrap, "Pa", anyNumber(),
+           "pressure that shrinks the sheet: against its normal, or toward `wrap_to`");
+  r.text("wrap_to", b.wrapTo,
+         "target of wrap; if it can move, it gets the opposite force; none: against the normal",
+         "name of an obstacle, a body, an emitter, an oriented body or another sheet");
+  r.tables("brush", "a local pressure", [&](TableReader& t) {
+    SheetBrush g;
+    g.where = t.place();
+    t.vector("centre", g.centre, "m", "centre of the pressure");
+    t.number("radius", g.radius, "m", positive(),
+             "radius R at which it ends; the profile is (1 - r^2/R^2)^2");
+    t.vector("pressure", g.pressure, "Pa", "force per area of the sheet at the centre");
+    readInTime(t, "in_time", g.inTime, "factor, linear in between", anyNumber());
+    t.tables("motion",
+             "keyframes of its centre, linear in between; it acts along its whole path, also in steps longer "
+             "than its radius",
+             [&](TableReader& k) {
+               Keyframe f;
+               k.number("time", f.time, "s", notNegative(), "time of the keyframe");
+               k.vector("move", f.move, "m", "displacement of its centre");
+               if (k.describing()) return;
+               if (!g.motion.empty() && f.time <= g.motion.back().time)
+                 k.fail("time", "keyframes must ascend in time");
+               g.motion.push_back(f);
+             });
+    if (!t.describing() && length(g.pressure) == 0)
+      t.fail("pressure", "is missing or zero: expected a pressure [x, y, z]");
+    if (!t.describing()) b.brushes.push_back(std::move(g));
+  });
+  r.number("thickness", b.thickness, "m", notNegative(),
+           "distance at which contact begins; 0: 0.8 of its spacing");
+  r.number("contact_rate", b.contactRate, "1/s", notNegative(),
+           "angular frequency of the contact spring; 0: from the speeds and pressures of the scene");
+  r.number("friction", b.friction, "", between(0, 10),
+           "Coulomb friction; the larger of two in contact counts");
+  r.number("restitution", b.restitution, "", between(0, 1),
+           "restitution; the smaller of two in contact counts");
+  r.flag("self_contact", b.selfContact, "contact of the sheet with itself");
+}
+
+/// Reads the factors in time of all coefficients but the mass, which a vertex keeps.
+void readCoefficientsInTime(TableReader& r, SheetBody& b) {
+  for (std::size_t f = 0; f < sheetFactors; f++) {
+    const auto& [coefficient, value] = sheetCoefficients[f];
+    if (static_cast<SheetFactor>(f) == SheetFactor::Mass) continue;
+    const std::string key = std::string(coefficient) + "_in_time";
+    readInTime(r, key.c_str(), b.inTime[f],
+               ("factor of " + std::string(coefficient) + ", linear in between").c_str(), factorRange(f));
+    if (r.describing() || b.*value != 0) continue;
+    if (r.has(key)) r.fail(key, "is a factor of " + std::string(coefficient) + ", which is 0", {coefficient});
+  }
+}
+
+/// Refuses factors of coefficients that are 0. Called after the coefficients are read.
+void checkRegions(TableReader& r, const SheetBody& b) {
+  for (std::size_t k = 0; k < b.regions.size(); k++)
+    for (std::size_t f = 0; f < sheetFactors; f++) {
+      const auto& [coefficient, value] = sheetCoefficients[f];
+      if (b.regions[k].factor[f] != 1 && b.*value == 0)
+        r.fail(b.regions[k].where, fmt::format("{}.region.{}.{}: is a factor of {}, which is 0", r.path(), k,
+                                               coefficient, coefficient));
+    }
+}
+
+}  // namespace
+
+const std::vector<std::string>& sheetMeshWords() {
+  static const std::vector<std::string> words{"grid", "sphere", "head", "dome", "forehead", "mesh"};
+  return words;
+}
+
+void readSheet(TableReader& r, SceneReading& x) {
+  SheetBody b;
+  std::string colour;
+  b.where = r.place();
+  b.shape.where = b.where;
+  b.shape.kind = ShapeKind::Mesh;
+  r.text("name", b.name, "for messages and `--set`; none: \"sheet\" and its number");
+  readSheetMesh(r, b);
+  readExactStep(r, b);
+  readInner(r, b);
+  readOuter(r, b);
+  readCoefficientsInTime(r, b);
+  r.vector("velocity", b.velocity, "m/s", "velocity at the start");
+  r.text("colour", colour, "colour in pictures and exports; default: a pale one", "\"#rrggbb\"");
+  if (!colour.empty() && !readColour(colour, b.colour))
+    r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+  r.number("temperature", b.temperature, "K", positive(), "temperature at the start");
+  r.number("heat_capacity", b.heatCapacity, "J/(m^2 K)", positive(), "heat capacity per area");
+  r.number("conductance", b.conductance, "W/(m^2 K)", notNegative(),
+           "heat conductance to bodies in contact; 0: insulating");
+  if (r.describing()) {
+    r.node("clamp", "", "list of tables with a SHAPE each",
+           "vertices in one of these at the start are fixed");
+    return;
+  }
+  r.tables("clamp", "", [&](TableReader& c) {
+    b.clamp.emplace_back();
+    readShape(c, b.clamp.back());
+  });
+  b.massWhere = r.placeOf("mass");
+  checkRegions(r, b);
+  if (b.mass == 0 && b.windDensity > 0)
+    r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected mass > 0",
+           {"mass"});
+  if (b.pullReach > 0 && b.pull == 0)
+    r.fail("pull_reach", "needs pull: without it nothing acts within this reach", {"pull"});
+  if (b.plasticity > 0 && b.stiffness == 0)
+    r.fail("plasticity", "needs stiffness: without it there is no rest position that could move",
+           {"stiffness"});
+  if (b.plasticity > 0 && !r.has("elastic_limit"))
+    r.fail("plasticity", "needs elastic_limit: without one all is elastic");
+  if (r.has("elastic_limit") && !r.has("plasticity"))
+    r.fail("elastic_limit", "needs plasticity, the permanent share of the displacement beyond it");
+  if (length(b.wind) > 0 && b.windDensity == 0)
+    r.fail("wind", "needs wind_density: air without mass does not push", {"wind_density"});
+  if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "must be above 0 with pull", {"pull"});
+  if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero");
+  else if (b.mesh == SheetMesh::Grid && r.has("grid") &&
+           std::hypot(b.warpDirection.x, b.warpDirection.y) < warpCosine * length(b.warpDirection))
+    r.fail("warp_direction",
+           "is normal to the grid, which lies in its own plane z = 0: none of its edges would be warp");
+  else if (!(b.warp > 0 || b.weft > 0 || b.shear > 0) && r.has("warp_direction"))
+    r.fail("warp_direction", "is for springs along edges: expected warp, weft or shear as well",
+           {"warp", "weft", "shear"});
+  if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "needs wrap: without it nothing acts", {"wrap"});
+  if (b.name.empty()) b.name = "sheet " + std::to_string(x.scene->sheets.size());
+  x.scene->sheets.push_back(std::move(b));
+}
+
+}  // namespace thaw

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene/tables/read_sections.hpp"
+
+namespace thaw {
+
+void readSurface(TableReader& r, SurfaceSettings& s) {
+  if (!r.describing()) s.where = r.place();
+  for (const char* key : {"spacing", "support", "particle_support", "every_steps", "every_move", "implicit",
+                          "attract", "smooth", "repel", "iso_level", "least_level", "damping", "iterations",
+                          "stop", "adapt", "keep_volume", "link_length"})
+    if (r.has(key)) s.places[key] = r.placeOf(key);
+  r.number("spacing", s.spacing, "m", notNegative(),
+           "distance of surfels, and radius of their discs; 0: half the spacing of particles");
+  r.number("support", s.support, "", between(1.5, 12),
+           "radius within which surfels act on each other (h_ss), over their spacing; h_ss = h of Keiser et "
+           "al. 2005 means hundreds of neighbours on a detailed body");
+  r.number("particle_support", s.particleSupport, "", between(1, 3),
+           "radius within which particles act on surfels (h_ps), over the support radius of the particles");
+  r.choice("source", s.source, {"automatic", "particles"},
+           "source of the first surfels: sampled from the meshes of bodies and the shapes of initially solid "
+           "bodies (unless numerics.overlap removes particles), else grown from the particles; or always "
+           "grown from the particles");
+  r.whole(
+      "every_steps", s.everySteps, 0, INT64_MAX,
+      "steps between updates of the surface; 0: by the other rules. Every frame has an update of its own");
+  r.number("every_move", s.everyMove, "", between(0, 10),
+           "update when a particle has moved this share of the support radius since the last one; 0: no such "
+           "updates");
+  r.number("implicit", s.implicit, "", between(0, 1),
+           "weight of the force to the iso-surface of the particles' colour field");
+  r.number("attract", s.attract, "", between(0, 1), "weight of the force toward the particles");
+  r.number("smooth", s.smooth, "", between(0, 1), "weight of the smoothing force");
+  r.number("repel", s.repel, "", between(0, 1), "weight of the force that spaces surfels evenly");
+  r.choice("smoothing", s.smoothing, {"sphere", "plane"},
+           "toward a common sphere of the neighbours and their normals, which does not shrink curved "
+           "surfaces; or toward the plane of the neighbours (Keiser et al. 2005)");
+  r.number("iso_level", s.isoLevel, "", between(0.2, 0.8),
+           "level of the colour field for the implicit force; at 0.5 the surface lies at the boundary of the "
+           "particles");
+  r.number("least_level", s.leastLevel, "", between(0.01, 0.9),
+           "lowest colour field at a surfel; below it stretched bodies split (I_min)");
+  r.number("damping", s.damping, "", {0, 2, true, false, false},
+           "factor of each displacement in an update (alpha)");
+  r.whole("iterations", s.iterations, 1, 10000, "largest number of iterations per update");
+  r.number("stop", s.stop, "", between(1e-6, 1),
+           "surfels that move less than this share of their spacing across the surface and five times it "
+           "along it, like their neighbours, are skipped for the rest of the update");
+  r.number("adapt", s.adapt, "", between(0, 1),
+           "finest spacing over `spacing`, where the surface is curved: small drops and edges; 0: the same "
+           "spacing everywhere");
+  r.number("keep_volume", s.keepVolume, "", between(0, 1),
+           "weight of a force that keeps the volume inside the surface of liquid, and of solid that was "
+           "liquid, at the volume of its particles, times the ratio of mesh to particle volume at the start. "
+           "Surfaces that never melted keep their position. See docs/reference/surfaces.md. 0: none");
+  r.choice("merge", s.merge, {"liquid", "all", "none"},
+           "which surfaces merge on contact. liquid: those of two components of which at least one is liquid "
+           "there, if a particle of one is inside the other's surface or they are as close as particles of "
+           "one liquid; all: also those of two solids, if a particle of one is inside the other's surface "
+           "(contact forces mostly prevent this: solids must weld or be pressed together to merge); none: no "
+           "surfaces. Other surfaces in contact are kept apart. Particles are not affected");
+  r.number("link_length", s.linkLength, "", between(1.1, 4),
+           "largest distance (spacings) of particles that connect a component; near 1 a hardly strained "
+           "lattice falls apart");
+}
+
+}  // namespace thaw

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene/tables/table_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/scene/text/nearest_word.hpp"
+#include "io/scene/text/units.hpp"
+#include "io/scene/text/value_text.hpp"
+
+namespace thaw {
+namespace {
+
+std::string numberText(double v) { return v == never ? "\"never\"" : fmt::format("{}", v); }
+
+std::string withUnit(const std::string& range, const char* unit) {
+  const bool none = unit[0] == 0 || std::string(unit) == "1";
+  return none ? range : range + " " + unit;
+}
+
+}  // namespace
+
+SourcePlace placeOfNode(const toml::node& n) {
+  const toml::source_region& s = n.source();
+  return {s.path ? *s.path : std::string("--set"), static_cast<int>(s.begin.line),
+          static_cast<int>(s.begin.column)};
+}
+
+TableReader::TableReader(const toml::table& table, std::string path, std::vector<SceneError>& errors)
+    : table_(&table), path_(std::move(path)), errors_(&errors) {}
+TableReader::TableReader(std::string path, std::vector<KeyDescription>& descriptions)
+    : path_(std::move(path)), descriptions_(&descriptions) {}
+
+SourcePlace TableReader::place() const { return table_ ? placeOfNode(*table_) : SourcePlace{}; }
+SourcePlace TableReader::placeOf(const std::string& key) const {
+  const toml::node* n = table_ ? table_->get(key) : nullptr;
+  return n ? placeOfNode(*n) : place();
+}
+std::string TableReader::textOf(const std::string& key) const {
+  const auto* s = table_ ? table_->get_as<std::string>(key) : nullptr;
+  return s ? s->get() : std::string();
+}
+void TableReader::fail(const SourcePlace& where, const std::string& text) {
+  if (errors_) errors_->push_back({where, text});
+}
+void TableReader::fail(const std::string& key, const std::string& text,
+                       std::initializer_list<const char*> others) {
+  if (refused(key) ||
+      std::any_of(others.begin(), others.end(), [&](const char* other) { return refused(other); }))
+    return;
+  refused_.insert(key);
+  fail(placeOf(key), named(key) + ": " + text);
+}
+/// Adds an error at a node of the value of a key; several nodes may be wrong.
+void TableReader::refuse(const std::string& key, const toml::node& n, const std::string& text) {
+  refused_.insert(key);
+  fail(placeOfNode(n), named(key) + ": " + text);
+}
+
+const toml::node* TableReader::get(const std::string& key) {
+  known_.insert(key);
+  return table_ ? table_->get(key) : nullptr;
+}
+
+void TableReader::describe(const char* key, const std::string& unit, const std::string& range,
+                           const std::string& standard, const char* about) {
+  known_.insert(key);
+  if (descriptions_) descriptions_->push_back({path_, key, unit, range, standard, about});
+}
+
+bool TableReader::quantity(const toml::node& n, const char* key, const char* unit, const Range& range,
+                           double& value) {
+  double v = 0;
+  bool good = true;
+  std::string why;
+  if (const auto* f = n.as_floating_point()) {
+    v = f->get();
+  } else if (const auto* i = n.as_integer()) {
+    v = static_cast<double>(i->get());
+  } else if (const auto* s = n.as_string()) {
+    if (range.orNever && s->get() == "never") return value = never, true;
+    const Quantity q = parseQuantity(s->get());
+    v = q.value;
+    good = q.error.empty() && (!q.hasUnit || q.dimension == dimensionOf(unit));
+    if (!q.error.empty()) why = " (" + q.error + ")";
+  } else {
+    good = false;
+  }
+  if (!good) {
+    refuse(key, n,
+           fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.orNever ? " or \"never\"" : "",
+                       shown(n), why));
+    return false;
+  }
+  if (!std::isfinite(v)) {
+    refuse(key, n, fmt::format("must be a finite number, got {}", shown(n)));
+    return false;
+  }
+  if (!range.holds(v)) {
+    refuse(key, n, fmt::format("must be {}, got {}", withUnit(range.text(), unit), shown(n)));
+    return false;
+  }
+  return value = v, true;
+}
+
+void TableReader::number(const char* key, double& value, const char* unit, const Range& range,
+                         const char* about) {
+  describe(key, unit, range.text(), numberText(value), about);
+  if (const toml::node* n = get(key)) quantity(*n, key, unit, range, value);
+}
+void TableReader::number(const char* key, std::optional<double>& value, const char* unit, const Range& range,
+                         const char* about) {
+  describe(key, unit, range.text(), "none", about);
+  double v = 0;
+  if (const toml::node* n = get(key); n && quantity(*n, key, unit, range, v)) value = v;
+}
+
+void TableReader::whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high,
+                        const char* about) {
+  describe(key, "", fmt::format("{} ... {}, whole", low, high), fmt::format("{}", value), about);
+  const toml::node* n = get(key);
+  if (!n) return;
+  const auto* i = n->as_integer();
+  if (!i || i->get() < low || i->get() > high)
+    return fail(key, fmt::format("expected a whole number from {} to {}, got {}", low, high, shown(*n)));
+  value = i->get();
+}
+
+void TableReader::vector(const char* key, Vec3d& value, const char* unit, const char* about) {
+  describe(key, unit, "three numbers", fmt::format("[{}, {}, {}]", value.x, value.y, value.z), about);
+  const toml::node* n = get(key);
+  if (!n) return;
+  const toml::array* a = n->as_array();
+  if (!a || a->size() != 3)
+    return fail(key, fmt::format("expected a list of three quantities such as [0, 0, 0], got {}",
+                                 a ? fmt::format("{}", a->size()) : shown(*n)));
+  for (std::size_t k = 0; k < 3; k++)
+    quantity(*a->get(k), key, unit, anyNumber(), value[static_cast<int>(k)]);
+}
+void TableReader::vector(const char* key, std::optional<Vec3d>& value, const char* unit, const char* about) {
+  Vec3d v{};
+  vector(key, v, unit, about);
+  if (descriptions_) descriptions_->back().standard = "none";
+  if (has(key)) value = v;
+}
+
+void TableReader::flag(const char* key, bool& value, const char* about) {
+  describe(key, "", "true, false", value ? "true" : "false", about);
+  if (descriptions_) descriptions_->back().words = {"false", "true"};
+  const toml::node* n = get(key);
+  if (!n) return;
+  if (const auto* b = n->as_boolean()) value = b->get();
+  else fail(key, "expected true or false, got " + shown(*n));
+}
+
+void TableReader::text(const char* key, std::string& value, const char* about, const char* range) {
+  describe(key, "", range, value.empty() ? "none" : "\"" + value + "\"", about);
+  const toml::node* n = get(key);
+  if (!n) return;
+  if (const auto* s = n->as_string()) value = s->get();
+  else fail(key, "expected a text in quotes, got " + shown(*n));
+}
+
+void TableReader::words(const char* key, std::vector<std::string>& value,
+                        const std::vector<std::string>& allowed, const char* about) {
+  describe(key, "", "list of " + listOf(allowed), "[" + listOf(value) + "]", about);
+  const toml::node* n = get(key);
+  if (!n) return;
+  const toml::array* a = n->as_array();
+  if (!a) return fail(key, "expected a list of texts, got " + shown(*n));
+  value.clear();
+  for (const toml::node& e : *a) {
+    const auto* s = e.as_string();
+    if (s && std::find(allowed.begin(), allowed.end(), s->get()) != allowed.end()) value.push_back(s->get());
+    else if (s)
+      refuse(key, e,
+             fmt::format("there is no {}{}; there are {}", quoted(s->get()),
+                         suggestion(s->get(), {allowed.begin(), allowed.end()}), listOf(allowed)));
+    else refuse(key, e, "expected a text in quotes, got " + shown(e));
+  }
+}
+
+void TableReader::choice(const char* key, int& value, const std::vector<std::string>& words,
+                         const char* about) {
+  describe(key, "", listOf(words), "\"" + words[static_cast<std::size_t>(value)] + "\"", about);
+  if (descriptions_) descriptions_->back().words = words;
+  const toml::node* n = get(key);
+  if (!n) return;
+  const auto* s = n->as_string();
+  const auto at = s ? std::find(words.begin(), words.end(), s->get()) : words.end();
+  if (at == words.end())
+    return fail(
+        key, fmt::format("expected {}{}, got {}", words.size() == 2 ? "" : "one of ",
+                         words.size() == 2 ? "\"" + words[0] + "\" or \"" + words[1] + "\"" : listOf(words),
+                         shown(*n)));
+  value = static_cast<int>(at - words.begin());
+}
+
+void TableReader::blend(const BlendKey& k, Blend& value) {
+  const std::string standard = value.solid == value.liquid
+                                   ? numberText(value.solid)
+                                   : fmt::format("{{ solid = {}, liquid = {} }}", numberText(value.solid),
+                                                 numberText(value.liquid));
+  describe(k.key, k.unit, k.range.text() + ", or { solid = ..., liquid = ... }", standard, k.about);
+  const toml::node* n = get(k.key);
+  if (!n) return;
+  if (n->is_table()) {
+    const std::size_t before = errors_->size();
+    readTable(*n, named(k.key), [&](TableReader& r) {
+      r.number("solid", value.solid, k.unit, k.range, "");
+      r.number("liquid", value.liquid, k.unit, k.range, "");
+    });
+    if (errors_->size() > before) refused_.insert(k.key);
+  } else if (quantity(*n, k.key, k.unit, k.range, value.solid) && k.liquid == Liquid::Same) {
+    value.liquid = value.solid;
+  }
+}
+
+void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>>& value) {
+  const toml::node* n = get(k.key);
+  const toml::array* a = n ? n->as_array() : nullptr;
+  if (!n) return;
+  const std::string pair = fmt::format("[{}, {}]", *k.unit1 ? k.unit1 : "number",
+                                       *k.unit2 ? k.unit2 : "number");
+  if (!a || a->size() < 2) return fail(k.key, "expected a list of at least two pairs " + pair);
+  value.clear();
+  for (const toml::node& e : *a) {
+    const toml::array* p = e.as_array();
+    std::pair<double, double> v;
+    if (!p || p->size() != 2) {
+      refuse(k.key, e, fmt::format("expected a pair {}, got {}", pair, shown(e)));
+      continue;
+    }
+    const bool first = quantity(*p->get(0), k.key, k.unit1, k.range1, v.first),
+               second = quantity(*p->get(1), k.key, k.unit2, k.range2, v.second);
+    if (!first || !second) continue;
+    if (!value.empty() && v.first <= value.back().first)
+      refuse(k.key, e, "the first quantities of the pairs must ascend");
+    value.push_back(v);
+  }
+}
+
+const toml::node* TableReader::node(const char* key, const char* unit, const char* range, const char* about) {
+  describe(key, unit, range, "none", about);
+  return get(key);
+}
+
+void TableReader::readTable(const toml::node& n, const std::string& path,
+                            const std::function<void(TableReader&)>& read) {
+  const toml::table* t = n.as_table();
+  if (!t) return fail(placeOfNode(n), path + ": expected a table, got " + shown(n));
+  TableReader r(*t, path, *errors_);
+  read(r);
+  r.finish();
+}
+
+void TableReader::tables(const char* key, const char* about, const std::function<void(TableReader&)>& read) {
+  describe(key, "", "list of tables", "none", about);
+  if (descriptions_) {
+    TableReader r(named(key), *descriptions_);
+    return read(r);
+  }
+  const toml::node* n = get(key);
+  if (!n) return;
+  const auto nameOf = [&](const toml::node& e, std::size_t k) {
+    const toml::table* t = e.as_table();
+    const auto* s = t ? t->get_as<std::string>("name") : nullptr;
+    return named(key) + "." + (s && !s->get().empty() ? s->get() : fmt::format("{}", k));
+  };
+  if (n->is_table()) return readTable(*n, nameOf(*n, 0), read);
+  const toml::array* a = n->as_array();
+  if (!a) return fail(key, "expected a table or a list of tables, got " + shown(*n));
+  std::size_t k = 0;
+  for (const toml::node& e : *a) {
+    readTable(e, nameOf(e, k), read);
+    k++;
+  }
+}
+
+void TableReader::table(const char* key, const char* about, const std::function<void(TableReader&)>& read) {
+  describe(key, "", "table", "none", about);
+  if (descriptions_) {
+    TableReader r(named(key), *descriptions_);
+    return read(r);
+  }
+  if (const toml::node* n = get(key)) readTable(*n, named(key), read);
+}
+
+void TableReader::namedTables(const char* key, const char* about,
+                              const std::function<void(const std::string&, TableReader&)>& read) {
+  describe(key, "", "tables by name", "none", about);
+  if (descriptions_) {
+    TableReader r(named(key) + ".NAME", *descriptions_);
+    return read("NAME", r);
+  }
+  const toml::node* n = get(key);
+  if (!n) return;
+  const toml::table* t = n->as_table();
+  if (!t) return fail(key, fmt::format("expected tables such as [{}.NAME], got {}", key, shown(*n)));
+  for (const auto& [name, node] : *t) {
+    const std::string word(name.str());
+    if (!node.is_table()) refused_.insert(key);
+    readTable(node, named(key) + "." + word, [&](TableReader& r) { read(word, r); });
+  }
+}
+
+void TableReader::finish() {
+  if (!table_) return;
+  for (const auto& [key, node] : *table_) {
+    const std::string name(key.str());
+    if (known_.count(name)) continue;
+    const toml::source_region& s = key.source();
+    const SourcePlace where = s.path ? SourcePlace{*s.path, static_cast<int>(s.begin.line),
+                                                   static_cast<int>(s.begin.column)}
+                                     : placeOfNode(node);
+    fail(where, fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_,
+                            suggestion(name, known_)));
+  }
+}
+
+}  // namespace thaw

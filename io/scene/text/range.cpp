@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene/text/range.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace thaw {
+
+bool Range::holds(double v) const {
+  return std::isfinite(v) && (openLow ? v > low : v >= low) && (openHigh ? v < high : v <= high);
+}
+
+std::string Range::text() const {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  std::string t = "any number";
+  if (high == never && low > -never) t = fmt::format("{} {}", openLow ? ">" : ">=", low);
+  else if (low == -never && high < never) t = fmt::format("{} {}", openHigh ? "<" : "<=", high);
+  else if (low > -never && openLow && openHigh) t = fmt::format("> {} and < {}", low, high);
+  else if (low > -never && openLow) t = fmt::format("> {} and <= {}", low, high);
+  else if (low > -never && openHigh) t = fmt::format(">= {} and < {}", low, high);
+  else if (low > -never) t = fmt::format("{} ... {}", low, high);
+  return orNever ? t + " or \"never\"" : t;
+}
+
+}  // namespace thaw

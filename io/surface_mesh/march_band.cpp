@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/surface_mesh/march_band.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "core/geometry/builtin/marching_tetrahedra.hpp"
+#include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/math/hash_random.hpp"
+
+namespace thaw {
+
+namespace {
+
+using Corner = BandGrid::Corner;
+
+struct KeyHash {
+  std::size_t operator()(std::uint64_t key) const { return mixBits(key); }
+};
+
+/// Marches the cubes that have a corner with a value, and those at a cut.
+struct BandMarcher {
+  const BandGrid& grid;
+  const BandField& field;
+  const PlaneField& planes;
+  const Vec3f deep;
+  MarchedBand out;
+  std::unordered_map<std::uint64_t, std::uint32_t, KeyHash> onEdge;
+
+  static Corner cornerOf(const Corner& low, int c) {
+    return {low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2)};
+  }
+
+  /// Returns the crossing of the surface along an edge, 0 to 1. It iterates, since values are not linear
+  /// where the surface is curved.
+  double zeroOn(const Vec3d& p, const Vec3d& along, double from, double to, PlaneHeight& here) {
+    double low = 0, high = 1, t = crossing(from, to);
+    for (int k = 0; k < 3; k++) {
+      here = planes.at(p + t * along);
+      if (!here.known) break;
+      if ((here.value < 0) == (from < 0)) low = t, from = here.value;
+      else high = t, to = here.value;
+      t = std::clamp(low + (high - low) * (from != to ? from / (from - to) : 0.5), nearestToCorner,
+                     1 - nearestToCorner);
+    }
+    return t;
+  }
+
+  std::pair<std::uint32_t, bool> numberOf(const Corner& c, int what) {
+    const auto [place, fresh] = onEdge.try_emplace(grid.key(c) * 8 + static_cast<std::uint64_t>(what),
+                                                   static_cast<std::uint32_t>(out.mesh.mesh.vertices.size()));
+    return {place->second, fresh};
+  }
+
+  void add(const Vec3d& x, const Vec3f& normal, const Vec3f& colour, int fixedAxes) {
+    out.mesh.mesh.vertices.push_back(x);
+    const float l = std::sqrt(dot(normal, normal));
+    out.mesh.normals.push_back(l > 0 ? normal / l : Vec3f{0, 0, 1});
+    out.mesh.colours.push_back(colour);
+    out.fixedAxes.push_back(static_cast<std::uint8_t>(fixedAxes));
+  }
+
+  /// Returns the vertex of a cap at an inside corner, the same for all edges that lead beyond the cut.
+  std::uint32_t onCap(const Corner& c, std::int32_t slot) {
+    const auto [number, fresh] = numberOf(c, 7);
+    if (!fresh) return number;
+    const int cuts = grid.onCut(c);
+    Vec3f normal{};
+    for (int a = 0; a < 3; a++)
+      if (cuts >> a & 1) normal[a] = c[static_cast<std::size_t>(a)] == 1 ? -1.0f : 1.0f;
+    add(grid.place(c), normal, slot >= 0 ? field.colour[static_cast<std::size_t>(slot)] : deep,
+        cuts | MarchedBand::onCap);
+    return number;
+  }
+
+  std::uint32_t vertex(const Corner& low, const std::int32_t (&slot)[8], const double (&value)[8],
+                       const CubeEdge& e) {
+    const Corner from = cornerOf(low, e.from), to = cornerOf(low, e.to);
+    if (grid.beyond(to)) return onCap(from, slot[e.from]);
+    if (grid.beyond(from)) return onCap(to, slot[e.to]);
+    const auto [number, fresh] = numberOf(from, e.direction());
+    if (!fresh) return number;
+    const Vec3d p = grid.place(from), along = grid.place(to) - p;
+    PlaneHeight here;
+    const double t = zeroOn(p, along, value[e.from], value[e.to], here);
+    // An end without a value uses the other one's; one of them has one.
+    const std::int32_t a = slot[e.from] >= 0 ? slot[e.from] : slot[e.to],
+                       b = slot[e.to] >= 0 ? slot[e.to] : a;
+    const float u = static_cast<float>(t);
+    const auto between = [&](const std::vector<Vec3f>& of) {
+      return (1 - u) * of[static_cast<std::size_t>(a)] + u * of[static_cast<std::size_t>(b)];
+    };
+    add(p + t * along, here.known ? here.normal : between(field.normal), between(field.colour),
+        grid.onCut(from) & grid.onCut(to));
+    return number;
+  }
+
+  /// own: first slot among the cube's corners, by which it is marched once; -1: cube without slots.
+  void marchCube(const Corner& low, std::int32_t own) {
+    std::int32_t slot[8];
+    double value[8];
+    int inside = 0, first = -1;
+    for (int c = 0; c < 8; c++) {
+      slot[c] = grid.at(cornerOf(low, c));
+      if (slot[c] >= 0 && first < 0) first = slot[c];
+      value[c] = slot[c] >= 0                  ? field.value[static_cast<std::size_t>(slot[c])]
+                 : slot[c] == BandGrid::inside ? -grid.spacing()
+                                               : grid.spacing();
+      inside += value[c] < 0;
+    }
+    if (first != own || inside == 0 || inside == 8) return;
+    marchTetrahedra(value,
+                    [&](const CubeEdge& e, const CubeEdge& f, const CubeEdge& g, const Vec3d& outward) {
+                      std::uint32_t a = vertex(low, slot, value, e), b = vertex(low, slot, value, f),
+                                    c = vertex(low, slot, value, g);
+                      if (a == b || b == c || c == a)
+                        return;  // edges from one corner beyond a cut have one vertex
+                      const auto& v = out.mesh.mesh.vertices;
+                      if (dot(cross(v[b] - v[a], v[c] - v[a]), outward) < 0) std::swap(b, c);
+                      out.mesh.mesh.triangles.push_back({a, b, c});
+                    });
+  }
+
+  /// Cubes beyond a cut, where the inside may be far from all surfels.
+  void marchCaps() {
+    for (std::size_t axis = 0; axis < 3; axis++) {
+      if (!grid.cut(static_cast<int>(axis))) continue;
+      const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const auto isCap = [&](const Corner& c, std::size_t a) {
+        return grid.cut(static_cast<int>(a)) && (c[a] == 0 || c[a] == grid.count()[a] - 2);
+      };
+      for (const std::int64_t layer : {std::int64_t{0}, grid.count()[axis] - 2})
+        for (std::int64_t j = 0; j + 1 < grid.count()[v]; j++)
+          for (std::int64_t i = 0; i + 1 < grid.count()[u]; i++) {
+            Corner low;
+            low[axis] = layer, low[u] = i, low[v] = j;
+            bool before = false;  // marched for another axis
+            for (std::size_t a = 0; a < axis; a++) before = before || isCap(low, a);
+            if (!before) marchCube(low, -1);
+          }
+    }
+  }
+
+  void march() {
+    for (std::size_t s = 0; s < grid.slots(); s++)
+      for (int c = 0; c < 8; c++) {
+        const Corner& at = grid.corner(s);
+        marchCube({at[0] - (c & 1), at[1] - (c >> 1 & 1), at[2] - (c >> 2)}, static_cast<std::int32_t>(s));
+      }
+    marchCaps();
+  }
+};
+
+}  // namespace
+
+MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneField& planes,
+                      const Vec3f& deep) {
+  BandMarcher marcher{grid, field, planes, deep, {}, {}};
+  marcher.march();
+  return std::move(marcher.out);
+}
+
+void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing) {
+  ComponentMesh& m = band.mesh;
+  TriangleMesh& mesh = m.mesh;
+  DisjointSets sets(mesh.vertices.size());
+  for (const auto& t : mesh.triangles) sets.join(t[0], t[1]), sets.join(t[1], t[2]);
+  std::vector<double> volume(mesh.vertices.size(), 0.0);  // signed volume of the shell, at its root vertex
+  const Vec3d from = mesh.vertices.empty() ? Vec3d{} : mesh.vertices[0];
+  for (const auto& t : mesh.triangles)
+    volume[sets.find(t[0])] += dot(mesh.vertices[t[0]] - from,
+                                   cross(mesh.vertices[t[1]] - from, mesh.vertices[t[2]] - from)) /
+                               6;
+  std::vector<double> area(volume.size(), 0.0), onDiscs(volume.size(), 0.0);
+  for (const auto& t : mesh.triangles) {
+    if (band.fixedAxes[t[0]] & band.fixedAxes[t[1]] & band.fixedAxes[t[2]]) continue;  // on a cut
+    const std::uint32_t shell = sets.find(t[0]);
+    const double size = length(
+        cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
+    area[shell] += 3 * size;
+    for (const std::uint32_t v : t)
+      if (planes.onDisc(mesh.vertices[v], m.normals[v])) onDiscs[shell] += size;
+  }
+  double largest = 0;
+  for (const double v : volume) largest = std::max(largest, std::abs(v));
+  const double least = std::min(largest, 2 * spacing * spacing * spacing);
+  const auto isFragment = [&](std::uint32_t v) {
+    const std::uint32_t shell = sets.find(v);
+    return std::abs(volume[shell]) < least ||
+           (std::abs(volume[shell]) < largest && onDiscs[shell] < 0.5 * area[shell]);
+  };
+  std::vector<std::uint32_t> number(mesh.vertices.size());
+  std::uint32_t kept = 0;
+  for (std::uint32_t v = 0; v < number.size(); v++) {
+    if (isFragment(v)) continue;
+    mesh.vertices[kept] = mesh.vertices[v], m.colours[kept] = m.colours[v], m.normals[kept] = m.normals[v],
+    band.fixedAxes[kept] = band.fixedAxes[v];
+    number[v] = kept++;
+  }
+  std::erase_if(mesh.triangles, [&](const auto& t) { return isFragment(t[0]); });
+  for (auto& t : mesh.triangles)
+    for (std::uint32_t& v : t) v = number[v];
+  mesh.vertices.resize(kept), m.colours.resize(kept), m.normals.resize(kept), band.fixedAxes.resize(kept);
+}
+
+}  // namespace thaw

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles of the zero set from values at grid corners.
+#pragma once
+#include "io/surface_mesh/band_grid.hpp"
+#include "io/surface_mesh/plane_field.hpp"
+#include "io/surface_mesh/surface_mesh.hpp"
+
+namespace thaw {
+
+/// Values of a grid corner, one per slot: nearest surfel, and weighted sums over surfels around it.
+struct BandField {
+  std::vector<float> nearest2;  // m^2
+  std::vector<std::uint32_t> nearest;
+  std::vector<float> weight, value;
+  std::vector<Vec3f> offset, normal, colour;
+};
+
+/// Triangles, with constraints of their vertices.
+struct MarchedBand {
+  static constexpr std::uint8_t onCap = 8;
+  ComponentMesh mesh;
+  std::vector<std::uint8_t> fixedAxes;  ///< per vertex: bits of the axes on whose cut it lies, and onCap
+                                        ///< inside a cap
+};
+
+/// Marches all cubes that the surface crosses. At a cut the inside ends with a flat cap on the plane, with a
+/// vertex at each inside corner. Corners far from all surfels have the colour `deep` (sRGB 0 to 255).
+MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneField& planes,
+                      const Vec3f& deep);
+
+/// Removes spurious closed shells next to a larger one. One test is a volume below two cubes, since nearest
+/// surfels may disagree at sharp edges. The other is less than half of the area on discs: for bubbles and
+/// fragments in narrow creases it is about a tenth, for real surfaces nearly all.
+void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing);
+
+}  // namespace thaw

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Implicit surface of surfels: the weighted mean of their planes.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/surface/search/bins.hpp"
+#include "io/frames/read_surface_frame.hpp"
+
+namespace thaw {
+
+inline constexpr double planeSharpness = 0.6;  ///< width of the weights over a surfel's radius
+/// Least cosine of a normal to that of the nearest surfel: excludes the other side of a thin sheet.
+inline constexpr float planeAgreement = -0.3f;
+/// Radii within which surfels count, plus `margin`.
+inline constexpr double planeReach = 1.5;
+
+/// Signed height over the surface (m, above 0 outside) and its outward gradient, not normalised; `known` is
+/// false if no surfel is in reach.
+struct PlaneHeight {
+  double value = 0;
+  Vec3f normal{};
+  bool known = false;
+};
+
+/// Implicit moving least squares of Kolluri 2005 over the nearest surfels, corrected for curvature by the
+/// mean normal. Planes of a curved surface lie outside of it, but the chord to a surfel is perpendicular to
+/// the mean of both normals, exactly so on a sphere.
+class PlaneField {
+ public:
+  PlaneField(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows, double margin);
+  PlaneHeight at(const Vec3d& x) const;
+  /// Returns whether a disc with a similar normal covers the position.
+  bool onDisc(const Vec3d& x, const Vec3f& normal) const;
+
+ private:
+  const SurfaceFrame& frame_;
+  const std::vector<std::uint32_t>& rows_;
+  double margin_, farthest_ = 0;
+  Bins bins_;
+};
+
+}  // namespace thaw

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/surface_mesh/surface_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "io/surface_mesh/march_band.hpp"
+#include "io/surface_mesh/offset_vertices.hpp"
+
+namespace thaw {
+
+namespace {
+
+using Corner = BandGrid::Corner;
+
+/// Largest cube edge over a component's size, so drops of a few surfels stay spherical.
+constexpr double mostOfSize = 0.15;
+
+/// Surfels of a mesh: an unwrapped component, and near images where it is cut at periodic sides.
+struct Patch {
+  SurfaceFrame frame;               // positions, normals, radii and colours only
+  std::vector<std::uint32_t> rows;  // all of them
+  PeriodicSides sides;
+  std::array<bool, 3> cut{};  // per axis
+  Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  double radius = 0;  // m, mean
+  Vec3f meanColour{};
+  double largest() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
+};
+
+Vec3f colourOf(const Rgb& c) {
+  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+}
+
+bool usable(const SurfaceFrame& f, std::size_t i) {
+  const Vec3d& x = f.positions[i];
+  const Vec3f& n = f.normals[i];
+  return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z) && std::isfinite(n.x) &&
+         std::isfinite(n.y) && std::isfinite(n.z) && dot(n, n) > 0 && std::isfinite(f.radii[i]) &&
+         f.radii[i] > 0;
+}
+
+double reachOf(const Patch& p, std::uint32_t i, double spacing) {
+  return planeReach * p.frame.radii[i] + spacing;
+}
+
+BandGrid gridAround(const Patch& p, double spacing) {
+  double reach = 0;
+  for (const std::uint32_t i : p.rows) reach = std::max(reach, reachOf(p, i, spacing));
+  Vec3d origin, edge;
+  Corner count;
+  double blocks = 1;
+  for (int a = 0; a < 3; a++) {
+    const std::size_t k = static_cast<std::size_t>(a);
+    double n;
+    if (p.cut[k]) {  // corners on both sides, and one beyond each
+      const double cubes = std::max(1.0, std::ceil(p.sides.period[a] / spacing));
+      edge[a] = p.sides.period[a] / cubes;
+      origin[a] = p.sides.min[a] - edge[a];
+      n = cubes + 3;
+    } else {  // two cubes beyond the reach of all surfels, so the border is outside
+      const double margin = reach + 2 * spacing;
+      edge[a] = spacing;
+      origin[a] = p.low[a] - margin;
+      n = std::ceil((p.high[a] + margin - origin[a]) / spacing) + 1;
+    }
+    blocks *= std::ceil(n / BandGrid::side);
+    if (!(n < 1e6) || !(blocks < 1e9))
+      throw std::runtime_error(
+          "a component extends too far for a mesh at the spacing of its surfels: remove surfels that moved "
+          "away, or raise --cell");
+    count[k] = static_cast<std::int64_t>(n);
+  }
+  return BandGrid(origin, edge, count, p.cut);
+}
+
+void findNearest(const Patch& p, BandGrid& grid, BandField& field) {
+  for (const std::uint32_t i : p.rows) {
+    const Vec3d& x = p.frame.positions[i];
+    grid.forCornersNear(x, reachOf(p, i, grid.spacing()), [&](const Corner& c) {
+      const std::size_t slot = static_cast<std::size_t>(grid.makeSlot(c));
+      if (slot == field.nearest.size()) {
+        field.nearest.push_back(i);
+        field.nearest2.push_back(std::numeric_limits<float>::infinity());
+      }
+      const Vec3d d = grid.place(c) - x;
+      const float d2 = static_cast<float>(dot(d, d));
+      if (d2 < field.nearest2[slot]) field.nearest2[slot] = d2, field.nearest[slot] = i;
+    });
+  }
+}
+
+void addPlanes(const Patch& p, const BandGrid& grid, BandField& field) {
+  const std::size_t slots = grid.slots();
+  field.weight.assign(slots, 0);
+  field.value.assign(slots, 0);
+  field.offset.assign(slots, {});
+  field.normal.assign(slots, {});
+  field.colour.assign(slots, {});
+  for (const std::uint32_t i : p.rows) {
+    const Vec3d& x = p.frame.positions[i];
+    const Vec3f& n = p.frame.normals[i];
+    const Vec3f colour = colourOf(p.frame.colours[i]);
+    const float over = static_cast<float>(
+        0.5 / (planeSharpness * planeSharpness * p.frame.radii[i] * p.frame.radii[i]));
+    grid.forCornersNear(x, reachOf(p, i, grid.spacing()), [&](const Corner& c) {
+      const std::size_t slot = static_cast<std::size_t>(grid.at(c));
+      if (dot(n, p.frame.normals[field.nearest[slot]]) < planeAgreement) return;
+      const Vec3d d = grid.place(c) - x;
+      // relative to the nearest one, so weights do not vanish far from the surface
+      const float w = std::exp(
+          std::max(-60.0f, (field.nearest2[slot] - static_cast<float>(dot(d, d))) * over));
+      field.weight[slot] += w;
+      const Vec3f away{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
+      field.value[slot] += w * dot(away, n);
+      field.offset[slot] += w * away;
+      field.normal[slot] += w * n;
+      field.colour[slot] += w * colour;
+    });
+  }
+  for (std::size_t s = 0; s < slots; s++) {
+    const float over = 1 / field.weight[s];  // the nearest surfel has weight 1, so the sum is at least 1
+    const float l = std::sqrt(dot(field.normal[s], field.normal[s]));
+    const float along = l > 0 ? dot(field.normal[s], field.offset[s]) / l : field.value[s];
+    field.value[s] = 0.5f * over * (field.value[s] + along);
+    field.colour[s] = over * field.colour[s];
+  }
+}
+
+Patch patchOf(const SurfaceFrame& frame, const ComponentRows& component, const std::vector<Rgb>& colours,
+              const PeriodicSides& sides) {
+  std::vector<std::uint32_t> rows;
+  for (const std::uint32_t i : component.rows)
+    if (usable(frame, i)) rows.push_back(i);
+  UnwrappedComponent whole = unwrapComponent(frame, rows, sides);
+  Patch p;
+  p.sides = sides;
+  p.cut = whole.selfJoined;
+  for (std::size_t k = 0; k < rows.size(); k++) {
+    const std::uint32_t i = rows[k];
+    p.frame.normals.push_back(frame.normals[i]);
+    p.frame.radii.push_back(frame.radii[i]);
+    p.frame.colours.push_back(colours[i]);
+    p.rows.push_back(static_cast<std::uint32_t>(k));
+    p.radius += frame.radii[i] / static_cast<double>(rows.size());
+    p.meanColour += colourOf(colours[i]) / static_cast<float>(rows.size());
+    for (int a = 0; a < 3; a++)
+      p.low[a] = std::min(p.low[a], whole.positions[k][a]),
+      p.high[a] = std::max(p.high[a], whole.positions[k][a]);
+  }
+  p.frame.positions = std::move(whole.positions);
+  return p;
+}
+
+/// Adds the images of surfels that reach corners on the other side of a cut.
+Patch withImages(Patch p, double spacing) {
+  for (int a = 0; a < 3; a++) {
+    if (!p.cut[static_cast<std::size_t>(a)]) continue;
+    const double period = p.sides.period[a], min = p.sides.min[a];
+    const std::size_t before = p.rows.size();
+    for (std::size_t i = 0; i < before; i++) {
+      const double reach = reachOf(p, static_cast<std::uint32_t>(i), 2 * spacing),
+                   most = std::ceil(reach / period);
+      for (double n = -most; n <= most; n++) {
+        Vec3d x = p.frame.positions[i];
+        x[a] += n * period;
+        if (n == 0 || x[a] < min - reach || x[a] > min + period + reach) continue;
+        p.frame.positions.push_back(x);
+        p.frame.normals.push_back(p.frame.normals[i]);
+        p.frame.radii.push_back(p.frame.radii[i]);
+        p.frame.colours.push_back(p.frame.colours[i]);
+        p.rows.push_back(static_cast<std::uint32_t>(p.rows.size()));
+      }
+    }
+  }
+  return p;
+}
+
+ComponentMesh meshAt(const Patch& p, double spacing) {
+  BandGrid grid = gridAround(p, spacing);
+  BandField field;
+  findNearest(p, grid, field);
+  addPlanes(p, grid, field);
+  std::vector<std::uint8_t> isInside(grid.slots());
+  for (std::size_t s = 0; s < isInside.size(); s++) isInside[s] = field.value[s] < 0;
+  grid.classify(isInside);
+  const PlaneField planes(p.frame, p.rows, grid.spacing());
+  MarchedBand band = marchBand(grid, field, planes, p.meanColour);
+  removeFragments(band, planes, grid.spacing());
+  offsetVertices(band, 0.1 * grid.spacing());
+  return std::move(band.mesh);
+}
+
+}  // namespace
+
+std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame) {
+  std::vector<std::uint32_t> order(frame.positions.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return frame.components[a] < frame.components[b];
+  });
+  std::vector<ComponentRows> all;
+  for (const std::uint32_t i : order) {
+    if (all.empty() || all.back().component != frame.components[i]) all.push_back({frame.components[i], {}});
+    all.back().rows.push_back(i);
+  }
+  return all;
+}
+
+ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& component,
+                              const std::vector<Rgb>& colours, const PeriodicSides& sides, double cell) {
+  ComponentMesh mesh;
+  mesh.component = component.component;
+  const Patch own = patchOf(frame, component, colours, sides);
+  if (own.rows.empty()) return mesh;
+  const double asked = cell * own.radius;
+  double edge = std::min(asked, mostOfSize * own.largest());
+  for (int n = 0; n < 4 && edge > 0.01 * own.radius && mesh.mesh.triangles.empty(); n++, edge *= 0.5) {
+    mesh = meshAt(withImages(own, edge), edge);
+    mesh.edge = edge;
+  }
+  mesh.component = component.component;
+  mesh.asked = asked;
+  mesh.cut = own.cut;
+  return mesh;
+}
+
+}  // namespace thaw

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh is read and repaired and its tree built once per start. For 100,000 triangles that takes as long as
+// ten steps.
+#include <gtest/gtest.h>
+
+#include "core/halo/serial.hpp"
+#include "core/simulation/setup/setup.hpp"
+#include "core/solid/bonds/serial_bond_halo.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace thaw {
+namespace {
+
+TEST(Shapes, AreBuiltOncePerBody) {
+  World w;
+  Scene& s = w.scene;
+  s.spacing = 0.1;
+  s.domain.min = {-2, -2, -2};
+  s.domain.max = {2, 2, 2};
+  s.materials.emplace_back();
+  s.bodies.emplace_back();
+  s.bodies[0].name = "ball";
+  s.bodies[0].shape.kind = ShapeKind::Mesh;
+  s.bodies[0].shape.mesh = "ball.ply";
+  int made = 0;
+  const MeshLoader load = [&](const std::string&) {
+    made++;
+    return ballMesh({}, 1, 0.2);
+  };
+  StepTools tools;
+  prepareWorld(w, tools, load);
+  EXPECT_EQ(tools.shapes.size(), 1u);
+  SerialReducer all;
+  SerialCellHalo cells(w.grid);
+  SerialBondHalo bonds;
+  startWorld(w, {all, cells, bonds}, tools, load);
+  EXPECT_EQ(made, 1);
+  EXPECT_TRUE(tools.shapes.empty()) << "they are not kept";
+  EXPECT_NEAR(static_cast<double>(w.particles.owned), 4 * 3.14159 / 3 * 1000, 100);
+}
+
+}  // namespace
+}  // namespace thaw

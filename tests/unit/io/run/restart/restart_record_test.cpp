@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/run/restart/restart_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/run/restart/mesh_fingerprints.hpp"
+
+namespace thaw {
+namespace {
+
+Scene sample() {
+  Scene s;
+  s.spacing = 0.01;
+  s.materials.resize(2);
+  s.materials[0].name = "wax";
+  s.materials[1].name = "oil";
+  s.bodies.resize(1);
+  s.bodies[0].name = "bust";
+  s.emitters.resize(1);
+  s.emitters[0].name = "tap";
+  return s;
+}
+
+TEST(SceneMarks, AllowedChangesAreAccepted) {
+  const CheckpointValues then = restartRecordOf(sample());
+  Scene s = sample();
+  EXPECT_TRUE(restartConflicts(then, s).empty());
+  s.end = 7;
+  s.materials[0].density = 1234;
+  s.output.checkpoint = 1;
+  s.output.fields = {"id"};
+  s.numerics.cflSound = 0.1;
+  s.emitters[0].end = 3;
+  s.obstacles.resize(1);
+  EXPECT_TRUE(restartConflicts(then, s).empty());
+}
+
+TEST(SceneMarks, OtherChangesAreRefused) {
+  const CheckpointValues then = restartRecordOf(sample());
+  const auto refused = [&](auto&& change) {
+    Scene s = sample();
+    change(s);
+    return !restartConflicts(then, s).empty();
+  };
+  EXPECT_TRUE(refused([](Scene& s) { s.spacing = 0.02; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.numerics.support = 2.5; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.output.every = 0.1; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.domain.max.z = 2; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.domain.gravity.z = 0; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.domain.side[1] = {Side::Periodic, Side::Periodic}; }));
+  EXPECT_TRUE(refused([](Scene& s) { std::swap(s.materials[0], s.materials[1]); }));
+  EXPECT_TRUE(refused([](Scene& s) { s.bodies[0].name = "cube"; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.bodies.clear(); }));
+  EXPECT_TRUE(refused([](Scene& s) { s.emitters[0].rate = 2; }));
+}
+
+TEST(SceneMarks, BodyTypeCoefficientsMayChangeAndAreReported) {
+  Scene s = sample();
+  s.sheets.emplace_back().name = "cloth";
+  s.oriented.emplace_back().name = "film";
+  const CheckpointValues then = restartRecordOf(s);
+  EXPECT_TRUE(coefficientChanges(then, s).empty());
+  s.sheets[0].warp = 7;
+  s.sheets[0].brushes.emplace_back();
+  s.oriented[0].circle = 2;
+  EXPECT_TRUE(restartConflicts(then, s).empty());
+  const std::vector<std::string> changes = coefficientChanges(then, s);
+  ASSERT_GE(changes.size(), 3u);
+  EXPECT_EQ(changes[0], "oriented.film.cocircular was 1, and is 2 now (SI)");
+  EXPECT_EQ(changes[1], "sheet.cloth.warp was 0, and is 7 now (SI)");
+  s.sheets[0].mass = 9;  // existing vertices keep their mass
+  EXPECT_FALSE(restartConflicts(then, s).empty());
+}
+
+TEST(SceneMarks, SourcesOfOrientedBodiesMayNotChange) {
+  Scene s = sample();
+  s.oriented.emplace_back().name = "film";
+  s.oriented[0].points = {{0, 0, 0}, {1, 0, 0}};
+  s.oriented[0].anchors.emplace_back();
+  const CheckpointValues then = restartRecordOf(s);
+  const auto refused = [&](auto&& change) {
+    Scene other = s;
+    change(other.oriented[0]);
+    return !restartConflicts(then, other).empty();
+  };
+  EXPECT_FALSE(refused([](OrientedBody&) {}));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.width = 2; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.thin = 0.5; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.density = 2; }));  // existing particles keep their density
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.points[1].z = 1; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.shape.move.x = 1; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].region.move.x = 1; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].normal = true; }));
+}
+
+TEST(SceneMarks, AreReportedInTheWordsOfTheScene) {
+  Scene s = sample();
+  s.oriented.emplace_back().name = "film";
+  s.oriented[0].source = OrientedSource::Control;
+  s.oriented[0].points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  s.sheets.emplace_back().name = "shell";
+  s.sheets.back().elasticLimit = 0.01;
+  const CheckpointValues then = restartRecordOf(s);
+  s.oriented[0].points.push_back({1, 1, 0});
+  s.sheets.back().elasticLimit = never;
+  const std::vector<std::string> made = restartConflicts(then, s), changes = coefficientChanges(then, s);
+  ASSERT_EQ(made.size(), 2u);
+  EXPECT_EQ(made[0], "oriented.film.control was 3, and is 4 now (SI)");
+  EXPECT_EQ(made[1].rfind("oriented.film.control.checksum was ", 0), 0u) << made[1];
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0], "sheet.shell.elastic_limit was 0.01, and is \"never\" now (SI)");
+}
+
+TEST(SceneMarks, InitialStatesAreReportedAsWithoutEffect) {
+  Scene s = sample();
+  for (Material& m : s.materials) m.soundSpeed = 10;
+  s.oriented.emplace_back().name = "film";
+  const CheckpointValues then = restartRecordOf(s);
+  EXPECT_TRUE(initialStateChanges(then, s).empty());
+  s.oriented[0].relax = 7;
+  s.bodies[0].velocity.x = 3;
+  EXPECT_TRUE(restartConflicts(then, s).empty());
+  EXPECT_TRUE(coefficientChanges(then, s).empty());
+  const std::vector<std::string> changes = initialStateChanges(then, s);
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_EQ(changes[0], "body.bust.velocity.x was 0, and is 3 now (SI)");
+  EXPECT_EQ(changes[1], "oriented.film.relax was 0, and is 7 now (SI)");
+}
+
+TEST(SceneMarks, AutomaticSoundSpeedIsACoefficient) {
+  Scene s = sample();
+  s.domain.gravity = {};
+  const CheckpointValues then = restartRecordOf(s);
+  s.bodies[0].velocity.x = 3;
+  const std::vector<std::string> changes = coefficientChanges(then, s);
+  EXPECT_EQ(changes, std::vector<std::string>{"numerics.expected_speed was 1, and is 3 now (SI)"});
+}
+
+TEST(SceneMarks, MaterialCoefficientsAreReported) {
+  Scene s = sample();
+  const CheckpointValues then = restartRecordOf(s);
+  s.materials[0].young.solid = 2e5;
+  EXPECT_EQ(coefficientChanges(then, s),
+            std::vector<std::string>{"material.wax.young.solid was 0, and is 200000 now (SI)"});
+}
+
+TEST(SceneMarks, ClampsMayNotChange) {
+  Scene s = sample();
+  s.sheets.emplace_back().name = "cloth";
+  s.sheets[0].clamp.emplace_back();
+  const CheckpointValues then = restartRecordOf(s);
+  Scene let = s;
+  let.sheets[0].clamp.clear();
+  EXPECT_FALSE(restartConflicts(then, let).empty());
+  Scene held = s;
+  held.bodies[0].clamp.emplace_back();
+  EXPECT_FALSE(restartConflicts(then, held).empty());
+  EXPECT_FALSE(restartConflicts(restartRecordOf(held), s).empty());
+  held.bodies[0].clamp[0].move.z = 1;
+  EXPECT_TRUE(initialStateChanges(restartRecordOf(held), held).empty());
+}
+
+TEST(SceneMarks, SurfaceSettingsAreReported) {
+  Scene s = sample();
+  s.surface.on = true;
+  const CheckpointValues then = restartRecordOf(s);
+  s.surface.adapt = 0.5;
+  s.surface.source = SurfelSource::Particles;
+  EXPECT_EQ(settingChanges(then, s, 0).size(), 1u);
+  EXPECT_TRUE(coefficientChanges(then, s).empty());  // forces are not recomputed for it
+  EXPECT_EQ(initialStateChanges(then, s).size(), 1u);
+}
+
+/// Choices are reported by the words of the scene file.
+TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
+  Scene s = sample();
+  s.surface.on = true;
+  s.sheets.emplace_back().name = "cloth";
+  s.oriented.emplace_back().name = "film";
+  s.oriented[0].anchors.emplace_back();
+  s.oriented[0].events.emplace_back().kind = OrientedEventKind::Weld;
+  s.oriented[0].fields.emplace_back();
+  const CheckpointValues then = restartRecordOf(s);
+  Scene other = s;
+  other.numerics.heat = HeatModel::Paper;
+  other.domain.side[0] = {Side::Periodic, Side::Periodic};
+  other.emitters[0].material = 1;
+  other.sheets[0].mesh = SheetMesh::Dome;
+  other.oriented[0].source = OrientedSource::Disc;
+  other.oriented[0].shape.kind = ShapeKind::Intersection;
+  other.oriented[0].anchors[0].normal = true;
+  std::swap(other.materials[0], other.materials[1]);
+  EXPECT_EQ(restartConflicts(then, other),
+            (std::vector<std::string>{"domain.periodic.x was false, and is true now",  // the tap's material
+                                                                                       // keeps its name and
+                                                                                       // has another place
+                                      "material.oil was 1, and is 0 now (place in the list)",
+                                      "material.wax was 0, and is 1 now (place in the list)",
+                                      "numerics.heat was \"enthalpy\", and is \"paper\" now",
+                                      "oriented.film.anchor.0.normal was false, and is true now",
+                                      "oriented.film.place.kind was \"box\", and is \"intersection\" now",
+                                      "oriented.film.source was \"a shape\", and is \"disc\" now",
+                                      "sheet.cloth.mesh was \"grid\", and is \"dome\" now"}));
+  other = s;
+  other.surface.merge = MergeRule::None;
+  other.surface.smoothing = SmoothingForm::Plane;
+  other.oriented[0].growth = OrientedGrowth::Borders;
+  other.oriented[0].events[0].kind = OrientedEventKind::Crease;
+  EXPECT_EQ(settingChanges(then, other, -1),
+            (std::vector<std::string>{"oriented.film.event.0.kind was \"weld\", and is \"crease\" now",
+                                      "oriented.film.growth was \"none\", and is \"borders\" now",
+                                      "surface.merge was \"liquid\", and is \"none\" now",
+                                      "surface.smoothing was \"sphere\", and is \"plane\" now"}));
+  other = s;
+  other.oriented[0].integrator = OrientedIntegrator::RungeKutta;
+  other.oriented[0].facing = false;
+  other.oriented[0].fields.clear();
+  other.sheets[0].selfContact = true;
+  other.materials[0].law = ElasticLaw::NeoHookean;
+  std::vector<std::string> reported = coefficientChanges(then, other);
+  std::erase_if(reported, [](const std::string& t) {
+    return t.find("field.0") != std::string::npos && t.find("everywhere") == std::string::npos;
+  });
+  EXPECT_EQ(reported, (std::vector<std::string>{
+                          "material.wax.law was \"green\", and is \"neo-hookean\" now",
+                          "oriented.film.facing was true, and is false now",
+                          "oriented.film.field.0.everywhere was true, and is not in the scene any more",
+                          "oriented.film.integrator was \"symplectic\", and is \"rk4\" now",
+                          "sheet.cloth.self_contact was false, and is true now"}));
+  other = s;
+  other.surface.source = SurfelSource::Particles;
+  other.bodies[0].packing = Packing::Relaxed;
+  other.bodies[0].material = 1;
+  other.bodies[0].shape.kind = ShapeKind::Torus;
+  EXPECT_EQ(initialStateChanges(then, other),
+            std::vector<std::string>{"surface.source was \"automatic\", and is \"particles\" now"});
+  EXPECT_EQ(restartConflicts(then, other),
+            (std::vector<std::string>{"body.bust.material was \"wax\", and is \"oil\" now",
+                                      "body.bust.packing was \"lattice\", and is \"relaxed\" now",
+                                      "body.bust.shape.kind was \"box\", and is \"torus\" now"}));
+}
+
+TEST(SceneMarks, MessageNamesTheKeyAndBothValues) {
+  Scene s = sample();
+  const CheckpointValues then = restartRecordOf(s);
+  s.spacing = 0.02;
+  ASSERT_EQ(restartConflicts(then, s).size(), 1u);
+  EXPECT_EQ(restartConflicts(then, s)[0].rfind("spacing was 0.01, and is 0.02 now", 0), 0u);
+}
+
+TEST(SceneMarks, HalfSpacesAreComparedByPointAndNormal) {
+  Scene s = sample();
+  s.sheets.emplace_back().name = "cloth";
+  s.sheets[0].regions.emplace_back().shape.kind = ShapeKind::HalfSpace;
+  s.bodies[0].shape.kind = ShapeKind::Difference;
+  s.bodies[0].shape.parts.resize(2);
+  s.bodies[0].shape.parts[1].kind = ShapeKind::HalfSpace;
+  const CheckpointValues then = restartRecordOf(s);
+  Scene other = s;
+  other.sheets[0].regions[0].shape.point.x = 0.1;
+  EXPECT_EQ(restartConflicts(then, other).size(), 1u);
+  other = s;
+  other.bodies[0].shape.parts[1].normal = {1, 0, 0};
+  EXPECT_EQ(restartConflicts(then, other).size(), 2u);
+}
+
+TEST(SceneMarks, MeshesAreComparedByContent) {
+  TriangleMesh cloth{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, moved = cloth, turned = cloth;
+  moved.vertices[2].y = 1.1;
+  turned.triangles[0] = {0, 2, 1};
+  const auto sceneOf = [](const std::string& path, const TriangleMesh& mesh) {
+    Scene s = sample();
+    s.sheets.emplace_back().name = "cloth";
+    s.sheets[0].mesh = SheetMesh::File;
+    s.sheets[0].shape.kind = ShapeKind::Mesh;
+    s.sheets[0].shape.mesh = path;
+    fingerprintMeshes(s, [&](const std::string&) { return mesh; });
+    return s;
+  };
+  const CheckpointValues then = restartRecordOf(sceneOf("/a/cloth.obj", cloth));
+  EXPECT_TRUE(restartConflicts(then, sceneOf("/b/cloth.obj", cloth)).empty());
+  EXPECT_EQ(restartConflicts(then, sceneOf("/a/cloth.obj", moved)).size(), 1u);
+  EXPECT_EQ(restartConflicts(then, sceneOf("/a/cloth.obj", turned)).size(), 1u);
+}
+
+TEST(SceneMarks, ExternalActionsAreReported) {
+  Scene s = sample();
+  s.sheets.emplace_back().name = "cloth";
+  s.sheets[0].brushes.emplace_back();
+  s.oriented.emplace_back().name = "film";
+  s.oriented[0].fields.emplace_back().everywhere = false;
+  s.obstacles.emplace_back().name = "pan";
+  const CheckpointValues then = restartRecordOf(s);
+  const auto reported = [&](auto&& change) {
+    Scene other = s;
+    change(other);
+    EXPECT_TRUE(restartConflicts(then, other).empty());
+    return coefficientChanges(then, other).size() + settingChanges(then, other, 0).size();
+  };
+  EXPECT_EQ(reported([](Scene&) {}), 0u);
+  EXPECT_EQ(reported([](Scene& o) { o.sheets[0].wrapTo = "pan"; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.sheets[0].brushes[0].motion.push_back({1, {1, 0, 0}, {}}); }), 7u);
+  EXPECT_EQ(reported([](Scene& o) { o.oriented[0].cfl = 1; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.oriented[0].fields[0].radius = 7; }), 1u);  // its region has a radius
+                                                                                  // as well
+  EXPECT_EQ(reported([](Scene& o) { o.oriented[0].fields[0].region.radius = 7; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.obstacles[0].shape.move.z = 1; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.obstacles[0].temperature = 500; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.domain.side[2] = {Side::Wall, Side::Open}; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.numerics.kernel = KernelKind::Mcg03; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.materials[0].emissivity = 1; }), 1u);
+}
+
+TEST(SceneMarks, PastEventsAreReportedAsWithoutEffect) {
+  Scene s = sample();
+  s.oriented.emplace_back().name = "film";
+  const CheckpointValues then = restartRecordOf(s);
+  s.oriented[0].events.emplace_back().time = 1;
+  EXPECT_TRUE(pastEventChanges(then, s, 0.9).empty());
+  EXPECT_FALSE(settingChanges(then, s, 0.9).empty());
+  EXPECT_FALSE(pastEventChanges(then, s, 1).empty());
+  EXPECT_TRUE(settingChanges(then, s, 1).empty());
+  Scene later = s;
+  later.oriented[0].events[0].time = 2;  // it has happened and will happen again
+  EXPECT_FALSE(settingChanges(restartRecordOf(s), later, 1.5).empty());
+  EXPECT_FALSE(settingChanges(restartRecordOf(later), s, 1.5).empty());  // it was to happen and will not
+}
+
+TEST(SceneMarks, ChangesAmongManyBodiesAreFound) {
+  Scene s = sample();
+  for (int k = 0; k < 150; k++) s.bodies.emplace_back().name = "ball " + std::to_string(k);
+  const CheckpointValues then = restartRecordOf(s);
+  Scene other = s;
+  other.bodies.back().shape.move.x = 1;
+  EXPECT_EQ(restartConflicts(then, other).size(), 1u);
+  other = s;
+  other.bodies.back().velocity.x = 1;
+  EXPECT_EQ(initialStateChanges(then, other).size(), 1u);
+}
+
+TEST(SceneMarks, CheckpointWithoutRecordIsRefused) { EXPECT_FALSE(restartConflicts({}, sample()).empty()); }
+
+}  // namespace
+}  // namespace thaw
