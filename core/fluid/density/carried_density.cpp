@@ -7,6 +7,7 @@
 #include "core/fluid/density/connected_density.hpp"
 #include "core/fluid/laws/free_surface.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 namespace {
