@@ -51,7 +51,8 @@ struct PairForce {
   const StepTools& t;
   double term(std::size_t i) const {
     const double relativeDensity = static_cast<double>(w.particles.relativeDensity[i]);
-    return static_cast<double>(pressureOfParticle(w, t.liquids, i)) / (relativeDensity * relativeDensity);
+    return static_cast<double>(pressureOfParticle(w.scene, w.modules, w.particles, t.liquids, i)) /
+           (relativeDensity * relativeDensity);
   }
   double operator()(std::size_t i, std::size_t j, double distance) const {
     const Continuum& p = w.particles;
@@ -161,9 +162,9 @@ std::vector<Figure> measureLaplace(Trial& r) {
   // equation of state. Both virials are reported as well.
   const double mean = sum(r,
                           [&](const World& x, std::size_t i) {
-                            return inside(x, i)
-                                       ? static_cast<double>(pressureOfParticle(x, r.tools.liquids, i))
-                                       : 0.0;
+                            return inside(x, i) ? static_cast<double>(pressureOfParticle(
+                                                      x.scene, x.modules, x.particles, r.tools.liquids, i))
+                                                : 0.0;
                           }) /
                       std::max(core, 1.0);
   const double jump = w.scene.numerics.tension == TensionForm::Pairwise ? in.pairs : mean;

@@ -52,7 +52,8 @@ void jitterColumn(Trial& r) {
 
 std::vector<Figure> measureColumn(Trial& r) {
   const auto error = [&r](const World& w, std::size_t i) {
-    return static_cast<double>(pressureOfParticle(w, r.tools.liquids, i)) - (1 - w.particles.position[i].z);
+    return static_cast<double>(pressureOfParticle(w.scene, w.modules, w.particles, r.tools.liquids, i)) -
+           (1 - w.particles.position[i].z);
   };
   std::vector<Figure> f{
       {"L2(p)", rootMeanSquare(r, error), 0.02},

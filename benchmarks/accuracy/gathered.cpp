@@ -126,7 +126,9 @@ std::vector<GatheredParticle> gather(Trial& r) {
   std::vector<GatheredParticle> own;
   for (std::size_t i = 0; i < p.owned; i++)
     own.push_back({p.id[i], p.position[i], p.velocity[i], p.mass[i],
-                   static_cast<double>(pressureOfParticle(r.world, r.tools.liquids, i)), p.body[i]});
+                   static_cast<double>(pressureOfParticle(r.world.scene, r.world.modules, r.world.particles,
+                                                          r.tools.liquids, i)),
+                   p.body[i]});
   const int ranks = r.comm.size(), bytes = static_cast<int>(own.size() * sizeof(GatheredParticle));
   std::vector<int> sizes(static_cast<std::size_t>(ranks)), places(static_cast<std::size_t>(ranks), 0);
   MPI_Allgather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, r.comm.handle());

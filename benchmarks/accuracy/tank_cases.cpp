@@ -20,7 +20,7 @@ void watchPressure(Trial& r) {
   const Clock& clock = r.world.clock;
   if (clock.time < settled * clock.end || clock.step % 5 != 0) return;
   const auto p = [&r](const World& w, std::size_t i) {
-    return static_cast<double>(pressureOfParticle(w, r.tools.liquids, i));
+    return static_cast<double>(pressureOfParticle(w.scene, w.modules, w.particles, r.tools.liquids, i));
   };
   r.notes["n"] += sum(r, [](const World&, std::size_t) { return 1.0; });
   r.notes["z"] += sum(r, heightOf);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/domain/sides.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_forces.hpp"
 
@@ -52,7 +53,7 @@ void addFastForces(World& w, Halos& halos, StepTools& t, double span) {
   t.times.lap(StepPhase::Bonds);
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   t.times.lap(StepPhase::Elastic);
-  addSubstepContacts({w, t.wallTables, t.liquids, span, span}, t.substepContacts);
+  addSubstepContacts({wallView(w), t.wallTables, t.liquids, span, span}, t.substepContacts);
   t.times.lap(StepPhase::Walls);
 }
 
@@ -85,7 +86,7 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
     std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});
   if (w.particles.stepMeanVelocity.active)
     std::fill_n(w.particles.stepMeanVelocity.data(), w.particles.owned, Vec3d{});
-  findSubstepContacts(w, t.substepContacts);
+  findSubstepContacts(wallView(w), t.substepContacts);
   drift(w, span, far2);
   for (int k = 1; k < n; k++) {
     moveWalls(w.walls, w.clock.time + k * span);

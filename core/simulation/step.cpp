@@ -22,6 +22,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/integrate.hpp"
 #include "core/simulation/time/step_reduction.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_surface_energy.hpp"
@@ -90,7 +91,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
 
   // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
-  const WallContext walls{w,
+  const WallContext walls{wallView(w),
                           t.wallTables,
                           t.liquids,
                           dt,

@@ -28,14 +28,12 @@
 #include "core/math/exact_sum.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/particles/row_span.hpp"
+#include "core/particles/sleep_stage.hpp"
 
 namespace thaw {
 
 struct World;
 struct StepTools;
-
-/// Values of Continuum::sleep.
-inline constexpr std::uint8_t awake = 0, sleepFixed = 1, sleepSettled = 2, asleep = 3;
 
 /// Sleep data of a step; not part of the state.
 struct SleepWork {

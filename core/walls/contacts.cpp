@@ -14,7 +14,7 @@ Vec3d restPlace(const Wall& w, const Vec3d& x) { return toRest(w.pose, x); }
 
 /// Finds walls within h of some particle of the cell. Cells at the border of the grid also hold particles
 /// beyond it, so no wall is excluded for them.
-void findReachable(const World& w, std::uint64_t key, std::vector<std::uint32_t>& walls) {
+void findReachable(const WallView& w, std::uint64_t key, std::vector<std::uint32_t>& walls) {
   const CellGrid& g = w.grid;
   const Vec3i c = cellOfKey(key);
   bool border = false;
@@ -38,7 +38,7 @@ void findReachable(const World& w, std::uint64_t key, std::vector<std::uint32_t>
 
 /// Moves a particle deep inside a wall back to the surface and removes its velocity into the wall. Records
 /// impulse, work and loss.
-void project(World& w, std::size_t i, const Wall& wall, double depth, const Vec3d& n) {
+void project(const WallView& w, std::size_t i, const Wall& wall, double depth, const Vec3d& n) {
   Continuum& p = w.particles;
   const double m = p.mass[i];
   const Vec3d moved = n * depth;
@@ -57,7 +57,7 @@ void project(World& w, std::size_t i, const Wall& wall, double depth, const Vec3
 }
 
 /// Appends the particle's contacts. May project it out of walls; returns true if it did.
-bool listContacts(World& w, std::size_t i, WallContacts& contacts, bool mayMove) {
+bool listContacts(const WallView& w, std::size_t i, WallContacts& contacts, bool mayMove) {
   const double h = w.grid.support, deep = 0.5 * w.scene.spacing;
   bool moved = false;
   for (const std::uint32_t k : contacts.reachable) {
@@ -94,10 +94,9 @@ double overlapSlope(double a, double b, double g) {
 /// Updates the contact offset. A liquid particle may be closer to a wall than the rest distance of solids,
 /// and freezing there must not create a compressed spring. It rests where it froze, and at half a spacing
 /// once it has moved that far.
-void updateContactOffset(World& w, std::size_t i, double nearest) {
-  const Continuum& p = w.particles;
-  const auto now = static_cast<float>(std::clamp(nearest / w.scene.spacing, 0.25, 0.5));
-  w.particles.contactOffset[i] = p.liquid[i] >= 1 ? now : std::max(p.contactOffset[i], now);
+void updateContactOffset(Continuum& p, const Scene& scene, std::size_t i, double nearest) {
+  const auto now = static_cast<float>(std::clamp(nearest / scene.spacing, 0.25, 0.5));
+  p.contactOffset[i] = p.liquid[i] >= 1 ? now : std::max(p.contactOffset[i], now);
 }
 
 void distributeShares(const WallContext& x, std::span<WallContact> contacts) {
@@ -119,7 +118,7 @@ void distributeShares(const WallContext& x, std::span<WallContact> contacts) {
 }  // namespace
 
 void findWallContacts(const WallContext& x, WallContacts& contacts) {
-  World& w = x.world;
+  const WallView& w = x.world;
   Continuum& p = w.particles;
   contacts.list.clear();
   bool any = false;
@@ -132,7 +131,7 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
     if (contacts.reachable.empty()) {
       for (std::size_t i = w.cells.first[cell]; freezing && i < w.cells.first[cell] + w.cells.count[cell];
            i++)
-        updateContactOffset(w, i, never);
+        updateContactOffset(p, w.scene, i, never);
       continue;
     }
     for (std::size_t i = w.cells.first[cell]; i < w.cells.first[cell] + w.cells.count[cell]; i++) {
@@ -145,13 +144,13 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
       double nearest = never;
       for (std::size_t c = before; c < contacts.list.size(); c++)
         nearest = std::min(nearest, contacts.list[c].distance);
-      if (freezing) updateContactOffset(w, i, nearest);
+      if (freezing) updateContactOffset(p, w.scene, i, nearest);
       if (contacts.list.size() > before + 1) distributeShares(x, std::span(contacts.list).subspan(before));
     }
   }
 }
 
-void findSubstepContacts(const World& w, std::vector<WallContact>& contacts) {
+void findSubstepContacts(const WallView& w, std::vector<WallContact>& contacts) {
   const Continuum& p = w.particles;
   contacts.clear();
   const double h = w.grid.support;
@@ -164,10 +163,10 @@ void findSubstepContacts(const World& w, std::vector<WallContact>& contacts) {
     }
 }
 
-bool followContact(const World& w, WallContact& c) {
-  const Wall& wall = w.walls.list[c.wall];
-  const Vec3d rest = restPlace(wall, w.particles.position[c.row]);
-  const double reach = 0.5 * w.scene.spacing;  // contact distance of solids
+bool followContact(const Continuum& p, const Scene& scene, const Walls& walls, WallContact& c) {
+  const Wall& wall = walls.list[c.wall];
+  const Vec3d rest = restPlace(wall, p.position[c.row]);
+  const double reach = 0.5 * scene.spacing;  // contact distance of solids
   if (!wall.present || !nearBounds(wall.bounds, rest, reach)) return false;
   c.distance = wall.shape->distance(rest, &c.normal);
   c.normal = directionFromRest(wall.pose, c.normal);

@@ -7,7 +7,7 @@
 #include "core/contact/dashpot.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/materials/enthalpy.hpp"
-#include "core/sleep/sleep.hpp"
+#include "core/particles/sleep_stage.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
@@ -47,10 +47,11 @@ struct ParticleAtWall {
 /// Force (N) along the normal: the wall's part of the hydrostatic pressure gradient. The wall's push uses the
 /// particle's own pressure, but behind the wall the pressure rises by the liquid's weight. The part is
 /// that of the wall in the particle's moment. 0 without positive pressure, as in falling drops.
-double hydrostaticWallForce(const World& w, const ParticleAtWall& at, double pressure, double momentShare) {
+double hydrostaticWallForce(const Scene& scene, const ParticleAtWall& at, double pressure,
+                            double momentShare) {
   constexpr double depth = 0.25;  // spacings of pressure head; the force fades below it
-  const double weight = at.material.density * dot(w.scene.domain.gravity, at.contact.normal);
-  const double full = std::abs(weight) * depth * w.scene.spacing;
+  const double weight = at.material.density * dot(scene.domain.gravity, at.contact.normal);
+  const double full = std::abs(weight) * depth * scene.spacing;
   if (!(pressure > 0 && full > 0)) return 0;
   return -weight * at.volume * momentShare * at.contact.share * (pressure / (pressure + full));
 }
@@ -58,14 +59,14 @@ double hydrostaticWallForce(const World& w, const ParticleAtWall& at, double pre
 /// Adds the pressure of a liquid, the gradient of its compression energy (tables.hpp), and drag.
 void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double perLatticeSum, WallAction& act,
                      double& stiffest) {
-  const World& w = x.world;
+  const WallView& w = x.world;
   const Continuum& p = w.particles;
   const double h = w.grid.support;
   const WallIntegrals t = x.tables(at.contact.distance / h);
   const double relativeDensity = static_cast<double>(p.relativeDensity[at.row]);
-  const double pressure = w.modules.incompressible
-                              ? 0
-                              : static_cast<double>(pressureOfParticle(w, x.liquids, at.row));
+  const double pressure = w.modules.incompressible ? 0
+                                                   : static_cast<double>(pressureOfParticle(
+                                                         w.scene, w.modules, p, x.liquids, at.row));
   const Vec3d& n = at.contact.normal;
   if (pressure != 0 && relativeDensity > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed
@@ -74,12 +75,12 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double perL
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
     // This force has no potential: its work is dissipation.
     if (w.modules.continuity)
-      act.resist(n * hydrostaticWallForce(w, at, pressure, perLatticeSum * t.momentShare), at.velocity);
+      act.resist(n * hydrostaticWallForce(w.scene, at, pressure, perLatticeSum * t.momentShare), at.velocity);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed *
                                       soundSpeedFactor(w.scene.numerics.eos, relativeDensity) *
                                       perLatticeSum * t.push / h);
   }
-  if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w, at.contact);
+  if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w.scene, w.grid, p, at.contact);
   if (at.wall.slip || w.modules.implicitViscosity) return;
   const double m = p.mass[at.row], rate = m * overStep(wallDrag(x, at.contact) / m, x.span);
   const Vec3d tangential = at.velocity - n * dot(at.velocity, n);
@@ -144,7 +145,7 @@ void recordResistance(const WallContext& x, std::span<const DissipativeForce> di
 }
 
 double wallDrag(const WallContext& x, const WallContact& contact) {
-  const World& w = x.world;
+  const WallView& w = x.world;
   const Continuum& p = w.particles;
   const std::size_t i = contact.row;
   const double f = liquidFraction(p, i), h = w.grid.support;
@@ -155,7 +156,7 @@ double wallDrag(const WallContext& x, const WallContact& contact) {
 }
 
 void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
-  World& w = x.world;
+  const WallView& w = x.world;
   Continuum& p = w.particles;
   const auto& list = contacts.list;
   for (ExactSum& s : w.ledger.wallForce) s = {};
@@ -204,7 +205,7 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
 }
 
 void recordClamps(const WallContext& x, WallContacts& contacts) {
-  World& w = x.world;
+  const WallView& w = x.world;
   const Continuum& p = w.particles;
   if (!p.clamped.active) return;
   const Vec3d g = w.scene.domain.gravity;
@@ -222,14 +223,14 @@ void recordClamps(const WallContext& x, WallContacts& contacts) {
 }
 
 void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts) {
-  World& w = x.world;
+  const WallView& w = x.world;
   Continuum& p = w.particles;
   for (std::size_t c = 0; c < contacts.size();) {
     const std::uint32_t i = contacts[c].row;
     const Material& m = w.scene.materials[p.material[i]];
     WallAction act;
     for (; c < contacts.size() && contacts[c].row == i; c++) {
-      if (!followContact(w, contacts[c])) continue;
+      if (!followContact(p, w.scene, w.walls, contacts[c])) continue;
       const Wall& wall = w.walls.list[contacts[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
       addContactForces(x,
@@ -247,7 +248,7 @@ void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts
 }
 
 void addWallHeat(const WallContext& x, const WallContacts& contacts) {
-  World& w = x.world;
+  const WallView& w = x.world;
   Continuum& p = w.particles;
   const double h = w.grid.support;
   const HeatModel model = w.scene.numerics.heat;

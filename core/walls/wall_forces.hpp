@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wall forces on particles: support of liquids (relative density, pressure, drag), contact of solids, heat.
 #pragma once
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/contact/solid_contact.hpp"
 #include "core/materials/liquid_materials.hpp"
-#include "core/simulation/world/world.hpp"
 #include "core/walls/tables.hpp"
+#include "core/walls/wall_view.hpp"
 
 namespace thaw {
 
 struct WallContext {
-  World& world;
+  WallView world;
   const WallTables& tables;
   const std::vector<LiquidMaterial>& liquids;
   double dt;        ///< s, step that ends now; 0 at the start, when nothing is recorded
@@ -56,9 +58,10 @@ void recordClamps(const WallContext& context, WallContacts& contacts);
 /// Substeps: findSubstepContacts lists contacts, by row, of slots that may touch a wall before the step ends.
 /// followContact updates one. addSubstepContacts adds springs, dashpots and friction at a later position to
 /// Solids::force. Work, impulse and losses over context.dt are recorded in the ledger and the particles.
-void findSubstepContacts(const World& world, std::vector<WallContact>& contacts);
-bool followContact(const World& world, WallContact& contact);  ///< updates distance and normal to the current
-                                                               ///< position; false: no contact
+void findSubstepContacts(const WallView& world, std::vector<WallContact>& contacts);
+bool followContact(const Continuum& particles, const Scene& scene, const Walls& walls,
+                   WallContact& contact);  ///< updates distance and normal to the current
+                                           ///< position; false: no contact
 void addSubstepContacts(const WallContext& context, std::vector<WallContact>& contacts);
 /// Drag coefficient (kg/s) of a wall on liquid, for the relative velocity along the wall. Explicit viscosity
 /// averages it over the step in the forces above; otherwise the implicit solver uses it.

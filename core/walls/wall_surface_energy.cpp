@@ -6,18 +6,18 @@
 namespace thaw {
 namespace {
 
-WallColour atWall(const World& w, const WallContact& c) {
-  const double h = w.grid.support, dx = w.scene.spacing / h;
+WallColour atWall(const Scene& scene, const CellGrid& grid, const WallContact& c) {
+  const double h = grid.support, dx = scene.spacing / h;
   return wallColour(dx, std::max(c.distance / h, -0.5 * dx));
 }
 
 }  // namespace
 
 void findSurfaceEnergy(const WallContext& x, const SurfaceMeasure& measure, const WallContacts& contacts) {
-  World& w = x.world;
+  const WallView& w = x.world;
   Continuum& p = w.particles;
   for (const WallContact& c : contacts.list) {
-    const WallColour t = atWall(w, c);
+    const WallColour t = atWall(w.scene, w.grid, c);
     p.surfaceGradient[c.row] += c.normal * (t.slope * c.share);
     p.surfaceColour[c.row] += t.colour * c.share;
   }
@@ -37,11 +37,11 @@ void findSurfaceEnergy(const WallContext& x, const SurfaceMeasure& measure, cons
   }
 }
 
-double surfaceForceOfWall(const World& w, const WallContact& c) {
-  const Continuum& p = w.particles;
-  const WallColour t = atWall(w, c);
-  const double V = p.mass[c.row] / w.scene.materials[p.material[c.row]].density;
-  return -V * c.share / w.grid.support *
+double surfaceForceOfWall(const Scene& scene, const CellGrid& grid, const Continuum& p,
+                          const WallContact& c) {
+  const WallColour t = atWall(scene, grid, c);
+  const double V = p.mass[c.row] / scene.materials[p.material[c.row]].density;
+  return -V * c.share / grid.support *
          (dot(p.surfaceEnergyByGradient[c.row], c.normal) * t.bend +
           p.surfaceEnergyByColour[c.row] * t.slope);
 }

@@ -12,6 +12,7 @@ void findSurfaceEnergy(const WallContext& context, const SurfaceMeasure& measure
                        const WallContacts& contacts);
 
 /// Force (N) of the wall along the contact normal: the gradient of the particle's own surface energy.
-double surfaceForceOfWall(const World& world, const WallContact& contact);
+double surfaceForceOfWall(const Scene& scene, const CellGrid& grid, const Continuum& particles,
+                          const WallContact& contact);
 
 }  // namespace thaw

@@ -76,10 +76,10 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
       *to = static_cast<float>(materials[p.material[i]].density * share);
     });
   } else if (name == "pressure") {
-    addRows<float>(f, "pressure", "Pa", 1,
-                   [&w, liquids = liquidMaterials(w.scene)](std::size_t i, float* to) {
-                     *to = w.modules.fluid ? pressureOfParticle(w, liquids, i) : 0;
-                   });
+    addRows<float>(
+        f, "pressure", "Pa", 1, [&w, liquids = liquidMaterials(w.scene)](std::size_t i, float* to) {
+          *to = w.modules.fluid ? pressureOfParticle(w.scene, w.modules, w.particles, liquids, i) : 0;
+        });
   } else if (name == "stress") {
     addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
   } else if (name == "strain") {  // Green's strain (F^T F - 1)/2, with F from the first reference

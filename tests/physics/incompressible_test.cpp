@@ -55,7 +55,8 @@ TEST(Incompressible, HydrostaticColumnKeepsItsDensity) {
   EXPECT_LT(most, 1.5 * s.numerics.densityTolerance);
   double square = 0, fastest = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
-    square += std::pow((static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i)) -
+    square += std::pow((static_cast<double>(pressureOfParticle(run.w.scene, run.w.modules, run.w.particles,
+                                                               run.tools.liquids, i)) -
                         10000 * (1 - p.position[i].z)) /
                            10000,
                        2);

@@ -82,7 +82,8 @@ TEST(Mixed, LiquidRestsOnASolid) {
     }
     bottom = std::min(bottom, z);
     if (z < 0.08 || z > 0.16) continue;
-    pressure += static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i));
+    pressure += static_cast<double>(
+        pressureOfParticle(run.w.scene, run.w.modules, run.w.particles, run.tools.liquids, i));
     exact += 1000 * 9.81 * (top - z);
   }
   EXPECT_NEAR(pressure, exact, 0.02 * exact);

@@ -232,7 +232,8 @@ TEST(SurfaceEnergy, PressureInADropIsLaplaces) {
     mass += p.mass[i];
     farthest = std::max(farthest, length(p.position[i]));
     if (length(p.position[i]) > 0.6) continue;
-    pressure += static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i));
+    pressure += static_cast<double>(
+        pressureOfParticle(run.w.scene, run.w.modules, run.w.particles, run.tools.liquids, i));
     count++;
   }
   const double R = std::cbrt(3 * mass / (4 * M_PI));

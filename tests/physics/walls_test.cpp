@@ -24,8 +24,11 @@ TEST(LiquidAtWalls, HydrostaticColumn) {
   double square = 0, fastest = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
     const double exact = 1000 * 10 * (H - p.position[i].z);
-    square += std::pow(
-        (static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i)) - exact) / (1000 * 10 * H), 2);
+    square += std::pow((static_cast<double>(pressureOfParticle(run.w.scene, run.w.modules, run.w.particles,
+                                                               run.tools.liquids, i)) -
+                        exact) /
+                           (1000 * 10 * H),
+                       2);
     fastest = std::max(fastest, length(p.velocity[i]));
     EXPECT_GT(p.position[i].z, 0.2 * dx);
   }

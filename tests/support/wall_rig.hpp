@@ -6,6 +6,7 @@
 #include "core/neighbours/sort.hpp"
 #include "core/simulation/setup/make_grid.hpp"
 #include "core/simulation/time/integrate.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw::test {
@@ -86,7 +87,7 @@ struct WallRig {
     sortByCell(p, all, sort, w.cells);
     for (std::size_t i = 0; i < p.owned; i++)
       p.force[i] = {}, p.dissipation[i] = p.interaction[i] = p.heatFlow[i] = 0;
-    const WallContext x{w, tables, liquids, dt, dt > 0 ? dt : firstStep};
+    const WallContext x{wallView(w), tables, liquids, dt, dt > 0 ? dt : firstStep};
     findWallContacts(x, contacts);
     addWallForces(x, 1, contacts);
   }

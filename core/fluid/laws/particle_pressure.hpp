@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pressure of a particle, derived from other fields.
 #pragma once
+#include <cstddef>
+#include <vector>
+
 #include "core/materials/liquid_materials.hpp"
 #include "core/materials/state_equation.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/modules.hpp"
+#include "core/scene/scene.hpp"
 
 namespace thaw {
 
@@ -13,14 +18,14 @@ inline double liquidFraction(const Continuum& p, std::size_t i) {
 
 /// Pressure (Pa) of the last evaluation: equation of state times liquid fraction, or the solution of the
 /// incompressible solver.
-inline float pressureOfParticle(const World& w, const std::vector<LiquidMaterial>& liquids, std::size_t i) {
-  const Continuum& p = w.particles;
-  if (w.modules.incompressible) return p.densityPressure[i] + p.divergencePressure[i];
+inline float pressureOfParticle(const Scene& scene, const Modules& modules, const Continuum& p,
+                                const std::vector<LiquidMaterial>& liquids, std::size_t i) {
+  if (modules.incompressible) return p.densityPressure[i] + p.divergencePressure[i];
   const double f = liquidFraction(p, i),
                relativeDensity = p.relativeDensity.active ? static_cast<double>(p.relativeDensity[i]) : 0;
   if (f == 0 || relativeDensity <= 0) return 0;
-  return static_cast<float>(f * pressureOf(w.scene.numerics.eos, liquids[p.material[i]].stiffness,
-                                           relativeDensity, w.scene.numerics.tensileLimit));
+  return static_cast<float>(f * pressureOf(scene.numerics.eos, liquids[p.material[i]].stiffness,
+                                           relativeDensity, scene.numerics.tensileLimit));
 }
 
 }  // namespace thaw

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/sleep/sleep.hpp"
+#include "core/particles/sleep_stage.hpp"
 
 namespace thaw {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/fluid/pair_sums/records.hpp"
+#include "core/particles/sleep_stage.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/world/body_types.hpp"
-#include "core/sleep/sleep.hpp"
 
 namespace thaw {
 namespace {

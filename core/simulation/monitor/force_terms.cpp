@@ -6,6 +6,7 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/time/integrate.hpp"
+#include "core/simulation/world/views.hpp"
 
 namespace thaw {
 namespace {
@@ -42,7 +43,8 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
     take(f.contact, forceOf(p, i, [&] {
            addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt}, t.closePairs, p);
          }));
-  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
+  const WallContext walls{wallView(w),           t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt,
+                          1.0 / w.clock.substeps};
   take(f.walls, forceOf(p, i, [&] { addWallForces(walls, t.perLatticeSum, t.wallContacts); }));
   if (w.modules.fluid) {
     std::fill_n(p.velocity.data(), p.size(), Vec3d{});  // removes resistance

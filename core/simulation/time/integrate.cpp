@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/domain/sides.hpp"
-#include "core/sleep/sleep.hpp"
+#include "core/particles/sleep_stage.hpp"
 
 namespace thaw {
 

@@ -27,7 +27,7 @@ double fillingBeside(std::initializer_list<Plane> planes) {
   r.addParticle({0, 0, 0}, {}, Liquid);
   r.start();
   r.w.particles.relativeDensity[0] = 0;
-  addWallRelativeDensity({r.w, r.tables, r.liquids, 0, 0}, 1, r.contacts);
+  addWallRelativeDensity({wallView(r.w), r.tables, r.liquids, 0, 0}, 1, r.contacts);
   return static_cast<double>(r.w.particles.relativeDensity[0]);
 }
 
@@ -124,16 +124,16 @@ TEST(WallHeat, FollowsFouriersLawWithoutOvershoot) {
   r.start();
   Continuum& p = r.w.particles;
   for (std::size_t i = 0; i < 2; i++) p.temperature[i] = 400 - 100 * p.position[i].z / 0.1;  // 1000 K/m
-  addWallHeat({r.w, r.tables, r.liquids, 1e-9, 1e-9}, r.contacts);
+  addWallHeat({wallView(r.w), r.tables, r.liquids, 1e-9, 1e-9}, r.contacts);
   EXPECT_NEAR(p.heatFlow[0] + p.heatFlow[1], 3 * 1000 * 0.01, 0.06 * 30);
   EXPECT_NEAR(r.w.ledger.heatIn.value(), (p.heatFlow[0] + p.heatFlow[1]) * 1e-9, 1e-18);
   for (std::size_t i = 0; i < 2; i++) p.heatFlow[i] = 0, p.temperature[i] = 300;
-  addWallHeat({r.w, r.tables, r.liquids, 1e9, 1e9}, r.contacts);
+  addWallHeat({wallView(r.w), r.tables, r.liquids, 1e9, 1e9}, r.contacts);
   for (std::size_t i = 0; i < 2; i++) EXPECT_LE(p.heatFlow[i] * 1e9 / (p.mass[i] * 1000), 100 * (1 + 1e-12));
   // a poor contact has all of the resistance
   r.w.walls.list[0].properties.conductance = 1e-3;
   for (std::size_t i = 0; i < 2; i++) p.heatFlow[i] = 0, p.temperature[i] = 300;
-  addWallHeat({r.w, r.tables, r.liquids, 1e-9, 1e-9}, r.contacts);
+  addWallHeat({wallView(r.w), r.tables, r.liquids, 1e-9, 1e-9}, r.contacts);
   EXPECT_NEAR(p.heatFlow[0] + p.heatFlow[1], 1e-3 * 100 * 0.01, 0.3 * 1e-3);
 }
 
@@ -145,7 +145,7 @@ TEST(WallHeat, CoincidingInsulatorTakesNoHeat) {
     for (int k = 0; k < cold; k++) r.add(std::make_shared<Ground>());
     r.addParticle({0, 0, 0.05}, {}, Liquid);
     r.start();
-    addWallHeat({r.w, r.tables, r.liquids, 1e-6, 1e-6}, r.contacts);
+    addWallHeat({wallView(r.w), r.tables, r.liquids, 1e-6, 1e-6}, r.contacts);
     return r.w.particles.heatFlow[0];
   };
   EXPECT_EQ(flow(0), flow(1));
@@ -157,7 +157,7 @@ TEST(WallHeat, SurfacesOnAWallAreNotExposed) {
   r.addParticle({0, 0, 0.05}, {}, Liquid);
   r.start();
   r.w.particles.freeSurfaceIndicator[0] = static_cast<float>(flatLatticeIndicator(r.w.scene.numerics));
-  addWallHeat({r.w, r.tables, r.liquids, 1e-6, 1e-6}, r.contacts);
+  addWallHeat({wallView(r.w), r.tables, r.liquids, 1e-6, 1e-6}, r.contacts);
   EXPECT_NEAR(r.w.particles.freeSurfaceIndicator[0], 0, 1e-4);
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What modules see of a run.
+#pragma once
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/walls/wall_view.hpp"
+
+namespace thaw {
+
+inline WallView wallView(World& w) {
+  return {w.scene, w.modules, w.grid, w.particles, w.cells, w.solids, w.walls, w.ledger, w.counters};
+}
+
+}  // namespace thaw
