@@ -36,8 +36,9 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
     stepOriented(w, halos, t, dt);  // with integrators of their own, and with obstacles at their positions of
                                     // the force evaluation
   if (w.modules.incompressible) addPressureImpulse(w);  // computed at the end of the last step
-  t.mayLeave = kickAndDrift(w, dt, awakeRows(w, t)) || w.clock.substeps > 1;  // v += a dt/2, x += v dt
-  substepSolids(w, halos, t, dt);  // stiff solids: bonds only, in shorter steps
+  t.mayLeave = kickAndDrift(w, dt, awakeRows(w.modules, w.particles, t.sleep)) ||
+               w.clock.substeps > 1;  // v += a dt/2, x += v dt
+  substepSolids(w, halos, t, dt);     // stiff solids: bonds only, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
@@ -48,10 +49,11 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
 
   evaluate(w, halos, t, dt);  // forces at the new positions
 
-  if (w.modules.sleep) updateSleep(w, t, dt);  // solids at rest are fixed from here on
+  if (w.modules.sleep) updateSleep(sleepView(w, t), dt);  // solids at rest are fixed from here on
   StepOutcome here;
   LargestRates largest;
-  here.finite = finishKick(w, dt, awakeRows(w, t), &here.bad, &largest);  // v += a dt/2
+  here.finite = finishKick(w, dt, awakeRows(w.modules, w.particles, t.sleep), &here.bad, &largest);  // v += a
+                                                                                                     // dt/2
   here.largest = largest;
   here.badHere = !here.finite || w.oriented.exceededReach;
   if (w.modules.sheet) {
@@ -101,7 +103,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   findWallContacts(walls, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
-  if (w.modules.sleep) beginSleep(w, t, dt);
+  if (w.modules.sleep) beginSleep(sleepView(w, t), dt);
   const std::int64_t coincident = w.counters.coincidentPairs;
   const bool neighbours = needsNeighbours(w, t);
   // Start the exchange of surrounding cells ...
@@ -114,16 +116,16 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (neighbours) {
     if (w.modules.continuity) beginCarry(w, t, dt);
     markInner(w, halos.cells, t);
-    if (w.modules.sleep) markSleepingInner(w, t);
+    if (w.modules.sleep) markSleepingInner(sleepView(w, t));
     sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while inner particles are searched and
                                                                // summed
     halos.cells.finishGhosts(p, w.cells);
     t.times.lap(StepPhase::Exchange);
     markInner(w, halos.cells, t);
-    if (w.modules.sleep) markSleeping(w, t);
+    if (w.modules.sleep) markSleeping(sleepView(w, t));
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, dt);
   }
-  if (w.modules.sleep) dropSkippedContacts(t);
+  if (w.modules.sleep) dropSkippedContacts(t.sleep, t.wallContacts);
   if (w.modules.fluid && !w.modules.continuity)
     addWallRelativeDensity(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
@@ -156,7 +158,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
          &t.contactResistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs},
         t.closePairs, p);
   t.times.lap(StepPhase::Contact);
-  if (w.modules.sleep) recordConstraintForces(w, t);
+  if (w.modules.sleep) recordConstraintForces(p, w.scene, t.sleep);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (w.modules.sheet) loadSheets(w, halos, t, dt);  // forces on vertices, and of vertices on particles

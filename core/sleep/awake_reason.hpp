@@ -7,7 +7,8 @@
 
 namespace thaw {
 
-struct World;
+struct Continuum;
+struct Scene;
 
 /// First reason why a particle is not at rest. None: its rest time is too short, or its surroundings are not
 /// at rest.
@@ -15,6 +16,6 @@ enum class AwakeReason : std::uint8_t { None, NotSolid, Moves, Accelerates, Warm
 inline constexpr std::size_t awakeReasons = 5;
 
 /// Counts owned awake particles by Unrest at the end of a step. Requires: Modules::sleep.
-std::array<std::int64_t, awakeReasons> countAwake(const World& world);
+std::array<std::int64_t, awakeReasons> countAwake(const Continuum& particles, const Scene& scene);
 
 }  // namespace thaw

@@ -6,9 +6,11 @@
 #include <limits>
 
 #include "core/materials/enthalpy.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/neighbours/search.hpp"
+#include "core/scene/modules.hpp"
 #include "core/sleep/awake_reason.hpp"
+#include "core/sleep/sleep_view.hpp"
+#include "core/solid/elasticity/elastic.hpp"
 #include "core/solid/laws/plasticity.hpp"
 
 namespace thaw {
@@ -58,14 +60,13 @@ void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own,
 
 /// Returns true if all bonds of the slot end within the 27 surrounding cells and its strain is small.
 /// Inverted and weakened particles are counted in every step.
-bool mayBeSkipped(const World& w, std::uint32_t slot) {
-  const Solids& s = w.solids;
-  for (int k = 0; k < w.bonds.capacity; k++) {
-    if (!w.bonds.hasBond(slot, k)) continue;
-    Vec3d d = s.position[w.bonds.neighbour[w.bonds.at(slot, k)]] - s.position[slot];
+bool mayBeSkipped(const Solids& s, const Bonds& bonds, const CellGrid& grid, std::uint32_t slot) {
+  for (int k = 0; k < bonds.capacity; k++) {
+    if (!bonds.hasBond(slot, k)) continue;
+    Vec3d d = s.position[bonds.neighbour[bonds.at(slot, k)]] - s.position[slot];
     for (int a = 0; a < 3; a++) {
-      if (w.grid.periodic[a]) d[a] -= w.grid.period[a] * std::nearbyint(d[a] / w.grid.period[a]);
-      if (!(std::abs(d[a]) < w.grid.edge[a])) return false;
+      if (grid.periodic[a]) d[a] -= grid.period[a] * std::nearbyint(d[a] / grid.period[a]);
+      if (!(std::abs(d[a]) < grid.edge[a])) return false;
     }
   }
   constexpr double largest = 0.3;  // limit of |F^T F - 1|
@@ -81,42 +82,41 @@ bool mayBeSkipped(const World& w, std::uint32_t slot) {
          !(s.plasticInverse.active && norm(plasticMetric(s.plasticInverse[slot])) > 0.5);
 }
 
-AwakeReason awakeReasonOf(const World& w, std::size_t i, const Vec3d& acceleration) {
-  const Continuum& p = w.particles;
-  const Numerics& n = w.scene.numerics;
+AwakeReason awakeReasonOf(const Continuum& p, const Scene& scene, std::size_t i, const Vec3d& acceleration) {
+  const Numerics& n = scene.numerics;
   if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.liquid.active && p.liquid[i] > 0))
     return AwakeReason::NotSolid;
   // The limit is at most half of gravity: otherwise a freely falling particle could be at rest for a large
   // sleep_speed, and freeze in the air.
-  const double slow = n.sleepSpeed, g = length(w.scene.domain.gravity),
+  const double slow = n.sleepSpeed, g = length(scene.domain.gravity),
                weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
   if (!(dot(p.velocity[i], p.velocity[i]) < slow * slow)) return AwakeReason::Moves;
   if (!(dot(acceleration, acceleration) < weak * weak)) return AwakeReason::Accelerates;
   if (!p.heatFlow.active ||
       std::abs(p.heatFlow[i]) <
-          n.sleepHeating * p.mass[i] * heatCapacityOf(n.heat, w.scene.materials[p.material[i]], 0))
+          n.sleepHeating * p.mass[i] * heatCapacityOf(n.heat, scene.materials[p.material[i]], 0))
     return AwakeReason::None;
   return AwakeReason::Warms;
 }
 
 /// Force (N) that balances the particle's weight and the forces known so far.
-Vec3d balancing(const World& w, std::size_t i) {
-  return -w.particles.force[i] - w.scene.domain.gravity * w.particles.mass[i];
+Vec3d balancing(const Continuum& p, const Scene& scene, std::size_t i) {
+  return -p.force[i] - scene.domain.gravity * p.mass[i];
 }
 
 void wakeAll(Continuum& p) { std::fill_n(p.restTime.data(), p.owned, 0.0f); }
 
 }  // namespace
 
-void beginSleep(World& w, StepTools& t, double dt) {
+void beginSleep(const SleepView& w, double dt) {
   Continuum& p = w.particles;
-  t.sleep.interaction.assign(p.interaction.data(), p.interaction.data() + p.owned);
+  w.sleep.interaction.assign(p.interaction.data(), p.interaction.data() + p.owned);
   const double begin = w.clock.time, end = begin + dt;
   for (const Wall& wall : w.walls.list)
     if (wall.properties.until >= begin && wall.properties.until <= end) wakeAll(p);
   for (const Thermostat& heat : w.scene.thermostats)
     if (end > heat.start && begin <= heat.start + heat.over) wakeAll(p);
-  for (const WallContact& c : t.wallContacts.list) {
+  for (const WallContact& c : w.wallContacts.list) {
     const Wall& wall = w.walls.list[c.wall];
     if (!wall.properties.motion.empty() && wallVelocity(wall, p.position[c.row]) != Vec3d{})
       p.restTime[c.row] = 0;
@@ -126,7 +126,8 @@ void beginSleep(World& w, StepTools& t, double dt) {
 namespace {
 
 /// Computes SleepWork::cell and around for the present cells.
-void lookAtCells(const World& w, SleepWork& s) {
+void lookAtCells(const SleepView& w) {
+  SleepWork& s = w.sleep;
   const std::size_t n = w.cells.key.size();
   s.cell.resize(n);
   s.around.resize(n);
@@ -137,13 +138,12 @@ void lookAtCells(const World& w, SleepWork& s) {
 
 }  // namespace
 
-std::array<std::int64_t, awakeReasons> countAwake(const World& w) {
-  const Continuum& p = w.particles;
+std::array<std::int64_t, awakeReasons> countAwake(const Continuum& p, const Scene& scene) {
   std::array<std::int64_t, awakeReasons> count{};
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.sleep[i] == awake)
       count[static_cast<std::size_t>(
-          awakeReasonOf(w, i, p.clamped.active && p.clamped[i] ? Vec3d{} : p.acceleration[i]))]++;
+          awakeReasonOf(p, scene, i, p.clamped.active && p.clamped[i] ? Vec3d{} : p.acceleration[i]))]++;
   return count;
 }
 
@@ -152,16 +152,16 @@ void wakeEverything(Continuum& p) {
   std::fill_n(p.sleep.data(), p.owned, awake);
 }
 
-void markSleepingInner(World& w, StepTools& t) {
+void markSleepingInner(const SleepView& w) {
   const Continuum& p = w.particles;
-  SleepWork& s = t.sleep;
-  lookAtCells(w, s);
+  SleepWork& s = w.sleep;
+  lookAtCells(w);
   const std::size_t n = w.cells.key.size();
   bool any = false;
   s.known.assign(n, 0);
   for (std::size_t c = 0; c < n; c++) {
-    if (s.recomputeAll || t.inner[c] != 1 || !isSteady(s.around[c])) continue;
-    t.inner[c] = skippedCell;
+    if (s.recomputeAll || w.inner[c] != 1 || !isSteady(s.around[c])) continue;
+    w.inner[c] = skippedCell;
     s.known[c] = 1;
     any = true;
   }
@@ -173,11 +173,11 @@ void markSleepingInner(World& w, StepTools& t) {
     if (!s.quiet[c] && w.cells.first[c] < p.owned) addRows(s.seen, w.cells.first[c], w.cells.count[c]);
 }
 
-void markSleeping(World& w, StepTools& t) {
+void markSleeping(const SleepView& w) {
   const Continuum& p = w.particles;
-  SleepWork& s = t.sleep;
+  SleepWork& s = w.sleep;
   const std::size_t n = w.cells.key.size();
-  if (n != s.around.size()) lookAtCells(w, s);  // equal sizes: there are no ghosts
+  if (n != s.around.size()) lookAtCells(w);  // equal sizes: there are no ghosts
   s.steady.assign(p.owned, 0);
   s.skipped.assign(p.owned, 0);
   s.rows.clear();
@@ -186,7 +186,7 @@ void markSleeping(World& w, StepTools& t) {
     const std::size_t first = w.cells.first[c], count = w.cells.count[c];
     if (first >= p.owned) continue;
     const bool steady = isSteady(s.around[c]), skip = steady && !s.recomputeAll;
-    if (skip) t.inner[c] = skippedCell;
+    if (skip) w.inner[c] = skippedCell;
     else addRows(s.rows, first, count);
     if (!steady) continue;
     s.steadyCells.push_back(w.cells.key[c]);
@@ -196,38 +196,34 @@ void markSleeping(World& w, StepTools& t) {
   }
 }
 
-std::span<const RowSpan> awakeRows(const World& w, StepTools& t) {
-  const Continuum& p = w.particles;
+std::span<const RowSpan> awakeRows(const Modules& modules, const Continuum& p, SleepWork& sleep) {
   // The last two conditions move or count sleeping particles too.
-  const bool all = !w.modules.sleep || t.sleep.recomputeAll || p.shiftingVelocity.active ||
+  const bool all = !modules.sleep || sleep.recomputeAll || p.shiftingVelocity.active ||
                    p.fastAcceleration.active;
-  if (all) t.sleep.rows.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
-  return t.sleep.rows;
+  if (all) sleep.rows.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
+  return sleep.rows;
 }
 
-std::span<const RowSpan> rowsToSee(const World& w, StepTools& t) {
-  if (!w.modules.sleep) t.sleep.seen.assign(1, RowSpan{0, static_cast<std::uint32_t>(w.particles.owned)});
-  return t.sleep.seen;
+std::span<const RowSpan> rowsToSee(const Modules& modules, const Continuum& p, SleepWork& sleep) {
+  if (!modules.sleep) sleep.seen.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
+  return sleep.seen;
 }
 
-void dropSkippedContacts(StepTools& t) {
-  std::erase_if(t.wallContacts.list, [&](const WallContact& c) { return t.sleep.skipped[c.row] != 0; });
+void dropSkippedContacts(const SleepWork& sleep, WallContacts& contacts) {
+  std::erase_if(contacts.list, [&](const WallContact& c) { return sleep.skipped[c.row] != 0; });
 }
 
-void forgetChangedSlots(const World& w, StepTools& t) {
-  t.sleep.fresh.resize(w.solids.owned, 0);
-  for (std::size_t s = 0; s < w.solids.owned; s++)
-    if (w.solids.changed[s]) t.sleep.fresh[s] = 0;
+void forgetChangedSlots(const Solids& solids, SleepWork& sleep) {
+  sleep.fresh.resize(solids.owned, 0);
+  for (std::size_t s = 0; s < solids.owned; s++)
+    if (solids.changed[s]) sleep.fresh[s] = 0;
 }
 
-void chooseAwakeGroups(World& w, StepTools& t) {
-  SleepWork& s = t.sleep;
-  ElasticWork& e = t.elastic;
-  const Solids& solids = w.solids;
+void chooseAwakeGroups(const Continuum& p, const Solids& solids, ElasticWork& e, SleepWork& s) {
   if (s.recomputeAll) s.fresh.assign(solids.owned, 0);
   s.fresh.resize(solids.owned, 0);
   e.held.resize(solids.owned);
-  for (std::size_t k = 0; k < solids.owned; k++) e.held[k] = w.particles.sleep[solids.particle[k]] != awake;
+  for (std::size_t k = 0; k < solids.owned; k++) e.held[k] = p.sleep[solids.particle[k]] != awake;
   e.groupStretch2.resize((solids.owned + lanes - 1) / lanes, 1);
   const auto choose = [&](const std::vector<std::uint32_t>& all, std::vector<std::uint32_t>& some) {
     some.clear();
@@ -247,32 +243,31 @@ void chooseAwakeGroups(World& w, StepTools& t) {
   e.sleeping = true;
 }
 
-void recordConstraintForces(World& w, const StepTools& t) {
-  Continuum& p = w.particles;
+void recordConstraintForces(Continuum& p, const Scene& scene, const SleepWork& sleep) {
   for (std::size_t i = 0; i < p.owned; i++)
     // Independent of what this rank recomputes.
-    if (p.sleep[i] != awake && !t.sleep.steady[i]) p.constraintForce[i] = balancing(w, i);
+    if (p.sleep[i] != awake && !sleep.steady[i]) p.constraintForce[i] = balancing(p, scene, i);
 }
 
 namespace {
 
 /// Records the constraint force of steady rows. The sum is recomputed when the set of steady cells changes;
 /// particles never enter or leave a steady cell.
-void recordSteady(World& w, SleepWork& s) {
+void recordSteady(const Continuum& p, SleepWork& s, Ledger& ledger) {
   if (s.recomputeAll || s.steadyCells != s.steadyBefore) {
     s.steadyConstraintForce = {};
-    for (std::size_t i = 0; i < w.particles.owned; i++)
+    for (std::size_t i = 0; i < p.owned; i++)
       for (int a = 0; s.steady[i] && a < 3; a++)
-        s.steadyConstraintForce[static_cast<std::size_t>(a)].add(w.particles.constraintForce[i][a]);
+        s.steadyConstraintForce[static_cast<std::size_t>(a)].add(p.constraintForce[i][a]);
     s.steadyBefore = s.steadyCells;
   }
-  for (int a = 0; a < 3; a++) w.ledger.wallForce[a] += s.steadyConstraintForce[static_cast<std::size_t>(a)];
+  for (int a = 0; a < 3; a++) ledger.wallForce[a] += s.steadyConstraintForce[static_cast<std::size_t>(a)];
 }
 
 /// Keeps the results of the last step for the steady rows of a cell.
-void keepSteady(World& w, const SleepWork& s, std::size_t first, std::size_t count) {
+void keepSteady(const SleepView& w, std::size_t first, std::size_t count) {
   Continuum& p = w.particles;
-  std::copy_n(s.interaction.data() + first, count, p.interaction.data() + first);
+  std::copy_n(w.sleep.interaction.data() + first, count, p.interaction.data() + first);
   std::fill_n(p.dissipation.data() + first, count, 0.0);
   std::fill_n(w.neighbours.neighbours.data() + first, count,
               decltype(w.neighbours.neighbours)::value_type{0});
@@ -287,31 +282,34 @@ void keepSteady(World& w, const SleepWork& s, std::size_t first, std::size_t cou
 
 }  // namespace
 
-void updateSleep(World& w, StepTools& t, double dt) {
+void updateSleep(const SleepView& w, double dt) {
   Continuum& p = w.particles;
-  SleepWork& s = t.sleep;
+  SleepWork& s = w.sleep;
   const Vec3d g = w.scene.domain.gravity;
   const bool clamps = p.clamped.active;
   w.counters.asleep = 0;
-  recordSteady(w, s);
+  recordSteady(p, s, w.ledger);
   for (std::size_t c = 0; c < w.cells.key.size(); c++) {
     const std::size_t first = w.cells.first[c], count = w.cells.count[c];
     if (first >= p.owned) continue;
     const std::uint8_t around = s.around[c];
     if (isSteady(around)) {
-      keepSteady(w, s, first, count);
+      keepSteady(w, first, count);
       continue;
     }
     for (std::size_t i = first; i < first + count; i++) {
       const bool fixed = clamps && p.clamped[i];
       const double m = p.mass[i];
-      const Vec3d acceleration = fixed ? Vec3d{} : p.force[i] / m + g, constraintForce = balancing(w, i);
-      const bool atRest = awakeReasonOf(w, i, acceleration) == AwakeReason::None;
+      const Vec3d acceleration = fixed ? Vec3d{} : p.force[i] / m + g,
+                  constraintForce = balancing(p, w.scene, i);
+      const bool atRest = awakeReasonOf(p, w.scene, i, acceleration) == AwakeReason::None;
       p.restTime[i] = atRest ? static_cast<float>(static_cast<double>(p.restTime[i]) + dt) : 0.0f;
       if (!atRest || !(around & AtRest)) p.sleep[i] = awake;
       else if (p.sleep[i] == awake) p.sleep[i] = sleepFixed;
       else if (p.sleep[i] == sleepFixed) p.sleep[i] = sleepSettled;
-      else p.sleep[i] = (around & Settled) && mayBeSkipped(w, p.slot[i]) ? asleep : sleepSettled;
+      else
+        p.sleep[i] = (around & Settled) && mayBeSkipped(w.solids, w.bonds, w.grid, p.slot[i]) ? asleep
+                                                                                              : sleepSettled;
       if (p.sleep[i] == awake) continue;
       if (p.sleep[i] == sleepFixed) {
         const Vec3d v = p.velocity[i];

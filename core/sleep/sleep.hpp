@@ -32,8 +32,12 @@
 
 namespace thaw {
 
-struct World;
-struct StepTools;
+struct ElasticWork;
+struct Modules;
+struct Scene;
+struct SleepView;
+struct Solids;
+struct WallContacts;
 
 /// Sleep data of a step; not part of the state.
 struct SleepWork {
@@ -59,37 +63,38 @@ struct SleepWork {
 /// Stores SleepWork::interaction. Wakes particles that touch a moving wall, and all particles if a wall
 /// vanishes or a thermostat acts in the step of dt (s) that ends now. Requires: wall contacts of the step;
 /// called before rates are cleared and ghosts are sent.
-void beginSleep(World& world, StepTools& tools, double dt);
+void beginSleep(const SleepView& view, double dt);
 
 /// Wakes all particles and resets their rest time. Changed coefficients change forces, which makes results of
 /// sleepers invalid.
 void wakeEverything(Continuum& particles);
 
-/// Marks skipped inner cells in StepTools::inner, before ghosts arrive.
-void markSleepingInner(World& world, StepTools& tools);
+/// Marks skipped inner cells in SleepView::inner, before ghosts arrive.
+void markSleepingInner(const SleepView& view);
 /// Marks all skipped cells, and rows in SleepWork, with ghosts present.
-void markSleeping(World& world, StepTools& tools);
+void markSleeping(const SleepView& view);
 
 /// Returns the owned rows, ascending, that passes over particles have to visit: all, or those not skipped.
 /// Valid from markSleeping to the drift of the next step.
-std::span<const RowSpan> awakeRows(const World& world, StepTools& tools);
+std::span<const RowSpan> awakeRows(const Modules& modules, const Continuum& particles, SleepWork& sleep);
 /// Returns the owned rows whose positions and velocities are read by some row in the 27 surrounding cells.
 /// Valid from markSleepingInner on.
-std::span<const RowSpan> rowsToSee(const World& world, StepTools& tools);
+std::span<const RowSpan> rowsToSee(const Modules& modules, const Continuum& particles, SleepWork& sleep);
 
 /// Removes wall contacts of skipped rows from the list.
-void dropSkippedContacts(StepTools& tools);
+void dropSkippedContacts(const SleepWork& sleep, WallContacts& contacts);
 
 /// chooseAwakeGroups selects the active groups of slots; call it before deformations. forgetChangedSlots
 /// resets the slots that a bond update changed; call it after the rebuildBonds.
-void chooseAwakeGroups(World& world, StepTools& tools);
-void forgetChangedSlots(const World& world, StepTools& tools);
+void chooseAwakeGroups(const Continuum& particles, const Solids& solids, ElasticWork& elastic,
+                       SleepWork& sleep);
+void forgetChangedSlots(const Solids& solids, SleepWork& sleep);
 
 /// Sets Continuum::constraintForce of sleeping particles, before wall forces are added.
-void recordConstraintForces(World& world, const StepTools& tools);
+void recordConstraintForces(Continuum& particles, const Scene& scene, const SleepWork& sleep);
 
 /// Updates rest times and sleep stages from all forces of a step of dt (s), and records the energy that
 /// constraints remove.
-void updateSleep(World& world, StepTools& tools, double dt);
+void updateSleep(const SleepView& view, double dt);
 
 }  // namespace thaw

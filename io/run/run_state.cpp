@@ -148,7 +148,7 @@ std::string sleepText(Run& r) {
   if (!r.world.modules.sleep) return "";
   std::array<std::int64_t, 2 + awakeReasons> counts{r.world.counters.asleep,
                                                     static_cast<std::int64_t>(r.world.particles.owned)};
-  std::ranges::copy(countAwake(r.world), counts.begin() + 2);
+  std::ranges::copy(countAwake(r.world.particles, r.world.scene), counts.begin() + 2);
   r.all.sum(counts);
   constexpr const char* words[awakeReasons] = {"have awake neighbours", "are not solid", "move", "accelerate",
                                                "are warmed"};

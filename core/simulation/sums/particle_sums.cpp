@@ -146,7 +146,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
     resizeRecords(x, p.owned + t.ghostRoom, t.records);
-    for (const RowSpan& rows : rowsToSee(w, t)) packRecords(x, p, rows.begin, rows.end, t.records);
+    for (const RowSpan& rows : rowsToSee(w.modules, p, t.sleep))
+      packRecords(x, p, rows.begin, rows.end, t.records);
     searchInner(w, t);
   } else if (pass == NeighbourPass::BoundaryDensity) {
     if (p.ghosts > t.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to rows

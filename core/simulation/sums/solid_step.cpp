@@ -19,7 +19,7 @@ ElasticStep elasticStep(const StepTools& t, double dt) {
 }
 
 void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
-  if (w.modules.sleep) chooseAwakeGroups(w, t);
+  if (w.modules.sleep) chooseAwakeGroups(w.particles, w.solids, t.elastic, t.sleep);
   ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   halos.bonds.finish(w.solids);
@@ -48,7 +48,7 @@ BondForming bondForming(const World& w, const StepTools& t) {
 /// Updates data after a bond update that changed something on any rank.
 void updateBondData(World& w, Halos& halos, StepTools& t) {
   fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
-  if (w.modules.sleep) forgetChangedSlots(w, t);
+  if (w.modules.sleep) forgetChangedSlots(w.solids, t.sleep);
   const ColumnList columns = remoteColumnsAfterRelink(w.solids);
   halos.bonds.begin(w.solids, columns);
   halos.bonds.finish(w.solids);

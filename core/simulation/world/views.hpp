@@ -3,9 +3,15 @@
 #pragma once
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
+#include "core/sleep/sleep_view.hpp"
 #include "core/walls/wall_view.hpp"
 
 namespace thaw {
+
+inline SleepView sleepView(World& w, StepTools& t) {
+  return {w.scene, w.grid,  w.particles, w.cells,    w.neighbours, w.solids, w.bonds,
+          w.walls, w.clock, w.ledger,    w.counters, t.sleep,      t.inner,  t.wallContacts};
+}
 
 inline WallView wallView(World& w) {
   return {w.scene, w.modules, w.grid, w.particles, w.cells, w.solids, w.walls, w.ledger, w.counters};
