@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/heat/heat.hpp"
 
-#include "core/sleep/sleep.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/materials/enthalpy.hpp"
+#include "core/particles/sleep_stage.hpp"
 #include "core/walls/tables.hpp"
 
 namespace thaw {
@@ -73,7 +72,7 @@ double flatLatticeIndicator(const Numerics& n) {
   return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push;
 }
 
-void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* steady) {
+void addOuterHeat(const HeatView& w, double dt, const std::vector<std::uint8_t>* steady) {
   Continuum& p = w.particles;
   const Scene& s = w.scene;
   const auto heats = [](const Material& m) { return m.heatSource != 0; };
@@ -99,7 +98,7 @@ void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* steady) 
   }
 }
 
-void addThermostats(World& w, double dt) {
+void addThermostats(const HeatView& w, double dt) {
   if (dt == 0) return;
   Continuum& p = w.particles;
   const Scene& s = w.scene;
@@ -117,7 +116,7 @@ void addThermostats(World& w, double dt) {
   }
 }
 
-void updateHeat(World& w, double dt) {
+void updateHeat(const HeatView& w, double dt) {
   Continuum& p = w.particles;
   const Scene& s = w.scene;
   const bool paper = s.numerics.heat == HeatModel::Paper;
@@ -150,22 +149,21 @@ void updateHeat(World& w, double dt) {
   }
 }
 
-PhaseChanges changePhase(World& w) {
-  Continuum& p = w.particles;
+PhaseChanges changePhase(const Scene& scene, Continuum& p, Counters& counters) {
   PhaseChanges changes;
   for (std::size_t i = 0; i < p.owned; i++) {
-    const Material& m = w.scene.materials[p.material[i]];
+    const Material& m = scene.materials[p.material[i]];
     if (p.justFrozen.active) p.justFrozen[i] = 0;
     if (!m.melts() || !m.canBeSolid()) continue;
     const double f = static_cast<double>(p.liquid[i]);
     if (p.phase[i] == Solid && f >= 1 - m.hysteresis) {
       p.phase[i] = Liquid;
-      w.counters.melted++;
+      counters.melted++;
       changes.melted = true;
     } else if (p.phase[i] == Liquid && f <= m.hysteresis && f < 1 - m.hysteresis) {
       p.phase[i] = Solid;
       p.justFrozen[i] = 1;
-      w.counters.frozen++;
+      counters.frozen++;
       changes.frozen = true;
     }
   }

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/simulation/world/world.hpp"
+#include "core/heat/heat_view.hpp"
+#include "core/ledger/counters.hpp"
 
 namespace thaw {
 
@@ -17,11 +18,11 @@ void setPhase(const Scene& scene, const Modules& modules, Continuum& particles, 
 /// Adds heat sources and losses at free surfaces (convection, Stefan-Boltzmann radiation) to heatFlow; area =
 /// spacing^2 * exposedArea. The heat gained over dt (s) is recorded in Ledger::heatIn. Rows with skipped sums
 /// (WallContext::steady) are left out.
-void addOuterHeat(World& world, double dt, const std::vector<std::uint8_t>* steady = nullptr);
+void addOuterHeat(const HeatView& view, double dt, const std::vector<std::uint8_t>* steady = nullptr);
 
 /// Adds the heat of the scene's thermostats for the step of length dt (s) that begins now, and records it in
 /// Ledger::heatIn.
-void addThermostats(World& world, double dt);
+void addThermostats(const HeatView& view, double dt);
 
 /// Returns the free-surface area of a particle in units of spacing^2, from its free-surface indicator: 1 for
 /// a flat lattice surface. Below half of the flat value it is 0, since disorder alone gives such values
@@ -33,7 +34,7 @@ double flatLatticeIndicator(const Numerics& numerics);
 
 /// H += dt heatFlow / m, then temperature and liquid fraction. In the paper's model T += dt * (heatFlow / (m
 /// c)), with K05's diffusivity as conductivity (Material::paperDiffusivity, by conductivityOf).
-void updateHeat(World& world, double dt);
+void updateHeat(const HeatView& view, double dt);
 
 /// Changes the phase of particles: a solid melts when its fraction reaches 1 (1 - hysteresis), a liquid
 /// freezes when it falls to hysteresis (0 without). Sets phase and justFrozen, and counts changes. Only the
@@ -41,6 +42,6 @@ void updateHeat(World& world, double dt);
 struct PhaseChanges {
   bool melted = false, frozen = false;
 };
-PhaseChanges changePhase(World& world);
+PhaseChanges changePhase(const Scene& scene, Continuum& particles, Counters& counters);
 
 }  // namespace thaw

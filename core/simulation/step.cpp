@@ -63,9 +63,9 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   }
   if (w.modules.kinds() && !bodyTypesAreFinite(w)) here.finite = false;
   t.times.lap(StepPhase::Drift);
-  if (w.modules.heat) updateHeat(w, dt);  // H += heat dt, T and liquid fraction follow
+  if (w.modules.heat) updateHeat(heatView(w), dt);  // H += heat dt, T and liquid fraction follow
   PhaseChanges changes;
-  if (w.modules.melting) changes = changePhase(w);  // solid <-> liquid
+  if (w.modules.melting) changes = changePhase(w.scene, w.particles, w.counters);  // solid <-> liquid
   t.phaseChangedHere = changes.melted || changes.frozen;
   t.frozeAnywhere = changes.frozen;  // both are reduced by reduceStep
   t.meltedAnywhere = changes.melted;
@@ -169,8 +169,8 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // needs all other forces
   if (w.modules.heat) {
     addWallHeat(walls, t.wallContacts);
-    addOuterHeat(w, dt, walls.steady);
-    addThermostats(w, dt);
+    addOuterHeat(heatView(w), dt, walls.steady);
+    addThermostats(heatView(w), dt);
   }
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);

@@ -3,6 +3,7 @@
 #include "core/heat/heat.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/materials/enthalpy.hpp"
+#include "core/simulation/world/views.hpp"
 #include "tests/support/hashed.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/periodic_block.hpp"
@@ -218,8 +219,8 @@ TEST(Stability, B14_FreezeMeltPingPong) {
     setPhase(w.scene, w.modules, p, 0, 1);
     for (int n = 0; n < 1000; n++) {
       p.heatFlow[0] = n % 2 ? -swing : swing;
-      updateHeat(w, 1);
-      changePhase(w);
+      updateHeat(heatView(w), 1);
+      changePhase(w.scene, w.particles, w.counters);
     }
     flips[way] = w.counters.melted + w.counters.frozen;
   }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What modules see of a run.
 #pragma once
+#include "core/heat/heat_view.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 #include "core/sleep/sleep_view.hpp"
 #include "core/walls/wall_view.hpp"
 
 namespace thaw {
+
+inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.solids, w.clock, w.ledger}; }
 
 inline SleepView sleepView(World& w, StepTools& t) {
   return {w.scene, w.grid,  w.particles, w.cells,    w.neighbours, w.solids, w.bonds,

@@ -5,6 +5,7 @@
 
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
+#include "core/simulation/world/views.hpp"
 
 namespace thaw::test {
 namespace {
@@ -40,7 +41,7 @@ struct Lump {
   void setFraction(double f) {
     p().enthalpy[0] = f * meltingBand(w.scene.materials[0]);
     p().heatFlow[0] = 0;
-    updateHeat(w, 1);
+    updateHeat(heatView(w), 1);
   }
 };
 
@@ -103,7 +104,7 @@ TEST(Heat, LatentHeatPlateau) {
   double start = -1, end = -1, taken = 0;
   for (int k = 1; end < 0 && k < 100000; k++) {
     l.p().heatFlow[0] = watts;
-    updateHeat(l.w, dt);
+    updateHeat(heatView(l.w), dt);
     taken += watts * dt;
     if (start < 0 && l.p().temperature[0] >= m.solidus) start = k * dt;
     if (l.p().temperature[0] > m.solidus) end = k * dt;
@@ -118,20 +119,20 @@ TEST(Phase, MeltsAtOneAndFreezesAtZero) {
   EXPECT_EQ(l.p().phase[0], Solid);
   for (double f : {0.2, 0.9, 0.5, 0.999}) {
     l.setFraction(f);
-    EXPECT_FALSE(changePhase(l.w).melted);
+    EXPECT_FALSE(changePhase(l.w.scene, l.w.particles, l.w.counters).melted);
   }
   l.setFraction(1.0001);
-  EXPECT_TRUE(changePhase(l.w).melted);
+  EXPECT_TRUE(changePhase(l.w.scene, l.w.particles, l.w.counters).melted);
   EXPECT_EQ(l.p().phase[0], Liquid);
   for (double f : {0.99, 0.5, 0.001}) {
     l.setFraction(f);
-    const PhaseChanges c = changePhase(l.w);
+    const PhaseChanges c = changePhase(l.w.scene, l.w.particles, l.w.counters);
     EXPECT_FALSE(c.melted || c.frozen);
   }
   l.setFraction(-0.01);
-  EXPECT_TRUE(changePhase(l.w).frozen);
+  EXPECT_TRUE(changePhase(l.w.scene, l.w.particles, l.w.counters).frozen);
   EXPECT_EQ(l.p().justFrozen[0], 1);
-  changePhase(l.w);
+  changePhase(l.w.scene, l.w.particles, l.w.counters);
   EXPECT_EQ(l.p().justFrozen[0], 0);
   EXPECT_EQ(l.w.counters.melted, 1);
   EXPECT_EQ(l.w.counters.frozen, 1);
@@ -144,7 +145,7 @@ TEST(Phase, HysteresisKeepsThePhaseOfOscillatingFractions) {
   Lump l(m, 300);
   const auto flips = [&](double f) {
     l.setFraction(f);
-    const PhaseChanges c = changePhase(l.w);
+    const PhaseChanges c = changePhase(l.w.scene, l.w.particles, l.w.counters);
     return c.melted || c.frozen;
   };
   EXPECT_FALSE(flips(0.69));
@@ -160,8 +161,8 @@ TEST(Phase, LargestHysteresisStillHasAnOrder) {
   m.hysteresis = 0.5;
   Lump l(m, 300);
   l.setFraction(0.5);
-  EXPECT_TRUE(changePhase(l.w).melted);
-  const PhaseChanges again = changePhase(l.w);
+  EXPECT_TRUE(changePhase(l.w.scene, l.w.particles, l.w.counters).melted);
+  const PhaseChanges again = changePhase(l.w.scene, l.w.particles, l.w.counters);
   EXPECT_FALSE(again.melted || again.frozen);
 }
 
@@ -169,7 +170,7 @@ TEST(Heat, PapersModelHasTheTemperatureAsState) {
   Lump l(wax(), 300);
   l.w.scene.numerics.heat = HeatModel::Paper;
   l.p().heatFlow[0] = 2 * 2000 * 25;
-  updateHeat(l.w, 1);
+  updateHeat(heatView(l.w), 1);
   EXPECT_DOUBLE_EQ(l.p().temperature[0], 325);
   EXPECT_FLOAT_EQ(l.p().liquid[0], 0.5f);
   EXPECT_DOUBLE_EQ(conductivityOf(
@@ -204,14 +205,14 @@ TEST(Heat, SurfacesFollowNewtonsAndStefansLaws) {
   l.w.scene.domain.ambient = 300;
   l.p().freeSurfaceIndicator[0] = static_cast<float>(flatLatticeIndicator(l.w.scene.numerics));
   l.p().heatFlow[0] = 0;
-  addOuterHeat(l.w, 1e-6);
+  addOuterHeat(heatView(l.w), 1e-6);
   const double expected = 0.05 * 0.05 *
                           (20 * (300 - 600.0) + 0.9 * 5.670374419e-8 * (std::pow(300, 4) - std::pow(600, 4)));
   EXPECT_NEAR(l.p().heatFlow[0], expected, 1e-6 * std::abs(expected));
   EXPECT_NEAR(l.w.ledger.heatIn.value(), expected * 1e-6, 1e-12 * std::abs(expected));
   l.p().freeSurfaceIndicator[0] = 0.4f;  // noise inside a liquid is no surface
   l.p().heatFlow[0] = 0;
-  addOuterHeat(l.w, 1);
+  addOuterHeat(heatView(l.w), 1);
   EXPECT_EQ(l.p().heatFlow[0], 0);
 }
 
@@ -226,16 +227,16 @@ TEST(Heat, SurfacesDoNotOvershoot) {
   l.p().freeSurfaceIndicator[0] = 1;
   for (int k = 0; k < 50; k++) {
     l.p().heatFlow[0] = 0;
-    addOuterHeat(l.w, 100);
-    updateHeat(l.w, 100);
+    addOuterHeat(heatView(l.w), 100);
+    updateHeat(heatView(l.w), 100);
     EXPECT_GE(l.p().temperature[0], 300 - 1e-9);
   }
   EXPECT_NEAR(l.p().temperature[0], 300, 1e-6);
   l.w.scene.domain.ambient = 2000;
   for (int k = 0; k < 50; k++) {
     l.p().heatFlow[0] = 0;
-    addOuterHeat(l.w, 100);
-    updateHeat(l.w, 100);
+    addOuterHeat(heatView(l.w), 100);
+    updateHeat(heatView(l.w), 100);
     EXPECT_LE(l.p().temperature[0], 2000 + 1e-9);
   }
   EXPECT_NEAR(l.p().temperature[0], 2000, 1e-6);
@@ -246,7 +247,7 @@ TEST(Heat, SourcesHeatByMass) {
   m.heatSource = 50;
   Lump l(m, 300);
   l.p().heatFlow[0] = 0;
-  addOuterHeat(l.w, 2);
+  addOuterHeat(heatView(l.w), 2);
   EXPECT_EQ(l.p().heatFlow[0], 100);
   EXPECT_EQ(l.w.ledger.heatIn.value(), 200);
 }
