@@ -114,7 +114,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   // An evaluation with new coefficients records the jump of all contacts.
   const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;
   if (neighbours) {
-    if (w.modules.continuity) beginCarry(w, t, dt);
+    if (w.modules.continuity) beginCarry(carryContext(w, t, dt));
     markInner(w, halos.cells, t);
     if (w.modules.sleep) markSleepingInner(sleepView(w, t));
     sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while inner particles are searched and
@@ -130,8 +130,8 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     addWallRelativeDensity(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
-  if (w.modules.continuity && neighbours) finishCarry(w, t, dt);
-  if (w.modules.shifting && !w.modules.continuity) shiftInside(w, t);
+  if (w.modules.continuity && neighbours) finishCarry(carryContext(w, t, dt));
+  if (w.modules.shifting && !w.modules.continuity) shiftInside(carryContext(w, t, dt));
   if (w.modules.surfaceEnergy) findSurfaceEnergy(walls, t.surface, t.wallContacts);
   if (w.modules.tension) recordEnergyLeft(w, t);
   ColumnList toGhosts{&p.relativeDensity};

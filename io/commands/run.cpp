@@ -79,7 +79,8 @@ int loop(Run& r, std::string& why) {
 /// again, unless the resolution is too coarse; a summed density does not.
 void warnOfThinLiquid(Run& r) {
   constexpr double least = 0.9;
-  const double density = connectedDensity(r.world, r.all);
+  const double density = connectedDensity(r.world.modules, r.world.particles, r.world.neighbours,
+                                          r.world.counters, r.all);
   if (density >= least) return;
   const bool summed = !r.world.modules.continuity;
   const char* const keys =

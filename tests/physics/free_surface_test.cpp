@@ -94,9 +94,9 @@ TEST(FreeSurface, ReportsSummedDensityOfTornLiquids) {
   s.numerics.density = DensityForm::Summation;
   s.numerics.tensileLimit = s.numerics.shifting = 0;
   Simulation r(s);
-  EXPECT_GT(connectedDensity(r.w, r.all), 0.95);
+  EXPECT_GT(connectedDensity(r.w.modules, r.w.particles, r.w.neighbours, r.w.counters, r.all), 0.95);
   ASSERT_TRUE(r.run());
-  EXPECT_LT(connectedDensity(r.w, r.all), 0.7);
+  EXPECT_LT(connectedDensity(r.w.modules, r.w.particles, r.w.neighbours, r.w.counters, r.all), 0.7);
 }
 
 TEST(FreeSurface, ReportsThinLayersWithCarriedDensities) {
@@ -107,7 +107,7 @@ TEST(FreeSurface, ReportsThinLayersWithCarriedDensities) {
   Simulation r(s);
   ASSERT_TRUE(r.w.modules.continuity);
   ASSERT_TRUE(r.run());
-  EXPECT_LT(connectedDensity(r.w, r.all), 0.85);
+  EXPECT_LT(connectedDensity(r.w.modules, r.w.particles, r.w.neighbours, r.w.counters, r.all), 0.85);
 }
 
 /// Summed densities leave isolated particles with 0.4 of their neighbours.

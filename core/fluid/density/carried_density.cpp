@@ -39,76 +39,73 @@ std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint3
 /// Slope of the wall's part of the relative density at a distance (m), times h. It is that of the wall's
 /// pressure force (wall_forces.cpp), so that force and density rate are adjoint.
 double wallSlope(const CarryContext& x, const WallContact& c, double distance) {
-  return x.tools.perLatticeSum * x.tools.wallTables(distance / x.world.grid.support).push * c.share;
+  return x.perLatticeSum * x.wallTables(distance / x.grid.support).push * c.share;
 }
 
 /// Adds the walls' parts to the sums of a row. The density rate uses distances at mid-step, as pairs do.
 void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   const CarryContext& x = *static_cast<const CarryContext*>(context);
-  const World& w = x.world;
-  const Continuum& p = w.particles;
-  WallContacts& contacts = x.tools.wallContacts;
+  const Continuum& p = x.particles;
+  WallContacts& contacts = x.wallContacts;
   const std::span<const WallContact> mine = contactsOf(contacts, row);
-  const double h = w.grid.support;
-  r.relativeDensity += x.tools.perLatticeSum *
-                       wallRelativeDensity({x.tools.wallTables, h}, mine, contacts.added);
+  const double h = x.grid.support;
+  r.relativeDensity += x.perLatticeSum * wallRelativeDensity({x.wallTables, h}, mine, contacts.added);
   for (const WallContact& c : mine) {
     // the slope is twice the gradient of the wall's own relative density
     r.gradient += c.normal * (-0.5 * wallSlope(x, c, c.distance));
-    const double off = dot(p.velocity[row] - wallVelocity(w.walls.list[c.wall], p.position[row]), c.normal);
+    const double off = dot(p.velocity[row] - wallVelocity(x.walls.list[c.wall], p.position[row]), c.normal);
     r.rate -= r.liquidFraction * wallSlope(x, c, c.distance - 0.5 * x.dt * off) / h * off;
   }
   r.atSurface = r.liquidFraction > 0 &&
-                length(alongWalls(r.gradient, mine, w.scene.spacing)) > surfaceAsymmetry * r.gradientSize;
+                length(alongWalls(r.gradient, mine, x.scene.spacing)) > surfaceAsymmetry * r.gradientSize;
   for (const WallContact& c : mine) r.moment = alongWall(r.moment, c.normal);
 }
 
 Vec3d alongWallsOf(const void* context, std::uint32_t row, Vec3d velocity) {
   const CarryContext& x = *static_cast<const CarryContext*>(context);
-  return alongWalls(velocity, contactsOf(x.tools.wallContacts, row), x.world.scene.spacing);
+  return alongWalls(velocity, contactsOf(x.wallContacts, row), x.scene.spacing);
 }
 
 /// True in steps that note the summed densities.
-bool notesSums(const World& w, double dt) {
+bool notesSums(const CarryContext& x) {
   constexpr std::int64_t everySteps = 16;
-  return dt == 0 || w.clock.step % everySteps == 0;
+  return x.dt == 0 || x.clock.step % everySteps == 0;
 }
 
 }  // namespace
 
-void beginCarry(World& w, StepTools& t, double dt) {
-  const std::size_t rows = w.particles.owned;
-  CarryWork& work = t.carry;
+void beginCarry(const CarryContext& x) {
+  const std::size_t rows = x.particles.owned;
+  CarryWork& work = x.carry;
   work.besideWall.clear();
-  if (!t.wallContacts.list.empty()) {
+  if (!x.wallContacts.list.empty()) {
     work.besideWall.assign(rows, 0);
-    for (const WallContact& c : t.wallContacts.list) work.besideWall[c.row] = 1;
+    for (const WallContact& c : x.wallContacts.list) work.besideWall[c.row] = 1;
   }
-  if (notesSums(w, dt)) work.summed.assign(rows, 0);
-  w.counters.crowded = 0;
+  if (notesSums(x)) work.summed.assign(rows, 0);
+  x.counters.crowded = 0;
 }
 
-CarryStep carryStepOf(World& w, const CarryContext& context) {
-  Continuum& p = w.particles;
-  StepTools& t = context.tools;
-  const Numerics& n = w.scene.numerics;
-  const double dt = context.dt;
+CarryStep carryStepOf(const CarryContext& x) {
+  Continuum& p = x.particles;
+  const Numerics& n = x.scene.numerics;
+  const double dt = x.dt;
   CarryStep s;
   s.dt = dt;
-  s.ahead = dt > 0 ? dt / (dt + w.clock.stepDt) : 0;
+  s.ahead = dt > 0 ? dt / (dt + x.clock.stepDt) : 0;
   s.diffusion = n.densityDiffusion;
   s.shifting = n.shifting;
-  s.weight = w.scene.domain.gravity * w.grid.support;
+  s.weight = x.scene.domain.gravity * x.grid.support;
   s.eos = n.eos;
   s.tensileLimit = n.tensileLimit;
-  s.liquids = t.liquids.data();
+  s.liquids = x.liquids.data();
   s.material = p.material.data();
   s.mass = p.mass.data();
-  if (w.modules.sleep) s.steady = t.sleep.steady.data();
-  s.corrected = w.modules.corrected;
+  if (x.modules.sleep) s.steady = x.steady.data();
+  s.corrected = x.modules.corrected;
   s.surfaces = p.atSurface.active;
-  s.solids = w.modules.solid;
-  if (!t.carry.besideWall.empty()) s.walls = {&context, t.carry.besideWall.data(), addWallsTo, alongWallsOf};
+  s.solids = x.modules.solid;
+  if (!x.carry.besideWall.empty()) s.walls = {&x, x.carry.besideWall.data(), addWallsTo, alongWallsOf};
   s.compression = p.compression.data();
   s.dissipated = p.dissipated.data();
   s.midCorrection = p.midCorrection.data();
@@ -116,8 +113,8 @@ CarryStep carryStepOf(World& w, const CarryContext& context) {
   s.atSurface = p.atSurface.data();
   s.shiftingVelocity = p.shiftingVelocity.data();
   if (p.relief.active) s.relief = p.relief.data();
-  if (notesSums(w, dt)) s.summed = t.carry.summed.data();
-  s.crowded = &w.counters.crowded;
+  if (notesSums(x)) s.summed = x.carry.summed.data();
+  s.crowded = &x.counters.crowded;
   return s;
 }
 
@@ -136,33 +133,32 @@ void resetCarriedDensity(const CarryStep& x, float* relativeDensity, std::uint32
   if (x.relief) x.relief[row] = {};
 }
 
-void finishCarry(World& w, StepTools& t, double dt) {
-  Continuum& p = w.particles;
-  const NeighbourLists& lists = w.neighbours;
-  const CarryContext context{w, t, dt};
-  const CarryStep x = carryStepOf(w, context);
+void finishCarry(const CarryContext& x) {
+  Continuum& p = x.particles;
+  const NeighbourLists& lists = x.neighbours;
+  const CarryStep step = carryStepOf(x);
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < 8 && !lists.fluid[g]; l++) {
       const std::uint32_t row = lists.self[8 * g + l];
-      if (row != lists.dummy && !(x.steady && x.steady[row]))
-        resetCarriedDensity(x, p.relativeDensity.data(), row);
+      if (row != lists.dummy && !(step.steady && step.steady[row]))
+        resetCarriedDensity(step, p.relativeDensity.data(), row);
     }
-  if (!notesSums(w, dt)) return;
-  if (dt == 0) w.startDensity = t.carry.summed;
-  const std::array<std::int64_t, 2> sums = connectedSums(w, t.carry.summed);
-  w.counters.connected = sums[0];
-  w.counters.connectedDensity = sums[1];
+  if (!notesSums(x)) return;
+  if (x.dt == 0) x.startDensity = x.carry.summed;
+  const std::array<std::int64_t, 2> sums = connectedSums(p, lists, x.carry.summed);
+  x.counters.connected = sums[0];
+  x.counters.connectedDensity = sums[1];
 }
 
-void shiftInside(World& w, const StepTools& t) {
-  Continuum& p = w.particles;
-  for (const WallContact& c : t.wallContacts.list)
+void shiftInside(const CarryContext& x) {
+  Continuum& p = x.particles;
+  for (const WallContact& c : x.wallContacts.list)
     p.concentrationGradient[c.row] += single(
-        c.normal * (-0.5 * t.perLatticeSum * t.wallTables(c.distance / w.grid.support).push * c.share));
+        c.normal * (-0.5 * x.perLatticeSum * x.wallTables(c.distance / x.grid.support).push * c.share));
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool inside = liquidFraction(p, i) == 1 && static_cast<double>(p.relativeDensity[i]) > 0.9;
     p.shiftingVelocity[i] = inside ? wide(p.concentrationGradient[i]) *
-                                         (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed)
+                                         (-x.scene.numerics.shifting * x.liquids[p.material[i]].soundSpeed)
                                    : Vec3d{};
   }
 }

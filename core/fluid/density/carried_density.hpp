@@ -2,30 +2,56 @@
 // Density by continuity, and particle shifting. The density sums advance the carried densities
 // (terms/carried_density.hpp, terms/carry.hpp); here is what comes before and after them.
 #pragma once
+#include <cstdint>
+#include <vector>
+
 #include "core/fluid/pair_sums/carry.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/ledger/counters.hpp"
+#include "core/materials/liquid_materials.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/modules.hpp"
+#include "core/scene/scene.hpp"
+#include "core/time/clock.hpp"
+#include "core/walls/tables.hpp"
+#include "core/walls/walls.hpp"
 
 namespace thaw {
 
-/// Before the density sums of a step of dt (s; 0: at the start, when only free surface, shifting and gradient
-/// correction change). Requires: wall contacts.
-void beginCarry(World& world, StepTools& tools, double dt);
-
+/// The data of a step that carried densities read and change.
 struct CarryContext {
-  const World& world;
-  StepTools& tools;
-  double dt;  ///< s
+  const Scene& scene;
+  const Modules& modules;
+  const CellGrid& grid;
+  Continuum& particles;
+  const NeighbourLists& neighbours;
+  const Walls& walls;
+  std::vector<float>& startDensity;  ///< 1, summed at the start, by owned row
+  const Clock& clock;
+  Counters& counters;
+  const std::vector<LiquidMaterial>& liquids;
+  const WallTables& wallTables;
+  double perLatticeSum;  ///< factor that turns sums over V W into relative densities
+  CarryWork& carry;
+  WallContacts& wallContacts;
+  const std::vector<std::uint8_t>& steady;  ///< SleepWork::steady
+  double dt;  ///< s, last step; 0: at the start, when only free surface, shifting and gradient correction
+              ///< change
 };
+
+/// Before the density sums of a step. Requires: wall contacts.
+void beginCarry(const CarryContext& context);
+
 /// Input and output for the density sums; it refers to the context.
-CarryStep carryStepOf(World& world, const CarryContext& context);
+CarryStep carryStepOf(const CarryContext& context);
 
 /// After the density sums: resets particles without liquid nearby, and notes the summed densities that later
 /// checks need.
-void finishCarry(World& world, StepTools& tools, double dt);
+void finishCarry(const CarryContext& context);
 
 /// Shifting with a summed density: inside, from crowded to empty places. Not at a free surface, where the
 /// gradient is its normal.
-void shiftInside(World& world, const StepTools& tools);
+void shiftInside(const CarryContext& context);
 
 }  // namespace thaw

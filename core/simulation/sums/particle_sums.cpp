@@ -11,6 +11,7 @@
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
+#include "core/simulation/world/views.hpp"
 
 namespace thaw {
 ColumnList ghostColumns(World& w) {
@@ -167,9 +168,9 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   if (density) {
     if (w.modules.fluid) {
       PairSums sums = pairSumsOf(w, t);
-      const CarryContext context{w, t, elapsed};
+      const CarryContext context = carryContext(w, t, elapsed);
       CarryStep carry;
-      if (sums.carried) carry = carryStepOf(w, context), sums.carry = &carry;
+      if (sums.carried) carry = carryStepOf(context), sums.carry = &carry;
       t.kernels->density(sums, range);
     }
     if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);

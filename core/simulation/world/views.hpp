@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What modules see of a run.
 #pragma once
+#include "core/fluid/density/carried_density.hpp"
 #include "core/heat/heat_view.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
@@ -8,6 +9,13 @@
 #include "core/walls/wall_view.hpp"
 
 namespace thaw {
+
+/// dt (s): last step, 0 at the start.
+inline CarryContext carryContext(World& w, StepTools& t, double dt) {
+  return {w.scene,        w.modules,      w.grid,         w.particles, w.neighbours, w.walls,
+          w.startDensity, w.clock,        w.counters,     t.liquids,   t.wallTables, t.perLatticeSum,
+          t.carry,        t.wallContacts, t.sleep.steady, dt};
+}
 
 inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.solids, w.clock, w.ledger}; }
 
