@@ -8,11 +8,11 @@
 namespace thaw {
 namespace {
 
-/// Short names for the parts of the world that the solver uses.
+/// Short names for the data that the solver uses.
 struct Solver {
-  World& w;
+  const WallView& w;
   Halos& halos;
-  StepTools& t;
+  const ViscosityView& t;
   const PairSums& sums;
   const WallContext& at;
   ViscousWork& work;
@@ -46,7 +46,7 @@ template<class Real> void packParameters(Solver& s) {
     s.work.records[i].viscosity = static_cast<float>(velocityViscosity[i].d);
     s.work.records[i].liquid = static_cast<float>(pressurePhaseHeat[i].b);
   }
-  const std::size_t dummy = s.w.neighbours.dummy;
+  const std::size_t dummy = s.t.neighbours.dummy;
   s.work.records[dummy] = s.work.middle[dummy] = {};
 }
 
@@ -64,7 +64,7 @@ void packVelocities(Solver& s, std::size_t begin, std::size_t end) {
 void applyPairs(Solver& s, ViscousPass pass) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
-  const NeighbourLists& lists = s.w.neighbours;
+  const NeighbourLists& lists = s.t.neighbours;
   ViscousSums out;
   out.pass = pass;
   out.velocity = k.records.data();
@@ -87,13 +87,13 @@ void applyPairs(Solver& s, ViscousPass pass) {
     }
   };
   packMiddle(0, p.owned);
-  s.t.kernels->viscous(s.sums, out, {0, lists.innerGroups});
+  s.t.kernels.viscous(s.sums, out, {0, lists.innerGroups});
   s.t.times.lap(StepPhase::Viscosity);
   s.halos.cells.finishRefresh(p);
   s.t.times.lap(StepPhase::Exchange);
   packVelocities(s, p.owned, p.size());
   packMiddle(p.owned, p.size());
-  s.t.kernels->viscous(s.sums, out, {lists.innerGroups, lists.groups});
+  s.t.kernels.viscous(s.sums, out, {lists.innerGroups, lists.groups});
 }
 
 void listWalls(Solver& s) {
@@ -249,8 +249,9 @@ void addForces(Solver& s) {
 
 }  // namespace
 
-void addImplicitViscosity(World& w, Halos halos, StepTools& t, const PairSums& sums,
+void addImplicitViscosity(const ViscosityView& t, Halos halos, const PairSums& sums,
                           const WallContext& walls) {
+  const WallView& w = walls.world;
   Solver s{w, halos, t, sums, walls, t.viscous, w.particles, walls.span};
   resize(s);
   w.scene.numerics.precision == Precision::Single ? packParameters<float>(s) : packParameters<double>(s);

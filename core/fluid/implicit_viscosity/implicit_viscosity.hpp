@@ -25,12 +25,22 @@
 
 namespace thaw {
 
+/// The data of a step that the solver uses beside those of walls (WallContext).
+struct ViscosityView {
+  const NeighbourLists& neighbours;
+  const PairKernels& kernels;
+  std::size_t ghostRoom;  ///< rows reserved for ghosts between the owned rows and the dummy row
+  const WallContacts& wallContacts;
+  ViscousWork& viscous;
+  PhaseTimes& times;
+};
+
 /// Adds viscous forces (N) to Continuum::force and their loss (W) to dissipation, and records the part of
 /// walls and clamps in the ledger. The kick lasts WallContext::span. Iterates until the error in |.|_M is at
 /// most Numerics::viscosityTolerance times the velocity change by viscosity, or for
 /// Numerics::viscosityIterations iterations (Counters::viscousUnfinished). Requires: all other forces, and
 /// current neighbour lists, records and wall contacts. Collective; the same bits on any number of ranks.
-void addImplicitViscosity(World& world, Halos halos, StepTools& tools, const PairSums& sums,
+void addImplicitViscosity(const ViscosityView& view, Halos halos, const PairSums& sums,
                           const WallContext& walls);
 
 }  // namespace thaw

@@ -209,7 +209,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
 }
 
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
-  addImplicitViscosity(w, halos, t, pairSumsOf(w, t), walls);
+  addImplicitViscosity({w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times}, halos,
+                       pairSumsOf(w, t), walls);
 }
 
 namespace {
