@@ -35,7 +35,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   if (w.modules.oriented)
     stepOriented(w, halos, t, dt);  // with integrators of their own, and with obstacles at their positions of
                                     // the force evaluation
-  if (w.modules.incompressible) addPressureImpulse(w);  // computed at the end of the last step
+  if (w.modules.incompressible) addPressureImpulse(w.particles);  // computed at the end of the last step
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w.modules, w.particles, t.sleep)) ||
                w.clock.substeps > 1;  // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);     // stiff solids: bonds only, in shorter steps
@@ -76,7 +76,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   w.clock.step++;
   const StepOutcome all = reduceStep(w, halos, t, here, wanted);
   // Removes compression from v and computes the next density-pressure kick.
-  if (w.modules.incompressible && all.finite) findPressure(w, halos, t, dt);
+  if (w.modules.incompressible && all.finite) solvePressure(w, halos, t, dt);
   if (w.modules.solid && t.meltedAnywhere)
     melt(w, halos, t);  // here and not in the next step, so that checkpoints contain it
   return all;

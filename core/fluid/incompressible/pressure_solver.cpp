@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fluid/incompressible/pressure_system.hpp"
 #include "core/time/frame_times.hpp"
-#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 namespace {
@@ -42,9 +40,9 @@ struct Progress {
 /// One Jacobi step of every pressure, clamped at 0, into `stepped`. Returns the residual before the step and
 /// its alignment with the previous move.
 Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float>& stepped) {
-  const Continuum& p = x.world.particles;
-  const PressureWork& work = x.tools.pressure;
-  const bool mayPull = x.world.scene.numerics.tensileLimit > 0;
+  const Continuum& p = x.particles;
+  const PressureWork& work = x.pressure;
+  const bool mayPull = x.scene.numerics.tensileLimit > 0;
   Progress progress;
   for (std::size_t i = 0; i < p.owned; i++) {
     stepped[i] = 0;
@@ -60,7 +58,7 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
     const double e = (filled > 0 ? goal.share * filled : filled) + goal.dt * work.rate[i] -
                      (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;
-    double next = k + x.tools.pressure.relaxation * e / full;
+    double next = k + x.pressure.relaxation * e / full;
     if (!mayPull) next = std::max(next, 0.0);
     stepped[i] = static_cast<float>(next);
     progress.add(left, e * (next - static_cast<double>(work.before[i])) * full);
@@ -71,28 +69,27 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
 /// Solves for pressures, impulses and trialVelocity from the initial trialPressure. Returns the number of
 /// iterations.
 std::int64_t solve(const PressureSystem& x, const Goal& goal) {
-  World& w = x.world;
-  Continuum& p = w.particles;
-  PressureWork& work = x.tools.pressure;
+  Continuum& p = x.particles;
+  PressureWork& work = x.pressure;
   std::copy_n(p.trialPressure.data(), p.owned, work.before.begin());
   double momentum = 1;
   for (std::int64_t iteration = 1;; iteration++) {
     applyPressures(x);
     relativeDensityRate(x);
     Progress progress = jacobiStep(x, goal, work.stepped);
-    x.tools.times.lap(StepPhase::Pressure);
+    x.times.lap(StepPhase::Pressure);
     progress.reduce(x.halos.all);
-    x.tools.times.lap(StepPhase::Reduce);
+    x.times.lap(StepPhase::Reduce);
     const bool done = progress.mean() <= goal.tolerance;
-    if (done || iteration >= w.scene.numerics.maxIterations) {
-      if (!done && x.halos.all.rank() == 0) w.counters.unsolvedPressures++;
+    if (done || iteration >= x.scene.numerics.maxIterations) {
+      if (!done && x.halos.all.rank() == 0) x.counters.unsolvedPressures++;
       return iteration;
     }
     if (progress.along < 0) momentum = 1;
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum));
     const float ahead = static_cast<float>((momentum - 1) / next);
     momentum = next;
-    const bool mayPull = w.scene.numerics.tensileLimit > 0;
+    const bool mayPull = x.scene.numerics.tensileLimit > 0;
     for (std::size_t i = 0; i < p.owned; i++) {
       const float k = work.stepped[i] + ahead * (work.stepped[i] - work.before[i]);
       p.trialPressure[i] = mayPull ? k : std::max(k, 0.0f);
@@ -103,48 +100,46 @@ std::int64_t solve(const PressureSystem& x, const Goal& goal) {
 
 /// Records impulses and work of walls, clamps and drives in a solve. `record` takes an impulse (N s).
 template<class Record> void recordReactions(const PressureSystem& x, Record record) {
-  World& w = x.world;
-  Continuum& p = w.particles;
+  Continuum& p = x.particles;
   const auto give = [&](std::size_t i, const Vec3d& impulse, const Vec3d& velocity) {
     record(impulse);
     const double done = dot(impulse, velocity);
     if (done == 0) return;
-    w.ledger.wallWork.add(done);
+    x.ledger.wallWork.add(done);
     p.dissipated[i] += done;  // compensated by the velocity change
   };
-  for (const WallSlope& wall : x.tools.pressure.walls) {
+  for (const WallSlope& wall : x.pressure.walls) {
     if (p.clamped.active && p.clamped[wall.row]) continue;  // its constraint has to bear this too
-    const double V = p.mass[wall.row] / w.scene.materials[p.material[wall.row]].density;
+    const double V = p.mass[wall.row] / x.scene.materials[p.material[wall.row]].density;
     give(wall.row, wall.slope * (-V * static_cast<double>(p.trialPressure[wall.row])), wall.velocity);
   }
   if (!p.clamped.active) return;
-  for (const WallSlope& wall : x.tools.pressure.walls) {  // pairs only: the impulse of a wall on a clamped
-                                                          // particle acts between two constraints
-    const double V = p.mass[wall.row] / w.scene.materials[p.material[wall.row]].density;
+  for (const WallSlope& wall : x.pressure.walls) {  // pairs only: the impulse of a wall on a clamped
+                                                    // particle acts between two constraints
+    const double V = p.mass[wall.row] / x.scene.materials[p.material[wall.row]].density;
     if (p.clamped[wall.row])
-      x.tools.pressure.impulse[wall.row] += wall.slope * (V * static_cast<double>(p.trialPressure[wall.row]));
+      x.pressure.impulse[wall.row] += wall.slope * (V * static_cast<double>(p.trialPressure[wall.row]));
   }
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.clamped[i]) give(i, -x.tools.pressure.impulse[i], p.clamped[i] == driven ? p.velocity[i] : Vec3d{});
+    if (p.clamped[i]) give(i, -x.pressure.impulse[i], p.clamped[i] == driven ? p.velocity[i] : Vec3d{});
 }
 
 /// Stops liquid without supporting pressure, such as a single drop, a quarter of a spacing from a wall.
 /// Changes trialVelocity.
 template<class Record> void stopAtWalls(const PressureSystem& x, double dt, Record record) {
-  World& w = x.world;
-  Continuum& p = w.particles;
-  for (const WallContact& c : x.tools.wallContacts.list) {
-    const double f = static_cast<double>(x.tools.pressure.fraction[c.row]),
-                 room = std::max(0.0, c.distance - 0.25 * w.scene.spacing);
+  Continuum& p = x.particles;
+  for (const WallContact& c : x.wallContacts.list) {
+    const double f = static_cast<double>(x.pressure.fraction[c.row]),
+                 room = std::max(0.0, c.distance - 0.25 * x.scene.spacing);
     if (f == 0 || (p.clamped.active && p.clamped[c.row])) continue;
-    const Vec3d v = wallVelocity(w.walls.list[c.wall], p.position[c.row]);
+    const Vec3d v = wallVelocity(x.walls.list[c.wall], p.position[c.row]);
     const double excess = -dot(p.trialVelocity[c.row] - v, c.normal) - room / dt;
     if (excess <= 0) continue;
     const Vec3d change = c.normal * (f * excess), impulse = change * p.mass[c.row];
     p.trialVelocity[c.row] += change;
     record(impulse);
     const double done = dot(impulse, v);
-    w.ledger.wallWork.add(done);
+    x.ledger.wallWork.add(done);
     p.dissipated[c.row] += done;
   }
 }
@@ -164,8 +159,7 @@ void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
 /// Corrects the dissipation of resistive forces, which was recorded at the drift velocity v. The force acts
 /// in the past half kick at mean velocity v + a dt/4, and in the next one at v + a dt/2 + pressure change + a
 /// next/4. The difference is significant for steps near the viscous limit.
-void recordResistance(World& w, const std::vector<Vec3d>& before, double dt, double next) {
-  Continuum& p = w.particles;
+void recordResistance(Continuum& p, const std::vector<Vec3d>& before, double dt, double next) {
   const double both = (dt + next) * (dt + next) / 8, half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++)
     if (!(p.clamped.active && p.clamped[i]))
@@ -181,30 +175,28 @@ void change(Continuum& p, std::size_t i, const Vec3d& change) {
 
 /// Divergence solve: removes compression rates from the velocities.
 void solveDivergence(const PressureSystem& x, double dt, double next, double share) {
-  World& w = x.world;
-  Continuum& p = w.particles;
-  std::copy_n(p.velocity.data(), p.owned, x.tools.pressure.start.begin());
-  setTrial(p, x.tools.pressure, p.divergencePressure, dt);
-  w.lastIterations.divergence = solve(x, {next, share * w.scene.numerics.divergenceTolerance, 0});
+  Continuum& p = x.particles;
+  std::copy_n(p.velocity.data(), p.owned, x.pressure.start.begin());
+  setTrial(p, x.pressure, p.divergencePressure, dt);
+  x.lastIterations.divergence = solve(x, {next, share * x.scene.numerics.divergenceTolerance, 0});
   keepTrial(p, p.divergencePressure, dt);
   recordReactions(x, [&](const Vec3d& impulse) {
-    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(impulse[a]);
+    for (int a = 0; a < 3; a++) x.ledger.wallImpulse[a].add(impulse[a]);
   });
   for (std::size_t i = 0; i < p.owned; i++) change(p, i, p.trialVelocity[i] - p.velocity[i]);
 }
 
 /// Density solve: finds the kick with which the next drift ends at the target density.
 void solveDensity(const PressureSystem& x, double next, double share) {
-  World& w = x.world;
-  Continuum& p = w.particles;
-  PressureWork& work = x.tools.pressure;
+  Continuum& p = x.particles;
+  PressureWork& work = x.pressure;
   const double half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++) work.start[i] = p.velocity[i] + p.acceleration[i] * half;
   setTrial(p, work, p.densityPressure, next);
-  w.lastIterations.density = solve(x, {next, share * w.scene.numerics.densityTolerance, share});
+  x.lastIterations.density = solve(x, {next, share * x.scene.numerics.densityTolerance, share});
   keepTrial(p, p.densityPressure, next);
   const auto record = [&](const Vec3d& impulse) {  // applied in the next half kick
-    for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(impulse[a] / half);
+    for (int a = 0; a < 3; a++) x.ledger.wallForce[a].add(impulse[a] / half);
   };
   recordReactions(x, record);
   stopAtWalls(x, next, record);
@@ -213,28 +205,26 @@ void solveDensity(const PressureSystem& x, double next, double share) {
 
 }  // namespace
 
-void addPressureImpulse(World& w) {
-  Continuum& p = w.particles;
+void addPressureImpulse(Continuum& p) {
   for (std::size_t i = 0; i < p.owned; i++) change(p, i, p.pressureImpulse[i]);
 }
 
-void findPressure(World& w, Halos halos, StepTools& t, double dt) {
-  Continuum& p = w.particles;
-  const PressureSystem system{w, halos, t};
+void findPressure(const PressureSystem& x, double dt) {
+  Continuum& p = x.particles;
   // At the end of the scene no limit on the step exists.
-  const double planned = nextStep(w.clock), next = std::isfinite(planned) ? planned : dt;
-  std::vector<Vec3d>& before = t.pressure.arrived;
+  const double planned = nextStep(x.clock), next = std::isfinite(planned) ? planned : dt;
+  std::vector<Vec3d>& before = x.pressure.arrived;
   before.assign(p.velocity.data(), p.velocity.data() + p.owned);
-  const double share = std::min(1.0, next / t.pressure.correctionTime);
-  prepareSystem(system);
-  solveDivergence(system, dt, next, share);
-  solveDensity(system, next, share);
-  recordResistance(w, before, dt, next);
-  if (halos.all.rank() == 0) {
-    w.counters.densityIterations += w.lastIterations.density;
-    w.counters.divergenceIterations += w.lastIterations.divergence;
+  const double share = std::min(1.0, next / x.pressure.correctionTime);
+  prepareSystem(x);
+  solveDivergence(x, dt, next, share);
+  solveDensity(x, next, share);
+  recordResistance(p, before, dt, next);
+  if (x.halos.all.rank() == 0) {
+    x.counters.densityIterations += x.lastIterations.density;
+    x.counters.divergenceIterations += x.lastIterations.divergence;
   }
-  t.times.lap(StepPhase::Pressure);
+  x.times.lap(StepPhase::Pressure);
 }
 
 }  // namespace thaw

@@ -19,19 +19,17 @@
 // (Nesterov 1983), restarted where it points uphill (O'Donoghue & Candes 2015). All decisions rest on integer
 // sums over all ranks, so the number of iterations does not depend on the number of ranks.
 #pragma once
-#include "core/halo/halos.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/fluid/incompressible/pressure_system.hpp"
 
 namespace thaw {
 
 /// Adds Continuum::pressureImpulse to the velocities; the loss of kinetic energy is recorded as dissipated.
-void addPressureImpulse(World& world);
+void addPressureImpulse(Continuum& particles);
 
 /// Runs both solves. dt (s): the step that ends now; the clock has the next one. Requires: neighbour lists,
 /// ghosts, records and wall contacts of this step's evaluation. Ensures: velocities without compression,
 /// updated pressureImpulse, densityPressure and divergencePressure, and impulse and work of walls in the
 /// ledger. Collective.
-void findPressure(World& world, Halos halos, StepTools& tools, double dt);
+void findPressure(const PressureSystem& system, double dt);
 
 }  // namespace thaw

@@ -2,17 +2,50 @@
 // The matrix of the pressure problem as products: from pressures to velocities, and from velocities to
 // density rates.
 #pragma once
+#include <vector>
+
+#include "core/fluid/incompressible/pressure_work.hpp"
+#include "core/fluid/pair_sums/pair_kernels.hpp"
+#include "core/fluid/pair_sums/pair_sums.hpp"
+#include "core/fluid/pair_sums/records.hpp"
 #include "core/halo/halos.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/ledger/counters.hpp"
+#include "core/ledger/ledger.hpp"
+#include "core/materials/liquid_materials.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/modules.hpp"
+#include "core/scene/scene.hpp"
+#include "core/time/clock.hpp"
+#include "core/time/phase_times.hpp"
+#include "core/walls/tables.hpp"
+#include "core/walls/walls.hpp"
 
 namespace thaw {
 
-/// Context of the products.
+/// Context of the products and of the solver.
 struct PressureSystem {
-  World& world;
+  const Scene& scene;
+  const Modules& modules;
+  const CellGrid& grid;
+  Continuum& particles;
+  const NeighbourLists& neighbours;
+  const Walls& walls;
+  const Clock& clock;
+  Ledger& ledger;
+  Counters& counters;
+  PressureIterations& lastIterations;
   Halos halos;
-  StepTools& tools;
+  PairSums sums;  ///< of the step
+  const PairKernels& kernels;
+  const std::vector<LiquidMaterial>& liquids;
+  PairRecords& records;
+  const WallTables& wallTables;
+  double perLatticeSum;  ///< factor that turns sums over V W into relative densities
+  const WallContacts& wallContacts;
+  PressureWork& pressure;
+  PhaseTimes& times;
 };
 
 /// Computes PressureWork::walls, fraction and response for the current positions.

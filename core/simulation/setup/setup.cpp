@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/domain/sides.hpp"
-#include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
@@ -259,7 +258,7 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
   // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
   w.ledger.entered = w.ledger.left = {};
   reduceStep(w, halos, t, {}, {});
-  if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
+  if (w.modules.incompressible) solvePressure(w, halos, t, nextStep(w.clock));
   const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step records
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
 }
@@ -333,7 +332,7 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   w.ledger.restartJump += jump;
   t.frozeAnywhere = false;  // newly frozen particles have bonds now
   reduceStep(w, halos, t, {}, {});
-  if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
+  if (w.modules.incompressible) solvePressure(w, halos, t, nextStep(w.clock));
 }
 
 }  // namespace thaw

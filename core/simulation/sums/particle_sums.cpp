@@ -8,6 +8,7 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/fluid/density/carried_density.hpp"
 #include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
+#include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
@@ -211,6 +212,14 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
   addImplicitViscosity({w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times}, halos,
                        pairSumsOf(w, t), walls);
+}
+
+void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
+  findPressure(
+      {w.scene,   w.modules,    w.grid,           w.particles,    w.neighbours,     w.walls,    w.clock,
+       w.ledger,  w.counters,   w.lastIterations, halos,          pairSumsOf(w, t), *t.kernels, t.liquids,
+       t.records, t.wallTables, t.perLatticeSum,  t.wallContacts, t.pressure,       t.times},
+      dt);
 }
 
 namespace {

@@ -45,6 +45,9 @@ void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass, doubl
 /// Computes viscous forces of the implicit solver (fluid/implicit_viscosity/), after all others.
 void solveViscosity(World& world, Halos halos, StepTools& tools, const WallContext& walls);
 
+/// Runs the pressure solver (fluid/incompressible/). dt (s): the step that ends now. Collective.
+void solvePressure(World& world, Halos halos, StepTools& tools, double dt);
+
 /// Computes Continuum::softening of compression and surface tension from Continuum::interaction. Requires:
 /// called after the neighbour sums and before contacts are added. Summed compression is proportional to the
 /// particle's liquid fraction, carried compression is not; the tension of a pair is proportional to both
