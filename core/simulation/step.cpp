@@ -36,9 +36,9 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
     stepOriented(w, halos, t, dt);  // with integrators of their own, and with obstacles at their positions of
                                     // the force evaluation
   if (w.modules.incompressible) addPressureImpulse(w.particles);  // computed at the end of the last step
-  t.mayLeave = kickAndDrift(w, dt, awakeRows(w.modules, w.particles, t.sleep)) ||
-               w.clock.substeps > 1;  // v += a dt/2, x += v dt
-  substepSolids(w, halos, t, dt);     // stiff solids: bonds only, in shorter steps
+  // v += a dt/2, x += v dt
+  t.mayLeave = kickAndDrift(w, dt, awakeRows(w.modules, w.particles, t.sleep)) || w.clock.substeps > 1;
+  substepSolids(w, halos, t, dt);  // stiff solids: bonds only, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
@@ -52,8 +52,8 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   if (w.modules.sleep) updateSleep(sleepView(w, t), dt);  // solids at rest are fixed from here on
   StepOutcome here;
   LargestRates largest;
-  here.finite = finishKick(w, dt, awakeRows(w.modules, w.particles, t.sleep), &here.bad, &largest);  // v += a
-                                                                                                     // dt/2
+  // v += a dt/2
+  here.finite = finishKick(w, dt, awakeRows(w.modules, w.particles, t.sleep), &here.bad, &largest);
   here.largest = largest;
   here.badHere = !here.finite || w.oriented.exceededReach;
   if (w.modules.sheet) {

@@ -60,13 +60,14 @@ void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own,
 
 /// Returns true if all bonds of the slot end within the 27 surrounding cells and its strain is small.
 /// Inverted and weakened particles are counted in every step.
-bool mayBeSkipped(const Solids& s, const Bonds& bonds, const CellGrid& grid, std::uint32_t slot) {
-  for (int k = 0; k < bonds.capacity; k++) {
-    if (!bonds.hasBond(slot, k)) continue;
-    Vec3d d = s.position[bonds.neighbour[bonds.at(slot, k)]] - s.position[slot];
+bool mayBeSkipped(const SleepView& w, std::uint32_t slot) {
+  const Solids& s = w.solids;
+  for (int k = 0; k < w.bonds.capacity; k++) {
+    if (!w.bonds.hasBond(slot, k)) continue;
+    Vec3d d = s.position[w.bonds.neighbour[w.bonds.at(slot, k)]] - s.position[slot];
     for (int a = 0; a < 3; a++) {
-      if (grid.periodic[a]) d[a] -= grid.period[a] * std::nearbyint(d[a] / grid.period[a]);
-      if (!(std::abs(d[a]) < grid.edge[a])) return false;
+      if (w.grid.periodic[a]) d[a] -= w.grid.period[a] * std::nearbyint(d[a] / w.grid.period[a]);
+      if (!(std::abs(d[a]) < w.grid.edge[a])) return false;
     }
   }
   constexpr double largest = 0.3;  // limit of |F^T F - 1|
@@ -307,9 +308,7 @@ void updateSleep(const SleepView& w, double dt) {
       if (!atRest || !(around & AtRest)) p.sleep[i] = awake;
       else if (p.sleep[i] == awake) p.sleep[i] = sleepFixed;
       else if (p.sleep[i] == sleepFixed) p.sleep[i] = sleepSettled;
-      else
-        p.sleep[i] = (around & Settled) && mayBeSkipped(w.solids, w.bonds, w.grid, p.slot[i]) ? asleep
-                                                                                              : sleepSettled;
+      else p.sleep[i] = (around & Settled) && mayBeSkipped(w, p.slot[i]) ? asleep : sleepSettled;
       if (p.sleep[i] == awake) continue;
       if (p.sleep[i] == sleepFixed) {
         const Vec3d v = p.velocity[i];

@@ -12,7 +12,7 @@ namespace {
 struct Solver {
   const WallView& w;
   Halos& halos;
-  const ViscosityView& t;
+  const ViscosityView& view;
   const PairSums& sums;
   const WallContext& at;
   ViscousWork& work;
@@ -22,7 +22,7 @@ struct Solver {
 };
 
 void resize(Solver& s) {
-  const std::size_t n = s.p.owned, rows = n + s.t.ghostRoom + 1;
+  const std::size_t n = s.p.owned, rows = n + s.view.ghostRoom + 1;
   ViscousWork& k = s.work;
   if (k.records.size() < rows) {
     k.records.resize(rows);
@@ -46,7 +46,7 @@ template<class Real> void packParameters(Solver& s) {
     s.work.records[i].viscosity = static_cast<float>(velocityViscosity[i].d);
     s.work.records[i].liquid = static_cast<float>(pressurePhaseHeat[i].b);
   }
-  const std::size_t dummy = s.t.neighbours.dummy;
+  const std::size_t dummy = s.view.neighbours.dummy;
   s.work.records[dummy] = s.work.middle[dummy] = {};
 }
 
@@ -64,7 +64,7 @@ void packVelocities(Solver& s, std::size_t begin, std::size_t end) {
 void applyPairs(Solver& s, ViscousPass pass) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
-  const NeighbourLists& lists = s.t.neighbours;
+  const NeighbourLists& lists = s.view.neighbours;
   ViscousSums out;
   out.pass = pass;
   out.velocity = k.records.data();
@@ -72,9 +72,9 @@ void applyPairs(Solver& s, ViscousPass pass) {
   out.result = k.product.data();
   out.block = k.block.data();
   out.lost = p.dissipation.data();
-  s.t.times.lap(StepPhase::Viscosity);
+  s.view.times.lap(StepPhase::Viscosity);
   s.halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.viscousSearch});
-  s.t.times.lap(StepPhase::Exchange);
+  s.view.times.lap(StepPhase::Exchange);
   packVelocities(s, 0, p.owned);
   std::fill_n(k.product.begin(), p.owned, Vec3d{});
   if (pass == ViscousPass::Start) std::fill_n(k.block.begin(), p.owned, Sym3d{});
@@ -87,18 +87,18 @@ void applyPairs(Solver& s, ViscousPass pass) {
     }
   };
   packMiddle(0, p.owned);
-  s.t.kernels.viscous(s.sums, out, {0, lists.innerGroups});
-  s.t.times.lap(StepPhase::Viscosity);
+  s.view.kernels.viscous(s.sums, out, {0, lists.innerGroups});
+  s.view.times.lap(StepPhase::Viscosity);
   s.halos.cells.finishRefresh(p);
-  s.t.times.lap(StepPhase::Exchange);
+  s.view.times.lap(StepPhase::Exchange);
   packVelocities(s, p.owned, p.size());
   packMiddle(p.owned, p.size());
-  s.t.kernels.viscous(s.sums, out, {lists.innerGroups, lists.groups});
+  s.view.kernels.viscous(s.sums, out, {lists.innerGroups, lists.groups});
 }
 
 void listWalls(Solver& s) {
   s.work.walls.clear();
-  for (const WallContact& c : s.t.wallContacts.list) {
+  for (const WallContact& c : s.view.wallContacts.list) {
     const double drag = wallDrag(s.at, c);
     if (drag > 0)
       s.work.walls.push_back(
@@ -121,9 +121,9 @@ template<std::size_t n> std::array<double, n> sumOver(Solver& s, std::array<Exac
     std::copy(sum[k].digit.begin(), sum[k].digit.end(),
               digit.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits));
   }
-  s.t.times.lap(StepPhase::Viscosity);
+  s.view.times.lap(StepPhase::Viscosity);
   s.halos.all.sum(digit);
-  s.t.times.lap(StepPhase::Reduce);
+  s.view.times.lap(StepPhase::Reduce);
   std::array<double, n> value;
   for (std::size_t k = 0; k < n; k++) {
     std::copy_n(digit.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits,
@@ -244,15 +244,15 @@ void addForces(Solver& s) {
     p.dissipation[i] -= 0.5 * dot(f, end - k.solution[i]);
     p.viscousAcceleration[i] = f / m;
   }
-  s.t.times.lap(StepPhase::Viscosity);
+  s.view.times.lap(StepPhase::Viscosity);
 }
 
 }  // namespace
 
-void addImplicitViscosity(const ViscosityView& t, Halos halos, const PairSums& sums,
+void addImplicitViscosity(const ViscosityView& view, Halos halos, const PairSums& sums,
                           const WallContext& walls) {
   const WallView& w = walls.world;
-  Solver s{w, halos, t, sums, walls, t.viscous, w.particles, walls.span};
+  Solver s{w, halos, view, sums, walls, view.viscous, w.particles, walls.span};
   resize(s);
   w.scene.numerics.precision == Precision::Single ? packParameters<float>(s) : packParameters<double>(s);
   listWalls(s);
@@ -260,7 +260,7 @@ void addImplicitViscosity(const ViscosityView& t, Halos halos, const PairSums& s
   const bool done = iterate(s);
   addForces(s);
   if (halos.all.rank() == 0) {
-    w.counters.viscousIterations += t.viscous.iterations;
+    w.counters.viscousIterations += view.viscous.iterations;
     w.counters.viscousUnfinished += !done;
   }
 }

@@ -18,9 +18,14 @@
 // are known velocities, so both ends of every pair receive the force. The iteration ends when its error is
 // small relative to the change by viscosity, not relative to the velocity.
 #pragma once
+#include <cstddef>
+
+#include "core/fluid/implicit_viscosity/viscous_work.hpp"
+#include "core/fluid/pair_sums/pair_kernels.hpp"
+#include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/halo/halos.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/time/phase_times.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {

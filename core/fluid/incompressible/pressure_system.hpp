@@ -37,7 +37,7 @@ struct PressureSystem {
   Counters& counters;
   PressureIterations& lastIterations;
   Halos halos;
-  PairSums sums;  ///< of the step
+  PairSums sums;  ///< input and output of the sums of this step
   const PairKernels& kernels;
   const std::vector<LiquidMaterial>& liquids;
   PairRecords& records;

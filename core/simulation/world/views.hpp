@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What modules see of a run.
+// Views for modules: the data of a run that each reads and changes.
 #pragma once
 #include "core/fluid/density/carried_density.hpp"
 #include "core/heat/heat_view.hpp"
