@@ -148,7 +148,7 @@ Row update(double surfels, int repeat) {
     rig.place();
     // start from the surface of the last update, relaxed where it was liquid
     rig.tools.relax.particlesPrepared = false;
-    sampleFields(w, rig.ranks->halos(), rig.tools);
+    sampleFields(w.scene, w.surface, rig.ranks->halos(), rig.tools);
     rig.relaxSurfels(100, false);
     w.surface.particles.resize(w.surface.particles.owned, 0);
     rig.place();
@@ -160,8 +160,8 @@ Row update(double surfels, int repeat) {
     RelaxationResult done;
     const SurfaceHalos halos = rig.ranks->halos();
     r.displaceMs = 1e3 * seconds([&] {
-                     findDisplacementGradients(w, halos, rig.tools);
-                     displaceSurfels(w, halos, rig.tools);
+                     findDisplacementGradients(w.grid, w.surface, halos, rig.tools);
+                     displaceSurfels(w.scene, w.surface, halos, rig.tools);
                    });
     const double place = seconds([&] {
       SurfaceParticles& p = w.surface.particles;
@@ -169,11 +169,11 @@ Row update(double surfels, int repeat) {
       p.resize(p.owned, 0);
       rig.place();
     });
-    r.readyMs = 1e3 * seconds([&] { prepareParticles(w, halos, rig.tools); });
-    r.fieldsMs = 1e3 * seconds([&] { sampleFields(w, halos, rig.tools); });
+    r.readyMs = 1e3 * seconds([&] { prepareParticles(w.scene, w.surface, halos, rig.tools); });
+    r.fieldsMs = 1e3 * seconds([&] { sampleFields(w.scene, w.surface, halos, rig.tools); });
     const double relax = seconds([&] {
       done = rig.relaxSurfels(w.scene.surface.iterations, false);
-      blendSurfels(w);
+      blendSurfels(w.surface.surfels);
     });
     r.updateS = relax + place + 1e-3 * (r.displaceMs + r.readyMs + r.fieldsMs);
     r.targetS = 0.5;

@@ -7,6 +7,7 @@
 #include "benchmarks/accuracy/made_meshes.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/simulation/sums/solid_step.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/frame_times.hpp"
 #include "io/scene/scene_for_all.hpp"
@@ -39,16 +40,18 @@ void beginSurface(Trial& r) {
   World& w = r.world;
   r.surface = std::make_unique<SurfaceRanks>(r.comm, w.surface.grid);
   r.surfaceTools.load = suiteMeshes();
-  startSurface(w, r.surface->halos(), r.surfaceTools);
+  startSurface(surfaceView(w), r.surface->halos(), r.surfaceTools);
   countFrames(w.clock);
 }
 
 void surfaceAfterStep(Trial& r, double move2) {
   World& w = r.world;
-  if (!frameDue(w.clock) && !surfaceDue(w, move2) && w.clock.time < w.clock.end) return;
+  if (!frameDue(w.clock) && !surfaceDue(w.scene, w.clock, w.grid, w.surface, move2) &&
+      w.clock.time < w.clock.end)
+    return;
   const double begin = processorSeconds();
   if (w.modules.solid) findElasticEnergy(w, r.tools);
-  updateSurface(w, r.surface->halos(), r.surfaceTools);
+  updateSurface(surfaceView(w), r.surface->halos(), r.surfaceTools);
   r.updateSeconds += processorSeconds() - begin;
   countFrames(w.clock);
 }

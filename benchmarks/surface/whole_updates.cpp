@@ -9,6 +9,7 @@
 
 #include "core/halo/serial.hpp"
 #include "core/simulation/setup/setup.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/solid/bonds/serial_bond_halo.hpp"
 #include "core/surface/update_surface.hpp"
 #include "io/scene/read_scene.hpp"
@@ -59,7 +60,7 @@ WholeUpdates wholeUpdates(bool molten, double surfels, double support, std::int6
   SurfaceTools t;
   WholeUpdates out;
   double begin = processorSeconds();
-  startSurface(w, ranks.halos(), t);
+  startSurface(surfaceView(w), ranks.halos(), t);
   out.startSeconds = processorSeconds() - begin;
   Continuum& p = w.particles;
   double bottom = 1e300, top = -1e300;
@@ -77,7 +78,7 @@ WholeUpdates wholeUpdates(bool molten, double surfels, double support, std::int6
     if (k == before)
       t.times = {}, iterations = w.surface.counters.iterations, unfinished = w.surface.counters.unfinished;
     begin = processorSeconds();
-    updateSurface(w, ranks.halos(), t);
+    updateSurface(surfaceView(w), ranks.halos(), t);
     const double took = processorSeconds() - begin;
     if (k < before) continue;
     out.seconds += took / static_cast<double>(updates);

@@ -201,7 +201,7 @@ StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Re
   if (w.modules.solid) reduction.strainBound = largestStrainBound(t.elastic, w.solids);
   if (w.modules.substeps) reduction.negatedFastLimit = -fastAccelerationLimit(w);
   if (w.modules.fluid) reduction.relativeDensity = largestRelativeDensity(w);
-  if (w.modules.surface) reduction.surfaceMove2 = largestSurfaceMove2(w);
+  if (w.modules.surface) reduction.surfaceMove2 = largestSurfaceMove2(w.grid, w.particles, w.surface);
   // Bonds break and references change in any step.
   if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);
   t.times.lap(StepPhase::Drift);

@@ -34,17 +34,17 @@ bool partitionByRows(const Rows& rows, const CellTable& cells, SurfaceHalos halo
 
 }  // namespace
 
-void resumeSurface(World& w, SurfaceHalos halos, SurfaceTools& t) { balanceSurface(w, halos, t, true); }
+void resumeSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& t) {
+  balanceSurface(surface, halos, t, true);
+}
 
-void balanceSurface(World& w, SurfaceHalos halos, SurfaceTools& t, bool force) {
-  Surface& s = w.surface;
+void balanceSurface(Surface& s, SurfaceHalos halos, SurfaceTools& t, bool force) {
   // There may be births and deaths since the last sort.
   sortInPlace(s.grid, s.surfels, s.surfelCells, t.sort);
   partitionByRows(s.surfels, s.surfelCells, halos, force);
 }
 
-void partitionByParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  Surface& s = w.surface;
+void partitionByParticles(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   sortInPlace(s.grid, s.particles, s.particleCells, t.sort);
   partitionByRows(s.particles, s.particleCells, halos, true);
 }

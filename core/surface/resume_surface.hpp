@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prepares a surface from a checkpoint or a snapshot, and partitions surfaces over ranks.
 #pragma once
-#include "core/simulation/world/world.hpp"
+#include "core/halo/surface_halos.hpp"
+#include "core/surface/data/surface.hpp"
 #include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
 
 /// Sorts surfels of any order and partitions the domain by them. The next update migrates them. Collective.
-void resumeSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void resumeSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Partitions the domain anew if the halo decides so, by the number of surfels: updates cost about the same
 /// for each surfel, and are too rare for averages of measured times. For use between updates. force: always
 /// partition. Collective.
-void balanceSurface(World& world, SurfaceHalos halos, SurfaceTools& tools, bool force);
+void balanceSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& tools, bool force);
 
 /// Makes the first partition, before there are surfels, by gathered, unplaced particle copies. Collective.
-void partitionByParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void partitionByParticles(Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Clears surfels, components, events and other state. Radii and grid remain.
 void emptySurface(Surface& surface);

@@ -17,7 +17,7 @@ constexpr double neighbours = 1.95;
 
 }  // namespace
 
-std::vector<BodyPieces> findStartPieces(World& w, SurfaceHalos halos, SurfaceTools& t) {
+std::vector<BodyPieces> findStartPieces(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   labelParticles(w, halos, t);
   Surface& s = w.surface;
   SurfaceParticles& p = s.particles;

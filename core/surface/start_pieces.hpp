@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 #include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
@@ -14,6 +14,6 @@ namespace thaw {
 /// the lattice is missing between them, and the number of such adjacent pieces. Connections are chains of
 /// links (surface.link_length). Requires: gathered particles without components, which it leaves so.
 /// Collective.
-std::vector<BodyPieces> findStartPieces(World& world, SurfaceHalos halos, SurfaceTools& tools);
+std::vector<BodyPieces> findStartPieces(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -2,17 +2,22 @@
 // Schedule of surface updates: at every frame, every so many steps, or after a given motion. The same on all
 // ranks.
 #pragma once
-#include "core/simulation/world/world.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/scene.hpp"
+#include "core/surface/data/surface.hpp"
+#include "core/time/clock.hpp"
 
 namespace thaw {
 
 /// Returns the squared largest distance (m^2) between a particle of this rank and its position at the last
 /// update, by minimum images. New particles do not count, nor do small drops, whose surface is rebuilt in
 /// each update. Not collective: the time-step reduction takes the maximum over ranks.
-double largestSurfaceMove2(const World& world);
+double largestSurfaceMove2(const CellGrid& grid, const Continuum& particles, const Surface& surface);
 
 /// Returns whether an update is due after a step. move2 (m^2): maximum over ranks. The caller handles frames.
 /// Requires: the surface module.
-bool surfaceDue(const World& world, double move2);
+bool surfaceDue(const Scene& scene, const Clock& clock, const CellGrid& grid, const Surface& surface,
+                double move2);
 
 }  // namespace thaw

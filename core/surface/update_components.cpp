@@ -35,7 +35,7 @@ void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = f
 }
 
 /// Offsets surfels until the volumes agree, at most four times.
-void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
+void keepVolume(const SurfaceView& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   Surface& s = w.surface;
   std::vector<VolumeMove> moves;
   for (int k = 0; k < 4 && volumesDeviate(s, start); k++) {
@@ -67,24 +67,24 @@ void inheritIsoOffset(Surface& s, double spacing, const std::vector<SurfaceCompo
 
 }  // namespace
 
-void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+void labelParticles(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& tools) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
   placeSurfels(s, halos, tools);
-  placeParticles(w, halos, tools);
+  placeParticles(w.surface, halos, tools);
   ColumnList columns{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body};
   if (s.particles.liquid.active) columns.push_back(&s.particles.liquid);
   addGhosts(halos.particles, s.particles, s.particleCells, columns);
-  labelNewParticles(w, halos, t.components);
-  findParts(w, halos, t.components);
-  attachEnclosed(w, halos, t.components);
-  splitComponents(w, halos, t.components);
+  labelNewParticles(w.scene, w.surface, halos, t.components);
+  findParts(w.scene, w.surface, halos, t.components);
+  attachEnclosed(w.surface, halos, t.components);
+  splitComponents(w.clock, w.surface, halos, t.components);
   dropGhosts(s.particles, s.particleCells);
   // Components have changed, and ghosts are gone.
   tools.relax.particlesPrepared = false;
 }
 
-void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+void splitAndMerge(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& tools) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
   s.changesBefore = s.counters.splits + s.counters.merges;
@@ -108,20 +108,20 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   inheritIsoOffset(s, w.scene.spacing, before, t.components);
 }
 
-void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool start) {
+void measureSurface(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& tools, bool start) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);
   // Surfels may have crossed periodic sides.
   reprojectOutOfWalls(w);
   addSurfelGhosts(s, halos);
-  placeParticles(w, halos, tools);
+  placeParticles(w.surface, halos, tools);
   measureAll(s, halos, t);
   if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t, start);
   dropGhosts(s.surfels, s.surfelCells);
 }
 
-void updateComponents(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+void updateComponents(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& tools) {
   splitAndMerge(w, halos, tools);
   measureSurface(w, halos, tools);
 }

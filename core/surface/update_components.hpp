@@ -2,7 +2,7 @@
 // Topology of the surface at the end of an update: overview.
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 #include "core/surface/work/surface_tools.hpp"
 
 namespace thaw {
@@ -11,18 +11,18 @@ namespace thaw {
 /// Surfels and particle copies may be on any rank, unsorted, without ghosts. Afterwards both are placed,
 /// without ghosts, and components are measured. To be called before resampling, so that seams close and drops
 /// without surfels get some in the same update. The same bits on any number of ranks. Collective.
-void splitAndMerge(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void splitAndMerge(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Measures Surface::components and Surfels::area, then enforces volumes if the scene requires it and the
 /// surface is complete. start: the surface was just completed. Surfels may be on any rank, unsorted.
 /// Afterwards both tables are placed, without ghosts. Collective.
-void measureSurface(World& world, SurfaceHalos halos, SurfaceTools& tools, bool start = false);
+void measureSurface(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools, bool start = false);
 
 /// Splits, merges and measures components.
-void updateComponents(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void updateComponents(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Labels connected parts, the first step of splitAndMerge. Without surfels, components consist of particles
 /// only, and different bodies are not joined. Collective.
-void labelParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void labelParticles(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

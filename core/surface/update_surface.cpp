@@ -22,15 +22,14 @@ namespace thaw {
 namespace {
 
 /// Migrates surfels and particle copies to the ranks of their cells, without ghosts.
-void placeAll(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  Surface& s = w.surface;
+void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
-  placeParticles(w, halos, t);
+  placeParticles(s, halos, t);
 }
 
 /// Labels the components of particles before there are surfels. Bodies too thin for their particles are
 /// connected by temporary surfels, sampled for this only.
-void labelStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void labelStart(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   t.pieces = findStartPieces(w, halos, t);
   const SurfaceCounters before = s.counters;
@@ -44,7 +43,7 @@ void labelStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
 
 /// Resamples sampled surfels at the start, since otherwise the first update would bear and delete surfels of
 /// a body at rest. With adaptive density, radii approach the curvature's target by half in each call.
-void resampleStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void resampleStart(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   const SurfaceCounters before = w.surface.counters;
   const bool adapt = w.scene.surface.adapt > 0;
   for (int k = 0; k < (adapt ? 4 : 2); k++) resampleOnParticles(w, halos, t, 10);
@@ -56,7 +55,7 @@ void resampleStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
 }
 
 /// Enforces the volume of grown surfaces. Surfaces whose rims moved together are resampled once more.
-void enforceStartVolume(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void enforceStartVolume(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   const bool off = w.scene.surface.keepVolume > 0 && volumesDeviate(w.surface, true);
   measureSurface(w, halos, t, true);
   if (!off) return;
@@ -80,46 +79,46 @@ void advanceParticles(Surface& s) {
 
 }  // namespace
 
-void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void startSurface(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
-  partitionByParticles(w, halos, t);
+  partitionByParticles(s, halos, t);
   labelStart(w, halos, t);
   growBodies(w, halos, t);
   sampleMeshes(w.scene, s, t.load, halos.all);
   updateComponents(w, halos, t);
   resampleStart(w, halos, t);
-  recordStartVolumes(w, halos);
-  placeAll(w, halos, t);
-  sampleFields(w, halos, t);
+  recordStartVolumes(w.scene, w.particles, w.surface, halos);
+  placeAll(s, halos, t);
+  sampleFields(w.scene, w.surface, halos, t);
   s.lastStep = w.clock.step;
   projectOutOfWalls(w, t.relax.particleBins);
   enforceStartVolume(w, halos, t);
-  recordReference(w);
-  returnParticles(w, halos);
+  recordReference(w.particles, w.surface);
+  returnParticles(w.particles, w.solids, w.surface, halos);
 }
 
-void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void updateSurface(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   t.times.start();
-  balanceSurface(w, halos, t, false);
-  resetMeltedShares(w);
+  balanceSurface(s, halos, t, false);
+  resetMeltedShares(w.scene, w.particles);
   gatherParticles(w, halos.all.rank());
   removeWallOffsets(s.surfels);
-  placeAll(w, halos, t);
+  placeAll(s, halos, t);
   t.times.lap(SurfacePhase::Place);
-  findDisplacementGradients(w, halos, t);
+  findDisplacementGradients(w.grid, w.surface, halos, t);
   fadeFill(s.particles);
-  displaceSurfels(w, halos, t);
+  displaceSurfels(w.scene, w.surface, halos, t);
   t.times.lap(SurfacePhase::Displacement);
   advanceParticles(s);
-  placeAll(w, halos, t);
+  placeAll(s, halos, t);
   t.times.lap(SurfacePhase::Place);
   // before resampling, which closes seams
   splitAndMerge(w, halos, t);
-  listIsoOffsets(w, t.relax.isoOffset);
+  listIsoOffsets(w.scene, w.surface, t.relax.isoOffset);
   t.times.lap(SurfacePhase::Components);
-  prepareParticles(w, halos, t);
+  prepareParticles(w.scene, w.surface, halos, t);
   t.times.lap(SurfacePhase::Fields);
   renewSurfels(w, halos, t);
   const std::int64_t bare = resurfaceExposed(w, halos, t);
@@ -129,22 +128,22 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   if (s.counters.splits + s.counters.merges > s.changesBefore || bare > 0)
     resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);
-  listIsoOffsets(w, t.relax.isoOffset);
+  listIsoOffsets(w.scene, w.surface, t.relax.isoOffset);
   const RelaxationResult settled = relaxSurfels(w, halos, t, forceWeights(w.scene.surface),
                                                 w.scene.surface.iterations, false);
   dropReferences(s.surfels);
   deactivate(s.surfels.relaxesOnce);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
-  blendSurfels(w);
+  blendSurfels(s.surfels);
   t.times.lap(SurfacePhase::Iterations);
   resampleOnParticles(w, halos, t, 8);
-  clearIsolatedColours(w, halos, t);
+  clearIsolatedColours(w.scene, w.surface, halos, t);
   t.times.lap(SurfacePhase::Resampling);
   projectOutOfWalls(w, t.relax.particleBins);
   measureSurface(w, halos, t);
   t.times.lap(SurfacePhase::Measures);
-  returnParticles(w, halos);
+  returnParticles(w.particles, w.solids, w.surface, halos);
   t.times.lap(SurfacePhase::Place);
   s.counters.updates++;
   s.lastStep = w.clock.step;

@@ -54,7 +54,9 @@ int loop(Run& r, std::string& why) {
       if (rollBack(r, o, why)) continue;
       return exitBlewUp;
     }
-    if (w.modules.surface && (frameDue(w.clock) || surfaceDue(w, o.surfaceMove2))) updateSurfaceOf(r);
+    if (w.modules.surface &&
+        (frameDue(w.clock) || surfaceDue(w.scene, w.clock, w.grid, w.surface, o.surfaceMove2)))
+      updateSurfaceOf(r);
     const bool row = ledgerRowDue(w, before);
     while (frameDue(w.clock)) writeFrameOf(r);
     if (row) writeLedgerRow(r);

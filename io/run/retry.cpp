@@ -37,7 +37,7 @@ void restoreLastSnapshot(Run& r) {
   std::vector<std::byte> records = slice ? restoreWorld(w, *slice, r.first()) : restoreSnapshot(r.good, w);
   if (w.modules.solid) r.bonds->adopt(std::move(records));
   resumeWorld(w, r.halos(), r.tools);
-  if (w.modules.surface) resumeSurface(w, r.surface->halos(), r.surfaceTools);
+  if (w.modules.surface) resumeSurface(w.surface, r.surface->halos(), r.surfaceTools);
   if (slice) w.clock.limitedBy = limitedBy;
   if (!r.snapshotInMemory) takeSnapshot(w, r.good);
   r.snapshotInMemory = true;

@@ -348,7 +348,7 @@ void begin(Run& r, const MeshLoader& load) {
       applyNewCoefficients(w, r.halos(), r.tools);
       w.watch.snapshotStep = -1;  // earlier snapshots have the energies of the old coefficients
     }
-    if (w.modules.surface) resumeSurface(w, r.surface->halos(), r.surfaceTools);
+    if (w.modules.surface) resumeSurface(w.surface, r.surface->halos(), r.surfaceTools);
     w.clock.limitedBy = "the last run";
     r.resumed = true;
     if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);

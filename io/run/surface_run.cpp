@@ -2,6 +2,7 @@
 #include "io/run/surface_run.hpp"
 
 #include "core/simulation/sums/solid_step.hpp"
+#include "core/simulation/world/views.hpp"
 #include "io/frames/surface_frame.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/run/reports/surface_log.hpp"
@@ -12,7 +13,7 @@ namespace thaw {
 void beginSurface(Run& r, const MeshLoader& load) {
   r.surfaceTools.load = load;
   r.tools.times.start();
-  startSurface(r.world, r.surface->halos(), r.surfaceTools);
+  startSurface(surfaceView(r.world), r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Setup);
   std::vector<std::string> warnings = mergedSheetWarnings(r.world.scene, r.surfaceTools.mergedSheets);
   for (std::string& line : pieceWarnings(r.world.scene, r.surfaceTools.pieces))
@@ -42,7 +43,7 @@ void updateSurfaceOf(Run& r) {
   if (r.world.modules.solid)
     findElasticEnergy(r.world, r.tools);  // also F, from which the current volume of solids follows
                                           // (gather_particles.cpp)
-  updateSurface(r.world, r.surface->halos(), r.surfaceTools);
+  updateSurface(surfaceView(r.world), r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Surface);
   r.summary.surface.updatesHere++;
   if (s.events.size() != events)

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <map>
 
+#include "core/simulation/world/views.hpp"
 #include "core/surface/advection/displace.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/relaxation/blend.hpp"
@@ -52,15 +53,15 @@ void update(World& w, SurfaceHalos halos, SurfaceTools& t) {
   for (int k = 0; k < 2; k++) {
     s.particles.resize(s.particles.owned, 0);
     place();
-    findDisplacementGradients(w, halos, t);
-    displaceSurfels(w, halos, t);
+    findDisplacementGradients(w.grid, w.surface, halos, t);
+    displaceSurfels(w.scene, w.surface, halos, t);
     s.particles.resize(s.particles.owned, 0);
     for (std::size_t i = 0; i < s.particles.owned; i++)
       s.particles.position[i] += s.particles.displacement[i];
     place();
-    sampleFields(w, halos, t);
-    relaxSurfels(w, halos, t, forceWeights(w.scene.surface), 15, false);
-    blendSurfels(w);
+    sampleFields(w.scene, w.surface, halos, t);
+    relaxSurfels(surfaceView(w), halos, t, forceWeights(w.scene.surface), 15, false);
+    blendSurfels(w.surface.surfels);
   }
 }
 

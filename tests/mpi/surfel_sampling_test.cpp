@@ -8,6 +8,7 @@
 
 #include "core/halo/serial.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/resampling/resample.hpp"
 #include "core/surface/seeding/sample_mesh.hpp"
@@ -57,7 +58,7 @@ template<class Ranks> void play(World& w, SurfaceTools& t, Ranks& ranks) {
       s.resampleMargin[i] = 0;  // this test moves it
     }
     stretch = to;
-    resample(w, ranks.halos(), t, 6);
+    resample(surfaceView(w), ranks.halos(), t, 6);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 #include "core/sleep/sleep_view.hpp"
+#include "core/surface/data/surface_view.hpp"
 #include "core/walls/wall_view.hpp"
 
 namespace thaw {
@@ -22,6 +23,10 @@ inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.
 inline SleepView sleepView(World& w, StepTools& t) {
   return {w.scene, w.grid,  w.particles, w.cells,    w.neighbours, w.solids, w.bonds,
           w.walls, w.clock, w.ledger,    w.counters, t.sleep,      t.inner,  t.wallContacts};
+}
+
+inline SurfaceView surfaceView(World& w) {
+  return {w.scene, w.modules, w.grid, w.walls, w.clock, w.particles, w.solids, w.surface};
 }
 
 inline WallView wallView(World& w) {

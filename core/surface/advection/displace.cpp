@@ -126,12 +126,12 @@ bool turnFrame(const Mat3d& gradient, Vec3d& normal, Vec3d& tangent) {
 
 /// Moves surfels without particles with neighbouring surfels. Returns the rows without particles and without
 /// such neighbours.
-std::vector<std::uint32_t> followNeighbours(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  Surfels& s = w.surface.surfels;
+std::vector<std::uint32_t> followNeighbours(Surface& surface, SurfaceHalos halos, SurfaceTools& t) {
+  Surfels& s = surface.surfels;
   ColumnList columns{&s.id, &s.position, &s.component, &s.carried, &s.moving};
-  addGhosts(halos.surfels, s, w.surface.surfelCells, columns);
-  const double h = w.surface.surfelSupport, h2 = h * h;
-  fillBins(w.surface.grid, w.surface.surfelCells, s.position.data(), h, t.relax.surfelBins);
+  addGhosts(halos.surfels, s, surface.surfelCells, columns);
+  const double h = surface.surfelSupport, h2 = h * h;
+  fillBins(surface.grid, surface.surfelCells, s.position.data(), h, t.relax.surfelBins);
   std::vector<std::uint32_t> lost;
   for (std::uint32_t i = 0; i < s.owned; i++) {
     if (!s.moving[i]) continue;
@@ -153,15 +153,15 @@ std::vector<std::uint32_t> followNeighbours(World& w, SurfaceHalos halos, Surfac
 
 }  // namespace
 
-void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  SurfaceParticles& p = w.surface.particles;
+void findDisplacementGradients(const CellGrid& grid, Surface& surface, SurfaceHalos halos, SurfaceTools& t) {
+  SurfaceParticles& p = surface.particles;
   ColumnList columns{&p.id, &p.position, &p.displacement, &p.component};
   if (p.liquid.active) columns.push_back(&p.liquid);
   if (p.temperature.active) columns.push_back(&p.temperature);
   if (p.referencePosition.active) columns.push_back(&p.referencePosition), columns.push_back(&p.covered);
-  addGhosts(halos.particles, p, w.surface.particleCells, columns);
-  const double h = w.grid.support, h2 = h * h;
-  fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
+  addGhosts(halos.particles, p, surface.particleCells, columns);
+  const double h = grid.support, h2 = h * h;
+  fillBins(surface.grid, surface.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
   for (std::size_t i = 0; i < p.owned; i++) {
     p.gradient[i] = {};
     if (p.component[i] == noComponent) continue;
@@ -188,10 +188,10 @@ void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
   refreshGhosts(halos.particles, p, found);
 }
 
-void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  Surfels& s = w.surface.surfels;
-  const SurfaceParticles& p = w.surface.particles;
-  SurfaceCounters& count = w.surface.counters;
+void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& t) {
+  Surfels& s = surface.surfels;
+  const SurfaceParticles& p = surface.particles;
+  SurfaceCounters& count = surface.counters;
   const bool blend = s.liquid.active;
   s.resize(s.owned, 0);
   // in this function: surfels without particles
@@ -200,12 +200,12 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   s.activate(s.carried);
   if (blend) s.activate(s.strain);
   RelaxTools& r = t.relax;
-  const double h = w.surface.particleSupport;
-  fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * h, r.particleBins);
-  fillBins(w.surface.grid, w.surface.surfelCells, s.position.data(), h, r.surfelBins);
+  const double h = surface.particleSupport;
+  fillBins(surface.grid, surface.particleCells, p.position.data(), 0.5 * h, r.particleBins);
+  fillBins(surface.grid, surface.surfelCells, s.position.data(), h, r.surfelBins);
   packParticles(p, r.particleBins.base, r.carried);
   r.free.assign(s.owned, 1);
-  listGroups(w.surface, r.free, r.surfelBins, r.particleBins, {0, h}, r.lists);
+  listGroups(surface, r.free, r.surfelBins, r.particleBins, {0, h}, r.lists);
   CarrySums in;
   // null without surfels
   in.place = reinterpret_cast<const double*>(s.position.data());
@@ -252,8 +252,8 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   halos.all.sum(counted);
   count.keptNormals += counted[1];
   std::vector<std::uint32_t> lost;
-  if (counted[0] > 0) lost = followNeighbours(w, halos, t);
-  moveByReference(w, r.particleBins);
+  if (counted[0] > 0) lost = followNeighbours(surface, halos, t);
+  moveByReference(scene, surface, r.particleBins);
   for (std::size_t i = 0; i < s.owned; i++) s.position[i] += s.carried[i];
   if (counted[0] > 0) {
     std::int64_t gone[1]{static_cast<std::int64_t>(lost.size())};

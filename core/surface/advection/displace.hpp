@@ -2,7 +2,8 @@
 // Moves the surface with the particles (K05 4.2.1).
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/scene/scene.hpp"
+#include "core/surface/data/surface.hpp"
 
 namespace thaw {
 
@@ -13,7 +14,8 @@ struct SurfaceTools;
 /// plane or a line, the gradient is completed by a rotation (core/solid/elasticity/moment.hpp). Requires:
 /// particles on the ranks of their cells at their previous positions; they have ghosts afterwards.
 /// Collective.
-void findDisplacementGradients(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void findDisplacementGradients(const CellGrid& grid, Surface& surface, SurfaceHalos halos,
+                               SurfaceTools& tools);
 
 /// Moves surfels with the particles: x += sum w (u_j + grad u_j (x - x_j)). w are the normalised weights (1 -
 /// (r/h_ps)^2)^3 of the component's particles within h_ps, reduced for particles with a larger liquid
@@ -23,6 +25,6 @@ void findDisplacementGradients(World& world, SurfaceHalos halos, SurfaceTools& t
 /// Without those it is deleted and counted (B15). Requires: gradients; surfels on the ranks of their cells.
 /// Afterwards surfels have no ghosts and no valid cells (placeRows). With a liquid fraction, `carried` and
 /// `carriedNormal` are set. Collective.
-void displaceSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -15,7 +15,7 @@ namespace {
 /// whole body, and volume enforcement must not inflate its few molten parts in return. Only bodies that began
 /// as solids count, because frozen layers are too thin for a reliable det F. Clamped, because torn
 /// neighbourhoods give extreme values.
-double deformedVolumeRatio(const World& w, std::size_t i) {
+double deformedVolumeRatio(const SurfaceView& w, std::size_t i) {
   constexpr double least = 0.5, most = 2;
   const Continuum& p = w.particles;
   if (!w.modules.solid || w.clock.step == 0 || !isSampled(w.scene, p.body[i]) || !takesSubsteps(p, i))
@@ -27,15 +27,14 @@ double deformedVolumeRatio(const World& w, std::size_t i) {
 
 // A ball of R/dx = 5 that is sampled from its shape holds 5 % less than its particles. Melt of meshes keeps
 // the mesh's volume.
-void resetMeltedShares(World& w) {
-  Continuum& p = w.particles;
+void resetMeltedShares(const Scene& scene, Continuum& p) {
   for (std::size_t i = 0; p.surfaceVolumeRatio.active && i < p.owned; i++)
     if (p.surfaceVolumeRatio[i] > 0 && (p.liquid.active ? p.liquid[i] >= 1 : p.phase[i] == Liquid) &&
-        !hasMesh(w.scene, p.body[i]))
+        !hasMesh(scene, p.body[i]))
       p.surfaceVolumeRatio[i] = 1;
 }
 
-void gatherParticles(World& w, int rank) {
+void gatherParticles(const SurfaceView& w, int rank) {
   const Continuum& p = w.particles;
   SurfaceParticles& c = w.surface.particles;
   c.resize(c.owned, 0);
@@ -83,16 +82,15 @@ void fadeFill(SurfaceParticles& p) {
   }
 }
 
-void returnParticles(World& w, SurfaceHalos halos) {
-  Continuum& p = w.particles;
-  SurfaceParticles& c = w.surface.particles;
+void returnParticles(Continuum& p, Solids& solids, Surface& surface, SurfaceHalos halos) {
+  SurfaceParticles& c = surface.particles;
   halos.scatter.scatterBack({c.source.data(), c.owned}, {c.component.data(), c.owned},
                             {p.component.data(), p.owned});
   if (c.covered.active) {
     std::vector<std::uint64_t> there(c.covered.data(), c.covered.data() + c.owned), here(p.owned);
     halos.scatter.scatterBack({c.source.data(), c.owned}, there, here);
     for (std::size_t i = 0; i < p.owned; i++)
-      if (p.slot[i] != noSlot && here[i] == 0) w.solids.exposed[p.slot[i]] = 1;
+      if (p.slot[i] != noSlot && here[i] == 0) solids.exposed[p.slot[i]] = 1;
   }
   if (c.fill.active) {
     std::vector<std::uint64_t> there(c.owned), here(p.owned);

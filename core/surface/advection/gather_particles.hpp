@@ -2,13 +2,13 @@
 // Particle copies for a surface update, and their results returned to the particles.
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 
 namespace thaw {
 
 /// Copies this rank's particles, unsorted, at their positions of the last update, with their displacement
 /// since (minimum image across periodic sides). New particles have their current positions. Not collective.
-void gatherParticles(World& world, int rank);
+void gatherParticles(const SurfaceView& view, int rank);
 
 /// Fades the initial surroundings of particles as liquid deforms: `fill` of the copies decays to 1, by a
 /// factor e per strain of 0.3. Without decay, it would roughen the surface of a splash. Requires:
@@ -17,10 +17,10 @@ void fadeFill(SurfaceParticles& particles);
 
 /// Resets Continuum::surfaceShare of molten particles of bodies that were sampled from shapes to 1, their own
 /// volume. Call it before particles are gathered for an update.
-void resetMeltedShares(World& world);
+void resetMeltedShares(const Scene& scene, Continuum& particles);
 
 /// Returns components (and fills) of the copies to the particles, records current positions as those of the
 /// last update, and drops the copies. Collective.
-void returnParticles(World& world, SurfaceHalos halos);
+void returnParticles(Continuum& particles, Solids& solids, Surface& surface, SurfaceHalos halos);
 
 }  // namespace thaw

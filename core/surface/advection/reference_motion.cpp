@@ -26,17 +26,24 @@ struct AffineMap {
   Mat3d gradient{};
 };
 
-Found findPartners(const World& w, const Bins& bins, std::size_t i, const Periods& periods,
-                   std::vector<Partner>& partners) {
+/// Where partners are searched.
+struct PartnerSearch {
+  const Scene& scene;
+  const Surface& surface;
+  const Bins& bins;  ///< hold the particles
+  Periods periods;
+};
+
+Found findPartners(const PartnerSearch& w, std::size_t i, std::vector<Partner>& partners) {
   const Surfels& s = w.surface.surfels;
   const SurfaceParticles& p = w.surface.particles;
   const double reach = referenceReach * w.scene.spacing, reach2 = reach * reach;
   partners.clear();
   bool bare = false;
-  forRowsWithin(bins, s.position[i], w.surface.particleSupport, [&](std::uint32_t j, double) {
+  forRowsWithin(w.bins, s.position[i], w.surface.particleSupport, [&](std::uint32_t j, double) {
     // The particle came after the start.
     if (p.component[j] != s.component[i] || (!p.covered[j] && p.referencePosition[j] == Vec3d{})) return;
-    const Vec3d then = minimumImage(p.referencePosition[j] - s.referencePosition[i], periods);
+    const Vec3d then = minimumImage(p.referencePosition[j] - s.referencePosition[i], w.periods);
     const double share = 1 - dot(then, then) / reach2;
     if (!(share > 0)) return;
     bare = bare || !p.covered[j];
@@ -81,11 +88,10 @@ bool turnFrame(const Mat3d& gradient, const Vec3d& referenceNormal, const Vec3d&
 
 }  // namespace
 
-void recordReference(World& w) {
-  Surfels& s = w.surface.surfels;
+void recordReference(Continuum& particles, Surface& surface) {
+  Surfels& s = surface.surfels;
   if (!s.hasReference.active) return;
-  for (std::size_t i = 0; i < w.particles.owned; i++)
-    w.particles.surfaceStartPosition[i] = w.particles.position[i];
+  for (std::size_t i = 0; i < particles.owned; i++) particles.surfaceStartPosition[i] = particles.position[i];
   for (std::size_t i = 0; i < s.owned; i++) {
     s.hasReference[i] = !(s.liquid.active && s.liquid[i] >= wet);
     s.referencePosition[i] = s.position[i];
@@ -94,16 +100,16 @@ void recordReference(World& w) {
   }
 }
 
-void moveByReference(World& w, const Bins& bins) {
-  Surfels& s = w.surface.surfels;
+void moveByReference(const Scene& scene, Surface& surface, const Bins& bins) {
+  Surfels& s = surface.surfels;
   if (!s.hasReference.active) return;
-  const Periods periods = periodsOf(w.surface.grid);
+  const PartnerSearch around{scene, surface, bins, periodsOf(surface.grid)};
   std::vector<Partner> partners;
   AffineMap map;
   for (std::size_t i = 0; i < s.owned; i++) {
     if (!s.hasReference[i]) continue;
     const Found found = s.liquid.active && s.liquid[i] >= wet ? Found::Bare
-                                                              : findPartners(w, bins, i, periods, partners);
+                                                              : findPartners(around, i, partners);
     if (found == Found::Bare) {
       s.hasReference[i] = 0;
       s.referencePosition[i] = s.referenceNormal[i] = s.referenceTangent[i] = {};

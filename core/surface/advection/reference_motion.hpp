@@ -2,14 +2,16 @@
 // Moves surfels of solids by their reference positions. Incremental motion alone would drift off oscillating
 // particles.
 #pragma once
-#include "core/simulation/world/world.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/scene.hpp"
+#include "core/surface/data/surface.hpp"
 #include "core/surface/search/bins.hpp"
 
 namespace thaw {
 
 /// Records reference positions and frames at the end of startSurface. Requires: particle copies; surfels at
 /// their initial positions.
-void recordReference(World& world);
+void recordReference(Continuum& particles, Surface& surface);
 
 /// Moves owned surfels with a reference: sets `carried` (m, relative to the current position) and the frame.
 /// The affine map from reference to current positions of the particles is fitted by moving least squares.
@@ -18,7 +20,7 @@ void recordReference(World& world);
 /// relaxes (Surfels::relaxesOnce), or if one of the particles is exposed (Solids::exposed). With fewer than
 /// three particles, or collinear ones, it moves incrementally. Requires: particle copies with ghosts of
 /// referencePosition and covered, in bins at their previous positions; `carried`.
-void moveByReference(World& world, const Bins& particleBins);
+void moveByReference(const Scene& scene, Surface& surface, const Bins& particleBins);
 
 /// Radius in the reference, in particle spacings.
 inline constexpr double referenceReach = 1.9;

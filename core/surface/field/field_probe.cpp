@@ -8,29 +8,28 @@
 
 namespace thaw {
 
-ForceSums particleSumsOf(const World& w, const SurfaceTools& t) {
-  const Surface& s = w.surface;
+ForceSums particleSumsOf(const Scene& scene, const Surface& s, const SurfaceTools& t) {
   ForceSums in;
   in.particle = t.relax.particle.data();
   in.particleColour = t.relax.particleColour.data();
-  const double h = s.particleSupport / s.grid.support,
-               narrow = nearSupport * w.scene.spacing / s.grid.support;
+  const double h = s.particleSupport / s.grid.support, narrow = nearSupport * scene.spacing / s.grid.support;
   in.perParticleSupport2 = static_cast<float>(1 / (h * h));
   in.perNearSupport2 = static_cast<float>(1 / (narrow * narrow));
   return in;
 }
 
-FieldProbe::FieldProbe(const World& w, const SurfaceTools& t)
-    : world_(w),
+FieldProbe::FieldProbe(const Scene& scene, const Surface& s, const SurfaceTools& t)
+    : scene_(scene),
+      surface_(s),
       tools_(t),
-      sums_(particleSumsOf(w, t)),
-      slope_(6 * w.surface.grid.support / (w.surface.particleSupport * w.surface.particleSupport)) {}
+      sums_(particleSumsOf(scene, s, t)),
+      slope_(6 * s.grid.support / (s.particleSupport * s.particleSupport)) {}
 
 void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3d& ownPosition) {
   const Bins& bins = tools_.relax.particleBins;
-  const std::uint64_t* of = world_.surface.particles.component.data();
-  const double h = world_.surface.particleSupport, h2 = (1 + 1e-9) * h * h;
-  const Vec3d& edges = world_.surface.grid.edge;
+  const std::uint64_t* of = surface_.particles.component.data();
+  const double h = surface_.particleSupport, h2 = (1 + 1e-9) * h * h;
+  const Vec3d& edges = surface_.grid.edge;
   const double edge = std::min({edges.x, edges.y, edges.z}), edge2 = edge * edge;
   block_.find(bins, box, h);
   if (listed_.size() < block_.count) listed_.resize(2 * block_.count);
@@ -46,12 +45,12 @@ void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3
 
 void FieldProbe::among(const std::uint32_t* rows, std::size_t count, std::uint64_t component) {
   rows_ = rows, count_ = count;
-  tight_ = levelRiseOf(isoOffsetOf(tools_.relax.isoOffset, component) / world_.scene.spacing);
+  tight_ = levelRiseOf(isoOffsetOf(tools_.relax.isoOffset, component) / scene_.spacing);
 }
 
 void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
   static constexpr std::uint32_t self[most] = {0, 1, 2, 3, 4, 5, 6, 7}, group[1] = {0};
-  const CellGrid& grid = world_.surface.grid;
+  const CellGrid& grid = surface_.grid;
   for (std::size_t k = 0; k < n; k++)
     for (int a = 0; a < 3; a++) {
       const std::uint32_t bits = fixedPoint(grid, x[k][a], a);
@@ -76,16 +75,16 @@ void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
     const double near = s.particle(Near);
     c.tight = near < tight_.full ? 0.5 : 1;
     c.level = raisedLevel(tools_.relax.level.level(s.particle(SmoothColour) / c.value), near, tight_) *
-              world_.scene.surface.isoLevel / 0.5;
+              scene_.surface.isoLevel / 0.5;
   }
 }
 
-void forFieldAtSurfels(const World& w, SurfaceTools& t, const std::vector<std::uint8_t>& probed,
+void forFieldAtSurfels(const Scene& scene, const Surface& s, SurfaceTools& t,
+                       const std::vector<std::uint8_t>& probed,
                        const std::function<void(std::size_t, const FieldHere&)>& found) {
-  const Surface& s = w.surface;
   GroupLists& l = t.relax.lists;
   listGroups(s, probed, t.relax.particleBins, t.relax.particleBins, {0, s.particleSupport}, l);
-  FieldProbe probe(w, t);
+  FieldProbe probe(scene, s, t);
   std::array<Vec3d, FieldProbe::most> x;
   std::array<FieldHere, FieldProbe::most> field;
   for (std::size_t g = 0; g < l.groups(); g++) {

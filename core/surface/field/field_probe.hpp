@@ -5,8 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/simulation/world/world.hpp"
+#include "core/scene/scene.hpp"
 #include "core/surface/data/level_table.hpp"
+#include "core/surface/data/surface.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
 #include "core/surface/search/bins.hpp"
 
@@ -15,7 +16,7 @@ namespace thaw {
 struct SurfaceTools;
 
 /// Returns pointers and lengths for sums over particles. The caller sets the query positions and the output.
-ForceSums particleSumsOf(const World& world, const SurfaceTools& tools);
+ForceSums particleSumsOf(const Scene& scene, const Surface& surface, const SurfaceTools& tools);
 
 /// Colour field of one component at a position (sum of prepareParticles, 1 deep inside), its level on the
 /// surface there (LevelTable), the damping of Newton's step, and the gradient (1/m).
@@ -28,7 +29,9 @@ struct FieldHere {
 class FieldProbe {
  public:
   static constexpr std::size_t most = 8;
-  FieldProbe(const World& world, const SurfaceTools& tools);
+  FieldProbe(const Scene& scene, const Surface& surface, const SurfaceTools& tools);
+  const Scene& scene() const { return scene_; }
+  const Surface& surface() const { return surface_; }
   /// Selects the particles that act on positions in a box: particles of the component within h_ps of it, in
   /// the order of the bins. Only particles within a cell's edge of `ownPosition`, the position of an owned
   /// particle or surfel, count, because farther ghosts depend on the ranks. For positions within half a
@@ -40,7 +43,8 @@ class FieldProbe {
   void at(const Vec3d* x, std::size_t n, FieldHere* found);
 
  private:
-  const World& world_;
+  const Scene& scene_;
+  const Surface& surface_;
   const SurfaceTools& tools_;
   ForceSums sums_;
   double slope_;
@@ -55,7 +59,8 @@ class FieldProbe {
 
 /// Calls found(row, field) for the owned surfels with asked[row], in any order. The field is that of their
 /// component at their position. Uses tools.relax.lists.
-void forFieldAtSurfels(const World& world, SurfaceTools& tools, const std::vector<std::uint8_t>& probed,
+void forFieldAtSurfels(const Scene& scene, const Surface& surface, SurfaceTools& tools,
+                       const std::vector<std::uint8_t>& probed,
                        const std::function<void(std::size_t, const FieldHere&)>& found);
 
 }  // namespace thaw

@@ -13,10 +13,10 @@ std::optional<IsoStep> isoStep(const FieldHere& c, double particleSupport, doubl
                  std::clamp(c.tight * (isoOffset - (c.level - c.value) / slope), -longest, longest)};
 }
 
-void projectToIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, const Vec3d& ownPosition,
+void projectToIsoSurface(FieldProbe& probe, std::uint64_t component, const Vec3d& ownPosition,
                          const Vec3d* from, std::size_t n, double farthest,
                          std::optional<SurfacePoint>* found) {
-  const double longest = 0.5 * w.scene.spacing, enough = 0.01 * w.surface.spacing;
+  const double longest = 0.5 * probe.scene().spacing, enough = 0.01 * probe.surface().spacing;
   std::array<Vec3d, FieldProbe::most> x;
   std::array<std::size_t, FieldProbe::most> of;  // index of the starting position of x[k]
   std::array<FieldHere, FieldProbe::most> field;
@@ -28,7 +28,7 @@ void projectToIsoSurface(const World& w, FieldProbe& probe, std::uint64_t compon
     probe.at(x.data(), n, field.data());
     std::size_t left = 0;
     for (std::size_t k = 0; k < n; k++) {
-      const std::optional<IsoStep> step = isoStep(field[k], w.surface.particleSupport, 0, longest);
+      const std::optional<IsoStep> step = isoStep(field[k], probe.surface().particleSupport, 0, longest);
       if (!step) continue;
       const Vec3d to = x[k] + step->outward * step->out, gone = to - from[of[k]];
       if (dot(gone, gone) > farthest * farthest) continue;

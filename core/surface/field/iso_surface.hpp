@@ -20,8 +20,8 @@ std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, d
 /// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns
 /// points and normals. Positions without a surface within `farthest` (m) yield nothing. `ownPosition`: see
 /// FieldProbe::around. Changes the particles selected in the probe.
-void projectToIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component,
-                         const Vec3d& ownPosition, const Vec3d* from, std::size_t n, double farthest,
+void projectToIsoSurface(FieldProbe& probe, std::uint64_t component, const Vec3d& ownPosition,
+                         const Vec3d* from, std::size_t n, double farthest,
                          std::optional<SurfacePoint>* found);
 
 }  // namespace thaw

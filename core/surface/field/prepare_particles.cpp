@@ -55,17 +55,15 @@ std::vector<double> weightsOf(const SurfaceParticles& p) {
 
 }  // namespace
 
-void placeParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  Surface& s = w.surface;
+void placeParticles(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, t.sort);
   t.relax.particlesPrepared = false;
 }
 
-void prepareParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void prepareParticles(const Scene& scene, Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   if (t.relax.particlesPrepared) return;
   t.relax.particlesPrepared = true;
   if (!t.relax.level.filled()) t.relax.level.fill();
-  Surface& s = w.surface;
   SurfaceParticles& p = s.particles;
   p.resize(p.owned, 0);
   ColumnList columns{&p.id, &p.position, &p.component, &p.volume, &p.volumeRatio, &p.body};
@@ -73,7 +71,7 @@ void prepareParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   if (p.liquid.active) columns.push_back(&p.liquid);
   if (p.temperature.active) columns.push_back(&p.temperature);
   addGhosts(halos.particles, p, s.particleCells, columns);
-  const double h = s.particleSupport, h2 = h * h, dx = w.scene.spacing, perVolume = 1 / (dx * dx * dx);
+  const double h = s.particleSupport, h2 = h * h, dx = scene.spacing, perVolume = 1 / (dx * dx * dx);
   const Lattice lattice = latticeOf(h / dx, t.relax.level);
   fillBins(s.grid, s.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
   const std::vector<double> weight = weightsOf(p);
@@ -113,12 +111,12 @@ void prepareParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   }
 }
 
-void sampleFields(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  prepareParticles(w, halos, t);
-  Surfels& s = w.surface.surfels;
-  const SurfaceParticles& p = w.surface.particles;
+void sampleFields(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& t) {
+  prepareParticles(scene, surface, halos, t);
+  Surfels& s = surface.surfels;
+  const SurfaceParticles& p = surface.particles;
   if (!s.liquid.active && !s.temperature.active) return;
-  const double h = w.surface.particleSupport, h2 = h * h;
+  const double h = surface.particleSupport, h2 = h * h;
   for (std::size_t i = 0; i < s.owned; i++) {
     double weights = 0, liquid = 0, temperature = 0;
     forRowsAround(t.relax.particleBins, s.position[i], s.position[i], h,

@@ -2,7 +2,8 @@
 // Particle fields at current positions for surfels: colours, liquid fraction, temperature.
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/scene/scene.hpp"
+#include "core/surface/data/surface.hpp"
 
 namespace thaw {
 
@@ -10,16 +11,16 @@ struct SurfaceTools;
 
 /// Migrates the particle copies to the ranks that own their cells, without ghosts. Results of
 /// prepareParticles become stale. Collective.
-void placeParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void placeParticles(Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Computes ghosts and bins of the particles, and at each the colour field of its own component, smoothed
 /// once and twice (level_table.hpp), 1 inside a lattice. Does nothing if tools.relax.particlesPrepared is
 /// set. Requires: placed particles. Collective.
-void prepareParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void prepareParticles(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Samples liquid fraction and temperature at owned surfels: means over their component's particles within
 /// h_ps, with the same weight. Values remain where there are none. Requires: prepareParticles; placed
 /// surfels. Collective unless prepareParticles was called.
-void sampleFields(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void sampleFields(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

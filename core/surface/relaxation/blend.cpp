@@ -44,8 +44,7 @@ RelaxationStep relaxationStepOf(Surfels& s, std::size_t i, double b, double heig
 
 }  // namespace
 
-void blendSurfels(World& w) {
-  Surfels& s = w.surface.surfels;
+void blendSurfels(Surfels& s) {
   if (!s.carriedNormal.active) return;
   s.resize(s.owned, 0);
   for (std::size_t i = 0; i < s.owned; i++) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keeps the detail of solids and smooths liquids (K05 4.5).
 #pragma once
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surfels.hpp"
 
 namespace thaw {
 
@@ -14,6 +14,6 @@ namespace thaw {
 /// neighbours, except on crack faces (Surfels::relaxesOnce): these keep their relaxed positions. Does nothing
 /// without a liquid fraction. Requires: columns `carried` and `carriedNormal` of displaceSurfels, which are
 /// switched off. Not collective; surfels have no valid cells afterwards.
-void blendSurfels(World& world);
+void blendSurfels(Surfels& surfels);
 
 }  // namespace thaw

@@ -61,14 +61,13 @@ double areaMoved(double free, double volume, const VolumeMove& last) {
 
 }  // namespace
 
-void recordStartVolumes(World& w, SurfaceHalos halos) {
-  SurfaceParticles& p = w.surface.particles;
-  Continuum& source = w.particles;
+void recordStartVolumes(const Scene& scene, Continuum& source, Surface& surface, SurfaceHalos halos) {
+  SurfaceParticles& p = surface.particles;
   if (!source.surfaceVolumeRatio.active) return;
   std::vector<std::uint64_t> shares(p.owned), here(source.owned, std::bit_cast<std::uint64_t>(1.0));
   for (std::size_t i = 0; i < p.owned; i++) {
-    const SurfaceComponent* c = isSampled(w.scene, p.body[i]) ? findComponent(w.surface, p.component[i])
-                                                              : nullptr;
+    const SurfaceComponent* c = isSampled(scene, p.body[i]) ? findComponent(surface, p.component[i])
+                                                            : nullptr;
     p.volumeRatio[i] = c && c->volume > 0 ? c->volume / c->particleVolume : 1.0;
     shares[i] = std::bit_cast<std::uint64_t>(p.volumeRatio[i]);
   }
@@ -137,10 +136,10 @@ void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, doubl
   }
 }
 
-void listIsoOffsets(const World& w, std::vector<ComponentIsoOffset>& isoOffset) {
+void listIsoOffsets(const Scene& scene, const Surface& surface, std::vector<ComponentIsoOffset>& isoOffset) {
   isoOffset.clear();
-  if (!(w.scene.surface.keepVolume > 0)) return;
-  for (const SurfaceComponent& c : w.surface.components)
+  if (!(scene.surface.keepVolume > 0)) return;
+  for (const SurfaceComponent& c : surface.components)
     if (c.isoOffset != 0) isoOffset.push_back({c.label, c.isoOffset});
 }
 

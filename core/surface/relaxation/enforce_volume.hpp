@@ -2,7 +2,9 @@
 // Enforces the particles' volume on the surface (after DCG98; future work in K05).
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/scene.hpp"
+#include "core/surface/data/surface.hpp"
 #include "core/surface/work/relax_tools.hpp"
 
 namespace thaw {
@@ -34,11 +36,11 @@ bool volumesDeviate(const Surface& surface, bool start);
 
 /// Lists the offsets SurfaceComponent::isoOffset (m) of liquid surfaces for the iterations. Without them,
 /// each update would draw the surface back to its level.
-void listIsoOffsets(const World& world, std::vector<ComponentIsoOffset>& isoOffset);
+void listIsoOffsets(const Scene& scene, const Surface& surface, std::vector<ComponentIsoOffset>& isoOffset);
 
 /// Records Continuum::surfaceShare at the start, and the share of the copies: the volume of the surfaces of
 /// sampled bodies over that of their particles, 1 for other bodies. Requires: measured Surface::components;
 /// particle copies. Collective.
-void recordStartVolumes(World& world, SurfaceHalos halos);
+void recordStartVolumes(const Scene& scene, Continuum& particles, Surface& surface, SurfaceHalos halos);
 
 }  // namespace thaw

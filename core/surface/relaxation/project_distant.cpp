@@ -21,8 +21,8 @@ constexpr int projectionSteps = 5;
 
 /// One step of Newton's method for the surfels of a group, within `room` (m) of their sorted positions.
 /// Surfels that reach the surface, or find none, are no longer stoppedAtMargin.
-void projectionStep(World& w, FieldProbe& probe, const std::uint32_t* rows, std::size_t n, double isoOffset,
-                    double room) {
+void projectionStep(const SurfaceView& w, FieldProbe& probe, const std::uint32_t* rows, std::size_t n,
+                    double isoOffset, double room) {
   Surfels& f = w.surface.surfels;
   const double enough = nearEnough * w.surface.spacing;
   std::array<std::uint32_t, FieldProbe::most> row;
@@ -56,13 +56,13 @@ void projectionStep(World& w, FieldProbe& probe, const std::uint32_t* rows, std:
 
 }  // namespace
 
-void projectDistantSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void projectDistantSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   RelaxTools& r = t.relax;
   const double room = 0.5 * w.scene.spacing;
   f.resize(f.owned, 0);
-  FieldProbe probe(w, t);
+  FieldProbe probe(w.scene, w.surface, t);
   double going = 1;
   for (int leg = 0; leg < projectionSteps && going > 0; leg++) {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);

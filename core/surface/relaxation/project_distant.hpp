@@ -2,7 +2,7 @@
 // Fast projection of distant surfels onto the surface.
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 
 namespace thaw {
 
@@ -12,6 +12,6 @@ struct SurfaceTools;
 /// the colour field. Forces would need a search for each margin of the distance. Partly molten surfaces have
 /// many such surfels, because blendSurfels keeps only the liquid share of each update's motion. Surfels below
 /// a gap are left to the forces. Surfels have no order and no ghosts afterwards. Collective.
-void projectDistantSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void projectDistantSurfels(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

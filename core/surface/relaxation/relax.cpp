@@ -59,8 +59,7 @@ void markMovable(const Surface& s, bool all, RelaxTools& r) {
 }
 
 /// Migrates and sorts surfels, adds ghosts, and rebuilds all lists. Collective.
-void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first, double margin, Lap& lap) {
-  Surface& s = w.surface;
+void search(Surface& s, SurfaceHalos halos, SurfaceTools& t, bool all, bool first, double margin, Lap& lap) {
   Surfels& f = s.surfels;
   RelaxTools& r = t.relax;
   placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
@@ -86,10 +85,10 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   r.times.searches++;
 }
 
-ForceSums sumsOf(const World& w, SurfaceTools& t) {
+ForceSums sumsOf(const Scene& scene, const Surface& surface, SurfaceTools& t) {
   RelaxTools& r = t.relax;
-  ForceSums in = particleSumsOf(w, t);
-  in.plane = w.scene.surface.smoothing == SmoothingForm::Plane;
+  ForceSums in = particleSumsOf(scene, surface, t);
+  in.plane = scene.surface.smoothing == SmoothingForm::Plane;
   r.overSurfels.resize(r.lists.groups() * 8 * (in.plane ? planeSums : sphereSums));
   r.overParticles.resize(r.lists.groups() * 8 * particleSums);
   in.place = r.place.data();
@@ -99,7 +98,7 @@ ForceSums sumsOf(const World& w, SurfaceTools& t) {
   in.firstParticle = r.lists.firstParticle.data();
   in.surfel = r.lists.surfel.data();
   in.particleRow = r.lists.particle.data();
-  in.support = static_cast<float>(w.scene.surface.support);
+  in.support = static_cast<float>(scene.surface.support);
   in.repelRange = 1.5f;
   in.sameSide = 0.70710678f;
   in.perSide = 10;
@@ -142,13 +141,13 @@ SurfelSums sumsAt(const ForceSums& in, std::uint32_t g, int lane) {
 
 }  // namespace
 
-RelaxationResult relaxSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights& weights,
-                              std::int64_t iterations, bool all) {
+RelaxationResult relaxSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t,
+                              const ForceWeights& weights, std::int64_t iterations, bool all) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   RelaxTools& r = t.relax;
   Lap lap;
-  prepareParticles(w, halos, t);
+  prepareParticles(w.scene, w.surface, halos, t);
   lap(r.times.ready);
   f.resize(f.owned, 0);
   markMovable(s, all, r);
@@ -165,7 +164,7 @@ RelaxationResult relaxSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, con
   // A surfel may move by half the margin before lists are stale. The grid's cells leave room for half a
   // particle spacing.
   const double margin = listMargin(s, w.scene.spacing);
-  search(w, halos, t, all, true, margin, lap);
+  search(w.surface, halos, t, all, true, margin, lap);
   RelaxationResult done;
   MoveCounts counts;
   // Across the surface, most surfels stop after a few iterations. Along it, long waves of density would move
@@ -182,10 +181,10 @@ RelaxationResult relaxSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, con
         // Only once: forces may move surfels off the iso-surface again.
         projectDistantSurfels(w, halos, t);
       std::replace(f.moving.data(), f.moving.data() + f.owned, stoppedAtMargin, std::uint8_t{1});
-      search(w, halos, t, all, false, margin, lap);
+      search(w.surface, halos, t, all, false, margin, lap);
       nextSearch = done.iterations + 2 + done.iterations / 2;
     }
-    ForceSums in = sumsOf(w, t);
+    ForceSums in = sumsOf(w.scene, w.surface, t);
     const int channels = in.plane ? planeSums : sphereSums;
     listMovingGroups(r.lists, f, r.groups);
     in.groups = r.groups.data();
@@ -196,7 +195,7 @@ RelaxationResult relaxSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, con
     in.groupCount = r.groups.size();
     r.kernels->overParticles(in);
     lap(r.times.particleSums);
-    MoveContext context = moveContext(w, r, weights);
+    MoveContext context = moveContext(w.scene, w.surface, r, weights);
     context.spread = spread;
     context.ease = ease;
     spread *= 0.95;

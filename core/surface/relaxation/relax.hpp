@@ -3,7 +3,7 @@
 // 4.2.3.
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 
 namespace thaw {
 
@@ -29,7 +29,7 @@ struct RelaxationResult {
 /// domain: they are placed (placeRows) and sorted at the start. At the end they are without ghosts, and have
 /// the order and ranks of the last search. Requires: particles at current positions on the ranks of their
 /// cells (placeRows), with components. Collective.
-RelaxationResult relaxSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools,
+RelaxationResult relaxSurfels(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools,
                               const ForceWeights& weights, std::int64_t iterations, bool all);
 
 }  // namespace thaw

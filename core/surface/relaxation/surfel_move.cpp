@@ -76,25 +76,25 @@ Smooth smoothToSphere(const SurfelSums& s) {
 
 }  // namespace
 
-MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeights& weights) {
-  const Surface& s = w.surface;
+MoveContext moveContext(const Scene& scene, const Surface& s, const RelaxTools& tools,
+                        const ForceWeights& weights) {
   MoveContext c;
   c.weights = weights;
   c.level = &tools.level;
   c.unit = s.grid.support;
   c.support = s.particleSupport;
   c.slope = 6 * s.grid.support / (s.particleSupport * s.particleSupport);
-  c.nearSlope = 6 * s.grid.support / (nearSupport * nearSupport * w.scene.spacing * w.scene.spacing);
-  c.isoScale = w.scene.surface.isoLevel / 0.5;
-  c.leastScale = w.scene.surface.leastLevel / 0.5;
-  c.longest = 0.5 * w.scene.spacing;
+  c.nearSlope = 6 * s.grid.support / (nearSupport * nearSupport * scene.spacing * scene.spacing);
+  c.isoScale = scene.surface.isoLevel / 0.5;
+  c.leastScale = scene.surface.leastLevel / 0.5;
+  c.longest = 0.5 * scene.spacing;
   // Forces of these weights scale a uniform shift by `implicit`, and short waves by up to the sum of both.
   c.step = 1 / std::max(0.5, weights.implicit + 0.5 * weights.smooth);
-  c.plane = w.scene.surface.smoothing == SmoothingForm::Plane;
+  c.plane = scene.surface.smoothing == SmoothingForm::Plane;
   return c;
 }
 
-NormalForce normalForceOn(const World& w, const MoveContext& c, const SurfelSums& s, double isoOffset,
+NormalForce normalForceOn(const SurfaceView& w, const MoveContext& c, const SurfelSums& s, double isoOffset,
                           std::size_t i) {
   NormalForce p;
   Vec3d normal = w.surface.surfels.normal[i], force{};
@@ -173,8 +173,8 @@ NormalForce normalForceOn(const World& w, const MoveContext& c, const SurfelSums
   return p;
 }
 
-void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double isoOffset, std::size_t i,
-                MoveCounts& counts) {
+void moveSurfel(const SurfaceView& w, const MoveContext& c, const SurfelSums& s, double isoOffset,
+                std::size_t i, MoveCounts& counts) {
   Surfels& f = w.surface.surfels;
   const Vec3d before = f.position[i];
   const NormalForce normalForce = normalForceOn(w, c, s, isoOffset, i);

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 #include "core/surface/relaxation/relax.hpp"
 #include "core/surface/work/relax_tools.hpp"
 
@@ -34,7 +34,8 @@ struct MoveContext {
   const Vec3d* found = nullptr;
   bool plane;
 };
-MoveContext moveContext(const World& world, const RelaxTools& tools, const ForceWeights& weights);
+MoveContext moveContext(const Scene& scene, const Surface& surface, const RelaxTools& tools,
+                        const ForceWeights& weights);
 
 /// Forces on a surfel across the surface.
 struct NormalForce {
@@ -43,11 +44,11 @@ struct NormalForce {
   double least = 0;           ///< m, least move into the body
   bool known = false, flipped = false, keptNormal = false;
 };
-NormalForce normalForceOn(const World& world, const MoveContext& context, const SurfelSums& sums,
+NormalForce normalForceOn(const SurfaceView& view, const MoveContext& context, const SurfelSums& sums,
                           double isoOffset, std::size_t i);
 
 /// Moves surfel i, rotates its frame, and sets Surfels::moving.
-void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double isoOffset,
+void moveSurfel(const SurfaceView& view, const MoveContext& context, const SurfelSums& sums, double isoOffset,
                 std::size_t i, MoveCounts& counts);
 
 }  // namespace thaw

@@ -18,7 +18,7 @@ constexpr double onWallDistance = 0.02;
 constexpr double restingDistance = 0.1, restingCosine = 0.7;
 
 /// Projects x out of one wall. Returns whether it was inside.
-bool outOf(const World& w, const Wall& wall, const Vec3d& outward, Vec3d& x) {
+bool outOf(const SurfaceView& w, const Wall& wall, const Vec3d& outward, Vec3d& x) {
   const Vec3d rest = toRest(wall.pose, x);
   if (!nearBounds(wall.bounds, rest, 0)) return false;
   Vec3d n;
@@ -60,11 +60,11 @@ Vec3d stopAt(const Wall& wall, const Vec3d& from, const Vec3d& to, double reach)
 /// Returns surfels that passed through a thin wall to the side of their nearest particle.
 class ThinWalls {
  public:
-  ThinWalls(const World& w, const Bins& bins) : world_(w), bins_(bins), reach_(thin * w.scene.spacing) {}
+  ThinWalls(const SurfaceView& w, const Bins& bins) : view_(w), bins_(bins), reach_(thin * w.scene.spacing) {}
   Vec3d back(std::size_t i, const Vec3d& x) const {
     Vec3d at = x, particle;
     bool looked = false;
-    for (const Wall& wall : world_.walls.list) {
+    for (const Wall& wall : view_.walls.list) {
       const Vec3d rest = toRest(wall.pose, at);
       if (!wall.present || !nearBounds(wall.bounds, rest, reach_)) continue;
       Vec3d n;
@@ -82,12 +82,11 @@ class ThinWalls {
 
  private:
   bool nearest(std::size_t i, const Vec3d& x, Vec3d& found) const {
-    const SurfaceParticles& p = world_.surface.particles;
+    const SurfaceParticles& p = view_.surface.particles;
     double least = reach_ * reach_;
     std::uint64_t id = ~std::uint64_t{0};
     forRowsWithin(bins_, x, reach_, [&](std::uint32_t j, double d2) {
-      if (p.component[j] != world_.surface.surfels.component[i] || d2 > least ||
-          (d2 == least && p.id[j] > id))
+      if (p.component[j] != view_.surface.surfels.component[i] || d2 > least || (d2 == least && p.id[j] > id))
         return;
       least = d2;
       id = p.id[j];
@@ -95,14 +94,14 @@ class ThinWalls {
     });
     return id != ~std::uint64_t{0};
   }
-  const World& world_;
+  const SurfaceView& view_;
   const Bins& bins_;
   double reach_;
 };
 
 /// Returns whether the normal faces a wall within `near` (m), by more than this cosine. `into`: direction
 /// into the wall.
-bool facesWallWithin(const World& w, const Vec3d& x, const Vec3d& normal, double near, double cosine,
+bool facesWallWithin(const SurfaceView& w, const Vec3d& x, const Vec3d& normal, double near, double cosine,
                      Vec3d& into) {
   for (const Wall& wall : w.walls.list) {
     const Vec3d rest = toRest(wall.pose, x);
@@ -124,7 +123,7 @@ void turnTo(Surfels& f, std::size_t i, const Vec3d& normal) {
 
 }  // namespace
 
-Vec3d projectedOutOfWalls(const World& w, const Vec3d& at, const Vec3d& outward) {
+Vec3d projectedOutOfWalls(const SurfaceView& w, const Vec3d& at, const Vec3d& outward) {
   Vec3d x = at;
   for (int round = 0, pushes = 1; round < mostPushes && pushes > 0; round++) {
     pushes = 0;
@@ -134,7 +133,7 @@ Vec3d projectedOutOfWalls(const World& w, const Vec3d& at, const Vec3d& outward)
   return x;
 }
 
-bool inWall(const World& w, const Vec3d& x) {
+bool inWall(const SurfaceView& w, const Vec3d& x) {
   for (const Wall& wall : w.walls.list) {
     const Vec3d rest = toRest(wall.pose, x);
     if (wall.present && nearBounds(wall.bounds, rest, 0) &&
@@ -144,11 +143,11 @@ bool inWall(const World& w, const Vec3d& x) {
   return false;
 }
 
-bool facesWall(const World& w, const Vec3d& x, const Vec3d& normal, Vec3d& into) {
+bool facesWall(const SurfaceView& w, const Vec3d& x, const Vec3d& normal, Vec3d& into) {
   return facesWallWithin(w, x, normal, onWallDistance * w.surface.spacing, 0.3, into);
 }
 
-void alignWithWalls(World& w, const std::vector<std::uint8_t>& listed) {
+void alignWithWalls(const SurfaceView& w, const std::vector<std::uint8_t>& listed) {
   Surfels& f = w.surface.surfels;
   if (!f.wallOffset.active) return;
   f.activate(f.wallAligned);
@@ -160,7 +159,7 @@ void alignWithWalls(World& w, const std::vector<std::uint8_t>& listed) {
   }
 }
 
-void projectOutOfWalls(World& w, const Bins& particleBins) {
+void projectOutOfWalls(const SurfaceView& w, const Bins& particleBins) {
   Surfels& f = w.surface.surfels;
   if (!f.wallOffset.active) return;
   const ThinWalls thinWalls(w, particleBins);
@@ -177,7 +176,7 @@ void projectOutOfWalls(World& w, const Bins& particleBins) {
   }
 }
 
-void reprojectOutOfWalls(World& w) {
+void reprojectOutOfWalls(const SurfaceView& w) {
   Surfels& f = w.surface.surfels;
   if (!f.wallOffset.active) return;
   for (std::size_t i = 0; i < f.owned; i++) {

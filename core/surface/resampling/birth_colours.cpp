@@ -23,8 +23,8 @@ struct Nearest {
 };
 
 bool inherits(const SurfelRow& r) { return r.particle != SurfelRow::none; }
-bool ofMesh(const World& w, const SurfelRow& r) {
-  return hasMesh(w.scene, w.surface.particles.body[r.particle]);
+bool ofMesh(const Scene& scene, const Surface& surface, const SurfelRow& r) {
+  return hasMesh(scene, surface.particles.body[r.particle]);
 }
 
 /// Least and largest colour among surfels and inheriting rows. If they are equal, all births get that colour.
@@ -41,10 +41,10 @@ struct ColourRange {
 
 /// Finds the nearest surfel of the row's component, and of other components, among surfels within `reach`
 /// (m) of the row and within `around` (m) of its particle. Also sums the mean colour of the row's component.
-void findNearest(const World& w, const Bins& bins, const SurfelRow& r, double reach, double around,
+void findNearest(const Surface& surface, const Bins& bins, const SurfelRow& r, double reach, double around,
                  Nearest& own, Nearest& any, MeanColour& mean) {
-  const Surfels& f = w.surface.surfels;
-  const Vec3d particle = w.surface.particles.position[r.particle];
+  const Surfels& f = surface.surfels;
+  const Vec3d particle = surface.particles.position[r.particle];
   forRowsWithin(bins, r.position, reach, [&](std::uint32_t j, double d2) {
     const Vec3d p = f.position[j] - particle;
     if (dot(p, p) > around * around) return;
@@ -62,33 +62,32 @@ bool coloursMayDiffer(const Scene& scene) {
   return false;
 }
 
-void inheritColours(const World& w, const Bins& bins, std::vector<SurfelRow>& rows) {
-  if (ColourRange(w.surface.surfels, rows).one()) return;
-  const Surface& s = w.surface;
+void inheritColours(const Scene& scene, const Surface& s, const Bins& bins, std::vector<SurfelRow>& rows) {
+  if (ColourRange(s.surfels, rows).one()) return;
   // All surfels within a cell's edge of an owned particle are known on this rank.
   const double around = std::min({s.grid.edge.x, s.grid.edge.y, s.grid.edge.z});
   for (SurfelRow& r : rows) {
     if (!inherits(r)) continue;
     Nearest own, any;
     MeanColour near, far;
-    findNearest(w, bins, r, 2 * s.spacing, around, own, any, near);
+    findNearest(s, bins, r, 2 * s.spacing, around, own, any, near);
     if (near.weight > 0) {
       r.colour = near.colour();
       continue;
     }
     // The row keeps its material's colour.
-    if (!ofMesh(w, r)) continue;
+    if (!ofMesh(scene, s, r)) continue;
     if (!own.found())
-      findNearest(w, bins, r, around + length(r.position - s.particles.position[r.particle]), around, own,
+      findNearest(s, bins, r, around + length(r.position - s.particles.position[r.particle]), around, own,
                   any, far);
     if (own.found()) r.colour = own.colour;
     else if (any.found()) r.colour = any.colour;
   }
 }
 
-void inheritColours(World& w, SurfaceHalos halos, SurfaceTools& t, std::vector<SurfelRow>& rows) {
-  if (!coloursMayDiffer(w.scene)) return;
-  Surface& s = w.surface;
+void inheritColours(const Scene& scene, Surface& s, SurfaceHalos halos, SurfaceTools& t,
+                    std::vector<SurfelRow>& rows) {
+  if (!coloursMayDiffer(scene)) return;
   Surfels& f = s.surfels;
   const ColourRange here(f, rows);
   double all[3] = {
@@ -98,7 +97,7 @@ void inheritColours(World& w, SurfaceHalos halos, SurfaceTools& t, std::vector<S
   if (all[0] == 0 || -all[2] >= all[1]) return;
   addGhosts(halos.surfels, f, s.surfelCells, ColumnList{&f.id, &f.position, &f.component, &f.colour});
   fillBins(s.grid, s.surfelCells, f.position.data(), 2 * s.spacing, t.relax.surfelBins);
-  inheritColours(w, t.relax.surfelBins, rows);
+  inheritColours(scene, s, t.relax.surfelBins, rows);
   dropGhosts(f, s.surfelCells);
 }
 

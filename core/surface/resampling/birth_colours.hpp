@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/scene/scene.hpp"
+#include "core/surface/data/surface.hpp"
 #include "core/surface/resampling/births.hpp"
 #include "core/surface/search/bins.hpp"
 
@@ -22,9 +23,11 @@ bool coloursMayDiffer(const Scene& scene);
 /// surfel of the component within a cell's edge of the particle, of equally near ones that with the smaller
 /// id. If the component has none there, as for a drop that has just separated, the nearest surfel of any
 /// component counts. Requires: bins of the surfels with ghosts.
-void inheritColours(const World& world, const Bins& bins, std::vector<SurfelRow>& rows);
+void inheritColours(const Scene& scene, const Surface& surface, const Bins& bins,
+                    std::vector<SurfelRow>& rows);
 
 /// Colours new surfels for placed surfels without ghosts. Does nothing in scenes of one colour. Collective.
-void inheritColours(World& world, SurfaceHalos halos, SurfaceTools& tools, std::vector<SurfelRow>& rows);
+void inheritColours(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools,
+                    std::vector<SurfelRow>& rows);
 
 }  // namespace thaw

@@ -62,10 +62,9 @@ std::vector<std::uint32_t> clearedColours(const Surface& s, const Bins& bins) {
 
 }  // namespace
 
-void clearIsolatedColours(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  Surface& s = w.surface;
+void clearIsolatedColours(const Scene& scene, Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   Surfels& f = s.surfels;
-  if (!f.liquid.active || !coloursMayDiffer(w.scene) || !several(f, halos.all)) return;
+  if (!f.liquid.active || !coloursMayDiffer(scene) || !several(f, halos.all)) return;
   placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
   addGhosts(halos.surfels, f, s.surfelCells,
             ColumnList{&f.id, &f.position, &f.normal, &f.component, &f.colour});

@@ -2,7 +2,8 @@
 // Removes isolated colours of single surfels.
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/scene/scene.hpp"
+#include "core/surface/data/surface.hpp"
 
 namespace thaw {
 
@@ -12,6 +13,6 @@ struct SurfaceTools;
 /// other colour. A liquid surfel whose colour is rare among its neighbours on its side of the component takes
 /// their mean colour. Borders between colours and spots of several surfels remain; solids keep their colours.
 /// Does nothing in scenes of one colour. Places the surfels. Collective.
-void clearIsolatedColours(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void clearIsolatedColours(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

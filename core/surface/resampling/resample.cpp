@@ -234,7 +234,7 @@ struct Round {
 
 /// Returns a salt for each round of each call in a step, so that repeated births of a surfel have different
 /// ids. Calls in one step differ by the number of earlier births, or had none.
-std::uint64_t saltOf(const World& w, const Resampled& done, std::int64_t round) {
+std::uint64_t saltOf(const SurfaceView& w, const Resampled& done, std::int64_t round) {
   const std::int64_t births = w.surface.counters.births + done.births;
   return randomBits(w.scene.seed, Purpose::SurfelSample, static_cast<std::uint64_t>(w.clock.step),
                     static_cast<std::uint64_t>(births) << 8 | static_cast<std::uint64_t>(round));
@@ -301,7 +301,7 @@ void markForInspection(Surfels& s, const Bins& bins, const std::vector<std::uint
   }
 }
 
-Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds,
+Resampled resample(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds,
                    const BirthPlace& mayBe) {
   Surface& surface = w.surface;
   Surfels& all = surface.surfels;

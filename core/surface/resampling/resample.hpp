@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
 #include "core/surface/advection/reference_motion.hpp"
+#include "core/surface/data/surface_view.hpp"
 #include "core/surface/search/bins.hpp"
 #include "core/surface/search/local_surface.hpp"
 
@@ -55,7 +55,7 @@ using BirthPlace = std::function<bool(const Surfels& surfels, std::size_t i, Sur
 /// detail, temperature and liquid fraction. They require mayBe, or without it, surfels on all sides;
 /// birthCap() limits their number in one call. Surfels may be anywhere in any order. They are placed at the
 /// end, without ghosts. Uses the tools sort and surfelsOf. Collective.
-Resampled resample(World& world, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds,
+Resampled resample(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds,
                    const BirthPlace& mayBe = {});
 
 /// Marks all owned surfels within two of their radii of the flagged rows (owned and ghosts) for inspection.

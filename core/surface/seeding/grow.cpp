@@ -44,7 +44,7 @@ bool keepsDetail(const Surfels& f, std::size_t i) {
 }
 
 /// Appends surfels around one particle.
-void seedAround(const World& w, FieldProbe& probe, std::size_t i, SeedDirections& seeds,
+void seedAround(const SurfaceView& w, FieldProbe& probe, std::size_t i, SeedDirections& seeds,
                 std::vector<SurfelRow>& rows) {
   std::array<Vec3d, FieldProbe::most> u;
   std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
@@ -52,18 +52,18 @@ void seedAround(const World& w, FieldProbe& probe, std::size_t i, SeedDirections
   for (int first = 0; first < seeds.count(); first += static_cast<int>(u.size())) {
     const auto n = std::min(u.size(), static_cast<std::size_t>(seeds.count() - first));
     for (std::size_t k = 0; k < n; k++) u[k] = seeds[first + static_cast<int>(k)];
-    seedsOnSurface(w, probe, i, u.data(), n, at.data());
+    seedsOnSurface(probe, i, u.data(), n, at.data());
     for (std::size_t k = 0; k < n; k++)
       if (at[k]) rows.push_back(seedSurfel(w, i, first + static_cast<int>(k), *at[k]));
   }
 }
 
 /// Appends surfels around all owned particles selected by `bare`.
-void seedAll(const World& w, const SurfaceTools& t, const std::function<bool(std::size_t)>& bare,
+void seedAll(const SurfaceView& w, const SurfaceTools& t, const std::function<bool(std::size_t)>& bare,
              std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
-  SeedDirections seeds(w);
-  FieldProbe probe(w, t);
+  SeedDirections seeds(w.scene, w.surface);
+  FieldProbe probe(w.scene, w.surface, t);
   for (std::size_t i = 0; i < p.owned; i++)
     if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour)
       seedAround(w, probe, i, seeds, rows);
@@ -71,7 +71,7 @@ void seedAll(const World& w, const SurfaceTools& t, const std::function<bool(std
 
 /// Appends the spherical surface of the small drop labelled by particle i. Its other particles are within
 /// reach.
-void sphereAround(const World& w, const SurfaceTools& t, std::size_t i, std::vector<SurfelRow>& rows) {
+void sphereAround(const SurfaceView& w, const SurfaceTools& t, std::size_t i, std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
   const double far = 4.5 * w.scene.spacing;
   Vec3d away;
@@ -100,7 +100,8 @@ void sphereAround(const World& w, const SurfaceTools& t, std::size_t i, std::vec
 
 /// Returns whether the surface continues at p on a wall, and projects p onto it. There, the level of the
 /// colour lies inside the wall, so the surface continues wherever the body lies above the wall.
-bool continuesAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size_t i, SurfacePoint& p) {
+bool continuesAtWall(const SurfaceView& w, FieldProbe& probe, const Surfels& f, std::size_t i,
+                     SurfacePoint& p) {
   if (!f.wallOffset.active || liquidShare(f, i) < 0.5) return false;
   const Vec3d x = projectedOutOfWalls(w, p.position, p.normal);
   Vec3d into;
@@ -116,7 +117,7 @@ bool continuesAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::s
 /// Returns whether a surfel at p would float in front of its component's own surface. A sheet behind p then
 /// faces it without a particle between: above an edge, or where the colour bridges a groove. Births there
 /// would continue as a skin over the groove.
-bool floatsBeforeSheet(const World& w, const SurfaceTools& t, const Surfels& f, std::size_t i,
+bool floatsBeforeSheet(const SurfaceView& w, const SurfaceTools& t, const Surfels& f, std::size_t i,
                        const SurfacePoint& p) {
   constexpr double seen = 0.35, behind = 0.2, thick = 0.6;
   const double dx = w.scene.spacing, r = f.radius[i],
@@ -162,19 +163,19 @@ void markAroundDeleted(Surface& s, CellHalo& halo, SurfaceTools& t, const std::v
 
 }  // namespace
 
-void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t,
+void growSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t,
                  const std::function<bool(std::size_t)>& bare) {
-  prepareParticles(w, halos, t);
+  prepareParticles(w.scene, w.surface, halos, t);
   std::vector<SurfelRow> rows;
   seedAll(w, t, bare, rows);
   w.surface.surfels.resize(w.surface.surfels.owned, 0);
   addSurfels(w.surface.surfels, rows, w.scene.seed, halos.all);
 }
 
-void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds) {
-  prepareParticles(w, halos, t);
-  listIsoOffsets(w, t.relax.isoOffset);
-  FieldProbe probe(w, t);
+void resampleOnParticles(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds) {
+  prepareParticles(w.scene, w.surface, halos, t);
+  listIsoOffsets(w.scene, w.surface, t.relax.isoOffset);
+  FieldProbe probe(w.scene, w.surface, t);
   resample(w, halos, t, rounds, [&](const Surfels& f, std::size_t i, SurfacePoint& p, bool border) {
     // Births continue the mesh's surface, but do not bridge a crack.
     if (!border && keepsDetail(f, i)) {
@@ -190,7 +191,7 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
     if (border && liquidShare(f, i) < 0.5 && floatsBeforeSheet(w, t, f, i, p)) return false;
     std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {
-      projectToIsoSurface(w, probe, f.component[i], f.position[i], &x, 1,
+      projectToIsoSurface(probe, f.component[i], f.position[i], &x, 1,
                           0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
       return at && dot(at->normal, p.normal) >= 0.3;
     };
@@ -209,7 +210,7 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
 namespace {
 
 /// Grows the surfaces of the particles selected by `bare` and relaxes them.
-void growAndRelax(World& w, SurfaceHalos halos, SurfaceTools& t,
+void growAndRelax(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t,
                   const std::function<bool(std::size_t)>& bare) {
   growSurfels(w, halos, t, bare);
   std::int64_t grown = static_cast<std::int64_t>(w.surface.surfels.owned);
@@ -232,12 +233,13 @@ void growAndRelax(World& w, SurfaceHalos halos, SurfaceTools& t,
 
 // Liquid sheets are left to close. Where the field with the surface's support merges two sheets of a solid,
 // that with the particles' own support separates them: layers of particles two spacings apart.
-void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void growBodies(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   const double wide = s.particleSupport,
                narrow = std::min({wide, w.grid.support, nearSupport * w.scene.spacing});
-  prepareParticles(w, halos, t);
-  const NarrowGaps gaps = narrow < wide ? findNarrowGaps(w, t.relax.particleBins, halos.all) : NarrowGaps{};
+  prepareParticles(w.scene, w.surface, halos, t);
+  const NarrowGaps gaps = narrow < wide ? findNarrowGaps(w.scene, w.surface, t.relax.particleBins, halos.all)
+                                        : NarrowGaps{};
   const std::vector<std::uint64_t>& near = gaps.solid;
   t.mergedSheets = gaps.liquid;
   const auto bare = [&](std::size_t i, bool isNear) {
@@ -255,10 +257,10 @@ void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.relax.only.clear();
 }
 
-void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
+void renewSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
-  prepareParticles(w, halos, t);
+  prepareParticles(w.scene, w.surface, halos, t);
   const SurfaceParticles& p = s.particles;
   SmallDrops small(s);
   std::vector<std::uint8_t> dead(f.owned, 0);
@@ -269,7 +271,7 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
     if (small(f.component[i])) dead[i] = 1;
     else probed[i] = !keepsDetail(f, i) && !(f.hasReference.active && f.hasReference[i]);
   }
-  forFieldAtSurfels(w, t, probed, [&](std::size_t i, const FieldHere& c) {
+  forFieldAtSurfels(w.scene, w.surface, t, probed, [&](std::size_t i, const FieldHere& c) {
     if (std::abs(c.value - c.level) <= offSurface && c.value >= leastOver * c.level) return;
     if (Vec3d into;
         f.wallOffset.active && c.value > c.level && facesWall(w, f.position[i], f.normal[i], into))
@@ -289,7 +291,7 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
       },
       rows);
   // Surfels about to be deleted also pass on their colours, so that drops keep theirs.
-  inheritColours(w, halos, t, rows);
+  inheritColours(w.scene, w.surface, halos, t, rows);
   removeSurfels(s, dead);
   addSurfels(f, rows, w.scene.seed, halos.all);
   s.counters.deaths += gone;

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 
 namespace thaw {
 
@@ -15,21 +15,22 @@ struct SurfaceTools;
 /// each particle are projected onto the iso-surface of their component's colour field. Seeds that end far
 /// from their particle are dropped, so inner particles have none. No forces act. The surface is oversampled
 /// until resample thins it. Requires: placed particles. Surfels have no valid cells afterwards. Collective.
-void growSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools,
+void growSurfels(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools,
                  const std::function<bool(std::size_t)>& bare);
 
 /// Grows the initial surfaces of all bodies that are not sampled (isSampled). Surfels relax first by the
 /// implicit force alone, then by the scene's forces, with resampling between. Requires: no surfels.
 /// Collective.
-void growBodies(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void growBodies(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Renews surfels before the iterations of an update. Components without surfels get some. Components of at
 /// most smallDrop particles get a sphere of the particles' volume around their centroid. Surfels deep inside
 /// their own component (old caps of a stream, sheets in contact) or far off it are deleted. Requires:
 /// Surface::components of the last update. Collective.
-void renewSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void renewSurfels(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Resamples, with births beyond borders where the particles' surface continues. Collective.
-void resampleOnParticles(World& world, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds);
+void resampleOnParticles(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools,
+                         std::int64_t rounds);
 
 }  // namespace thaw

@@ -22,11 +22,12 @@ constexpr double inDirection = 0.9;
 /// Neighbourhood of one particle.
 class NeighbourPaths {
  public:
-  explicit NeighbourPaths(const World& w) : world_(w), near_(neighbour * w.scene.spacing) {}
+  NeighbourPaths(const Scene& scene, const Surface& surface)
+      : surface_(surface), near_(neighbour * scene.spacing) {}
 
   bool hasGap(std::size_t i, const Bins& bins, const SeedDirections& seeds) {
-    const SurfaceParticles& p = world_.surface.particles;
-    const double reach = world_.surface.particleSupport;
+    const SurfaceParticles& p = surface_.particles;
+    const double reach = surface_.particleSupport;
     at_.assign(1, Vec3d{});
     forRowsAround(bins, p.position[i], p.position[i], reach, [&](std::uint32_t j, const Vec3d& there) {
       const Vec3d d = there - p.position[i];
@@ -40,7 +41,7 @@ class NeighbourPaths {
   }
 
  private:
-  const World& world_;
+  const Surface& surface_;
   double near_;  // m
   FreeDirections free_;
   std::vector<Vec3d> at_;    // relative to the particle, which is the first
@@ -94,14 +95,13 @@ std::vector<std::uint64_t> ofAll(Reducer& all, const std::vector<std::uint64_t>&
 
 }  // namespace
 
-NarrowGaps findNarrowGaps(const World& w, const Bins& bins, Reducer& all) {
-  const SurfaceParticles& p = w.surface.particles;
+NarrowGaps findNarrowGaps(const Scene& scene, const Surface& surface, const Bins& bins, Reducer& all) {
+  const SurfaceParticles& p = surface.particles;
   NarrowGaps mine;
-  NeighbourPaths around(w);
-  SeedDirections seeds(w);
+  NeighbourPaths around(scene, surface);
+  SeedDirections seeds(scene, surface);
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (isSampled(w.scene, p.body[i]) || p.component[i] == noComponent || p.colour[i] >= innerColour)
-      continue;
+    if (isSampled(scene, p.body[i]) || p.component[i] == noComponent || p.colour[i] >= innerColour) continue;
     std::vector<std::uint64_t>& known = p.liquid.active && p.liquid[i] >= 0.5f ? mine.liquid : mine.solid;
     if (std::find(known.begin(), known.end(), p.component[i]) != known.end()) continue;
     seeds.turn(p.id[i]);

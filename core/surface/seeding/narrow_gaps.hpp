@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "core/halo/halo.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/scene/scene.hpp"
+#include "core/surface/data/surface.hpp"
 #include "core/surface/search/bins.hpp"
 
 namespace thaw {
@@ -20,6 +21,6 @@ struct NarrowGaps {
 /// surface has a gap to a particle of its component within h_ps behind an empty place if no path connects
 /// them, or only one of 1.5 times their distance. Steps of a path are at most the distance of lattice
 /// neighbours. Requires: particle colours, bins and ghosts (prepareParticles). Collective.
-NarrowGaps findNarrowGaps(const World& world, const Bins& particleBins, Reducer& all);
+NarrowGaps findNarrowGaps(const Scene& scene, const Surface& surface, const Bins& particleBins, Reducer& all);
 
 }  // namespace thaw

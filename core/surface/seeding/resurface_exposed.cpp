@@ -49,8 +49,9 @@ constexpr double coverReach = 1.2;
 /// Marks solid particles beside liquid as not covered. They may lose their surface to the liquid, or share
 /// it, and would be exposed when the liquid drains. A cold particle below surfels that follow their reference
 /// stays covered. Requires: surfels with ghosts and bins.
-void uncoverBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p) {
-  const Surfels& f = w.surface.surfels;
+void uncoverBesideLiquid(const Scene& scene, const SurfaceTools& t, Surface& s) {
+  const Surfels& f = s.surfels;
+  SurfaceParticles& p = s.particles;
   if (!p.covered.active || !p.liquid.active) return;
   constexpr float wet = 0.02f;
   std::vector<std::uint8_t> flows(p.size());
@@ -62,12 +63,12 @@ void uncoverBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles
     if (!p.covered[i]) continue;
     bool beside = flows[i];
     if (!beside)
-      forRowsWithin(liquid, p.position[i], liquidReach * w.scene.spacing,
+      forRowsWithin(liquid, p.position[i], liquidReach * scene.spacing,
                     [&](std::uint32_t j, double) { beside = beside || p.component[j] == p.component[i]; });
     if (!beside) continue;
     bool kept = false;
     if (!flows[i])
-      forRowsWithin(t.relax.surfelBins, p.position[i], coverReach * w.scene.spacing,
+      forRowsWithin(t.relax.surfelBins, p.position[i], coverReach * scene.spacing,
                     [&](std::uint32_t j, double) {
                       kept = kept || (f.component[j] == p.component[i] && hasReference(f, j));
                     });
@@ -78,7 +79,7 @@ void uncoverBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles
 /// Appends seed surfels around exposed owned particles to `rows`. Particles that the initial surface still
 /// covers are skipped. Where a solid is bent or compressed, that surface deviates from the colour's
 /// iso-surface, and seeds would form a second skin. Requires: surfels with ghosts and bins.
-void seedExposed(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
+void seedExposed(const SurfaceView& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
@@ -88,11 +89,11 @@ void seedExposed(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& 
   for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
   // seen from a seed, up to 1.2 spacings from its particle
   const double far = 1.2 * dx + std::hypot(reach, largest);
-  SeedDirections seeds(w);
+  SeedDirections seeds(w.scene, w.surface);
   FreeDirections free;
   DiscCover near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
   RowBlock block;
-  FieldProbe probe(w, t);
+  FieldProbe probe(w.scene, w.surface, t);
   std::array<Vec3d, FieldProbe::most> direction;
   std::array<int, FieldProbe::most> number;
   std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
@@ -130,7 +131,7 @@ void seedExposed(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& 
     };
     std::size_t n = 0;
     const auto tryAll = [&] {
-      seedsOnSurface(w, probe, i, direction.data(), n, at.data());
+      seedsOnSurface(probe, i, direction.data(), n, at.data());
       for (std::size_t k = 0; k < n; k++) {
         if (!at[k] || all.covers(at[k]->position - x, at[k]->normal)) continue;
         const std::array<Vec3d, 2> places{at[k]->position, at[k]->position + at[k]->normal * (0.5 * dx)};
@@ -172,9 +173,10 @@ void seedExposed(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& 
 
 /// Marks surfels of solids that left the surface: surfels beyond the edge of a crack, and surfels inside a
 /// crack that opened. Mesh surfels are tested only beside grown faces. Requires: surfels with ghosts.
-void findDetached(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) {
-  const Surfels& f = w.surface.surfels;
-  const double reach = detachedReach * w.scene.spacing;
+void findDetached(const Scene& scene, const Surface& surface, SurfaceTools& t,
+                  std::vector<std::uint8_t>& dead) {
+  const Surfels& f = surface.surfels;
+  const double reach = detachedReach * scene.spacing;
   const auto solid = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.5f; };
   const auto cold = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.02f; };
   const auto softens = [&](std::size_t i) {
@@ -198,7 +200,7 @@ void findDetached(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& de
       if (i >= f.owned || !solid(i) || f.detail[i] < 0.5f) return;
       // Meshes resolve more than particles do and lie up to a spacing above the particles' surface.
       bool beside = false;
-      double nearest2 = spurReach * spurReach * w.scene.spacing * w.scene.spacing;
+      double nearest2 = spurReach * spurReach * scene.spacing * scene.spacing;
       std::uint32_t face = 0xffffffffu;
       for (const std::uint32_t k : around.around(f.position[i], reach)) {
         const std::uint32_t j = row[around.row[k]];
@@ -217,14 +219,14 @@ void findDetached(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& de
       if (face != 0xffffffffu) {
         const Vec3d d = f.position[i] - f.position[face];
         // The face lies behind the surfel: a convex edge.
-        if (dot(d, f.normal[face]) > spurHeight * w.scene.spacing && dot(d, f.normal[i]) > 0) {
+        if (dot(d, f.normal[face]) > spurHeight * scene.spacing && dot(d, f.normal[i]) > 0) {
           dead[i] = 1;
           return;
         }
       }
       probed[i] = 1;
     });
-  forFieldAtSurfels(w, t, probed, [&](std::size_t i, const FieldHere& c) {
+  forFieldAtSurfels(scene, surface, t, probed, [&](std::size_t i, const FieldHere& c) {
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
     // A mesh may begin half a spacing inside the particles' surface. The iterations move softening surfels
@@ -237,8 +239,8 @@ void findDetached(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& de
 
 /// Lets grown surfels near new ones relax, because an opening crack moves the surface beside its new faces.
 /// Requires: surfels with ghosts.
-void relaxAroundNew(const World& w, Surfels& f) {
-  const double reach = relaxingReach * w.scene.spacing;
+void relaxAroundNew(const Scene& scene, Surfels& f) {
+  const double reach = relaxingReach * scene.spacing;
   std::vector<Vec3d> relaxesOnce;
   std::vector<std::uint64_t> component;
   for (std::size_t i = 0; i < f.size(); i++)
@@ -254,10 +256,10 @@ void relaxAroundNew(const World& w, Surfels& f) {
 
 }  // namespace
 
-std::int64_t resurfaceExposed(World& w, SurfaceHalos halos, SurfaceTools& t) {
+std::int64_t resurfaceExposed(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
-  prepareParticles(w, halos, t);
+  prepareParticles(w.scene, w.surface, halos, t);
   const bool coloured = coloursMayDiffer(w.scene);
   const auto look = [&] {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
@@ -272,9 +274,9 @@ std::int64_t resurfaceExposed(World& w, SurfaceHalos halos, SurfaceTools& t) {
   std::int64_t all = 0;
   for (int round = 0; round < mostRounds; round++) {
     look();
-    if (round == 0) uncoverBesideLiquid(w, t, s.particles);
+    if (round == 0) uncoverBesideLiquid(w.scene, t, s);
     std::vector<std::uint8_t> dead;
-    findDetached(w, t, dead);
+    findDetached(w.scene, w.surface, t, dead);
     std::int64_t count[2] = {0, std::count(dead.begin(), dead.end(), 1)};
     halos.all.sum({count + 1, 1});
     if (count[1] > 0) {
@@ -284,7 +286,7 @@ std::int64_t resurfaceExposed(World& w, SurfaceHalos halos, SurfaceTools& t) {
     std::vector<SurfelRow> rows;
     // Without deletions, all seeds would be rejected again.
     if (round == 0 || count[1] > 0) seedExposed(w, t, rows);
-    if (coloured) inheritColours(w, t.relax.surfelBins, rows);
+    if (coloured) inheritColours(w.scene, w.surface, t.relax.surfelBins, rows);
     count[0] = static_cast<std::int64_t>(rows.size());
     halos.all.sum({count, 1});
     f.resize(f.owned, 0);
@@ -299,7 +301,7 @@ std::int64_t resurfaceExposed(World& w, SurfaceHalos halos, SurfaceTools& t) {
   }
   if (all > 0) {
     look();
-    relaxAroundNew(w, f);
+    relaxAroundNew(w.scene, f);
     f.resize(f.owned, 0);
   }
   return all;

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 
 namespace thaw {
 
@@ -20,6 +20,6 @@ inline constexpr double detachedReach = 3.5;
 /// Surfels::relaxesOnce becomes active: it lets new surfels, and those added by resampling, relax in this
 /// update although they are solid. Returns the number of births on all ranks. Requires: placed surfels and
 /// particles; components of this update. Surfels have no valid cells afterwards. Collective.
-std::int64_t resurfaceExposed(World& world, SurfaceHalos halos, SurfaceTools& tools);
+std::int64_t resurfaceExposed(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

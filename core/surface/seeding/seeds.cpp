@@ -12,14 +12,14 @@
 
 namespace thaw {
 
-int seedsOf(const World& w) {
-  const double fine = w.scene.spacing / w.surface.spacing;
+int seedsOf(const Scene& scene, const Surface& surface) {
+  const double fine = scene.spacing / surface.spacing;
   return static_cast<int>(std::clamp(7 * fine * fine, 16.0, 120.0));
 }
 
-SeedDirections::SeedDirections(const World& w) : seed_(w.scene.seed) {
+SeedDirections::SeedDirections(const Scene& scene, const Surface& surface) : seed_(scene.seed) {
   constexpr double goldenAngle = 2.39996322972865332;
-  const int seeds = seedsOf(w);
+  const int seeds = seedsOf(scene, surface);
   for (int k = 0; k < seeds; k++) {
     const double z = 1 - (2.0 * k + 1) / seeds, across = std::sqrt(1 - z * z);
     at_.push_back({across * std::cos(goldenAngle * k), across * std::sin(goldenAngle * k), z});
@@ -32,13 +32,13 @@ void SeedDirections::turn(std::uint64_t id) {
   sine_ = std::sin(angle);
 }
 
-void seedsOnSurface(const World& w, FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n,
+void seedsOnSurface(FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n,
                     std::optional<SurfacePoint>* found) {
-  const SurfaceParticles& p = w.surface.particles;
-  const double dx = w.scene.spacing;
+  const SurfaceParticles& p = probe.surface().particles;
+  const double dx = probe.scene().spacing;
   std::array<Vec3d, FieldProbe::most> from;
   for (std::size_t k = 0; k < n; k++) from[k] = p.position[i] + u[k] * (0.6 * dx);
-  projectToIsoSurface(w, probe, p.component[i], p.position[i], from.data(), n, 1.2 * dx, found);
+  projectToIsoSurface(probe, p.component[i], p.position[i], from.data(), n, 1.2 * dx, found);
   for (std::size_t k = 0; k < n; k++) {
     if (!found[k]) continue;
     const Vec3d d = found[k]->position - p.position[i];
@@ -46,7 +46,7 @@ void seedsOnSurface(const World& w, FieldProbe& probe, std::size_t i, const Vec3
   }
 }
 
-SurfelRow seedSurfel(const World& w, std::size_t i, int k, const SurfacePoint& at) {
+SurfelRow seedSurfel(const SurfaceView& w, std::size_t i, int k, const SurfacePoint& at) {
   const SurfaceParticles& p = w.surface.particles;
   SurfelRow r;
   r.id = surfelBit | birthBit |

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 #include "core/surface/field/iso_surface.hpp"
 #include "core/surface/resampling/births.hpp"
 
@@ -14,12 +14,12 @@ namespace thaw {
 inline constexpr float innerColour = 0.97f;
 
 /// Returns the number of seeds around a particle, from the surfel spacing.
-int seedsOf(const World& world);
+int seedsOf(const Scene& scene, const Surface& surface);
 
 /// Seed directions, evenly spread on a sphere with a random rotation for each particle.
 class SeedDirections {
  public:
-  explicit SeedDirections(const World& world);
+  SeedDirections(const Scene& scene, const Surface& surface);
   void turn(std::uint64_t particleId);
   int count() const { return static_cast<int>(at_.size()); }
   Vec3d operator[](int k) const {
@@ -62,11 +62,11 @@ class FreeDirections {
 
 /// Finds the surface points of particle i (row of the copies) in n <= FieldProbe::most directions u.
 /// Directions without a surface nearby yield nothing.
-void seedsOnSurface(const World& world, FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n,
+void seedsOnSurface(FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n,
                     std::optional<SurfacePoint>* found);
 
 /// Returns a new surfel of particle i at a surface point. Its id follows from the particle, the step and k.
 /// Its colour is the material's; see inheritColours.
-SurfelRow seedSurfel(const World& world, std::size_t i, int k, const SurfacePoint& at);
+SurfelRow seedSurfel(const SurfaceView& view, std::size_t i, int k, const SurfacePoint& at);
 
 }  // namespace thaw

@@ -34,8 +34,7 @@ std::uint64_t lookUp(const std::vector<Pair>& list, std::uint64_t key) {
 
 }  // namespace
 
-void attachEnclosed(World& w, SurfaceHalos halos, ComponentTools& t) {
-  Surface& s = w.surface;
+void attachEnclosed(Surface& s, SurfaceHalos halos, ComponentTools& t) {
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   const std::vector<std::uint64_t> covered = partsWithSurfels(f, halos.all);

@@ -54,14 +54,13 @@ void markSeams(Surface& s, CellHalo& halo, const std::vector<std::uint64_t>& off
 
 }  // namespace
 
-void splitComponents(World& w, SurfaceHalos halos, ComponentTools& t) {
-  Surface& s = w.surface;
+void splitComponents(const Clock& clock, Surface& s, SurfaceHalos halos, ComponentTools& t) {
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   const std::vector<Piece>& pieces = t.pieces = piecesOf(p, halos.all);
   std::vector<std::uint64_t> off;
   const auto log = [&](SurfaceEventKind kind, std::uint64_t label, std::uint64_t other) {
-    s.events.push_back({w.clock.step, w.clock.time, kind, label, other});
+    s.events.push_back({clock.step, clock.time, kind, label, other});
   };
   for (std::size_t k = 0, first = 0; k < pieces.size(); k++) {
     if (pieces[k].from != pieces[first].from) first = k;

@@ -12,8 +12,10 @@
 // A component splits where no link remains.
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/scene/scene.hpp"
+#include "core/surface/data/surface.hpp"
 #include "core/surface/work/topology_tools.hpp"
+#include "core/time/clock.hpp"
 
 namespace thaw {
 
@@ -23,24 +25,24 @@ inline constexpr int nearestSurfels = 10;
 /// Labels new particles with the component of the nearest labelled particle within linkLength * spacing,
 /// repeatedly; isolated ones stay unlabelled. Surfels without a component take that of the nearest particle,
 /// preferably of the body in their id. Requires: placed rows with ghosts. Sends components. Collective.
-void labelNewParticles(World& world, SurfaceHalos halos, ComponentTools& tools);
+void labelNewParticles(const Scene& scene, Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
 /// Finds connected parts. Surfels::part and SurfaceParticles::part of owned and ghost rows become 1 + the
 /// smallest particle id of the part. Surfels without particles get a number with the top bit set. Requires:
 /// placed rows with ghosts. Collective; the number of exchanges grows with the number of ranks that a body
 /// crosses, not with its size.
-void findParts(World& world, SurfaceHalos halos, ComponentTools& tools);
+void findParts(const Scene& scene, Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
 /// Attaches enclosed parts without surfels. If a particle of the part lies inside the surface of its previous
 /// component, the part joins the part of the nearest surfel, and of several the smallest (K05: a particle
 /// belongs to the surface that encloses it). Sparse liquids have gaps longer than a link near their surface.
 /// Particles farther than h_ps from every surfel are not tested. Requires: findParts. Collective.
-void attachEnclosed(World& world, SurfaceHalos halos, ComponentTools& tools);
+void attachEnclosed(Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
 /// Turns parts into components. Components with several parts are counted and logged as split, in the order
 /// of labels. A component whose smallest label changes is logged as renamed before that. Surfels without a
 /// particle are deleted and counted as lost. Ghosts of surfels are dropped. Requires: findParts. Collective.
-void splitComponents(World& world, SurfaceHalos halos, ComponentTools& tools);
+void splitComponents(const Clock& clock, Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
 /// Lists owned particle copies whose component has no surfel on any rank (separated drops, new particles of
 /// emitters). Requires: measured Surface::components.

@@ -35,11 +35,11 @@ bool mayLink(const Surfels& f, std::size_t i, const SurfaceParticles& p, std::si
 
 /// Returns whether a new particle may take the component of particle j. The scene's merge rule decides, as
 /// for surfaces in contact (merge.cpp).
-bool mayTake(const World& w, std::size_t fresh, std::size_t j) {
-  const SurfaceParticles& p = w.surface.particles;
+bool mayTake(const Scene& scene, const Surface& surface, std::size_t fresh, std::size_t j) {
+  const SurfaceParticles& p = surface.particles;
   if (p.body[fresh] == p.body[j]) return true;
   const auto liquid = [&](std::size_t i) { return p.liquid.active && p.liquid[i] > 0.5f; };
-  const MergeRule rule = w.scene.surface.merge;
+  const MergeRule rule = scene.surface.merge;
   return rule == MergeRule::All || (rule == MergeRule::Liquid && (liquid(fresh) || liquid(j)));
 }
 
@@ -110,11 +110,10 @@ void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r
 constexpr double usualReach = 2.2;
 
 /// Finds Surfels::nearest: the nearest particle that may be linked.
-void findNearestParticles(World& w, ComponentTools& t) {
-  Surface& s = w.surface;
+void findNearestParticles(const Scene& scene, Surface& s, ComponentTools& t) {
   Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
-  const double first = std::min(w.scene.spacing, s.particleSupport);
+  const double first = std::min(scene.spacing, s.particleSupport);
   forBlocks(t.surfelBins, t.particleBins, first, t.block, [&](std::uint32_t i, const RowBlock& block) {
     if (i >= f.owned) return;
     Nearest best;
@@ -167,10 +166,10 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
 
 /// Joins surfels of these bins, ghosts included, with surfels within their link radius. This covers the
 /// links of both ends.
-void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8_t>& mixed, UnionFind& sets) {
-  const Surface& s = w.surface;
+void joinSurfels(const Scene& scene, const Surface& s, ComponentTools& t,
+                 const std::vector<std::uint8_t>& mixed, UnionFind& sets) {
   const Surfels& f = s.surfels;
-  const double link1 = w.scene.surface.linkLength * w.scene.spacing,
+  const double link1 = scene.surface.linkLength * scene.spacing,
                solid2 = solidLinkFactor * solidLinkFactor * link1 * link1,
                liquid2 = liquidLinkFactor * liquidLinkFactor * link1 * link1;
   // Surfels on distant particles lie on two sides of a crack or of a parted neck.
@@ -191,10 +190,10 @@ void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8
   });
 }
 
-void joinParticles(const World& w, ComponentTools& t, UnionFind& sets) {
-  const SurfaceParticles& p = w.surface.particles;
-  const auto offset = static_cast<std::uint32_t>(w.surface.surfels.size());
-  const double longest = w.scene.surface.linkLength * w.scene.spacing;
+void joinParticles(const Scene& scene, const Surface& surface, ComponentTools& t, UnionFind& sets) {
+  const SurfaceParticles& p = surface.particles;
+  const auto offset = static_cast<std::uint32_t>(surface.surfels.size());
+  const double longest = scene.surface.linkLength * scene.spacing;
   forBlocks(t.particleBins, t.particleBins, longest, t.block, [&](std::uint32_t i, const RowBlock& block) {
     // The link of two ghosts belongs to another rank.
     if (i >= p.owned) return;
@@ -240,11 +239,10 @@ void settleParts(Surface& s, SurfaceHalos halos, UnionFind& sets) {
 
 }  // namespace
 
-void labelNewParticles(World& w, SurfaceHalos halos, ComponentTools& t) {
-  Surface& s = w.surface;
+void labelNewParticles(const Scene& scene, Surface& s, SurfaceHalos halos, ComponentTools& t) {
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
-  const double link = w.scene.surface.linkLength * w.scene.spacing;
+  const double link = scene.surface.linkLength * scene.spacing;
   fillBins(p.position.data(), p.size(), link, t.particleBins);
   std::vector<std::uint32_t> fresh;
   for (std::size_t i = 0; i < p.owned; i++)
@@ -256,7 +254,7 @@ void labelNewParticles(World& w, SurfaceHalos halos, ComponentTools& t) {
     for (std::size_t k = 0; k < fresh.size(); k++) {
       Nearest best;
       forRowsWithin(t.particleBins, p.position[fresh[k]], link, [&](std::uint32_t j, double d2) {
-        if (p.component[j] != noComponent && mayTake(w, fresh[k], j)) best.offer(d2, p.id[j], j);
+        if (p.component[j] != noComponent && mayTake(scene, s, fresh[k], j)) best.offer(d2, p.id[j], j);
       });
       if (!best.found()) continue;
       found[k] = p.component[best.row];
@@ -289,20 +287,19 @@ void labelNewParticles(World& w, SurfaceHalos halos, ComponentTools& t) {
 }
 
 // Particles connect most bodies. Surfels are tested only where different parts meet afterwards.
-void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
-  Surface& s = w.surface;
+void findParts(const Scene& scene, Surface& s, SurfaceHalos halos, ComponentTools& t) {
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   fillBins(f.position.data(), f.size(), std::min(usualReach * s.spacing, s.surfelSupport), t.surfelBins);
-  fillBins(p.position.data(), p.size(), w.scene.surface.linkLength * w.scene.spacing, t.particleBins);
-  findNearestParticles(w, t);
+  fillBins(p.position.data(), p.size(), scene.surface.linkLength * scene.spacing, t.particleBins);
+  findNearestParticles(scene, s, t);
   refreshGhosts(halos.surfels, f, ColumnList{&f.nearest, &f.toNearest});
   t.parent.clear();
   t.least.clear();
   UnionFind sets(t);
   for (std::size_t i = 0; i < f.size(); i++) sets.add(f.id[i] | surfelsOnly);
   for (std::size_t i = 0; i < p.size(); i++) sets.add(p.id[i] + 1);
-  joinParticles(w, t, sets);
+  joinParticles(scene, s, t, sets);
   joinBoth(s, sets);
   settleParts(s, halos, sets);
   const std::vector<std::uint8_t> mixed = multiLabelBins(t.surfelBins, f.part.data(), t.surfelBins,
@@ -310,7 +307,7 @@ void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
   if (!onAnyRank(halos.all, std::find(mixed.begin(), mixed.end(), 1) != mixed.end())) return;
   findReach(s, t, mixed);
   refreshGhosts(halos.surfels, f, ColumnList{&f.linkRadius2});
-  joinSurfels(w, t, mixed, sets);
+  joinSurfels(scene, s, t, mixed, sets);
   settleParts(s, halos, sets);
 }
 

@@ -56,14 +56,14 @@ constexpr double touchLength = 1, touchGap = 0.4;
 
 /// Returns the range (m) in which particles detect other surfaces. Approaching bodies are detected long
 /// before they overlap that deeply.
-double particleContactReach(const World& w) {
-  return std::min(w.surface.particleSupport, std::max(2 * w.scene.spacing, 4 * w.surface.spacing));
+double particleContactReach(const Scene& scene, const Surface& surface) {
+  return std::min(surface.particleSupport, std::max(2 * scene.spacing, 4 * surface.spacing));
 }
 
 /// Returns the range (m) in which surfels detect other surfaces. It is shorter, since particles of two bodies
 /// keep a spacing apart. classifyJoining handles deeper surfels.
-double surfelContactReach(const World& w) {
-  return std::min(w.surface.particleSupport, std::max(w.scene.spacing, 4 * w.surface.spacing));
+double surfelContactReach(const Scene& scene, const Surface& surface) {
+  return std::min(surface.particleSupport, std::max(scene.spacing, 4 * surface.spacing));
 }
 
 /// Returns the previous component of a part of the last split, or noComponent for new particles and for
@@ -78,7 +78,8 @@ std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
 /// Returns whether two liquids touch at particle i. A particle of the other component is within the distance
 /// of neighbours in a liquid, and the midpoint lies in or near both surfaces. Drops at this distance already
 /// press on each other and flatten, before a particle is inside the other drop.
-bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint64_t other, MergeTools& t) {
+bool touches(const SurfaceView& w, const ComponentTools& c, std::uint32_t i, std::uint64_t other,
+             MergeTools& t) {
   const Surface& s = w.surface;
   const SurfaceParticles& p = s.particles;
   const double dx = w.scene.spacing;
@@ -98,7 +99,7 @@ bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint
 
 /// Returns the pairs of components in contact, unique on all ranks. Requires: bins of surfels and, with
 /// several parts, of particles.
-std::vector<Pair> contactPairs(const World& w, Reducer& all, const ComponentTools& c, bool several,
+std::vector<Pair> contactPairs(const SurfaceView& w, Reducer& all, const ComponentTools& c, bool several,
                                MergeTools& t) {
   const Surface& s = w.surface;
   const SurfaceParticles& p = s.particles;
@@ -106,11 +107,11 @@ std::vector<Pair> contactPairs(const World& w, Reducer& all, const ComponentTool
   if (w.scene.surface.merge != MergeRule::None && several)
     forMultiLabel(c.particleBins,
                   multiLabelBins(c.particleBins, p.component.data(), c.surfelBins, s.surfels.component.data(),
-                                 particleContactReach(w)),
+                                 particleContactReach(w.scene, w.surface)),
                   [&](std::uint32_t i) {
                     if (i >= p.owned) return;
                     findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true,
-                              particleContactReach(w), t.inside, t.sides);
+                              particleContactReach(w.scene, w.surface), t.inside, t.sides);
                     for (const SurfaceSide& side : t.sides) {
                       if (side.discsUsed < leastDiscs || side.distance >= touchLength * w.scene.spacing)
                         continue;
@@ -144,10 +145,12 @@ enum Seam : std::uint8_t { Disturbed = 1, Joint = 2 };
 
 /// Classifies an owned surfel relative to other components. It dies if its component joins one that it is in
 /// or close to. Otherwise it moves out of components that contain it.
-void classifySurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
+void classifySurfel(const SurfaceView& w, std::uint32_t i, const Joined& joined, ComponentTools& c,
+                    MergeTools& t) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
-  findSides(f, c.surfelBins, f.position[i], f.component[i], true, surfelContactReach(w), t.inside, t.sides);
+  findSides(f, c.surfelBins, f.position[i], f.component[i], true, surfelContactReach(w.scene, w.surface),
+            t.inside, t.sides);
   Vec3d push{};
   for (const SurfaceSide& side : t.sides) {
     if (side.discsUsed < leastDiscs) continue;
@@ -206,7 +209,7 @@ void classifyAllJoining(const Surface& s, const Joined& joined, ComponentTools& 
 
 }  // namespace
 
-void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools& t) {
+void mergeComponents(const SurfaceView& w, SurfaceHalos halos, ComponentTools& c, MergeTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
@@ -226,7 +229,7 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   if (several) {
     forMultiLabel(c.surfelBins,
                   multiLabelBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(),
-                                 surfelContactReach(w)),
+                                 surfelContactReach(w.scene, w.surface)),
                   [&](std::uint32_t i) {
                     if (i < f.owned) classifySurfel(w, i, joined, c, t);
                   });

@@ -2,7 +2,7 @@
 // Contact of components: they join, or their surfaces are separated (K05 4.4.2).
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface_view.hpp"
 #include "core/surface/topology/components.hpp"
 #include "core/surface/work/topology_tools.hpp"
 
@@ -15,6 +15,7 @@ namespace thaw {
 /// half a spacing off it, are deleted on both sides; resampling then closes the seam. Without joining,
 /// surfels inside the other surface move to the middle between the two. Requires: placed surfels and
 /// particles with ghosts. Afterwards surfels have no ghosts and may have left their cells. Collective.
-void mergeComponents(World& world, SurfaceHalos halos, ComponentTools& components, MergeTools& tools);
+void mergeComponents(const SurfaceView& view, SurfaceHalos halos, ComponentTools& components,
+                     MergeTools& tools);
 
 }  // namespace thaw

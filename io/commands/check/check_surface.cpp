@@ -9,6 +9,7 @@
 
 #include "core/materials/liquid_materials.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
+#include "core/simulation/world/views.hpp"
 #include "io/run/require_memory.hpp"
 #include "io/text/bytes_text.hpp"
 #include "io/text/duration_text.hpp"
@@ -79,7 +80,7 @@ SurfaceTrial::SurfaceTrial(const Communicator& comm, World& w, const MeshLoader&
   if (!w.modules.surface) return;
   tools_.load = load;
   const double before = residentNow(), start = secondsNow();
-  startSurface(w, halos_.halos(), tools_);
+  startSurface(surfaceView(w), halos_.halos(), tools_);
   start_ = secondsNow() - start;
   bytes_ += std::max(0.0, residentNow() - before);
   const double coarser = w.surface.spacing / spacing_;
@@ -88,7 +89,7 @@ SurfaceTrial::SurfaceTrial(const Communicator& comm, World& w, const MeshLoader&
 
 double SurfaceTrial::timeOfUpdate() {
   const double before = residentNow(), start = secondsNow();
-  updateSurface(world_, halos_.halos(), tools_);
+  updateSurface(surfaceView(world_), halos_.halos(), tools_);
   bytes_ += std::max(0.0, residentNow() - before);
   return secondsNow() - start;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/simulation/world/world.hpp"
 #include "core/surface/update_surface.hpp"
 #include "parallel/row_scatter.hpp"
 

@@ -8,6 +8,7 @@
 #include "core/math/hash_random.hpp"
 #include "core/simulation/setup/make_grid.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/relaxation/relax.hpp"
 #include "core/surface/update_surface.hpp"
@@ -89,7 +90,8 @@ struct RelaxRig {
     tools.relax.particlesPrepared = false;
   }
   RelaxationResult relaxSurfels(std::int64_t iterations, bool all = true) {
-    return thaw::relaxSurfels(w, ranks->halos(), tools, forceWeights(w.scene.surface), iterations, all);
+    return thaw::relaxSurfels(surfaceView(w), ranks->halos(), tools, forceWeights(w.scene.surface),
+                              iterations, all);
   }
 };
 

@@ -9,6 +9,7 @@
 #include "core/halo/serial.hpp"
 #include "core/simulation/setup/make_grid.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/surface/update_components.hpp"
 #include "core/surface/update_surface.hpp"
 
@@ -112,7 +113,7 @@ struct SurfaceRig {
     for (std::size_t i = 0; i < p().owned; i++) l[p().id[i]] = p().component[i];
     return l;
   }
-  void update(SurfaceHalos halos) { updateComponents(world, halos, tools); }
+  void update(SurfaceHalos halos) { updateComponents(surfaceView(world), halos, tools); }
   const std::vector<SurfaceComponent>& components() const { return world.surface.components; }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene on one rank whose particles a test moves directly, with whole surface updates as in a run.
 #pragma once
+#include "core/simulation/world/views.hpp"
 #include "core/surface/update_surface.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -22,12 +23,12 @@ struct SurfaceWorld {
     startWorld(w, {all, *cells, bonds}, step, load);
     ranks = std::make_unique<SerialSurfaceRanks>(w.surface.grid);
     tools.load = load;
-    startSurface(w, ranks->halos(), tools);
+    startSurface(surfaceView(w), ranks->halos(), tools);
   }
   Vec3d& place(std::size_t i) { return w.particles.position[i]; }
   void update() {
     w.clock.step++;
-    updateSurface(w, ranks->halos(), tools);
+    updateSurface(surfaceView(w), ranks->halos(), tools);
   }
   const std::vector<SurfaceComponent>& components() const { return w.surface.components; }
 };

@@ -10,6 +10,7 @@
 #include "core/math/hash_random.hpp"
 #include "core/math/tangent.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/resampling/births.hpp"
 #include "core/surface/resampling/resample.hpp"
@@ -56,7 +57,7 @@ struct SurfelRig {
   }
   Resampled resample(std::int64_t rounds) {  // the test moves surfels directly, so all are checked
     std::fill_n(surfels().resampleMargin.data(), surfels().owned, 0.0f);
-    return thaw::resample(world, ranks->halos(), tools, rounds);
+    return thaw::resample(surfaceView(world), ranks->halos(), tools, rounds);
   }
 
   /// Largest distance, over the spacing, from points of the exact surface to the nearest surfel on the same

@@ -17,8 +17,8 @@ void freeze(RelaxRig& rig) {
 
 void carry(RelaxRig& rig) {
   rig.place();
-  findDisplacementGradients(rig.w, rig.ranks->halos(), rig.tools);
-  displaceSurfels(rig.w, rig.ranks->halos(), rig.tools);
+  findDisplacementGradients(rig.w.grid, rig.w.surface, rig.ranks->halos(), rig.tools);
+  displaceSurfels(rig.w.scene, rig.w.surface, rig.ranks->halos(), rig.tools);
 }
 
 void affineMotionIsExact(bool frozen) {

@@ -16,14 +16,14 @@ TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5.5; });
   rig.addParticle({0, 0, 6.5}, {}, 9);  // another body
   rig.place();
-  prepareParticles(rig.w, rig.ranks->halos(), rig.tools);
+  prepareParticles(rig.w.scene, rig.w.surface, rig.ranks->halos(), rig.tools);
   const SurfaceParticles& p = rig.w.surface.particles;
   const double h = rig.w.surface.particleSupport;
   std::vector<FieldHere> first;
   for (const char* isa : {"base", "avx2", "avx512"}) {
     if (!surfaceKernels(isa)) continue;
     rig.tools.relax.kernels = surfaceKernels(isa);
-    FieldProbe probe(rig.w, rig.tools);
+    FieldProbe probe(rig.w.scene, rig.w.surface, rig.tools);
     std::vector<Vec3d> x;
     std::vector<FieldHere> found(FieldProbe::most);
     for (int k = 0; k < 7; k++) x.push_back({0.1 * k, 0.2, 5.9 - 0.1 * k});
@@ -57,18 +57,18 @@ TEST(FieldProbe, NewtonFindsTheSurfaceOrReportsNone) {
   RelaxRig rig;
   rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5.5; });
   rig.place();
-  prepareParticles(rig.w, rig.ranks->halos(), rig.tools);
-  FieldProbe probe(rig.w, rig.tools);
+  prepareParticles(rig.w.scene, rig.w.surface, rig.ranks->halos(), rig.tools);
+  FieldProbe probe(rig.w.scene, rig.w.surface, rig.tools);
   const std::array<Vec3d, 4> from{{{0, 0, 5}, {0, 0.4, 5}, {0.4, 0, 5.2}, {0, 0, 12}}};
   std::array<std::optional<SurfacePoint>, 4> found;
-  projectToIsoSurface(rig.w, probe, 1, from[0], from.data(), from.size(), 1.5, found.data());
+  projectToIsoSurface(probe, 1, from[0], from.data(), from.size(), 1.5, found.data());
   EXPECT_FALSE(found[3]);
   for (std::size_t k = 0; k < 3; k++) {
     ASSERT_TRUE(found[k]);
     EXPECT_NEAR(length(found[k]->position), 5.5, 0.25);
     EXPECT_GT(dot(found[k]->normal, normalized(found[k]->position)), 0.95);
     std::optional<SurfacePoint> alone;
-    projectToIsoSurface(rig.w, probe, 1, from[0], &from[k], 1, 1.5, &alone);
+    projectToIsoSurface(probe, 1, from[0], &from[k], 1, 1.5, &alone);
     ASSERT_TRUE(alone);
     EXPECT_TRUE(alone->position == found[k]->position && alone->normal == found[k]->normal);
   }
@@ -82,14 +82,14 @@ TEST(FieldProbe, DoesNotDependOnRemoteParticles) {
     RelaxRig rig;
     rig.addLattice(9, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return std::abs(x.z) < 2 && std::abs(x.y) < 5; });
     rig.place();
-    prepareParticles(rig.w, rig.ranks->halos(), rig.tools);
+    prepareParticles(rig.w.scene, rig.w.surface, rig.ranks->halos(), rig.tools);
     SurfaceParticles& p = rig.w.surface.particles;
     const Vec3d home{0, 0, 1.5}, away{1.2, 0, 2.2};
     const Vec3d& edge = rig.w.surface.grid.edge;
     if (!more)
       for (std::size_t j = 0; j < p.owned; j++)
         if (length(p.position[j] - home) > std::min({edge.x, edge.y, edge.z})) p.component[j] = 9;
-    FieldProbe probe(rig.w, rig.tools);
+    FieldProbe probe(rig.w.scene, rig.w.surface, rig.tools);
     probe.around({away, away}, 1, home);
     probe.at(&away, 1, &found.emplace_back());
   }

@@ -36,14 +36,14 @@ struct Bumpy {
     for (std::size_t i = 0; i < p.owned; i++)
       p.liquid[i] = static_cast<float>(liquid), p.displacement[i] = by;
     rig.place();
-    findDisplacementGradients(rig.w, halos, rig.tools);
-    displaceSurfels(rig.w, halos, rig.tools);
+    findDisplacementGradients(rig.w.grid, rig.w.surface, halos, rig.tools);
+    displaceSurfels(rig.w.scene, rig.w.surface, halos, rig.tools);
     p.resize(p.owned, 0);
     for (std::size_t i = 0; i < p.owned; i++) p.position[i] += by;
     rig.place();
-    sampleFields(rig.w, halos, rig.tools);
+    sampleFields(rig.w.scene, rig.w.surface, halos, rig.tools);
     rig.relaxSurfels(60, false);
-    blendSurfels(rig.w);
+    blendSurfels(rig.w.surface.surfels);
     middle += by;
   }
   /// Remaining share of the bumps, by projection onto the initial ones.
@@ -115,7 +115,7 @@ TEST(Blend, DeformationErasesDetailOfMoltenSurfaces) {
         s.carried[i] = s.position[i], s.carriedNormal[i] = s.normal[i],
         s.strain[i] = static_cast<float>(1.0 / updates);
       ball.rig.relaxSurfels(60, false);
-      blendSurfels(ball.rig.w);
+      blendSurfels(ball.rig.w.surface.surfels);
     }
     return ball.left();
   };

@@ -120,7 +120,7 @@ TEST(Relax, BlendKeepsSolidsAndFadesDetail) {
     s.position[i].x += 1;
     s.normal[i] = {0, 1, 0};
   }
-  blendSurfels(rig.w);
+  blendSurfels(rig.w.surface.surfels);
   EXPECT_EQ(s.position[0].x, 1);
   EXPECT_EQ(s.position[1].x, 2.25);
   EXPECT_EQ(s.position[2].x, 4);
@@ -140,7 +140,7 @@ TEST(Relax, FieldsAreMeansOfTheParticlesAround) {
   rig.addParticle({0, 0.5, 0}, {}, 2, 1);
   rig.addSurfel({0, 0, 0}, {0, 0, 1});
   rig.place();
-  sampleFields(rig.w, rig.ranks->halos(), rig.tools);
+  sampleFields(rig.w.scene, rig.w.surface, rig.ranks->halos(), rig.tools);
   EXPECT_NEAR(rig.w.surface.surfels.liquid[0], 0.5, 1e-6);
 }
 

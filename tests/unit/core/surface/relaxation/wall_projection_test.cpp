@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/simulation/world/views.hpp"
 #include "core/surface/advection/gather_particles.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/surface/surface_world.hpp"
@@ -123,11 +124,11 @@ TEST(WallProjection, NothingComesThroughAThinWall) {
   for (std::size_t i = 0; i < f.owned; i++)
     if (f.normal[i].z < -0.9) f.position[i].z = -0.07, through++;  // beyond the wall
   ASSERT_GT(through, 50);
-  gatherParticles(world.w, 0);
+  gatherParticles(surfaceView(world.w), 0);
   const SurfaceParticles& p = world.w.surface.particles;
   Bins bins;
   fillBins(p.position.data(), p.owned, 0.1, bins);
-  projectOutOfWalls(world.w, bins);
+  projectOutOfWalls(surfaceView(world.w), bins);
   for (std::size_t i = 0; i < f.owned; i++) EXPECT_GT(f.position[i].z, -0.01);
   EXPECT_LT(deepest(world.w), 0.05);
 }

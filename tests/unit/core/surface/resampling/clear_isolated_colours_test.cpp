@@ -32,7 +32,7 @@ struct Sheet : SurfelRig {
       }
     placeRows(world.surface.grid, ranks->halos().surfels, surfels(), world.surface.surfelCells, tools.sort);
   }
-  void clear() { clearIsolatedColours(world, ranks->halos(), tools); }
+  void clear() { clearIsolatedColours(world.scene, world.surface, ranks->halos(), tools); }
   std::vector<std::uint32_t> colours() {
     return {surfels().colour.data(), surfels().colour.data() + surfels().owned};
   }
@@ -84,7 +84,7 @@ TEST(ClearIsolatedColours, BirthsHaveTheMeanColourOfTheirNeighbours) {
     r.colour = 0x010203;
     rows.push_back(r);
   }
-  inheritColours(half.world, half.ranks->halos(), half.tools, rows);
+  inheritColours(half.world.scene, half.world.surface, half.ranks->halos(), half.tools, rows);
   EXPECT_EQ(rows[0].colour, red);
   EXPECT_EQ(rows[1].colour, blue);
   for (int c = 0; c < 3; c++)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/simulation/world/views.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {
@@ -30,7 +31,7 @@ TEST(Resample, FillsABallFromOneCap) {
   };
   for (int k = 0; k < 100 && !r.finished; k++) {
     rig.world.clock.step++;
-    r = thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 2, near);
+    r = thaw::resample(surfaceView(rig.world), rig.ranks->halos(), rig.tools, 2, near);
     for (std::size_t i = 0; i < rig.surfels().owned; i++) {  // as the implicit force does
       Vec3d& n = rig.surfels().normal[i];
       n = rig.surfels().position[i] = normalized(rig.surfels().position[i]);
@@ -113,7 +114,7 @@ TEST(Resample, BirthsOfACallAreCappedAndCounted) {  // B18
   };
   const auto call = [&] {
     rig.world.clock.step++;
-    return thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 200, square);
+    return thaw::resample(surfaceView(rig.world), rig.ranks->halos(), rig.tools, 200, square);
   };
   const Resampled first = call();
   std::printf("cap: %lld of at most %lld births in the first call\n", static_cast<long long>(first.births),
@@ -215,7 +216,7 @@ TEST(Resample, SeparateTableOfFewOpenSurfelsGivesTheSameBits) {
       return true;
     };
     std::fill_n(rig.surfels().resampleMargin.data(), rig.surfels().owned, 0.0f);
-    births[apart] = thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 30, near).births;
+    births[apart] = thaw::resample(surfaceView(rig.world), rig.ranks->halos(), rig.tools, 30, near).births;
     EXPECT_EQ(rig.tools.activeSet.rows.empty(), !apart);  // the separate table was used
     EXPECT_FALSE(rig.tools.activeSet.taken);
     const Surfels& s = rig.surfels();

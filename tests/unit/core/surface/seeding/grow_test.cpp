@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/simulation/world/views.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/measures/measure.hpp"
 #include "core/surface/seeding/drop_sphere.hpp"
@@ -37,7 +38,7 @@ TEST(Grow, CoversABallOfParticlesWithoutAHole) {
   SurfelRig rig(surfelScene(0.05));
   const double R = 0.8;
   addParticles(rig, R);
-  growBodies(rig.world, rig.ranks->halos(), rig.tools);
+  growBodies(surfaceView(rig.world), rig.ranks->halos(), rig.tools);
   const Surfels& s = rig.surfels();
   double farthest = 0, inward = 0;
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -78,7 +79,7 @@ TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
     const double R = std::cbrt(0.75e-3 * static_cast<double>(n) / 3.14159265358979);
     for (int update = 0; update < 2; update++) {  // a new surface in each update
       measureComponents(rig.world.surface, rig.ranks->halos().all);
-      renewSurfels(rig.world, rig.ranks->halos(), rig.tools);
+      renewSurfels(surfaceView(rig.world), rig.ranks->halos(), rig.tools);
       const Surfels& s = rig.surfels();
       EXPECT_GE(s.owned, 24u);
       EXPECT_LE(s.owned, 80u);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/simulation/world/views.hpp"
 #include "core/surface/advection/gather_particles.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/update_components.hpp"
@@ -89,11 +90,11 @@ TEST(NarrowGaps, ShellOfTwoLayersKeepsItsSurface) {  // the colour field never r
 TEST(NarrowGaps, AreGapsOfSolidsBelowTheFieldsResolution) {
   const auto gaps = [](const Scene& s) {
     SurfaceWorld world(s);
-    gatherParticles(world.w, 0);
-    labelParticles(world.w, world.ranks->halos(), world.tools);
+    gatherParticles(surfaceView(world.w), 0);
+    labelParticles(surfaceView(world.w), world.ranks->halos(), world.tools);
     world.tools.relax.particlesPrepared = false;
-    prepareParticles(world.w, world.ranks->halos(), world.tools);
-    return findNarrowGaps(world.w, world.tools.relax.particleBins, world.all);
+    prepareParticles(world.w.scene, world.w.surface, world.ranks->halos(), world.tools);
+    return findNarrowGaps(world.w.scene, world.w.surface, world.tools.relax.particleBins, world.all);
   };
   EXPECT_EQ(gaps(slotted(1)).solid.size(), 1u);
   EXPECT_EQ(gaps(slotted(2)).solid.size(), 1u);

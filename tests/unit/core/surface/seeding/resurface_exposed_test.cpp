@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/simulation/world/views.hpp"
 #include "core/surface/measures/measure.hpp"
 #include "core/surface/seeding/grow.hpp"
 #include "core/surface/update_components.hpp"
@@ -91,7 +92,7 @@ AwayFromFresh awayFromFresh(TornBar& torn, double inside) {
   }
   placeRows(fresh.world.surface.grid, fresh.ranks->particles, p, fresh.world.surface.particleCells,
             fresh.tools.sort);
-  growBodies(fresh.world, fresh.ranks->halos(), fresh.tools);
+  growBodies(surfaceView(fresh.world), fresh.ranks->halos(), fresh.tools);
   const Surfels &a = fresh.surfels(), &b = torn.w.surface.surfels;
   const auto farthest = [&](const Surfels& from, const Surfels& to) {
     double worst = 0;
@@ -106,7 +107,7 @@ AwayFromFresh awayFromFresh(TornBar& torn, double inside) {
     return worst;
   };
   AwayFromFresh away{farthest(a, b), farthest(b, a)};
-  measureSurface(fresh.world, fresh.ranks->halos(), fresh.tools);
+  measureSurface(surfaceView(fresh.world), fresh.ranks->halos(), fresh.tools);
   for (const SurfaceComponent& k : fresh.world.surface.components) away.open = std::max(away.open, k.open);
   return away;
 }
@@ -256,9 +257,9 @@ TEST(ResurfaceExposed, ChipOfSixParticlesGetsASurface) {
   }
   placeRows(rig.world.surface.grid, rig.ranks->particles, p, rig.world.surface.particleCells, rig.tools.sort);
   measureComponents(rig.world.surface, rig.ranks->halos().all);
-  renewSurfels(rig.world, rig.ranks->halos(), rig.tools);
-  resampleOnParticles(rig.world, rig.ranks->halos(), rig.tools, 10);
-  resurfaceExposed(rig.world, rig.ranks->halos(), rig.tools);
+  renewSurfels(surfaceView(rig.world), rig.ranks->halos(), rig.tools);
+  resampleOnParticles(surfaceView(rig.world), rig.ranks->halos(), rig.tools, 10);
+  resurfaceExposed(surfaceView(rig.world), rig.ranks->halos(), rig.tools);
   EXPECT_GT(rig.surfels().owned, 20u);
 }
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a run that an update of the surface uses.
+#pragma once
+#include "core/neighbours/grid.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/modules.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solid/data/solids.hpp"
+#include "core/surface/data/surface.hpp"
+#include "core/time/clock.hpp"
+#include "core/walls/walls.hpp"
+
+namespace thaw {
+
+/// References to the data of a run on one rank. Made by surfaceView (core/simulation/world/views.hpp), and
+/// valid as long as that data.
+struct SurfaceView {
+  const Scene& scene;
+  const Modules& modules;
+  const CellGrid& grid;  ///< cells of the particles; the surface has its own grid
+  const Walls& walls;
+  const Clock& clock;
+  Continuum& particles;
+  Solids& solids;
+  Surface& surface;
+};
+
+}  // namespace thaw
