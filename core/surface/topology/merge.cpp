@@ -153,7 +153,7 @@ void classifySurfel(const World& w, std::uint32_t i, const Joined& joined, Compo
     if (side.discsUsed < leastDiscs) continue;
     if (joined.of(side.component) == joined.of(f.component[i])) {
       if (side.distance < 0.5 * s.spacing) c.dead[i] = 1;
-      // beside deleted surfels
+      // Resampling inspects surfels next to deleted ones.
       if (side.distance < 3 * s.spacing) t.open[i] |= Disturbed;
     } else if (side.distance < 0) {
       t.open[i] |= Disturbed;
