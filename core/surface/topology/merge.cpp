@@ -60,8 +60,8 @@ double particleContactReach(const World& w) {
   return std::min(w.surface.particleSupport, std::max(2 * w.scene.spacing, 4 * w.surface.spacing));
 }
 
-/// Returns the range (m) in which surfels detect other surfaces. It is shorter, since particles of two bodies
-/// keep a spacing apart. classifyJoining handles deeper surfels.
+/// Returns the range (m) in which surfels detect other surfaces. It is shorter than that of particles, which
+/// stay a spacing apart in contact. classifyJoining handles deeper surfels.
 double surfelContactReach(const World& w) {
   return std::min(w.surface.particleSupport, std::max(w.scene.spacing, 4 * w.surface.spacing));
 }
