@@ -122,7 +122,7 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   return m;
 }
 
-/// Bytes to receive at once after a message of this size: at most one piece, since the number of pieces of
+/// Bytes to receive at once after a message of this size: at most one chunk, since the number of chunks of
 /// the next message is unknown.
 std::size_t MpiCellHalo::roomFor(std::size_t bytes) const { return std::min(withRoom(bytes), comm_.chunk()); }
 
@@ -139,7 +139,7 @@ void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColum
   for (Neighbour& n : neighbours_) sendGhosts(n, cells);
 }
 
-// Both ends know the receiver's buffer size. A larger message is announced by its head and sent afterwards.
+// Both ends store the receiver's buffer size. Of a larger message, the head is sent first, then all of it.
 void MpiCellHalo::sendGhosts(Neighbour& n, const CellTable& cells) {
   CellCopies& c = n.copies;
   listCopies(grid_, cells, boundary_, c);

@@ -36,7 +36,7 @@ class MpiSession {
   int exceptions_;
 };
 
-/// Largest piece of a message, and largest number of elements in a reduction: MPI counts in 32 bits.
+/// Largest chunk of a message, and largest number of elements in a reduction: MPI counts in 32 bits.
 inline constexpr std::size_t largestChunk = std::size_t{1} << 30;
 inline constexpr std::size_t smallestChunk = 64;
 
@@ -44,7 +44,7 @@ inline constexpr std::size_t smallestChunk = 64;
 /// traffic.
 class Communicator {
  public:
-  /// piece: bytes of the largest piece of a message (64 B to 1 GiB; small ones are for tests), equal on all
+  /// chunk: largest number of bytes sent at once (64 B to 1 GiB; small values are for tests), equal on all
   /// ranks.
   explicit Communicator(MPI_Comm from = MPI_COMM_WORLD, std::size_t chunk = largestChunk)
       : chunk_(std::clamp(chunk, smallestChunk, largestChunk)) {

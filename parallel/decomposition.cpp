@@ -109,7 +109,7 @@ Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
   return best;
 }
 
-/// Number of cells in a piece of a message. Each full piece is followed by another, possibly empty one.
+/// Number of cells in a chunk of a message. A full chunk is followed by another one, which may be empty.
 std::size_t cellsPerChunk(const Group& g) { return g.all->chunk() / sizeof(WeightedCell); }
 
 std::vector<MPI_Request> sendCells(const Group& g, const std::vector<WeightedCell>& give, int to) {

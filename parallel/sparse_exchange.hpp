@@ -34,8 +34,8 @@ class ReceiveBuffer {
 
 /// Sends each non-empty message; `in` receives all incoming ones, ascending by sender (several from one
 /// sender in sending order). Messages to the own rank are allowed. kind: a distinct number per use, equal on
-/// all ranks. Messages may have any length: those longer than Communicator::piece are sent in pieces, each
-/// full one followed by another, possibly empty one. Collective over the communicator.
+/// all ranks. Messages may have any length. Those longer than Communicator::chunk are sent in chunks; a full
+/// chunk is always followed by another one, which may be empty. Collective over the communicator.
 void sparseExchange(const Communicator& comm, std::span<const Message> out, ReceiveBuffer& in, int kind,
                     MessagesFor purpose);
 

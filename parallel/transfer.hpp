@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages of any length between two ranks with known length: MPI counts bytes in 32 bits, so long ones are
-// split into pieces. Pieces of one tag between two ranks arrive in order.
+// Messages between two ranks that both know the length. MPI counts bytes in 32 bits, so long messages are
+// split into chunks. Chunks of one tag between two ranks arrive in order.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// Starts sending; the bytes must stay valid until finishAll(requests). Requests are appended. Each piece
+/// Starts sending; the bytes must stay valid until finishAll(requests). Requests are appended. Each chunk
 /// counts as one message.
 void startSend(const Communicator& comm, const std::byte* from, std::size_t bytes, int to, int tag,
                MessagesFor purpose, std::vector<MPI_Request>& requests);

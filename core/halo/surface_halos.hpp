@@ -10,7 +10,7 @@ namespace thaw {
 class RowScatter {
  public:
   virtual ~RowScatter() = default;
-  /// Sets here[row] = values[k] on rank home[k] >> 32, row home[k] & 0xffffffff. Collective.
+  /// Sets here[row] = values[k] on rank source[k] >> 32, row source[k] & 0xffffffff. Collective.
   virtual void scatterBack(std::span<const std::uint64_t> source, std::span<const std::uint64_t> values,
                            std::span<std::uint64_t> here) = 0;
 };

@@ -12,7 +12,7 @@ namespace thaw {
 /// advised to use these: with 4 kB pages, TLB misses cost several percent of a step over a million particles.
 void* allocateAligned(std::size_t bytes);
 void freeAligned(void* block, std::size_t bytes);
-/// Returns freed memory that the allocator caches to the system, where the platform supports it. Call it
+/// Gives freed memory, which the allocator caches, back to the system where the platform supports it. Call it
 /// after set-up: a running simulation does not need that memory again.
 void trimFreedMemory();
 

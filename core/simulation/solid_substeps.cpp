@@ -102,7 +102,7 @@ void chooseSubsteps(World& w, const StepTools& t, double longest) {
   const int before = c.substeps, most = w.modules.mostSubsteps;
   const double step = nextStep(c), wanted = std::ceil(step / longest * (1 - 1e-9));
   c.substeps = wanted < most ? std::max(1, static_cast<int>(wanted)) : most;
-  // A smaller number pays only if it lasts: a fluctuating number of substeps pumps energy into fast
+  // The number decreases only if it will stay small: a fluctuating number of substeps pumps energy into fast
   // oscillations, like fluctuating steps.
   if (c.substeps < before && before <= most && 1.1 * step > (before - 1) * longest) c.substeps = before;
   if (c.substeps == before) return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contribution of a wall to the sums of a particle at a distance d, tabulated over d / h, in units of the
-// support radius h. Walls have no particles: a smooth wall counts as layers of particles, half a spacing and
-// whole spacings below its surface, each averaged over its plane. A particle half a spacing from a wall thus
-// has the same relative density as one inside the lattice; an integral over the half-space would miss that by
+// support radius h. Walls have no particles. A smooth wall is represented by planes of smeared particles, at
+// half a spacing and then at whole spacings below its surface. A particle half a spacing from a wall thus has
+// the same relative density as one inside the lattice. An integral over the half-space would differ by
 // several per cent.
 #pragma once
 #include <vector>
@@ -52,7 +52,7 @@ WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 /// at half a spacing, and push times 2 relativeDensity / relativeDensity_0. At half a spacing the relative
 /// density is unchanged and the push is twice the wall's own, as if the wall had the liquid's pressure. This
 /// balances a uniform pressure, which the plain push does not. The push remains the derivative of the
-/// relative density, so static walls do no work. Doubling the push alone makes water at rest boil.
+/// relative density, so static walls do no work. Doubling the push alone would make water at rest unstable.
 WallIntegrals forLiquids(const WallIntegrals& wall, double filling0);
 
 /// Distance in spacings below which the contribution for liquids continues along its tangent. The unlimited

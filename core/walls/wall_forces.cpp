@@ -13,9 +13,9 @@
 namespace thaw {
 namespace {
 
-/// Limits a decay rate (1/s) for a step dt: unchanged up to a decay of half in a step, smaller beyond, so
-/// that it never overshoots. The average over the step, (1 - exp(-r dt)) / dt, is too low by r dt / 2, since
-/// the neighbours' forces are not averaged: a tenth, in effect slip.
+/// Limits a decay rate r (1/s) for a step dt: unchanged up to r dt = 1/2, smaller beyond, so that it never
+/// overshoots. The average over the step, (1 - exp(-r dt)) / dt, would be too low by a fraction r dt / 2,
+/// about a tenth, since the neighbours' forces are not averaged; the liquid would slip.
 double overStep(double r, double dt) {
   const double share = r * dt;
   return share > 0.5 ? (1 - 0.5 * std::exp(1 - 2 * share)) / dt : r;
@@ -45,8 +45,8 @@ struct ParticleAtWall {
 };
 
 /// Force (N) along the normal: the wall's part of the hydrostatic pressure gradient. The wall's push uses the
-/// particle's own pressure, but behind the wall the pressure rises by the liquid's weight. The part is
-/// that of the wall in the particle's moment. 0 without positive pressure, as in falling drops.
+/// particle's own pressure, but behind the wall the pressure rises by the liquid's weight. The part is the
+/// wall's share of the particle's moment. 0 without positive pressure, as in falling drops.
 double hydrostaticWallForce(const Scene& scene, const ParticleAtWall& at, double pressure,
                             double momentShare) {
   constexpr double depth = 0.25;  // spacings of pressure head; the force fades below it

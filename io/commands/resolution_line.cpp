@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t mostBodies = 6;  // bodies listed one by one
 
-/// Does an override set a spacing or the quality?
+/// Returns whether an override sets a spacing or the quality.
 bool isOfResolution(const std::string& override) {
   std::string key = override.substr(0, override.find('='));
   while (!key.empty() && key.back() == ' ') key.pop_back();

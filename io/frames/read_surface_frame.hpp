@@ -25,7 +25,7 @@ struct SurfaceFrame {
   const FrameColumn* find(const std::string& name) const;
 };
 
-/// Does a frame have the fields of surfels: `normal` with 3 components and `radius`?
+/// Returns whether a frame has the fields of surfels: `normal` with 3 components and `radius`.
 bool isSurfaceFrame(const FrameInfo& info);
 
 /// Reads a frame of surfels. wanted: selects the other fields; an empty function selects all. Throws IoError

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace thaw {
 namespace {
 
-/// Is a name NAME_<six or more digits>.hdf, followed by ".part" if `part` is true?
+/// Returns whether a name is NAME_<six or more digits>.hdf, followed by ".part" if `part` is true.
 bool isFrameName(const std::string& file, const std::string& scene, bool part) {
   const std::string end = part ? ".hdf.part" : ".hdf";
   if (file.size() < scene.size() + 7 + end.size() || file.compare(0, scene.size() + 1, scene + "_") != 0 ||

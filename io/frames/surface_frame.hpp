@@ -14,7 +14,7 @@ std::string surfaceName(const std::string& scene);
 /// green, blue.
 Frame surfaceFrameOf(const World& world);
 
-/// Are the points of a frame surfels?
+/// Returns whether the points of a frame are surfels.
 bool isSurfaceFrame(const H5File& file);
 
 }  // namespace thaw

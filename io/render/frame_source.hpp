@@ -17,8 +17,8 @@ enum class FrameKind { Automatic, Particles, Surface, Oriented, Sheet };
 
 /// Returns the frames at `path`, in order of time: a frame file (.hdf), a series index (.hdf.series), or a
 /// folder (a run's folder or its frames/). In a folder the index defines the frames; without an index all
-/// .hdf files count, by name. Surface frames without an index of their own always count. Throws IoError with
-/// the path if there are none of this kind.
+/// .hdf files count, by name. Surface frames whose index is missing count as well. Throws IoError with the
+/// path if there are none of this kind.
 std::vector<std::filesystem::path> findFrames(const std::filesystem::path& path,
                                               FrameKind kind = FrameKind::Automatic);
 

@@ -11,7 +11,7 @@
 
 namespace thaw {
 
-/// Mesh data, one element per vertex; values may be empty (then colours are used).
+/// Mesh data, one element per vertex. If values are empty, colours are used.
 struct DrawnMesh {
   std::span<const Vec3f> positions;  ///< m
   std::span<const std::array<std::uint32_t, 3>> triangles;

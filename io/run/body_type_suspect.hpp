@@ -11,8 +11,8 @@
 namespace thaw {
 
 /// Returns the failed check and "oriented particle 17 of 'skin' at (x, y, z) m has ..." on the rank that owns
-/// the row, "" on the others. Names the row whose position or velocity is not finite. Names the fastest one
-/// without continuum, or if the body type limits the step. Returns "" if no row of these types failed.
+/// the row, "" on the others. Names the row whose position or velocity is not finite. In scenes without
+/// continuum, or if the body type limits the step, it names the fastest row. Returns "" if no row failed.
 /// Collective; the same row on any number of ranks.
 std::string bodyTypeSuspect(const World& world, const StepTools& tools, const StepOutcome& failed,
                             Reducer& all);

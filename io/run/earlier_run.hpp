@@ -7,7 +7,7 @@ namespace thaw {
 
 inline constexpr const char* earlierRunFolder = "previous";
 
-/// Does the folder hold frames or checkpoints of a run?
+/// Returns whether the folder holds frames or checkpoints of a run.
 bool holdsRun(const std::string& out);
 
 /// Moves frames, checkpoints, pictures, logs and the summary of `out` to out/previous, and removes its old

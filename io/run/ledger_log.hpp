@@ -13,12 +13,12 @@ std::string ledgerLogPath(const std::string& out);
 /// Starts a new log with its header. First rank only. Throws IoError.
 void beginLedgerLog(const std::string& out);
 
-/// Drops rows after `step` and an incomplete last line, at a rollback or restart. Starts a log anew that is
+/// Removes rows after `step` and an incomplete last line, at a rollback or restart. Begins a new log if it is
 /// missing or has other columns. First rank only. Throws IoError.
 void truncateLedgerLog(const std::string& out, std::int64_t step);
 
-/// Is a row due for the step from the time `before` (s) to now? Requires: the frames of now are not written
-/// yet.
+/// Returns whether a row is due for the step from the time `before` (s) to now. Requires: the frames of now
+/// are not written yet.
 bool ledgerRowDue(const World& world, double before);
 
 /// Writes a row. Requires: forces of the current positions. Collective.

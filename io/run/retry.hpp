@@ -9,8 +9,8 @@ namespace thaw {
 /// Takes the first snapshot after a start or restart, or finds the one on disk to which a retry goes back.
 void beginRetries(Run& run);
 
-/// Is a snapshot due? Snapshots are at multiples of Numerics::retryEvery, which depend neither on ranks nor
-/// on clocks.
+/// Returns whether a snapshot is due: in steps that are multiples of Numerics::retryEvery. Neither ranks nor
+/// clocks matter.
 bool snapshotDue(const Run& run);
 
 /// Checks the ledger when a snapshot is due; acceptSnapshot then takes the snapshot. Frames may be written
@@ -18,8 +18,8 @@ bool snapshotDue(const Run& run);
 Failure checkLedgerOf(Run& run);
 void acceptSnapshot(Run& run);
 
-/// May a checkpoint be written now without a snapshot beside it? Periodic checkpoints are delayed until it
-/// may.
+/// Returns whether a checkpoint needs no separate snapshot: without retries, or at the step of the last
+/// snapshot. Periodic checkpoints are delayed until then.
 bool atSnapshot(const Run& run);
 
 /// Writes the snapshot beside the checkpoint of a run that stops after it, unless it is on disk.

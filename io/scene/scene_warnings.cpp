@@ -18,7 +18,7 @@ std::string at(const SourcePlace& where) {
              : where.file;
 }
 
-/// Is a body neither a curve nor points in one plane y = constant?
+/// Returns whether a body is neither a curve nor points in one plane y = constant.
 bool isNotPlanar(const OrientedBody& b) {
   if (b.source == OrientedSource::Curve) return false;
   if (b.source != OrientedSource::Points) return true;

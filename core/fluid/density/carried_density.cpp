@@ -36,8 +36,8 @@ std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint3
   return {begin, end};
 }
 
-/// Slope of the wall's part of the relative density at a distance (m), times h. It is that of the wall's
-/// pressure force (wall_forces.cpp), so that force and density rate are adjoint.
+/// Slope of the wall's part of the relative density at a distance (m), times h. The wall's pressure force
+/// (wall_forces.cpp) has the same slope, so force and density rate are adjoint.
 double wallSlope(const CarryContext& x, const WallContact& c, double distance) {
   return x.perLatticeSum * x.wallTables(distance / x.grid.support).push * c.share;
 }
@@ -66,7 +66,7 @@ Vec3d alongWallsOf(const void* context, std::uint32_t row, Vec3d velocity) {
   return alongWalls(velocity, contactsOf(x.wallContacts, row), x.scene.spacing);
 }
 
-/// True in steps that note the summed densities.
+/// Returns whether this step stores the summed densities.
 bool notesSums(const CarryContext& x) {
   constexpr std::int64_t everySteps = 16;
   return x.dt == 0 || x.clock.step % everySteps == 0;

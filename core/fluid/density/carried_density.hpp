@@ -46,12 +46,12 @@ void beginCarry(const CarryContext& context);
 /// Input and output for the density sums; it refers to the context.
 CarryStep carryStepOf(const CarryContext& context);
 
-/// After the density sums: resets particles without liquid nearby, and notes the summed densities that later
-/// checks need.
+/// Ends the step of carried densities after the density sums: resets particles without liquid nearby, and
+/// stores the summed densities that later checks need.
 void finishCarry(const CarryContext& context);
 
-/// Shifting with a summed density: inside, from crowded to empty places. Not at a free surface, where the
-/// gradient is its normal.
+/// Sets shifting velocities with summed densities: inside the liquid, down the concentration gradient. At a
+/// free surface, where the gradient is along its normal, they are zero.
 void shiftInside(const CarryContext& context);
 
 }  // namespace thaw

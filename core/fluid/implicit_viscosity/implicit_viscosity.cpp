@@ -212,9 +212,9 @@ bool iterate(Solver& s) {
   return !(now.excess > 0);
 }
 
-/// Adds the forces for the solution and records their energies. The kick ends where these forces lead, not at
-/// the last iterate: the pairs dissipate at the midpoint of the kick to the solution, and the residual
-/// accounts for the rest.
+/// Adds the forces for the solution and records their energies. The kick ends at the velocity that these
+/// forces give, which differs from the last iterate by the solver's residual. Pairs dissipate at the midpoint
+/// of the kick to the iterate; the work of the difference is recorded as well.
 void addForces(Solver& s) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;

@@ -5,16 +5,16 @@
 
 namespace thaw {
 
-/// Packs 1/m (1/kg) of rows [0, rows) into state.c, 0 for clamped and driven particles. It replaces the
-/// temperature, which is no longer needed.
+/// Packs 1/m (1/kg) of rows [0, rows) into pressurePhaseHeat.c, 0 for clamped and driven particles. It
+/// replaces the temperature, which is no longer needed.
 void packMobility(const RecordContext& context, const Continuum& particles, std::size_t rows,
                   PairRecords& records);
 
-/// Packs Continuum::trialPressure of rows [begin, end) into state.a.
+/// Packs Continuum::trialPressure of rows [begin, end) into pressurePhaseHeat.a.
 void packTrialPressure(const RecordContext& context, const Continuum& particles, std::size_t begin,
                        std::size_t end, PairRecords& records);
 
-/// Packs Continuum::trialVelocity of rows [begin, end) into motion.
+/// Packs Continuum::trialVelocity of rows [begin, end) into velocityViscosity.
 void packTrialVelocity(const RecordContext& context, const Continuum& particles, std::size_t begin,
                        std::size_t end, PairRecords& records);
 

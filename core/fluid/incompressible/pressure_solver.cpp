@@ -53,8 +53,8 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
     if (mayPull)
       filled = std::max(filled, 0.0);  // tension keeps gaps from growing; closing those of a free surface
                                        // would tear it apart
-    // Half-molten particles get a spring beside the constraint. Its stiffness gives a single particle the
-    // pressure of a liquid times its liquid fraction.
+    // Half-molten particles also get a spring. Its stiffness gives a single particle the pressure of a liquid
+    // times its liquid fraction.
     const double e = (filled > 0 ? goal.share * filled : filled) + goal.dt * work.rate[i] -
                      (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;

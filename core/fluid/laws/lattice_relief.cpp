@@ -4,7 +4,7 @@
 namespace thaw {
 namespace {
 
-/// Share of the force that is taken away. With 1 nothing keeps the particles evenly spaced.
+/// Share of the force that is removed. With 1 no force keeps the particles evenly spaced.
 constexpr double reliefShare = 0.65;
 /// Share of solid neighbours at which half of the force acts: a distance of 0.95 support radii. It bounds the
 /// force of pairs that come closer within half a step.

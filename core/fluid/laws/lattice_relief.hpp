@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Liquid slips along solids.
+// Reduced pressure of liquid next to solids, so that its first layers slip along the solid.
 #pragma once
 #include "core/math/vec3.hpp"
 
@@ -15,9 +15,9 @@ struct ReliefInput {
 };
 
 /// Force (N) on the particle from all its solid neighbours (Continuum::relief). Equal pressures push
-/// particles of a liquid to evenly spaced places, and so keep the first layers on the particles of a solid.
-/// The force of the mean pressure p_i on liquid beside a solid, -2 p_i V_i grad C_i, is reduced by a fixed
-/// share. The solid's particles receive the opposite force.
+/// particles to evenly spaced places, which binds the first layers of a liquid to the particles of a solid.
+/// Next to a solid, a fixed share of the force of the particle's own pressure, -2 p_i V_i grad C_i, is
+/// therefore removed. The solid's particles receive the opposite force.
 Vec3f latticeRelief(const ReliefInput& input);
 
 }  // namespace thaw

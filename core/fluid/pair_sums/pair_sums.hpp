@@ -46,10 +46,10 @@ struct PairSums {
   bool viscous = true;          ///< forces include viscosity; false if it is solved implicitly
   ViscousWeight viscousWeight;  ///< for the pairwise form
   bool printedTension = false;  ///< colour field as in K05 instead of pair cohesion
-  /// One liquid (Modules::uniform) has no state records. The fourth value of motion is the pressure term.
-  /// With heat it is the temperature, and the fourth value of place becomes the pressure term. With a carried
-  /// density it is the compression until the pressure is packed. A negative volume marks the free surface.
-  /// Forces overwrite their results; the other terms add to them.
+  /// One liquid (Modules::uniform) has no pressurePhaseHeat records. The fourth value of velocityViscosity is
+  /// the pressure term. With heat it is the temperature, and the fourth value of positionVolume becomes the
+  /// pressure term. With a carried density it is the compression until the pressure is packed. A negative
+  /// volume marks the free surface. Forces overwrite their results; the other terms add to them.
   bool uniform = false;
   double volume = 0;                                       ///< V0 / h^3 of all particles of that liquid
   double viscosity = 0, conductivity = 0, artificial = 0;  ///< for that liquid: Pa s, W/(m K), Pa s; 0: no
@@ -57,8 +57,7 @@ struct PairSums {
   bool heat = false;                                       ///< forces include heat conduction
   double conductionScale = 1;       ///< factor of heat conduction (kernels/lattice.hpp)
   double support = 0;               ///< h, m
-  double relativeDensityScale = 0;  ///< h^-3 over the lattice sum: relative density is 1 on the lattice of
-                                    ///< the scene
+  double relativeDensityScale = 0;  ///< 1/m^3, StepTools::perLatticeSum / h^3
   double selfExcess = 0;  ///< subtracted from a particle's relative density, per V0 / h^3 of its own
   const void* positionVolume = nullptr;     ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3
                                             ///< with the printed pressure)
@@ -82,7 +81,8 @@ struct PairSums {
                                                    ///< surface energy with respect to gradient and colour, Pa
   Vec3d* surfaceGradient = nullptr;                ///< 1 (overwritten)
   double* surfaceColour = nullptr;                 ///< 1 (overwritten)
-  /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: diagonal is zz xy xz yz; place has xx, motion yy.
+  /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: pressureDiagonal is zz xy xz yz; the fourth value
+  /// of positionVolume is xx, that of velocityViscosity yy.
   const void *pressureDiagonal = nullptr, *pressureOffDiagonal = nullptr;
   bool carried = false;                    ///< liquids carry their density
   const CarryStep* carry = nullptr;        ///< with `carried`: density sums advance the carried densities

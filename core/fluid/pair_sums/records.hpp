@@ -19,7 +19,8 @@ struct MaterialParameters {
 
 /// Records of all rows and the dummy row behind them; bytes, because they are float or double.
 struct PairRecords {
-  AlignedVector<std::byte> fixed;  ///< fixed-point positions and V0 / h^3, float: place in single precision
+  AlignedVector<std::byte> fixed;  ///< fixed-point positions and V0 / h^3, float; positionVolume of single
+                                   ///< precision
   AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePosition)
   AlignedVector<std::byte> positionVolume, velocityViscosity, pressurePhaseHeat, surface, pressureDiagonal,
       pressureOffDiagonal, surfaceEnergyDerivatives;
@@ -27,9 +28,9 @@ struct PairRecords {
   std::vector<MaterialParameters> constant;  ///< by material, if constant
 };
 
-/// Properties of the run for packing. With Modules::uniform there is no state, and motion holds the pressure
-/// term instead of the viscosity. With heat it holds the temperature, and place holds the pressure term
-/// instead of the volume after the density sums.
+/// Properties of the run for packing. With Modules::uniform there is no pressurePhaseHeat, and
+/// velocityViscosity holds the pressure term instead of the viscosity. With heat it holds the temperature;
+/// after the density sums positionVolume then holds the pressure term instead of the volume.
 struct RecordContext {
   const Scene& scene;
   const Modules& modules;
@@ -49,9 +50,9 @@ void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& 
 /// Compression energy (J) of a particle with liquid fraction f. With a carried density f is ignored.
 double compressionOf(const RecordContext& context, const Continuum& particles, std::size_t row, double f);
 
-/// Packs the pressure of rows [begin, end) from their relative density into the state records, with the
-/// printed pressure form also the volume V0 over relative density. Adds the compression energy of owned rows
-/// to Continuum::interaction, except for one liquid (Modules::uniform), where it is computed on demand
+/// Packs the pressure terms of rows [begin, end) from their relative density. The printed pressure form also
+/// packs the volume V0 over relative density. Adds the compression energy of owned rows to
+/// Continuum::interaction, except for one liquid (Modules::uniform), where it is computed on demand
 /// (core/simulation/sums/stored_energy.hpp).
 void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end,
                   PairRecords& records);

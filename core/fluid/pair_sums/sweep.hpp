@@ -9,12 +9,14 @@
 namespace thaw {
 namespace THAW_ISA {
 
-/// Groups that a sum covers. Wet: cells around the group contain liquid. Dry groups add nothing to sums over
-/// liquid.
+/// Groups that a sum covers. Fluid: cells around the group contain liquid. NonFluid groups add nothing to
+/// sums over liquid.
 enum class Groups { All, Fluid, NonFluid };
 
-/// Term: Data load(const uint32_t entries[8]) const; struct Sum; pair(own, other, entries, sum) const;
-/// finish(rows, own, sum, dummy).
+/// Sums a term over the neighbours of all groups in `range`. A Term has structs Data and Sum, and:
+/// - load(entries): the data of eight rows; entries are twice the rows, the record offsets of loadListed.
+/// - pair(own, other, entries, sum): adds one neighbour in each lane. Lanes of short lists get the dummy row.
+/// - finish(rows, own, sum, dummy): writes the sums. Lanes with rows[l] == dummy hold no particle.
 template<class Term>
 THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, Groups groups) {
   const std::uint32_t* const list = lists.list.data();

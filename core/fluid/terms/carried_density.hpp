@@ -76,7 +76,7 @@ struct CarriedDensity {
     Vector3<L> d, g, u;   ///< h, 1/h, m/s: difference of positions, V grad W, difference of velocities
     L w, slope, laplace;  ///< V W, V W' / q, V times the kernel of the Laplacian
   };
-  /// Sums that tell the free surface and adjacent solids.
+  /// Adds the sums from which the free surface and adjacent solids are found.
   THAW_INLINE void addSurface(const Data& j, const Vector3<L>& g, Sum& s) const {
     const L mark = Mixed ? j.pressurePhaseHeat.b : j.positionVolume.d;
     const typename L::Mask marked = mark < L(0.0);

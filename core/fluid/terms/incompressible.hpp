@@ -75,7 +75,7 @@ template<class Real, class Kernel> struct Impulse {
 };
 
 /// Parts of the diagonal: gradient of the relative density by the particle's own position (1/m), and sum_j
-/// |gradient by j's position|^2 / m_j (1/(m^2 kg)); 1/m_j is state.c.
+/// |gradient by j's position|^2 / m_j (1/(m^2 kg)); 1/m_j is pressurePhaseHeat.c.
 template<class Real, class Kernel> struct Response {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *pressurePhaseHeat;

@@ -11,10 +11,10 @@ namespace {
 
 /// Where all particles are liquid of one material (Modules::uniform), equals Forces (forces.hpp) with
 /// pairwise viscosity bit by bit, and Artificial (artificial_viscosity.hpp) to rounding.
-/// motion.d is the pressure term. With heat it is the temperature, and place.d is the pressure term: all
-/// particles have the same volume, and the temperature identifies the dummy row.
-/// Carried: place.d, motion.d and tensor hold the pressure tensor (forces.hpp); motion.d identifies the dummy
-/// row.
+/// velocityViscosity.d is the pressure term. With heat it is the temperature, which identifies the dummy row,
+/// and positionVolume.d is the pressure term, since all particles have the same volume.
+/// Carried: positionVolume.d, velocityViscosity.d and tensor hold the pressure tensor (forces.hpp);
+/// velocityViscosity.d identifies the dummy row.
 template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false> struct UniformForces {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *velocityViscosity, *tensor;

@@ -13,7 +13,7 @@ namespace thaw {
 
 /// Cubes that the surface does not cross, with the signed distance at their middle. They answer most queries
 /// far from the surface without testing a triangle, and bound the others. A cube is evaluated at the first
-/// query in it, so a rank pays only for its part of a body; the result does not depend on the order of
+/// query in it, so a rank evaluates only its part of a body. The result does not depend on the order of
 /// queries. Queries are safe from several threads.
 class DistanceOctree {
  public:

@@ -161,8 +161,8 @@ void addParticleContact(World& w, const SheetVelocities& now) {
     if (!pair.meet(i, j, m)) return;
     p.force[j] -= m.touch.force;
     p.interaction[j] += 0.5 * m.touch.energy;
-    // dissipation of both ends; includes half of the kick of this force, approximated by the last
-    // acceleration
+    // Dissipation of both ends, at the velocity after half of this kick, which the last acceleration
+    // approximates.
     p.dissipation[j] += dot(m.touch.dissipativeForce, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
     if (pair.heat) {
       p.heatFlow[j] -= m.heat;

@@ -18,9 +18,9 @@ struct WrapForce {
   Vec3<std::int64_t> units;
 };
 
-/// Surface cells of a body. Blocks of cells are assigned to ranks by a hash; a block's owner knows its
-/// surface and the ranks of its cells. All ranks know the bounding boxes of surface blocks, 56 bytes each:
-/// for 10^9 particles in a cube, 8 in a cell, about 23,000 of them, 1.3 MB.
+/// Surface cells of a body. A hash assigns blocks of cells to ranks; a block's owner stores its surface and
+/// the ranks of its cells. All ranks store the bounding boxes of surface blocks, 56 bytes each. 10^9
+/// particles in a cube, 8 in a cell, have about 23,000 such blocks: 1.3 MB.
 struct WrapSurface {
   struct Listed {
     WrapCell part;

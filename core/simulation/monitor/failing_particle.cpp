@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// Returns the quantity by which a particle is judged for this failure; the largest wins.
+/// Returns the quantity that this failure compares. The particle with the largest value is reported.
 double failureMeasure(const World& w, Failure failure, Limit limitedBy, std::size_t i) {
   const Continuum& p = w.particles;
   const bool solid = p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packing::Relaxed: particle positions without lattice directions.
+// Packing::Relaxed: a packing of particles without the directions of a lattice.
 #pragma once
 #include <memory>
 #include <vector>

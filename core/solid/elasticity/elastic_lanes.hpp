@@ -91,7 +91,7 @@ template<class Real> struct EightEnds {
   THAW_INLINE Vec3<T> displacement() const { return {first.a, first.b, first.c}; }
   THAW_INLINE Vec3<T> reference() const { return {first.d, second.a, second.b}; }
 };
-/// k and flux of eight rows.
+/// Hourglass stiffness k and flux Phi of eight rows (elastic.hpp).
 template<class Real> struct EightFluxes {
   Lanes<Real> k;
   Mat3<Lanes<Real>> flux;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reference data of bonds in the elastic step.
+// Updates the data that follow from the reference vectors of bonds, by group of slots.
 #include <algorithm>
 
 #include "core/solid/bonds/bond_entries.hpp"

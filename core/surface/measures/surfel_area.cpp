@@ -109,9 +109,9 @@ struct Candidate {
   bool operator<(const Candidate& o) const { return d2 != o.d2 ? d2 < o.d2 : id < o.id; }
 };
 
-/// Clips the cell by neighbours, nearest first, until the next cannot intersect it. With atEdges, neighbours
-/// across an edge clip at the intersection of the planes, else halfway like all. Returns whether neighbours
-/// lie across an edge.
+/// Clips the cell halfway to neighbours, nearest first, until the next cannot intersect it. With atEdges,
+/// neighbours across an edge clip at the intersection of both planes instead. Returns whether neighbours lie
+/// across an edge.
 bool clipCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, bool atEdges, Cell& cell) {
   bool edges = false;
   const Vec3d n = f.normal[i], e1 = normalized(f.tangent[i] - dot(f.tangent[i], n) * n), e2 = cross(n, e1);

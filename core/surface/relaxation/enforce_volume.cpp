@@ -52,8 +52,8 @@ double shareOf(const Surfels& f, std::size_t i, MovablePart what) {
                                        : 0;
 }
 
-/// Returns the change of volume per offset (m^2), from the last offset of this update if there was one. The
-/// free surface of a drop on a wall bends, which changes its volume by up to twice its area.
+/// Returns the change of volume per offset (m^2): measured at the last offset of this update, else the free
+/// area. A drop on a wall has up to twice its free area, since its surface bends.
 double areaMoved(double free, double volume, const VolumeMove& last) {
   constexpr double least = 0.25, most = 4;
   return last.by != 0 ? std::clamp((volume - last.volume) / last.by, least * free, most * free) : free;

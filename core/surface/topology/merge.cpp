@@ -60,8 +60,8 @@ double particleContactReach(const Scene& scene, const Surface& surface) {
   return std::min(surface.particleSupport, std::max(2 * scene.spacing, 4 * surface.spacing));
 }
 
-/// Returns the range (m) in which surfels detect other surfaces. It is shorter, since particles of two bodies
-/// keep a spacing apart. classifyJoining handles deeper surfels.
+/// Returns the range (m) in which surfels detect other surfaces. It is shorter than that of particles, which
+/// stay a spacing apart in contact. classifyJoining handles deeper surfels.
 double surfelContactReach(const Scene& scene, const Surface& surface) {
   return std::min(surface.particleSupport, std::max(scene.spacing, 4 * surface.spacing));
 }
@@ -156,7 +156,7 @@ void classifySurfel(const SurfaceView& w, std::uint32_t i, const Joined& joined,
     if (side.discsUsed < leastDiscs) continue;
     if (joined.of(side.component) == joined.of(f.component[i])) {
       if (side.distance < 0.5 * s.spacing) c.dead[i] = 1;
-      // beside deleted surfels
+      // Resampling inspects surfels next to deleted ones.
       if (side.distance < 3 * s.spacing) t.open[i] |= Disturbed;
     } else if (side.distance < 0) {
       t.open[i] |= Disturbed;

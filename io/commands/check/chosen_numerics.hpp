@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Does a key of [numerics] ("numerics.cfl_elastic") differ from its default? False for keys that are neither
-/// numbers nor choices.
+/// Returns whether a key of [numerics] ("numerics.cfl_elastic") differs from its default. False for keys that
+/// are neither numbers nor choices.
 bool isChosen(const std::string& key, const Numerics& numerics);
 
 }  // namespace thaw

@@ -13,8 +13,8 @@
 namespace thaw {
 namespace {
 
-/// Reference case of a part of the model; frontier.py has the same list. has: does the scene use this part?
-/// fits: does it also move as the case does, so that advice may follow from it?
+/// Reference case of a part of the model; frontier.py has the same list. has: whether the scene uses this
+/// part. fits: whether its motion is also like that of the case, so that the case's settings may be advised.
 struct ReferenceCase {
   const char* part;
   std::string cases;
@@ -33,8 +33,8 @@ bool isLiquid(const Scene& s, const Body& b) {
   return !m.canBeSolid() || m.liquidAtStart;
 }
 
-/// Is all liquid at most as fast as a fall through the domain? The suite has no liquid that is torn or spun
-/// from the start.
+/// Returns whether all liquid is at most as fast as a fall through the domain. The suite has no liquid that
+/// is torn or spun from the start.
 bool isGentle(const Scene& s) {
   const double size = length(s.domain.max - s.domain.min), most = fallSpeed(s.domain);
   double fastest = 0;
@@ -45,7 +45,7 @@ bool isGentle(const Scene& s) {
   return fastest <= most;
 }
 
-/// Does a box of liquid end at walls or periodic sides across gravity, so that it stays in place?
+/// Returns whether a box of liquid ends at walls or periodic sides across gravity, so that it stays in place.
 bool isConfined(const Scene& s, const Body& b) {
   if (b.shape.kind != ShapeKind::Box || !(b.shape.rotate == Vec3d{}) || b.shape.fitHeight || b.shape.bottom)
     return false;
@@ -59,7 +59,7 @@ bool isConfined(const Scene& s, const Body& b) {
   return true;
 }
 
-/// Is there liquid under gravity?
+/// Returns whether there is liquid under gravity.
 bool isHeavy(const Scene& s, const Modules& m) { return m.fluid && length(s.domain.gravity) > 0; }
 
 bool isAtRest(const Scene& s) {
@@ -89,7 +89,8 @@ const std::vector<ReferenceCase>& referenceCases() {
 
 std::string keyOf(const std::string& setting) { return setting.substr(0, setting.find('=')); }
 
-/// Can the scene use this setting? Contact of solids limits the step, so that substeps gain nothing.
+/// Returns whether the scene can use this setting. Contact of solids limits the step, so that substeps gain
+/// nothing.
 bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   if (keyOf(setting) == "numerics.elastic_substeps") return !m.contact;
   if (keyOf(setting) == "body.0.packing") return false;  // the scene determines the packing
@@ -129,7 +130,8 @@ struct Record {
 };
 using Records = std::map<std::string, Record>;
 
-/// Can two settings be combined? Keys of the equation of state have no effect with the incompressible solver.
+/// Returns whether two settings can be combined. Keys of the equation of state have no effect with the
+/// incompressible solver.
 bool together(const std::string& a, const std::string& b) {
   const auto solver = [](const std::string& s) { return s == "numerics.pressure_solver=incompressible"; };
   const auto ofState = [](const std::string& s) {

@@ -24,8 +24,8 @@ class SettingTrials {
   SettingTrials(const Communicator& comm, TriedScene scene);
   /// Steps of each run; 0: the scene is too large.
   int steps() const { return steps_; }
-  /// Returns "" if the scene with these settings ("key=value") runs as well as without, else the failure.
-  /// Returns no value if no time is left. Collective, the same result on all ranks.
+  /// Returns "" if the scene with these settings ("key=value") runs as well as without them, else the
+  /// failure. Returns no value if no time is left. Collective, the same result on all ranks.
   std::optional<std::string> failureOf(const std::vector<std::string>& settings);
 
  private:

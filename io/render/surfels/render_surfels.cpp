@@ -161,7 +161,8 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
   return out;
 }
 
-/// Returns clips for undivided discs, which end at edges; parts lie on the surface and need none.
+/// Returns clips for undivided discs, which end at edges. Parts of divided discs lie on the surface and need
+/// no clips.
 DiscClips clipsOfUndivided(const DrawnSurfels& s, const SplatDiscs& parts,
                            std::span<const std::uint8_t> seen) {
   std::vector<std::uint8_t> wanted(s.positions.size(), 0);

@@ -6,8 +6,8 @@
 
 namespace thaw {
 
-/// Drops the rows of steps beyond `step`. Starts the file anew with `head` (a line) if it does not begin with
-/// that.
+/// Removes the rows after `step`. Begins a new file with the line `head` if the present one has another first
+/// line.
 void truncateStepLog(const std::string& path, const std::string& head, std::int64_t step);
 
 }  // namespace thaw

@@ -37,7 +37,7 @@ Json countersJson(Counters counters) {
   return j;
 }
 
-/// Is a phase work and not waiting, so that load balancing can even it out?
+/// Returns whether a phase is work, which load balancing can even out, and not waiting.
 bool isWork(StepPhase p) {
   return p == StepPhase::Oriented || p == StepPhase::Sheet || p == StepPhase::Search ||
          p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Viscosity ||

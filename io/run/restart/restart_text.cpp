@@ -15,7 +15,8 @@ namespace {
 std::string firstOf(const std::string& key) { return key.substr(0, key.find('.')); }
 std::string lastOf(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
-/// Does a key belong to an event itself, "oriented.film.event.0.kind", and not to the shape of its region?
+/// Returns whether a key belongs to an event itself ("oriented.film.event.0.kind") and not to the shape of
+/// its region.
 bool isEventKey(const std::string& key) {
   std::size_t at = key.rfind('.');
   while (at != std::string::npos && at > 0 && std::isdigit(static_cast<unsigned char>(key[at - 1]))) at--;
@@ -34,8 +35,8 @@ RestartRecordText::RestartRecordText(const CheckpointValues& record) : record_(r
   words_["sheet mesh"] = sheetMeshWords();
 }
 
-/// Is a key a group and a name, as "material.wax", whose value is a place in a list? Keys of coefficients
-/// have a prefix.
+/// Returns whether a key is a group and a name, as "material.wax", whose value is a place in a list. Keys of
+/// coefficients have a prefix.
 bool RestartRecordText::named(const std::string& key) {
   const std::string group = firstOf(key);
   if (group.size() == key.size()) return false;

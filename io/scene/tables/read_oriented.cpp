@@ -86,7 +86,7 @@ void readField(TableReader& r, OrientedBody& b) {
   b.fields.push_back(std::move(f));
 }
 
-/// Is each piece of the stroke parallel to its direction?
+/// Returns whether each piece of the stroke is parallel to its direction.
 bool isParallelStroke(const OrientedEvent& e) {
   for (std::size_t k = 0; k + 1 < e.path.size(); k++) {
     const Vec3d piece = e.path[k + 1] - e.path[k];

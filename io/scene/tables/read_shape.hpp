@@ -10,7 +10,7 @@ void readShape(TableReader& reader, Shape& shape);
 /// Returns the keys of shapes, by ShapeKind.
 std::vector<std::string> shapeWords();
 
-/// Does a table have a key of a shape?
+/// Returns whether a table has a key of a shape.
 bool hasShape(const TableReader& reader);
 
 /// Refuses all keys of shapes.

@@ -21,7 +21,7 @@ struct Formula {
   Vec3d at{};
 };
 
-/// Returns the position of an '=' that is no comparison, or npos.
+/// Returns the position of the first '=' that is not part of a comparison, or npos.
 std::size_t assignmentIn(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); k++) {
     if (text[k] != '=') continue;
@@ -35,7 +35,7 @@ std::size_t assignmentIn(const std::string& text) {
 
 bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Does a text contain x, y or z as a word?
+/// Returns whether a text contains x, y or z as a word.
 bool namesPlace(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); k++)
     if (text[k] >= 'x' && text[k] <= 'z' && (k == 0 || !isWordCharacter(text[k - 1])) &&
@@ -44,7 +44,7 @@ bool namesPlace(const std::string& text) {
   return false;
 }
 
-/// Is a text an expression of numbers alone, as "1/3"?
+/// Returns whether a text is an expression of numbers alone, as "1/3".
 bool isArithmetic(const std::string& text) {
   return text.find_first_of("0123456789") != std::string::npos &&
          text.find_first_of("+-*/") != std::string::npos &&

@@ -19,7 +19,7 @@ struct Expression {
 /// Parses an expression with muParser. Never throws.
 Expression parseExpression(const std::string& text);
 
-/// Is a text meant as an expression, correct or not, and not as a quantity with a unit?
+/// Returns whether a text is meant as an expression, correct or not, and not as a quantity with a unit.
 bool looksLikeExpression(const std::string& text);
 
 /// Functions and constants of expressions, for the documentation.

@@ -18,7 +18,7 @@ std::string lineOf(const std::string& text, int line) {
   return found;
 }
 
-/// Does a line end inside a text? Comments end a line; escaped quotes do not count.
+/// Returns whether a line ends inside a text. Comments end a line; escaped quotes do not count.
 bool hasOpenQuote(const std::string& line) {
   char quote = 0;
   for (std::size_t k = 0; k < line.size(); k++) {
