@@ -22,6 +22,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/integrate.hpp"
 #include "core/simulation/time/step_reduction.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_surface_energy.hpp"
@@ -41,7 +42,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
   if (w.modules.sheet) {
-    moveSheets(w, dt);  // exact solution over the step
+    moveSheets(sheetView(w), dt);  // exact solution over the step
     t.times.lap(StepPhase::SheetMotion);
   }
 
@@ -55,7 +56,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   here.badHere = !here.finite || w.oriented.exceededReach;
   if (w.modules.sheet) {
     t.times.lap(StepPhase::Drift);
-    kickSheets(w, dt);  // v += impulse of forces at the new positions
+    kickSheets(sheetView(w), dt);  // v += impulse of forces at the new positions
     t.times.lap(StepPhase::SheetMotion);
   }
   if (w.modules.kinds() && !bodyTypesAreFinite(w)) here.finite = false;
@@ -86,7 +87,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     rebuildSolidBonds(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
   if (w.modules.kinds()) redistributeBodyTypes(w, halos, t, dt);
-  if (w.modules.sheet) linkSheets(w, halos, t);
+  if (w.modules.sheet) linkSheets(w.sheets, halos, t.times);
   if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
 
   // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
@@ -158,7 +159,8 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.sleep) recordConstraintForces(w, t);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
-  if (w.modules.sheet) loadSheets(w, halos, t, dt);  // forces on vertices, and of vertices on particles
+  if (w.modules.sheet)
+    loadSheets(sheetView(w), halos, t.times, dt);  // forces on vertices, and of vertices on particles
   if (w.modules.orientedContact) addContinuumContact(w, t, dt);  // oriented particles and the continuum
   if (w.modules.oriented) recordBirthContacts(w, t);             // contacts of particles born in this step
   if (w.modules.contact) recordResistance(walls, t.contactResistance);
@@ -186,8 +188,9 @@ StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Re
   for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
     reduction.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
   if (w.modules.kinds())
-    reduction.negatedBodyTypeLimits = {w.modules.oriented ? -orientedStepLimit(w, t) : -never,
-                                       w.modules.sheet ? -sheetStepLimit(w) : -never};
+    reduction.negatedBodyTypeLimits = {
+        w.modules.oriented ? -orientedStepLimit(w, t) : -never,
+        w.modules.sheet ? -sheetStepLimit(w.sheets, w.scene, w.clock) : -never};
   reduction.froze = t.frozeAnywhere;
   reduction.melted = t.meltedAnywhere;
   reduction.bad = here.badHere || !here.finite;

@@ -11,6 +11,7 @@
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/ledger/ledger_rows.hpp"
 #include "core/simulation/world/body_types.hpp"
+#include "core/simulation/world/views.hpp"
 
 namespace thaw {
 
@@ -47,7 +48,7 @@ void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
     // evaluateOriented removes oriented rows, after it has the energy of their pairs
     t.leaving.clear();
     if (kind != orientedType) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
-    if (kind == sheetType) finaliseRemoved(w, t.leaving, dt);
+    if (kind == sheetType) finaliseRemoved(sheetView(w), t.leaving, dt);
     for (const std::uint32_t i : t.leaving) {
       addBodyTypeRow(w, kind, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);
@@ -84,7 +85,7 @@ void redistributeOriented(World& w, Halos halos, StepTools& t) {
 
 void activateBodyTypes(World& w) {
   if (w.modules.oriented) activateOriented(w);
-  if (w.modules.sheet) activateSheets(w);
+  if (w.modules.sheet) activateSheets(w.sheets, w.scene, w.modules);
 }
 
 std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools& t, const MeshLoader& load,
@@ -92,7 +93,7 @@ std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools
   t.oriented.begins = true;
   std::vector<std::vector<Vec3d>> oriented;
   if (w.modules.oriented) oriented = sampleOriented(w, halos, load, warnings);
-  if (w.modules.sheet) sampleSheets(w, halos, load);
+  if (w.modules.sheet) sampleSheets(w.sheets, w.scene, halos, load);
   forEachBodyType(w, [&](std::size_t, BodyTypeRows& r, CellTable& cells) {
     for (std::size_t i = 0; i < r.owned; i++) wrapPlace(w.grid, w.scene.domain, r.position[i]);
     computeCellKeys(w.grid, r);

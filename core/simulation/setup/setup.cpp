@@ -135,7 +135,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
     shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
   problems.raise();
   t.shapes = shapes;
-  if (w.modules.sheet) prepareSheets(w, load);
+  if (w.modules.sheet) prepareSheets(w.sheets, w.scene, load);
   if (const double reach = std::max(faceContactReach(w.sheets.plans),
                                     meshContactReach(w.scene, w.sheets.plans));
       reach > w.grid.edge.x)
@@ -223,7 +223,8 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
     for (const std::string& note : notes)
       report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});
   }
-  for (SceneWarning& warning : overlapsOfRegions(w, load)) report.warnings.push_back(std::move(warning));
+  for (SceneWarning& warning : overlapsOfRegions(w.sheets, w.scene, load))
+    report.warnings.push_back(std::move(warning));
   // Jitter may cross a seam by rounding.
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);
   computeCellKeys(w.grid, p);

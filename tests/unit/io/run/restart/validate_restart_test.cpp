@@ -26,8 +26,8 @@ struct Restored {
     net.events.resize(1);
     net.events[0].time = 1;
     w.modules = modulesOf(w.scene);
-    prepareSheets(w, {});
-    activateSheets(w);
+    prepareSheets(w.sheets, w.scene, {});
+    activateSheets(w.sheets, w.scene, w.modules);
     activateOriented(w);
     Sheets& s = w.sheets.rows;
     s.resize(9, 0);
