@@ -33,8 +33,8 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
   if (w.modules.oriented)
-    stepOriented(w, halos, t, dt);  // with integrators of their own, and with obstacles at their positions of
-                                    // the force evaluation
+    stepOriented(orientedView(w, t), halos, dt);  // with integrators of their own, and with obstacles at
+                                                  // their positions of the force evaluation
   if (w.modules.incompressible) addPressureImpulse(w);  // computed at the end of the last step
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w, t)) || w.clock.substeps > 1;  // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);  // stiff solids: bonds only, in shorter steps
@@ -88,7 +88,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.phaseChangedHere = false;
   if (w.modules.kinds()) redistributeBodyTypes(w, halos, t, dt);
   if (w.modules.sheet) linkSheets(w.sheets, halos, t.times);
-  if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
+  if (w.modules.oriented) evaluateOriented(orientedView(w, t), halos, dt);
 
   // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
   const WallContext walls{w,
@@ -161,8 +161,10 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Walls);
   if (w.modules.sheet)
     loadSheets(sheetView(w), halos, t.times, dt);  // forces on vertices, and of vertices on particles
-  if (w.modules.orientedContact) addContinuumContact(w, t, dt);  // oriented particles and the continuum
-  if (w.modules.oriented) recordBirthContacts(w, t);             // contacts of particles born in this step
+  if (w.modules.orientedContact)
+    addContinuumContact(orientedView(w, t), dt);  // oriented particles and the continuum
+  if (w.modules.oriented)
+    recordBirthContacts(w.oriented.rows, t.oriented, w.ledger);  // contacts of particles born in this step
   if (w.modules.contact) recordResistance(walls, t.contactResistance);
   recordClamps(walls, t.wallContacts);
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // needs all other forces
@@ -189,7 +191,7 @@ StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Re
     reduction.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
   if (w.modules.kinds())
     reduction.negatedBodyTypeLimits = {
-        w.modules.oriented ? -orientedStepLimit(w, t) : -never,
+        w.modules.oriented ? -orientedStepLimit(w.oriented.rows, w.scene, t.oriented) : -never,
         w.modules.sheet ? -sheetStepLimit(w.sheets, w.scene, w.clock) : -never};
   reduction.froze = t.frozeAnywhere;
   reduction.melted = t.meltedAnywhere;

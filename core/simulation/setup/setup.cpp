@@ -29,6 +29,7 @@
 #include "core/simulation/setup/expected_motion.hpp"
 #include "core/simulation/setup/make_grid.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
+#include "core/simulation/setup/relax_oriented.hpp"
 #include "core/simulation/setup/relax_packing.hpp"
 #include "core/simulation/setup/start_fields.hpp"
 #include "core/simulation/setup/warnings/compressed_liquid.hpp"
@@ -38,6 +39,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/time/limits.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/time/frame_times.hpp"
 
 namespace thaw {
@@ -56,11 +58,11 @@ void evaluateNow(World& w, Halos halos, StepTools& t) {
 
 /// Adds `sign` times the stored energy of this rank, and the part that symplectic Euler has not yet
 /// delivered, to `to`.
-void recordStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
+void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
   const ExactBalance here = balanceHere(w);
   to.addProduct(here.elastic, sign);
   to.addProduct(here.potential, sign);
-  if (w.modules.oriented) recordKickLag(w, t, sign, w.clock.stepDt, to);
+  if (w.modules.oriented) recordKickLag(orientedView(w, t), sign, w.clock.stepDt, to);
 }
 
 /// Frees the buffers of the first sorts, which cover all rows.
@@ -303,7 +305,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   t.newPartition = true;
   if (w.modules.kinds())
     redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
-  if (w.modules.oriented) updateNeighbours(w, halos, t);
+  if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
   t.oriented.time = w.clock.time;
   dropBuffersOfStart(w, t);
   t.mass = totalMass(w, halos.all);
@@ -326,7 +328,7 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   ExactSum jump;
   findStoredEnergy(w, t);
   recordStored(w, t, -1, jump);
-  if (w.modules.oriented) applyPendingImpulse(w);
+  if (w.modules.oriented) applyPendingImpulse(w.oriented.rows, w.clock, w.ledger);
   if (w.modules.sleep) wakeEverything(w.particles);
   evaluateNow(w, halos, t);
   findStoredEnergy(w, t);

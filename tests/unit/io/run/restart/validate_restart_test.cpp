@@ -28,7 +28,7 @@ struct Restored {
     w.modules = modulesOf(w.scene);
     prepareSheets(w.sheets, w.scene, {});
     activateSheets(w.sheets, w.scene, w.modules);
-    activateOriented(w);
+    activateOriented(w.oriented.rows, w.scene, w.modules);
     Sheets& s = w.sheets.rows;
     s.resize(9, 0);
     for (std::size_t i = 0; i < 9; i++) s.id[i] = i;
