@@ -25,7 +25,7 @@ void neighbours(Figures& figures) {
       redistributeBodyTypes(x.w, x.halos(), x.tools);
       bySort = std::min(bySort, seconds(start));
       start = std::chrono::steady_clock::now();
-      updateNeighbours(x.w, x.halos(), x.tools);
+      updateNeighbours(x.w.oriented, x.w.scene, x.halos(), x.tools.oriented.lists);
       byCells = std::min(byCells, seconds(start));
       std::vector<Vec3d> places(o.position.data(), o.position.data() + o.owned);
       start = std::chrono::steady_clock::now();

@@ -2,6 +2,7 @@
 // The halos of a step.
 #pragma once
 #include "core/halo/halo.hpp"
+#include "core/particles/body_types.hpp"
 
 namespace thaw {
 
@@ -10,10 +11,9 @@ struct Halos {
   Reducer& all;
   CellHalo& cells;
   BondHalo& bonds;
-  CellHalo* kinds[2] = {nullptr, nullptr};  ///< for further body types
-                                            ///< (core/simulation/world/body_types.hpp), over the same grid;
-                                            ///< null for absent types
-  BondHalo* edges = nullptr;                ///< for sheets
+  CellHalo* kinds[bodyTypeCount] = {nullptr, nullptr};  ///< for further body types, over the same grid; null
+                                                        ///< for absent types
+  BondHalo* edges = nullptr;                            ///< for sheets
 };
 
 }  // namespace thaw

@@ -59,21 +59,20 @@ void refuseSharedPositions(const Scene& s, const std::vector<std::vector<Vec3d>>
 
 }  // namespace
 
-void activateOriented(World& w) {
-  Oriented& o = w.oriented.rows;
+void activateOriented(Oriented& o, const Scene& scene, const Modules& modules) {
   activateBodyType(o);
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{
            &o.orientation, &o.spin, &o.inertia, &o.force, &o.torque, &o.group, &o.cutSides, &o.flags,
            &o.anchor, &o.restPosition, &o.restOrientation, &o.normal, &o.stiffness})
     o.activate(*c);
   bool changes = false;
-  for (const OrientedBody& b : w.scene.oriented)
+  for (const OrientedBody& b : scene.oriented)
     changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
-  if (w.modules.orientedContact || w.modules.sheetContact)
+  if (modules.orientedContact || modules.sheetContact)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.external, &o.dissipativeForce}) o.activate(*c);
   if (changes)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.candidate, &o.candidateRank}) o.activate(*c);
-  if (!w.scene.oriented.empty() && w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit)
+  if (!scene.oriented.empty() && scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.search, &o.searchSpin}) o.activate(*c);
 }
 
@@ -93,19 +92,18 @@ void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
   }
 }
 
-std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const MeshLoader& load,
-                                               std::vector<SceneWarning>& warnings) {
-  Oriented& o = w.oriented.rows;
+std::vector<std::vector<Vec3d>> sampleOriented(Oriented& o, const Scene& scene, Halos halos,
+                                               const MeshLoader& load, std::vector<SceneWarning>& warnings) {
   SceneProblems problems;
   const auto ranks = static_cast<std::size_t>(halos.all.size()),
              rank = static_cast<std::size_t>(halos.all.rank());
-  std::vector<std::vector<Vec3d>> places(w.scene.oriented.size());
-  for (std::size_t b = 0; b < w.scene.oriented.size(); b++) {
-    const OrientedBody& body = w.scene.oriented[b];
-    const double s = spacingOf(w.scene, body);
+  std::vector<std::vector<Vec3d>> places(scene.oriented.size());
+  for (std::size_t b = 0; b < scene.oriented.size(); b++) {
+    const OrientedBody& body = scene.oriented[b];
+    const double s = spacingOf(scene, body);
     SampledPoints made;
     try {
-      made = samplePoints(body, s, w.scene.seed + b, load);
+      made = samplePoints(body, s, scene.seed + b, load);
     } catch (const std::invalid_argument& e) {
       problems.add(body.where, "oriented body '" + body.name + "': " + e.what());
       continue;
@@ -139,7 +137,7 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
     Outside outside;
     for (std::size_t k = 0; k < made.places.size(); k++) {
       const Vec3d x = made.places[k];
-      outside.look(w.scene.domain, x);
+      outside.look(scene.domain, x);
       std::uint8_t flags = made.held[k];
       std::uint16_t anchor = noAnchor;
       for (std::size_t a = regions.size(); a-- > 0;)  // the first anchor that contains it
@@ -154,12 +152,12 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
       o.resize(i + 1, 0);
       o.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(k);
       o.position[i] = o.restPosition[i] = body.jitter > 0 && !flags
-                                              ? jittered(x, body.jitter, s, w.scene.seed, o.id[i])
+                                              ? jittered(x, body.jitter, s, scene.seed, o.id[i])
                                               : x;
       o.velocity[i] = body.velocity;
       o.orientation[i] = o.restOrientation[i] = towards(made.normals[k]);
       if (body.jitter > 0 && !flags) {
-        const Vec3d off = jittered({}, body.jitter, 1, w.scene.seed + 1, o.id[i]);
+        const Vec3d off = jittered({}, body.jitter, 1, scene.seed + 1, o.id[i]);
         o.orientation[i] = unitQuat(rotationBy(body.planar ? Vec3d{0, off.y, 0} : off) * o.orientation[i]);
         if (body.planar) o.position[i].y = x.y;
       }
@@ -177,10 +175,10 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
     if (outside.count > 0)
       problems.add(body.where,
                    "oriented body '" + body.name + "': " +
-                       outsideText(outside, w.scene.domain, static_cast<std::int64_t>(made.places.size()),
+                       outsideText(outside, scene.domain, static_cast<std::int64_t>(made.places.size()),
                                    "particles", "body"));
   }
-  if (w.scene.numerics.overlap != OverlapRule::Keep) refuseSharedPositions(w.scene, places, problems);
+  if (scene.numerics.overlap != OverlapRule::Keep) refuseSharedPositions(scene, places, problems);
   problems.raise();
   return places;
 }

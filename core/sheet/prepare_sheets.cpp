@@ -11,19 +11,19 @@
 
 namespace thaw {
 
-void prepareSheets(World& w, const MeshLoader& load) {
-  SheetPlans p = planSheets(w.scene, load);
-  w.sheets.plans = std::move(p.plans);
-  w.sheets.laws = std::move(p.laws);
-  w.sheets.parts = std::move(p.parts);
+void prepareSheets(SheetBodies& sheets, const Scene& scene, const MeshLoader& load) {
+  SheetPlans p = planSheets(scene, load);
+  sheets.plans = std::move(p.plans);
+  sheets.laws = std::move(p.laws);
+  sheets.parts = std::move(p.parts);
 }
 
-void activateSheets(World& w) {
-  Sheets& s = w.sheets.rows;
+void activateSheets(SheetBodies& sheets, const Scene& scene, const Modules& modules) {
+  Sheets& s = sheets.rows;
   activateBodyType(s);
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.rest, &s.load, &s.area, &s.law, &s.part, &s.slot})
     s.activate(*c);
-  for (const SheetBody& b : w.scene.sheets) {
+  for (const SheetBody& b : scene.sheets) {
     if (b.plasticity > 0 && b.elasticLimit < never) {
       s.activate(s.flow);
       s.activate(s.hardening);
@@ -33,40 +33,39 @@ void activateSheets(World& w) {
       s.activate(s.areaNormal);
     if (!b.clamp.empty()) s.activate(s.clamped);
     if (s.outside.active) s.activate(s.moved);
-    if (w.modules.heat) {
+    if (modules.heat) {
       s.activate(s.temperature);
       s.activate(s.heatFlow);
     }
   }
-  for (const SheetLaw& l : w.sheets.laws)
+  for (const SheetLaw& l : sheets.laws)
     if (l.law.damping > 0) s.activate(s.moved);
-  for (const SheetPlan& p : w.sheets.plans)
+  for (const SheetPlan& p : sheets.plans)
     if (p.touches) s.activate(s.dissipativeForce);
-  if (sheetsInteract(w.scene) || sheetsTouchContinuum(w.scene) || w.modules.sheetContact)
-    s.activate(s.moving);
-  activateTimeFactors(w);
-  activateEdges(w.sheets.edges);
+  if (sheetsInteract(scene) || sheetsTouchContinuum(scene) || modules.sheetContact) s.activate(s.moving);
+  activateTimeFactors(sheets, scene);
+  activateEdges(sheets.edges);
 }
 
-void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
-  Sheets& s = w.sheets.rows;
+void sampleSheets(SheetBodies& sheets, const Scene& scene, Halos halos, const MeshLoader& load) {
+  Sheets& s = sheets.rows;
   SceneProblems problems;
   const auto rank = static_cast<std::size_t>(halos.all.rank()),
              ranks = static_cast<std::size_t>(halos.all.size());
-  for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
-    const SheetPlan& plan = w.sheets.plans[n];
-    const SheetBody& b = w.scene.sheets[n];
+  for (std::size_t n = 0; n < sheets.plans.size(); n++) {
+    const SheetPlan& plan = sheets.plans[n];
+    const SheetBody& b = scene.sheets[n];
     std::vector<std::shared_ptr<const SignedDistance>> clamps;
     for (const Shape& c : b.clamp)
       clamps.push_back(makeSignedDistance(c, load, "sheet '" + b.name + "': a clamp", problems));
     const std::size_t all = plan.mesh.vertices.size(), begin = all * rank / ranks,
                       end = all * (rank + 1) / ranks;
     Outside outside;
-    for (const Vec3d& x : plan.mesh.vertices) outside.look(w.scene.domain, x);
+    for (const Vec3d& x : plan.mesh.vertices) outside.look(scene.domain, x);
     if (outside.count > 0)
       problems.add(b.where, "sheet '" + b.name + "': " +
-                                outsideText(outside, w.scene.domain, static_cast<std::int64_t>(all),
-                                            "vertices", "sheet"));
+                                outsideText(outside, scene.domain, static_cast<std::int64_t>(all), "vertices",
+                                            "sheet"));
     for (std::size_t c = 0; c < clamps.size(); c++)
       if (clamps[c] && std::none_of(plan.mesh.vertices.begin(), plan.mesh.vertices.end(),
                                     [&](const Vec3d& x) { return clamps[c]->inside(x); }))
@@ -82,7 +81,7 @@ void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
       s.area[i] = plan.topology.area[v];
       s.law[i] = plan.law[v];
       s.part[i] = plan.firstPart + plan.topology.component[v];
-      s.mass[i] = w.sheets.laws[plan.law[v]].law.mass * s.area[i];
+      s.mass[i] = sheets.laws[plan.law[v]].law.mass * s.area[i];
       s.body[i] = static_cast<std::uint16_t>(n);
       s.slot[i] = noSlot;
       if (s.temperature.active) s.temperature[i] = b.temperature;

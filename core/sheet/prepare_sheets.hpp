@@ -2,17 +2,18 @@
 // Preparation of a scene's sheets.
 #pragma once
 #include "core/halo/halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/scene/modules.hpp"
+#include "core/sheet/data/sheets.hpp"
 
 namespace thaw {
 
-/// Stores meshes and coefficients of the scene's sheets in the world, on every rank. Throws ShapeError with
+/// Stores meshes and coefficients of the scene's sheets, on every rank. Throws ShapeError with
 /// all problems.
-void prepareSheets(World& world, const MeshLoader& load);
+void prepareSheets(SheetBodies& sheets, const Scene& scene, const MeshLoader& load);
 
-void activateSheets(World& world);
+void activateSheets(SheetBodies& sheets, const Scene& scene, const Modules& modules);
 
 /// Appends this rank's vertices. Not collective.
-void sampleSheets(World& world, Halos halos, const MeshLoader& load);
+void sampleSheets(SheetBodies& sheets, const Scene& scene, Halos halos, const MeshLoader& load);
 
 }  // namespace thaw

@@ -17,14 +17,15 @@ std::string lostFactors(const SheetRegion& earlier, const SheetRegion& later) {
 
 }  // namespace
 
-std::vector<SceneWarning> overlapsOfRegions(const World& w, const MeshLoader& load) {
+std::vector<SceneWarning> overlapsOfRegions(const SheetBodies& sheets, const Scene& scene,
+                                            const MeshLoader& load) {
   std::vector<SceneWarning> warnings;
-  for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
-    const SheetBody& b = w.scene.sheets[n];
+  for (std::size_t n = 0; n < sheets.plans.size(); n++) {
+    const SheetBody& b = scene.sheets[n];
     std::vector<std::shared_ptr<const SignedDistance>> shapes;
     for (const SheetRegion& r : b.regions)
       if (b.regions.size() > 1) shapes.push_back(makeSignedDistance(r.shape, load));
-    const auto& places = w.sheets.plans[n].mesh.vertices;
+    const auto& places = sheets.plans[n].mesh.vertices;
     for (std::size_t later = 1; later < shapes.size(); later++)
       for (std::size_t earlier = 0; earlier < later; earlier++) {
         const std::string lost = lostFactors(b.regions[earlier], b.regions[later]);

@@ -3,12 +3,13 @@
 #pragma once
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/scene/scene_warning.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/sheet/data/sheets.hpp"
 
 namespace thaw {
 
 /// Returns a warning for each pair of regions that share vertices, if the later one resets factors of the
 /// earlier one. The same on all ranks.
-std::vector<SceneWarning> overlapsOfRegions(const World& world, const MeshLoader& load);
+std::vector<SceneWarning> overlapsOfRegions(const SheetBodies& sheets, const Scene& scene,
+                                            const MeshLoader& load);
 
 }  // namespace thaw

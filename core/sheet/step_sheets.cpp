@@ -20,23 +20,23 @@ namespace thaw {
 namespace {
 
 /// Returns a law's coefficients at the middle of the step that begins now.
-SpringLaw lawNow(const World& w, const SheetLaw& l, double dt) {
-  const SheetBody& b = w.scene.sheets[l.sheet];
-  const double time = w.clock.time + 0.5 * dt;
+SpringLaw lawNow(const Scene& scene, const Clock& clock, const SheetLaw& l, double dt) {
+  const SheetBody& b = scene.sheets[l.sheet];
+  const double time = clock.time + 0.5 * dt;
   return {l.law.mass, l.law.damping * b.factorAt(SheetFactor::Damping, time),
           l.law.stiffness * b.factorAt(SheetFactor::Stiffness, time)};
 }
 
 /// Returns the law of the least stable next step: least damping and largest stiffness.
-SpringLaw leastStableLaw(const World& w, const SheetLaw& l) {
-  const SheetBody& b = w.scene.sheets[l.sheet];
-  const double until = w.clock.time + 1.1 * w.clock.dt;
-  return {l.law.mass, l.law.damping * b.inTime[placeOf(SheetFactor::Damping)].least(w.clock.time, until),
-          l.law.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(w.clock.time, until)};
+SpringLaw leastStableLaw(const Scene& scene, const Clock& clock, const SheetLaw& l) {
+  const SheetBody& b = scene.sheets[l.sheet];
+  const double until = clock.time + 1.1 * clock.dt;
+  return {l.law.mass, l.law.damping * b.inTime[placeOf(SheetFactor::Damping)].least(clock.time, until),
+          l.law.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(clock.time, until)};
 }
 
 /// Records the work of changing rest springs between two times (s), at the current positions.
-void recordRestChange(World& w, double from, double to) {
+void recordRestChange(const SheetView& w, double from, double to) {
   std::vector<double> half;
   bool any = false;
   for (const SheetLaw& l : w.sheets.laws) {
@@ -54,14 +54,13 @@ void recordRestChange(World& w, double from, double to) {
   });
 }
 
-std::vector<SpringLaw> lawsNow(const World& w, double dt) {
+std::vector<SpringLaw> lawsNow(const SheetView& w, double dt) {
   std::vector<SpringLaw> laws;
-  for (const SheetLaw& l : w.sheets.laws) laws.push_back(lawNow(w, l, dt));
+  for (const SheetLaw& l : w.sheets.laws) laws.push_back(lawNow(w.scene, w.clock, l, dt));
   return laws;
 }
 
-Vec3d restOf(const World& w, std::size_t i) {
-  const Sheets& s = w.sheets.rows;
+Vec3d restOf(const Sheets& s, std::size_t i) {
   if (!s.flow.active) return s.rest[i];
   return s.rest[i] + s.flow[i];
 }
@@ -69,19 +68,19 @@ Vec3d restOf(const World& w, std::size_t i) {
 /// Applies plastic flow beyond the elastic limit: plasticity times the excess moves the rest position, and
 /// the remainder raises the limit. The vertex is then at the limit, so the result does not depend on the
 /// number of steps.
-void applyPlasticFlow(World& w, double time) {
-  Sheets& s = w.sheets.rows;
+void applyPlasticFlow(SheetBodies& sheets, const Scene& scene, double time) {
+  Sheets& s = sheets.rows;
   for (std::size_t i = 0; i < s.owned; i++) {
-    const SheetBody& b = w.scene.sheets[s.body[i]];
+    const SheetBody& b = scene.sheets[s.body[i]];
     if (!(b.plasticity > 0) || !(b.elasticLimit < never)) continue;
-    const Vec3d before = s.position[i] - restOf(w, i);
+    const Vec3d before = s.position[i] - restOf(s, i);
     const double far = length(before), excess = far - b.elasticLimit - s.hardening[i];
     if (!(excess > 0)) continue;
-    const double k = w.sheets.laws[s.law[i]].law.stiffness * b.factorAt(SheetFactor::Stiffness, time) *
+    const double k = sheets.laws[s.law[i]].law.stiffness * b.factorAt(SheetFactor::Stiffness, time) *
                      s.area[i];
     s.flow[i] += before * (b.plasticity * excess / far);
     s.hardening[i] += (1 - b.plasticity) * excess;
-    const Vec3d after = s.position[i] - restOf(w, i);
+    const Vec3d after = s.position[i] - restOf(s, i);
     s.dissipated[i] += 0.5 * k * (dot(before, before) - dot(after, after));
   }
 }
@@ -113,15 +112,15 @@ void recordKickDissipation(Sheets& s, std::size_t i, const SpringLaw& law, doubl
 
 }  // namespace
 
-void moveSheets(World& w, double dt) {
+void moveSheets(const SheetView& w, double dt) {
   Sheets& s = w.sheets.rows;
   const std::vector<SpringLaw> laws = lawsNow(w, dt);
   std::vector<VertexMap> maps;
   for (const SpringLaw& l : laws) maps.push_back(vertexMap(l, dt));
-  recordConstraintImpulse(w, -1, dt);
+  recordConstraintImpulse(w.sheets, w.ledger, -1, dt);
   const double begin = w.clock.time, middle = begin + 0.5 * dt, end = begin + dt;
   recordRestChange(w, begin, middle);  // over the step coefficients are those of its middle
-  recordFactorWork(w, begin, end);
+  recordFactorWork(w.sheets, w.scene, w.ledger, begin, end);
   const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active && !s.dissipativeForce.active;
   if (simple) {
     moveVertices(maps, {s.position.data(), s.velocity.data(), s.rest.data(), s.load.data(), s.law.data()}, 0,
@@ -134,7 +133,7 @@ void moveSheets(World& w, double dt) {
     if (s.clamped.active && s.clamped[i]) continue;
     const VertexMap& m = maps[s.law[i]];
     const SpringLaw& law = laws[s.law[i]];
-    const Vec3d rest = restOf(w, i), z = s.position[i] - rest, v = s.velocity[i];
+    const Vec3d rest = restOf(s, i), z = s.position[i] - rest, v = s.velocity[i];
     const VertexArrays one{&s.position[i], &s.velocity[i], &rest, &s.load[i], nullptr};
     moveVertices({&m, 1}, one, 0, 1);
     const Vec3d z1 = s.position[i] - rest, moved = z1 - z;
@@ -147,12 +146,12 @@ void moveSheets(World& w, double dt) {
                          (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) +
                           0.5 * dot(loadForDamping(s, i, law), moved));
   }
-  if (s.outside.active) recordExternalWork(w);
+  if (s.outside.active) recordExternalWork(w.sheets, w.ledger);
   recordRestChange(w, middle, end);
-  if (s.flow.active) applyPlasticFlow(w, end);
+  if (s.flow.active) applyPlasticFlow(w.sheets, w.scene, end);
 }
 
-void kickSheets(World& w, double dt) {
+void kickSheets(const SheetView& w, double dt) {
   Sheets& s = w.sheets.rows;
   // Laws of the step that ends now: the clock still shows its beginning.
   const std::vector<SpringLaw> laws = lawsNow(w, dt);
@@ -164,14 +163,14 @@ void kickSheets(World& w, double dt) {
     v += after[s.law[i]] * s.load[i];
     recordKickDissipation(s, i, laws[s.law[i]], dt);
   }
-  recordConstraintImpulse(w, 1, dt);
-  if (s.outside.active) recordExternalWork(w);
+  recordConstraintImpulse(w.sheets, w.ledger, 1, dt);
+  if (s.outside.active) recordExternalWork(w.sheets, w.ledger);
   if (s.temperature.active)
     for (std::size_t i = 0; i < s.owned; i++)
       s.temperature[i] += s.heatFlow[i] * dt / (s.area[i] * w.scene.sheets[s.body[i]].heatCapacity);
 }
 
-void finaliseRemoved(World& w, std::span<const std::uint32_t> rows, double dt) {
+void finaliseRemoved(const SheetView& w, std::span<const std::uint32_t> rows, double dt) {
   Sheets& s = w.sheets.rows;
   if (rows.empty() || !(dt > 0)) return;
   const std::vector<SpringLaw> laws = lawsNow(w, dt);
@@ -184,15 +183,14 @@ void finaliseRemoved(World& w, std::span<const std::uint32_t> rows, double dt) {
     const Vec3d impulse = s.mass[i] * v;
     for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(impulse[a]);
     if (!s.moved.active) continue;
-    const Vec3d moved = s.moved[i], z1 = s.position[i] - restOf(w, i), z = z1 - moved;
+    const Vec3d moved = s.moved[i], z1 = s.position[i] - restOf(s, i), z = z1 - moved;
     s.energy[i] += 0.5 * law.stiffness * s.area[i] * (dot(z1, z1) - dot(z, z));
     if (s.outside.active) w.ledger.wallWork.add(0.5 * dot(s.outside[i], moved) * s.area[i]);
     recordKickDissipation(s, i, law, dt);
   }
 }
 
-void linkSheets(World& w, Halos halos, StepTools& t) {
-  SheetBodies& b = w.sheets;
+void linkSheets(SheetBodies& b, Halos halos, PhaseTimes& times) {
   Sheets& s = b.rows;
   const BondedRows rows = vertexRows(s);
   linkSlots(rows, b.edges.ends);
@@ -203,10 +201,10 @@ void linkSheets(World& w, Halos halos, StepTools& t) {
     halos.edges->rebuildBonds(rows, b.edges.ends, b.edges.bonds, {requests, true});
     b.edgesAtStart = false;
   }
-  t.times.lap(StepPhase::Bonds);
+  times.lap(StepPhase::Bonds);
 }
 
-void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
+void loadSheets(const SheetView& w, Halos halos, PhaseTimes& times, double dt) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   b.stiffest.assign(b.laws.size(), 0);
@@ -215,7 +213,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   // contacts need the current velocity: the load before the step approximates the load after it
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++)
-    after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
+    after[l] = vertexMap(lawNow(w.scene, w.clock, b.laws[l], dt), dt).after;
   SheetVelocities now;
   now.velocity.swap(b.velocityBuffer);
   now.velocity.resize(s.owned);
@@ -225,17 +223,17 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   now.span = dt > 0 ? dt : nextStep(w.clock);
   now.dt = dt;
 
-  updateTimeFactors(w, dt);
-  clearLoads(w);
-  addInnerForces(w, halos);
-  t.times.lap(StepPhase::Sheet);
+  updateTimeFactors(b, w.scene, w.clock, dt);
+  clearLoads(b, w.scene);
+  addInnerForces(b, w.scene, halos);
+  times.lap(StepPhase::Sheet);
   addOuterForces(w, now);
   addShrinkWrap(w, halos, now);
   addSheetContacts(w, halos, now);
-  t.times.lap(StepPhase::SheetContact);
-  b.fastestDrag = fastestDrag(w, now);
-  addRestEnergy(w, w.clock.time + dt);
-  if (dt > 0) recordFactorWork(w, w.clock.time, w.clock.time + dt);
+  times.lap(StepPhase::SheetContact);
+  b.fastestDrag = fastestDrag(b, w.scene, now);
+  addRestEnergy(b, w.scene, w.clock.time + dt);
+  if (dt > 0) recordFactorWork(b, w.scene, w.ledger, w.clock.time, w.clock.time + dt);
   for (std::size_t i = 0; i < s.owned; i++) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.slope[i]);
   for (std::size_t i = 0; i < s.owned; i++)
     if (w.sheets.plans[s.body[i]].touches) {
@@ -244,11 +242,10 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
         b.largestAcceleration = std::max(b.largestAcceleration, length(s.load[i]) * s.area[i] / s.mass[i]);
     }
   now.velocity.swap(b.velocityBuffer);
-  t.times.lap(StepPhase::Sheet);
+  times.lap(StepPhase::Sheet);
 }
 
-double sheetStepLimit(const World& w) {
-  const SheetBodies& b = w.sheets;
+double sheetStepLimit(const SheetBodies& b, const Scene& scene, const Clock& clock) {
   double limit = never;
   for (std::size_t l = 0; l < b.stiffest.size(); l++) {
     if (!(b.stiffest[l] > 0)) continue;
@@ -256,8 +253,8 @@ double sheetStepLimit(const World& w) {
     // fluctuate
     int e = 0;
     const double part = std::frexp(b.stiffest[l], &e), kappa = std::ldexp(std::ceil(part * 64) / 64, e);
-    limit = std::min(limit,
-                     2 * w.scene.numerics.cflElastic * stableStep(leastStableLaw(w, b.laws[l]), kappa));
+    limit = std::min(
+        limit, 2 * scene.numerics.cflElastic * stableStep(leastStableLaw(scene, clock, b.laws[l]), kappa));
   }
   for (std::size_t l = 0; l < b.laws.size(); l++) {
     const SpringLaw& law = b.laws[l].law;
@@ -266,15 +263,14 @@ double sheetStepLimit(const World& w) {
                  of = law.mass > 0      ? 0.5 * std::sqrt(kappa / law.mass)
                       : law.damping > 0 ? kappa / law.damping
                                         : 0;
-    const SheetBody& body = w.scene.sheets[b.laws[l].sheet];
-    limit = std::min(limit,
-                     timeFactorStepLimit(body, w.clock.time, fastestRate(body, law, w.clock.time), of));
+    const SheetBody& body = scene.sheets[b.laws[l].sheet];
+    limit = std::min(limit, timeFactorStepLimit(body, clock.time, fastestRate(body, law, clock.time), of));
   }
   if (b.stiffestParticle > 0) {
     int e = 0;
     const double part = std::frexp(b.stiffestParticle, &e);
     limit = std::min(limit,
-                     4 * w.scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
+                     4 * scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
   }
   if (b.fastestDrag > 0) limit = std::min(limit, dragInAStep / b.fastestDrag);
   // nothing may pass through anything in a step
@@ -284,7 +280,7 @@ double sheetStepLimit(const World& w) {
       // both of two sheets may approach
       if (p.touches)
         thin = std::min(
-            {thin, (meshesTouch(w.scene) ? 0.5 : 1) * p.thickness, p.byFaces ? p.faceReach : never});
+            {thin, (meshesTouch(scene) ? 0.5 : 1) * p.thickness, p.byFaces ? p.faceReach : never});
     limit = std::min({limit, 0.5 * thin / std::sqrt(b.fastest2),
                       b.largestAcceleration > 0 ? std::sqrt(thin / b.largestAcceleration) : never});
   }

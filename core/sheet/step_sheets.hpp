@@ -3,31 +3,31 @@
 // before and after it.
 #pragma once
 #include "core/halo/halos.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/sheet/data/sheet_view.hpp"
+#include "core/time/phase_times.hpp"
 
 namespace thaw {
 
 /// First part: positions after dt (s), and velocities up to the forces there, then plastic flow. Requires:
 /// loads of the last evaluation.
-void moveSheets(World& world, double dt);
+void moveSheets(const SheetView& view, double dt);
 
 /// Records the rest of the step for rows that leave the domain after moveSheets by dt (s), with their loads
 /// at its start. Does nothing for dt 0.
-void finaliseRemoved(World& world, std::span<const std::uint32_t> rows, double dt);
+void finaliseRemoved(const SheetView& view, std::span<const std::uint32_t> rows, double dt);
 
 /// Updates the table of edges after redistribution, and makes all bonds at the start. Collective.
-void linkSheets(World& world, Halos halos, StepTools& tools);
+void linkSheets(SheetBodies& sheets, Halos halos, PhaseTimes& times);
 
 /// Computes all forces at the current positions into Sheets::load and the continuum's forces, with energies
 /// and ledger entries. dt (s): the last step, 0 at the start. Requires: redistributed vertices and particles,
 /// and ghosts of the continuum where both touch. Collective.
-void loadSheets(World& world, Halos halos, StepTools& tools, double dt);
+void loadSheets(const SheetView& view, Halos halos, PhaseTimes& times, double dt);
 
 /// Second part: updates velocities with the forces at the new positions, then temperatures.
-void kickSheets(World& world, double dt);
+void kickSheets(const SheetView& view, double dt);
 
 /// Returns the longest stable step (s) of this rank's vertices; `never` if any is. To be reduced over ranks.
-double sheetStepLimit(const World& world);
+double sheetStepLimit(const SheetBodies& sheets, const Scene& scene, const Clock& clock);
 
 }  // namespace thaw

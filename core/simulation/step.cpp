@@ -33,8 +33,8 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
   if (w.modules.oriented)
-    stepOriented(w, halos, t, dt);  // with integrators of their own, and with obstacles at their positions of
-                                    // the force evaluation
+    stepOriented(orientedView(w, t), halos, dt);  // with integrators of their own, and with obstacles at
+                                                  // their positions of the force evaluation
   if (w.modules.incompressible) addPressureImpulse(w.particles);  // computed at the end of the last step
   // v += a dt/2, x += v dt
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w.modules, w.particles, t.sleep)) || w.clock.substeps > 1;
@@ -43,7 +43,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
   if (w.modules.sheet) {
-    moveSheets(w, dt);  // exact solution over the step
+    moveSheets(sheetView(w), dt);  // exact solution over the step
     t.times.lap(StepPhase::SheetMotion);
   }
 
@@ -58,7 +58,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   here.badHere = !here.finite || w.oriented.exceededReach;
   if (w.modules.sheet) {
     t.times.lap(StepPhase::Drift);
-    kickSheets(w, dt);  // v += impulse of forces at the new positions
+    kickSheets(sheetView(w), dt);  // v += impulse of forces at the new positions
     t.times.lap(StepPhase::SheetMotion);
   }
   if (w.modules.kinds() && !bodyTypesAreFinite(w)) here.finite = false;
@@ -89,8 +89,8 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     rebuildSolidBonds(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
   if (w.modules.kinds()) redistributeBodyTypes(w, halos, t, dt);
-  if (w.modules.sheet) linkSheets(w, halos, t);
-  if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
+  if (w.modules.sheet) linkSheets(w.sheets, halos, t.times);
+  if (w.modules.oriented) evaluateOriented(orientedView(w, t), halos, dt);
 
   // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
   const WallContext walls{wallView(w),
@@ -161,9 +161,12 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.sleep) recordConstraintForces(p, w.scene, t.sleep);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
-  if (w.modules.sheet) loadSheets(w, halos, t, dt);  // forces on vertices, and of vertices on particles
-  if (w.modules.orientedContact) addContinuumContact(w, t, dt);  // oriented particles and the continuum
-  if (w.modules.oriented) recordBirthContacts(w, t);             // contacts of particles born in this step
+  if (w.modules.sheet)
+    loadSheets(sheetView(w), halos, t.times, dt);  // forces on vertices, and of vertices on particles
+  if (w.modules.orientedContact)
+    addContinuumContact(orientedView(w, t), dt);  // oriented particles and the continuum
+  if (w.modules.oriented)
+    recordBirthContacts(w.oriented.rows, t.oriented, w.ledger);  // contacts of particles born in this step
   if (w.modules.contact) recordResistance(walls, t.contactResistance);
   recordClamps(walls, t.wallContacts);
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // needs all other forces
@@ -189,8 +192,9 @@ StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Re
   for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
     reduction.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
   if (w.modules.kinds())
-    reduction.negatedBodyTypeLimits = {w.modules.oriented ? -orientedStepLimit(w, t) : -never,
-                                       w.modules.sheet ? -sheetStepLimit(w) : -never};
+    reduction.negatedBodyTypeLimits = {
+        w.modules.oriented ? -orientedStepLimit(w.oriented.rows, w.scene, t.oriented) : -never,
+        w.modules.sheet ? -sheetStepLimit(w.sheets, w.scene, w.clock) : -never};
   reduction.froze = t.frozeAnywhere;
   reduction.melted = t.meltedAnywhere;
   reduction.bad = here.badHere || !here.finite;

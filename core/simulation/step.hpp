@@ -30,10 +30,6 @@ struct StepOutcome {
                             ///< update; 0 without a surface
 };
 
-/// Prepares all work data for a scene. Throws std::runtime_error (one sentence) if the scene cannot be
-/// simulated.
-StepTools makeTools(const World& world);
-
 /// Migrates, sorts and searches; then computes forces, heat flows and all other data that follow from
 /// positions, velocities and temperatures. dt (s): last step, 0 at the start. Requires: particles in any
 /// order on any rank. Ensures: each particle is on the rank that owns its cell, sorted by (cell, id), if

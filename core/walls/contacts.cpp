@@ -99,17 +99,21 @@ void updateContactOffset(Continuum& p, const Scene& scene, std::size_t i, double
   p.contactOffset[i] = p.liquid[i] >= 1 ? now : std::max(p.contactOffset[i], now);
 }
 
+/// Share of a contact's pressure that another wall leaves it.
+double shareBeside(const WallSupport& x, const WallContact& c, const WallContact& other) {
+  return std::max(
+      0.0, 1 - overlapSlope(x.tables(c.distance / x.support).space,
+                            x.tables(other.distance / x.support).space, alignment(c.normal, other.normal)));
+}
+
 void distributeShares(const WallContext& x, std::span<WallContact> contacts) {
-  const double h = x.world.grid.support;
   const auto warm = [&](const WallContact& c) {
     return x.world.walls.list[c.wall].properties.temperature.has_value();
   };
   for (WallContact& c : contacts)
     for (const WallContact& other : contacts) {
       if (&c == &other) continue;
-      const double slope = overlapSlope(x.tables(c.distance / h).space, x.tables(other.distance / h).space,
-                                        alignment(c.normal, other.normal));
-      const double left = std::max(0.0, 1 - slope);
+      const double left = shareBeside({x.tables, x.world.grid.support}, c, other);
       c.share *= left;
       if (warm(c) && warm(other)) c.heatShare *= left;
     }
@@ -171,6 +175,13 @@ bool followContact(const Continuum& p, const Scene& scene, const Walls& walls, W
   c.distance = wall.shape->distance(rest, &c.normal);
   c.normal = directionFromRest(wall.pose, c.normal);
   return c.distance < reach;
+}
+
+double pressureShare(const WallSupport& x, std::span<const WallContact> contacts, std::size_t contact) {
+  double share = 1;
+  for (std::size_t k = 0; k < contacts.size(); k++)
+    if (k != contact) share *= shareBeside(x, contacts[contact], contacts[k]);
+  return share;
 }
 
 double wallRelativeDensity(const WallSupport& x, std::span<const WallContact> contacts,

@@ -35,6 +35,9 @@ struct WallSupport {
   const WallTables& tables;
   double support;  ///< m
 };
+/// WallContact::share of one of the contacts of a particle: the part of its push that the others leave.
+double pressureShare(const WallSupport& support, std::span<const WallContact> contacts, std::size_t contact);
+
 /// Contribution of the walls that touch a particle to the sum over V W. At corners, contributions of several
 /// walls overlap as if independent: 1 - prod(1 - filling_k). added: room for a value per contact.
 double wallRelativeDensity(const WallSupport& support, std::span<const WallContact> contacts,

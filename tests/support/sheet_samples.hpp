@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/sheet/step_sheets.hpp"
+#include "core/simulation/world/views.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {
@@ -37,7 +38,7 @@ inline double worstResidual(Simulation& sim, double end) {
 /// Sum of all vertices' energies at the current positions.
 inline double energyOf(Simulation& sim) {
   sim.w.sheets.rows.resize(sim.w.sheets.rows.owned, 0);
-  loadSheets(sim.w, sim.halos(), sim.tools, 0);
+  loadSheets(sheetView(sim.w), sim.halos(), sim.tools.times, 0);
   double sum = 0;
   for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++) sum += sim.w.sheets.rows.energy[i];
   return sum;

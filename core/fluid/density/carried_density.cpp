@@ -36,26 +36,42 @@ std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint3
   return {begin, end};
 }
 
-/// Slope of the wall's part of the relative density at a distance (m), times h. The wall's pressure force
-/// (wall_forces.cpp) has the same slope, so force and density rate are adjoint.
-double wallSlope(const CarryContext& x, const WallContact& c, double distance) {
-  return x.perLatticeSum * x.wallTables(distance / x.grid.support).push * c.share;
+/// Slope of the wall's part of the relative density, times h. The wall's pressure force (wall_forces.cpp) has
+/// the same slope, so force and density rate are adjoint.
+double wallSlope(const CarryContext& x, const WallContact& c) {
+  return x.perLatticeSum * x.wallTables(c.distance / x.grid.support).push * c.share;
 }
 
-/// Adds the walls' parts to the sums of a row. The density rate uses distances at mid-step, as pairs do.
+/// Velocity (m/s) away from the wall.
+double speedOff(const CarryContext& x, const WallContact& c) {
+  return dot(x.particles.velocity[c.row] - wallVelocity(x.walls.list[c.wall], x.particles.position[c.row]),
+             c.normal);
+}
+
+/// Contacts of a row at mid-step; walls pass the particle as planes. Shares of the end of the step would
+/// differ to first order in the step where walls overlap, and the compression would not receive the work of
+/// the wall's force.
+std::span<const WallContact> atMidStep(const CarryContext& x, std::span<const WallContact> now) {
+  std::vector<WallContact>& mid = x.carry.midContacts;
+  mid.assign(now.begin(), now.end());
+  for (WallContact& c : mid) c.distance -= 0.5 * x.dt * speedOff(x, c);
+  if (mid.size() > 1)
+    for (std::size_t k = 0; k < mid.size(); k++)
+      mid[k].share = pressureShare({x.wallTables, x.grid.support}, mid, k);
+  return mid;
+}
+
+/// Adds the walls' parts to the sums of a row. The density rate uses contacts at mid-step, as pairs do.
 void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   const CarryContext& x = *static_cast<const CarryContext*>(context);
-  const Continuum& p = x.particles;
   WallContacts& contacts = x.wallContacts;
   const std::span<const WallContact> mine = contactsOf(contacts, row);
   const double h = x.grid.support;
   r.relativeDensity += x.perLatticeSum * wallRelativeDensity({x.wallTables, h}, mine, contacts.added);
-  for (const WallContact& c : mine) {
-    // the slope is twice the gradient of the wall's own relative density
-    r.gradient += c.normal * (-0.5 * wallSlope(x, c, c.distance));
-    const double off = dot(p.velocity[row] - wallVelocity(x.walls.list[c.wall], p.position[row]), c.normal);
-    r.rate -= r.liquidFraction * wallSlope(x, c, c.distance - 0.5 * x.dt * off) / h * off;
-  }
+  for (const WallContact& c : mine)  // the slope is twice the gradient of the wall's own relative density
+    r.gradient += c.normal * (-0.5 * wallSlope(x, c));
+  for (const WallContact& c : atMidStep(x, mine))
+    r.rate -= r.liquidFraction * wallSlope(x, c) / h * speedOff(x, c);
   r.atSurface = r.liquidFraction > 0 &&
                 length(alongWalls(r.gradient, mine, x.scene.spacing)) > surfaceAsymmetry * r.gradientSize;
   for (const WallContact& c : mine) r.moment = alongWall(r.moment, c.normal);

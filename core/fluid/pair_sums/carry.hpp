@@ -2,7 +2,6 @@
 // Input and output of the step of carried densities, which ends the density sums (terms/carry.hpp).
 #pragma once
 #include <cstdint>
-#include <vector>
 
 #include "core/fluid/laws/lattice_relief.hpp"
 #include "core/math/mat3.hpp"
@@ -59,12 +58,6 @@ struct CarryStep {
   Vec3f* relief = nullptr;            ///< N
   float* summed = nullptr;            ///< summed relative density, in steps that need it
   std::int64_t* crowded = nullptr;    ///< counts particles much denser than their carried density
-};
-
-/// Temporary memory of the step of carried densities.
-struct CarryWork {
-  std::vector<std::uint8_t> besideWall;  ///< by owned row; empty: no wall contacts
-  std::vector<float> summed;             ///< CarryStep::summed
 };
 
 /// Resets the carried density of a particle without liquid around it; its compression energy is dissipated.

@@ -3,8 +3,7 @@
 
 namespace thaw {
 
-StateBefore stateBefore(const World& w, double dt) {
-  const Oriented& o = w.oriented.rows;
+StateBefore stateBefore(const Oriented& o, double dt) {
   const auto copy = [&](const auto& column, auto& to) { to.assign(column.data(), column.data() + o.owned); };
   StateBefore b;
   b.dt = dt;
@@ -16,8 +15,9 @@ StateBefore stateBefore(const World& w, double dt) {
   return b;
 }
 
-void recordAnchorWork(World& w, const StateBefore& b, const OrientedWork& t, double weight) {
+void recordAnchorWork(const OrientedView& w, const StateBefore& b, double weight) {
   const Oriented& o = w.oriented.rows;
+  const OrientedWork& t = w.work;
   // a force acts over half of the displacement before it and half of that after it (trapezoidal rule);
   // implicit forces vary linearly over the step
   const bool implicit = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit;

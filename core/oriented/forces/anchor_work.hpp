@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Impulse and work of anchors, for the ledger.
 #pragma once
-#include "core/oriented/data/oriented_work.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/oriented/data/oriented_view.hpp"
 
 namespace thaw {
 
@@ -14,11 +13,11 @@ struct StateBefore {
   std::vector<Quat> turn;
   std::vector<std::uint8_t> flags;  ///< flags before the step, since an anchor may release rows at its end
 };
-StateBefore stateBefore(const World& world, double dt);
+StateBefore stateBefore(const Oriented& rows, double dt);
 
 /// Records impulse and work of the anchors in the ledger: the change of momentum and energy, less those of
 /// all other forces and torques (OrientedWork::acting, actingTorque). Requires: the forces of the step, with
 /// Oriented::external scaled by `weight` (see stepOriented).
-void recordAnchorWork(World& world, const StateBefore& before, const OrientedWork& work, double weight);
+void recordAnchorWork(const OrientedView& view, const StateBefore& before, double weight);
 
 }  // namespace thaw

@@ -26,11 +26,10 @@ Quat turnOf(const Mat3d& m) {
 
 }  // namespace
 
-void moveAnchored(World& w, double time, double dt) {
-  Oriented& o = w.oriented.rows;
+void moveAnchored(Oriented& o, const Scene& scene, double time, double dt) {
   for (std::size_t i = 0; i < o.owned; i++) {
     if (!(o.flags[i] & (fixedPosition | fixedOrientation))) continue;
-    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    const OrientedBody& body = scene.oriented[o.body[i]];
     const OrientedAnchor* anchor = o.anchor[i] == noAnchor ? nullptr : &body.anchors[o.anchor[i]];
     if (anchor && time > anchor->until) {
       o.flags[i] &= creased;

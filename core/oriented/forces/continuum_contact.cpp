@@ -14,8 +14,7 @@ namespace {
 /// end of the next step. A particle born within reach has the spring alone until it is free: the barrier
 /// scales with the body's mass and would eject a light newborn.
 struct Pairs {
-  const World& w;
-  const StepTools& t;
+  OrientedView w;
   double span;
   struct PairContact {
     Touch touch;
@@ -24,7 +23,7 @@ struct Pairs {
   bool meet(std::size_t oriented, std::size_t particle, PairContact& m) const {
     const Oriented& o = w.oriented.rows;
     const Continuum& p = w.particles;
-    const OrientedContact& contact = t.oriented.contacts[o.body[oriented]];
+    const OrientedContact& contact = w.work.contacts[o.body[oriented]];
     const Vec3d d = p.position[particle] - o.position[oriented];
     const double r2 = dot(d, d), most = 2 * contact.reach;  // no particle moves farther than 0.1 spacings in
                                                             // a step
@@ -42,17 +41,17 @@ struct Pairs {
 
 }  // namespace
 
-void addContinuumContact(World& w, StepTools& t, double dt) {
+void addContinuumContact(const OrientedView& w, double dt) {
   Oriented& o = w.oriented.rows;
   Continuum& p = w.particles;
-  const Pairs pairs{w, t, dt > 0 ? dt : nextStep(w.clock)};
+  const Pairs pairs{w, dt > 0 ? dt : nextStep(w.clock)};
   std::vector<double> stiff(std::max(p.owned, o.owned), 0);
   Pairs::PairContact m;
   const Touch& c = m.touch;
-  t.oriented.fastest2 = 0;
+  w.work.fastest2 = 0;
   const auto noteStiffest = [&](const auto& rows) {
     for (std::size_t i = 0; i < rows.owned; i++)
-      t.oriented.fastest2 = std::max(t.oriented.fastest2, 2 * stiff[i] / rows.mass[i]);
+      w.work.fastest2 = std::max(w.work.fastest2, 2 * stiff[i] / rows.mass[i]);
   };
   eachNear(w.cells, p.owned, w.oriented.cells, [&](std::size_t i, std::size_t j) {
     if (!pairs.meet(j, i, m)) return;

@@ -29,7 +29,8 @@ bool constant(const OrientedField& f, double from, double to) {
   return f.until <= from || f.from >= to || (linear(f, from, to) && f.inTime.at(from) == f.inTime.at(to));
 }
 
-double factorNow(const World& w, const OrientedWork& work, const OrientedField& f) {
+double factorNow(const OrientedView& w, const OrientedField& f) {
+  const OrientedWork& work = w.work;
   if (!(work.over > 0)) return factorAt(f, work.time);
   const double from = w.clock.time, to = from + work.over;
   if (w.scene.oriented.front().integrator == OrientedIntegrator::RungeKutta && linear(f, from, to))
@@ -45,15 +46,16 @@ bool meets(const OrientedField& f, const SignedDistance* region, const Vec3d& x)
 
 }  // namespace
 
-FieldForce fieldForce(const World& w, const OrientedWork& work, std::size_t i) {
+FieldForce fieldForce(const OrientedView& w, std::size_t i) {
   const Oriented& o = w.oriented.rows;
+  const OrientedWork& work = w.work;
   const std::size_t b = o.body[i];
   const OrientedBody& body = w.scene.oriented[b];
   Vec3d push = body.push;
   double pressure = body.pressure, slope = 0;
   for (std::size_t k = 0; k < body.fields.size(); k++) {
     const OrientedField& f = body.fields[k];
-    const double factor = factorNow(w, work, f);
+    const double factor = factorNow(w, f);
     if (factor == 0) continue;
     if (const auto& region = work.fieldRegions[b][k]; region && !region->inside(o.position[i])) continue;
     push += factor * f.push;
@@ -72,8 +74,9 @@ FieldForce fieldForce(const World& w, const OrientedWork& work, std::size_t i) {
   return {force, slope};
 }
 
-void averageFields(World& w, OrientedWork& work, double dt) {
+void averageFields(const OrientedView& w, double dt) {
   Oriented& o = w.oriented.rows;
+  OrientedWork& work = w.work;
   const double from = w.clock.time;
   std::vector<std::uint8_t> changes(w.scene.oriented.size(), 0);
   for (std::size_t b = 0; b < changes.size(); b++)
@@ -81,15 +84,16 @@ void averageFields(World& w, OrientedWork& work, double dt) {
   for (std::size_t i = 0; i < o.owned; i++) {
     if (!changes[o.body[i]]) continue;
     work.over = 0;
-    const Vec3d then = fieldForce(w, work, i).force;
+    const Vec3d then = fieldForce(w, i).force;
     work.over = dt;
-    o.force[i] += fieldForce(w, work, i).force - then;
+    o.force[i] += fieldForce(w, i).force - then;
   }
   work.over = dt;
 }
 
-void recordUnusedFields(const World& w, Reducer& all, OrientedWork& work, double after, double upTo) {
+void recordUnusedFields(const OrientedView& w, Reducer& all, double after, double upTo) {
   const Oriented& o = w.oriented.rows;
+  OrientedWork& work = w.work;
   for (std::size_t b = 0; b < w.scene.oriented.size(); b++)
     for (std::size_t k = 0; k < w.scene.oriented[b].fields.size(); k++) {
       const OrientedField& f = w.scene.oriented[b].fields[k];

@@ -3,8 +3,7 @@
 // (OrientedField).
 #pragma once
 #include "core/halo/halo.hpp"
-#include "core/oriented/data/oriented_work.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/oriented/data/oriented_view.hpp"
 
 namespace thaw {
 
@@ -17,14 +16,14 @@ struct FieldForce {
 /// the mean over the step, so impulses do not depend on step size. Runge-Kutta samples a linear factor at its
 /// stages, which gives the same mean. A pull at distance r is a u (1 - u^2)^2 / 0.2862 with u = r/R, from the
 /// energy per mass -a R (1 - u^2)^3 / 1.717, so it is conservative.
-FieldForce fieldForce(const World& world, const OrientedWork& work, std::size_t row);
+FieldForce fieldForce(const OrientedView& view, std::size_t row);
 
 /// Replaces the field forces at the start of a step of dt (s) by their means over it, where fields change.
-void averageFields(World& world, OrientedWork& work, double dt);
+void averageFields(const OrientedView& view, double dt);
 
 /// Appends to OrientedWork::unusedFields the fields that begin in (after, upTo] and act on no particle.
 /// Collective, if such fields exist.
-void recordUnusedFields(const World& world, Reducer& all, OrientedWork& work, double after, double upTo);
+void recordUnusedFields(const OrientedView& view, Reducer& all, double after, double upTo);
 
 /// Returns the regions of all fields, null for an unbounded one. Throws ShapeError for a mesh that cannot be
 /// read.

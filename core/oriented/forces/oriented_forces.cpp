@@ -22,13 +22,13 @@ struct WallReaction {
 
 /// Returns the contact of one obstacle with row i: a spring and a barrier from `thickness` spacings on, and
 /// friction (Coulomb, viscous at low slip speed).
-WallReaction wallReaction(const World& w, const StepTools& t, const Wall& wall, std::size_t i) {
+WallReaction wallReaction(const OrientedView& w, const Wall& wall, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedBody& body = w.scene.oriented[o.body[i]];
-  const PairPotential& p = t.oriented.potentials[o.body[i]];
+  const PairPotential& p = w.work.potentials[o.body[i]];
   WallReaction push;
   if (!wall.present) return push;
-  const ObstacleContact& contact = t.oriented.obstacles[o.body[i]];
+  const ObstacleContact& contact = w.work.obstacles[o.body[i]];
   const double keep = contact.keep, deepest = 4 * p.spacing;
   const Vec3d rest = toRest(wall.pose, o.position[i]);
   if (!nearBounds(wall.bounds, rest, keep)) return push;
@@ -59,10 +59,10 @@ WallReaction wallReaction(const World& w, const StepTools& t, const Wall& wall, 
 
 /// Returns a small torque along a random direction shared by both particles. Antiparallel normals have no
 /// torque otherwise (docs/validation/stability.md B17).
-Vec3d antiparallelTorque(const World& w, const PairPotential& p, std::uint64_t a, std::uint64_t b,
+Vec3d antiparallelTorque(const Scene& scene, const PairPotential& p, std::uint64_t a, std::uint64_t b,
                          const Vec3d& n) {
   const double angle = 6.283185307179586 *
-                       randomUniform(w.scene.seed, Purpose::OrientedKick, std::min(a, b), std::max(a, b));
+                       randomUniform(scene.seed, Purpose::OrientedKick, std::min(a, b), std::max(a, b));
   const Vec3d e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, u = normalized(cross(n, e)),
               v = cross(n, u);
   return ((a < b ? 1e-3 : -1e-3) * p.scale) * (std::cos(angle) * u + std::sin(angle) * v);
@@ -74,20 +74,18 @@ void findNormals(Oriented& o) {
   for (std::size_t i = 0; i < o.owned; i++) o.normal[i] = axisOf(o.orientation[i]);
 }
 
-void updateNeighbours(World& w, Halos halos, StepTools& t) {
-  OrientedBodies& b = w.oriented;
+void updateNeighbours(OrientedBodies& b, const Scene& scene, Halos halos, OrientedLists& l) {
   Oriented& o = b.rows;
   findNormals(o);
-  CellHalo& halo = *halos.kinds[0];
+  CellHalo& halo = *halos.kinds[orientedType];
   halo.beginGhosts(
       o, b.cells,
       ColumnList{&o.id, &o.position, &o.velocity, &o.normal, &o.group, &o.cutSides, &o.flags, &o.body});
   halo.finishGhosts(o, b.cells);
 
-  OrientedLists& l = t.oriented.lists;
   l.first.clear();
   l.list.clear();
-  const double reach = orientedReach(w.scene), reach2 = reach * reach;
+  const double reach = orientedReach(scene), reach2 = reach * reach;
   const CellTable& cells = b.cells;
   for (std::size_t c = 0; c < cells.key.size(); c++) {
     if (cells.first[c] >= o.owned) continue;
@@ -115,25 +113,24 @@ void updateNeighbours(World& w, Halos halos, StepTools& t) {
   l.first.push_back(static_cast<std::uint32_t>(l.list.size()));
 }
 
-void refreshGhostPoses(World& w, Halos halos) {
-  Oriented& o = w.oriented.rows;
-  halos.kinds[0]->beginRefresh(o, ColumnList{&o.position, &o.normal});
-  halos.kinds[0]->finishRefresh(o);
+void refreshGhostPoses(Oriented& o, Halos halos) {
+  halos.kinds[orientedType]->beginRefresh(o, ColumnList{&o.position, &o.normal});
+  halos.kinds[orientedType]->finishRefresh(o);
 }
 
-void sumOrientedForces(World& w, StepTools& t) {
+void sumOrientedForces(const OrientedView& w) {
   Oriented& o = w.oriented.rows;
-  const OrientedLists& l = t.oriented.lists;
-  t.oriented.obstacleFrequency2 = 0;
+  const OrientedLists& l = w.work.lists;
+  w.work.obstacleFrequency2 = 0;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const Vec3d x = o.position[i], n = o.normal[i];
-    const FieldForce field = fieldForce(w, t.oriented, i);
+    const FieldForce field = fieldForce(w, i);
     Vec3d force = (o.external.active ? o.external[i] : Vec3d{}) + field.force, torque{};
     double energy = 0, stiff = 0, turn = 0;
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];
-      const PairPotential& p = potentialOf(t.oriented, o, i, j);
+      const PairPotential& p = potentialOf(w.work, o, i, j);
       const Vec3d r = o.position[j] - x;
       const bool folded = ((o.flags[i] | o.flags[j]) & creased) != 0;
       const bool same = sameSurface(o, i, j), opposite = p.facing && !folded && !(dot(n, o.normal[j]) > 0);
@@ -147,7 +144,7 @@ void sumOrientedForces(World& w, StepTools& t) {
         stiff += f.stiffness;
         turn += f.turnStiffness;
         if (!p.facing && dot(n, o.normal[j]) < -1 + 1e-9)
-          torque += antiparallelTorque(w, p, o.id[i], o.id[j], n);
+          torque += antiparallelTorque(w.scene, p, o.id[i], o.id[j], n);
       } else if (const double r2 = dot(r, r), d = reachOfContact * p.spacing; r2 < d * d && r2 > 0) {
         const double far = std::sqrt(r2), stiffness = body.contact * body.stiffness,
                      share = w.scene.oriented[o.body[j]].contact * w.scene.oriented[o.body[j]].stiffness;
@@ -158,12 +155,12 @@ void sumOrientedForces(World& w, StepTools& t) {
       }
     }
     for (const Wall& wall : w.walls.list) {
-      const WallReaction push = wallReaction(w, t, wall, i);
+      const WallReaction push = wallReaction(w, wall, i);
       force += push.force;
       energy += push.energy;
       stiff += push.stiffness;
       if (push.slope > 0)
-        t.oriented.obstacleFrequency2 = std::max(t.oriented.obstacleFrequency2, push.slope / o.mass[i]);
+        w.work.obstacleFrequency2 = std::max(w.work.obstacleFrequency2, push.slope / o.mass[i]);
     }
     if (body.planar) {
       force.y = 0;
@@ -176,16 +173,16 @@ void sumOrientedForces(World& w, StepTools& t) {
   }
 }
 
-void recordObstacleWork(World& w, const StepTools& t, double dt) {
+void recordObstacleWork(const OrientedView& w, double dt) {
   Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
-    const Vec3d field = fieldForce(w, t.oriented, i).force;
+    const Vec3d field = fieldForce(w, i).force;
     const bool booked = w.scene.oriented.front().integrator != OrientedIntegrator::RungeKutta &&
                         !(o.flags[i] & fixedPosition);
     Vec3d impulse = field * dt;
     double work = booked ? 0 : dot(field, o.velocity[i]) * dt;
     for (const Wall& wall : w.walls.list) {
-      const WallReaction push = wallReaction(w, t, wall, i);
+      const WallReaction push = wallReaction(w, wall, i);
       impulse += push.force * dt;
       work += dot(push.force, push.velocity) * dt;
       o.dissipated[i] += push.loss * dt;

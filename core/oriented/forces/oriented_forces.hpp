@@ -2,8 +2,7 @@
 // Interaction rules of oriented particles and their forces.
 #pragma once
 #include "core/halo/halos.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/oriented/data/oriented_view.hpp"
 
 namespace thaw {
 
@@ -22,22 +21,22 @@ inline const PairPotential& potentialOf(const OrientedWork& work, const Oriented
 
 /// Updates ghosts and builds the neighbour lists of owned rows, with 1.1 support radii. Requires:
 /// redistributed rows without ghosts. Collective.
-void updateNeighbours(World& world, Halos halos, StepTools& tools);
+void updateNeighbours(OrientedBodies& oriented, const Scene& scene, Halos halos, OrientedLists& lists);
 
 /// Computes the normals of owned rows from their orientations.
 void findNormals(Oriented& rows);
 
 /// Updates positions and normals of the existing ghosts. Collective.
-void refreshGhostPoses(World& world, Halos halos);
+void refreshGhostPoses(Oriented& rows, Halos halos);
 
 /// Computes force, torque, energy and stiffness of owned rows from pairs, obstacles, and fields at
 /// OrientedWork::time, and adds Oriented::external. Records no work. Requires: current positions and
 /// normals of ghosts.
-void sumOrientedForces(World& world, StepTools& tools);
+void sumOrientedForces(const OrientedView& view);
 
 /// Records impulse, work and friction loss of obstacles in a step of dt (s), from forces at the current
 /// positions, and those of fields (fields.hpp). The symplectic and semi-implicit integrators record the
 /// work of fields, since they determine the velocity.
-void recordObstacleWork(World& world, const StepTools& tools, double dt);
+void recordObstacleWork(const OrientedView& view, double dt);
 
 }  // namespace thaw

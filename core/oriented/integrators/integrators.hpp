@@ -5,23 +5,22 @@
 // included.
 #pragma once
 #include "core/halo/halos.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/oriented/data/oriented_view.hpp"
 
 namespace thaw {
 
 /// Symplectic Euler: v += a dt, then x += v dt, and the same for rotations. Damping is exact, exp(-c dt), in
 /// the middle of the kick. The scheme's energy error for a changing step is recorded as dissipation; the
 /// work of pressure and push is recorded as external work.
-void stepSymplectic(World& world, StepTools& tools, double dt);
+void stepSymplectic(const OrientedView& view, double dt);
 
 /// Runge-Kutta of fourth order, for quaternions too. Obstacles keep their pose at the start of the step, and
 /// contact forces with the continuum are constant. Collective.
-void stepRungeKutta(World& world, Halos halos, StepTools& tools, double dt);
+void stepRungeKutta(const OrientedView& view, Halos halos, double dt);
 
 /// Linearised backward Euler: (M (1 + c dt) + dt^2 K) v = M v + dt f, solved by conjugate gradients (HS52). K
 /// is the positive part of the pair stiffness (Gauss-Newton with fixed weights). Stable far beyond explicit
 /// steps; its numerical loss is recorded as dissipation. Collective.
-void stepSemiImplicit(World& world, Halos halos, StepTools& tools, double dt);
+void stepSemiImplicit(const OrientedView& view, Halos halos, double dt);
 
 }  // namespace thaw

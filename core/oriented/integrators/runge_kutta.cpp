@@ -11,9 +11,9 @@ Quat sum(const Quat& a, double f, const Quat& b) {
 
 }  // namespace
 
-void stepRungeKutta(World& w, Halos halos, StepTools& t, double dt) {
+void stepRungeKutta(const OrientedView& w, Halos halos, double dt) {
   Oriented& o = w.oriented.rows;
-  OrientedWork& work = t.oriented;
+  OrientedWork& work = w.work;
   const Vec3d g = w.scene.domain.gravity;
   const std::size_t n = o.owned;
   const auto copy = [&](auto& column, auto& to) { to.assign(column.data(), column.data() + n); };
@@ -32,11 +32,11 @@ void stepRungeKutta(World& w, Halos halos, StepTools& t, double dt) {
   for (int stage = 0; stage < 4; stage++) {
     if (stage > 0) {
       findNormals(o);
-      refreshGhostPoses(w, halos);
+      refreshGhostPoses(o, halos);
       work.time = w.clock.time + next[stage - 1] * dt;
-      sumOrientedForces(w, t);
+      sumOrientedForces(w);
     }
-    recordObstacleWork(w, t, share[stage] * dt);
+    recordObstacleWork(w, share[stage] * dt);
     for (std::size_t i = 0; i < n; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
       const bool place = !(o.flags[i] & fixedPosition), turns = !(o.flags[i] & fixedOrientation);

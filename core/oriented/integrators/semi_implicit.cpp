@@ -58,11 +58,9 @@ void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool o
 }
 
 /// Computes image = K u of owned rows with u in Oriented::search and searchSpin. Collective.
-void multiply(World& w, Halos halos, StepTools& t) {
-  Oriented& o = w.oriented.rows;
-  OrientedWork& work = t.oriented;
-  halos.kinds[0]->beginRefresh(o, ColumnList{&o.search, &o.searchSpin});
-  halos.kinds[0]->finishRefresh(o);
+void multiply(Oriented& o, OrientedWork& work, Halos halos) {
+  halos.kinds[orientedType]->beginRefresh(o, ColumnList{&o.search, &o.searchSpin});
+  halos.kinds[orientedType]->finishRefresh(o);
   const OrientedLists& l = work.lists;
   for (std::size_t i = 0; i < o.owned; i++) {
     Vec3d force{}, torque{};
@@ -81,12 +79,12 @@ void multiply(World& w, Halos halos, StepTools& t) {
 
 }  // namespace
 
-void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
+void stepSemiImplicit(const OrientedView& w, Halos halos, double dt) {
   Oriented& o = w.oriented.rows;
-  OrientedWork& work = t.oriented;
+  OrientedWork& work = w.work;
   const std::size_t n = o.owned;
   const Vec3d g = w.scene.domain.gravity;
-  recordObstacleWork(w, t, dt);
+  recordObstacleWork(w, dt);
   work.acting.assign(n, {});
   work.actingTorque.assign(n, {});
   for (auto* v : {&work.rest, &work.restSpin, &work.along, &work.alongSpin, &work.image, &work.imageSpin,
@@ -112,7 +110,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
     work.velocity[i] = o.search[i] = o.velocity[i];
     work.spin[i] = o.searchSpin[i] = o.spin[i];
   }
-  multiply(w, halos, t);
+  multiply(o, work, halos);
   for (std::size_t i = 0; i < n; i++) {
     finish(i);
     if (free(i, fixedPosition))
@@ -132,7 +130,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
       o.search[i] = work.along[i];
       o.searchSpin[i] = work.alongSpin[i];
     }
-    multiply(w, halos, t);
+    multiply(o, work, halos);
     for (std::size_t i = 0; i < n; i++) finish(i);
     const double step = rest2 / product(halos.all, work.along, work.image, work.alongSpin, work.imageSpin);
     for (std::size_t i = 0; i < n; i++) {
@@ -153,7 +151,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
     o.search[i] = work.velocity[i];
     o.searchSpin[i] = work.spin[i];
   }
-  multiply(w, halos, t);
+  multiply(o, work, halos);
   for (std::size_t i = 0; i < n; i++) {
     const OrientedBody& body = bodyOf(i);
     if (body.planar) work.image[i].y = 0;
@@ -170,8 +168,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
         if (const double lost = -dt * body.damping * o.mass[i] * solved[a]; lost != 0)
           w.ledger.wallImpulse[a].add(lost);
       // at the old positions, before they move
-      if (const double given = dt * dot(fieldForce(w, t.oriented, i).force, v); given != 0)
-        w.ledger.wallWork.add(given);
+      if (const double given = dt * dot(fieldForce(w, i).force, v); given != 0) w.ledger.wallWork.add(given);
       o.velocity[i] = v;
       o.position[i] += dt * v;
     }

@@ -7,11 +7,11 @@
 
 namespace thaw {
 
-void stepSymplectic(World& w, StepTools& t, double dt) {
+void stepSymplectic(const OrientedView& w, double dt) {
   Oriented& o = w.oriented.rows;
-  recordObstacleWork(w, t, dt);
-  t.oriented.acting.assign(o.force.data(), o.force.data() + o.owned);
-  t.oriented.actingTorque.assign(o.torque.data(), o.torque.data() + o.owned);
+  recordObstacleWork(w, dt);
+  w.work.acting.assign(o.force.data(), o.force.data() + o.owned);
+  w.work.actingTorque.assign(o.torque.data(), o.torque.data() + o.owned);
   const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
@@ -21,7 +21,7 @@ void stepSymplectic(World& w, StepTools& t, double dt) {
     const double change = 0.5 * (dt - w.clock.stepDt);
     if (!(o.flags[i] & fixedPosition)) {
       // contacts with other body types have the impulse of both halves already
-      const Vec3d before = o.velocity[i], field = fieldForce(w, t.oriented, i).force,
+      const Vec3d before = o.velocity[i], field = fieldForce(w, i).force,
                   contact = o.external.active ? o.external[i] : Vec3d{};
       o.dissipated[i] -= change * dot(o.force[i] - field - contact + o.mass[i] * g, before);
       // damping between two half kicks dissipates just the work of the forces in a steady state

@@ -10,8 +10,7 @@
 #include "core/oriented/interpolation/interpolant.hpp"
 #include "core/oriented/population/blocked_sites.hpp"
 #include "core/oriented/population/follow_interpolant.hpp"
-#include "core/simulation/ledger/ledger_rows.hpp"
-#include "core/simulation/world/body_types.hpp"
+#include "core/oriented/population/ledger_row.hpp"
 
 namespace thaw {
 namespace {
@@ -97,13 +96,12 @@ bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, st
 
 /// Returns the candidate half way on the arc to the neighbour across the widest gap. The particle of lower id
 /// makes it.
-BirthCandidate candidateInGap(const World& w, const StepTools& t, const OrientedBody& body,
+BirthCandidate candidateInGap(const Oriented& o, const OrientedWork& work, const OrientedBody& body,
                               const PairPotential& p, std::size_t i) {
-  const Oriented& o = w.oriented.rows;
-  const OrientedLists& l = t.oriented.lists;
+  const OrientedLists& l = work.lists;
   BirthCandidate best;
   // given points may be isolated, and ends of a line have one neighbour
-  const int leastBeside = body.planar || !t.oriented.given[o.body[i]].points.empty() ? 0 : leastInRing;
+  const int leastBeside = body.planar || !work.given[o.body[i]].points.empty() ? 0 : leastInRing;
   double widest = body.gap * p.spacing;
   for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
     const std::uint32_t j = l.list[k];
@@ -124,9 +122,9 @@ BirthCandidate candidateInGap(const World& w, const StepTools& t, const Oriented
 
 /// Returns a candidate a spacing away in the widest angle without neighbours, 60 degrees from the nearest
 /// one, on the arc of the neighbours' normals.
-BirthCandidate candidateAtBorder(const World& w, const StepTools& t, const PairPotential& p, std::size_t i) {
-  const Oriented& o = w.oriented.rows;
-  const OrientedLists& l = t.oriented.lists;
+BirthCandidate candidateAtBorder(const Oriented& o, const OrientedWork& work, const Scene& scene,
+                                 const PairPotential& p, std::size_t i) {
+  const OrientedLists& l = work.lists;
   const Vec3d n = o.normal[i], e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0},
               u = normalized(cross(n, e)), v = cross(n, u);
   std::array<double, 64> angle;
@@ -141,7 +139,7 @@ BirthCandidate candidateAtBorder(const World& w, const StepTools& t, const PairP
     if (far2 < beside * beside * p.spacing * p.spacing && count < angle.size())
       angle[count++] = std::atan2(dot(r, v), dot(r, u));
   }
-  double at = 2 * pi * randomUniform(w.scene.seed, Purpose::OrientedBirth, o.id[i]), widest = 2 * pi;
+  double at = 2 * pi * randomUniform(scene.seed, Purpose::OrientedBirth, o.id[i]), widest = 2 * pi;
   if (count > 0) {
     std::sort(angle.begin(), angle.begin() + static_cast<std::ptrdiff_t>(count));
     widest = 0;
@@ -159,7 +157,7 @@ BirthCandidate candidateAtBorder(const World& w, const StepTools& t, const PairP
   BirthCandidate candidate{
       true, o.position[i] + p.spacing * (std::cos(0.5 * turn) * way - std::sin(0.5 * turn) * n),
       std::cos(turn) * n + std::sin(turn) * way};
-  const PointInterpolant& given = t.oriented.given[o.body[i]];
+  const PointInterpolant& given = work.given[o.body[i]];
   if (!given.points.empty() && !projectOnInterpolant(given, candidate.place, candidate.normal)) return {};
   if (dot(candidate.normal, n) < 0.2 || !isFree(o, l, i, candidate.place, clearance * p.spacing)) return {};
   return candidate;
@@ -168,7 +166,7 @@ BirthCandidate candidateAtBorder(const World& w, const StepTools& t, const PairP
 /// Corrects the impulse of gravity for rows that enter or leave. The ledger assumes half kicks
 /// (core/simulation/time/integrate.cpp), but oriented particles get gravity at the start of a step: a newborn
 /// has none of it, a removed particle all.
-void recordGravityImpulse(World& w, std::size_t i, double time) {
+void recordGravityImpulse(const OrientedView& w, std::size_t i, double time) {
   for (int a = 0; a < 3; a++)
     if (const double impulse = w.oriented.rows.mass[i] * w.scene.domain.gravity[a] * time; impulse != 0)
       w.ledger.gravityImpulse[a].add(impulse);
@@ -176,9 +174,9 @@ void recordGravityImpulse(World& w, std::size_t i, double time) {
 
 /// Returns for each body the largest candidate rank (63 bits) for which its size stays within `most` on all
 /// ranks together; no limit for bodies with room.
-std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int64_t>& members,
+std::vector<std::uint64_t> rankLimits(const Oriented& o, const Scene& scene,
+                                      const std::vector<std::int64_t>& members,
                                       const std::vector<std::uint32_t>& parents, Reducer& all) {
-  const Oriented& o = w.oriented.rows;
   const std::size_t bodies = members.size();
   const auto born = [&](const std::vector<std::uint64_t>& limit) {
     std::vector<std::int64_t> n(bodies, 0);
@@ -190,19 +188,18 @@ std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int
   std::vector<std::int64_t> n = born(limit);
   std::vector<std::size_t> over;
   for (std::size_t b = 0; b < bodies; b++)
-    if (members[b] + n[b] > w.scene.oriented[b].most) over.push_back(b);
+    if (members[b] + n[b] > scene.oriented[b].most) over.push_back(b);
   for (int k = 0; k < 63 && !over.empty(); k++) {
     for (const std::size_t b : over) limit[b] = low[b] + (high[b] - low[b]) / 2;
     n = born(limit);
-    for (const std::size_t b : over)
-      (members[b] + n[b] > w.scene.oriented[b].most ? high : low)[b] = limit[b];
+    for (const std::size_t b : over) (members[b] + n[b] > scene.oriented[b].most ? high : low)[b] = limit[b];
   }
   for (const std::size_t b : over) limit[b] = low[b];
   return limit;
 }
 
-void insertCandidate(World& w, const PairPotential& p, std::size_t parent, const BirthCandidate& candidate,
-                     double dt) {
+void insertCandidate(const OrientedView& w, const PairPotential& p, std::size_t parent,
+                     const BirthCandidate& candidate, double dt) {
   Oriented& o = w.oriented.rows;
   const std::size_t i = o.owned;
   o.resize(i + 1, 0);
@@ -219,33 +216,33 @@ void insertCandidate(World& w, const PairPotential& p, std::size_t parent, const
   o.orientation[i] = o.restOrientation[i] = towards(candidate.normal);
   o.restPosition[i] = candidate.place;
   o.flags[i] |= w.modules.orientedContact ? newborn | emerging : newborn;
-  addBodyTypeRow(w, orientedType, i, w.ledger.entered);
+  addOrientedRow(o, i, w.scene.domain.gravity, w.ledger.entered);
   recordGravityImpulse(w, i, -0.5 * dt);
   w.counters.orientedBirths++;
 }
 
 }  // namespace
 
-void removeRow(World& w, std::size_t i, double dt) {
+void removeRow(const OrientedView& w, std::size_t i, double dt) {
   Oriented& o = w.oriented.rows;
   o.energy[i] = 0;
-  addBodyTypeRow(w, orientedType, i, w.ledger.left);
+  addOrientedRow(o, i, w.scene.domain.gravity, w.ledger.left);
   w.ledger.dissipated.add(o.dissipated[i]);
   recordGravityImpulse(w, i, 0.5 * dt);
   o.mass[i] = 0;  // dropped by redistributeOriented
 }
 
-bool adaptSamplingDue(const World& w, double dt) {
+bool adaptSamplingDue(const Scene& scene, const Clock& clock, double dt) {
   bool due = false;
   if (dt == 0) return due;
-  for (const OrientedBody& b : w.scene.oriented)
-    due = due || ((b.growth != OrientedGrowth::None || b.crowd > 0) && (w.clock.step + 1) % b.every == 0);
+  for (const OrientedBody& b : scene.oriented)
+    due = due || ((b.growth != OrientedGrowth::None || b.crowd > 0) && (clock.step + 1) % b.every == 0);
   return due;
 }
 
-bool adaptSampling(World& w, Halos halos, StepTools& t, double dt) {
+bool adaptSampling(const OrientedView& w, Halos halos, double dt) {
   Oriented& o = w.oriented.rows;
-  const OrientedLists& l = t.oriented.lists;
+  const OrientedLists& l = w.work.lists;
   const std::uint64_t step = static_cast<std::uint64_t>(w.clock.step);
   std::vector<std::int64_t> members(w.scene.oriented.size(), 0);
   for (std::size_t i = 0; i < o.owned; i++) members[o.body[i]]++;
@@ -259,11 +256,11 @@ bool adaptSampling(World& w, Halos halos, StepTools& t, double dt) {
     o.candidate[i] = {};
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     if (body.growth == OrientedGrowth::None || members[o.body[i]] >= body.most) continue;
-    const PairPotential& p = t.oriented.potentials[o.body[i]];
-    candidates[i] = candidateInGap(w, t, body, p, i);
+    const PairPotential& p = w.work.potentials[o.body[i]];
+    candidates[i] = candidateInGap(o, w.work, body, p, i);
     double apart = 0;
     if (!candidates[i].there && body.growth == OrientedGrowth::Borders) {
-      candidates[i] = candidateAtBorder(w, t, p, i);
+      candidates[i] = candidateAtBorder(o, w.work, w.scene, p, i);
       apart = fromObstacles * body.thickness * p.spacing;
     }
     if (!candidates[i].there) continue;
@@ -286,8 +283,8 @@ bool adaptSampling(World& w, Halos halos, StepTools& t, double dt) {
   parents.clear();
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
-    const PairPotential& p = t.oriented.potentials[o.body[i]];
-    bool wins = o.candidateRank[i] > 0, dies = isOffInterpolant(w, t, i);
+    const PairPotential& p = w.work.potentials[o.body[i]];
+    bool wins = o.candidateRank[i] > 0, dies = isOffInterpolant(o, w.work, i);
     const std::uint64_t own = randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[i], step);
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];
@@ -307,7 +304,7 @@ bool adaptSampling(World& w, Halos halos, StepTools& t, double dt) {
   }
   if (std::any_of(w.scene.oriented.begin(), w.scene.oriented.end(),
                   [](const OrientedBody& b) { return b.growth != OrientedGrowth::None; })) {
-    const std::vector<std::uint64_t> limit = rankLimits(w, members, parents, halos.all);
+    const std::vector<std::uint64_t> limit = rankLimits(o, w.scene, members, parents, halos.all);
     std::erase_if(parents, [&](std::uint32_t i) { return o.candidateRank[i] > limit[o.body[i]]; });
   }
   std::int64_t changed = static_cast<std::int64_t>(parents.size() + dead.size());
@@ -315,7 +312,7 @@ bool adaptSampling(World& w, Halos halos, StepTools& t, double dt) {
   if (changed == 0) return false;
   o.resize(o.owned, 0);
   for (const std::uint32_t i : parents)
-    insertCandidate(w, t.oriented.potentials[o.body[i]], i, candidates[i], dt);
+    insertCandidate(w, w.work.potentials[o.body[i]], i, candidates[i], dt);
   for (const std::uint32_t i : dead) removeRow(w, i, dt);
   w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
   return true;

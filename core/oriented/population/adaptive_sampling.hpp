@@ -3,23 +3,22 @@
 // crowded.
 #pragma once
 #include "core/halo/halos.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/oriented/data/oriented_view.hpp"
 
 namespace thaw {
 
 /// Returns whether a step of dt ends with adaptive sampling: its number is a multiple of OrientedBody::every.
 /// False at the start (dt 0).
-bool adaptSamplingDue(const World& world, double dt);
+bool adaptSamplingDue(const Scene& scene, const Clock& clock, double dt);
 
 /// Creates and removes particles, at most one candidate per particle. Returns true if rows changed on any
 /// rank; rows must then be redistributed. A candidate stands if none within a spacing has a lower rank, a
 /// hash of id and step. Births and deaths enter the ledger as entered and left mass with energy 0. A body
 /// never exceeds OrientedBody::most: its candidates of lowest rank stand. dt (s): length of the last step, 0
 /// before the start. Requires: ghosts and neighbour lists. Collective.
-bool adaptSampling(World& world, Halos halos, StepTools& tools, double dt);
+bool adaptSampling(const OrientedView& view, Halos halos, double dt);
 
 /// Removes row i: recorded in the ledger, and dropped at the next redistribution.
-void removeRow(World& world, std::size_t i, double dt);
+void removeRow(const OrientedView& view, std::size_t i, double dt);
 
 }  // namespace thaw

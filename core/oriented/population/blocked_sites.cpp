@@ -17,9 +17,9 @@ namespace {
 constexpr double below = 0.4;
 constexpr double unit = 1.0 / (1 << 30);  // integer unit of the sums, which makes them independent of order
 
-bool inObstacle(const World& w, const BirthSite& b) {
-  const double reach = std::max(b.apart, 1e-3 * w.scene.spacing);
-  return std::any_of(w.walls.list.begin(), w.walls.list.end(), [&](const Wall& wall) {
+bool inObstacle(const Walls& walls, const Scene& scene, const BirthSite& b) {
+  const double reach = std::max(b.apart, 1e-3 * scene.spacing);
+  return std::any_of(walls.list.begin(), walls.list.end(), [&](const Wall& wall) {
     if (!wall.present) return false;
     const Vec3d rest = toRest(wall.pose, b.place);
     return nearBounds(wall.bounds, rest, reach) && wall.shape->distanceWithin(rest, reach) < b.apart;
@@ -61,7 +61,7 @@ void eachImage(const CellGrid& g, const Domain& d, const Vec3d& x, double reach,
 }
 
 /// Adds the kernel fractions that this rank's particles of each solid body fill at a position, in units.
-void addSolidFractions(const World& w, const Vec3d& place, std::int64_t* shares) {
+void addSolidFractions(const OrientedView& w, const Vec3d& place, std::int64_t* shares) {
   const Continuum& p = w.particles;
   const double s = w.scene.spacing;
   std::vector<RowSpan> ranges;
@@ -76,9 +76,9 @@ void addSolidFractions(const World& w, const Vec3d& place, std::int64_t* shares)
 
 }  // namespace
 
-std::vector<char> blockedSites(const World& w, const std::vector<BirthSite>& places, Reducer& all) {
+std::vector<char> blockedSites(const OrientedView& w, const std::vector<BirthSite>& places, Reducer& all) {
   std::vector<char> taken(places.size());
-  for (std::size_t k = 0; k < places.size(); k++) taken[k] = inObstacle(w, places[k]);
+  for (std::size_t k = 0; k < places.size(); k++) taken[k] = inObstacle(w.walls, w.scene, places[k]);
   if (!w.modules.orientedContact || !w.modules.solid || w.scene.bodies.empty()) return taken;
   std::size_t mine = 0;
   const std::vector<Vec3d> everywhere = gather(places, all, mine);

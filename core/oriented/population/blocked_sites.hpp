@@ -2,7 +2,7 @@
 // Sites where no surface particle may be made: inside obstacles and inside solids.
 #pragma once
 #include "core/halo/halo.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/oriented/data/oriented_view.hpp"
 
 namespace thaw {
 
@@ -17,6 +17,6 @@ struct BirthSite {
 /// continuum body that is solid there. Rows may lie outside of their rank's cells while surfaces relax, so
 /// all ranks test the sites of all ranks; the result does not depend on their number. Requires: current
 /// walls, and cells of the owned particles. Collective.
-std::vector<char> blockedSites(const World& world, const std::vector<BirthSite>& places, Reducer& all);
+std::vector<char> blockedSites(const OrientedView& view, const std::vector<BirthSite>& places, Reducer& all);
 
 }  // namespace thaw

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/population/adaptive_sampling.hpp"
-#include "core/simulation/body_types/redistribute.hpp"
+#include "core/oriented/population/redistribute_oriented.hpp"
 
 namespace thaw {
 namespace {
@@ -34,9 +33,8 @@ std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_
 
 /// Returns particles of `other` on overlapping rims of a weld: free ones nearer to one of `group` than
 /// `apart` (m).
-std::vector<std::uint32_t> overlappingRows(const World& w, const OrientedLists& lists, std::uint32_t group,
+std::vector<std::uint32_t> overlappingRows(const Oriented& o, const OrientedLists& lists, std::uint32_t group,
                                            std::uint32_t other, double apart) {
-  const Oriented& o = w.oriented.rows;
   std::vector<std::uint32_t> rows;
   for (std::size_t i = 0; i < o.owned; i++) {
     bool crowded = false;
@@ -105,7 +103,7 @@ std::vector<EventDue> eventsBetween(const Scene& s, double from, double to) {
 
 bool eventsDue(const Scene& s, double from, double to) { return !eventsBetween(s, from, to).empty(); }
 
-void applyEvents(World& w, Halos halos, StepTools& t, double from, double to) {
+void applyEvents(const OrientedView& w, Halos halos, double from, double to) {
   Oriented& o = w.oriented.rows;
   const std::vector<EventDue> list = eventsBetween(w.scene, from, to);
   for (const EventDue& due : list) {
@@ -114,7 +112,7 @@ void applyEvents(World& w, Halos halos, StepTools& t, double from, double to) {
     const bool shaped = (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Box) ||
                         e.kind == OrientedEventKind::Smooth;
     const auto region = shaped ? makeSignedDistance(e.region) : nullptr;
-    const PairPotential& p = t.oriented.potentials[due.body];
+    const PairPotential& p = w.work.potentials[due.body];
     // Affected particles: for a cut on its two sides, else in the first entry; for a weld the pairs that it
     // joins.
     std::int64_t met[2] = {0, 0};
@@ -122,8 +120,8 @@ void applyEvents(World& w, Halos halos, StepTools& t, double from, double to) {
                         other = static_cast<std::uint32_t>(e.otherIndex);
     std::vector<std::uint32_t> dead;
     if (e.kind == OrientedEventKind::Weld) {
-      met[0] = pairsOf(o, t.oriented.lists, group, other);
-      dead = overlappingRows(w, t.oriented.lists, group, other, weldApart * p.spacing);
+      met[0] = pairsOf(o, w.work.lists, group, other);
+      dead = overlappingRows(o, w.work.lists, group, other, weldApart * p.spacing);
     }
     for (std::size_t i = 0; i < o.owned; i++) {
       const Vec3d x = o.position[i];
@@ -148,16 +146,11 @@ void applyEvents(World& w, Halos halos, StepTools& t, double from, double to) {
     for (const std::uint32_t i : dead) removeRow(w, i, from > -never ? to - from : 0);
     w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
     // the next event requires current rows on all ranks
-    if (e.kind == OrientedEventKind::Weld && &due != &list.back()) redistributeAndUpdate(w, halos, t);
+    if (e.kind == OrientedEventKind::Weld && &due != &list.back()) redistributeAndUpdate(w, halos);
     halos.all.sum(met);
     if (met[0] == 0 || (e.kind == OrientedEventKind::Cut && met[1] == 0))
-      t.oriented.idle.push_back({due.body, due.event});
+      w.work.idle.push_back({due.body, due.event});
   }
-}
-
-void redistributeAndUpdate(World& w, Halos halos, StepTools& t) {
-  redistributeOriented(w, halos, t);
-  updateNeighbours(w, halos, t);
 }
 
 }  // namespace thaw

@@ -2,8 +2,7 @@
 // Timed events of oriented bodies: weld, cut, crease, smooth (ST92).
 #pragma once
 #include "core/halo/halos.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/oriented/data/oriented_view.hpp"
 
 namespace thaw {
 
@@ -20,7 +19,7 @@ bool eventsDue(const Scene& scene, double from, double to);
 
 /// Applies the events in (from, to] (s) to the owned rows, in order. Each row is changed by its own position,
 /// group and normal alone, so the result does not depend on the number of ranks.
-void applyEvents(World& world, Halos halos, StepTools& tools, double from, double to);
+void applyEvents(const OrientedView& view, Halos halos, double from, double to);
 
 /// Returns the number of a cut among all cuts, at most 32: its two bits in Oriented::cutSides.
 int cutNumber(const Scene& scene, std::size_t body, std::size_t event);
@@ -31,9 +30,5 @@ int sideOfCut(const OrientedEvent& cut, const SignedDistance* region, double rea
 
 /// Distance (m) of a position from a polyline.
 double distanceToPath(const std::vector<Vec3d>& path, const Vec3d& x);
-
-/// Redistributes rows and rebuilds ghosts and neighbour lists, after flags, groups or rows have changed.
-/// Collective.
-void redistributeAndUpdate(World& world, Halos halos, StepTools& tools);
 
 }  // namespace thaw

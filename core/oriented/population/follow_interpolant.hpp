@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces that hold particles on the interpolated surface while it is rebuilt from given points (ST92).
 #pragma once
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/oriented/data/oriented_view.hpp"
 
 namespace thaw {
 
@@ -10,14 +9,14 @@ namespace thaw {
 /// (Oriented::restPosition) and orientation (restOrientation). A row without a projection within `lost`
 /// spacings is removed: its mass becomes 0 and the ledger records it as left. Returns the number of removed
 /// rows of this rank.
-std::int64_t projectRowsOnInterpolant(World& world, const StepTools& tools);
+std::int64_t projectRowsOnInterpolant(const OrientedView& view);
 
 /// Returns whether a free row of a body with given points has no projection within `lost` spacings.
-bool isOffInterpolant(const World& world, const StepTools& tools, std::size_t row);
+bool isOffInterpolant(const Oriented& rows, const OrientedWork& work, std::size_t row);
 
 /// Adds a spring toward the stored tangent plane, along its normal, and one that turns the normal of these
 /// rows.
-void addInterpolantForces(const World& world, const StepTools& tools, std::vector<Vec3d>& force,
-                          std::vector<Vec3d>& torque);
+void addInterpolantForces(const Oriented& rows, const OrientedWork& work, const Scene& scene,
+                          std::vector<Vec3d>& force, std::vector<Vec3d>& torque);
 
 }  // namespace thaw

@@ -27,7 +27,7 @@ struct Face {
 
 /// Contact of one sheet with all particles.
 struct FaceContact {
-  World& w;
+  SheetView w;
   const SheetVelocities& now;
   std::size_t sheet;
   const SheetPlan& plan;
@@ -35,14 +35,14 @@ struct FaceContact {
   const MeshRows& rows;
   std::vector<double> slope;  // N/m, of owned vertices
 
-  FaceContact(World& world, const SheetVelocities& velocities, std::size_t n)
-      : w(world),
+  FaceContact(const SheetView& view, const SheetVelocities& velocities, std::size_t n)
+      : w(view),
         now(velocities),
         sheet(n),
-        plan(world.sheets.plans[n]),
-        body(world.scene.sheets[n]),
-        rows(world.sheets.search->rows),
-        slope(world.sheets.rows.owned, 0) {}
+        plan(view.sheets.plans[n]),
+        body(view.scene.sheets[n]),
+        rows(view.sheets.search->rows),
+        slope(view.sheets.rows.owned, 0) {}
 
   std::vector<RowSpan> ranges;
   std::vector<Face> faces;
@@ -263,7 +263,7 @@ double faceContactReach(const std::vector<SheetPlan>& plans) {
   return reach;
 }
 
-void addFaceContact(World& w, Halos halos, const SheetVelocities& now) {
+void addFaceContact(const SheetView& w, Halos halos, const SheetVelocities& now) {
   Continuum& p = w.particles;
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
     if (!w.sheets.plans[n].byFaces) continue;

@@ -22,6 +22,6 @@ double faceContactReach(const std::vector<SheetPlan>& plans);
 /// corners lie in the 27 cells around it and around each other. The corners' owners find the triangles again
 /// and add their fractions in (cell, id) order of the particles. Friction acts at the nearest point only,
 /// since it stores no energy. Requires: ghosts of vertices with ids, and of particles. Collective.
-void addFaceContact(World& world, Halos halos, const SheetVelocities& now);
+void addFaceContact(const SheetView& view, Halos halos, const SheetVelocities& now);
 
 }  // namespace thaw

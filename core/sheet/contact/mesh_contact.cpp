@@ -21,21 +21,22 @@ constexpr double ahead = 2;
 constexpr double deepest = 0.1;  // fraction of the reach: closer pairs do not shorten the step further
 
 struct MeshContact {
-  World& w;
+  SheetBodies& sheets;
+  const Scene& scene;
   const SheetVelocities& now;
   Sheets& s;
   std::vector<double>& slope;  // N/m, of owned vertices
 
-  double massOf(std::uint32_t i) const { return w.sheets.laws[s.law[i]].contactMass * s.area[i]; }
+  double massOf(std::uint32_t i) const { return sheets.laws[s.law[i]].contactMass * s.area[i]; }
 
   /// Returns the law between bodies of these masses (kg); `more` is the number of extra pairs for a reach of
   /// one edge.
   TouchLaw lawOf(const MeshPair& p, double first, double second, double more) const {
     const std::size_t a = s.body[p.row[0]], b = s.body[p.row[3]];
-    const SheetBody &x = w.scene.sheets[a], &y = w.scene.sheets[b];
-    const double far = p.reach / std::max(w.sheets.plans[a].spacing, w.sheets.plans[b].spacing),
+    const SheetBody &x = scene.sheets[a], &y = scene.sheets[b];
+    const double far = p.reach / std::max(sheets.plans[a].spacing, sheets.plans[b].spacing),
                  part = 1 / (1 + more * far * far);
-    return {std::max(w.sheets.plans[a].contactRate, w.sheets.plans[b].contactRate),
+    return {std::max(sheets.plans[a].contactRate, sheets.plans[b].contactRate),
             part * first * second / (first + second), std::min(x.restitution, y.restitution),
             std::max(x.friction, y.friction), now.span};
   }
@@ -74,9 +75,8 @@ struct MeshContact {
     smooth.friction = 0;
     const Touch t = touchOf(smooth, p.reach - p.distance, n, v);
     pairFriction(p, law, dot(t.force, n), n, v);
-    w.sheets.closingRate = std::max(w.sheets.closingRate,
-                                    -dot(v, n) / std::max(p.distance, deepest * p.reach));
-    w.sheets.impactRate = std::max(w.sheets.impactRate, blowRate(law.rate, p.reach, std::abs(dot(v, n))));
+    sheets.closingRate = std::max(sheets.closingRate, -dot(v, n) / std::max(p.distance, deepest * p.reach));
+    sheets.impactRate = std::max(sheets.impactRate, blowRate(law.rate, p.reach, std::abs(dot(v, n))));
     for (std::size_t k = 0; k < 4; k++) {
       const std::uint32_t i = p.row[k];
       if (i >= s.owned) continue;
@@ -129,21 +129,21 @@ double meshContactReach(const Scene& s, const std::vector<SheetPlan>& plans) {
   return reach;
 }
 
-void addMeshContact(World& w, const SheetVelocities& now) {
-  Sheets& s = w.sheets.rows;
+void addMeshContact(SheetBodies& sheets, const Scene& scene, const SheetVelocities& now) {
+  Sheets& s = sheets.rows;
   Vec3d mean{};
   for (std::size_t i = 0; i < s.owned; i++) mean += s.moving[i];
-  MeshSearch& pairs = *w.sheets.search;
-  findMeshPairs(w,
+  MeshSearch& pairs = *sheets.search;
+  findMeshPairs(sheets, scene,
                 {mean / static_cast<double>(std::max<std::size_t>(1, s.owned)), now.dt,
                  std::isfinite(now.span) ? contactLookAhead * now.span : 0},
                 pairs);
-  if (pairs.coming > 0) w.sheets.impactRate = std::max(w.sheets.impactRate, blowRate(1, 1, pairs.coming));
+  if (pairs.coming > 0) sheets.impactRate = std::max(sheets.impactRate, blowRate(1, 1, pairs.coming));
   std::vector<double> slope(s.owned, 0);
-  MeshContact contact{w, now, s, slope};
+  MeshContact contact{sheets, scene, now, s, slope};
   for (const MeshPair& p : pairs.faces) contact.vertexAndTriangle(p);
   for (const MeshPair& p : pairs.edges) contact.edgeAndEdge(p);
-  for (std::size_t i = 0; i < s.owned; i++) w.sheets.slope[i] += 2 * ahead * slope[i] / s.area[i];
+  for (std::size_t i = 0; i < s.owned; i++) sheets.slope[i] += 2 * ahead * slope[i] / s.area[i];
 }
 
 }  // namespace thaw

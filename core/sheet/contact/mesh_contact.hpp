@@ -21,6 +21,6 @@ double meshContactReach(const Scene& scene, const std::vector<SheetPlan>& plans)
 /// conserves linear and angular momentum. h is the mean thickness, but within a sheet at most half of the
 /// pair's rest distance. Elements that share a vertex do not touch. Each rank finds all pairs with one of its
 /// vertices, in ascending order. Requires: ghosts of vertices with ids.
-void addMeshContact(World& world, const SheetVelocities& now);
+void addMeshContact(SheetBodies& sheets, const Scene& scene, const SheetVelocities& now);
 
 }  // namespace thaw

@@ -13,7 +13,6 @@
 #include "core/sheet/data/touching_sheets.hpp"
 #include "core/sheet/forces/time_factors.hpp"
 #include "core/sheet/search/mesh_pairs.hpp"
-#include "core/simulation/world/body_types.hpp"
 
 namespace thaw {
 namespace {
@@ -21,39 +20,39 @@ namespace {
 double pairMass(double a, double b) { return a * b / (a + b); }
 
 // Contact mass (kg).
-double massOf(const World& w, std::size_t i) {
-  const Sheets& s = w.sheets.rows;
-  return w.sheets.laws[s.law[i]].contactMass * s.area[i];
+double massOf(const SheetBodies& sheets, std::size_t i) {
+  const Sheets& s = sheets.rows;
+  return sheets.laws[s.law[i]].contactMass * s.area[i];
 }
 
 /// Repulsion or attraction (N/m) of a vertex at a time factor of 1.
-double ownOf(const World& w, SheetFactor f, std::size_t i) {
-  const Sheets& s = w.sheets.rows;
-  return w.scene.sheets[s.body[i]].*sheetCoefficients[placeOf(f)].value *
-         w.sheets.laws[s.law[i]].factor[placeOf(f)];
+double ownOf(const SheetBodies& sheets, const Scene& scene, SheetFactor f, std::size_t i) {
+  const Sheets& s = sheets.rows;
+  return scene.sheets[s.body[i]].*sheetCoefficients[placeOf(f)].value *
+         sheets.laws[s.law[i]].factor[placeOf(f)];
 }
 
 /// Sum of half of both ends' stiffness: now, and the largest until the end of the next step for the slope.
 struct PairSpring {
   double own, stiffness, later;
 };
-PairSpring pairSpring(const World& w, SheetFactor f, std::size_t i, std::size_t j) {
-  const Sheets& s = w.sheets.rows;
-  const double own = 0.5 * ownOf(w, f, i), other = 0.5 * ownOf(w, f, j);
+PairSpring pairSpring(const SheetBodies& sheets, const Scene& scene, SheetFactor f, std::size_t i,
+                      std::size_t j) {
+  const Sheets& s = sheets.rows;
+  const double own = 0.5 * ownOf(sheets, scene, f, i), other = 0.5 * ownOf(sheets, scene, f, j);
   if (!(own > 0) && !(other > 0)) return {};
-  const FactorsNow &p = w.sheets.factors[s.body[i]], &q = w.sheets.factors[s.body[j]];
+  const FactorsNow &p = sheets.factors[s.body[i]], &q = sheets.factors[s.body[j]];
   const std::size_t k = placeOf(f);
   return {own, own * p.now[k] + other * q.now[k], own * p.most[k] + other * q.most[k]};
 }
 
 /// Adds repulsion and attraction by distance.
-void addVertexForces(World& w) {
-  SheetBodies& b = w.sheets;
+void addVertexForces(SheetBodies& b, const Scene& scene) {
   Sheets& s = b.rows;
   std::vector<double> slope(s.owned, 0);
   double reach2 = 0;
   for (std::size_t k = 0; k < b.plans.size(); k++) {
-    const double r = b.plans[k].thickness + (w.scene.sheets[k].pull > 0 ? w.scene.sheets[k].pullReach : 0);
+    const double r = b.plans[k].thickness + (scene.sheets[k].pull > 0 ? scene.sheets[k].pullReach : 0);
     reach2 = std::max(reach2, r * r);
   }
   eachNear(b.cells, s.owned, b.cells, [&](std::size_t i, std::size_t j) {
@@ -63,7 +62,7 @@ void addVertexForces(World& w) {
     const double r2 = dot(d, d);
     if (!(r2 < reach2) || !(r2 > 0)) return;
     const SheetPlan &p = b.plans[s.body[i]], &q = b.plans[s.body[j]];
-    const SheetBody &x = w.scene.sheets[s.body[i]], &y = w.scene.sheets[s.body[j]];
+    const SheetBody &x = scene.sheets[s.body[i]], &y = scene.sheets[s.body[j]];
     const bool same = s.body[i] == s.body[j];
     if (same) {
       if (!(x.push > 0) && !(x.pull > 0)) return;
@@ -76,14 +75,15 @@ void addVertexForces(World& w) {
     Vec3d force{};
     double energy = 0;
     const double beyond = -depth, reach = std::max(x.pullReach, y.pullReach);
-    if (const PairSpring push = pairSpring(w, SheetFactor::Push, i, j); push.later > 0 && depth > 0) {
+    if (const PairSpring push = pairSpring(b, scene, SheetFactor::Push, i, j); push.later > 0 && depth > 0) {
       const double unit = 0.5 * depth * depth;
       force += n * (push.stiffness * depth);
       energy += push.stiffness * unit;
       slope[i] += push.later;
       if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Push) += push.own * unit;
     }
-    if (const PairSpring pull = pairSpring(w, SheetFactor::Pull, i, j); pull.later > 0 && beyond < reach) {
+    if (const PairSpring pull = pairSpring(b, scene, SheetFactor::Pull, i, j);
+        pull.later > 0 && beyond < reach) {
       const double u = std::max(beyond, 0.0) / reach,
                    unit = reach * reach * (u * u * (0.5 - u * (2.0 / 3) + 0.25 * u * u) - 1.0 / 12);
       force -= n * (pull.stiffness * reach * u * (1 - u) * (1 - u));
@@ -104,7 +104,7 @@ struct PairContact {
 };
 
 struct Particles {
-  const World& w;
+  SheetView w;
   const SheetVelocities& now;
   bool heat;
   bool meet(std::size_t i, std::size_t j, PairContact& m) const {
@@ -121,7 +121,7 @@ struct Particles {
                                              : p.phase[j] == Liquid ? 1
                                                                     : 0;
     // fraction of the particle that this vertex supports
-    const double mass = pairMass(massOf(w, i), p.mass[j]),
+    const double mass = pairMass(massOf(w.sheets, i), p.mass[j]),
                  part = std::min(1.0, s.area[i] / (w.scene.spacing * w.scene.spacing));
     m.touch = touchOf({plan.contactRate, mass, std::min(b.restitution, material.restitution),
                        (1 - liquid) * std::max(b.friction, material.friction), now.span,
@@ -140,7 +140,7 @@ struct Particles {
   }
 };
 
-void addParticleContact(World& w, const SheetVelocities& now) {
+void addParticleContact(const SheetView& w, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   Continuum& p = w.particles;
@@ -175,27 +175,27 @@ void addParticleContact(World& w, const SheetVelocities& now) {
 
 /// Adds contact of vertices and oriented particles, as with the continuum, without heat. The force on
 /// oriented particles is constant over their next step.
-void addOrientedContact(World& w, const SheetVelocities& now) {
-  SheetBodies& b = w.sheets;
+void addOrientedContact(SheetBodies& b, OrientedBodies& oriented, const Scene& scene,
+                        const SheetVelocities& now) {
   Sheets& s = b.rows;
-  Oriented& o = w.oriented.rows;
+  Oriented& o = oriented.rows;
   const auto meet = [&](std::size_t i, std::size_t j, Touch& touch) {
     const SheetPlan& plan = b.plans[s.body[i]];
-    const OrientedBody& other = w.scene.oriented[o.body[j]];
-    const SheetBody& sheet = w.scene.sheets[s.body[i]];
-    const double spacing = spacingOf(w.scene, other);
+    const OrientedBody& other = scene.oriented[o.body[j]];
+    const SheetBody& sheet = scene.sheets[s.body[i]];
+    const double spacing = spacingOf(scene, other);
     const Vec3d d = s.position[i] - o.position[j];
     const double reach = 0.5 * (plan.thickness + spacing), r2 = dot(d, d);
     if (!(r2 < reach * reach) || !(r2 > 0)) return false;
     const double r = std::sqrt(r2), mass = orientedMass(other, spacing);  // not the column: ghosts have none
-    touch = touchOf({plan.contactRate, pairMass(massOf(w, i), mass), sheet.restitution,
+    touch = touchOf({plan.contactRate, pairMass(massOf(b, i), mass), sheet.restitution,
                      std::max(sheet.friction, other.friction), now.span},
                     reach - r, d / r, s.moving[i] - o.velocity[j]);
     return true;
   };
   std::vector<double> slope(s.owned, 0);
   Touch touch;
-  eachNear(b.cells, s.owned, w.oriented.cells, [&](std::size_t i, std::size_t j) {
+  eachNear(b.cells, s.owned, oriented.cells, [&](std::size_t i, std::size_t j) {
     if (!meet(i, j, touch)) return;
     s.load[i] += touch.force / s.area[i];
     s.energy[i] += 0.5 * touch.energy;
@@ -203,10 +203,10 @@ void addOrientedContact(World& w, const SheetVelocities& now) {
     slope[i] += touch.slope;
   });
   for (std::size_t i = 0; i < s.owned; i++) b.slope[i] += 2 * slope[i] / s.area[i];
-  eachNear(w.oriented.cells, o.owned, b.cells, [&](std::size_t j, std::size_t i) {
+  eachNear(oriented.cells, o.owned, b.cells, [&](std::size_t j, std::size_t i) {
     if (!meet(i, j, touch)) return;
     Vec3d force = touch.force, dissipativeForce = touch.dissipativeForce;
-    if (w.scene.oriented[o.body[j]].planar) force.y = dissipativeForce.y = 0;
+    if (scene.oriented[o.body[j]].planar) force.y = dissipativeForce.y = 0;
     o.force[j] -= force;
     o.external[j] -= force;
     o.dissipativeForce[j] -= dissipativeForce;
@@ -232,7 +232,7 @@ bool sheetsTouchContinuum(const Scene& s) { return !s.sheets.empty() && hasConti
 
 double exclusionDistance(const SheetPlan& p) { return std::max(2 * p.spacing, 1.3 * p.thickness); }
 
-void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
+void addSheetContacts(const SheetView& w, Halos halos, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   const bool meshes = meshesTouch(w.scene), pushes = hasVertexForces(w.scene),
@@ -251,11 +251,11 @@ void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
     if (!b.search) b.search = std::make_shared<MeshSearch>();
     findMeshRows(s, b.cells, b.plans, b.search->rows);
   }
-  if (meshes) addMeshContact(w, now);
-  if (pushes) addVertexForces(w);
+  if (meshes) addMeshContact(b, w.scene, now);
+  if (pushes) addVertexForces(b, w.scene);
   if (continuum && points) addParticleContact(w, now);
   if (continuum && faces) addFaceContact(w, halos, now);
-  if (oriented) addOrientedContact(w, now);
+  if (oriented) addOrientedContact(b, w.oriented, w.scene, now);
 }
 
 }  // namespace thaw

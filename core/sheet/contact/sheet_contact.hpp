@@ -19,6 +19,6 @@ double exclusionDistance(const SheetPlan& plan);
 /// Adds to Sheets::load, energy, dissipated, heatFlow, and to force, interaction, dissipation and heatFlow of
 /// particles. Both ends of a pair compute the same force, in (cell, id) order. Requires: ghosts of the
 /// continuum where both touch. Collective.
-void addSheetContacts(World& world, Halos halos, const SheetVelocities& now);
+void addSheetContacts(const SheetView& view, Halos halos, const SheetVelocities& now);
 
 }  // namespace thaw

@@ -75,11 +75,10 @@ Vec3d areaNormalOf(const SheetEdges& e, std::size_t slot) {
 namespace {
 
 /// Adds the springs of a slot and sets its area vector (as areaNormalOf), in one pass over its neighbours.
-void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
-  SheetBodies& b = w.sheets;
+void addBonds(SheetBodies& b, const Scene& scene, std::size_t slot, bool springs, bool normals) {
   Sheets& s = b.rows;
   const std::uint32_t i = b.edges.ends.particle[slot];
-  const SheetBody& body = w.scene.sheets[s.body[i]];
+  const SheetBody& body = scene.sheets[s.body[i]];
   const Bonds& bonds = b.edges.bonds;
   const bool limited = body.stretchLimit < never;
   std::vector<SheetFactor> kinds;  // empty if none changes in time
@@ -137,8 +136,7 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
 }
 
 /// Adds the pressure from volume changes of each part, after a reduction of the volumes.
-void addPressure(World& w, Reducer& all) {
-  SheetBodies& b = w.sheets;
+void addPressure(SheetBodies& b, Reducer& all) {
   Sheets& s = b.rows;
   std::vector<std::uint32_t> parts;
   for (std::uint32_t p = 0; p < b.parts.size(); p++)
@@ -200,8 +198,7 @@ void addPressure(World& w, Reducer& all) {
 
 }  // namespace
 
-void addInnerForces(World& w, Halos halos) {
-  SheetBodies& b = w.sheets;
+void addInnerForces(SheetBodies& b, const Scene& scene, Halos halos) {
   bool springs = false, normals = false;
   for (const SheetPlan& p : b.plans) {
     springs = springs || p.edgeForces;
@@ -212,9 +209,9 @@ void addInnerForces(World& w, Halos halos) {
   for (std::size_t slot = 0; slot < b.edges.ends.owned; slot++) {
     const std::uint32_t i = b.edges.ends.particle[slot];
     const SheetPlan& p = b.plans[b.rows.body[i]];
-    if (p.edgeForces || p.normals) addBonds(w, slot, p.edgeForces, p.normals);
+    if (p.edgeForces || p.normals) addBonds(b, scene, slot, p.edgeForces, p.normals);
   }
-  if (normals) addPressure(w, halos.all);
+  if (normals) addPressure(b, halos.all);
 }
 
 }  // namespace thaw

@@ -2,7 +2,7 @@
 // Internal forces of a sheet: edge springs, bending, and the volume of a closed mesh (DS section 3.1).
 #pragma once
 #include "core/halo/halos.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/sheet/data/sheets.hpp"
 
 namespace thaw {
 
@@ -46,6 +46,6 @@ Vec3d areaNormalOf(const SheetEdges& e, std::size_t slot);
 
 /// Adds to Sheets::load and energy and to SheetBodies::slope; sets Sheets::areaNormal, and SheetPart::now
 /// where volume is stiff. Collective.
-void addInnerForces(World& world, Halos halos);
+void addInnerForces(SheetBodies& sheets, const Scene& scene, Halos halos);
 
 }  // namespace thaw

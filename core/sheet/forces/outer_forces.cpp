@@ -21,14 +21,14 @@ Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& 
   return n * (density * un * std::abs(un) * size / area);
 }
 
-const Wall* wallNamed(const World& w, const std::string& name) {
-  for (const Wall& wall : w.walls.list)
+const Wall* wallNamed(const Walls& walls, const std::string& name) {
+  for (const Wall& wall : walls.list)
     if (wall.properties.name == name && wall.present) return &wall;
   return nullptr;
 }
 
 /// Returns the force per area of all walls; records work and impulse.
-Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impulse) {
+Vec3d wallLoad(const SheetView& w, std::size_t i, const SheetVelocities& now, Vec3d& impulse) {
   SheetBodies& sheets = w.sheets;
   Sheets& s = sheets.rows;
   const SheetBody& b = w.scene.sheets[s.body[i]];
@@ -76,11 +76,11 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
 
 }  // namespace
 
-void clearLoads(World& w) {
-  Sheets& s = w.sheets.rows;
-  const Vec3d g = w.scene.domain.gravity;
+void clearLoads(SheetBodies& sheets, const Scene& scene) {
+  Sheets& s = sheets.rows;
+  const Vec3d g = scene.domain.gravity;
   for (std::size_t i = 0; i < s.owned; i++) {
-    s.load[i] = w.sheets.laws[s.law[i]].law.mass * g;
+    s.load[i] = sheets.laws[s.law[i]].law.mass * g;
     s.energy[i] = 0;
   }
   if (s.outside.active) std::fill_n(s.outside.data(), s.owned, Vec3d{});
@@ -89,7 +89,7 @@ void clearLoads(World& w) {
   if (s.changing.active) std::fill_n(s.changing.data(), s.owned, Mat3d{});
 }
 
-void addOuterForces(World& w, const SheetVelocities& now) {
+void addOuterForces(const SheetView& w, const SheetVelocities& now) {
   SheetBodies& sheets = w.sheets;
   Sheets& s = sheets.rows;
   const double time = w.clock.time + now.dt;  // time of these forces
@@ -105,7 +105,7 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++) {
     const SheetBody& b = w.scene.sheets[n];
     pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)],
-                      b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo),
+                      b.wrapTo.empty() ? nullptr : wallNamed(w.walls, b.wrapTo),
                       {}});
     // addShrinkWrap handles bodies; a removed target exerts no wrap
     if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;
@@ -144,13 +144,13 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   addByCell3(sheets.cells, s.owned, w.ledger.wallForce, [&](std::size_t i) { return impulse[i]; });
 }
 
-double fastestDrag(const World& w, const SheetVelocities& now) {
-  const Sheets& s = w.sheets.rows;
+double fastestDrag(const SheetBodies& sheets, const Scene& scene, const SheetVelocities& now) {
+  const Sheets& s = sheets.rows;
   double fastest = 0;
   for (std::size_t i = 0; i < s.owned && s.areaNormal.active; i++) {
-    const SheetBody& b = w.scene.sheets[s.body[i]];
-    const double density = b.windDensity * w.sheets.laws[s.law[i]].factor[placeOf(SheetFactor::Wind)] *
-                           w.sheets.factors[s.body[i]].most[placeOf(SheetFactor::Wind)];
+    const SheetBody& b = scene.sheets[s.body[i]];
+    const double density = b.windDensity * sheets.laws[s.law[i]].factor[placeOf(SheetFactor::Wind)] *
+                           sheets.factors[s.body[i]].most[placeOf(SheetFactor::Wind)];
     if (!(density > 0) || !(s.mass[i] > 0)) continue;
     const double perSpeed = 2 * density * length(s.areaNormal[i]) / s.mass[i],
                  rate = perSpeed * length(b.wind - now.velocity[i]),
@@ -160,11 +160,11 @@ double fastestDrag(const World& w, const SheetVelocities& now) {
   return fastest;
 }
 
-void addRestEnergy(World& w, double time) {
-  Sheets& s = w.sheets.rows;
+void addRestEnergy(SheetBodies& sheets, const Scene& scene, double time) {
+  Sheets& s = sheets.rows;
   for (std::size_t i = 0; i < s.owned; i++) {
-    const SheetBody& b = w.scene.sheets[s.body[i]];
-    const double k = w.sheets.laws[s.law[i]].law.stiffness;
+    const SheetBody& b = scene.sheets[s.body[i]];
+    const double k = sheets.laws[s.law[i]].law.stiffness;
     if (!(k > 0)) continue;
     Vec3d z = s.position[i] - s.rest[i];
     if (s.flow.active) z -= s.flow[i];
@@ -172,23 +172,21 @@ void addRestEnergy(World& w, double time) {
   }
 }
 
-void recordConstraintImpulse(World& w, double sign, double dt) {
-  SheetBodies& sheets = w.sheets;
+void recordConstraintImpulse(const SheetBodies& sheets, Ledger& ledger, double sign, double dt) {
   const Sheets& s = sheets.rows;
   bool any = s.clamped.active;
   for (const SheetLaw& l : sheets.laws) any = any || l.law.damping > 0 || l.law.stiffness > 0;
   if (!any) return;
-  addByCell3(sheets.cells, s.owned, w.ledger.wallImpulse, [&](std::size_t i) {
+  addByCell3(sheets.cells, s.owned, ledger.wallImpulse, [&](std::size_t i) {
     const SpringLaw& l = sheets.laws[s.law[i]].law;
     const bool free = !(l.damping > 0) && !(l.stiffness > 0) && !(s.clamped.active && s.clamped[i]);
     return free ? Vec3d{} : s.velocity[i] * (sign * s.mass[i]) - s.load[i] * (0.5 * dt * s.area[i]);
   });
 }
 
-void recordExternalWork(World& w) {
-  SheetBodies& sheets = w.sheets;
+void recordExternalWork(const SheetBodies& sheets, Ledger& ledger) {
   const Sheets& s = sheets.rows;
-  addByCell(sheets.cells, s.owned, w.ledger.wallWork,
+  addByCell(sheets.cells, s.owned, ledger.wallWork,
             [&](std::size_t i) { return 0.5 * dot(s.outside[i], s.moved[i]) * s.area[i]; });
 }
 

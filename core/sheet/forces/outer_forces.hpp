@@ -2,7 +2,7 @@
 // External forces on a sheet: weight, wind, wrap, brushes, obstacles (DS section 3.1); and the ledger
 // entries of constraints.
 #pragma once
-#include "core/simulation/world/world.hpp"
+#include "core/sheet/data/sheet_view.hpp"
 
 namespace thaw {
 
@@ -14,11 +14,11 @@ struct SheetVelocities {
 };
 
 /// Sets Sheets::load to the weight, and energy, outside and heatFlow to 0.
-void clearLoads(World& world);
+void clearLoads(SheetBodies& sheets, const Scene& scene);
 
 /// Adds wind, wrap, brushes and obstacle contact: spring, dashpot and Coulomb friction within the
 /// thickness of a surface.
-void addOuterForces(World& world, const SheetVelocities& now);
+void addOuterForces(const SheetView& view, const SheetVelocities& now);
 
 /// Largest fraction of the relative velocity that air drag removes in a step; drag uses the velocity before
 /// the step.
@@ -26,16 +26,16 @@ inline constexpr double dragInAStep = 0.2;
 
 /// Returns the largest drag rate (1/s) of this rank, 2 rho |u_n| area / mass, with the speed at the end of a
 /// step limited by dragInAStep. Requires: all loads.
-double fastestDrag(const World& world, const SheetVelocities& now);
+double fastestDrag(const SheetBodies& sheets, const Scene& scene, const SheetVelocities& now);
 
 /// Adds the energy of the springs to rest positions, with the stiffness at this time (s).
-void addRestEnergy(World& world, double time);
+void addRestEnergy(SheetBodies& sheets, const Scene& scene, double time);
 
 /// Records the impulse of rest springs, damping and clamps: call with sign -1 before the step and 1 after it.
-void recordConstraintImpulse(World& world, double sign, double dt);
+void recordConstraintImpulse(const SheetBodies& sheets, Ledger& ledger, double sign, double dt);
 
 /// Records half of the external work of a step with the current forces. Call before vertices migrate, and
 /// after the forces at the new positions are known.
-void recordExternalWork(World& world);
+void recordExternalWork(const SheetBodies& sheets, Ledger& ledger);
 
 }  // namespace thaw

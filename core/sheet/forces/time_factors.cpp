@@ -52,32 +52,32 @@ double timeFactorStepLimit(const SheetBody& b, double now, double swing, double 
   return limit;
 }
 
-void updateTimeFactors(World& w, double dt) {
-  const double time = w.clock.time + dt, until = time + growth * w.clock.dt;  // end of the next step
-  w.sheets.factors.resize(w.scene.sheets.size());
-  for (std::size_t n = 0; n < w.scene.sheets.size(); n++)
+void updateTimeFactors(SheetBodies& sheets, const Scene& scene, const Clock& clock, double dt) {
+  const double time = clock.time + dt, until = time + growth * clock.dt;  // end of the next step
+  sheets.factors.resize(scene.sheets.size());
+  for (std::size_t n = 0; n < scene.sheets.size(); n++)
     for (std::size_t f = 0; f < sheetFactors; f++) {
-      const FactorInTime& in = w.scene.sheets[n].inTime[f];
-      w.sheets.factors[n].now[f] = in.at(time);
-      w.sheets.factors[n].most[f] = in.most(time, until);
+      const FactorInTime& in = scene.sheets[n].inTime[f];
+      sheets.factors[n].now[f] = in.at(time);
+      sheets.factors[n].most[f] = in.most(time, until);
     }
 }
 
-void activateTimeFactors(World& w) {
-  for (const SheetBody& b : w.scene.sheets)
+void activateTimeFactors(SheetBodies& sheets, const Scene& scene) {
+  for (const SheetBody& b : scene.sheets)
     for (std::size_t f = firstEnergyFactor; f <= lastEnergyFactor; f++)
       if (!b.inTime[f].points.empty() && b.*sheetCoefficients[f].value > 0)
-        w.sheets.rows.activate(w.sheets.rows.changing);
+        sheets.rows.activate(sheets.rows.changing);
 }
 
-void recordFactorWork(World& w, double from, double to) {
-  Sheets& s = w.sheets.rows;
+void recordFactorWork(SheetBodies& sheets, const Scene& scene, Ledger& ledger, double from, double to) {
+  Sheets& s = sheets.rows;
   if (!s.changing.active) return;
-  std::vector<std::array<double, sheetFactors>> half(w.scene.sheets.size());
+  std::vector<std::array<double, sheetFactors>> half(scene.sheets.size());
   for (std::size_t n = 0; n < half.size(); n++)
     for (std::size_t f = 0; f < sheetFactors; f++)
-      half[n][f] = 0.5 * (w.scene.sheets[n].inTime[f].at(to) - w.scene.sheets[n].inTime[f].at(from));
-  addByCell(w.sheets.cells, s.owned, w.ledger.wallWork, [&](std::size_t i) {
+      half[n][f] = 0.5 * (scene.sheets[n].inTime[f].at(to) - scene.sheets[n].inTime[f].at(from));
+  addByCell(sheets.cells, s.owned, ledger.wallWork, [&](std::size_t i) {
     double work = 0;
     for (std::size_t f = firstEnergyFactor; f <= lastEnergyFactor; f++)
       work += half[s.body[i]][f] * factorEnergyOf(s, i, static_cast<SheetFactor>(f));

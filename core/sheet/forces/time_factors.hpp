@@ -2,15 +2,17 @@
 // Time-dependent coefficients of sheets: their current factors, and the work of changing them (DS section
 // 3.2). The energy of a spring scales with its stiffness; the difference is external work.
 #pragma once
-#include "core/simulation/world/world.hpp"
+#include "core/ledger/ledger.hpp"
+#include "core/sheet/data/sheets.hpp"
+#include "core/time/clock.hpp"
 
 namespace thaw {
 
 /// Updates the factors to the end of a step of dt (s; 0 at the start). Call before force evaluation.
-void updateTimeFactors(World& world, double dt);
+void updateTimeFactors(SheetBodies& sheets, const Scene& scene, const Clock& clock, double dt);
 
 /// Activates Sheets::changing if a spring, volume, repulsion or attraction changes in time.
-void activateTimeFactors(World& world);
+void activateTimeFactors(SheetBodies& sheets, const Scene& scene);
 
 /// Returns the longest step (s) from `now` (s) that resolves the changes of a sheet's coefficients;
 /// stableStep covers only their stiffness. It ends where a change begins. During a change it is a small
@@ -32,6 +34,6 @@ inline double& factorEnergyOf(Sheets& s, std::size_t i, SheetFactor f) {
 
 /// Records half of the work of coefficient changes between two times (s), from the current energies. Call at
 /// both ends of a step for the trapezoidal rule.
-void recordFactorWork(World& world, double from, double to);
+void recordFactorWork(SheetBodies& sheets, const Scene& scene, Ledger& ledger, double from, double to);
 
 }  // namespace thaw

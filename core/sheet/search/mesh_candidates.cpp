@@ -3,7 +3,6 @@
 
 #include "core/sheet/data/touching_sheets.hpp"
 #include "core/sheet/search/mesh_pairs.hpp"
-#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 namespace {
@@ -48,14 +47,15 @@ template<std::size_t n> struct Elements {
 };
 
 struct Listing {
-  const World& w;
+  const SheetBodies& sheets;
+  const Scene& scene;
   const MeshRows& m;
   MeshCandidates& list;
   double beyond;  // m, listing distance beyond contact
   Elements<1> vertices;
   Elements<2> edges;
   Elements<3> triangles;
-  const Sheets& s = w.sheets.rows;
+  const Sheets& s = sheets.rows;
 
   template<std::size_t n> bool anyNew(const std::array<std::uint32_t, n>& rows, bool all) const {
     for (const std::uint32_t r : rows)
@@ -66,7 +66,7 @@ struct Listing {
   void findElements(bool all) {
     std::uint32_t triangle = 0, ring = 0;
     std::vector<std::uint32_t> firstTriangle, firstRing;
-    for (const SheetPlan& p : w.sheets.plans) {
+    for (const SheetPlan& p : sheets.plans) {
       firstTriangle.push_back(triangle);
       firstRing.push_back(ring);
       triangle += static_cast<std::uint32_t>(p.mesh.triangles.size());
@@ -74,8 +74,8 @@ struct Listing {
     }
     for (std::uint32_t i = 0; i < m.numberOf.size(); i++) {
       const std::size_t n = s.body[i];
-      if (!meshTouches(w.scene, n)) continue;
-      const SheetPlan& plan = w.sheets.plans[n];
+      if (!meshTouches(scene, n)) continue;
+      const SheetPlan& plan = sheets.plans[n];
       const std::uint32_t v = vertexOf(s.id[i]);
       vertices.add({m.numberOf[i], {i}}, anyNew<1>({i}, all));
       for (std::uint32_t k = plan.faceFirst[v]; k < plan.faceFirst[v + 1]; k++) {
@@ -96,11 +96,11 @@ struct Listing {
   void add(std::uint32_t first, std::uint32_t second, const std::array<std::uint32_t, 4>& rows,
            std::vector<MeshCandidate>& to, PairOf&& pairOf) const {
     const std::size_t a = s.body[rows[0]], b = s.body[rows[3]];
-    if (a == b && !w.scene.sheets[a].selfContact) return;
-    double reach = 0.5 * (w.sheets.plans[a].thickness + w.sheets.plans[b].thickness);
+    if (a == b && !scene.sheets[a].selfContact) return;
+    double reach = 0.5 * (sheets.plans[a].thickness + sheets.plans[b].thickness);
     const double now = pairOf(s.position, rows).distance, least = now - beyond - 2 * list.room;
     if (!(least < reach)) return;
-    const double atRest = a == b ? nearAtRest * std::min(1.0, w.scene.sheets[a].restLength) *
+    const double atRest = a == b ? nearAtRest * std::min(1.0, scene.sheets[a].restLength) *
                                        pairOf(s.rest, rows).distance
                                  : reach;
     const bool comes = !(atRest < reach);
@@ -125,8 +125,8 @@ struct Listing {
   /// Lists all pairs with at least one fresh element.
   void findPairs() {
     double reach = 0;
-    for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
-      if (meshTouches(w.scene, n)) reach = std::max(reach, w.sheets.plans[n].thickness);
+    for (std::size_t n = 0; n < sheets.plans.size(); n++)
+      if (meshTouches(scene, n)) reach = std::max(reach, sheets.plans[n].thickness);
     const double around = 0.5 * (reach + beyond) + list.room;
     const BoxBins forFaces = binsFor(Elements<3>::boxes(s.position, triangles.all, around)),
                   forEdges = binsFor(Elements<2>::boxes(s.position, edges.all, around));
@@ -157,15 +157,16 @@ void sortOnce(std::vector<MeshCandidate>& list) {
 
 }  // namespace
 
-double thickestSheet(const World& w) {
+double thickestSheet(const std::vector<SheetPlan>& plans) {
   double thickest = 0;
-  for (const SheetPlan& p : w.sheets.plans) thickest = std::max(thickest, p.thickness);
+  for (const SheetPlan& p : plans) thickest = std::max(thickest, p.thickness);
   return thickest;
 }
 
-void findMeshCandidates(const World& w, const MeshRows& m, const MeshMotion& motion, MeshCandidates& c) {
-  const Sheets& s = w.sheets.rows;
-  const double thickest = thickestSheet(w);
+void findMeshCandidates(const SheetBodies& sheets, const Scene& scene, const MeshRows& m,
+                        const MeshMotion& motion, MeshCandidates& c) {
+  const Sheets& s = sheets.rows;
+  const double thickest = thickestSheet(sheets.plans);
   const double room = margin * thickest;
   bool all = c.listed.empty(), some = all;
   c.listed.resize(m.rowOf.size());
@@ -185,7 +186,7 @@ void findMeshCandidates(const World& w, const MeshRows& m, const MeshMotion& mot
   }
   if (!all && !some) return;
   // listed pairs may have moved half of the margin, and may return as far on the other side
-  Listing listing{w, m, c, all ? room : 1.5 * room, {}, {}, {}};
+  Listing listing{sheets, scene, m, c, all ? room : 1.5 * room, {}, {}, {}};
   if (all) {
     c.room = std::max(spare * comes, slow * thickest);
     c.faces.clear();

@@ -9,8 +9,6 @@
 
 namespace thaw {
 
-struct World;
-
 struct MeshCandidate {
   std::uint64_t order;                  ///< vertex and triangle number, or both edge numbers, over all meshes
   std::array<std::uint32_t, 4> vertex;  ///< numbers of the vertex and the corners, or of both ends of each
@@ -36,13 +34,13 @@ struct MeshCandidates {
 };
 
 /// Returns the largest thickness (m), the limit of motion within MeshMotion::ahead.
-double thickestSheet(const World& world);
+double thickestSheet(const std::vector<SheetPlan>& plans);
 
 /// Ratio of contact distance to rest distance within one sheet, where it is less than the thickness.
 inline constexpr double nearAtRest = 0.5;
 
 /// Updates the lists. Requires: Sheets::moving, of ghosts too.
-void findMeshCandidates(const World& world, const MeshRows& rows, const MeshMotion& motion,
-                        MeshCandidates& candidates);
+void findMeshCandidates(const SheetBodies& sheets, const Scene& scene, const MeshRows& rows,
+                        const MeshMotion& motion, MeshCandidates& candidates);
 
 }  // namespace thaw

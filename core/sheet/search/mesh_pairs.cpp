@@ -2,7 +2,6 @@
 #include "core/sheet/search/mesh_pairs.hpp"
 
 #include "core/sheet/search/nearest_points.hpp"
-#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 namespace {
@@ -56,10 +55,11 @@ MeshPair edgeAndEdge(const Column<Vec3d>& x, const std::array<std::uint32_t, 4>&
   return {rows, {1 - at.first, at.first, at.second - 1, -at.second}, d, length(d), 0};
 }
 
-void findMeshPairs(const World& w, const MeshMotion& motion, MeshSearch& search) {
-  const Sheets& s = w.sheets.rows;
-  findMeshCandidates(w, search.rows, motion, search.candidates);
-  const double farthest = thickestSheet(w);
+void findMeshPairs(const SheetBodies& sheets, const Scene& scene, const MeshMotion& motion,
+                   MeshSearch& search) {
+  const Sheets& s = sheets.rows;
+  findMeshCandidates(sheets, scene, search.rows, motion, search.candidates);
+  const double farthest = thickestSheet(sheets.plans);
   search.coming = std::max(
       pick(s, search.rows, search.candidates.faces, motion.ahead, farthest, search.faces, vertexAndTriangle),
       pick(s, search.rows, search.candidates.edges, motion.ahead, farthest, search.edges, edgeAndEdge));

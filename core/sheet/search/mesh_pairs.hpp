@@ -2,7 +2,6 @@
 // Search for vertices, triangles and edges of sheets within reach of each other, for mesh_contact.hpp.
 #pragma once
 #include "core/sheet/search/mesh_candidates.hpp"
-#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 
@@ -24,7 +23,8 @@ struct MeshSearch {
 
 /// Finds MeshSearch::faces and edges with at least one of this rank's vertices, in ascending order, which is
 /// the same on all ranks. Requires: MeshSearch::rows, and Sheets::moving of ghosts too.
-void findMeshPairs(const World& world, const MeshMotion& motion, MeshSearch& search);
+void findMeshPairs(const SheetBodies& sheets, const Scene& scene, const MeshMotion& motion,
+                   MeshSearch& search);
 
 /// Returns the pair of these rows; `reach` is not set.
 MeshPair vertexAndTriangle(const Column<Vec3d>& place, const std::array<std::uint32_t, 4>& rows);

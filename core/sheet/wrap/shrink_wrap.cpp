@@ -7,7 +7,6 @@
 #include "core/geometry/trees/point_tree.hpp"
 #include "core/sheet/forces/cell_sums.hpp"
 #include "core/sheet/wrap/wrap_surface.hpp"
-#include "core/simulation/world/body_types.hpp"
 
 namespace thaw {
 namespace {
@@ -16,7 +15,7 @@ constexpr double blunt = 0.2;  // least denominator of a direction, over sum w r
 
 /// Rows of a body of any type on this rank.
 struct WrapBody {
-  World& w;
+  const SheetView& w;
   WrapTarget target;
   const CellTable& cells() const {
     return target.kind == WrapKind::Continuum  ? w.cells
@@ -86,7 +85,7 @@ std::vector<WrapCell> cellsOf(const WrapBody& body) {
 
 /// Wrap forces of one sheet on its target body.
 struct Wrap {
-  World& w;
+  const SheetView& w;
   std::size_t sheet;
   const std::vector<WrapCell>& parts;
   const PointTree& tree;
@@ -126,7 +125,7 @@ struct Wrap {
   }
 };
 
-void wrapSheet(World& w, Halos halos, const SheetVelocities& now, std::size_t n) {
+void wrapSheet(const SheetView& w, Halos halos, const SheetVelocities& now, std::size_t n) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   const SheetBody& body = w.scene.sheets[n];
@@ -183,7 +182,7 @@ void wrapSheet(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
 
 }  // namespace
 
-void addShrinkWrap(World& w, Halos halos, const SheetVelocities& now) {
+void addShrinkWrap(const SheetView& w, Halos halos, const SheetVelocities& now) {
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
     if (const WrapKind kind = w.sheets.plans[n].wrapTarget.kind;
         kind != WrapKind::Normal && kind != WrapKind::Obstacle)

@@ -18,6 +18,6 @@ namespace thaw {
 /// fifth of sum_c w_c r_c, this bound replaces the denominator and the pressure falls to 0. Each term acts on
 /// the rows of its cell by their mass. Terms are integer multiples of a small force, so sums do not depend on
 /// order or ranks. Requires: the sums of addOuterForces. Collective.
-void addShrinkWrap(World& world, Halos halos, const SheetVelocities& now);
+void addShrinkWrap(const SheetView& view, Halos halos, const SheetVelocities& now);
 
 }  // namespace thaw

@@ -11,6 +11,7 @@
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/ledger/ledger_rows.hpp"
 #include "core/simulation/world/body_types.hpp"
+#include "core/simulation/world/views.hpp"
 
 namespace thaw {
 
@@ -47,7 +48,7 @@ void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
     // evaluateOriented removes oriented rows, after it has the energy of their pairs
     t.leaving.clear();
     if (kind != orientedType) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
-    if (kind == sheetType) finaliseRemoved(w, t.leaving, dt);
+    if (kind == sheetType) finaliseRemoved(sheetView(w), t.leaving, dt);
     for (const std::uint32_t i : t.leaving) {
       addBodyTypeRow(w, kind, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);
@@ -58,41 +59,17 @@ void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
   });
 }
 
-void redistributeOriented(World& w, Halos halos, StepTools& t) {
-  Oriented& o = w.oriented.rows;
-  if (o.ghosts > 0) o.resize(o.owned, 0);
-  computeCellKeys(w.grid, static_cast<BodyTypeRows&>(o));
-  // rows born since the last sort are at the end, without a cell; their number makes sortByCell treat them as
-  // arrivals
-  std::size_t fresh = 0;
-  while (fresh < o.owned && o.cell[o.owned - 1 - fresh] == 0) fresh++;
-  std::vector<std::uint32_t> dead;
-  for (std::size_t i = 0; i < o.owned; i++)
-    if (o.mass[i] == 0) {
-      o.nextCell[i] = noCell;
-      dead.push_back(static_cast<std::uint32_t>(i));
-    }
-  const std::size_t before = o.owned;
-  Migration m = halos.kinds[orientedType]->migrate(o, {o.nextCell.data(), o.owned});
-  computeCellKeys(w.grid, static_cast<BodyTypeRows&>(o), before, o.owned);
-  std::vector<std::uint32_t> gone;
-  std::merge(m.departed.begin(), m.departed.end(), dead.begin(), dead.end(), std::back_inserter(gone));
-  m.departed = std::move(gone);
-  m.arrivals += fresh;
-  sortByCell(static_cast<BodyTypeRows&>(o), m, t.sort, w.oriented.cells);
-}
-
 void activateBodyTypes(World& w) {
-  if (w.modules.oriented) activateOriented(w);
-  if (w.modules.sheet) activateSheets(w);
+  if (w.modules.oriented) activateOriented(w.oriented.rows, w.scene, w.modules);
+  if (w.modules.sheet) activateSheets(w.sheets, w.scene, w.modules);
 }
 
 std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools& t, const MeshLoader& load,
                                                 std::vector<SceneWarning>& warnings) {
   t.oriented.begins = true;
   std::vector<std::vector<Vec3d>> oriented;
-  if (w.modules.oriented) oriented = sampleOriented(w, halos, load, warnings);
-  if (w.modules.sheet) sampleSheets(w, halos, load);
+  if (w.modules.oriented) oriented = sampleOriented(w.oriented.rows, w.scene, halos, load, warnings);
+  if (w.modules.sheet) sampleSheets(w.sheets, w.scene, halos, load);
   forEachBodyType(w, [&](std::size_t, BodyTypeRows& r, CellTable& cells) {
     for (std::size_t i = 0; i < r.owned; i++) wrapPlace(w.grid, w.scene.domain, r.position[i]);
     computeCellKeys(w.grid, r);

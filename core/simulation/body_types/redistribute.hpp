@@ -13,10 +13,6 @@ namespace thaw {
 /// by (cell, id). Ghosts are dropped. dt (s): length of the last step. Collective.
 void redistributeBodyTypes(World& world, Halos halos, StepTools& tools, double dt = 0);
 
-/// Redistributes oriented particles after births (appended, with cell 0) and deaths (mass 0), without
-/// wrapping or ledger entries. Collective.
-void redistributeOriented(World& world, Halos halos, StepTools& tools);
-
 /// Activates the columns of the scene's body types.
 void activateBodyTypes(World& world);
 

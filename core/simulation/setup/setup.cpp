@@ -28,6 +28,7 @@
 #include "core/simulation/setup/expected_motion.hpp"
 #include "core/simulation/setup/make_grid.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
+#include "core/simulation/setup/relax_oriented.hpp"
 #include "core/simulation/setup/relax_packing.hpp"
 #include "core/simulation/setup/start_fields.hpp"
 #include "core/simulation/setup/warnings/compressed_liquid.hpp"
@@ -37,6 +38,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/time/limits.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/time/frame_times.hpp"
 
 namespace thaw {
@@ -55,11 +57,11 @@ void evaluateNow(World& w, Halos halos, StepTools& t) {
 
 /// Adds `sign` times the stored energy of this rank, and the part that symplectic Euler has not yet
 /// delivered, to `to`.
-void recordStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
+void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
   const ExactBalance here = balanceHere(w);
   to.addProduct(here.elastic, sign);
   to.addProduct(here.potential, sign);
-  if (w.modules.oriented) recordKickLag(w, t, sign, w.clock.stepDt, to);
+  if (w.modules.oriented) recordKickLag(orientedView(w, t), sign, w.clock.stepDt, to);
 }
 
 /// Frees the buffers of the first sorts, which cover all rows.
@@ -134,7 +136,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
     shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
   problems.raise();
   t.shapes = shapes;
-  if (w.modules.sheet) prepareSheets(w, load);
+  if (w.modules.sheet) prepareSheets(w.sheets, w.scene, load);
   if (const double reach = std::max(faceContactReach(w.sheets.plans),
                                     meshContactReach(w.scene, w.sheets.plans));
       reach > w.grid.edge.x)
@@ -222,7 +224,8 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
     for (const std::string& note : notes)
       report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});
   }
-  for (SceneWarning& warning : overlapsOfRegions(w, load)) report.warnings.push_back(std::move(warning));
+  for (SceneWarning& warning : overlapsOfRegions(w.sheets, w.scene, load))
+    report.warnings.push_back(std::move(warning));
   // Jitter may cross a seam by rounding.
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);
   computeCellKeys(w.grid, p);
@@ -301,7 +304,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   t.newPartition = true;
   if (w.modules.kinds())
     redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
-  if (w.modules.oriented) updateNeighbours(w, halos, t);
+  if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
   t.oriented.time = w.clock.time;
   dropBuffersOfStart(w, t);
   t.mass = totalMass(w, halos.all);
@@ -324,7 +327,7 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   ExactSum jump;
   findStoredEnergy(w, t);
   recordStored(w, t, -1, jump);
-  if (w.modules.oriented) applyPendingImpulse(w);
+  if (w.modules.oriented) applyPendingImpulse(w.oriented.rows, w.clock, w.ledger);
   if (w.modules.sleep) wakeEverything(w.particles);
   evaluateNow(w, halos, t);
   findStoredEnergy(w, t);

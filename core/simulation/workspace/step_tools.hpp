@@ -10,7 +10,7 @@
 #include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
-#include "core/fluid/pair_sums/carry.hpp"
+#include "core/fluid/density/carry_work.hpp"
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/fluid/pair_sums/records.hpp"
@@ -31,7 +31,7 @@
 
 namespace thaw {
 
-/// Work data of a step, made once (makeTools) and reused. Not part of the state.
+/// Work data of a step, made once (core/simulation/setup/) and reused. Not part of the state.
 struct StepTools {
   const PairKernels* kernels = nullptr;
   std::vector<LiquidMaterial> liquids;

@@ -3,6 +3,8 @@
 #pragma once
 #include "core/fluid/density/carried_density.hpp"
 #include "core/heat/heat_view.hpp"
+#include "core/oriented/data/oriented_view.hpp"
+#include "core/sheet/data/sheet_view.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 #include "core/sleep/sleep_view.hpp"
@@ -19,6 +21,15 @@ inline CarryContext carryContext(World& w, StepTools& t, double dt) {
 }
 
 inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.solids, w.clock, w.ledger}; }
+
+inline OrientedView orientedView(World& w, StepTools& t) {
+  return {w.oriented, t.oriented, w.particles, w.ledger, w.counters, t.sort, t.times,
+          w.scene,    w.modules,  w.grid,      w.cells,  w.walls,    w.clock};
+}
+
+inline SheetView sheetView(World& w) {
+  return {w.sheets, w.particles, w.oriented, w.ledger, w.scene, w.modules, w.grid, w.cells, w.walls, w.clock};
+}
 
 inline SleepView sleepView(World& w, StepTools& t) {
   return {w.scene, w.grid,  w.particles, w.cells,    w.neighbours, w.solids, w.bonds,

@@ -218,21 +218,6 @@ void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const
   kernelsOf(work).forces(arraysOf(work, solids, bonds, step, part));
 }
 
-void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds) {
-  packPositions(work, solids, 0, solids.size());
-  for (const SolidPart part : {SolidPart::Inner, SolidPart::Boundary}) {
-    ElasticArrays a = arraysOf(work, solids, bonds, ElasticStep{0, true}, part);
-    a.keepDissipated = true;
-    a.flow = false;
-    kernelsOf(work).deformation(a);
-  }
-  for (const SolidPart part : {SolidPart::Inner, SolidPart::Boundary}) {
-    ElasticArrays a = arraysOf(work, solids, bonds, ElasticStep{0, true}, part);
-    a.damping = false;  // no dissipation here
-    kernelsOf(work).forces(a);
-  }
-}
-
 void computeCauchyStress(const ElasticWork& work, Solids& solids) {
   solids.activate(solids.stress);
   for (std::size_t s = 0; s < solids.owned; s++) {

@@ -156,12 +156,6 @@ void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, co
 void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
                           SolidPart part);
 
-/// Computes Solids::energy of all owned slots at the current positions of owned and remote rows, without
-/// plastic flow; overwrites deformation and force. When freezing or melting changes bonds, the jump of
-/// elastic energy is the exact sum over owned slots before rebuildBonds minus that after rebuildBonds,
-/// refreshReference, an exchange of positions and this function.
-void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds);
-
 /// Computes the Cauchy stress of all owned slots into Solids::stress (activated here) from F of the last
 /// phase 1. For output.
 void computeCauchyStress(const ElasticWork& work, Solids& solids);

@@ -12,7 +12,8 @@ namespace thaw {
 
 namespace {
 
-/// Inlined implementation of referenceBond for loops over slots, which it dominates.
+/// Reference X_ij (m) and weight of bond k of a slot, for both storage forms (Bonds::vectors). Inlined in
+/// loops over slots, where it takes most of the time.
 inline ReferenceBond lookAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
                                      std::size_t slot, int k) {
   const std::size_t b = bonds.at(slot, k);
@@ -22,11 +23,6 @@ inline ReferenceBond lookAtReference(const ElasticWork& work, const Solids& soli
 }
 
 }  // namespace
-
-ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
-                            std::size_t slot, int k) {
-  return lookAtReference(work, solids, bonds, slot, k);
-}
 
 BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot,
                         int k) {

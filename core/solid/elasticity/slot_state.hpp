@@ -12,8 +12,6 @@ struct ReferenceBond {
   Vec3d vector;
   double weight;
 };
-ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
-                            std::size_t slot, int k);
 
 /// Current x_ij, references X_ij and X_ji (m), and weight of bond k of a slot.
 struct BondVectors {

@@ -90,15 +90,4 @@ void splitComponents(const Clock& clock, Surface& s, SurfaceHalos halos, Compone
   s.counters.lost += lost[0];
 }
 
-void listParticlesWithoutSurfels(const Surface& s, std::vector<std::uint32_t>& rows) {
-  rows.clear();
-  for (std::size_t i = 0; i < s.particles.owned; i++) {
-    const std::uint64_t label = s.particles.component[i];
-    const auto c = std::lower_bound(s.components.begin(), s.components.end(), label,
-                                    [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });
-    if (c == s.components.end() || c->label != label || c->surfels == 0)
-      rows.push_back(static_cast<std::uint32_t>(i));
-  }
-}
-
 }  // namespace thaw

@@ -44,8 +44,4 @@ void attachEnclosed(Surface& surface, SurfaceHalos halos, ComponentTools& tools)
 /// particle are deleted and counted as lost. Ghosts of surfels are dropped. Requires: findParts. Collective.
 void splitComponents(const Clock& clock, Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
-/// Lists owned particle copies whose component has no surfel on any rank (separated drops, new particles of
-/// emitters). Requires: measured Surface::components.
-void listParticlesWithoutSurfels(const Surface& surface, std::vector<std::uint32_t>& rows);
-
 }  // namespace thaw

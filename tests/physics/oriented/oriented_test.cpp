@@ -87,7 +87,8 @@ TEST(Oriented, FirstIntegratorSetsTheStep) {
     s.oriented[1].shape.move = {0, 0, 0.5};
     s.oriented[0].integrator = OrientedIntegrator::SemiImplicit;
     if (both) s.oriented[1].integrator = OrientedIntegrator::SemiImplicit;
-    dt[both] = orientedStepLimit(test::Simulation(s).w, StepTools{});
+    const test::Simulation sim(s);
+    dt[both] = orientedStepLimit(sim.w.oriented.rows, sim.w.scene, {});
   }
   EXPECT_EQ(dt[0], dt[1]);
 }

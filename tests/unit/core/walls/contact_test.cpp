@@ -37,6 +37,28 @@ double bounceHeight(WallRig& r, double step) {
 
 }  // namespace
 
+// The density rate uses contacts at mid-step, whose shares differ where walls overlap.
+TEST(WallContact, SharesFollowFromDistances) {
+  WallRig r;
+  r.add(std::make_shared<Slope>(0.0)), r.add(std::make_shared<Slope>(1.5));
+  const Vec3d v{-3, 0.5, -2}, x{0.12, 0.02, 0.09};
+  r.addParticle(x, v, Liquid);
+  r.start();
+  const std::vector<WallContact> earlier = r.contacts.list;
+  ASSERT_EQ(earlier.size(), 2U);
+  const double ago = 0.01;
+  r.w.particles.position[0] = x + v * ago;
+  r.evaluate(0);
+  std::vector<WallContact> moved = r.contacts.list;
+  ASSERT_EQ(moved.size(), 2U);
+  for (WallContact& c : moved) c.distance -= ago * dot(v, c.normal);
+  for (std::size_t k = 0; k < 2; k++) {
+    EXPECT_NEAR(moved[k].distance, earlier[k].distance, 1e-12);
+    EXPECT_NEAR(pressureShare({r.tables, r.w.grid.support}, moved, k), earlier[k].share, 1e-12);
+    EXPECT_GT(std::abs(moved[k].share - earlier[k].share), 0.005);
+  }
+}
+
 TEST(WallContact, PerfectRestitutionKeepsEnergyOverManyBounces) {
   WallRig r;
   r.add(std::make_shared<Ground>());

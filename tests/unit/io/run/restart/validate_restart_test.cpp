@@ -26,9 +26,9 @@ struct Restored {
     net.events.resize(1);
     net.events[0].time = 1;
     w.modules = modulesOf(w.scene);
-    prepareSheets(w, {});
-    activateSheets(w);
-    activateOriented(w);
+    prepareSheets(w.sheets, w.scene, {});
+    activateSheets(w.sheets, w.scene, w.modules);
+    activateOriented(w.oriented.rows, w.scene, w.modules);
     Sheets& s = w.sheets.rows;
     s.resize(9, 0);
     for (std::size_t i = 0; i < 9; i++) s.id[i] = i;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // FIRE (Bitzek, Koskinen, Gaehler, Moseler, Gumbsch 2006): dynamics whose velocity is turned toward the
 // force, and reset when the power is negative.
+#include "core/simulation/setup/relax_oriented.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/oriented/forces/anchors.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/population/adaptive_sampling.hpp"
-#include "core/oriented/population/events.hpp"
 #include "core/oriented/population/follow_interpolant.hpp"
-#include "core/oriented/prepare_oriented.hpp"
+#include "core/oriented/population/redistribute_oriented.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/world/views.hpp"
 
 namespace thaw {
 namespace {
@@ -46,6 +48,7 @@ Sums sumsOf(const Oriented& o, const std::vector<Vec3d>& f, const std::vector<Ve
 }  // namespace
 
 std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
+  const OrientedView view = orientedView(w, t);
   Oriented& o = w.oriented.rows;
   const auto iterationsOf = [&](const OrientedBody& b) { return std::max(b.relax, t.oriented.relaxAtLeast); };
   std::int64_t most = 0;
@@ -73,19 +76,19 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
   countRows();
   for (; done < most; done++) {
     redistributeBodyTypes(w, halos, t);
-    updateNeighbours(w, halos, t);
+    updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
     w.clock.step = done;  // hashes of births use the step
     if (grows && done % 10 == 0) {
-      std::int64_t lost = given ? projectRowsOnInterpolant(w, t) : 0;
+      std::int64_t lost = given ? projectRowsOnInterpolant(view) : 0;
       halos.all.sum({&lost, 1});
-      if (lost > 0) redistributeAndUpdate(w, halos, t);
-      const bool changed = adaptSampling(w, halos, t, 0);
-      if (changed) redistributeAndUpdate(w, halos, t);
+      if (lost > 0) redistributeAndUpdate(view, halos);
+      const bool changed = adaptSampling(view, halos, 0);
+      if (changed) redistributeAndUpdate(view, halos);
       calm = changed || lost > 0 ? 0 : calm + 1;
       if (calm == 0) countRows();
     }
     t.oriented.time = w.clock.time;
-    sumOrientedForces(w, t);
+    sumOrientedForces(view);
     force.assign(o.owned, {});
     torque.assign(o.owned, {});
     double worst[3] = {0, 0, 0};  // largest force, largest stiffness, stop request
@@ -94,7 +97,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
       if (!(o.flags[i] & fixedPosition) && iterationsOf(body) > 0) force[i] = o.force[i] + o.mass[i] * g;
       if (!(o.flags[i] & fixedOrientation) && iterationsOf(body) > 0) torque[i] = o.torque[i];
     }
-    if (given) addInterpolantForces(w, t, force, torque);
+    if (given) addInterpolantForces(o, t.oriented, w.scene, force, torque);
     for (std::size_t i = 0; i < o.owned; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
       const double unit = body.stiffness * t.oriented.potentials[o.body[i]].spacing;

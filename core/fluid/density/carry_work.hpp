@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/walls/walls.hpp"
+
+namespace thaw {
+
+/// Temporary memory of the step of carried densities.
+struct CarryWork {
+  std::vector<std::uint8_t> besideWall;  ///< by owned row; empty: no wall contacts
+  std::vector<float> summed;             ///< CarryStep::summed
+  std::vector<WallContact> midContacts;  ///< contacts of the current row at mid-step
+};
+
+}  // namespace thaw
