@@ -127,7 +127,9 @@ with open(options.csv, "w", newline="") as file:
             ]
         )
         print(
-            f"{name:18} {every:14,.0f} {each['oriented']:12,.0f} {each['sheet']:12,.0f} {each['body_types']:12,.0f} {every - sum(each.values()):12,.0f}   of absent body types: {of:,.0f}"
+            f"{name:18} {every:14,.0f} {each['oriented']:12,.0f} {each['sheet']:12,.0f} "
+            f"{each['body_types']:12,.0f} {every - sum(each.values()):12,.0f}   "
+            f"of absent body types: {of:,.0f}"
         )
 if missed:
     sys.exit("body_types: a scene spends instructions on body types that it does not have")

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints a benchmark's CSV file with figures beside their targets, and charts it: chart.py FILE.csv PICTURE.png
+"""Prints a benchmark's CSV file with figures beside their targets, and charts it.
+
+chart.py FILE.csv PICTURE.png
 
 One row of the file is one case, named by its text columns (and `particles`, `ranks`). Every numeric column
 becomes a panel. A column `target_X` (or `X_target`) becomes a mark in the panel of X. Columns `ns_...` are

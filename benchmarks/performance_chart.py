@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes docs/performance.md and its chart from performance/text.md and the figures in docs/performance/ and docs/scaling/.
+"""Writes docs/performance.md and its chart.
+
+The text is performance/text.md; the figures are in docs/performance/ and docs/scaling/.
 
 performance_chart.py [--check]    --check compares the page with the figures and needs no matplotlib
 Placeholders of performance/text.md: {{table}}, {{machine}} and {{predicted PARTICLES RANKS}}, an efficiency
@@ -27,7 +29,10 @@ def rowsOf(*path):
 
 
 def isShown(r):
-    """True for millions of particles with 33 neighbours on one or two ranks; double precision for liquids only."""
+    """True for millions of particles with 33 neighbours on one or two ranks.
+
+    Double precision is shown for liquids only.
+    """
     return (
         float(r["neighbours"]) < 50
         and float(r["particles"]) >= 1e6
@@ -110,9 +115,8 @@ def table():
 
 def predicted(particles, ranks):
     counts, machine = model.fit(model.read(SCALING)), summary.machineOf(SCALING)
-    return f"{model.efficiency(counts, machine, float(particles), int(ranks)):.0%} for {float(particles):,.0f} particles on {int(ranks):,} ranks".replace(
-        "%", " %", 1
-    )
+    efficiency = 100 * model.efficiency(counts, machine, float(particles), int(ranks))
+    return f"{efficiency:.0f} % for {float(particles):,.0f} particles on {int(ranks):,} ranks"
 
 
 def machine():
@@ -137,7 +141,8 @@ def draw(picture):
     steps = [r for r in rowsOf("performance", "step.csv") if isShown(r)]
     axes[0].barh(
         [
-            f"{r['case']} {r['precision']}, {float(r['particles']) / 1e6:.0f}M, {r['ranks']} rank{'s' if r['ranks'] != '1' else ''}"
+            f"{r['case']} {r['precision']}, {float(r['particles']) / 1e6:.0f}M, "
+            f"{r['ranks']} rank{'s' if r['ranks'] != '1' else ''}"
             for r in steps
         ],
         [float(r["ratio"]) for r in steps],

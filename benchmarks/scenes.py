@@ -35,6 +35,18 @@ SCENES = [
 ]
 QUICK = [("dam_break", ["spacing=0.0108"], ("fluid", "single", "2")), *SCENES[1:4]]
 TARGET = 0.7
+# columns of the CSV file, and the phases of the program whose time each one sums
+GROUPS = {
+    "search": ["sort", "search"],
+    "pairs": ["density", "forces", "viscosity", "pressure"],
+    "solids": ["elastic", "bonds", "contact"],
+    "walls": ["walls"],
+    "heat": ["heat", "phase_change"],
+    "motion": ["drift", "kick", "domain"],
+    "ranks": ["migrate", "exchange", "reduce", "balance"],
+    "surface": ["surface"],
+    "frames": ["frames"],
+}
 
 
 def mpirun(ranks, *command):
@@ -74,6 +86,30 @@ def run(scene, overrides, ranks, steps, folder):
     return json.loads((folder / "summary.json").read_text())
 
 
+def stepBenchmark(physics, ranks, particles, table):
+    """The row of the step benchmark with the same physics; table: its CSV file."""
+    case, precision, support = physics
+    mpirun(
+        ranks,
+        build / "benchmarks/step",
+        "--cases",
+        case,
+        "--precisions",
+        precision,
+        "--supports",
+        support,
+        "--sizes",
+        min(particles, 1000000),
+        "--repeat",
+        3,
+        "--seconds",
+        0.5,
+        "--csv",
+        table,
+    )
+    return next(csv.DictReader(table.open()))
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -87,7 +123,7 @@ def main():
         options.ranks, options.steps = 1, 100
     folder = pathlib.Path(options.csv).resolve().parent / "scenes_run"
     rows = []
-    for scene, overrides, (case, precision, support) in QUICK if options.quick else SCENES:
+    for scene, overrides, physics in QUICK if options.quick else SCENES:
         first = run(scene, overrides, options.ranks, 1, folder)  # gives dt, for frames every 100 steps
         every = f"output.every={100 * first['dt_s']}"
         particles = first["particles"]
@@ -96,26 +132,7 @@ def main():
         phases = {name: p["mean"] for name, p in s["phases_s_per_rank"].items()}
         looped = sum(t for name, t in phases.items() if name not in ("setup", "none", "checkpoint"))
         rate = particles * s["steps_of_this_process"] / looped / options.ranks / 1e6
-        table = folder.parent / "scenes_step.csv"
-        mpirun(
-            options.ranks,
-            build / "benchmarks/step",
-            "--cases",
-            case,
-            "--precisions",
-            precision,
-            "--supports",
-            support,
-            "--sizes",
-            min(particles, 1000000),
-            "--repeat",
-            3,
-            "--seconds",
-            0.5,
-            "--csv",
-            table,
-        )
-        beside = next(csv.DictReader(table.open()))
+        beside = stepBenchmark(physics, options.ranks, particles, folder.parent / "scenes_step.csv")
         row = {
             "case": scene + (", melting" if overrides is MELTING else ""),
             "liquid": round(s["liquid_fraction"], 3),
@@ -127,24 +144,15 @@ def main():
             "target_share": TARGET,
             "yardstick_ratio": round(rate / float(beside["yardstick_msteps_per_s"]), 2),
         }
-        groups = {
-            "search": ["sort", "search"],
-            "pairs": ["density", "forces", "viscosity", "pressure"],
-            "solids": ["elastic", "bonds", "contact"],
-            "walls": ["walls"],
-            "heat": ["heat", "phase_change"],
-            "motion": ["drift", "kick", "domain"],
-            "ranks": ["migrate", "exchange", "reduce", "balance"],
-            "surface": ["surface"],
-            "frames": ["frames"],
-        }
         perNs = 1e9 * options.ranks / (particles * s["steps_of_this_process"])
-        for name, members in groups.items():
+        for name, members in GROUPS.items():
             row["ns_" + name] = round(perNs * sum(phases.get(m, 0) for m in members), 1)
         row["ns_other"] = round(perNs * looped - sum(v for k, v in row.items() if k.startswith("ns_")), 1)
         rows.append(row)
         print(
-            f"{row['case']}: {row['msteps_per_s']} M particle-steps/s and core, {100 * row['share']:.0f} % of the step benchmark's; {100 * row['liquid']:.1f} % liquid at the end",
+            f"{row['case']}: {row['msteps_per_s']} M particle-steps/s and core, "
+            f"{100 * row['share']:.0f} % of the step benchmark's; "
+            f"{100 * row['liquid']:.1f} % liquid at the end",
             flush=True,
         )
     shutil.rmtree(folder, ignore_errors=True)

@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Charts the surface benchmark by phase with its targets, and prints accuracies: surface_chart.py FILE.csv PICTURE.png"""
+"""Charts the surface benchmark by phase with its targets, and prints accuracies.
+
+surface_chart.py FILE.csv PICTURE.png
+"""
 import csv
 import sys
 

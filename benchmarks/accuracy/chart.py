@@ -27,7 +27,10 @@ def read(path):
 
 
 def panels(rows):
-    """(case, norm) in the order of the file: norms with a target above rounding, else the case's first norm."""
+    """(case, norm) in the order of the file.
+
+    The norms are those with a target above rounding, else the case's first norm.
+    """
     found = {}
     for r in rows:
         norms = found.setdefault(r["case"], [])

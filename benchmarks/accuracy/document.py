@@ -3,11 +3,15 @@
 """Writes docs/validation/accuracy.md from text.md and the figures: document.py ACCURACY.csv [MODULES.csv]
 
 Every number in the document comes from the files. In text.md:
-  {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise; SETTINGS as in the CSV file
-  {{ratio CASE | NORM | SETTINGS A | SETTINGS B}}   error of A over that of B; {{cost ...}} the same for core-seconds
-  {{between CASE A | CASE B | NORM}}    order between the defaults of two cases that are one at two resolutions
+  {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise;
+      SETTINGS as in the CSV file
+  {{ratio CASE | NORM | SETTINGS A | SETTINGS B}}    error of A over that of B; {{cost ...}} likewise for
+      core-seconds
+  {{between CASE A | CASE B | NORM}}    order between the defaults of two cases that are one at two
+      resolutions
   {{table CASE}}    all settings of a case        {{targets}}    the defaults with their targets
-  {{choices CASE | SETTINGS; SETTINGS ... | NORM; NORM ...}}    some settings and norms of a case, one line per setting
+  {{choices CASE | SETTINGS; SETTINGS ... | NORM; NORM ...}}    some settings and norms of a case, one line
+      per setting
   {{chart CASE}}    its chart, copied to docs/pictures/accuracy/        {{modules}}    the cost of each module
   {{picture CASE}}    the particles at the end, from points/CASE.csv next to ACCURACY.csv
 The CSV files are copied to docs/accuracy/, so that the repository alone can reproduce the document.
@@ -57,7 +61,8 @@ class Document:
             if (r["case"], r["norm"], r["settings"]) == (case, norm, settings):
                 return r
         raise SystemExit(
-            f"benchmarks/accuracy/text.md: no figure for {case} | {norm} | {settings}; run that case or mend the page"
+            f"benchmarks/accuracy/text.md: no figure for {case} | {norm} | {settings}; "
+            "run that case or mend the page"
         )
 
     def value(self, what, arguments):
@@ -83,7 +88,8 @@ class Document:
                 )
                 for c in (one, two)
             )
-            return f"{math.log(float(a['error']) / float(b['error'])) / math.log(spacingOf(a) / spacingOf(b)):.2f}"
+            errors, spacings = float(a["error"]) / float(b["error"]), spacingOf(a) / spacingOf(b)
+            return f"{math.log(errors) / math.log(spacings):.2f}"
         if what in ("ratio", "cost"):
             case, norm, a, b = arguments
             column = "error" if what == "ratio" else "core_seconds"
@@ -131,7 +137,8 @@ class Document:
             ]
             order = orderOf(of[norms[0]]) if norms and norms[0] in of else ""
             lines.append(
-                f"| {settings} | {' | '.join(values)} | {order} | {short(one['core_seconds'])} | {one['steps']} | {one['particles']} |"
+                f"| {settings} | {' | '.join(values)} | {order} | {short(one['core_seconds'])} "
+                f"| {one['steps']} | {one['particles']} |"
             )
         return "\n".join(lines)
 
@@ -143,7 +150,8 @@ class Document:
         for at in settings:
             found = [self.find(case, n, at) for n in norms]
             lines.append(
-                f"| {at} | {' | '.join(short(r['error']) for r in found)} | {short(found[0]['core_seconds'])} |"
+                f"| {at} | {' | '.join(short(r['error']) for r in found)} "
+                f"| {short(found[0]['core_seconds'])} |"
             )
         return "\n".join(lines)
 
@@ -161,19 +169,22 @@ class Document:
         for (case, norm), r in found.items():
             reached = "reached" if float(r["error"]) <= float(r["target"]) else "**missed**"
             lines.append(
-                f"| {case} | {cell(norm)} | {r['settings'].replace('default ', '')} | {short(r['error'])} | {short(r['target'])} | {reached} | {orderOf(r)} | {short(r['core_seconds'])} |"
+                f"| {case} | {cell(norm)} | {r['settings'].replace('default ', '')} | {short(r['error'])} "
+                f"| {short(r['target'])} | {reached} | {orderOf(r)} | {short(r['core_seconds'])} |"
             )
         return "\n".join(lines)
 
     def moduleTable(self):
         lines = [
-            "| module | base | ns per particle and step: without, with | ratio | bytes per particle: without, with | fields: without, with | time in unused phases |",
+            "| module | base | ns per particle and step: without, with | ratio "
+            "| bytes per particle: without, with | fields: without, with | time in unused phases |",
             "|---|---|---|---|---|---|---|",
         ]
         for r in self.modules:
             lines.append(
-                f"| {r['case']} | {r['base']} | {short(r['ns_without'])}, {short(r['ns_with'])} | {r['time_ratio']} | {r['bytes_without']}, {r['bytes_with']} | "
-                f"{r['fields_without']}, {r['fields_with']} | {100 * float(r['idle_share']):.2g} % |"
+                f"| {r['case']} | {r['base']} | {short(r['ns_without'])}, {short(r['ns_with'])} "
+                f"| {r['time_ratio']} | {r['bytes_without']}, {r['bytes_with']} "
+                f"| {r['fields_without']}, {r['fields_with']} | {100 * float(r['idle_share']):.2g} % |"
             )
         return "\n".join(lines)
 

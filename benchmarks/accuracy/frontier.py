@@ -91,10 +91,12 @@ def source(rows):
     )
     text += "constexpr FrontierPoint points[] = {\n"
     for case, norm, settings, error, cost, best in points(rows):
-        text += f'    {{"{case}", "{norm}", "{settings}", {error:.3g}, {cost:.2g}, {"true" if best else "false"}}},\n'
-    return (
-        text
-        + "};\n\n}  // namespace\n\nstd::span<const FrontierPoint> frontierPoints() { return points; }\n\n}  // namespace thaw\n"
+        onFrontier = "true" if best else "false"
+        text += f'    {{"{case}", "{norm}", "{settings}", {error:.3g}, {cost:.2g}, {onFrontier}}},\n'
+    return text + (
+        "};\n\n}  // namespace\n\n"
+        "std::span<const FrontierPoint> frontierPoints() { return points; }\n\n"
+        "}  // namespace thaw\n"
     )
 
 

@@ -99,7 +99,8 @@ class Matrix:
         wanted = [r for r in plan.runs(options.level) if not options.case or r[0] in options.case]
         self.todo = [r for r in wanted if (r[0], labelOf(r[1], r[2])) not in done]
         print(
-            f"level {options.level}: {len(wanted)} runs, {len(wanted) - len(self.todo)} of them done before; {options.jobs} side by side, for at most {options.minutes:g} minutes",
+            f"level {options.level}: {len(wanted)} runs, {len(wanted) - len(self.todo)} of them done before; "
+            f"{options.jobs} side by side, for at most {options.minutes:g} minutes",
             flush=True,
         )
         self.end = time.monotonic() + 60 * options.minutes
@@ -155,12 +156,12 @@ class Matrix:
             and r["settings"].startswith("default")
             and not float(r["error"]) <= float(r["target"])
         ]
-        print(
-            f"{len(self.rows)} lines in {self.options.csv}; {len(self.todo)} runs left{', the same command goes on with them' if self.todo else ''}"
-        )
+        more = ", the same command goes on with them" if self.todo else ""
+        print(f"{len(self.rows)} lines in {self.options.csv}; {len(self.todo)} runs left{more}")
         for r in misses:
             print(
-                f"above its target: {r['case']} {r['settings']} {r['norm']} {float(r['error']):.3g} > {float(r['target']):g}"
+                f"above its target: {r['case']} {r['settings']} {r['norm']} "
+                f"{float(r['error']):.3g} > {float(r['target']):g}"
             )
         for f in self.failed:
             print(f"not run: {f}")
@@ -170,7 +171,8 @@ class Matrix:
 def main():
     parser = argparse.ArgumentParser(
         description="The matrix of the accuracy suite: accuracy against time.",
-        epilog="docs/validation/accuracy.md is written from the figures by benchmarks/accuracy/document.py, what thaw check knows by frontier.py.",
+        epilog="docs/validation/accuracy.md is written from the figures by benchmarks/accuracy/document.py, "
+        "what thaw check knows by frontier.py.",
     )
     parser.add_argument("--csv", required=True, help="file of the figures")
     parser.add_argument(

@@ -236,7 +236,10 @@ PICTURES = ("elliptic_drop", "rotating_patch")
 
 
 def settingsOf(key, value):
-    """[key=value, ...] as `--set` takes them. In a key of several words, all but the last carry their own value: "density=continuity support"."""
+    """[key=value, ...] as `--set` takes them.
+
+    In a key of several words, all but the last carry their own value: "density=continuity support".
+    """
     words = key.split()
     words[-1] += "=" + value
     return [
@@ -245,7 +248,10 @@ def settingsOf(key, value):
 
 
 def runs(level):
-    """(case, spacing, [numerics key=value, ...]) in the order in which they are run: defaults first, cheap resolutions first."""
+    """(case, spacing, [numerics key=value, ...]) in the order of the runs.
+
+    Defaults come first, and so do cheap resolutions.
+    """
     todo = []
     deepest = max(len(spacings) for spacings, _, _ in CASES.values())
     for k in range(deepest):

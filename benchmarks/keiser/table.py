@@ -134,6 +134,27 @@ def ours(name, summary, out):
     }
 
 
+def show(rows, options):
+    print(
+        f"\n{'scene':13} {'':6} {'particles/surfels':>18} {'physics step':>14} "
+        f"{'surface iteration':>18} {'frames/s (1 step, 1 iteration)':>32} "
+        f"{'frames/s of the run':>20} {'simulated':>10}"
+    )
+    for r in rows:
+        last = f"{r['frames_per_s']:.2f}" if "frames_per_s" in r else ""
+        simulated = f"{r['simulated_s']:.3g} s" if "simulated_s" in r else ""
+        print(
+            f"{r['scene']:13} {r['by']:6} {r['particles']:>9}/{r['surfels']:<8} "
+            f"{r['physics_step_s']:>12.4g} s {r['surface_iteration_s']:>16.4g} s "
+            f"{r['frames_per_s_as_paper']:>32.3g} {last:>20} {simulated:>10}"
+        )
+    until = f" or {options.until:g} s" if options.until else ""
+    print(
+        f"Each scene ran until its end{until}, or for {options.seconds:g} s of wall-clock time, "
+        "whichever came first; simulated: how far."
+    )
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -190,19 +211,7 @@ def main():
         writer = csv.DictWriter(file, COLUMNS, restval="")
         writer.writeheader()
         writer.writerows(rows)
-    print(
-        f"\n{'scene':13} {'':6} {'particles/surfels':>18} {'physics step':>14} {'surface iteration':>18} {'frames/s (1 step, 1 iteration)':>32} {'frames/s of the run':>20} {'simulated':>10}"
-    )
-    for r in rows:
-        last = f"{r['frames_per_s']:.2f}" if "frames_per_s" in r else ""
-        simulated = f"{r['simulated_s']:.3g} s" if "simulated_s" in r else ""
-        print(
-            f"{r['scene']:13} {r['by']:6} {r['particles']:>9}/{r['surfels']:<8} {r['physics_step_s']:>12.4g} s {r['surface_iteration_s']:>16.4g} s "
-            f"{r['frames_per_s_as_paper']:>32.3g} {last:>20} {simulated:>10}"
-        )
-    print(
-        f"Each scene ran until its end{f' or {options.until:g} s' if options.until else ''}, or for {options.seconds:g} s of wall-clock time, whichever came first; simulated: how far."
-    )
+    show(rows, options)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints the scaling study's figures with their targets and charts them: chart.py SCALING.csv PICTURE.png [TRACE.json]
+"""Prints the scaling study's figures with their targets and charts them.
+
+chart.py SCALING.csv PICTURE.png [TRACE.json]
 
 docs/performance.md takes its figures from docs/scaling/scaling.csv: copy SCALING.csv there and run
 benchmarks/performance_chart.py.

@@ -41,7 +41,10 @@ def neighbours(ranks):
 
 
 def ghosts(particles, ranks, layer):
-    """Mean number of ghosts of a rank. layer: particles across the layer of cells around a box. At most all others."""
+    """Mean number of ghosts of a rank, at most all others.
+
+    layer: particles across the layer of cells around a box.
+    """
     side, with_layer, box = particles ** (1 / 3), 1.0, 1.0
     for along in factors(ranks):
         own = side / along
@@ -91,7 +94,10 @@ def linear(points):
 
 
 def fit(rows):
-    """Counts from rows of the series `counts`, case fluid: ranks, particles, halo_fraction, neighbours, messages, kib, collectives."""
+    """Counts from rows of the series `counts`, case fluid.
+
+    Their columns: ranks, particles, halo_fraction, neighbours, messages, kib, collectives.
+    """
     many = [r for r in rows if r["ranks"] > 1]
     if not many:
         raise ValueError("no counts on more than one rank: run scripts/bench scaling --only counts")
@@ -181,8 +187,10 @@ def main():
     print(counts)
     print(machine)
     print(
-        f"{a.particles:.3g} particles on {a.ranks:.0f} ranks: {1e3 * s['seconds']:.3f} ms a step, efficiency {efficiency(counts, machine, a.particles, a.ranks):.3f}; "
-        f"a rank sends {s['messages']:.0f} messages of {s['bytes'] / 2**20:.2f} MiB in all, and has {s['ghosts']:.0f} ghosts"
+        f"{a.particles:.3g} particles on {a.ranks:.0f} ranks: {1e3 * s['seconds']:.3f} ms a step, "
+        f"efficiency {efficiency(counts, machine, a.particles, a.ranks):.3f}; "
+        f"a rank sends {s['messages']:.0f} messages of {s['bytes'] / 2**20:.2f} MiB in all, "
+        f"and has {s['ghosts']:.0f} ghosts"
     )
     for name, seconds in s["parts"].items():
         print(f"  {name:12s} {1e3 * seconds:9.3f} ms")

@@ -4,12 +4,13 @@
 
 series.py --csv FILE [--quick] [--cores N] [--only SERIES]
 
-strong   1M particles on 1 ... N ranks        weak     500k particles a rank on 1 ... N ranks, N: the cores of this machine
+strong   1M particles on 1 ... N ranks, N: the cores of this machine
+weak     500k particles a rank on 1 ... N ranks
 corner   a melting scene with most of the work in one corner, on N ranks
-counts   few particles a rank on up to 64 ranks, more than there are cores: messages, bytes, collectives. Its times are
-         not used, and cells are not redistributed by them, so that every run has the same counts
-trace    `thaw run --profile` of the melting bust on N ranks: the table to the terminal, the trace next to the CSV file;
-         no line in it
+counts   few particles a rank on up to 64 ranks, more than there are cores: messages, bytes, collectives. Its
+         times are not used, and cells are not redistributed by them, so that every run has the same counts
+trace    `thaw run --profile` of the melting bust on N ranks: the table to the terminal, the trace next to the
+         CSV file; no line in it
 
 The efficiency of P ranks is their rate over that of P independent simulations of one rank each that run at
 the same time, with as many particles a rank. It thus leaves out the machine's shared memory and clock. Both
@@ -132,7 +133,8 @@ class Bench:
             else ""
         )
         print(
-            f"  {case} on {ranks} ranks, {row['particles']} particles: {row['ms_step']} ms a step, imbalance {row['imbalance']}, {row['msteps_per_s']} M particle-steps/s{against}",
+            f"  {case} on {ranks} ranks, {row['particles']} particles: {row['ms_step']} ms a step, "
+            f"imbalance {row['imbalance']}, {row['msteps_per_s']} M particle-steps/s{against}",
             flush=True,
         )
         return row

@@ -23,13 +23,15 @@ def number(text):
 def label(r):
     size = float(r["particles"])
     size = f"{size / 1e6:.3g}M" if size > 9e5 else f"{size / 1e3:.0f}k"
+    ranks = f"{r['ranks']} rank{'s' if r['ranks'] != '1' else ''}"
     isa = "" if r["isa"] == "avx512" else f" {r['isa'].upper()}"
-    return f"{r['case']} {r['precision']}{isa} {float(r['neighbours']):.0f} nb, {size}, {r['ranks']} rank{'s' if r['ranks'] != '1' else ''}"
+    return f"{r['case']} {r['precision']}{isa} {float(r['neighbours']):.0f} nb, {size}, {ranks}"
 
 
 def show(rows):
     print(
-        f"{'':44s}  M/s/core       ratio     target  limit   bytes (target)   moved GB/s of copy  set-up steps (20)  limited by"
+        f"{'':44s}  M/s/core       ratio     target  limit   bytes (target)   "
+        "moved GB/s of copy  set-up steps (20)  limited by"
     )
     for r in rows:
         goal = (
@@ -39,7 +41,8 @@ def show(rows):
         )
         memory = f"{float(r['bytes_per_particle']):6.0f} ({r['target_bytes_per_particle'] or '-':>4s})"
         print(
-            f"{label(r):44s}  {float(r['msteps_per_s']):8.2f}  {float(r['ratio']):10.2f}  {goal}   {memory:>14s}   {float(r['moved_gb_per_s']):5.1f} of {float(r['copy_gb_per_s']):5.1f}   "
+            f"{label(r):44s}  {float(r['msteps_per_s']):8.2f}  {float(r['ratio']):10.2f}  {goal}   "
+            f"{memory:>14s}   {float(r['moved_gb_per_s']):5.1f} of {float(r['copy_gb_per_s']):5.1f}   "
             f"{float(r['setup_steps']):15.1f}   {r['held_back_by']}"
         )
 
@@ -76,7 +79,9 @@ def table(rows, path):
     heads = " / ".join(str(p) for p in ranks)
     with open(path, "w", encoding="utf-8") as out:
         out.write(
-            f"| case, precision, neighbours | particles | M/s and core on {heads} ranks | times the scalar code | target | limit | bytes a particle | set-up, steps | held back by |\n|---|---|---|---|---|---|---|---|---|\n"
+            f"| case, precision, neighbours | particles | M/s and core on {heads} ranks "
+            "| times the scalar code | target | limit | bytes a particle | set-up, steps | held back by |\n"
+            "|---|---|---|---|---|---|---|---|---|\n"
         )
         for (case, particles), row in cases.items():
             first = row[min(row)]
@@ -86,8 +91,11 @@ def table(rows, path):
                 else " | "
             )
             out.write(
-                f"| {case} | {float(particles):,.0f} | {over(row, lambda r: format(float(r['msteps_per_s']), '.2f'))} | {over(row, times)} | {goal} | "
-                f"{over(row, lambda r: format(float(r['bytes_per_particle']), '.0f'))} | {over(row, lambda r: format(float(r['setup_steps']), '.0f'))} | {held(row)} |\n"
+                f"| {case} | {float(particles):,.0f} "
+                f"| {over(row, lambda r: format(float(r['msteps_per_s']), '.2f'))} "
+                f"| {over(row, times)} | {goal} "
+                f"| {over(row, lambda r: format(float(r['bytes_per_particle']), '.0f'))} "
+                f"| {over(row, lambda r: format(float(r['setup_steps']), '.0f'))} | {held(row)} |\n"
             )
 
 

@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Wall-clock seconds per simulated second against the error, one mark per solver: chart.py FILE.csv PICTURE.png"""
+"""Wall-clock seconds per simulated second against the error, one mark per solver.
+
+chart.py FILE.csv PICTURE.png
+"""
 import csv
 import sys
 
@@ -21,8 +24,9 @@ def errorText(r):
 rows = list(csv.DictReader(open(sys.argv[1], newline="")))
 for r in rows:
     print(
-        f"{r['case']:5s} {r['solver']:36s} {float(r['wall_s_per_s']):7.1f} s (target {r['target_wall_s_per_s']}, goal 10, best peer {r['best_peer_wall_s_per_s']})   {errorText(r)}   "
-        f"{r['steps']} steps on {r['ranks']} ranks"
+        f"{r['case']:5s} {r['solver']:36s} {float(r['wall_s_per_s']):7.1f} s "
+        f"(target {r['target_wall_s_per_s']}, goal 10, best peer {r['best_peer_wall_s_per_s']})   "
+        f"{errorText(r)}   {r['steps']} steps on {r['ranks']} ranks"
     )
 problems = list(dict.fromkeys(r["case"] for r in rows))
 figure, axes = plt.subplots(1, len(problems), figsize=(5.5 * len(problems), 4), squeeze=False)

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""matrix_test.py BUILD (see matrix_test.sh): runs matrix.py with a stand-in for the benchmark with known errors."""
+"""Runs matrix.py with a stand-in for the benchmark with known errors.
+
+matrix_test.py BUILD (see matrix_test.sh)
+"""
 import csv
 import os
 import stat
@@ -23,7 +26,8 @@ case, rest = sys.argv[1], sys.argv[2:]
 spacing, path, label = (rest[rest.index("--" + k) + 1] for k in ("spacing", "csv", "label"))
 with open(os.environ["CALLS"], "a") as f: f.write(case + "|" + label + "\\n")
 if case == os.environ.get("REFUSED"): sys.exit("error: refused")
-with open(path, "a") as f: f.write(f"{case},{label},L2,{float(spacing) ** 2},1,,0.5,10,100,{os.environ['VERSION']},machine\\n")
+line = f"{case},{label},L2,{float(spacing) ** 2},1,,0.5,10,100,{os.environ['VERSION']},machine\\n"
+with open(path, "a") as f: f.write(line)
 """
 
 

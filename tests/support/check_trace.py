@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""check_trace.py TRACE.json RANKS STEPS EXCHANGES: fails unless the trace has these numbers of ranks and steps, slices
-of a rank nest, and exchanges overlap with work. EXCHANGES: comma-separated names of required exchanges."""
+"""check_trace.py TRACE.json RANKS STEPS EXCHANGES
+
+Fails unless the trace has these numbers of ranks and steps, slices of a rank nest, and exchanges overlap
+with work. EXCHANGES: comma-separated names of required exchanges.
+"""
 import json
 import sys
 

@@ -24,8 +24,11 @@ from scipy.sparse.linalg import splu
 
 
 class Tank:
-    """A quarter of a tank with n cells per edge of the cube. The cube's bottom is `draught` below the surface of the liquid,
-    or below the cube's top at the height `submerged`."""
+    """A quarter of a tank with n cells per edge of the cube.
+
+    The cube's bottom is `draught` below the surface of the liquid, or below the cube's top at the height
+    `submerged`.
+    """
 
     def __init__(self, n, width, depth, draught, submerged=None):
         half, high = round(width / 2 * n), round(depth * n)
@@ -43,7 +46,10 @@ class Tank:
         self.solve = splu(self.laplacian().tocsc()).solve
 
     def laplacian(self):
-        """Negative fluxes into each cell, over h; the free surface is half a cell above the topmost centres."""
+        """Negative fluxes into each cell, over h.
+
+        The free surface is half a cell above the topmost centres.
+        """
         count, rows, columns, values = self.number.max() + 1, [], [], []
         diagonal = np.zeros(count)
         for axis in range(3):
@@ -65,7 +71,10 @@ class Tank:
         )
 
     def unitHeave(self):
-        """Added mass (whole tank) and velocity b of the surface, p = 0 there, for a cube that moves up at 1."""
+        """Added mass (whole tank) and velocity b of the surface for a cube that moves up at 1.
+
+        The pressure is zero at the surface.
+        """
         source = np.zeros(self.number.max() + 1)
         source[self.below] = self.h  # dp/dn = 1: the liquid below moves with the cube
         source[self.above] = -self.h
@@ -132,7 +141,8 @@ def main():
         mass = [Tank(n, width, depth, 1, top).unitHeave()[0] for n in cells]
         report(f"submerged, {what}", mass, cells)
     print(
-        "# Written by floating_cube.py. t / sqrt(L/g), displacement over that at the start for densities of 0.5 and 0.9"
+        "# Written by floating_cube.py. t / sqrt(L/g), "
+        "displacement over that at the start for densities of 0.5 and 0.9"
     )
     print("time,0.5,0.9")
     for k, t in enumerate(times):
