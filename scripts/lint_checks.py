@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Text checks of scripts/lint that clang-format, clang-tidy and codespell do not cover.
+"""Text checks of scripts/lint that clang-format, clang-tidy, black and codespell do not cover.
 
     lint_checks.py            prints `file:line: message` for each finding; exit status 1 if there are any
     lint_checks.py --record   rewrites the lists scripts/lint_known_*.txt from the findings

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Corrections of scripts/lint --fix, which runs clang-format afterwards:
+"""Corrections of scripts/lint --fix, which runs clang-format and black afterwards:
 
 - the first line, after "#!", names the licence;
 - fields of tables (`Column<...> name{...}`, between // clang-format off and on) take one line, or break

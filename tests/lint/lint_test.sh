@@ -85,13 +85,15 @@ begins CMakeLists.txt "# $licence" 'project(tree)'
 begins scripts/say '#!/bin/sh' "# $licence" echo
 begins core/heat/heat.cpp "// $licence" "#include \"$square\""
 
-# A fault of C++ that --fix corrects, and a listed include against the order.
+# Faults of C++ and Python that --fix corrects, and a listed include against the order.
 plantTree
 sed -i '3a #include "core/heat/heat.hpp"' "$dir/tree/$square"
 printf '\n// %s\n' "$long" >>"$dir/tree/$square"
+printf '# %s\nx  = 1\n' "$licence" >"$dir/tree/scripts/one.py"
 lint
 finds 'an upward include' "^$square:4: includes core/heat/heat.hpp: core/heat is above core/math"
 finds 'a long comment in C++' "^$square:[0-9]+:.* not formatted"
+finds 'Python that is not formatted' '^scripts/one.py:1: not formatted'
 "$dir/tree/scripts/lint" --fix
 printf '1 %s core/heat/heat.hpp\n' "$square" >"$dir/tree/scripts/lint_known_includes.txt"
 passes 'a long comment that --fix has wrapped, and a listed include'
