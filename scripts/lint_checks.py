@@ -44,7 +44,7 @@ def longLines(files):
             continue
         for number, line in enumerate(readLines(file), 1):
             if len(line) > MOST_COLUMNS and not re.search(r'https?://\S{60}', line):
-                yield file, number, file, f'{len(line)} columns, at most {MOST_COLUMNS} are allowed'
+                yield file, number, None, f'{len(line)} columns, at most {MOST_COLUMNS} are allowed'
 
 
 def withoutLicence(files):
@@ -291,7 +291,7 @@ def record(name, findings, about):
 SHRINKS = 'The list may only shrink (scripts/lint).'
 CHECKS = {
     'licence': (withoutLicence, f'Files without an SPDX line: their count. {SHRINKS}'),
-    'long_lines': (longLines, f'Lines of more than {MOST_COLUMNS} columns: count and file. {SHRINKS}'),
+    'long_lines': (longLines, None),
     'includes': (
         upwardIncludes,
         f'Includes against core/include_order.txt: count, file and include. {SHRINKS}',
