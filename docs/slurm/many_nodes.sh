@@ -26,8 +26,7 @@ thaw=${THAW:-build/release/thaw}
 mkdir -p "$out/frames" "$out/checkpoint"
 if command -v lfs >/dev/null; then
   lfs setstripe --stripe-count "${STRIPES:-16}" --stripe-size 16M "$out/frames" "$out/checkpoint" \
-    2>/dev/null ||
-    true
+    2>/dev/null || true
 fi
 
 # Submits the next job with the options of this one, those of sbatch's command line included.
@@ -51,8 +50,7 @@ if [ "$failed" -gt 0 ] || [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--f
 
 code=0
 srun --mpi="${PMI:-pmix}" --cpu-bind=cores --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" \
-  --resume "${force[@]}" ||
-  code=$?
+  --resume "${force[@]}" || code=$?
 case $code in
   0) "$thaw" render "$out" --sheet "$out/pictures/sheet.png" ;;
   75) again "$0" "$scene" ;;

@@ -20,16 +20,14 @@ try() {
   for run in 1 7 parts; do retried "$work/$scene.$run" "$least" "$scene, $run"; done
   for run in 1 7; do
     grep -q "^warning: failed at step .*; back to step .*, with 1/[0-9]* of the step" \
-      "$work/$scene.log.$run" ||
-      fail "$scene on $run ranks: no warning"
+      "$work/$scene.log.$run" || fail "$scene on $run ranks: no warning"
     [ "$(grep "^warning: failed at step" "$work/$scene.log.$run" | sort | uniq -d | wc -l)" = 0 ] ||
       fail "$scene on $run ranks: a warning of a retry twice"
   done
   [ "$(grep -c '"name"' "$work/$scene.1/frames/$scene.hdf.series")" = 11 ] ||
     fail "$scene: not 11 frames in the series"
   [ -z "$(find "$work/$scene.parts/checkpoint" -name 'good_*.hdf' \
-    -newer "$work/$scene.parts/summary.json")" ] ||
-    fail "$scene: a snapshot file is left behind"
+    -newer "$work/$scene.parts/summary.json")" ] || fail "$scene: a snapshot file is left behind"
   echo "$scene: $(value "$work/$scene.1/summary.json" retries) retries"
 }
 try beam 0.15 6e-4 2 20 45 215 230

@@ -7,7 +7,6 @@ export THAW_BUILD=$build
 bash "$source_dir/benchmarks/keiser/run" --csv "$work/keiser.csv" --out "$work/runs" \
   --seconds 2 --scenes fluid,freezing --set spacing=0.1 --set surface.spacing=0.05 --set output.every=0.05 \
   --set output.width=160 --set output.height=120 >"$work/log" 2>&1 ||
-  
   { fail "exit $?"; tail -n 5 "$work/log"; }
 for scene in fluid freezing; do
   [ "$(grep -c "^$scene,paper,\|^$scene,thaw," "$work/keiser.csv")" = 2 ] ||

@@ -28,8 +28,7 @@ grep -q '^  since then ' "$work/info" ||
 killAll -9 "$work/run"
 "$thaw" info "$work/run" >"$work/info" || fail "info of a killed run"
 grep -q '^  status  *killed (process [0-9]* on .* has ended; last write at 2.*Z), last known at t ' \
-  "$work/info" ||
-  fail "info: a run that was killed is '$(grep status "$work/info")'"
+  "$work/info" || fail "info: a run that was killed is '$(grep status "$work/info")'"
 at=$("$thaw" info "$work/run" --json 2>"$work/log" | value - step)
 printf '%s' "$((at + 1)),0.1" >>"$work/run/progress.csv"  # a kill in the middle of a line
 launch 1 run "$scene" "${set[@]}" --resume --progress 0 --steps $((at + 20)) --out "$work/run" \
