@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints a benchmark's CSV file with figures beside their targets, and charts it: chart.py FILE.csv PICTURE.png
+"""Prints a benchmark's CSV file with figures beside their targets, and charts it.
+
+chart.py FILE.csv PICTURE.png
 
 One row of the file is one case, named by its text columns (and `particles`, `ranks`). Every numeric column
 becomes a panel. A column `target_X` (or `X_target`) becomes a mark in the panel of X. Columns `ns_...` are
@@ -39,9 +41,15 @@ def read(source):
     if not rows:
         sys.exit(f"chart.py: {source} has no rows")
     columns = [c for c in rows[0] if c]
-    numeric = [c for c in columns if c not in CASE_COLUMNS and all(r[c] in ("", None) or number(r[c]) is not None for r in rows)]
+    numeric = [
+        c
+        for c in columns
+        if c not in CASE_COLUMNS and all(r[c] in ("", None) or number(r[c]) is not None for r in rows)
+    ]
     named = [c for c in columns if c not in numeric]
-    labels = [" ".join(f"{r[c]} {c}" if c in ("particles", "ranks") else str(r[c]) for c in named) for r in rows]
+    labels = [
+        " ".join(f"{r[c]} {c}" if c in ("particles", "ranks") else str(r[c]) for c in named) for r in rows
+    ]
     return rows, [c for c in numeric if c not in NOT_FIGURES], labels
 
 
@@ -60,7 +68,15 @@ def drawBars(axis, rows, column, target):
     axis.barh(range(len(rows)), [number(r[column]) or 0 for r in rows], color="#3b6ea5")
     if target:
         marks = [(number(r[target]), i) for i, r in enumerate(rows) if number(r[target]) is not None]
-        axis.scatter([m[0] for m in marks], [m[1] for m in marks], marker="|", s=260, linewidths=2.5, color="#d1495b", label="target")
+        axis.scatter(
+            [m[0] for m in marks],
+            [m[1] for m in marks],
+            marker="|",
+            s=260,
+            linewidths=2.5,
+            color="#d1495b",
+            label="target",
+        )
         axis.legend(frameon=False, fontsize=8)
     axis.set_title(column.replace("_", " "), fontsize=10)
 

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes docs/performance.md and its chart from performance/text.md and the figures in docs/performance/ and docs/scaling/.
+"""Writes docs/performance.md and its chart.
+
+The text is performance/text.md; the figures are in docs/performance/ and docs/scaling/.
 
 performance_chart.py [--check]    --check compares the page with the figures and needs no matplotlib
 Placeholders of performance/text.md: {{table}}, {{machine}} and {{predicted PARTICLES RANKS}}, an efficiency
@@ -27,20 +29,49 @@ def rowsOf(*path):
 
 
 def isShown(r):
-    """True for millions of particles with 33 neighbours on one or two ranks; double precision for liquids only."""
-    return (float(r["neighbours"]) < 50 and float(r["particles"]) >= 1e6 and int(r["ranks"]) <= 2 and r["isa"] == "avx512"
-            and (r["precision"] == "single" or r["case"] == "fluid"))
+    """True for millions of particles with 33 neighbours on one or two ranks.
+
+    Double precision is shown for liquids only.
+    """
+    return (
+        float(r["neighbours"]) < 50
+        and float(r["particles"]) >= 1e6
+        and int(r["ranks"]) <= 2
+        and r["isa"] == "avx512"
+        and (r["precision"] == "single" or r["case"] == "fluid")
+    )
 
 
 def stepRows():
     names = {"single": "", "double": ", double precision"}
-    return [[f"step: {r['case']}{names[r['precision']]}", f"{float(r['particles']):,.0f}", r["ranks"], f"{float(r['msteps_per_s']):.2f}",
-             f"{float(r['ratio']):.2f}", "scalar code", f"{float(r['bytes_per_particle']):.0f}"] for r in rowsOf("performance", "step.csv") if isShown(r)]
+    return [
+        [
+            f"step: {r['case']}{names[r['precision']]}",
+            f"{float(r['particles']):,.0f}",
+            r["ranks"],
+            f"{float(r['msteps_per_s']):.2f}",
+            f"{float(r['ratio']):.2f}",
+            "scalar code",
+            f"{float(r['bytes_per_particle']):.0f}",
+        ]
+        for r in rowsOf("performance", "step.csv")
+        if isShown(r)
+    ]
 
 
 def sceneRows():
-    return [[f"scene: {r['case']}", f"{float(r['particles']):,.0f}", r["ranks"], f"{float(r['msteps_per_s']):.2f}", f"{float(r['share']):.2f}",
-             "step benchmark", ""] for r in rowsOf("performance", "scenes.csv")]
+    return [
+        [
+            f"scene: {r['case']}",
+            f"{float(r['particles']):,.0f}",
+            r["ranks"],
+            f"{float(r['msteps_per_s']):.2f}",
+            f"{float(r['share']):.2f}",
+            "step benchmark",
+            "",
+        ]
+        for r in rowsOf("performance", "scenes.csv")
+    ]
 
 
 def scalingRows():
@@ -48,13 +79,33 @@ def scalingRows():
     for series in ("strong", "weak"):
         for r in model.read(SCALING, series):
             if r["ranks"] > 1:
-                rows.append([series, f"{r['particles']:,.0f}", f"{r['ranks']:.0f}", f"{r['msteps_per_s'] / r['ranks']:.2f}", f"{r['efficiency']:.3f}", "copies", ""])
+                rows.append(
+                    [
+                        series,
+                        f"{r['particles']:,.0f}",
+                        f"{r['ranks']:.0f}",
+                        f"{r['msteps_per_s'] / r['ranks']:.2f}",
+                        f"{r['efficiency']:.3f}",
+                        "copies",
+                        "",
+                    ]
+                )
     return rows
 
 
 def sleepRows():
-    return [[f"sleep: {float(r['asleep_share']):.0%} asleep".replace("%", " %"), "80,000", "1", f"{float(r['us_per_particle_sleep']):.2f} us", f"{float(r['gain']):.2f}",
-             "awake", ""] for r in rowsOf("performance", "sleep.csv")]
+    return [
+        [
+            f"sleep: {float(r['asleep_share']):.0%} asleep".replace("%", " %"),
+            "80,000",
+            "1",
+            f"{float(r['us_per_particle_sleep']):.2f} us",
+            f"{float(r['gain']):.2f}",
+            "awake",
+            "",
+        ]
+        for r in rowsOf("performance", "sleep.csv")
+    ]
 
 
 def table():
@@ -64,7 +115,8 @@ def table():
 
 def predicted(particles, ranks):
     counts, machine = model.fit(model.read(SCALING)), summary.machineOf(SCALING)
-    return f"{model.efficiency(counts, machine, float(particles), int(ranks)):.0%} for {float(particles):,.0f} particles on {int(ranks):,} ranks".replace("%", " %", 1)
+    efficiency = 100 * model.efficiency(counts, machine, float(particles), int(ranks))
+    return f"{efficiency:.0f} % for {float(particles):,.0f} particles on {int(ranks):,} ranks"
 
 
 def machine():
@@ -87,8 +139,15 @@ def draw(picture):
 
     figure, axes = plt.subplots(1, 3, figsize=(14, 4), layout="constrained")
     steps = [r for r in rowsOf("performance", "step.csv") if isShown(r)]
-    axes[0].barh([f"{r['case']} {r['precision']}, {float(r['particles']) / 1e6:.0f}M, {r['ranks']} rank{'s' if r['ranks'] != '1' else ''}" for r in steps],
-                 [float(r["ratio"]) for r in steps], color="#3b6ea5")
+    axes[0].barh(
+        [
+            f"{r['case']} {r['precision']}, {float(r['particles']) / 1e6:.0f}M, "
+            f"{r['ranks']} rank{'s' if r['ranks'] != '1' else ''}"
+            for r in steps
+        ],
+        [float(r["ratio"]) for r in steps],
+        color="#3b6ea5",
+    )
     axes[0].set_xlabel("times the scalar code")
     axes[0].invert_yaxis()
     for series, style in (("strong", "o-"), ("weak", "s--")):
@@ -100,8 +159,16 @@ def draw(picture):
     axes[1].set_ylabel("efficiency against copies")
     axes[1].legend(frameon=False)
     sleep = rowsOf("performance", "sleep.csv")
-    for column, label in (("us_per_particle_awake", "without sleep"), ("us_per_particle_sleep", "with sleep")):
-        axes[2].plot([100 * float(r["asleep_share"]) for r in sleep], [float(r[column]) for r in sleep], "o-", label=label)
+    for column, label in (
+        ("us_per_particle_awake", "without sleep"),
+        ("us_per_particle_sleep", "with sleep"),
+    ):
+        axes[2].plot(
+            [100 * float(r["asleep_share"]) for r in sleep],
+            [float(r[column]) for r in sleep],
+            "o-",
+            label=label,
+        )
     axes[2].set_ylim(0)
     axes[2].set_xlabel("% asleep")
     axes[2].set_ylabel("microseconds a particle and step")
@@ -116,7 +183,9 @@ def main(check):
     if check:
         with open(place) as f:
             if f.read() != page():
-                sys.exit("docs/performance.md does not match its figures; run benchmarks/performance_chart.py")
+                sys.exit(
+                    "docs/performance.md does not match its figures; run benchmarks/performance_chart.py"
+                )
         return
     with open(place, "w") as f:
         f.write(page())

@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whole scenes against the step benchmark: fractions of its rate, and phases. scenes_chart.py FILE.csv PICTURE.png"""
+"""Whole scenes against the step benchmark: fractions of its rate, and phases.
+
+scenes_chart.py FILE.csv PICTURE.png
+"""
 import csv
 import sys
 
@@ -11,12 +14,18 @@ import matplotlib.pyplot as plt
 
 rows = list(csv.DictReader(open(sys.argv[1], newline="")))
 for r in rows:
-    print(f"{r['case']:20s} {int(r['particles']):9d} particles, {r['ranks']} ranks: {float(r['msteps_per_s']):6.3f} M particle-steps/s and core, {100 * float(r['share']):3.0f} % of the step benchmark's "
-          f"{float(r['step_benchmark']):.3f} (target {100 * float(r['target_share']):.0f} %), {100 * float(r['liquid']):.1f} % liquid at the end")
+    print(
+        f"{r['case']:20s} {int(r['particles']):9d} particles, {r['ranks']} ranks: "
+        f"{float(r['msteps_per_s']):6.3f} M particle-steps/s and core, "
+        f"{100 * float(r['share']):3.0f} % of the step benchmark's {float(r['step_benchmark']):.3f} "
+        f"(target {100 * float(r['target_share']):.0f} %), {100 * float(r['liquid']):.1f} % liquid at the end"
+    )
 figure, axes = plt.subplots(1, 2, figsize=(11, 1.4 + 0.5 * len(rows)), sharey=True)
 at, names = range(len(rows)), [f"{r['case']}, {int(r['particles']):,}" for r in rows]
 axes[0].barh(at, [float(r["share"]) for r in rows], color="#3b6ea5")
-axes[0].plot([float(r["target_share"]) for r in rows], at, "|", color="#c0392b", markersize=14, markeredgewidth=2)
+axes[0].plot(
+    [float(r["target_share"]) for r in rows], at, "|", color="#c0392b", markersize=14, markeredgewidth=2
+)
 axes[0].set_title("share of the step benchmark's rate", fontsize=9)
 left = [0.0] * len(rows)
 for k, column in enumerate(c for c in rows[0] if c.startswith("ns_")):

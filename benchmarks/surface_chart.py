@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Charts the surface benchmark by phase with its targets, and prints accuracies: surface_chart.py FILE.csv PICTURE.png"""
+"""Charts the surface benchmark by phase with its targets, and prints accuracies.
+
+surface_chart.py FILE.csv PICTURE.png
+"""
 import csv
 import sys
 
@@ -9,9 +12,22 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-ITERATION = [("ns_surfel_sums", "sums over surfels"), ("ns_particle_sums", "over particles"), ("ns_move", "motion"), ("ns_exchange", "exchange")]
-UPDATE = [("ms_iterations", "iterations"), ("ms_resampling", "resampling"), ("ms_growth", "growth"), ("ms_measures", "measures"), ("ms_displace", "displacement"), ("ms_components", "components"),
-          ("ms_fields", "fields"), ("ms_place", "place")]
+ITERATION = [
+    ("ns_surfel_sums", "sums over surfels"),
+    ("ns_particle_sums", "over particles"),
+    ("ns_move", "motion"),
+    ("ns_exchange", "exchange"),
+]
+UPDATE = [
+    ("ms_iterations", "iterations"),
+    ("ms_resampling", "resampling"),
+    ("ms_growth", "growth"),
+    ("ms_measures", "measures"),
+    ("ms_displace", "displacement"),
+    ("ms_components", "components"),
+    ("ms_fields", "fields"),
+    ("ms_place", "place"),
+]
 
 
 def number(text):
@@ -39,12 +55,29 @@ iterations = [r for r in every if r[name].startswith("iteration")]
 updates = [r for r in every if r[name].startswith("whole update")]
 figure, axes = plt.subplots(2, 1, figsize=(10, 5.5))
 if iterations:  # --only can leave either out
-    most = 1e6 / next(number(r["target_k_surfels_per_s"]) for r in iterations if r["target_k_surfels_per_s"])  # ns
-    bars(axes[0], iterations, ITERATION, lambda r: r[name].replace("iteration", "iteration,", 1).rstrip(","), f"ns a surfel and iteration (target: {most:.0f}, the first line)")
+    most = 1e6 / next(
+        number(r["target_k_surfels_per_s"]) for r in iterations if r["target_k_surfels_per_s"]
+    )  # ns
+    bars(
+        axes[0],
+        iterations,
+        ITERATION,
+        lambda r: r[name].replace("iteration", "iteration,", 1).rstrip(","),
+        f"ns a surfel and iteration (target: {most:.0f}, the first line)",
+    )
     axes[0].axvline(most, color="#c0392b", linewidth=1)
 if updates:
     slowest = 1e3 * number(updates[0]["update_s_target"])
-    bars(axes[1], updates, UPDATE, lambda r: r[name].replace("whole update of a ", "").replace(" until the local stop", "").split(" (")[0], f"ms of a whole update (target: {slowest:.0f})")
+    bars(
+        axes[1],
+        updates,
+        UPDATE,
+        lambda r: r[name]
+        .replace("whole update of a ", "")
+        .replace(" until the local stop", "")
+        .split(" (")[0],
+        f"ms of a whole update (target: {slowest:.0f})",
+    )
     axes[1].axvline(slowest, color="#c0392b", linewidth=1)
 for axis, shown in zip(axes, (iterations, updates)):
     axis.set_visible(bool(shown))

@@ -12,7 +12,7 @@ packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev l
 case ${CXX:-} in clang++*) packages+=("clang${CXX#clang++}") ;; esac  # CXX=clang++-14 selects Clang
 chart_packages=(python3-matplotlib)
 docs_packages=(python3-sphinx python3-myst-parser furo)
-lint_packages=(clang-format-14 clang-tidy-14 codespell git python3)
+lint_packages=(black clang-format-14 clang-tidy-14 codespell git python3)
 
 say() { printf '%s\n' "$*" >&2; }
 # Prints the comment at the top of the running script, its help.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Text checks of scripts/lint that clang-format, clang-tidy and codespell do not cover.
+"""Text checks of scripts/lint that clang-format, clang-tidy, black and codespell do not cover.
 
     lint_checks.py            prints `file:line: message` for each finding; exit status 1 if there are any
     lint_checks.py --record   rewrites the lists scripts/lint_known_*.txt from the findings
@@ -13,8 +13,17 @@ import pathlib
 import re
 import sys
 
-from lint_files import (ROOT, comments, headings, isCpp, isScript, licenceLine, readLines, trackedFiles,
-                        withoutComments)
+from lint_files import (
+    ROOT,
+    comments,
+    headings,
+    isCpp,
+    isScript,
+    licenceLine,
+    readLines,
+    trackedFiles,
+    withoutComments,
+)
 
 MOST_COLUMNS = 110
 MOST_FILES = 30
@@ -28,13 +37,14 @@ def known(name):
 
 # ---- checks: each yields (file, line, key, message); lists of known findings hold the key ----
 
+
 def longLines(files):
     for file in files:
         if not (isCpp(file) or isScript(file)):
             continue
         for number, line in enumerate(readLines(file), 1):
             if len(line) > MOST_COLUMNS and not re.search(r'https?://\S{60}', line):
-                yield file, number, file, f'{len(line)} columns, at most {MOST_COLUMNS} are allowed'
+                yield file, number, None, f'{len(line)} columns, at most {MOST_COLUMNS} are allowed'
 
 
 def withoutLicence(files):
@@ -66,9 +76,13 @@ def upwardIncludes(files):
                 lost = file if own is None else include[1]
                 yield file, number, None, f'{lost} is under no entry of core/include_order.txt'
             elif other > own:
-                yield (file, number, f'{file} {include[1]}',
-                       f'includes {include[1]}: '
-                       f'{order[other]} is above {order[own]} (core/include_order.txt)')
+                yield (
+                    file,
+                    number,
+                    f'{file} {include[1]}',
+                    f'includes {include[1]}: '
+                    f'{order[other]} is above {order[own]} (core/include_order.txt)',
+                )
 
 
 def fullFolders(files):
@@ -84,8 +98,9 @@ def fullFolders(files):
 
 CONTROL = re.compile(r'(^|[^\w])(if|for|while|switch|catch|do|else|try|return)\s*(\(|constexpr|$)')
 
-TYPE = re.compile(r'(template\s*<.*>\s*)?(typedef |inline |static |constexpr |const )*'
-                  r'(struct|class|union|enum)\b', re.S)
+TYPE = re.compile(
+    r'(template\s*<.*>\s*)?(typedef |inline |static |constexpr |const )*' r'(struct|class|union|enum)\b', re.S
+)
 
 
 def kindOfBlock(statement, inside):
@@ -117,8 +132,10 @@ def cppFunctions(lines):
                 elif c == '}' and stack:
                     kind, first, head = stack.pop()
                     if kind == 'function':
-                        name = re.search(r'(TEST\w*\(.*\)|[\w~:]+(?=\s*\()|operator[^\s(]+)',
-                                         re.sub(r'__attribute__\s*\(\(.*?\)\)|alignas\(.*?\)', '', head))
+                        name = re.search(
+                            r'(TEST\w*\(.*\)|[\w~:]+(?=\s*\()|operator[^\s(]+)',
+                            re.sub(r'__attribute__\s*\(\(.*?\)\)|alignas\(.*?\)', '', head),
+                        )
                         yield name[1] if name else '?', first, number - first + 1
                 statement, start = '', 0
             else:
@@ -138,8 +155,12 @@ def longFunctions(files):
         functions = cppFunctions if isCpp(file) else pythonFunctions if file.endswith('.py') else None
         for name, number, lines in functions(readLines(file)) if functions else []:
             if lines > MOST_LINES:
-                yield (file, number, f'{file} {name}',
-                       f'{name} has {lines} lines, at most {MOST_LINES} are allowed')
+                yield (
+                    file,
+                    number,
+                    f'{file} {name}',
+                    f'{name} has {lines} lines, at most {MOST_LINES} are allowed',
+                )
 
 
 CLAUSE = re.compile(r'\W*(of|what|those|who)\b', re.I)
@@ -172,8 +193,10 @@ def deadLinks(files):
                     continue
                 path, _, anchor = target.partition('#')
                 # these pages are generated from benchmarks/*/text.md
-                base = {'benchmarks/accuracy/text.md': 'docs/validation/page.md',
-                        'benchmarks/performance/text.md': 'docs/page.md'}.get(file, file)
+                base = {
+                    'benchmarks/accuracy/text.md': 'docs/validation/page.md',
+                    'benchmarks/performance/text.md': 'docs/page.md',
+                }.get(file, file)
                 there = relative(base, path) if path else file
                 if there not in listed and there not in folders:
                     yield file, number, None, f'dead link: there is no {there}'
@@ -191,8 +214,10 @@ def relative(file, path):
     return '/'.join(parts) or '.'
 
 
-REFERENCE = re.compile(r'(?<![\w/.$}<>*-])(?:\.\./)*(?:[\w-]+/)*[\w-]+\.(?:md|hpp|cpp|py|sh|\*)(?!\w|\.\w)'
-                       r'|(?<![\w/.$}<>*-])docs/[\w/.-]*\w')
+REFERENCE = re.compile(
+    r'(?<![\w/.$}<>*-])(?:\.\./)*(?:[\w-]+/)*[\w-]+\.(?:md|hpp|cpp|py|sh|\*)(?!\w|\.\w)'
+    r'|(?<![\w/.$}<>*-])docs/[\w/.-]*\w'
+)
 SYSTEM = ('mpi', 'immintrin', 'boost', 'Eigen', 'fmt', 'gtest', 'catalyst')  # headers of other projects
 
 
@@ -214,6 +239,7 @@ def deadReferences(files):
 
 
 # ---- lists of known findings ----
+
 
 def readKnown(name):
     """Entries of a list with their counts and the reasons behind them: `COUNT KEY  # REASON`."""
@@ -239,9 +265,12 @@ def newFindings(name, findings):
             yield from dict.fromkeys((file, line, message + note) for file, line, _, message in group)
     for key, (count, number, _) in entries.items():
         if len(found.get(key, [])) < count:
-            yield (f'scripts/lint_known_{name}.txt', number,
-                   f'"{key}" occurs {len(found.get(key, []))} times: '
-                   f'lower its count, or delete the line [{name}]')
+            yield (
+                f'scripts/lint_known_{name}.txt',
+                number,
+                f'"{key}" occurs {len(found.get(key, []))} times: '
+                f'lower its count, or delete the line [{name}]',
+            )
 
 
 def record(name, findings, about):
@@ -262,17 +291,26 @@ def record(name, findings, about):
 SHRINKS = 'The list may only shrink (scripts/lint).'
 CHECKS = {
     'licence': (withoutLicence, f'Files without an SPDX line: their count. {SHRINKS}'),
-    'long_lines': (longLines, f'Lines of more than {MOST_COLUMNS} columns: count and file. {SHRINKS}'),
-    'includes': (upwardIncludes,
-                 f'Includes against core/include_order.txt: count, file and include. {SHRINKS}'),
+    'long_lines': (longLines, None),
+    'includes': (
+        upwardIncludes,
+        f'Includes against core/include_order.txt: count, file and include. {SHRINKS}',
+    ),
     'folders': (fullFolders, f'Source files above {MOST_FILES} in a folder: count and folder. {SHRINKS}'),
-    'functions': (longFunctions,
-                  f'Functions of more than {MOST_LINES} lines: count, file, function and reason. {SHRINKS}'),
-    'wording': (wording, 'Comments that begin with of, what, those or who, and decimals without a leading\n'
-                         f'zero: count and file. {SHRINKS}'),
+    'functions': (
+        longFunctions,
+        f'Functions of more than {MOST_LINES} lines: count, file, function and reason. {SHRINKS}',
+    ),
+    'wording': (
+        wording,
+        'Comments that begin with of, what, those or who, and decimals without a leading\n'
+        f'zero: count and file. {SHRINKS}',
+    ),
     'links': (deadLinks, None),
-    'references': (deadReferences,
-                   f'References in comments to files that do not exist: count, file and name. {SHRINKS}'),
+    'references': (
+        deadReferences,
+        f'References in comments to files that do not exist: count, file and name. {SHRINKS}',
+    ),
 }
 
 

@@ -12,13 +12,20 @@ LICENCE = 'SPDX-License-Identifier: Apache-2.0'
 
 def trackedFiles():
     """Paths of all files that git does not ignore; without git, all outside of build/ and out/."""
-    git = subprocess.run(['git', 'ls-files', '--cached', '--others', '--exclude-standard'], cwd=ROOT,
-                         text=True, capture_output=True)
+    git = subprocess.run(
+        ['git', 'ls-files', '--cached', '--others', '--exclude-standard'],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+    )
     if git.returncode == 0 and git.stdout:
         paths = git.stdout.splitlines()
     else:
-        paths = [os.path.relpath(os.path.join(folder, name), ROOT) for folder, _, names in os.walk(ROOT)
-                 for name in names]
+        paths = [
+            os.path.relpath(os.path.join(folder, name), ROOT)
+            for folder, _, names in os.walk(ROOT)
+            for name in names
+        ]
         paths = [path for path in paths if not re.match(r'(build|out|\.git|\.cache)/|.*__pycache__/', path)]
     return sorted({path for path in paths if (ROOT / path).is_file()})
 
@@ -48,9 +55,12 @@ def readLines(file):
     return tuple((ROOT / file).read_text(encoding='utf-8', errors='replace').split('\n'))
 
 
-TOKENS = re.compile(r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"'         # raw strings, strings
-                    r'|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\''         # characters
-                    r'|(//[^\n]*)|(/\*.*?\*/)', re.S)                   # comments
+TOKENS = re.compile(
+    r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"'  # raw strings, strings
+    r'|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\''  # characters
+    r'|(//[^\n]*)|(/\*.*?\*/)',
+    re.S,
+)  # comments
 
 
 def withoutComments(text):
@@ -66,7 +76,7 @@ def cppComments(file):
             continue
         number = text.count('\n', 0, token.start()) + 1
         column = token.start() - text.rfind('\n', 0, token.start()) - 1
-        alone = not text[token.start() - column:token.start()].strip()
+        alone = not text[token.start() - column : token.start()].strip()
         yield number, token[2].lstrip('/<! '), not (alone and last == (number - 1, column))
         last = (number, column)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Corrections of scripts/lint --fix, which runs clang-format afterwards:
+"""Corrections of scripts/lint --fix, which runs clang-format and black afterwards:
 
 - the first line, after "#!", names the licence;
 - fields of tables (`Column<...> name{...}`, between // clang-format off and on) take one line, or break
@@ -28,13 +28,14 @@ def trailingComments(text):
     found = {}
     for token in TOKENS.finditer(text):
         begin = text.rfind('\n', 0, token.start()) + 1
-        if token[2] and text[begin:token.start()].strip():
+        if token[2] and text[begin : token.start()].strip():
             found[text.count('\n', 0, token.start())] = token.start() - begin
     return found
 
 
-COLUMN = re.compile(r'(  (?:Guest)?Column<.*> \w+{\*this, "[^"]*", "[^"]*", Keep::\w+,) '
-                    r'"(.*)"(, Rows::\w+)?};$')
+COLUMN = re.compile(
+    r'(  (?:Guest)?Column<.*> \w+{\*this, "[^"]*", "[^"]*", Keep::\w+,) ' r'"(.*)"(, Rows::\w+)?};$'
+)
 
 
 def fields(lines):
@@ -59,7 +60,7 @@ def field(head, text, rows):
     while len(indent) + 1 + len(text) + len(end) > MOST_COLUMNS:
         space = text.rfind(' ', 0, MOST_COLUMNS - len(indent) - 2)
         broken.append(f'{indent}"{text[:space + 1]}"')
-        text = text[space + 1:]
+        text = text[space + 1 :]
     return [*broken, f'{indent}"{text}{end}']
 
 
@@ -73,7 +74,7 @@ def fixCpp(lines):
         code = line[:column].rstrip() if column else ''
         movable = column and len(line) > MOST_COLUMNS and len(code) > MOST_COLUMNS - LEAST_ROOM
         if movable and not re.match(r'\s*(}|else\b|#)', code) and not re.search(r'NOLINT|clang-format', line):
-            indent = code[:len(code) - len(code.lstrip())]
+            indent = code[: len(code) - len(code.lstrip())]
             comment = re.sub(r'^///<', '///', line[column:])
             fixed += [indent + comment, code]
         else:
@@ -84,7 +85,7 @@ def fixCpp(lines):
 def wrapped(prefix, text):
     """The first line of the text, and the rest."""
     end = text.rfind(' ', 0, MOST_COLUMNS - len(prefix) + 1)
-    return (text, '') if len(prefix + text) <= MOST_COLUMNS or end <= 0 else (text[:end], text[end + 1:])
+    return (text, '') if len(prefix + text) <= MOST_COLUMNS or end <= 0 else (text[:end], text[end + 1 :])
 
 
 def fixScript(lines):
@@ -120,11 +121,11 @@ def fixCMake(lines):
         if len(line) <= MOST_COLUMNS or line.lstrip().startswith('#') or line.count('"') % 2:
             fixed.append(line)
             continue
-        indent = line[:len(line) - len(line.lstrip())]
+        indent = line[: len(line) - len(line.lstrip())]
         words = CMAKE_WORDS.findall(line)
         if '#' in words:  # the comment behind a command
-            fixed += wrapComment(indent + '# ', ' '.join(words[words.index('#') + 1:]))
-            words = words[:words.index('#')]
+            fixed += wrapComment(indent + '# ', ' '.join(words[words.index('#') + 1 :]))
+            words = words[: words.index('#')]
         behind = indent + '  ' if re.match(r'\w+\(', words[0]) else indent  # else arguments continue
         current = indent + words[0]
         for word in words[1:]:

@@ -20,8 +20,10 @@ AT_ONCE = 2
 MOST_CHANGED = 16  # limit of changed sources: three minutes on two cores
 CLANG_TIDY = os.environ.get('CLANG_TIDY', 'clang-tidy-14')
 # Options of g++ only, and headers that only g++ reads.
-FOREIGN = re.compile(r'-Winvalid-pch|-fpch-preprocess|-Werror|-m(move|store)-max=\S+'
-                     r'|-Wno-(maybe-uninitialized|restrict|psabi)')
+FOREIGN = re.compile(
+    r'-Winvalid-pch|-fpch-preprocess|-Werror|-m(move|store)-max=\S+'
+    r'|-Wno-(maybe-uninitialized|restrict|psabi)'
+)
 
 
 def forClang(command):
@@ -51,10 +53,20 @@ def database(build):
 
 
 def changedFiles(commit):
-    names = subprocess.run(['git', 'diff', '--name-only', '--diff-filter=d', commit], cwd=ROOT, text=True,
-                           capture_output=True, check=True).stdout.split('\n')
-    new = subprocess.run(['git', 'ls-files', '--others', '--exclude-standard'], cwd=ROOT, text=True,
-                         capture_output=True, check=True).stdout.split('\n')
+    names = subprocess.run(
+        ['git', 'diff', '--name-only', '--diff-filter=d', commit],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        check=True,
+    ).stdout.split('\n')
+    new = subprocess.run(
+        ['git', 'ls-files', '--others', '--exclude-standard'],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        check=True,
+    ).stdout.split('\n')
     return sorted({name for name in names + new if isCpp(name)})
 
 
@@ -84,8 +96,11 @@ def sourcesOf(files, sources):
 
 
 def tidy(folder, source):
-    done = subprocess.run([CLANG_TIDY, '-p', folder, '--quiet', '--warnings-as-errors=*', str(ROOT / source)],
-                          capture_output=True, text=True)
+    done = subprocess.run(
+        [CLANG_TIDY, '-p', folder, '--quiet', '--warnings-as-errors=*', str(ROOT / source)],
+        capture_output=True,
+        text=True,
+    )
     return done.returncode, done.stdout + (done.stderr if done.returncode and not done.stdout else '')
 
 
@@ -94,8 +109,10 @@ def main():
     sources = database(build)
     chosen = sorted(sources) if since == 'ALL' else sourcesOf(changedFiles(since), sources)
     if since != 'ALL' and len(chosen) > MOST_CHANGED:
-        print(f'clang-tidy: {MOST_CHANGED} of {len(chosen)} changed sources; of all: scripts/lint --all',
-              file=sys.stderr)
+        print(
+            f'clang-tidy: {MOST_CHANGED} of {len(chosen)} changed sources; of all: scripts/lint --all',
+            file=sys.stderr,
+        )
         chosen = [chosen[i * len(chosen) // MOST_CHANGED] for i in range(MOST_CHANGED)]
     failed, shown = False, set()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:

@@ -27,7 +27,10 @@ def read(path):
 
 
 def panels(rows):
-    """(case, norm) in the order of the file: norms with a target above rounding, else the case's first norm."""
+    """(case, norm) in the order of the file.
+
+    The norms are those with a target above rounding, else the case's first norm.
+    """
     found = {}
     for r in rows:
         norms = found.setdefault(r["case"], [])
@@ -52,29 +55,63 @@ def frontier(points):
 
 def draw(axes, rows, case, norm):
     rows = [r for r in rows if r["case"] == case and r["norm"] == norm]
-    points = [(max(1e-3, float(r["core_seconds"])), max(ROUNDING, float(r["error"])), r["settings"]) for r in rows]
+    points = [
+        (max(1e-3, float(r["core_seconds"])), max(ROUNDING, float(r["error"])), r["settings"]) for r in rows
+    ]
     defaults = sorted(p for p in points if p[2].startswith("default"))
     others = [p for p in points if not p[2].startswith("default")]
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.scatter([p[0] for p in others], [p[1] for p in others], s=18, color="#8a9bb0", zorder=2)
-    axes.plot([p[0] for p in defaults], [p[1] for p in defaults], "o-", color="#1f4e8c", label="defaults", zorder=4)
+    axes.plot(
+        [p[0] for p in defaults], [p[1] for p in defaults], "o-", color="#1f4e8c", label="defaults", zorder=4
+    )
     for p in points:
         words = p[2].split()
         text = words[-1] if words[0] == "default" else " ".join(words[:-1])
-        axes.annotate(text, p[:2], fontsize=5, xytext=(3, 2), textcoords="offset points", color="#1f4e8c" if words[0] == "default" else "#4a5563")
+        axes.annotate(
+            text,
+            p[:2],
+            fontsize=5,
+            xytext=(3, 2),
+            textcoords="offset points",
+            color="#1f4e8c" if words[0] == "default" else "#4a5563",
+        )
     line = frontier(points)
-    axes.step([p[0] for p in line], [p[1] for p in line], where="post", color="#2e8b57", lw=1, label="frontier", zorder=3)
+    axes.step(
+        [p[0] for p in line],
+        [p[1] for p in line],
+        where="post",
+        color="#2e8b57",
+        lw=1,
+        label="frontier",
+        zorder=3,
+    )
     target = next((float(r["target"]) for r in rows if r["target"]), None)
     if target:
         axes.axhline(target, color="#c0392b", ls="--", lw=1, label=f"target {target:g}")
     for name, error, seconds in MARKS.get(case, {}).get(norm, []):
         if error:
             axes.axhline(error, color="#b8860b", ls=":", lw=1)
-            axes.annotate(name, (0.02, error), xycoords=("axes fraction", "data"), fontsize=5, color="#8a6508", va="bottom")
+            axes.annotate(
+                name,
+                (0.02, error),
+                xycoords=("axes fraction", "data"),
+                fontsize=5,
+                color="#8a6508",
+                va="bottom",
+            )
         else:
             axes.axvline(seconds, color="#b8860b", ls=":", lw=1)
-            axes.annotate(name, (seconds, 0.02), xycoords=("data", "axes fraction"), fontsize=5, color="#8a6508", rotation=90, ha="right")
+            axes.annotate(
+                name,
+                (seconds, 0.02),
+                xycoords=("data", "axes fraction"),
+                fontsize=5,
+                color="#8a6508",
+                rotation=90,
+                ha="right",
+            )
     axes.set_title(f"{case}: {norm}", fontsize=8)
     axes.set_xlabel("core-seconds", fontsize=7)
     axes.set_ylabel("error", fontsize=7)
@@ -89,7 +126,7 @@ def main(path, picture):
     columns = min(4, max(1, len(every)))
     lines = max(1, -(-len(every) // columns))
     figure, axes = plt.subplots(lines, columns, figsize=(4 * columns, 3.2 * lines), squeeze=False)
-    for a in axes.flat[len(every):]:
+    for a in axes.flat[len(every) :]:
         a.axis("off")
     for a, (case, norm) in zip(axes.flat, every):
         draw(a, rows, case, norm)

@@ -13,10 +13,21 @@ import sys
 
 import plan
 
-TARGET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "io", "commands", "check", "frontier_points.cpp")
+TARGET = os.path.join(
+    os.path.dirname(os.path.abspath(__file__)), "..", "..", "io", "commands", "check", "frontier_points.cpp"
+)
 
-NORMS = {"hydrostatic": "L2(p)", "martin_moyce": "RMS(Z)", "poiseuille": "L2(u)", "drop_laplace": "pressure jump", "cantilever": "deflection",
-         "p_wave": "P speed at 20 dx", "stiff_in_soft": "energy residual", "conductivity_ratio": "Linf(T)", "stefan_two_phase": "front"}
+NORMS = {
+    "hydrostatic": "L2(p)",
+    "martin_moyce": "RMS(Z)",
+    "poiseuille": "L2(u)",
+    "drop_laplace": "pressure jump",
+    "cantilever": "deflection",
+    "p_wave": "P speed at 20 dx",
+    "stiff_in_soft": "energy residual",
+    "conductivity_ratio": "Linf(T)",
+    "stefan_two_phase": "front",
+}
 
 
 def keyed(settings):
@@ -34,21 +45,33 @@ def keyed(settings):
 def failed(rows, settings):
     """True if the run blew up or its ledger does not close; a small error is then a coincidence."""
     of = [r for r in rows if r["settings"] == settings]
-    return any(r["norm"].startswith("blew up") or (r["norm"] == "energy residual" and r["target"] and float(r["error"]) > float(r["target"])) for r in of)
+    return any(
+        r["norm"].startswith("blew up")
+        or (r["norm"] == "energy residual" and r["target"] and float(r["error"]) > float(r["target"]))
+        for r in of
+    )
 
 
 def points(rows):
     """(case, norm, key=value, error, time relative to the defaults, on the frontier)"""
     for case, norm in NORMS.items():
         at = plan.CASES[case][1]
-        here = [r for r in rows if r["case"] == case and f"spacing={at}" in r["settings"].split() and keyed(r["settings"]) is not None]
+        here = [
+            r
+            for r in rows
+            if r["case"] == case
+            and f"spacing={at}" in r["settings"].split()
+            and keyed(r["settings"]) is not None
+        ]
         default = next((r for r in here if r["norm"] == norm and r["settings"].startswith("default")), None)
         if not default or float(default["core_seconds"]) <= 0:
             continue
         every = {}
         for settings in dict.fromkeys(r["settings"] for r in here):
             row = next((r for r in here if r["settings"] == settings and r["norm"] == norm), None)
-            cost = float((row or next(r for r in here if r["settings"] == settings))["core_seconds"]) / float(default["core_seconds"])
+            cost = float((row or next(r for r in here if r["settings"] == settings))["core_seconds"]) / float(
+                default["core_seconds"]
+            )
             every[settings] = (float(row["error"]) if row and not failed(here, settings) else -1, cost)
         best, chosen = float("inf"), {default["settings"]}
         for settings, (error, cost) in sorted(every.items(), key=lambda e: (e[1][1], e[1][0])):
@@ -61,13 +84,20 @@ def points(rows):
 
 def source(rows):
     """The text of frontier_points.cpp."""
-    text = ("// SPDX-License-Identifier: Apache-2.0\n"
-            "// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; do not edit.\n"
-            "#include \"io/commands/check/frontier.hpp\"\n\nnamespace thaw {\nnamespace {\n\n")
+    text = (
+        "// SPDX-License-Identifier: Apache-2.0\n"
+        "// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; do not edit.\n"
+        "#include \"io/commands/check/frontier.hpp\"\n\nnamespace thaw {\nnamespace {\n\n"
+    )
     text += "constexpr FrontierPoint points[] = {\n"
     for case, norm, settings, error, cost, best in points(rows):
-        text += f'    {{"{case}", "{norm}", "{settings}", {error:.3g}, {cost:.2g}, {"true" if best else "false"}}},\n'
-    return text + "};\n\n}  // namespace\n\nstd::span<const FrontierPoint> frontierPoints() { return points; }\n\n}  // namespace thaw\n"
+        onFrontier = "true" if best else "false"
+        text += f'    {{"{case}", "{norm}", "{settings}", {error:.3g}, {cost:.2g}, {onFrontier}}},\n'
+    return text + (
+        "};\n\n}  // namespace\n\n"
+        "std::span<const FrontierPoint> frontierPoints() { return points; }\n\n"
+        "}  // namespace thaw\n"
+    )
 
 
 def main(path):

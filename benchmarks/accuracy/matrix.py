@@ -28,7 +28,19 @@ import time
 
 import plan
 
-COLUMNS = ["case", "settings", "norm", "error", "target", "order", "core_seconds", "steps", "particles", "version", "machine"]
+COLUMNS = [
+    "case",
+    "settings",
+    "norm",
+    "error",
+    "target",
+    "order",
+    "core_seconds",
+    "steps",
+    "particles",
+    "version",
+    "machine",
+]
 
 
 def labelOf(spacing, settings):
@@ -54,7 +66,9 @@ def withOrders(rows):
         group.sort(key=lambda g: -g[0])
         for (dx1, r1), (dx2, r2) in zip(group, group[1:]):
             e1, e2 = float(r1["error"]), float(r2["error"])
-            r2["order"] = f"{math.log(e1 / e2) / math.log(dx1 / dx2):.2f}" if e1 > 0 and e2 > 0 and dx1 > dx2 else ""
+            r2["order"] = (
+                f"{math.log(e1 / e2) / math.log(dx1 / dx2):.2f}" if e1 > 0 and e2 > 0 and dx1 > dx2 else ""
+            )
     return rows
 
 
@@ -69,16 +83,26 @@ def writeRows(path, rows):
 class Matrix:
     def __init__(self, options, binary):
         self.options, self.binary, self.lock = options, binary, threading.Lock()
-        version = subprocess.run([os.path.join(os.environ["THAW_BUILD"], "thaw"), "--version"], capture_output=True, text=True).stdout
-        self.version = version[version.find("(") + 1:version.find(")")]
+        version = subprocess.run(
+            [os.path.join(os.environ["THAW_BUILD"], "thaw"), "--version"], capture_output=True, text=True
+        ).stdout
+        self.version = version[version.find("(") + 1 : version.find(")")]
         known = readRows(options.csv)
-        self.rows = [r for r in known if r["version"] == self.version or (options.case and r["case"] not in options.case)]
+        self.rows = [
+            r
+            for r in known
+            if r["version"] == self.version or (options.case and r["case"] not in options.case)
+        ]
         if len(self.rows) < len(known):
             print(f"{len(known) - len(self.rows)} lines of another version are run anew")
         done = {(r["case"], r["settings"]) for r in self.rows if r["version"] == self.version}
         wanted = [r for r in plan.runs(options.level) if not options.case or r[0] in options.case]
         self.todo = [r for r in wanted if (r[0], labelOf(r[1], r[2])) not in done]
-        print(f"level {options.level}: {len(wanted)} runs, {len(wanted) - len(self.todo)} of them done before; {options.jobs} side by side, for at most {options.minutes:g} minutes", flush=True)
+        print(
+            f"level {options.level}: {len(wanted)} runs, {len(wanted) - len(self.todo)} of them done before; "
+            f"{options.jobs} side by side, for at most {options.minutes:g} minutes",
+            flush=True,
+        )
         self.end = time.monotonic() + 60 * options.minutes
         self.failed = []
 
@@ -105,7 +129,9 @@ class Matrix:
                 worst = next((f"{r['norm']} {float(r['error']):.3g}" for r in new), "")
                 print(f"{time.monotonic() - start:7.1f} s  {case:20s} {label:44s} {worst}", flush=True)
             else:
-                self.failed.append(f"{case} {label}: {(result.stderr.strip().splitlines() or ['no message'])[-1]}")
+                self.failed.append(
+                    f"{case} {label}: {(result.stderr.strip().splitlines() or ['no message'])[-1]}"
+                )
                 print(f"not run: {self.failed[-1]}", flush=True)
 
     def work(self):
@@ -123,21 +149,42 @@ class Matrix:
         for t in threads:
             t.join()
         writeRows(self.options.csv, self.rows)
-        misses = [r for r in self.rows if r["target"] and r["settings"].startswith("default") and not float(r["error"]) <= float(r["target"])]
-        print(f"{len(self.rows)} lines in {self.options.csv}; {len(self.todo)} runs left{', the same command goes on with them' if self.todo else ''}")
+        misses = [
+            r
+            for r in self.rows
+            if r["target"]
+            and r["settings"].startswith("default")
+            and not float(r["error"]) <= float(r["target"])
+        ]
+        more = ", the same command goes on with them" if self.todo else ""
+        print(f"{len(self.rows)} lines in {self.options.csv}; {len(self.todo)} runs left{more}")
         for r in misses:
-            print(f"above its target: {r['case']} {r['settings']} {r['norm']} {float(r['error']):.3g} > {float(r['target']):g}")
+            print(
+                f"above its target: {r['case']} {r['settings']} {r['norm']} "
+                f"{float(r['error']):.3g} > {float(r['target']):g}"
+            )
         for f in self.failed:
             print(f"not run: {f}")
         return 1 if self.failed else 0
 
 
 def main():
-    parser = argparse.ArgumentParser(description="The matrix of the accuracy suite: accuracy against time.", epilog="docs/validation/accuracy.md is written from the figures by benchmarks/accuracy/document.py, what thaw check knows by frontier.py.")
+    parser = argparse.ArgumentParser(
+        description="The matrix of the accuracy suite: accuracy against time.",
+        epilog="docs/validation/accuracy.md is written from the figures by benchmarks/accuracy/document.py, "
+        "what thaw check knows by frontier.py.",
+    )
     parser.add_argument("--csv", required=True, help="file of the figures")
-    parser.add_argument("--level", choices=["quick", "full"], default="quick", help="quick: one setting at a time; full: pairs of settings at all resolutions")
+    parser.add_argument(
+        "--level",
+        choices=["quick", "full"],
+        default="quick",
+        help="quick: one setting at a time; full: pairs of settings at all resolutions",
+    )
     parser.add_argument("--minutes", type=float, default=55, help="no run is begun after this time")
-    parser.add_argument("--jobs", type=int, default=max(1, len(os.sched_getaffinity(0))), help="runs side by side")
+    parser.add_argument(
+        "--jobs", type=int, default=max(1, len(os.sched_getaffinity(0))), help="runs side by side"
+    )
     parser.add_argument("--ranks", type=int, default=1, help="ranks of each run")
     parser.add_argument("--case", action="append", help="only this case; may be given several times")
     options = parser.parse_args()

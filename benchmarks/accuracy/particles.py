@@ -19,8 +19,9 @@ END = 0.0076  # s, end of scenes/elliptic_drop.toml
 
 def halfAxes(time, steps=2000):
     """a and b of the elliptic drop (R = 1 m): dA/dt = A^2 (a^4 - 1)/(a^4 + 1), da/dt = -a A, b = 1/a."""
+
     def rates(a, rate):
-        return -a * rate, rate ** 2 * (a ** 4 - 1) / (a ** 4 + 1)
+        return -a * rate, rate**2 * (a**4 - 1) / (a**4 + 1)
 
     a, rate, dt = 1.0, 100.0, time / steps
     for _ in range(steps):

@@ -13,7 +13,10 @@ with open(sys.argv[1]) as file:
     rows = list(csv.DictReader(file))
 scenes = list(dict.fromkeys(r["scene"] for r in rows))
 figure, axes = plt.subplots(1, 2, figsize=(10, 4))
-for axis, column, title in ((axes[0], "physics_step_s", "seconds per physics step"), (axes[1], "surface_iteration_s", "seconds per surface iteration")):
+for axis, column, title in (
+    (axes[0], "physics_step_s", "seconds per physics step"),
+    (axes[1], "surface_iteration_s", "seconds per surface iteration"),
+):
     for k, (by, colour) in enumerate((("paper", "#b0a090"), ("thaw", "#4050a0"))):
         values = [float(next(r for r in rows if r["scene"] == s and r["by"] == by)[column]) for s in scenes]
         axis.bar([i + 0.4 * k for i in range(len(scenes))], values, 0.38, label=by, color=colour)

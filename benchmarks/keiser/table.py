@@ -31,8 +31,24 @@ PAPER = {
     "melting_slow": (3900, 56000, 3.1, 20.0, 0.03),
 }
 NOT_PHYSICS = {"setup", "frames", "checkpoint", "surface"}
-COLUMNS = ["scene", "by", "particles", "surfels", "physics_step_s", "surface_iteration_s", "frames_per_s_as_paper", "frames_per_s", "steps", "updates",
-           "iterations", "wall_s", "simulated_s", "ranks", "version", "machine"]
+COLUMNS = [
+    "scene",
+    "by",
+    "particles",
+    "surfels",
+    "physics_step_s",
+    "surface_iteration_s",
+    "frames_per_s_as_paper",
+    "frames_per_s",
+    "steps",
+    "updates",
+    "iterations",
+    "wall_s",
+    "simulated_s",
+    "ranks",
+    "version",
+    "machine",
+]
 
 
 def machine():
@@ -51,8 +67,18 @@ def run(name, options):
     """Runs a scene unless its run exists, and returns the summary. Exits if the run fails."""
     out = os.path.join(options.out, name)
     scene = os.path.join(ROOT, "scenes", "keiser", name + ".toml")
-    texts = [open(os.path.join(os.path.dirname(scene), file)).read() for file in (name + ".toml", "bust.toml")]
-    stamp = json.dumps([options.commit, options.until, options.seconds, options.set, hashlib.sha256("".join(texts).encode()).hexdigest()])
+    texts = [
+        open(os.path.join(os.path.dirname(scene), file)).read() for file in (name + ".toml", "bust.toml")
+    ]
+    stamp = json.dumps(
+        [
+            options.commit,
+            options.until,
+            options.seconds,
+            options.set,
+            hashlib.sha256("".join(texts).encode()).hexdigest(),
+        ]
+    )
     mark = os.path.join(out, "benchmark.json")
     done = os.path.exists(mark) and open(mark).read() == stamp
     if not done:
@@ -88,45 +114,104 @@ def ours(name, summary, out):
     step = physics / max(1, summary["steps_of_this_process"])
     iteration = phases.get("surface", 0.0) / max(1, counters["iterations"])
     particles, surfels = means(out)
-    return {"scene": name, "by": "thaw", "particles": round(particles), "surfels": round(surfels), "physics_step_s": step, "surface_iteration_s": iteration,
-            "frames_per_s_as_paper": 1 / (step + iteration), "frames_per_s": summary["frames"] / summary["wall_s"], "steps": summary["step"],
-            "updates": counters["updates"], "iterations": counters["iterations"], "wall_s": summary["wall_s"], "simulated_s": summary["time_s"],
-            "ranks": summary["ranks"], "version": summary["commit"], "machine": machine()}
+    return {
+        "scene": name,
+        "by": "thaw",
+        "particles": round(particles),
+        "surfels": round(surfels),
+        "physics_step_s": step,
+        "surface_iteration_s": iteration,
+        "frames_per_s_as_paper": 1 / (step + iteration),
+        "frames_per_s": summary["frames"] / summary["wall_s"],
+        "steps": summary["step"],
+        "updates": counters["updates"],
+        "iterations": counters["iterations"],
+        "wall_s": summary["wall_s"],
+        "simulated_s": summary["time_s"],
+        "ranks": summary["ranks"],
+        "version": summary["commit"],
+        "machine": machine(),
+    }
+
+
+def show(rows, options):
+    print(
+        f"\n{'scene':13} {'':6} {'particles/surfels':>18} {'physics step':>14} "
+        f"{'surface iteration':>18} {'frames/s (1 step, 1 iteration)':>32} "
+        f"{'frames/s of the run':>20} {'simulated':>10}"
+    )
+    for r in rows:
+        last = f"{r['frames_per_s']:.2f}" if "frames_per_s" in r else ""
+        simulated = f"{r['simulated_s']:.3g} s" if "simulated_s" in r else ""
+        print(
+            f"{r['scene']:13} {r['by']:6} {r['particles']:>9}/{r['surfels']:<8} "
+            f"{r['physics_step_s']:>12.4g} s {r['surface_iteration_s']:>16.4g} s "
+            f"{r['frames_per_s_as_paper']:>32.3g} {last:>20} {simulated:>10}"
+        )
+    until = f" or {options.until:g} s" if options.until else ""
+    print(
+        f"Each scene ran until its end{until}, or for {options.seconds:g} s of wall-clock time, "
+        "whichever came first; simulated: how far."
+    )
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--csv", required=True, help="file that also receives the table")
     parser.add_argument("--until", type=float, help="simulated seconds of each scene (default: all of it)")
-    parser.add_argument("--seconds", type=float, default=1200, help="limit of wall-clock seconds per scene (default: %(default)g)")
+    parser.add_argument(
+        "--seconds",
+        type=float,
+        default=1200,
+        help="limit of wall-clock seconds per scene (default: %(default)g)",
+    )
     parser.add_argument("--scenes", default=",".join(PAPER), help="some of %(default)s (default: all)")
-    parser.add_argument("--out", default=os.path.join(ROOT, "out", "keiser"), help="folder of the runs (default: %(default)s)")
-    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="for all scenes; may be given several times")
+    parser.add_argument(
+        "--out", default=os.path.join(ROOT, "out", "keiser"), help="folder of the runs (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="KEY=VALUE",
+        help="for all scenes; may be given several times",
+    )
     options = parser.parse_args()
     if "THAW_BUILD" not in os.environ:
         parser.error("THAW_BUILD must name the build folder; use scripts/bench keiser")
     unknown = [s for s in options.scenes.split(",") if s not in PAPER]
     if unknown:
         parser.error(f"unknown scene '{unknown[0]}': there are {', '.join(PAPER)}")
-    options.commit = subprocess.run([os.path.join(os.environ["THAW_BUILD"], "thaw"), "--version"], capture_output=True, text=True, check=True).stdout.strip()
+    options.commit = subprocess.run(
+        [os.path.join(os.environ["THAW_BUILD"], "thaw"), "--version"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout.strip()
     rows = []
     for name in options.scenes.split(","):
         p = PAPER[name]
-        rows.append({"scene": name, "by": "paper", "particles": p[0], "surfels": p[1], "physics_step_s": p[2], "surface_iteration_s": p[3],
-                     "frames_per_s_as_paper": p[4], "machine": "3 GHz Pentium 4"})
+        rows.append(
+            {
+                "scene": name,
+                "by": "paper",
+                "particles": p[0],
+                "surfels": p[1],
+                "physics_step_s": p[2],
+                "surface_iteration_s": p[3],
+                "frames_per_s_as_paper": p[4],
+                "machine": "3 GHz Pentium 4",
+            }
+        )
         rows.append(ours(name, *run(name, options)))
     os.makedirs(os.path.dirname(os.path.abspath(options.csv)), exist_ok=True)
     with open(options.csv, "w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS, restval="")
         writer.writeheader()
         writer.writerows(rows)
-    print(f"\n{'scene':13} {'':6} {'particles/surfels':>18} {'physics step':>14} {'surface iteration':>18} {'frames/s (1 step, 1 iteration)':>32} {'frames/s of the run':>20} {'simulated':>10}")
-    for r in rows:
-        last = f"{r['frames_per_s']:.2f}" if "frames_per_s" in r else ""
-        simulated = f"{r['simulated_s']:.3g} s" if "simulated_s" in r else ""
-        print(f"{r['scene']:13} {r['by']:6} {r['particles']:>9}/{r['surfels']:<8} {r['physics_step_s']:>12.4g} s {r['surface_iteration_s']:>16.4g} s "
-              f"{r['frames_per_s_as_paper']:>32.3g} {last:>20} {simulated:>10}")
-    print(f"Each scene ran until its end{f' or {options.until:g} s' if options.until else ''}, or for {options.seconds:g} s of wall-clock time, whichever came first; simulated: how far.")
+    show(rows, options)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints the scaling study's figures with their targets and charts them: chart.py SCALING.csv PICTURE.png [TRACE.json]
+"""Prints the scaling study's figures with their targets and charts them.
+
+chart.py SCALING.csv PICTURE.png [TRACE.json]
 
 docs/performance.md takes its figures from docs/scaling/scaling.csv: copy SCALING.csv there and run
 benchmarks/performance_chart.py.
@@ -37,13 +39,21 @@ def drawEfficiency(axes, path):
             axis.axis("off")
             continue
         ranks = [r["ranks"] for r in rows]
-        axis.plot(ranks, [r["efficiency"] for r in rows], "o-", color=BLUE, label="against independent copies")
+        axis.plot(
+            ranks, [r["efficiency"] for r in rows], "o-", color=BLUE, label="against independent copies"
+        )
         raw = [r["speedup"] / r["ranks"] for r in rows]
         axis.plot(ranks, raw, "s:", color=GREY, label="against one rank alone")
         axis.axhline(target, color=RED, linestyle="--", label=f"target {target:.0%}")
         axis.set_ylim(0, 1.15)
         axis.set_xticks(ranks)
-        finish(axis, f"{series}: {rows[-1]['particles']:,.0f} particles" + (" on most ranks" if series == "weak" else ""), "ranks", "efficiency")
+        finish(
+            axis,
+            f"{series}: {rows[-1]['particles']:,.0f} particles"
+            + (" on most ranks" if series == "weak" else ""),
+            "ranks",
+            "efficiency",
+        )
 
 
 def drawCounts(axes, path):
@@ -62,11 +72,15 @@ def drawCounts(axes, path):
     axes[0].plot(ranks, [r["messages_max"] for r in many], "x", color=BLUE, label="most of a rank")
     axes[0].plot(fine, [s["messages"] for s in predicted], color=GREY, label="model")
     axes[0].plot(ranks, [r["collectives"] for r in many], "o", color=RED, label="collectives")
-    axes[0].plot(fine, [c.collectives + c.growth * model.math.log2(p) for p in fine], color=RED, linewidth=0.8)
+    axes[0].plot(
+        fine, [c.collectives + c.growth * model.math.log2(p) for p in fine], color=RED, linewidth=0.8
+    )
     axes[1].plot(ranks, [r["kib"] for r in many], "o", color=BLUE, label="KiB, mean of ranks")
     axes[1].plot(ranks, [r["kib_max"] for r in many], "x", color=BLUE, label="most of a rank")
     axes[1].plot(fine, [s["bytes"] / 1024 for s in predicted], color=GREY, label="model")
-    for axis, title in zip(axes, ("sent a step and rank", f"sent a step and rank, {each:,.0f} particles a rank")):
+    for axis, title in zip(
+        axes, ("sent a step and rank", f"sent a step and rank, {each:,.0f} particles a rank")
+    ):
         axis.set_xscale("log", base=2)
         finish(axis, title, "ranks", "number" if axis is axes[0] else "KiB")
 
@@ -76,13 +90,25 @@ def drawModel(axes, path):
     ranks = [2 ** (k / 2) for k in range(0, 31)]
     for particles, colour in ((1e6, GREY), (1e8, BLUE), (1e9, GREEN), (1e10, RED)):
         fits = [p for p in ranks if particles / p <= 2e7 and particles / p > 1000]
-        axes[0].plot(fits, [1e3 * model.step(c, m, particles, p)["seconds"] for p in fits], color=colour, label=f"{particles:.0e} particles")
-        axes[0].plot(fits, [1e3 * particles / p / m.rate for p in fits], color=colour, linestyle=":", linewidth=0.8)
+        axes[0].plot(
+            fits,
+            [1e3 * model.step(c, m, particles, p)["seconds"] for p in fits],
+            color=colour,
+            label=f"{particles:.0e} particles",
+        )
+        axes[0].plot(
+            fits, [1e3 * particles / p / m.rate for p in fits], color=colour, linestyle=":", linewidth=0.8
+        )
     axes[0].set_xscale("log")
     axes[0].set_yscale("log")
     finish(axes[0], "a step, predicted (dotted: work alone)", "ranks", "ms")
     for each, colour in ((1e4, GREY), (1e5, BLUE), (1e6, RED)):
-        axes[1].plot(ranks, [model.efficiency(c, m, each * p, p) for p in ranks], color=colour, label=f"{each:,.0f} particles a rank")
+        axes[1].plot(
+            ranks,
+            [model.efficiency(c, m, each * p, p) for p in ranks],
+            color=colour,
+            label=f"{each:,.0f} particles a rank",
+        )
     axes[1].set_xscale("log")
     axes[1].set_ylim(0, 1.05)
     finish(axes[1], "weak scaling, predicted", "ranks", "efficiency")
@@ -115,14 +141,29 @@ def drawTrace(source, picture):
             if e["cat"] == "phase":
                 axis.broken_barh([(e["ts"] - begin, e["dur"])], (2.2 * r, 1), color=colour[e["name"]])
             elif e["cat"] == "wait":
-                axis.broken_barh([(e["ts"] - begin, e["dur"])], (2.2 * r, 0.45), facecolor="white", edgecolor="black", hatch="////", linewidth=0, zorder=3)
+                axis.broken_barh(
+                    [(e["ts"] - begin, e["dur"])],
+                    (2.2 * r, 0.45),
+                    facecolor="white",
+                    edgecolor="black",
+                    hatch="////",
+                    linewidth=0,
+                    zorder=3,
+                )
         ends = {e["id"]: e["ts"] for e in events if e["pid"] == r and e["ph"] == "e"}
         for e in (e for e in events if e["pid"] == r and e["ph"] == "b" and begin <= e["ts"] < end):
-            axis.broken_barh([(e["ts"] - begin, ends[e["id"]] - e["ts"])], (2.2 * r + lanes.get(e["name"], 1.05), 0.35),
-                             color={"ghosts": "#2a9d8f", "refresh": "#457b9d", "bonds": "#e76f51"}.get(e["name"], GREY))
+            axis.broken_barh(
+                [(e["ts"] - begin, ends[e["id"]] - e["ts"])],
+                (2.2 * r + lanes.get(e["name"], 1.05), 0.35),
+                color={"ghosts": "#2a9d8f", "refresh": "#457b9d", "bonds": "#e76f51"}.get(e["name"], GREY),
+            )
     for n in names:
         axis.plot([], [], color=colour[n], linewidth=6, label=n)
-    for n, c in (("ghosts under way", "#2a9d8f"), ("refresh under way", "#457b9d"), ("bonds under way", "#e76f51")):
+    for n, c in (
+        ("ghosts under way", "#2a9d8f"),
+        ("refresh under way", "#457b9d"),
+        ("bonds under way", "#e76f51"),
+    ):
         axis.plot([], [], color=c, linewidth=3, label=n)
     axis.set_yticks([2.2 * r + 0.5 for r in ranks], [f"rank {r}" for r in ranks])
     axis.set_xlim(0, end - begin)

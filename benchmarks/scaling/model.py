@@ -41,7 +41,10 @@ def neighbours(ranks):
 
 
 def ghosts(particles, ranks, layer):
-    """Mean number of ghosts of a rank. layer: particles across the layer of cells around a box. At most all others."""
+    """Mean number of ghosts of a rank, at most all others.
+
+    layer: particles across the layer of cells around a box.
+    """
     side, with_layer, box = particles ** (1 / 3), 1.0, 1.0
     for along in factors(ranks):
         own = side / along
@@ -53,26 +56,30 @@ def ghosts(particles, ranks, layer):
 @dataclasses.dataclass
 class Counts:
     """Fitted counts of a step of the fluid scene on a rank."""
-    layer: float = 2.2              # particles across a layer of ghosts
+
+    layer: float = 2.2  # particles across a layer of ghosts
     bytes_per_ghost: float = 100.0  # bytes sent per ghost and step
-    messages: float = 2.0           # messages per neighbour and step
-    collectives: float = 2.0        # collectives per step, with those of balance checks
-    growth: float = 0.0             # additional collectives per step for each doubling of ranks
-    bisection: float = 12.0         # collectives per level of a new bisection (parallel/decomposition.cpp); not fitted
+    messages: float = 2.0  # messages per neighbour and step
+    collectives: float = 2.0  # collectives per step, with those of balance checks
+    growth: float = 0.0  # additional collectives per step for each doubling of ranks
+    bisection: float = (
+        12.0  # collectives per level of a new bisection (parallel/decomposition.cpp); not fitted
+    )
 
 
 @dataclasses.dataclass
 class Machine:
     """Inputs that describe the machine."""
-    rate: float = 3e6          # particle-steps/s of one core while other cores compute as well
-    latency: float = 2e-6      # s per message
-    bandwidth: float = 4e8     # bytes/s per rank: its share of a node's network
-    collective: float = 3e-6   # s of a small reduction per doubling of ranks
-    table: float = 5e-7        # s per rank and new partition: tables of rank size, splits of communicators
-    partition: float = 100     # steps between new partitions: the fewest that the balance allows
-    imbalance: float = 1.05    # largest over mean work
-    ghost_work: float = 0.15   # work of a ghost over that of an owned particle
-    overlap: float = 0.0       # fraction of the exchange hidden behind work
+
+    rate: float = 3e6  # particle-steps/s of one core while other cores compute as well
+    latency: float = 2e-6  # s per message
+    bandwidth: float = 4e8  # bytes/s per rank: its share of a node's network
+    collective: float = 3e-6  # s of a small reduction per doubling of ranks
+    table: float = 5e-7  # s per rank and new partition: tables of rank size, splits of communicators
+    partition: float = 100  # steps between new partitions: the fewest that the balance allows
+    imbalance: float = 1.05  # largest over mean work
+    ghost_work: float = 0.15  # work of a ghost over that of an owned particle
+    overlap: float = 0.0  # fraction of the exchange hidden behind work
 
 
 def linear(points):
@@ -87,14 +94,24 @@ def linear(points):
 
 
 def fit(rows):
-    """Counts from rows of the series `counts`, case fluid: ranks, particles, halo_fraction, neighbours, messages, kib, collectives."""
+    """Counts from rows of the series `counts`, case fluid.
+
+    Their columns: ranks, particles, halo_fraction, neighbours, messages, kib, collectives.
+    """
     many = [r for r in rows if r["ranks"] > 1]
     if not many:
         raise ValueError("no counts on more than one rank: run scripts/bench scaling --only counts")
     c = Counts()
 
     def miss(layer):  # relative error, so that all numbers of ranks weigh the same
-        return sum((ghosts(r["particles"], r["ranks"], layer) / (r["halo_fraction"] * r["particles"] / r["ranks"]) - 1) ** 2 for r in many)
+        return sum(
+            (
+                ghosts(r["particles"], r["ranks"], layer) / (r["halo_fraction"] * r["particles"] / r["ranks"])
+                - 1
+            )
+            ** 2
+            for r in many
+        )
 
     low, high = 0.5, 10.0
     for _ in range(100):  # golden section
@@ -113,14 +130,28 @@ def step(counts, machine, particles, ranks):
     own = particles / ranks
     around = ghosts(particles, ranks, counts.layer) if ranks > 1 else 0.0
     levels = math.log2(ranks) if ranks > 1 else 0.0
-    parts = {"work": own / machine.rate * machine.imbalance, "ghosts": machine.ghost_work * around / machine.rate}
-    exchange = counts.messages * neighbours(ranks) * machine.latency + counts.bytes_per_ghost * around / machine.bandwidth
+    parts = {
+        "work": own / machine.rate * machine.imbalance,
+        "ghosts": machine.ghost_work * around / machine.rate,
+    }
+    exchange = (
+        counts.messages * neighbours(ranks) * machine.latency
+        + counts.bytes_per_ghost * around / machine.bandwidth
+    )
     parts["exchange"] = (1 - machine.overlap) * exchange
     # each level of the bisection halves the number of ranks
     bisection = counts.bisection * levels * (levels + 1) / 2 / machine.partition
-    parts["collectives"] = machine.collective * ((counts.collectives + counts.growth * levels) * levels + bisection)
+    parts["collectives"] = machine.collective * (
+        (counts.collectives + counts.growth * levels) * levels + bisection
+    )
     parts["tables"] = machine.table * ranks / machine.partition if ranks > 1 else 0.0
-    return {"seconds": sum(parts.values()), "parts": parts, "messages": counts.messages * neighbours(ranks), "bytes": counts.bytes_per_ghost * around, "ghosts": around}
+    return {
+        "seconds": sum(parts.values()),
+        "parts": parts,
+        "messages": counts.messages * neighbours(ranks),
+        "bytes": counts.bytes_per_ghost * around,
+        "ghosts": around,
+    }
 
 
 def efficiency(counts, machine, particles, ranks):
@@ -132,7 +163,13 @@ def read(path, series="counts", case="fluid"):
     with open(path, newline="") as f:
         rows = [r for r in csv.DictReader(f) if r["series"] == series and r["case"] == case]
     number = lambda text: float(text) if text else 0.0
-    return [{k: (v if k in ("series", "case", "level", "clock", "machine", "version") else number(v)) for k, v in r.items()} for r in rows]
+    return [
+        {
+            k: (v if k in ("series", "case", "level", "clock", "machine", "version") else number(v))
+            for k, v in r.items()
+        }
+        for r in rows
+    ]
 
 
 def main():
@@ -143,12 +180,18 @@ def main():
     for f in dataclasses.fields(Machine):
         p.add_argument("--" + f.name.replace("_", "-"), type=float, default=f.default)
     a = p.parse_args()
-    counts, machine = fit(read(a.csv)), Machine(**{f.name: getattr(a, f.name) for f in dataclasses.fields(Machine)})
+    counts, machine = fit(read(a.csv)), Machine(
+        **{f.name: getattr(a, f.name) for f in dataclasses.fields(Machine)}
+    )
     s = step(counts, machine, a.particles, a.ranks)
     print(counts)
     print(machine)
-    print(f"{a.particles:.3g} particles on {a.ranks:.0f} ranks: {1e3 * s['seconds']:.3f} ms a step, efficiency {efficiency(counts, machine, a.particles, a.ranks):.3f}; "
-          f"a rank sends {s['messages']:.0f} messages of {s['bytes'] / 2**20:.2f} MiB in all, and has {s['ghosts']:.0f} ghosts")
+    print(
+        f"{a.particles:.3g} particles on {a.ranks:.0f} ranks: {1e3 * s['seconds']:.3f} ms a step, "
+        f"efficiency {efficiency(counts, machine, a.particles, a.ranks):.3f}; "
+        f"a rank sends {s['messages']:.0f} messages of {s['bytes'] / 2**20:.2f} MiB in all, "
+        f"and has {s['ghosts']:.0f} ghosts"
+    )
     for name, seconds in s["parts"].items():
         print(f"  {name:12s} {1e3 * seconds:9.3f} ms")
 

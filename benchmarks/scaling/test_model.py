@@ -25,8 +25,19 @@ def counted(along, side, layer):
     return total / math.prod(along), around / math.prod(along)
 
 
-for ranks, along in ((1, (1, 1, 1)), (2, (2, 1, 1)), (4, (2, 2, 1)), (8, (2, 2, 2)), (16, (4, 2, 2)), (64, (4, 4, 4)), (512, (8, 8, 8))):
-    assert sorted(model.factors(ranks), reverse=True) == sorted(along, reverse=True), (ranks, model.factors(ranks))
+for ranks, along in (
+    (1, (1, 1, 1)),
+    (2, (2, 1, 1)),
+    (4, (2, 2, 1)),
+    (8, (2, 2, 2)),
+    (16, (4, 2, 2)),
+    (64, (4, 4, 4)),
+    (512, (8, 8, 8)),
+):
+    assert sorted(model.factors(ranks), reverse=True) == sorted(along, reverse=True), (
+        ranks,
+        model.factors(ranks),
+    )
     g, n = counted(along, 100.0, 2.0)
     close(model.ghosts(1e6, ranks, 2.0), g)
     close(model.neighbours(ranks), n)
@@ -36,8 +47,17 @@ made = model.Counts(layer=2.3, bytes_per_ghost=120.0, messages=2.1, collectives=
 rows = []
 for ranks in (1, 2, 4, 8, 16, 32, 64):
     s = model.step(made, model.Machine(), 8000.0 * ranks, ranks)
-    rows.append({"ranks": ranks, "particles": 8000.0 * ranks, "halo_fraction": s["ghosts"] / 8000, "neighbours": model.neighbours(ranks), "messages": s["messages"], "kib": s["bytes"] / 1024,
-                 "collectives": made.collectives + made.growth * math.log2(ranks)})
+    rows.append(
+        {
+            "ranks": ranks,
+            "particles": 8000.0 * ranks,
+            "halo_fraction": s["ghosts"] / 8000,
+            "neighbours": model.neighbours(ranks),
+            "messages": s["messages"],
+            "kib": s["bytes"] / 1024,
+            "collectives": made.collectives + made.growth * math.log2(ranks),
+        }
+    )
 found = model.fit(rows)
 for name in ("layer", "bytes_per_ghost", "messages", "collectives", "growth"):
     close(getattr(found, name), getattr(made, name), 1e-6)
@@ -47,9 +67,12 @@ close(model.step(made, m, 1e6, 1)["seconds"], 1e6 / m.rate)  # alone there is on
 close(model.efficiency(made, m, 1e6, 1), 1.0)
 weak = [model.efficiency(made, m, 1e6 * p, p) for p in (8, 64, 512, 4096, 10000)]
 strong = [model.step(made, m, 1e8, p)["seconds"] for p in (1, 8, 64, 512)]
-assert all(a >= b for a, b in zip(weak, weak[1:])), weak          # more ranks are never more efficient
-assert all(a > b for a, b in zip(strong, strong[1:])), strong     # and faster while there is work
-assert model.step(made, model.Machine(bandwidth=1e7), 1e9, 1000)["seconds"] > model.step(made, model.Machine(), 1e9, 1000)["seconds"]
+assert all(a >= b for a, b in zip(weak, weak[1:])), weak  # more ranks are never more efficient
+assert all(a > b for a, b in zip(strong, strong[1:])), strong  # and faster while there is work
+assert (
+    model.step(made, model.Machine(bandwidth=1e7), 1e9, 1000)["seconds"]
+    > model.step(made, model.Machine(), 1e9, 1000)["seconds"]
+)
 try:
     model.fit([rows[0]])
     raise AssertionError("a fit to one rank")

@@ -17,7 +17,11 @@ figure, axes = plt.subplots(1, len(cases) + 1, figsize=(5.5 * (len(cases) + 1), 
 titles = {"oscillator": "damped oscillator, ten periods", "head": "the head, released from a press"}
 for axis, case in zip(axes[0], cases):
     for method, mark in zip(("exact step", "symplectic Euler", "RK4", "implicit Euler"), "osD^"):
-        points = sorted((float(r["evaluations"]), max(float(r["value"]), 1e-16)) for r in rows if r["case"] == case and r["method"] == method)
+        points = sorted(
+            (float(r["evaluations"]), max(float(r["value"]), 1e-16))
+            for r in rows
+            if r["case"] == case and r["method"] == method
+        )
         if points:
             axis.loglog(*zip(*points), mark + "-", label=method, markersize=4, linewidth=1)
     axis.set_title(titles.get(case, case), fontsize=10)
@@ -29,7 +33,10 @@ axis = axes[0][-1]
 bars = list(dict.fromkeys((r["case"], r["evaluations"]) for r in phases))
 left = [0.0] * len(bars)
 for name in ("motion", "forces", "contact", "rest"):
-    values = [sum(float(r["value"]) for r in phases if (r["case"], r["evaluations"]) == b and r["method"] == name) for b in bars]
+    values = [
+        sum(float(r["value"]) for r in phases if (r["case"], r["evaluations"]) == b and r["method"] == name)
+        for b in bars
+    ]
     axis.barh(range(len(bars)), values, left=left, label=name)
     left = [a + b for a, b in zip(left, values)]
 axis.set_yticks(range(len(bars)), [f"{c}, {float(n):,.0f} vertices" for c, n in bars], fontsize=8)

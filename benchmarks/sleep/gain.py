@@ -43,7 +43,9 @@ velocity = [0, {v}, 0]
 def scene(across, drifting, sleeps):
     size, far = across * 0.05, across * 0.05 + 0.5
     text = SCENE.format(length=10 * far + 1, speed=1e-3 if sleeps else 0)
-    return text + "".join(BODY.format(k=k, size=size, x=k * far + size / 2, v=0.1 if k < drifting else 0) for k in range(10))
+    return text + "".join(
+        BODY.format(k=k, size=size, x=k * far + size / 2, v=0.1 if k < drifting else 0) for k in range(10)
+    )
 
 
 def microseconds(folder, text, steps):
@@ -52,15 +54,23 @@ def microseconds(folder, text, steps):
         file.write(text)
     out = os.path.join(folder, "out")
     shutil.rmtree(out, ignore_errors=True)
-    subprocess.run([os.path.join(os.environ["THAW_BUILD"], "thaw"), "run", path, "--out", out, "--steps", str(steps)], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [os.path.join(os.environ["THAW_BUILD"], "thaw"), "run", path, "--out", out, "--steps", str(steps)],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
     with open(os.path.join(out, "summary.json")) as file:
         s = json.load(file)
-    spent = sum(v["mean"] for k, v in s["phases_s_per_rank"].items() if k not in ("setup", "frames", "checkpoint"))
+    spent = sum(
+        v["mean"] for k, v in s["phases_s_per_rank"].items() if k not in ("setup", "frames", "checkpoint")
+    )
     return 1e6 * spent / steps / s["particles"], s["counters"]["asleep"] / s["particles"]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--csv", required=True)
     parser.add_argument("--across", type=int, default=20)
     parser.add_argument("--steps", type=int, default=100)

@@ -29,12 +29,14 @@ thaw=${THAW:-build/release/thaw}
 # Submits the next job with the options of this one, those of sbatch's command line included.
 again() {
   local same=() o variable limit
-  for o in ntasks=SLURM_NTASKS account=SLURM_JOB_ACCOUNT partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS reservation=SLURM_JOB_RESERVATION \
+  for o in ntasks=SLURM_NTASKS account=SLURM_JOB_ACCOUNT partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS \
+    reservation=SLURM_JOB_RESERVATION \
     mem=SLURM_MEM_PER_NODE mem-per-cpu=SLURM_MEM_PER_CPU cpus-per-task=SLURM_CPUS_PER_TASK; do
     variable=${o#*=}
     [ -z "${!variable:-}" ] || same+=("--${o%%=*}=${!variable}")
   done
-  limit=$(squeue --noheader --job "${SLURM_JOB_ID:-0}" --format %l 2>/dev/null) && [ -n "$limit" ] && same+=("--time=$limit")
+  limit=$(squeue --noheader --job "${SLURM_JOB_ID:-0}" --format %l 2>/dev/null) && [ -n "$limit" ] &&
+    same+=("--time=$limit")
   sbatch "${same[@]}" "$@"
 }
 
@@ -44,6 +46,7 @@ force=()
 if [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
 
 code=0
-srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "${run[@]}" --out "$out" --resume "${force[@]}" || code=$?
+srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "${run[@]}" --out "$out" --resume "${force[@]}" ||
+  code=$?
 [ "$code" -ne 75 ] || again --array="$number" "$0" "$list"
 exit "$code"

@@ -25,18 +25,21 @@ thaw=${THAW:-build/release/thaw}
 # Lustre. New files inherit it.
 mkdir -p "$out/frames" "$out/checkpoint"
 if command -v lfs >/dev/null; then
-  lfs setstripe --stripe-count "${STRIPES:-16}" --stripe-size 16M "$out/frames" "$out/checkpoint" 2>/dev/null || true
+  lfs setstripe --stripe-count "${STRIPES:-16}" --stripe-size 16M "$out/frames" "$out/checkpoint" \
+    2>/dev/null || true
 fi
 
 # Submits the next job with the options of this one, those of sbatch's command line included.
 again() {
   local same=() o variable limit
-  for o in nodes=SLURM_JOB_NUM_NODES ntasks-per-node=SLURM_NTASKS_PER_NODE account=SLURM_JOB_ACCOUNT partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS reservation=SLURM_JOB_RESERVATION \
+  for o in nodes=SLURM_JOB_NUM_NODES ntasks-per-node=SLURM_NTASKS_PER_NODE account=SLURM_JOB_ACCOUNT \
+    partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS reservation=SLURM_JOB_RESERVATION \
     mem=SLURM_MEM_PER_NODE mem-per-cpu=SLURM_MEM_PER_CPU cpus-per-task=SLURM_CPUS_PER_TASK; do
     variable=${o#*=}
     [ -z "${!variable:-}" ] || same+=("--${o%%=*}=${!variable}")
   done
-  limit=$(squeue --noheader --job "${SLURM_JOB_ID:-0}" --format %l 2>/dev/null) && [ -n "$limit" ] && same+=("--time=$limit")
+  limit=$(squeue --noheader --job "${SLURM_JOB_ID:-0}" --format %l 2>/dev/null) && [ -n "$limit" ] &&
+    same+=("--time=$limit")
   sbatch "${same[@]}" "$@"
 }
 
@@ -46,13 +49,17 @@ force=()
 if [ "$failed" -gt 0 ] || [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
 
 code=0
-srun --mpi="${PMI:-pmix}" --cpu-bind=cores --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume "${force[@]}" || code=$?
+srun --mpi="${PMI:-pmix}" --cpu-bind=cores --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" \
+  --resume "${force[@]}" || code=$?
 case $code in
   0) "$thaw" render "$out" --sheet "$out/pictures/sheet.png" ;;
   75) again "$0" "$scene" ;;
   2 | 3 | 4) ;;  # a bad scene, a full disk, a failed simulation: a repetition would fail again
   *)
     step=$("$thaw" info "$out" --json 2>/dev/null | sed -n 's/.*"step": *\([0-9]*\).*/\1/p' | head -n 1)
-    if [ "$failed" -lt "${RETRIES:-3}" ] && [ "${step:-none}" != "$failedAt" ]; then again "$0" "$scene" $((failed + 1)) "${step:-none}"; fi ;;
+    if [ "$failed" -lt "${RETRIES:-3}" ] && [ "${step:-none}" != "$failedAt" ]; then
+      again "$0" "$scene" $((failed + 1)) "${step:-none}"
+    fi
+    ;;
 esac
 exit "$code"

@@ -19,12 +19,14 @@ thaw=${THAW:-build/release/thaw}
 # Submits the next job with the options of this one, those of sbatch's command line included.
 again() {
   local same=() o variable limit
-  for o in nodes=SLURM_JOB_NUM_NODES ntasks-per-node=SLURM_NTASKS_PER_NODE account=SLURM_JOB_ACCOUNT partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS reservation=SLURM_JOB_RESERVATION \
+  for o in nodes=SLURM_JOB_NUM_NODES ntasks-per-node=SLURM_NTASKS_PER_NODE account=SLURM_JOB_ACCOUNT \
+    partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS reservation=SLURM_JOB_RESERVATION \
     mem=SLURM_MEM_PER_NODE mem-per-cpu=SLURM_MEM_PER_CPU cpus-per-task=SLURM_CPUS_PER_TASK; do
     variable=${o#*=}
     [ -z "${!variable:-}" ] || same+=("--${o%%=*}=${!variable}")
   done
-  limit=$(squeue --noheader --job "${SLURM_JOB_ID:-0}" --format %l 2>/dev/null) && [ -n "$limit" ] && same+=("--time=$limit")
+  limit=$(squeue --noheader --job "${SLURM_JOB_ID:-0}" --format %l 2>/dev/null) && [ -n "$limit" ] &&
+    same+=("--time=$limit")
   sbatch "${same[@]}" "$@"
 }
 
@@ -36,7 +38,8 @@ if [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
 # srun forwards the signal to all ranks. Debian's Open MPI has PMIx; elsewhere see `srun --mpi=list`
 # and set PMI.
 code=0
-srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume "${force[@]}" || code=$?
+srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume "${force[@]}" ||
+  code=$?
 case $code in
   0) "$thaw" render "$out" --sheet "$out/pictures/sheet.png" ;;
   75) again "$0" "$scene" ;;

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""matrix_test.py BUILD (see matrix_test.sh): runs matrix.py with a stand-in for the benchmark with known errors."""
+"""Runs matrix.py with a stand-in for the benchmark with known errors.
+
+matrix_test.py BUILD (see matrix_test.sh)
+"""
 import csv
 import os
 import stat
@@ -23,7 +26,8 @@ case, rest = sys.argv[1], sys.argv[2:]
 spacing, path, label = (rest[rest.index("--" + k) + 1] for k in ("spacing", "csv", "label"))
 with open(os.environ["CALLS"], "a") as f: f.write(case + "|" + label + "\\n")
 if case == os.environ.get("REFUSED"): sys.exit("error: refused")
-with open(path, "a") as f: f.write(f"{case},{label},L2,{float(spacing) ** 2},1,,0.5,10,100,{os.environ['VERSION']},machine\\n")
+line = f"{case},{label},L2,{float(spacing) ** 2},1,,0.5,10,100,{os.environ['VERSION']},machine\\n"
+with open(path, "a") as f: f.write(line)
 """
 
 
@@ -45,8 +49,28 @@ class MatrixTest(unittest.TestCase):
         os.chmod(self.path(name), os.stat(self.path(name)).st_mode | stat.S_IXUSR)
 
     def run_matrix(self, *options, version="aaa", **environment):
-        everything = {**os.environ, "THAW_BUILD": self.folder.name, "CALLS": self.calls, "VERSION": version, **environment}
-        return subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "matrix.py"), "--csv", self.csv, "--jobs", "2", *options], env=everything, capture_output=True, text=True)
+        everything = {
+            **os.environ,
+            "THAW_BUILD": self.folder.name,
+            "CALLS": self.calls,
+            "VERSION": version,
+            **environment,
+        }
+        return subprocess.run(
+            [
+                sys.executable,
+                "-B",
+                os.path.join(TOOLS, "matrix.py"),
+                "--csv",
+                self.csv,
+                "--jobs",
+                "2",
+                *options,
+            ],
+            env=everything,
+            capture_output=True,
+            text=True,
+        )
 
     def rows(self):
         with open(self.csv, newline="") as f:
@@ -67,7 +91,10 @@ class MatrixTest(unittest.TestCase):
         self.assertEqual(len(rows), len(wanted))
         self.assertEqual(len(self.called()), len(wanted))
         self.assertEqual(list(rows[0]), matrix.COLUMNS)
-        self.assertEqual(sorted(r["settings"] for r in rows if r["settings"].startswith("default")), sorted(f"default spacing={s}" for s in plan.CASES["poiseuille"][0]))
+        self.assertEqual(
+            sorted(r["settings"] for r in rows if r["settings"].startswith("default")),
+            sorted(f"default spacing={s}" for s in plan.CASES["poiseuille"][0]),
+        )
         self.assertIn("support=2.5 spacing=0.05", [r["settings"] for r in rows])
 
     def test_orders(self):
@@ -89,7 +116,10 @@ class MatrixTest(unittest.TestCase):
         done = self.run_matrix("--case", "poiseuille")
         self.assertIn("4 of them done before", done.stdout)
         self.assertEqual(len(self.called()), len(whole) - 4)
-        self.assertEqual(sorted(r["settings"] + r["error"] + r["order"] for r in self.rows()), sorted(r["settings"] + r["error"] + r["order"] for r in whole))
+        self.assertEqual(
+            sorted(r["settings"] + r["error"] + r["order"] for r in self.rows()),
+            sorted(r["settings"] + r["error"] + r["order"] for r in whole),
+        )
         self.run_matrix("--case", "poiseuille")
         self.assertEqual(self.called(), [])
 
@@ -103,7 +133,9 @@ class MatrixTest(unittest.TestCase):
         self.called()
         self.run_matrix("--case", "patch", version="bbb")
         self.assertTrue(all(c.startswith("patch|") for c in self.called()))
-        self.assertEqual({(r["case"], r["version"]) for r in self.rows()}, {("patch", "bbb"), ("rotation", "aaa")})
+        self.assertEqual(
+            {(r["case"], r["version"]) for r in self.rows()}, {("patch", "bbb"), ("rotation", "aaa")}
+        )
 
     def test_reports_failed_runs(self):
         done = self.run_matrix("--case", "patch", "--case", "rotation", REFUSED="patch")
@@ -118,8 +150,19 @@ class MatrixTest(unittest.TestCase):
             keys = [(case, matrix.labelOf(spacing, settings)) for case, spacing, settings in runs]
             self.assertEqual(len(keys), len(set(keys)))
         self.assertEqual(plan.settingsOf("tension", "surface energy"), ["numerics.tension=surface energy"])
-        self.assertEqual(plan.settingsOf("density=continuity corrected_gradients", "false"), ["numerics.density=continuity", "numerics.corrected_gradients=false"])
-        names = {line.split()[0] for line in subprocess.run([os.path.join(BUILD, "benchmarks", "accuracy"), "--list"], capture_output=True, text=True, check=True).stdout.splitlines()}
+        self.assertEqual(
+            plan.settingsOf("density=continuity corrected_gradients", "false"),
+            ["numerics.density=continuity", "numerics.corrected_gradients=false"],
+        )
+        names = {
+            line.split()[0]
+            for line in subprocess.run(
+                [os.path.join(BUILD, "benchmarks", "accuracy"), "--list"],
+                capture_output=True,
+                text=True,
+                check=True,
+            ).stdout.splitlines()
+        }
         self.assertEqual(names, set(plan.CASES))
 
 
@@ -131,21 +174,47 @@ class CommittedTest(unittest.TestCase):
             return f.read()
 
     def test_document(self):
-        made = document.Document(document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "accuracy.csv")), document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "modules.csv")))
+        made = document.Document(
+            document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "accuracy.csv")),
+            document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "modules.csv")),
+        )
         self.assertEqual(made.text(document.template()), self.read("docs", "validation", "accuracy.md"))
         for picture in [*made.used, *(case + "_particles" for case in made.drawn)]:
-            self.assertTrue(os.path.exists(os.path.join(ROOT, "docs", "pictures", "accuracy", picture + ".png")), picture)
+            self.assertTrue(
+                os.path.exists(os.path.join(ROOT, "docs", "pictures", "accuracy", picture + ".png")), picture
+            )
 
     def test_frontier(self):
-        self.assertEqual(frontier.source(document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "accuracy.csv"))), self.read("io", "commands", "frontier_points.cpp"))
+        self.assertEqual(
+            frontier.source(document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "accuracy.csv"))),
+            self.read("io", "commands", "check", "frontier_points.cpp"),
+        )
 
     def test_frontier_of_known_points(self):
         row = {"case": "poiseuille", "norm": "L2(u)", "target": "", "version": "", "order": ""}
-        rows = [{**row, "settings": s + " spacing=0.05", "error": e, "core_seconds": t}
-                for s, e, t in (("default", "0.1", "1"), ("support=2.5", "0.05", "2"), ("support=3", "0.06", "3"), ("kernel=cubic", "0.2", "0.5"), ("viscosity=laplacian", "0.01", "0.1"))]
-        rows.append({**rows[-1], "norm": "energy residual", "error": "1", "target": "0.01"})  # a small error by chance
-        self.assertEqual([(p[2], p[3], p[5]) for p in frontier.points(rows)],
-                         [("", 0.1, True), ("numerics.support=2.5", 0.05, True), ("numerics.support=3", 0.06, False), ("numerics.kernel=cubic", 0.2, True), ("numerics.viscosity=laplacian", -1, False)])
+        rows = [
+            {**row, "settings": s + " spacing=0.05", "error": e, "core_seconds": t}
+            for s, e, t in (
+                ("default", "0.1", "1"),
+                ("support=2.5", "0.05", "2"),
+                ("support=3", "0.06", "3"),
+                ("kernel=cubic", "0.2", "0.5"),
+                ("viscosity=laplacian", "0.01", "0.1"),
+            )
+        ]
+        rows.append(
+            {**rows[-1], "norm": "energy residual", "error": "1", "target": "0.01"}
+        )  # a small error by chance
+        self.assertEqual(
+            [(p[2], p[3], p[5]) for p in frontier.points(rows)],
+            [
+                ("", 0.1, True),
+                ("numerics.support=2.5", 0.05, True),
+                ("numerics.support=3", 0.06, False),
+                ("numerics.kernel=cubic", 0.2, True),
+                ("numerics.viscosity=laplacian", -1, False),
+            ],
+        )
 
 
 if __name__ == "__main__":

@@ -107,13 +107,15 @@ material = "water"
 spin = [0, 0, 5]
 END
 n=numerics
-try all_solvers "$scenes/melt.toml" 30 $n.pressure_solver=incompressible $n.viscosity_solver=implicit $n.elastic_substeps=8
+try all_solvers "$scenes/melt.toml" 30 $n.pressure_solver=incompressible $n.viscosity_solver=implicit \
+  $n.elastic_substeps=8
 try carried_density "$scenes/dam_break.toml" 30 $n.density=continuity $n.shifting=0.1
 try free_liquid "$work/patch.toml" 60
 try float "$work/float.toml" 80
 try full_box "$work/vortices.toml" 30
 try start_fields "$work/fields.toml" 30
-try printed "$scenes/melt.toml" 30 $n.pressure=printed $n.viscosity=laplacian "$n.tension=colour field" $n.conduction=plain
+try printed "$scenes/melt.toml" 30 $n.pressure=printed $n.viscosity=laplacian "$n.tension=colour field" \
+  $n.conduction=plain
 try pairwise_tension "$scenes/melt.toml" 30 $n.tension=pairwise
 try reference "$scenes/melt.toml" 30 quality=reference
 try preview "$scenes/melt.toml" 30 quality=preview

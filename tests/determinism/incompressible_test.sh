@@ -9,9 +9,12 @@ try() {
   sameOnAllRanks "$1" "$2" - "$scenes/$1.toml" "${set[@]}" --set numerics.pressure_solver=incompressible
   grep -Eq '"density_iterations": *[1-9]' "$work/$1.1/summary.json" || fail "$1: no iterations"
   for kind in density divergence; do
-    [ "$(value "$work/$1.1/summary.json" ${kind}_iterations)" = "$(value "$work/$1.7/summary.json" ${kind}_iterations)" ] || fail "$1: other ${kind} iterations on 7 ranks"
+    [ "$(value "$work/$1.1/summary.json" ${kind}_iterations)" = \
+      "$(value "$work/$1.7/summary.json" ${kind}_iterations)" ] ||
+      fail "$1: other ${kind} iterations on 7 ranks"
   done
-  echo "$1: $(value "$work/$1.1/summary.json" density_iterations) + $(value "$work/$1.1/summary.json" divergence_iterations) iterations"
+  echo "$1: $(value "$work/$1.1/summary.json" density_iterations) + \
+$(value "$work/$1.1/summary.json" divergence_iterations) iterations"
 }
 try dam_break 120
 try pour 200

@@ -9,7 +9,9 @@ for scene in ${SCENES:-fluid freezing melting_fast melting_slow}; do
   sameOnAllRanks "$scene" 1000000 "${CUTS:-100 200}" "$scenes/keiser/$scene.toml" "${set[@]}"
   surfels=$(counted "$work/$scene.1" surfels)
   [ "${surfels:-0}" -gt 100 ] || fail "$scene: $surfels surfels"
-  echo "$scene: $surfels surfels, $(counted "$work/$scene.1" updates) updates, $(counted "$work/$scene.1" births) births, $(counted "$work/$scene.1" splits) splits, $(counted "$work/$scene.1" merges) merges"
+  echo "$scene: $surfels surfels, $(counted "$work/$scene.1" updates) updates, \
+$(counted "$work/$scene.1" births) births, $(counted "$work/$scene.1" splits) splits, \
+$(counted "$work/$scene.1" merges) merges"
   rm -rf "${work:?}/$scene".*
 done
 finish

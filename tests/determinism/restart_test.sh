@@ -14,21 +14,42 @@ for scene in ${SCENES:-melt pour together}; do
   run 3 parts --steps "$third" || { fail "$scene, first part: exit $?"; tail -n 5 "$work/log"; continue; }
   before=$(frameSums "$work/parts" "$scene")
   # a checkpoint every 0.2 s of wall-clock time; the kill interrupts whatever runs
-  launchInBackground 2 run "$scenes/$scene.toml" "${set[@]}" --set output.checkpoint=0.2 --steps 1000000 --resume --out "$work/parts" >"$work/log" 2>&1
+  launchInBackground 2 run "$scenes/$scene.toml" "${set[@]}" --set output.checkpoint=0.2 --steps 1000000 \
+    --resume --out "$work/parts" >"$work/log" 2>&1
   sleep 1.5
   killAll -9 "$work/parts"
   at=$("$thaw" info "$work/parts" --json 2>"$work/log" | value - step)
-  [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$scene: no checkpoint after the kill (step '$at')"; cat "$work/log"; continue; }
+  [ -n "$at" ] && [ "$at" -ge "$third" ] || {
+    fail "$scene: no checkpoint after the kill (step '$at')"
+    cat "$work/log"
+    continue
+  }
   after=$(frameSums "$work/parts" "$scene")
   frameIsLost "$before" "$after" && fail "$scene: frames from before the kill are gone or changed"
-  for frame in "$work/parts/frames"/*.hdf; do "$thaw" info "$frame" >/dev/null 2>"$work/log" || { fail "$scene: frame cannot be read after the kill"; cat "$work/log"; }; done
+  for frame in "$work/parts/frames"/*.hdf; do
+    "$thaw" info "$frame" >/dev/null 2>"$work/log" || {
+      fail "$scene: frame cannot be read after the kill"
+      cat "$work/log"
+    }
+  done
   if [ "$at" -lt "$steps" ]; then end=$steps; else end=$((at + 5)); fi
-  run 4 parts --steps "$end" --resume || { fail "$scene, resumed at step $at: exit $?"; tail -n 5 "$work/log"; continue; }
+  run 4 parts --steps "$end" --resume || {
+    fail "$scene, resumed at step $at: exit $?"
+    tail -n 5 "$work/log"
+    continue
+  }
   whole=whole
   if [ "$end" != "$steps" ]; then  # the reference must reach the same step
-    run 1 whole --steps "$end" --resume || { fail "$scene, on one rank to step $end: exit $?"; tail -n 5 "$work/log"; continue; }
+    run 1 whole --steps "$end" --resume || {
+      fail "$scene, on one rank to step $end: exit $?"
+      tail -n 5 "$work/log"
+      continue
+    }
   fi
-  "$thaw" compare "$work/$whole" "$work/parts" >"$work/log" 2>&1 || { fail "$scene: killed at step $at and resumed, differs at step $end"; cat "$work/log"; }
+  "$thaw" compare "$work/$whole" "$work/parts" >"$work/log" 2>&1 || {
+    fail "$scene: killed at step $at and resumed, differs at step $end"
+    cat "$work/log"
+  }
   echo "$scene: killed at step $at, compared at step $end"
 done
 finish

@@ -24,9 +24,12 @@ watch_speed = 0.2
 every = "20 ms"
 SCENE
 run() { launch "$1" run "$work/fall.toml" --out "$work/$2" "${@:3}" >"$work/log" 2>&1; }
-message() { sed -n 's/^error: the simulation \(blew up at .*numerics.watch_speed.* did not help\);.*/\1/p' "$work/log"; }
+message() {
+  sed -n 's/^error: the simulation \(blew up at .*numerics.watch_speed.* did not help\);.*/\1/p' "$work/log"
+}
 ended() {  # ended FOLDER RETRIES WHAT
-  [ "$(value "$work/$1/summary.json" retries)" = "$2" ] || fail "$3: $(value "$work/$1/summary.json" retries) retries, not $2"
+  [ "$(value "$work/$1/summary.json" retries)" = "$2" ] ||
+    fail "$3: $(value "$work/$1/summary.json" retries) retries, not $2"
   expectMessage "$2 retries from step [0-9]* with steps down to 1/$((1 << $2)) did not help" "$3"
 }
 for retries in 1 3; do
@@ -39,12 +42,14 @@ for ranks in 3 7; do
   run $ranks many --set numerics.retries=3; expectExit 4 "$ranks ranks"
   ended many 3 "$ranks ranks"
   [ "$(message)" = "$expected" ] || fail "$ranks ranks: $(message)"
-  failed=$(sed -n 's/^warning: failed at step \([0-9]*\),.*/\1/p; s/^error: .*blew up at step \([0-9]*\),.*/\1/p' "$work/log")
+  failed=$(sed -n 's/^warning: failed at step \([0-9]*\),.*/\1/p
+    s/^error: .*blew up at step \([0-9]*\),.*/\1/p' "$work/log")
   same "$work/one" "$work/many" "1 and $ranks ranks"
 done
 
 # stopped in the step before each failure except the first, when some retries count
-[ "$(wc -w <<<"$failed")" = 4 ] && [ "$(sort -nu <<<"$failed")" = "$failed" ] || fail "not four failures, each later: $failed"
+[ "$(wc -w <<<"$failed")" = 4 ] && [ "$(sort -nu <<<"$failed")" = "$failed" ] ||
+  fail "not four failures, each later: $failed"
 runInParts fall "$(awk 'NR > 1 { print $1 - 1 }' <<<"$failed")" "$work/fall.toml" --set numerics.retries=3
 mv "$work/fall.parts" "$work/parts"
 run 4 parts --set numerics.retries=3 --resume; expectExit 4 "in parts"

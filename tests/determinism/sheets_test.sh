@@ -12,7 +12,8 @@ try() {
   [ -f "$file" ] || file=$scenes/$1.toml
   [ -f "$file" ] || file=$work/$1.toml
   shift 2
-  sameOnAllRanks "$scene" "$steps" killed "$file" --set numerics.retry_every=10 "$@"  # frequent snapshots, so that a checkpoint is written often
+  # frequent snapshots, so that a checkpoint is written often
+  sameOnAllRanks "$scene" "$steps" killed "$file" --set numerics.retry_every=10 "$@"
   rm -rf "${work:?}/$scene".*
 }
 # Water falls on a cloth that is coarser than the water: contact by triangles. Another cloth hangs in the
@@ -161,12 +162,16 @@ for which in $wanted; do
   case $which in
     skin)
       try skin 60 --set sheet.skin.spacing=0.004 --set output.every=0.01
-      launch 2 run "$scenes/sheet/skin.toml" --out "$work/whole" >"$work/log" 2>&1; expectExit 0 "skin to its end"  # 3 s
+      launch 2 run "$scenes/sheet/skin.toml" --out "$work/whole" >"$work/log" 2>&1
+      expectExit 0 "skin to its end"  # 3 s
       grep "ledger does not close" "$work/log" && fail "skin: the ledger does not close" ;;
     head) try head 60 --set sheet.head.spacing=0.016 --set output.every=0.02 ;;
     jack) try jack 150 --set sheet.membrane.spacing=0.02 --set output.every=0.02 ;;
     shell) try shell 40 --set sheet.shell.spacing=0.008 ;;
-    cloth) try cloth 900 --set sheet.cloth.spacing=0.03 --set spacing=0.012 --set sheet.cloth.thickness=0.02 --set output.every=0.05 ;;
+    cloth)
+      try cloth 900 --set sheet.cloth.spacing=0.03 --set spacing=0.012 --set sheet.cloth.thickness=0.02 \
+        --set output.every=0.05
+      ;;
     coarse) try coarse 250 ;;
     folded) try folded 1500 ;;
     wrapped) try wrapped 120 ;;
@@ -174,10 +179,13 @@ for which in $wanted; do
     retry)  # a step that is too long for the springs
       scene=head
       for ranks in 1 3 7; do
-        launch $ranks run "$scenes/sheet/head.toml" --set sheet.head.spacing=0.016 --set numerics.fixed_step=0.01 --set numerics.retry_every=10 --set end=0.3 --out "$work/retry.$ranks" >"$work/log" 2>&1
+        launch $ranks run "$scenes/sheet/head.toml" --set sheet.head.spacing=0.016 \
+          --set numerics.fixed_step=0.01 --set numerics.retry_every=10 --set end=0.3 \
+          --out "$work/retry.$ranks" >"$work/log" 2>&1
         expectExit 0 "head with long steps on $ranks ranks"
         expectMessage "^warning: failed at step .*; back to step" "head with long steps on $ranks ranks"
-        [ "$ranks" = 1 ] || same "$work/retry.1" "$work/retry.$ranks" "head with long steps on 1 and $ranks ranks"
+        [ "$ranks" = 1 ] ||
+          same "$work/retry.1" "$work/retry.$ranks" "head with long steps on 1 and $ranks ranks"
       done ;;
   esac
 done

@@ -53,19 +53,25 @@ SCENE
 same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
 # stops during sleep, before and after the late block has landed
 sameOnAllRanks $scene 1000000 "320 960 1280" "$work/sleepers.toml" --set numerics.retry_every=10
-expectSleepers() { slept=$(value "$work/$scene.1/summary.json" asleep); [ "${slept:-0}" -gt 0 ] || fail "$scene: nothing sleeps at the end"; }
+expectSleepers() {
+  slept=$(value "$work/$scene.1/summary.json" asleep)
+  [ "${slept:-0}" -gt 0 ] || fail "$scene: nothing sleeps at the end"
+}
 expectSleepers
-grep -q 'asleep 0 (awake: [0-9]* accelerate)' "$work/$scene.log.1" || fail "$scene: no report at the start of why blocks are awake"
+grep -q 'asleep 0 (awake: [0-9]* accelerate)' "$work/$scene.log.1" ||
+  fail "$scene: no report at the start of why blocks are awake"
 # A coefficient that changes at a restart wakes all blocks. Sleepers with old constraint forces would be
 # pushed.
 for ranks in 1 3; do
   cp -r "$work/$scene.1" "$work/changed.$ranks"
-  launch $ranks run "$work/sleepers.toml" --set numerics.retry_every=10 --set end=1.8 --set material.rubber.damping=301 --restart --out "$work/changed.$ranks" >"$work/log" 2>&1
+  launch $ranks run "$work/sleepers.toml" --set numerics.retry_every=10 --set end=1.8 \
+    --set material.rubber.damping=301 --restart --out "$work/changed.$ranks" >"$work/log" 2>&1
   expectExit 0 "$scene with another damping on $ranks ranks"
   grep -q 'ledger does not close' "$work/log" && fail "$scene: with another damping the ledger does not close"
 done
 same "$work/changed.1" "$work/changed.3" "$scene with another damping on 1 and 3 ranks"
-[ "$(value "$work/changed.1/summary.json" asleep)" -gt 0 ] || fail "$scene: nothing sleeps again after the change"
+[ "$(value "$work/changed.1/summary.json" asleep)" -gt 0 ] ||
+  fail "$scene: nothing sleeps again after the change"
 # A rod leans on a ring: parts fall asleep while others creep. Bonds carry the creeping parts' stress two
 # cells far into the sleeping ones. The constraint force there must not depend on the ranks that read it.
 scene=leaning
@@ -108,6 +114,8 @@ every = 0.4
 SCENE
 sameOnAllRanks $scene 1000000 "4000 8000 10000" "$work/leaning.toml"
 expectSleepers
-residual=$(awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^momentum_residual/) of[k] = 1; next } { for (k in of) { a = $k < 0 ? -$k : $k; if (a > most) most = a } } END { print most + 0 }' "$work/$scene.1/progress.csv")
+residual=$(awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^momentum_residual/) of[k] = 1; next }
+  { for (k in of) { a = $k < 0 ? -$k : $k; if (a > most) most = a } }
+  END { print most + 0 }' "$work/$scene.1/progress.csv")
 awk -v r="$residual" 'BEGIN { exit !(r < 1e-9) }' || fail "momentum residual of $residual kg m/s"
 finish

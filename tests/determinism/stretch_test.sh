@@ -25,8 +25,10 @@ every = "0.1 s"
 SCENE
 sameOnAllRanks bar 1000000 "40 80" "$work/bar.toml" --set end=0.5
 # the bar weighs 1.08 kg and its middle starts at -0.05 m; it must sink by its own length and more
-sunk=$(grep -o '"potential_J": [-0-9.e]*' "$work/bar.1/summary.json" | sed -n 2p | awk '{ print ($2 < -0.53 - 1.08 * 9.81 * 0.3) }')
-[ "$sunk" = 1 ] || fail "the bar did not stretch: $(grep -o '"potential_J": [-0-9.e]*' "$work/bar.1/summary.json" | tr '\n' ' ')"
+sunk=$(grep -o '"potential_J": [-0-9.e]*' "$work/bar.1/summary.json" | sed -n 2p |
+  awk '{ print ($2 < -0.53 - 1.08 * 9.81 * 0.3) }')
+[ "$sunk" = 1 ] || fail "the bar did not stretch: \
+$(grep -o '"potential_J": [-0-9.e]*' "$work/bar.1/summary.json" | tr '\n' ' ')"
 cat >"$work/flier.toml" <<'SCENE'
 spacing = "2 cm"
 end = "1 s"

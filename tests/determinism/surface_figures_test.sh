@@ -8,7 +8,10 @@ suite=$build/benchmarks/accuracy
 figures() {
   local case=$1 ranks=$2
   shift 2
-  timeout 300 "${mpi[@]}" -n "$ranks" "$suite" "$case" "$@" >"$work/log" 2>&1 || { fail "$case on $ranks ranks: exit $?"; tail -n 5 "$work/log"; }
+  timeout 300 "${mpi[@]}" -n "$ranks" "$suite" "$case" "$@" >"$work/log" 2>&1 || {
+    fail "$case on $ranks ranks: exit $?"
+    tail -n 5 "$work/log"
+  }
   grep '^  ' "$work/log" | grep -v 'core-' >"$work/$case.$ranks"
   [ "$(wc -l <"$work/$case.$ranks")" -ge 5 ] || fail "$case on $ranks ranks: too few figures"
 }
@@ -19,7 +22,10 @@ try() {
   shift 3
   for ranks in $all; do
     figures "$case" $ranks "$@"
-    cmp -s "$work/$case.1" "$work/$case.$ranks" || { fail "$case: figures on 1 and $ranks ranks differ"; diff "$work/$case.1" "$work/$case.$ranks" | head -n 6; }
+    cmp -s "$work/$case.1" "$work/$case.$ranks" || {
+      fail "$case: figures on 1 and $ranks ranks differ"
+      diff "$work/$case.1" "$work/$case.$ranks" | head -n 6
+    }
   done
   missed=$(grep MISSED "$work/$case.1" | grep -v "^  $known ")
   [ -z "$missed" ] || fail "$case: $missed"

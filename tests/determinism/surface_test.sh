@@ -9,17 +9,23 @@
 try() {
   local name=$1
   scene=$(basename "$2" .toml)
-  sameOnAllRanks "$name" "$3" killed "$2" --set numerics.retry_every=5 "${@:4}"  # frequent snapshots, so that a checkpoint is written often
-  "$thaw" info "$work/$name.parts" >/dev/null 2>"$work/log" || { fail "$name: no information"; cat "$work/log"; }
-  echo "$name: $(counted "$work/$name.1" surfels) surfels, $(counted "$work/$name.1" updates) updates, $(counted "$work/$name.1" births) births," \
-       "$(counted "$work/$name.1" deaths) deaths, $(counted "$work/$name.1" splits) splits, $(counted "$work/$name.1" merges) merges"
+  # frequent snapshots, so that a checkpoint is written often
+  sameOnAllRanks "$name" "$3" killed "$2" --set numerics.retry_every=5 "${@:4}"
+  "$thaw" info "$work/$name.parts" >/dev/null 2>"$work/log" || {
+    fail "$name: no information"
+    cat "$work/log"
+  }
+  echo "$name: $(counted "$work/$name.1" surfels) surfels, $(counted "$work/$name.1" updates) updates," \
+    "$(counted "$work/$name.1" births) births, $(counted "$work/$name.1" deaths) deaths," \
+    "$(counted "$work/$name.1" splits) splits, $(counted "$work/$name.1" merges) merges"
   if [ "$name" = drops ]; then  # the pool crosses both periodic axes
     local last
     last=$(tail -n 1 "$work/drops.1/surface.csv" | cut -d, -f1)
     volumeHeld "$work/drops.1" "$work/drops.1/frames/drops_surface_$(printf %06d "$last").hdf" "$last"
   fi
   "$thaw" compare "$work/$name.1" "$work/$name.7" >"$work/log" 2>&1 || fail "$name: 1 and 7 ranks differ"
-  grep -q '^equal: [0-9]* particles, [0-9]* surfels, [0-9]* fields' "$work/log" || fail "$name: compare does not say that surfels were compared"
+  grep -q '^equal: [0-9]* particles, [0-9]* surfels, [0-9]* fields' "$work/log" ||
+    fail "$name: compare does not say that surfels were compared"
   mv "$work/$name.log.1" "$work/log.1"
   rm -rf "${work:?}/$name".*
 }
@@ -115,7 +121,8 @@ conductivity = "300 W/(m K)"
 latent_heat = "10 kJ/kg"
 [[body]]
 name = "holed"
-difference = [{ box = { size = ["10 cm", "8 cm", "4 cm"] } }, { cylinder = { radius = "2.5 cm", height = "10 cm" } }]
+difference = [{ box = { size = ["10 cm", "8 cm", "4 cm"] } },
+  { cylinder = { radius = "2.5 cm", height = "10 cm" } }]
 place = { move = ["-8 cm", 0, "6 cm"], rotate_x = "30 deg" }
 material = "wax"
 temperature = "5 degC"
@@ -208,7 +215,8 @@ viscosity = 0.34
 [[body]]
 name = "crescent"
 material = "oil"
-difference = [{ torus = { radius = 0.00574505, tube = 0.0021406 }, place = { move = [0, 0, -0.00129038] } }, { sphere = { radius = 0.00773464 }, place = { move = [0, 0, 0.00129038], rotate_x = 1.565 } }]
+difference = [{ torus = { radius = 0.00574505, tube = 0.0021406 }, place = { move = [0, 0, -0.00129038] } },
+  { sphere = { radius = 0.00773464 }, place = { move = [0, 0, 0.00129038], rotate_x = 1.565 } }]
 place = { move = [0.0173238, -0.015768, 0.020206], rotate_x = 1.396, rotate_y = 1.861 }
 velocity = [-0.2, 0.15, -0.17]
 spin = [0, 10.3, 0.36]
@@ -224,45 +232,89 @@ END
 # ball. Meshes of one frame, an independent measure, are within 4 %.
 volumeHeld() {
   awk -F, 'NR > 1 { wanted[$1] += $14; volume[$1] += $9 }
-    END { for (f in wanted) { off = volume[f] / wanted[f] - 1; if (off < 0) off = -off; if (off > worst) worst = off }
-          printf "volume: off by %.2f %% at most\n", 100 * worst; exit !(worst < 0.015) }' "$1/surface.csv" || fail "$1: the surface does not hold the volume that it is to hold"
+    END {
+      for (f in wanted) {
+        off = volume[f] / wanted[f] - 1
+        if (off < 0) off = -off
+        if (off > worst) worst = off
+      }
+      printf "volume: off by %.2f %% at most\n", 100 * worst
+      exit !(worst < 0.015)
+    }' "$1/surface.csv" ||
+    fail "$1: the surface does not hold the volume that it is to hold"
   "$thaw" export "$2" --as obj --out "$work/mesh.obj" >"$work/log" || fail "$2: no mesh"
-  awk -v frame="$3" 'FILENAME ~ /csv$/ { split($0, cells, ","); if (cells[1] == frame) wanted += cells[14]; next }
+  awk -v frame="$3" '
+    FILENAME ~ /csv$/ { split($0, cells, ","); if (cells[1] == frame) wanted += cells[14]; next }
     $1 == "v" { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
-    $1 == "f" { a = $2 + 0; b = $3 + 0; c = $4 + 0
-                volume += (x[a] * (y[b] * z[c] - z[b] * y[c]) + y[a] * (z[b] * x[c] - x[b] * z[c]) + z[a] * (x[b] * y[c] - y[b] * x[c])) / 6 }
-    END { off = volume / wanted - 1; printf "of meshes: %+.2f %%\n", 100 * off; exit !(off < 0.04 && off > -0.04) }' "$1/surface.csv" "$work/mesh.obj" || fail "$2: meshes have another volume than the particles"
+    $1 == "f" {
+      a = $2 + 0; b = $3 + 0; c = $4 + 0
+      volume += (x[a] * (y[b] * z[c] - z[b] * y[c]) + y[a] * (z[b] * x[c] - x[b] * z[c]) \
+        + z[a] * (x[b] * y[c] - y[b] * x[c])) / 6
+    }
+    END {
+      off = volume / wanted - 1
+      printf "of meshes: %+.2f %%\n", 100 * off
+      exit !(off < 0.04 && off > -0.04)
+    }' "$1/surface.csv" "$work/mesh.obj" ||
+    fail "$2: meshes have another volume than the particles"
 }
 wanted=${SCENES:-melt drops freeze splash retry shapes crescent straddle}
 for which in $wanted; do
   case $which in
-    melt) settings melt; try melt "$scenes/melt.toml" 60 "${set[@]}" --set surface.every_steps=7 --set output.every=0.01 ;;
-    splash) scene=splash; sameOnAllRanks splash 900 - "$work/splash.toml"; volumeHeld "$work/splash.1" "$work/splash.1/frames/splash_surface_000012.hdf" 12 ;;
+    melt)
+      settings melt
+      try melt "$scenes/melt.toml" 60 "${set[@]}" --set surface.every_steps=7 --set output.every=0.01
+      ;;
+    splash)
+      scene=splash
+      sameOnAllRanks splash 900 - "$work/splash.toml"
+      volumeHeld "$work/splash.1" "$work/splash.1/frames/splash_surface_000012.hdf" 12
+      ;;
     shapes)
       try shapes "$work/shapes.toml" 1100
-      grep -q "body 'rod' begins in [0-9]* pieces" "$work/log.1" || fail "no warning about the pieces of a thin rod" ;;
+      grep -q "body 'rod' begins in [0-9]* pieces" "$work/log.1" ||
+        fail "no warning about the pieces of a thin rod"
+      ;;
     straddle)
       # The same scene in the middle of the domain: bodies and surfaces agree up to rounding.
-      sed -e 's/bottom = .*2 cm"\]/bottom = [0.2, 0.15, "2 cm"]/' -e 's/0.01, 0.15, 0.3/0.21, 0, 0.3/' -e 's/0.39, 0.29, 0.4/0.19, 0.14, 0.4/' "$work/straddle.toml" >"$work/middle.toml"
+      sed -e 's/bottom = .*2 cm"\]/bottom = [0.2, 0.15, "2 cm"]/' -e 's/0.01, 0.15, 0.3/0.21, 0, 0.3/' \
+        -e 's/0.39, 0.29, 0.4/0.19, 0.14, 0.4/' "$work/straddle.toml" >"$work/middle.toml"
       for name in straddle middle; do
-        mpirun -n 2 "$thaw" run "$work/$name.toml" --out "$work/$name.run" --set end=0.05 >"$work/log" 2>&1 || { fail "$name does not run"; cat "$work/log"; }
+        mpirun -n 2 "$thaw" run "$work/$name.toml" --out "$work/$name.run" --set end=0.05 \
+          >"$work/log" 2>&1 || {
+          fail "$name does not run"
+          cat "$work/log"
+        }
       done
       paste -d, "$work/straddle.run/surface.csv" "$work/middle.run/surface.csv" |
-        awk -F, 'NR > 1 { for (k = 1; k <= 14; k++) if (k != 11 && k != 12) { off = $k - $(k + 15); if (off < 0) off = -off; if (off > 1e-5 * $k) { print "line " NR ", column " k ": " $k " and " $(k + 15); bad++ } } }
-          END { exit bad > 0 || NR != 7 }' || fail "across periodic sides bodies are not as in the middle"
+        awk -F, 'NR > 1 {
+            for (k = 1; k <= 14; k++) if (k != 11 && k != 12) {
+              off = $k - $(k + 15)
+              if (off < 0) off = -off
+              if (off > 1e-5 * $k) { print "line " NR ", column " k ": " $k " and " $(k + 15); bad++ }
+            }
+          }
+          END { exit bad > 0 || NR != 7 }' ||
+        fail "across periodic sides bodies are not as in the middle"
       try straddle "$work/straddle.toml" 600 ;;  # the last, since it moves the scene
     crescent) try crescent "$work/crescent.toml" 100 ;;
     drops) try drops "$work/drops.toml" 150 ;;
-    freeze) settings freeze; try freeze "$scenes/freeze.toml" 300 "${set[@]}" --set surface.every_move=1 --set output.every=0.02 ;;
+    freeze)
+      settings freeze
+      try freeze "$scenes/freeze.toml" 300 "${set[@]}" --set surface.every_move=1 --set output.every=0.02
+      ;;
     retry)
       scene=beam
       settings beam
       set+=(--set end=0.1 --set output.every=0.01 --set numerics.fixed_step=6e-4 --set surface.every_steps=9)
       sameOnAllRanks beam 1000000 "45 80" "$scenes/beam.toml" "${set[@]}"  # stopped before it fails
       for ranks in 1 7; do
-        grep -q "^warning: failed at step .*; back to step" "$work/beam.log.$ranks" || fail "beam on $ranks ranks: no step failed"
+        grep -q "^warning: failed at step .*; back to step" "$work/beam.log.$ranks" ||
+          fail "beam on $ranks ranks: no step failed"
       done
-      echo "retry: $(value "$work/beam.1/summary.json" retries) retries, $(counted "$work/beam.1" updates) updates" ;;
+      echo "retry: $(value "$work/beam.1/summary.json" retries) retries, \
+$(counted "$work/beam.1" updates) updates"
+      ;;
   esac
 done
 finish

@@ -11,8 +11,14 @@ awk -v folder="$work/" 'FNR == 1 { file = "" }
   { start = /^```toml/ }
   file != "" { print > file }' "$source_dir/README.md" "${pages[@]}"
 cd "$work" || exit 1
-for scene in butter cast drops glass heat pat scan; do [ -f "$scene.toml" ] || fail "the manual has no scene $scene.toml"; done
-"$thaw" run cast.toml >log 2>&1 && "$thaw" export out/cast/frames/cast_surface_000000.hdf --as ply --out scan.ply >>log 2>&1 || { cat log; fail "the mesh scan.ply"; }
+for scene in butter cast drops glass heat pat scan; do
+  [ -f "$scene.toml" ] || fail "the manual has no scene $scene.toml"
+done
+"$thaw" run cast.toml >log 2>&1 &&
+  "$thaw" export out/cast/frames/cast_surface_000000.hdf --as ply --out scan.ply >>log 2>&1 || {
+  cat log
+  fail "the mesh scan.ply"
+}
 for scene in *.toml; do
   "$thaw" run "$scene" --steps 2 >log 2>&1 || { cat log; fail "$scene"; }
 done
@@ -21,7 +27,7 @@ cd "$source_dir" || exit 1
 while read -r page; do
   [ -f "$page" ] || fail "$page is named, but does not exist"
 # scripts/lint and its test name missing pages on purpose
-done < <(grep -rhoE --exclude='lint_*' '\bdocs/[a-z_/]+\.md' README.md CONTRIBUTING.md core parallel io tests \
-  benchmarks scripts scenes | sort -u)
+done < <(grep -rhoE --exclude='lint_*' '\bdocs/[a-z_/]+\.md' README.md CONTRIBUTING.md core parallel io \
+  tests benchmarks scripts scenes | sort -u)
 
 [ "$failures" -eq 0 ]

@@ -23,13 +23,16 @@ plantTree() {
   cp "$root"/.clang-format "$dir/tree/"
   cp "$root"/core/include_order.txt "$dir/tree/core/"
   printf '# Contributing\n' >"$dir/tree/CONTRIBUTING.md"
-  cp "$root"/scripts/{lint,lib.sh,lint_checks.py,lint_files.py,lint_fix.py,lint_words.txt} "$dir/tree/scripts/"
-  printf '# Page\n## A part\nSee [the part](#a-part) and [the script](../scripts/lint).\n' >"$dir/tree/docs/page.md"
+  cp "$root"/scripts/{lint,lib.sh,lint_checks.py,lint_files.py,lint_fix.py,lint_words.txt} \
+    "$dir/tree/scripts/"
+  printf '# Page\n## A part\nSee [the part](#a-part) and [the script](../scripts/lint).\n' \
+    >"$dir/tree/docs/page.md"
   {
     printf '// %s\n// Squares (docs/page.md).\n#pragma once\n\n' "$licence"
     printf 'inline double square(double x) { return x * x; }\n'
   } >"$dir/tree/core/math/square.hpp"
-  printf '// %s\n#include "core/math/square.hpp"\n\ndouble heat(double x) { return square(x); }\n' "$licence" >"$dir/tree/core/heat/heat.cpp"
+  printf '// %s\n#include "core/math/square.hpp"\n\ndouble heat(double x) { return square(x); }\n' \
+    "$licence" >"$dir/tree/core/heat/heat.cpp"
 }
 
 # Runs scripts/lint in the tree; sets its exit code and output.
@@ -52,7 +55,8 @@ passes() {
   failures=$((failures + 1))
 }
 
-long='a line that has more columns than are allowed, in a script, which is not wrapped by any program, ever, at all'
+long='a line that has more columns than are allowed, in a script, which is not wrapped by any program'
+long+=', ever, at all'
 square=core/math/square.hpp
 
 # begins FILE LINE...: the file begins with these lines
@@ -85,13 +89,15 @@ begins CMakeLists.txt "# $licence" 'project(tree)'
 begins scripts/say '#!/bin/sh' "# $licence" echo
 begins core/heat/heat.cpp "// $licence" "#include \"$square\""
 
-# A fault of C++ that --fix corrects, and a listed include against the order.
+# Faults of C++ and Python that --fix corrects, and a listed include against the order.
 plantTree
 sed -i '3a #include "core/heat/heat.hpp"' "$dir/tree/$square"
 printf '\n// %s\n' "$long" >>"$dir/tree/$square"
+printf '# %s\nx  = 1\n' "$licence" >"$dir/tree/scripts/one.py"
 lint
 finds 'an upward include' "^$square:4: includes core/heat/heat.hpp: core/heat is above core/math"
 finds 'a long comment in C++' "^$square:[0-9]+:.* not formatted"
+finds 'Python that is not formatted' '^scripts/one.py:1: not formatted'
 "$dir/tree/scripts/lint" --fix
 printf '1 %s core/heat/heat.hpp\n' "$square" >"$dir/tree/scripts/lint_known_includes.txt"
 passes 'a long comment that --fix has wrapped, and a listed include'
@@ -100,7 +106,8 @@ passes 'a long comment that --fix has wrapped, and a listed include'
 printf '// Squares (docs/lost.md).\n#pragma once\n' >"$dir/tree/$square"
 printf '// Of a number.\n// .5 of it is a half.\n#pragma once\n' >"$dir/tree/core/math/half.hpp"
 printf 'echo "%s"\n' "$long" >"$dir/tree/scripts/long.sh"
-printf '\nIt occ%s twice.\n[A link](nowhere.md)\n[Another](page.md#another-part)\n' ured >>"$dir/tree/docs/page.md"
+printf '\nIt occ%s twice.\n[A link](nowhere.md)\n[Another](page.md#another-part)\n' ured \
+  >>"$dir/tree/docs/page.md"
 { printf 'void steps() {\n'; printf '  step();\n%.0s' {1..70}; printf '}\n'; } >"$dir/tree/core/heat/long.cpp"
 for i in {1..31}; do printf '#pragma once\n' >"$dir/tree/core/math/file_$i.hpp"; done
 lint

@@ -34,15 +34,25 @@ END
 launch 2 check "$work/net.toml" >"$work/log" 2>&1; expectExit 0 "check"
 start=$(sed -n "s/.*oriented body 'net': \([0-9]*\) particles/\1/p" "$work/log")
 launch 2 run "$work/net.toml" --steps 20 --out "$work/net" >"$work/log" 2>&1; expectExit 0 "run"
-[ -n "$start" ] && grep -q "oriented: $start particles" "$work/log" || fail "check counts $start particles, and the run begins with $(grep 'oriented:' "$work/log")"
-launch 2 run "$work/net.toml" --restart --set oriented.net.event.0.time=0.045 --out "$work/net" >"$work/log" 2>&1; expectExit 0 "restart with another event"
-expectMessage "changed at the restart: oriented.net.event.0.time was 0.04, and is 0.045 now" "restart with another event"
-launch 2 run "$work/net.toml" --steps 2 --set 'oriented.net.field=[{push=[0,0,1],box={size=[0.1,0.1,0.1]},place={move=[0,0,0.8]}}]' --out "$work/idle" >"$work/log" 2>&1; expectExit 0 "a field where nobody is"
-expectMessage "warning: .*oriented body 'net': no particle is in this field as it begins, at 0 s" "a field where nobody is"
+[ -n "$start" ] && grep -q "oriented: $start particles" "$work/log" ||
+  fail "check counts $start particles, and the run begins with $(grep 'oriented:' "$work/log")"
+launch 2 run "$work/net.toml" --restart --set oriented.net.event.0.time=0.045 --out "$work/net" \
+  >"$work/log" 2>&1
+expectExit 0 "restart with another event"
+expectMessage "changed at the restart: oriented.net.event.0.time was 0.04, and is 0.045 now" \
+  "restart with another event"
+launch 2 run "$work/net.toml" \
+  --steps 2 --set 'oriented.net.field=[{push=[0,0,1],box={size=[0.1,0.1,0.1]},place={move=[0,0,0.8]}}]' \
+  --out "$work/idle" >"$work/log" 2>&1
+expectExit 0 "a field where nobody is"
+expectMessage "warning: .*oriented body 'net': no particle is in this field as it begins, at 0 s" \
+  "a field where nobody is"
 "$thaw" render "$work/net" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that is not there"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that is not there"
 "$thaw" render "$work/net" --what surface >"$work/log" 2>&1; expectExit 3 "no surface"
-expectMessage "no surface frames in this folder, only frames of particles, sheets or oriented particles; a scene has a surface with a table .surface." "no surface"
+expectMessage \
+  "no surface frames in this folder, only frames of particles, sheets or oriented particles; \
+a scene has a surface with a table .surface." "no surface"
 
 cat >"$work/leaf.toml" <<'END'
 spacing = 0.05
@@ -59,16 +69,24 @@ rest_length = 0.9
 [output]
 every = 0.5
 END
-launch 2 run "$work/leaf.toml" --set numerics.fixed_step=0.002 --set numerics.retry_every=5 --set numerics.retries=0 --out "$work/leaf" >"$work/log" 2>&1; expectExit 4 "a step far too long"
-expectMessage "blew up at step .*unexplained mechanical energy since .*numerics.watch_energy.*; the fastest one: vertex [0-9]* of 'leaf' at" "a step far too long"
+launch 2 run "$work/leaf.toml" --set numerics.fixed_step=0.002 --set numerics.retry_every=5 \
+  --set numerics.retries=0 --out "$work/leaf" >"$work/log" 2>&1
+expectExit 4 "a step far too long"
+expectMessage \
+  "blew up at step .*unexplained mechanical energy since .*numerics.watch_energy.*; the fastest one: \
+vertex [0-9]* of 'leaf' at" "a step far too long"
 regions='sheet.leaf.region=[{box={size=[0.2,0.2,0.1]},weft=3},{box={size=[0.3,0.3,0.1]},warp=2}]'
-launch 2 run "$work/leaf.toml" --steps 2 --set "$regions" --out "$work/regions" >"$work/log" 2>&1; expectExit 0 "regions on each other"
-expectMessage "warning: .*sheet 'leaf': [0-9]* vertices of its region 0 are in region 1 as well.* weft of the earlier one is ignored" "regions on each other"
+launch 2 run "$work/leaf.toml" --steps 2 --set "$regions" --out "$work/regions" >"$work/log" 2>&1
+expectExit 0 "regions on each other"
+expectMessage \
+  "warning: .*sheet 'leaf': [0-9]* vertices of its region 0 are in region 1 as well.* \
+weft of the earlier one is ignored" "regions on each other"
 launch 2 run "$work/leaf.toml" --steps 2 --out "$work/leaf" >"$work/log" 2>&1; expectExit 0 "leaf"
 "$thaw" render "$work/leaf" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that sheets have not"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that sheets have not"
 
-printf '[[sheet]]\nname = "twig"\ngrid = { width = 0.1, depth = 0.1 }\nplace = { move = [0, 0, 0.5] }\n' | cat "$work/leaf.toml" - >"$work/leaves.toml"
+printf '[[sheet]]\nname = "twig"\ngrid = { width = 0.1, depth = 0.1 }\nplace = { move = [0, 0, 0.5] }\n' |
+  cat "$work/leaf.toml" - >"$work/leaves.toml"
 launch 1 check "$work/leaves.toml" >"$work/log" 2>&1; expectExit 0 "check of two sheets"
 expectMessage "^  sheets: sheets 'leaf' and 'twig'" "check of two sheets"
 
@@ -85,12 +103,16 @@ name = "patch"
 patch = { width = 0.4, depth = 0.4 }
 END
 cp "$work/curve.toml" "$work/patch.toml"
-printf '[[oriented]]\nname = "line"\ncurve = { from = [-0.4, 0.5, 0], to = [0.4, 0.5, 0] }\n' >>"$work/curve.toml"
+printf '[[oriented]]\nname = "line"\ncurve = { from = [-0.4, 0.5, 0], to = [0.4, 0.5, 0] }\n' \
+  >>"$work/curve.toml"
 for scene in patch curve; do
   launch 1 run "$work/$scene.toml" --steps 0 --out "$work/$scene" >"$work/log" 2>&1; expectExit 0 "$scene"
-  "$thaw" render "$work/$scene" --from -.2 -1.5 .9 --at 0 .2 0 --width 160 --height 120 --out "$work/$scene.pictures" >"$work/log" 2>&1; expectExit 0 "picture of $scene"
+  "$thaw" render "$work/$scene" --from -.2 -1.5 .9 --at 0 .2 0 --width 160 --height 120 \
+    --out "$work/$scene.pictures" >"$work/log" 2>&1
+  expectExit 0 "picture of $scene"
 done
-cmp -s "$work"/patch.pictures/*.png "$work"/curve.pictures/*.png && fail "the curve beside the patch is not in the picture"
+cmp -s "$work"/patch.pictures/*.png "$work"/curve.pictures/*.png &&
+  fail "the curve beside the patch is not in the picture"
 
 cat >"$work/skin.toml" <<'END'
 spacing = 0.02
@@ -115,7 +137,8 @@ every = 0.001
 END
 launch 2 run "$work/skin.toml" --out "$work/skin" >"$work/log" 2>&1; expectExit 0 "a surface beside a sheet"
 for field in "" "--field velocity" "--field surface" "--field none"; do  # shellcheck disable=SC2086
-  "$thaw" render "$work/skin" $field >"$work/log" 2>&1; expectExit 0 "pictures of a surface beside a sheet, $field"
+  "$thaw" render "$work/skin" $field >"$work/log" 2>&1
+  expectExit 0 "pictures of a surface beside a sheet, $field"
 done
 "$thaw" render "$work/skin" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that neither has"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that neither has"

@@ -31,9 +31,13 @@ over = 0.05
 SCENE
 launch 2 check "$work/s.toml" >"$work/log" 2>&1; expectExit 0 "check"
 expectMessage "body 'brick': 50 of wax, 0.4 kg$" "a box of whole spacings"
-expectMessage "body 'ball': 81 of wax, 0.648 kg; its shape has 0.52[0-9]* kg: the particles are 23.[0-9] % too heavy" "a coarse ball"
+expectMessage \
+  "body 'ball': 81 of wax, 0.648 kg; its shape has 0.52[0-9]* kg: the particles are 23.[0-9] % too heavy" \
+  "a coarse ball"
 expectMessage '^  more accurate: --set material.wax.hourglass=2 (solids: ' "advice"
-expectMessage "^sound speed of liquid 'wax': [0-9.]* m/s, 10 times [0-9.]* m/s, from a fall through [0-9.]* m$" "the sound speed and what sets it"
+expectMessage \
+  "^sound speed of liquid 'wax': [0-9.]* m/s, 10 times [0-9.]* m/s, from a fall through [0-9.]* m$" \
+  "the sound speed and what sets it"
 expectMessage '^  tried on this scene for [0-9]* steps' "advice that was tried"
 grep -q 'hydrostatic' "$work/log" && fail "the whole table of settings without --settings"
 [ "$(awk 'length > 200' "$work/log" | wc -l)" = 0 ] || fail "lines of more than 200 characters"
@@ -47,7 +51,9 @@ sed -i '/melts/d; /tempering/,/over/d' "$work/s.toml"
 launch 1 check "$work/s.toml" >"$work/log" 2>&1; expectExit 0 "check of a solid"
 grep -q 'breaks up' "$work/log" && fail "a solid that falls apart into drops"
 # implausibly large numbers
-launch 1 check "$work/s.toml" --set end=1e150 --set output.every=1e149 >"$work/log" 2>&1; expectExit 0 "check of a run without end"
+launch 1 check "$work/s.toml" --set end=1e150 --set output.every=1e149 >"$work/log" 2>&1
+expectExit 0 "check of a run without end"
 expectMessage '^run time: about more than 1000 years with 1 rank ([0-9.]*e+[0-9]* steps' "a run without end"
-grep -qE '[0-9]{20}|\<inf\>' "$work/log" && fail "long numbers, or none: $(grep -E '[0-9]{20}|\<inf\>' "$work/log")"
+grep -qE '[0-9]{20}|\<inf\>' "$work/log" &&
+  fail "long numbers, or none: $(grep -E '[0-9]{20}|\<inf\>' "$work/log")"
 finish

@@ -8,15 +8,19 @@ export OMPI_MCA_io=romio321
 settings freeze
 number=${THAW_DAMAGES:-140}
 out=$work/run
-launch 2 run "$scenes/freeze.toml" "${set[@]}" --steps 7 --out "$out" >"$work/log" 2>&1; expectExit 0 "first checkpoint"
-launch 2 run "$scenes/freeze.toml" "${set[@]}" --steps 9 --restart --out "$out" >"$work/log" 2>&1; expectExit 0 "second checkpoint"
+launch 2 run "$scenes/freeze.toml" "${set[@]}" --steps 7 --out "$out" >"$work/log" 2>&1
+expectExit 0 "first checkpoint"
+launch 2 run "$scenes/freeze.toml" "${set[@]}" --steps 9 --restart --out "$out" >"$work/log" 2>&1
+expectExit 0 "second checkpoint"
 a=$out/checkpoint/a.hdf b=$out/checkpoint/b.hdf
 frame=$(ls "$out"/frames/*.hdf | tail -n 1)
 "$build/tests/damage_files" "$number" "$b" 1 || fail "checkpoint"
 "$build/tests/damage_files" 70 "$frame" 2 || fail "frame"
 
 # through the program: first the newest is damaged, then both
-restart() { launch "$1" run "$scenes/freeze.toml" "${set[@]}" --steps 9 --restart --out "$work/copy" >"$work/log" 2>&1; }
+restart() {
+  launch "$1" run "$scenes/freeze.toml" "${set[@]}" --steps 9 --restart --out "$work/copy" >"$work/log" 2>&1
+}
 signals() { ! grep -qiE 'signal|Segmentation|terminate called' "$work/log" || fail "$1: $(cat "$work/log")"; }
 for seed in 1 2 3 4 5 6 7; do
   rm -rf "$work/copy"

@@ -21,8 +21,10 @@ box = { size = [0.2, 0.2, 0.2] }
 every = 0.01
 END
 short() {  # checks the output of the last command in $work/log
-  grep -q 'a very long title of a scene a very.*\.\.\.$' "$work/log" || fail "$1 does not show the beginning of the title"
-  [ "$(awk '{ if (length > most) most = length } END { print most }' "$work/log")" -le 200 ] || fail "$1: a line of more than 200 characters"
+  grep -q 'a very long title of a scene a very.*\.\.\.$' "$work/log" ||
+    fail "$1 does not show the beginning of the title"
+  [ "$(awk '{ if (length > most) most = length } END { print most }' "$work/log")" -le 200 ] ||
+    fail "$1: a line of more than 200 characters"
 }
 cd "$work" || exit 1
 launch 2 run long.toml --progress 0 >"$work/log" 2>&1; expectExit 0 "run"; short run

@@ -5,9 +5,15 @@
 . "$(dirname "$0")/../support/run.sh"
 bodies() {  # bodies N: cubes of one particle on a square of N x N, in a thin periodic slab
   awk -v n="$1" 'BEGIN {
-    print "spacing = 0.01\nend = 0.01\n[domain]\nmin = [-1, -1, -0.03]\nmax = [" n * 0.01 + 1 ", " n * 0.01 + 1 ", 0.03]\ngravity = [0, 0, 0]\nsides = { z = \"periodic\" }\n[material.water]"
-    for (i = 0; i < n; i++) for (j = 0; j < n; j++)
-      print "[[body]]\nmaterial = \"water\"\nvelocity = [" (-i) ", " j ", 0]\nbox = { size = [0.01, 0.01, 0.06] }\nplace = { move = [" (i + 0.5) * 0.01 ", " (j + 0.5) * 0.01 ", 0] }" }'
+    print "spacing = 0.01\nend = 0.01\n[domain]\nmin = [-1, -1, -0.03]"
+    print "max = [" n * 0.01 + 1 ", " n * 0.01 + 1 ", 0.03]"
+    print "gravity = [0, 0, 0]\nsides = { z = \"periodic\" }\n[material.water]"
+    for (i = 0; i < n; i++) for (j = 0; j < n; j++) {
+      print "[[body]]\nmaterial = \"water\"\nvelocity = [" (-i) ", " j ", 0]"
+      print "box = { size = [0.01, 0.01, 0.06] }"
+      print "place = { move = [" (i + 0.5) * 0.01 ", " (j + 0.5) * 0.01 ", 0] }"
+    }
+  }'
 }
 bodies 100 >"$work/many.toml"
 SECONDS=0

@@ -6,8 +6,14 @@
 . "$(dirname "$0")/../support/run.sh"
 squares() {  # squares N: a mesh of N by N squares over half a metre
   awk -v n="$1" 'BEGIN {
-    for (j = 0; j <= n; j++) for (i = 0; i <= n; i++) printf "v %.6f %.6f 0\n", i / n / 2 - 0.25, j / n / 2 - 0.25
-    for (j = 0; j < n; j++) for (i = 0; i < n; i++) { a = j * (n + 1) + i + 1; print "f", a, a + 1, a + n + 2; print "f", a, a + n + 2, a + n + 1 } }'
+    for (j = 0; j <= n; j++) for (i = 0; i <= n; i++)
+      printf "v %.6f %.6f 0\n", i / n / 2 - 0.25, j / n / 2 - 0.25
+    for (j = 0; j < n; j++) for (i = 0; i < n; i++) {
+      a = j * (n + 1) + i + 1
+      print "f", a, a + 1, a + n + 2
+      print "f", a, a + n + 2, a + n + 1
+    }
+  }'
 }
 squares 10 >"$work/cloth.obj"
 squares 6 >"$work/coarse.obj"
@@ -77,20 +83,29 @@ mkdir "$work/elsewhere" && cp "$work/cloth.obj" "$work/elsewhere/moved.obj"
 again 2 0 "the mesh in another folder" --set "sheet.cloth.mesh=\"$work/elsewhere/moved.obj\""
 grep -q '^warning: changed' "$work/log" && fail "the mesh in another folder: a change is reported"
 
-refuses() { again "$1" 2 "$3" --set "$3"; expectMessage 'cannot be continued with this scene, it began with a different one' "$3"; expectMessage "$2" "$3"; }
-refuses 3 '^  sheet.cloth.place.mesh_vertices was 121, and is 49 now.*(.*all.toml:17)' "sheet.cloth.mesh=\"$work/coarse.obj\""
+refuses() {
+  again "$1" 2 "$3" --set "$3"
+  expectMessage 'cannot be continued with this scene, it began with a different one' "$3"
+  expectMessage "$2" "$3"
+}
+refuses 3 '^  sheet.cloth.place.mesh_vertices was 121, and is 49 now.*(.*all.toml:17)' \
+  "sheet.cloth.mesh=\"$work/coarse.obj\""
 refuses 1 '^  sheet.cloth.place.mesh_checksum was' "sheet.cloth.mesh=\"$work/other.obj\""
-refuses 2 '^  sheet.cloth.region.0.point.x was 0, and is 0.1 now.*(.*all.toml:28)' 'sheet.cloth.region.0.plane.point=[0.1,0,0]'
-refuses 2 '^  oriented.net.anchor.0.point.x was -0.2, and is -0.1 now' 'oriented.net.anchor.0.plane.point=[-0.1,0,0]'
+refuses 2 '^  sheet.cloth.region.0.point.x was 0, and is 0.1 now.*(.*all.toml:28)' \
+  'sheet.cloth.region.0.plane.point=[0.1,0,0]'
+refuses 2 '^  oriented.net.anchor.0.point.x was -0.2, and is -0.1 now' \
+  'oriented.net.anchor.0.plane.point=[-0.1,0,0]'
 refuses 2 '^  body.block.shape.size.x was 0.2, and is 0.3 now' 'body.block.box.size=[0.3,0.2,0.2]'
 cp "$work/cloth.obj" "$work/kept.obj" && cp "$work/coarse.obj" "$work/cloth.obj"
 again 3 2 "another mesh under the same name"
 expectMessage '^  sheet.cloth.place.mesh_vertices was 121, and is 49 now' "another mesh under the same name"
 mv "$work/kept.obj" "$work/cloth.obj"
 again 2 2 "heat, where there was none" --set sheet.cloth.conductance=5
-expectMessage "cannot be continued.*a change needs data that the run has not stored: .*no field 'enthalpy'" "heat, where there was none"
+expectMessage "cannot be continued.*a change needs data that the run has not stored: .*no field 'enthalpy'" \
+  "heat, where there was none"
 expectMessage '^  sheet.cloth.conductance was 0, and is 5 now' "heat, where there was none"
-grep -q '^warning: changed at the restart' "$work/log" && fail "heat, where there was none: reported before it is refused"
+grep -q '^warning: changed at the restart' "$work/log" &&
+  fail "heat, where there was none: reported before it is refused"
 
 tells() { again "${3:-2}" 0 "$2" --set "$2"; expectMessage "^warning: changed at the restart: $1" "$2"; }
 again 2 0 "another quality" --set quality=preview
@@ -98,14 +113,19 @@ expectMessage '^  spacing 0.05 m; quality preview (--set quality=preview)$' "ano
 again 2 2 "another spacing" --set spacing=0.04
 expectMessage '^  spacing 0.04 m; quality standard (--set spacing=0.04)$' "another spacing"
 tells 'sheet.cloth.wrap_to.net was not in the scene then' 'sheet.cloth.wrap_to="net"'
-tells 'sheet.cloth.brush.0.motion.1.move.x was 0.3, and is 0.2 now' 'sheet.cloth.brush.0.motion=[{time=0},{time=0.5,move=[0.2,0,0]}]'
+tells 'sheet.cloth.brush.0.motion.1.move.x was 0.3, and is 0.2 now' \
+  'sheet.cloth.brush.0.motion=[{time=0},{time=0.5,move=[0.2,0,0]}]'
 tells 'oriented.net.cfl was 0.25, and is 0.2 now' 'oriented.net.cfl=0.2'
 tells 'obstacle.floor.shape.point.z was -0.6, and is -0.7 now' 'obstacle.floor.plane.point=[0,0,-0.7]' 3
-tells 'obstacle.floor.motion.1.move.z was not in the scene then' 'obstacle.floor.motion=[{time=0},{time=1,move=[0,0,0.1]}]'
+tells 'obstacle.floor.motion.1.move.z was not in the scene then' \
+  'obstacle.floor.motion=[{time=0},{time=1,move=[0,0,0.1]}]'
 tells 'domain.wall.z.low was 0, and is 1 now' 'domain.sides={z=["wall","open"]}'
 tells 'numerics.cfl_elastic was .*, and is 0.2 now' 'numerics.cfl_elastic=0.2'
 again 2 0 "an event that has been" --set oriented.net.event.0.time=0.0005
-expectMessage '^warning: changed at the restart, without effect, since its time has passed: oriented.net.event.0.time was 0.001, and is 0.0005 now' "an event that has been"
-again 2 2 "a cut before one that has been made" --set 'oriented.net.event=[{kind="cut",time=0.4,plane={point=[0,0,0]}},{kind="cut",time=0.001,plane={point=[0.1,0,0]}}]'
+expectMessage \
+  '^warning: changed at the restart, without effect, since its time has passed: oriented.net.event.0.time '\
+'was 0.001, and is 0.0005 now' "an event that has been"
+events='{kind="cut",time=0.4,plane={point=[0,0,0]}},{kind="cut",time=0.001,plane={point=[0.1,0,0]}}'
+again 2 2 "a cut before one that has been made" --set "oriented.net.event=[$events]"
 expectMessage 'oriented.net.event.0: .* add new cuts after' "a cut before one that has been made"
 finish

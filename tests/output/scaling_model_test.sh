@@ -5,5 +5,6 @@
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 python3 "$here/benchmarks/scaling/test_model.py"
-[ ! -f "$here/docs/scaling/scaling.csv" ] || python3 "$here/benchmarks/scaling/model.py" "$here/docs/scaling/scaling.csv" --ranks 10000 --particles 1e10
+[ ! -f "$here/docs/scaling/scaling.csv" ] ||
+  python3 "$here/benchmarks/scaling/model.py" "$here/docs/scaling/scaling.csv" --ranks 10000 --particles 1e10
 python3 -B "$here/benchmarks/performance_chart.py" --check

@@ -25,13 +25,20 @@ plane = { point = [0, 0, 0], normal = [0, 0, 1] }
 every = "20 ms"
 END
 # worst FOLDER: largest relative volume error of a frame, in thousandths
-worst() { awk -F, 'NR > 1 { p[$1] += $8; v[$1] += $9 } END { for (f in p) { d = v[f] / p[f] - 1; d = d < 0 ? -d : d; if (d > m) m = d }; print int(1000 * m + 0.5) }' "$1/surface.csv"; }
+worst() {
+  awk -F, 'NR > 1 { p[$1] += $8; v[$1] += $9 }
+    END {
+      for (f in p) { d = v[f] / p[f] - 1; d = d < 0 ? -d : d; if (d > m) m = d }
+      print int(1000 * m + 0.5)
+    }' "$1/surface.csv"
+}
 launch 2 run "$work/film.toml" --out "$work/film" >"$work/log" 2>&1
 expectExit 0 "the film"
 off=$(worst "$work/film")
 [ "$off" -le 5 ] || fail "the film's volume is off by $off thousandths"
 settings keiser/freezing
-launch 2 run "$scenes/keiser/freezing.toml" --out "$work/frozen" "${set[@]}" --set surface.adapt=0.45 >"$work/log" 2>&1
+launch 2 run "$scenes/keiser/freezing.toml" --out "$work/frozen" "${set[@]}" --set surface.adapt=0.45 \
+  >"$work/log" 2>&1
 expectExit 0 "the frozen stream"
 frozen=$(worst "$work/frozen")
 [ "$frozen" -le 10 ] || fail "the frozen plates' volume is off by $frozen thousandths"

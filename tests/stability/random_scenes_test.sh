@@ -21,31 +21,51 @@ oneScene() {  # oneScene SEED: prints a line of the report
   local seed=$1 ranks=$((1 + $1 % 4)) code here=$folder/$1 what=ok residual=- particles=- step=-
   mkdir -p "$here"
   "$build/tests/random_scene" "$seed" >"$here/scene.toml"
-  run() { timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n "$1" "$thaw" run "$here/scene.toml" --steps "$steps" --out "$here/$2" "${@:3}" >"$here/$2.log" 2>&1; }
-  equal() { "$thaw" compare --frames "$here/$1" "$here/$2" >"$here/compare.log" 2>&1 || what="$3 DIFFER: $(head -n 3 "$here/compare.log" | tr '\n' ' ')"; }
-  field() { sed -n 's/.*"'"$1"'": *"\{0,1\}\([^",]*\)"\{0,1\}.*/\1/p' "$here/out/summary.json" 2>/dev/null | head -n 1; }
+  run() {
+    timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n "$1" "$thaw" \
+      run "$here/scene.toml" --steps "$steps" --out "$here/$2" "${@:3}" >"$here/$2.log" 2>&1
+  }
+  equal() {
+    "$thaw" compare --frames "$here/$1" "$here/$2" >"$here/compare.log" 2>&1 ||
+      what="$3 DIFFER: $(head -n 3 "$here/compare.log" | tr '\n' ' ')"
+  }
+  field() {
+    sed -n 's/.*"'"$1"'": *"\{0,1\}\([^",]*\)"\{0,1\}.*/\1/p' "$here/out/summary.json" 2>/dev/null | head -n 1
+  }
   run "$ranks" out
   code=$?
   local errors
   errors=$(grep -a -c 'error: ' "$here/out.log")
   case $code in
-    0) residual=$(grep -a -o 'residual [^ ]* J ([^)]*)' "$here/out.log" | tail -n 1 | sed 's/.*(\(.*\))/\1/') particles=$(field particles) step=$(field step)
-       [ -n "$residual" ] || what="NO RESIDUAL"
-       grep -q ': *null\|[nN]a[nN]\|[^a-z]inf[^a-z]' "$here/out/summary.json" && what="NOT FINITE"
-       [ "$errors" = 0 ] || what="ERROR BUT EXIT 0" ;;
-    4) what=$(grep -a -o 'blew up.*' "$here/out.log" | head -n 1) particles=$(field particles) step=$(field step)
-       grep -a -q "error: .*blew up at step [0-9]*, t .* s, dt .* s: .*\(particle [0-9]* of \(body\|emitter\) '.* has a velocity of .* and a force of\|no single particle is responsible\)" "$here/out.log" || what="EXIT 4 WITHOUT ITS MESSAGE"
-       grep -a -q 'the checkpoint holds step\|the last checkpoint is older' "$here/out.log" || what="EXIT 4, NOTHING ABOUT A CHECKPOINT"
-       "$thaw" info "$here/out" --json >"$here/info.log" 2>&1 || what="EXIT 4 WITHOUT A CHECKPOINT"
-       [ "$errors" = 1 ] || what="$errors MESSAGES, NOT 1"
-       [ "$(field status)" = failed ] || what="BLEW UP, SUMMARY SAYS '$(field status)'" ;;
-    2) what=$(grep -a 'error: ' "$here/out.log" | head -n 1 | sed 's/.*error: /refused: /')
-       [ "$errors" -ge 1 ] || what="REFUSED WITHOUT A MESSAGE"
-       grep -a -q 'step 1 ' "$here/out.log" && what="REFUSED AFTER THE FIRST STEP" ;;
+    0)
+      residual=$(grep -a -o 'residual [^ ]* J ([^)]*)' "$here/out.log" | tail -n 1 | sed 's/.*(\(.*\))/\1/')
+      particles=$(field particles) step=$(field step)
+      [ -n "$residual" ] || what="NO RESIDUAL"
+      grep -q ': *null\|[nN]a[nN]\|[^a-z]inf[^a-z]' "$here/out/summary.json" && what="NOT FINITE"
+      [ "$errors" = 0 ] || what="ERROR BUT EXIT 0"
+      ;;
+    4)
+      what=$(grep -a -o 'blew up.*' "$here/out.log" | head -n 1)
+      particles=$(field particles) step=$(field step)
+      grep -a -q "error: .*blew up at step [0-9]*, t .* s, dt .* s: .*\(particle [0-9]* of \
+\(body\|emitter\) '.* has a velocity of .* and a force of\|no single particle is responsible\)" \
+        "$here/out.log" || what="EXIT 4 WITHOUT ITS MESSAGE"
+      grep -a -q 'the checkpoint holds step\|the last checkpoint is older' "$here/out.log" ||
+        what="EXIT 4, NOTHING ABOUT A CHECKPOINT"
+      "$thaw" info "$here/out" --json >"$here/info.log" 2>&1 || what="EXIT 4 WITHOUT A CHECKPOINT"
+      [ "$errors" = 1 ] || what="$errors MESSAGES, NOT 1"
+      [ "$(field status)" = failed ] || what="BLEW UP, SUMMARY SAYS '$(field status)'"
+      ;;
+    2)
+      what=$(grep -a 'error: ' "$here/out.log" | head -n 1 | sed 's/.*error: /refused: /')
+      [ "$errors" -ge 1 ] || what="REFUSED WITHOUT A MESSAGE"
+      grep -a -q 'step 1 ' "$here/out.log" && what="REFUSED AFTER THE FIRST STEP"
+      ;;
     124 | 137) what="HANGS" ;;
     *) what="EXIT CODE $code: $(grep -a -m1 'error\|signal\|rror' "$here/out.log")" ;;
   esac
-  grep -a -q 'terminate called\|Segmentation\|Signal:\|MPI_ABORT\|Assertion' "$here/out.log" && what="CRASHED: $what"
+  grep -a -q 'terminate called\|Segmentation\|Signal:\|MPI_ABORT\|Assertion' "$here/out.log" &&
+    what="CRASHED: $what"
   if [ $((seed % every)) = 0 ] && [ "$code" = 0 ]; then
     rm -rf "$here/out"
     run 1 one
@@ -77,6 +97,9 @@ while read -r seed _ _ _ _ _ what; do
   case $what in ok | blew\ up*) ;; *) fail "seed $seed: $what" ;; esac
 done <"$folder/report.txt"
 awk '{ n[$4]++ } $4 == 0 { r = $5 < 0 ? -$5 : $5; if (r > 0.05) large++; else if (r > 0.01) middle++ }
-     END { printf "%d done (%d with more than 5 %% of the energy unexplained, %d with 1 to 5 %%), %d blew up, %d refused\n", n[0], large, middle, n[4], n[2] }' "$folder/report.txt"
+  END {
+    printf "%d done (%d with more than 5 %% of the energy unexplained, ", n[0], large
+    printf "%d with 1 to 5 %%), %d blew up, %d refused\n", middle, n[4], n[2]
+  }' "$folder/report.txt"
 grep -v ' 0 [^ ]* [0-9]* ok$' "$folder/report.txt"
 finish

@@ -10,13 +10,20 @@ steps=100000
 same() {  # same NAME RANKS...: the scene $work/NAME.toml on 1 rank and on these gives the same bits
   local name=$1
   shift
-  launch 1 run "$work/$name.toml" --steps "$steps" --out "$work/$name-1" >"$work/log" 2>&1; expectExit 0 "$name on 1 rank"
+  launch 1 run "$work/$name.toml" --steps "$steps" --out "$work/$name-1" >"$work/log" 2>&1
+  expectExit 0 "$name on 1 rank"
   local ranks equal=0
   for ranks in "$@"; do
-    launch "$ranks" run "$work/$name.toml" --steps "$steps" --out "$work/$name-$ranks" >"$work/log" 2>&1; expectExit 0 "$name on $ranks ranks"
-    "$thaw" compare "$work/$name-1" "$work/$name-$ranks" >"$work/log" 2>&1 && equal=$((equal + 1)) || { fail "$name: 1 and $ranks ranks differ"; head -n 5 "$work/log"; }
+    launch "$ranks" run "$work/$name.toml" --steps "$steps" --out "$work/$name-$ranks" >"$work/log" 2>&1
+    expectExit 0 "$name on $ranks ranks"
+    "$thaw" compare "$work/$name-1" "$work/$name-$ranks" >"$work/log" 2>&1 && equal=$((equal + 1)) || {
+      fail "$name: 1 and $ranks ranks differ"
+      head -n 5 "$work/log"
+    }
   done
-  echo "measured: $name: $(value "$work/$name-1/summary.json" particles) particles, the same bits on 1 and on $equal of $# other numbers of ranks; broken bonds $(value "$work/$name-1/summary.json" broken_bonds)"
+  echo "measured: $name: $(value "$work/$name-1/summary.json" particles) particles, \
+the same bits on 1 and on $equal of $# other numbers of ranks; \
+broken bonds $(value "$work/$name-1/summary.json" broken_bonds)"
 }
 
 head='spacing = "1 cm"
@@ -46,20 +53,29 @@ name = "floor"
 plane = { point = [0, 0, 0], normal = [0, 0, 1] }
 temperature = 400
 '
-one() { printf '%s[[body]]\nbox = { size = [0.01, 0.01, 0.01] }\nmaterial = "%s"\nplace = { move = [0.1, 0.1, 0.02] }\n' "$head" "$1"; }
+one() {
+  printf '%s[[body]]\nbox = { size = [0.01, 0.01, 0.01] }\nmaterial = "%s"\n'\
+'place = { move = [0.1, 0.1, 0.02] }\n' "$head" "$1"
+}
 one water >"$work/B29_one_liquid.toml"
 one wax >"$work/B29_one_solid.toml"
 # no particles at first, then a few
-printf '%s[[emitter]]\nmaterial = "water"\ncentre = [0.2, 0.2, 0.2]\ndisc = { radius = 0.02 }\nspeed = 2\nstart = 0.02\n' "$head" >"$work/B29_none_at_first.toml"
+printf '%s[[emitter]]\nmaterial = "water"\ncentre = [0.2, 0.2, 0.2]\ndisc = { radius = 0.02 }\nspeed = 2\n'\
+'start = 0.02\n' "$head" >"$work/B29_none_at_first.toml"
 # all particles in one corner, within one or two cells
-printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "wax"\nplace = { move = [0.4, 0.4, 0.02] }\n' "$head" >"$work/B29_all_in_a_corner.toml"
+printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "wax"\n'\
+'place = { move = [0.4, 0.4, 0.02] }\n' "$head" >"$work/B29_all_in_a_corner.toml"
 # all particles leave
-printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "water"\nvelocity = [-20, 0, 0]\nplace = { move = [-0.45, 0, 0.1] }\n' "$head" >"$work/B29_all_leave.toml"
+printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "water"\nvelocity = [-20, 0, 0]\n'\
+'place = { move = [-0.45, 0, 0.1] }\n' "$head" >"$work/B29_all_leave.toml"
 for scene in B29_one_liquid B29_one_solid B29_none_at_first B29_all_in_a_corner; do same $scene 2 4; done
 same B29_all_leave 4
 # one piece over all ranks; the bar is hit hard enough to break
-printf '%s[[body]]\ntorus = { radius = 0.2, tube = 0.02 }\nmaterial = "wax"\nplace = { move = [0, 0, 0.03] }\nspin = [0, 0, 5]\n' "$head" >"$work/B30_ring.toml"
-printf '%s[[body]]\nbox = { size = [0.8, 0.03, 0.03] }\nmaterial = "glass"\nplace = { move = [0, 0, 0.06] }\nvelocity = [0, 0, -1]\n[[obstacle]]\nname = "edge"\nbox = { size = [0.02, 0.2, 0.04] }\nplace = { move = [0, 0, 0.02] }\n' "$head" >"$work/B30_bar.toml"
+printf '%s[[body]]\ntorus = { radius = 0.2, tube = 0.02 }\nmaterial = "wax"\n'\
+'place = { move = [0, 0, 0.03] }\nspin = [0, 0, 5]\n' "$head" >"$work/B30_ring.toml"
+printf '%s[[body]]\nbox = { size = [0.8, 0.03, 0.03] }\nmaterial = "glass"\n'\
+'place = { move = [0, 0, 0.06] }\nvelocity = [0, 0, -1]\n[[obstacle]]\nname = "edge"\n'\
+'box = { size = [0.02, 0.2, 0.04] }\nplace = { move = [0, 0, 0.02] }\n' "$head" >"$work/B30_bar.toml"
 same B30_ring 2 7
 same B30_bar 2 7
 # An impact presses pieces into the floor. Some particles are projected back onto it at the border of two
@@ -130,9 +146,15 @@ friction = 0.875
 SCENE
 steps=300
 same B30_pieces 3 4
-[ "$(value "$work/B30_pieces-1/summary.json" wall_projections)" -gt 0 ] || fail "no particle was projected back onto the floor"
-launch 3 run "$work/B30_pieces.toml" --steps 281 --out "$work/parts" >"$work/log" 2>&1; expectExit 0 "first part"
-launch 2 run "$work/B30_pieces.toml" --steps 300 --restart --out "$work/parts" >"$work/log" 2>&1; expectExit 0 "second part"
-"$thaw" compare "$work/B30_pieces-1" "$work/parts" >"$work/log" 2>&1 || { fail "B30_pieces: a restart differs"; head -n 5 "$work/log"; }
+[ "$(value "$work/B30_pieces-1/summary.json" wall_projections)" -gt 0 ] ||
+  fail "no particle was projected back onto the floor"
+launch 3 run "$work/B30_pieces.toml" --steps 281 --out "$work/parts" >"$work/log" 2>&1
+expectExit 0 "first part"
+launch 2 run "$work/B30_pieces.toml" --steps 300 --restart --out "$work/parts" >"$work/log" 2>&1
+expectExit 0 "second part"
+"$thaw" compare "$work/B30_pieces-1" "$work/parts" >"$work/log" 2>&1 || {
+  fail "B30_pieces: a restart differs"
+  head -n 5 "$work/log"
+}
 [ "$(value "$work/B30_bar-1/summary.json" broken_bonds)" -gt 0 ] || fail "the bar did not break"
 finish

@@ -48,7 +48,8 @@ call() {
   shift 2
   local out=()
   [ "$command" = run ] && out=(--out "$place/out")
-  timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n 3 "$thaw" "$command" "$scene" "${out[@]}" "$@" >"$place/log" 2>&1
+  timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe \
+    --bind-to none -n 3 "$thaw" "$command" "$scene" "${out[@]}" "$@" >"$place/log" 2>&1
   code=$?
 }
 
@@ -64,7 +65,9 @@ isRejected() {
   if [ "$code" = 124 ] || [ "$code" = 137 ]; then fail "$name: hangs (no end after $limit s)"
   elif [ "$code" != "$wanted" ]; then fail "$name: exit code $code instead of $wanted"; head -n 5 "$place/log"
   elif [ "$times" != 1 ]; then fail "$name: '$pattern' in $times lines instead of 1"; head -n 8 "$place/log"
-  elif grep -a -q -E 'terminate called|Segmentation|Signal:|MPI_ABORT' "$place/log"; then fail "$name: crashed"; head -n 8 "$place/log"
+  elif grep -a -q -E 'terminate called|Segmentation|Signal:|MPI_ABORT' "$place/log"; then
+    fail "$name: crashed"
+    head -n 8 "$place/log"
   fi
 }
 

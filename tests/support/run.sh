@@ -26,7 +26,8 @@ launchInBackground() {  # as launch, in the background; $launched is the process
 ranksOf() {  # ranksOf FOLDER: processes of thaw with this --out
   local p
   for p in /proc/[0-9]*; do
-    [ "$(readlink "$p/exe" 2>/dev/null)" = "$(realpath "$thaw")" ] && tr '\0' '\n' <"$p/cmdline" 2>/dev/null | grep -qxF -e "$1" && echo "${p#/proc/}"
+    [ "$(readlink "$p/exe" 2>/dev/null)" = "$(realpath "$thaw")" ] &&
+      tr '\0' '\n' <"$p/cmdline" 2>/dev/null | grep -qxF -e "$1" && echo "${p#/proc/}"
   done
 }
 killAll() {  # killAll SIGNAL FOLDER: signals the ranks and mpirun
@@ -50,8 +51,10 @@ testedScenes() {  # prints the names of scenes with such a line; fails if there 
 value() {  # value FILE|- KEY: first number or word of that key in JSON
   cat "$1" | sed -n 's/.*"'"$2"'": *"\{0,1\}\([^",]*\)"\{0,1\}.*/\1/p' | head -n 1
 }
-frameSums() { (cd "$1/frames" && sha256sum "$2"_*.hdf | LC_ALL=C sort); }  # checksums of a run's frames, with those of the surface
-frameIsLost() { LC_ALL=C comm -23 <(echo "$1") <(echo "$2") | grep -q .; }  # frameIsLost BEFORE AFTER: true if a checksum of BEFORE is missing in AFTER
+# checksums of a run's frames, with those of the surface
+frameSums() { (cd "$1/frames" && sha256sum "$2"_*.hdf | LC_ALL=C sort); }
+# frameIsLost BEFORE AFTER: true if a checksum of BEFORE is missing in AFTER
+frameIsLost() { LC_ALL=C comm -23 <(echo "$1") <(echo "$2") | grep -q .; }
 expectExit() {  # expectExit CODE WHAT: for the last command, whose output is in $work/log
   local code=$?
   [ "$code" -eq "$1" ] || { fail "$2: exit $code, not $1"; tail -n 5 "$work/log"; }
@@ -62,7 +65,11 @@ expectMessage() { grep -q -e "$1" "$work/log" || { fail "$2: no message '$1'"; t
 sameRuns() {
   local a=$1 b=$2 what=$3 name
   shift 3
-  "$thaw" compare --frames "$a" "$b" >"$work/log" 2>&1 || { fail "$what: checkpoints or frames differ"; head -n 20 "$work/log"; return; }
+  "$thaw" compare --frames "$a" "$b" >"$work/log" 2>&1 || {
+    fail "$what: checkpoints or frames differ"
+    head -n 20 "$work/log"
+    return
+  }
   for name in "$@"; do
     cmp -s "$a/$name" "$b/$name" || { fail "$what: $name differs"; diff "$a/$name" "$b/$name" | head -n 5; }
   done
@@ -74,8 +81,11 @@ runInParts() {
   local name=$1 cuts=$2 ranks=(3 2 4) part=0 cut
   shift 2
   for cut in $cuts; do
-    launch "${ranks[part++ % 3]}" run "$@" --steps "$cut" --resume --out "$work/$name.parts" >"$work/log" 2>&1; expectExit 0 "$name, in parts, to step $cut"
-    [ -f "$work/$name.parts/summary.json" ] && [ "$(value "$work/$name.parts/summary.json" step)" -le "$cut" ] || fail "$name: not stopped at step $cut"
+    launch "${ranks[part++ % 3]}" run "$@" --steps "$cut" --resume --out "$work/$name.parts" >"$work/log" 2>&1
+    expectExit 0 "$name, in parts, to step $cut"
+    [ -f "$work/$name.parts/summary.json" ] &&
+      [ "$(value "$work/$name.parts/summary.json" step)" -le "$cut" ] ||
+      fail "$name: not stopped at step $cut"
   done
 }
 # cutAndKilled NAME STEPS SCENE OPTIONS...: runs into $work/NAME.parts on 3 ranks to a third of the steps, on
@@ -83,15 +93,22 @@ runInParts() {
 cutAndKilled() {
   local name=$1 steps=$2 scene=$3 third=$(($2 / 3)) parts=$work/$1.parts at
   shift 3
-  launch 3 run "$scene" "$@" --steps "$third" --out "$parts" >"$work/log" 2>&1; expectExit 0 "$name, first part"
-  launchInBackground 2 run "$scene" "$@" --set output.checkpoint=0.05 --steps $((steps - 1)) --resume --out "$parts" >"$work/log" 2>&1
+  launch 3 run "$scene" "$@" --steps "$third" --out "$parts" >"$work/log" 2>&1
+  expectExit 0 "$name, first part"
+  launchInBackground 2 run "$scene" "$@" --set output.checkpoint=0.05 --steps $((steps - 1)) --resume \
+    --out "$parts" >"$work/log" 2>&1
   for _ in $(seq 200); do grep -q '^t ' "$work/log" && break; sleep 0.02; done
   sleep "0.0$((RANDOM % 10))"
   killAll -9 "$parts"
   at=$("$thaw" info "$parts" --json 2>"$work/log" | value - step)
-  [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$name: no checkpoint after the kill (step '$at')"; cat "$work/log"; return 1; }
+  [ -n "$at" ] && [ "$at" -ge "$third" ] || {
+    fail "$name: no checkpoint after the kill (step '$at')"
+    cat "$work/log"
+    return 1
+  }
   echo "$name: killed at step $at of $steps"
-  launch 4 run "$scene" "$@" --steps "$steps" --resume --out "$parts" >"$work/log" 2>&1; expectExit 0 "$name, last part"
+  launch 4 run "$scene" "$@" --steps "$steps" --resume --out "$parts" >"$work/log" 2>&1
+  expectExit 0 "$name, last part"
 }
 # sameOnAllRanks NAME STEPS CUTS SCENE OPTIONS...: a whole run on 7 ranks, and one in parts on 3, 2 and 4,
 # equal the whole one on 1 (`same`). CUTS: the steps at which it stops; - for a third and two thirds; killed
@@ -100,7 +117,9 @@ cutAndKilled() {
 sameOnAllRanks() {
   local name=$1 steps=$2 cuts=$3 file=$4 ranks one
   shift 4
-  whole() { launch "$1" run "$file" "${@:2}" --steps "$steps" --out "$work/$name.$1" >"$work/$name.log.$1" 2>&1; }
+  whole() {
+    launch "$1" run "$file" "${@:2}" --steps "$steps" --out "$work/$name.$1" >"$work/$name.log.$1" 2>&1
+  }
   checked() { [ "$2" -eq 0 ] || { fail "$name on $1 ranks: exit $2"; tail -n 5 "$work/$name.log.$1"; }; }
   whole 1 "$@" & one=$!  # runs while the parts run
   case $cuts in
@@ -114,6 +133,7 @@ sameOnAllRanks() {
     same "$work/$name.1" "$work/$name.$ranks" "$name on 1 and $ranks ranks"
   done
   same "$work/$name.1" "$work/$name.parts" "$name, whole and in parts"
-  echo "$name: $(value "$work/$name.1/summary.json" particles | grep . || echo no) particles, $(value "$work/$name.1/summary.json" step) steps"
+  echo "$name: $(value "$work/$name.1/summary.json" particles | grep . || echo no) particles, \
+$(value "$work/$name.1/summary.json" step) steps"
 }
 finish() { [ "$failures" -eq 0 ] && echo "all passed" || { echo "$failures failures"; exit 1; }; }

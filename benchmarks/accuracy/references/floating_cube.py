@@ -24,8 +24,11 @@ from scipy.sparse.linalg import splu
 
 
 class Tank:
-    """A quarter of a tank with n cells per edge of the cube. The cube's bottom is `draught` below the surface of the liquid,
-    or below the cube's top at the height `submerged`."""
+    """A quarter of a tank with n cells per edge of the cube.
+
+    The cube's bottom is `draught` below the surface of the liquid, or below the cube's top at the height
+    `submerged`.
+    """
 
     def __init__(self, n, width, depth, draught, submerged=None):
         half, high = round(width / 2 * n), round(depth * n)
@@ -34,7 +37,7 @@ class Tank:
         bottom = top - round(draught * n)
         edge = n // 2
         solid[:edge, :edge, bottom:top] = True
-        self.h, self.area = 1 / n, 1 / n ** 2
+        self.h, self.area = 1 / n, 1 / n**2
         self.number = -np.ones(solid.shape, int)
         self.number[~solid] = np.arange((~solid).sum())
         self.surface = self.number[:, :, -1][~solid[:, :, -1]]
@@ -43,7 +46,10 @@ class Tank:
         self.solve = splu(self.laplacian().tocsc()).solve
 
     def laplacian(self):
-        """Negative fluxes into each cell, over h; the free surface is half a cell above the topmost centres."""
+        """Negative fluxes into each cell, over h.
+
+        The free surface is half a cell above the topmost centres.
+        """
         count, rows, columns, values = self.number.max() + 1, [], [], []
         diagonal = np.zeros(count)
         for axis in range(3):
@@ -60,10 +66,15 @@ class Tank:
         rows.append(np.arange(count))
         columns.append(np.arange(count))
         values.append(diagonal)
-        return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), (count, count))
+        return coo_matrix(
+            (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), (count, count)
+        )
 
     def unitHeave(self):
-        """Added mass (whole tank) and velocity b of the surface, p = 0 there, for a cube that moves up at 1."""
+        """Added mass (whole tank) and velocity b of the surface for a cube that moves up at 1.
+
+        The pressure is zero at the surface.
+        """
         source = np.zeros(self.number.max() + 1)
         source[self.below] = self.h  # dp/dn = 1: the liquid below moves with the cube
         source[self.above] = -self.h
@@ -90,15 +101,17 @@ def heave(tank, density, times):
     mass, b = tank.unitHeave()
     n = b.size
     rates = np.zeros((2 * n + 2, 2 * n + 2))  # rates of e, p, x, w
-    rates[:n, n:2 * n] = tank.surfaceResponse()
+    rates[:n, n : 2 * n] = tank.surfaceResponse()
     rates[:n, 2 * n + 1] = b
-    rates[n:2 * n, :n] = -np.eye(n)
+    rates[n : 2 * n, :n] = -np.eye(n)
     rates[2 * n, 2 * n + 1] = 1
     rates[2 * n + 1, 2 * n] = -1 / (density + mass)
     rates[2 * n + 1, :n] = -4 * tank.area * b / (density + mass)
     state = np.zeros(2 * n + 2)
     state[2 * n] = 1
-    state[:n] = -1 / (4 * tank.area * n)  # the volume that the raised cube does not displace lowers the surface
+    state[:n] = -1 / (
+        4 * tank.area * n
+    )  # the volume that the raised cube does not displace lowers the surface
     step = expm(rates * (times[1] - times[0]))
     x = []
     for _ in times:
@@ -127,7 +140,10 @@ def main():
     for what, width, depth, top, cells in submerged:
         mass = [Tank(n, width, depth, 1, top).unitHeave()[0] for n in cells]
         report(f"submerged, {what}", mass, cells)
-    print("# Written by floating_cube.py. t / sqrt(L/g), displacement over that at the start for densities of 0.5 and 0.9")
+    print(
+        "# Written by floating_cube.py. t / sqrt(L/g), "
+        "displacement over that at the start for densities of 0.5 and 0.9"
+    )
     print("time,0.5,0.9")
     for k, t in enumerate(times):
         print(f"{t:.1f},{columns[0.5][k]:.5f},{columns[0.9][k]:.5f}")
