@@ -7,10 +7,10 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/emit.hpp"
+#include "core/fluid/density/carry_work.hpp"
 #include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
-#include "core/fluid/density/carry_work.hpp"
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/fluid/pair_sums/records.hpp"
