@@ -19,6 +19,7 @@
 #include <cstring>
 #include <ctime>
 #include <functional>
+#include <numbers>
 
 #include "benchmarks/surface/row.hpp"
 #include "benchmarks/surface/whole_updates.hpp"
@@ -66,7 +67,7 @@ void neighbours(const RelaxRig& rig, double& particles, double& surfels) {
 /// particle support gives 130.
 Row iterations(const std::string& name, double surfels, int repeat,
                const std::function<void(Scene&, double spacing)>& change) {
-  const double R = 9.85, spacing = std::sqrt(4 * 3.14159265358979323846 * R * R / (0.866 * surfels));
+  const double R = 9.85, spacing = std::sqrt(4 * std::numbers::pi * R * R / (0.866 * surfels));
   Row best;
   for (int k = 0; k < repeat; k++) {
     RelaxRig rig(spacing, R + 6, [&](Scene& s) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/fluid/laws/cohesion.hpp"
 #include "core/fluid/laws/surface_kernel.hpp"
@@ -15,7 +16,7 @@
 namespace thaw::accuracy {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 double massOf(const World& w, std::size_t i) { return w.particles.mass[i]; }
 

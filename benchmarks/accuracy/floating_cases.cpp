@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <stdexcept>
 
 #include "benchmarks/accuracy/trial.hpp"
@@ -11,7 +12,7 @@
 namespace thaw::accuracy {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 double gravityOf(const Trial& r) { return -r.world.scene.domain.gravity.z; }
 double waterDensity(const Trial& r) {

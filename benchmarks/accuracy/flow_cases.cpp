@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "benchmarks/accuracy/trial.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
@@ -158,7 +159,7 @@ std::vector<Figure> measureMartinMoyce(Trial& r) {
 
 // ---- vortices ---------------------------------------------------------------------------------------------
 
-constexpr double twoPi = 2 * 3.14159265358979323846;
+constexpr double twoPi = 2 * std::numbers::pi;
 
 /// U exp(-8 pi^2 nu t / L^2), L = U = 1.
 Vec3d vortices(const World& w, const Vec3d& x) {

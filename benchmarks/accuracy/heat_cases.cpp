@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Heat conduction and melting against exact solutions (docs/validation/accuracy.md).
 #include <cmath>
+#include <numbers>
 
 #include "benchmarks/accuracy/trial.hpp"
 
 namespace thaw::accuracy {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 const Material& materialOf(const Scene& s, std::size_t body) {
   return s.materials[static_cast<std::size_t>(s.bodies[body].material)];

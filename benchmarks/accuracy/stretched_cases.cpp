@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "benchmarks/accuracy/gathered.hpp"
 
 namespace thaw::accuracy {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double link = 1.75;  // spacings; longer than the lattice's diagonal links, shorter than a gap of
                                // two
 

@@ -3,13 +3,14 @@
 // drop_cases.cpp has drops with tension.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "benchmarks/accuracy/drop_cases.hpp"
 
 namespace thaw::accuracy {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Flow between walls at z = 0 and H, driven along x by gravity.
 struct Channel {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -162,7 +163,7 @@ void compare(const char* what, System& s, const State& start, const State& refer
 void oscillator(const Out& out) {
   System s{{1, 0.4, 40}, [](const Values&, Values& f) { f[0] = 7; }};
   const State start{{0.3}, {-1}};
-  const double end = 10 * 2 * 3.14159265358979323846 / std::sqrt(40 - 0.04);
+  const double end = 10 * 2 * std::numbers::pi / std::sqrt(40 - 0.04);
   // closed-form solution
   const double a = 0.2, w = std::sqrt(40 - a * a), q0 = 7.0 / 40, z = start.q[0] - q0,
                b = (start.v[0] + a * z) / w;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "core/halo/serial.hpp"
@@ -34,7 +35,7 @@ void deform(World& w, bool molten, double bottom, double height, double step) {
       const double share = smoothStep((0.7 - z) / 0.1), reach = 0.5 * height;
       x += (step * share / reach) * Vec3d{0.5 * x.x, 0.5 * x.y, -(x.z - bottom)};
     } else {
-      const double angle = 2 * 3.14159265358979323846 / 50;
+      const double angle = 2 * std::numbers::pi / 50;
       x = {std::cos(angle) * x.x - std::sin(angle) * x.y, std::sin(angle) * x.x + std::cos(angle) * x.y,
            x.z - 0.1 * step};
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "core/domain/outside.hpp"
 #include "core/fluid/laws/cohesion.hpp"
@@ -259,7 +260,7 @@ std::string misplacedOpening(const Scene& s, const Walls& walls, const Emitter& 
 }
 
 std::string unevenOutflow(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
-  const double area = e.disc ? 3.14159265358979323846 * e.radius * e.radius : e.width * e.depth;
+  const double area = e.disc ? std::numbers::pi * e.radius * e.radius : e.width * e.depth;
   const double is = outflowOf(plan),
                meant = s.materials[static_cast<std::size_t>(e.material)].density * area * e.speed;
   if (e.rate > 0 || std::abs(is / meant - 1) < 0.25) return {};

@@ -7,6 +7,7 @@
 // Code for one instruction set includes this only through the namespace of lanes.hpp.
 #pragma once
 #include <cmath>
+#include <numbers>
 
 #include "core/simd/lanes.hpp"
 
@@ -18,7 +19,7 @@ THAW_INLINE double max(double a, double b) { return a > b ? a : b; }
 THAW_INLINE double select(bool m, double a, double b) { return m ? a : b; }
 THAW_INLINE double fma(double a, double b, double c) { return __builtin_fma(a, b, c); }
 
-inline constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Overloads that take the square alone.
 template<class Kernel> struct OfSquare {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Weight of the viscosity along r, and its only evaluation.
 #pragma once
+#include <numbers>
+
 #include "core/kernels/kernels.hpp"
 
 namespace thaw {
@@ -10,7 +12,7 @@ namespace thaw {
 /// it is 225 / pi. Monaghan 2005 eq. 8.9 has 10 |slope| instead: at h = 2 dx a lattice then resists shear
 /// along its axes with 0.59 of the viscosity, along its diagonals with 1.57.
 struct ViscousWeight {
-  double scale = 225 / 3.14159265358979323846;
+  double scale = 225 / std::numbers::pi;
 };
 
 namespace THAW_ISA {

@@ -2,6 +2,7 @@
 // Search for particles near walls: first cells, then the particles of these cells.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "core/walls/faces.hpp"
@@ -82,7 +83,7 @@ bool listContacts(const WallView& w, std::size_t i, WallContacts& contacts, bool
 /// for two planes through the particle at any angle, 0 for opposite ones. g = 1 - 2 angle / pi is 1 for equal
 /// directions, where the overlap is min(a, b).
 double alignment(const Vec3d& n, const Vec3d& m) {
-  return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / 3.14159265358979323846);
+  return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / std::numbers::pi);
 }
 
 /// d overlap(a, b) / da, smoothed at the kink of min(a, b).

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -22,7 +23,7 @@ namespace {
 constexpr double manyToSample = 5e4;     // particles on a surface: sampling takes some 20 s
 constexpr double leastSolidBytes = 600;  // lower bound for a solid particle's record with its bonds
 // The snapshot for retries has lower bounds of its own (core/simulation/monitor/snapshot.hpp).
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double leastKeptBytes = 75, leastKeptSolidBytes = 400;
 
 /// Returns a lower bound for the bytes of a surfel: columns, and neighbour lists of 4 bytes per entry.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/simulation.hpp"
 
@@ -26,7 +27,7 @@ Scene fullBox(double spacing) {
 }
 
 void stir(Simulation& r) {
-  const double k = 2 * 3.14159265358979323846 / 0.8;
+  const double k = 2 * std::numbers::pi / 0.8;
   for (std::size_t i = 0; i < r.particles().owned; i++) {
     const Vec3d x = r.particles().position[i];
     r.particles().velocity[i] = {std::sin(k * x.y), std::sin(k * x.z), 0.5 * std::sin(k * x.x)};
@@ -99,7 +100,7 @@ Scene vortices(double end) {
 }
 
 void stirVortices(Simulation& r) {
-  const double k = 2 * 3.14159265358979323846;
+  const double k = 2 * std::numbers::pi;
   for (std::size_t i = 0; i < r.particles().owned; i++) {
     const Vec3d x = r.particles().position[i];
     r.particles().velocity[i] = {-std::cos(k * x.x) * std::sin(k * x.y),
@@ -113,7 +114,7 @@ TEST(CarriedDensity, VorticesDecayAtTheExactRate) {
   stirVortices(r);
   const double start = r.ledgerReport().now.kinetic;
   ASSERT_TRUE(r.run());
-  const double exact = start * std::exp(-16 * 3.14159265358979323846 * 3.14159265358979323846 * 0.01);
+  const double exact = start * std::exp(-16 * std::numbers::pi * std::numbers::pi * 0.01);
   EXPECT_NEAR(r.ledgerReport().now.kinetic / exact, 1, 0.02);  // 0.90 on a lattice
   // A density rate from end positions and middle velocities would give dt/2 int |grad p|^2 / rho: 0.017 of
   // the energy.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <numbers>
 
 #include "tests/support/solid_body.hpp"
 
@@ -78,7 +79,7 @@ TEST(ElasticBody, SpeedOfPressureWavesIsExact) {
   BodyOptions options;
   options.period = {0.1 * n, 0.4, 0.4};
   Moving b{makeBody(points, {elasticMaterial(1e6, 0.3)}, options), {}};
-  const double k = 2 * 3.14159265358979323846 / (0.1 * n), speed = std::sqrt(1e6 * 0.7 / (1000 * 1.3 * 0.4));
+  const double k = 2 * std::numbers::pi / (0.1 * n), speed = std::sqrt(1e6 * 0.7 / (1000 * 1.3 * 0.4));
   for (std::size_t s = 0; s < points.size(); s++)
     b.body->solids.position[s].x += 1e-4 * std::cos(k * points[s].x);
   b.velocity.resize(points.size());

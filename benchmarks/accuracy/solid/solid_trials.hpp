@@ -2,6 +2,7 @@
 // Declarations and helpers shared by the cases of solids.
 #pragma once
 #include <cmath>
+#include <numbers>
 
 #include "benchmarks/accuracy/trial.hpp"
 #include "core/materials/elastic_constants.hpp"
@@ -16,7 +17,7 @@ std::vector<Case> beamCases();         ///< cantilevers
 std::vector<Case> plasticCases();      ///< yield and creep
 std::vector<Case> plasticFlowCases();  ///< large plastic flow
 
-inline constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// The only material of these scenes.
 inline const Material& materialOf(const World& w) { return w.scene.materials[0]; }

@@ -2,13 +2,14 @@
 // Surfaces at rest against exact shapes: ball, cube, flat sheet.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "benchmarks/accuracy/surface/surface_trials.hpp"
 
 namespace thaw::accuracy {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Targets are set at R/dx = 16. Coarser runs have none.
 double bar(const Trial& r, double value) { return r.spacing() < 0.063 ? value : never; }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace thaw::accuracy {
 
@@ -79,7 +80,7 @@ std::vector<Vec3d> ballPoints(std::size_t n) {
 }
 
 double degreesBetween(const Vec3d& a, const Vec3d& b) {
-  return 180 / 3.14159265358979323846 * std::atan2(length(cross(a, b)), dot(a, b));
+  return 180 / std::numbers::pi * std::atan2(length(cross(a, b)), dot(a, b));
 }
 
 double surfaceVolume(const World& w) {

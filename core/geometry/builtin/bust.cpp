@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/builtin/blended_shapes.hpp"
 #include "core/geometry/builtin/polygonise.hpp"
 
 namespace thaw {
@@ -12,29 +13,7 @@ namespace {
 // Parts of the sculpture. Lengths are in m, close to those of the final height of 1 m. Values approximate
 // distances, negative inside.
 
-/// Union with a seam rounded over a width k. It is quadratic, to avoid transcendental functions.
-double blend(double a, double b, double k) {
-  const double h = std::max(k - std::abs(a - b), 0.0) / k;
-  return std::min(a, b) - 0.25 * k * h * h;
-}
-/// a without b, with the edge rounded over k.
-double carve(double a, double b, double k) { return -blend(-a, b, k); }
-
 double ball(const Vec3d& x, const Vec3d& centre, double radius) { return length(x - centre) - radius; }
-
-double ellipsoid(const Vec3d& x, const Vec3d& centre, const Vec3d& radii) {
-  const Vec3d d = x - centre, p{d.x / radii.x, d.y / radii.y, d.z / radii.z},
-              q{p.x / radii.x, p.y / radii.y, p.z / radii.z};
-  const double k = length(p), g = length(q);
-  return g > 0 ? k * (k - 1) / g : -std::min({radii.x, radii.y, radii.z});
-}
-
-/// Cone with round ends from a to b; the radius varies linearly.
-double limb(const Vec3d& x, const Vec3d& a, const Vec3d& b, double radiusA, double radiusB) {
-  const Vec3d e = b - a;
-  const double t = std::clamp(dot(x - a, e) / dot(e, e), 0.0, 1.0);
-  return length(x - a - e * t) - (radiusA + t * (radiusB - radiusA));
-}
 
 /// 1 at 0, falls smoothly to 0 at -1 and 1.
 double bump(double u) { return u > -1 && u < 1 ? (1 - u * u) * (1 - u * u) : 0; }

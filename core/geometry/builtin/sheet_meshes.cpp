@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "core/geometry/builtin/blended_shapes.hpp"
 
 namespace thaw {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 std::uint32_t parts(double length, double spacing) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(length / spacing)));
@@ -100,38 +103,22 @@ TriangleMesh unitSphere(std::uint32_t n) {
 
 // ---- the head ----
 // Signed distances of a sculpture's parts, blended; lengths in heights of the head, centre at the origin.
-double blend(double a, double b, double k) {
-  const double h = std::max(k - std::abs(a - b), 0.0) / k;
-  return std::min(a, b) - 0.25 * k * h * h;
-}
-double carve(double a, double b, double k) { return -blend(-a, b, k); }
-double ellipsoid(const Vec3d& x, const Vec3d& centre, const Vec3d& r) {
-  const Vec3d d = x - centre, p{d.x / r.x, d.y / r.y, d.z / r.z}, q{p.x / r.x, p.y / r.y, p.z / r.z};
-  const double k = length(p), g = length(q);
-  return g > 0 ? k * (k - 1) / g : -std::min({r.x, r.y, r.z});
-}
-double capsule(const Vec3d& x, const Vec3d& a, const Vec3d& b, double ra, double rb) {
-  const Vec3d e = b - a;
-  const double t = std::clamp(dot(x - a, e) / dot(e, e), 0.0, 1.0);
-  return length(x - a - e * t) - (ra + t * (rb - ra));
-}
-
 double headValue(const Vec3d& y) {
   const Vec3d x{std::abs(y.x), y.y, y.z};
-  double d = ellipsoid(x, {0, 0.05, 0.13}, {0.33, 0.42, 0.37});                                // skull
-  d = blend(d, ellipsoid(x, {0, -0.10, -0.10}, {0.275, 0.30, 0.36}), 0.10);                    // face
-  d = blend(d, capsule(x, {0.21, -0.03, -0.22}, {0, -0.29, -0.40}, 0.08, 0.09), 0.12);         // jaw
-  d = blend(d, ellipsoid(x, {0, -0.345, -0.415}, {0.075, 0.065, 0.065}), 0.07);                // chin
-  d = blend(d, ellipsoid(x, {0.165, -0.27, -0.09}, {0.085, 0.075, 0.075}), 0.07);              // cheekbones
-  d = carve(d, ellipsoid(x, {0.128, -0.43, 0.035}, {0.095, 0.10, 0.065}), 0.06);               // eye sockets
-  d = blend(d, ellipsoid(x, {0.125, -0.315, 0.03}, {0.062, 0.05, 0.036}), 0.015);              // eyes
-  d = blend(d, capsule(x, {0.045, -0.385, 0.105}, {0.19, -0.33, 0.125}, 0.028, 0.022), 0.05);  // brows
-  d = blend(d, capsule(x, {0, -0.385, 0.07}, {0, -0.465, -0.135}, 0.032, 0.048), 0.055);       // nose
+  double d = ellipsoid(x, {0, 0.05, 0.13}, {0.33, 0.42, 0.37});                             // skull
+  d = blend(d, ellipsoid(x, {0, -0.10, -0.10}, {0.275, 0.30, 0.36}), 0.10);                 // face
+  d = blend(d, limb(x, {0.21, -0.03, -0.22}, {0, -0.29, -0.40}, 0.08, 0.09), 0.12);         // jaw
+  d = blend(d, ellipsoid(x, {0, -0.345, -0.415}, {0.075, 0.065, 0.065}), 0.07);             // chin
+  d = blend(d, ellipsoid(x, {0.165, -0.27, -0.09}, {0.085, 0.075, 0.075}), 0.07);           // cheekbones
+  d = carve(d, ellipsoid(x, {0.128, -0.43, 0.035}, {0.095, 0.10, 0.065}), 0.06);            // eye sockets
+  d = blend(d, ellipsoid(x, {0.125, -0.315, 0.03}, {0.062, 0.05, 0.036}), 0.015);           // eyes
+  d = blend(d, limb(x, {0.045, -0.385, 0.105}, {0.19, -0.33, 0.125}, 0.028, 0.022), 0.05);  // brows
+  d = blend(d, limb(x, {0, -0.385, 0.07}, {0, -0.465, -0.135}, 0.032, 0.048), 0.055);       // nose
   d = blend(d, ellipsoid(x, {0.048, -0.425, -0.15}, {0.038, 0.045, 0.03}), 0.03);
-  d = blend(d, capsule(x, {0, -0.405, -0.245}, {0.085, -0.365, -0.26}, 0.026, 0.014), 0.02);  // lips
-  d = blend(d, capsule(x, {0, -0.40, -0.295}, {0.07, -0.365, -0.285}, 0.028, 0.016), 0.02);
-  d = blend(d, ellipsoid(x, {0.335, 0.03, -0.005}, {0.035, 0.075, 0.115}), 0.03);   // ears
-  d = blend(d, capsule(x, {0, 0.10, -0.25}, {0, 0.13, -0.42}, 0.19, 0.185), 0.10);  // neck, closed below
+  d = blend(d, limb(x, {0, -0.405, -0.245}, {0.085, -0.365, -0.26}, 0.026, 0.014), 0.02);  // lips
+  d = blend(d, limb(x, {0, -0.40, -0.295}, {0.07, -0.365, -0.285}, 0.028, 0.016), 0.02);
+  d = blend(d, ellipsoid(x, {0.335, 0.03, -0.005}, {0.035, 0.075, 0.115}), 0.03);  // ears
+  d = blend(d, limb(x, {0, 0.10, -0.25}, {0, 0.13, -0.42}, 0.19, 0.185), 0.10);    // neck, closed below
   return d;
 }
 

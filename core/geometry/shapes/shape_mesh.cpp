@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "core/geometry/shapes/combined.hpp"
@@ -11,7 +12,7 @@
 namespace thaw {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 using Outline = std::vector<RevolvedDistance::Point>;
 
 /// Region in which planes are shown.

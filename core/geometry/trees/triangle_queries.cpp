@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 
 #include "core/geometry/trees/triangle_bvh.hpp"
@@ -8,7 +9,7 @@
 namespace thaw {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr std::size_t deepest = 128;  // levels below fairDepth halve by count: 40 + 32 are enough
 
 Vec3d closestOfSegment(const Vec3d& a, const Vec3d& b, const Vec3d& x) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernel fraction that a solid fills at a position.
 #pragma once
+#include <numbers>
 
 namespace thaw {
 
@@ -10,7 +11,7 @@ namespace thaw {
 inline double solidFraction(double r, double s) {
   const double q = r / s, far = 2 - q;
   if (!(q < 2)) return 0;
-  return (q < 1 ? 1 - q * q * (1.5 - 0.75 * q) : 0.25 * far * far * far) / 3.14159265358979323846;
+  return (q < 1 ? 1 - q * q * (1.5 - 0.75 * q) : 0.25 * far * far * far) / std::numbers::pi;
 }
 
 }  // namespace thaw

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/math/hash_random.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
@@ -15,7 +16,7 @@
 namespace thaw {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 // Spacings around a birth that must be free: Lennard-Jones would eject a closer particle.
 constexpr double clearance = 0.86;
 // Spacings, widest gap: wider ones have other particles between, or are borders.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -161,7 +162,7 @@ double areaFactorOf(const OrientedBody& b, double spacing) {
   std::int64_t count = 0;
   eachOfFlat(b, spacing, [&](double, double) { count++; });
   const double area = b.shape.scale * b.shape.scale *
-                      (b.source == OrientedSource::Disc ? 3.14159265358979323846 * b.radius * b.radius
+                      (b.source == OrientedSource::Disc ? std::numbers::pi * b.radius * b.radius
                                                         : b.width * b.depth);
   return count > 0 ? area / (rowHeight * spacing * spacing * static_cast<double>(count)) : 1;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/kernels/lattice.hpp"
 #include "core/materials/enthalpy.hpp"
@@ -104,7 +105,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
       const double stiff = modules.surfaceEnergy ? 0.12 : 1;
       if (m.surfaceTension > 0)
         take(Limit::Tension,
-             stiff * n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
+             stiff * n.cflTension * std::sqrt(m.density * h3 / (2 * std::numbers::pi * m.surfaceTension)));
     }
     if (modules.heat) {
       const double diffusivity = largestDiffusivity(s, m);

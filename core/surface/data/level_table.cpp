@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace thaw {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr int fine = 64, shells = 48, rings = 16;  // resolution of the quadratures
 
 /// Kernel (1 - q^2)^3, normalised over the unit ball.

@@ -2,6 +2,7 @@
 #include "core/surface/field/prepare_particles.hpp"
 
 #include <cstring>
+#include <numbers>
 #include <vector>
 
 #include "core/surface/data/place_rows.hpp"
@@ -29,8 +30,7 @@ Lattice latticeOf(double h, const LevelTable& table) {
       }
   // A lone particle has colours c = x, a = x^2 and fullness b / a = x = self / (sum - 1 + self). Around it
   // the colour is c u^3 / sum. This must equal its level at the surface of its volume.
-  const double R = std::cbrt(3 / (4 * 3.14159265358979323846)), u = 1 - R * R / (h * h),
-               wanted = u * u * u / sum;
+  const double R = std::cbrt(3 / (4 * std::numbers::pi)), u = 1 - R * R / (h * h), wanted = u * u * u / sum;
   double low = 0, high = 1 / sum;
   for (int k = 0; k < 60; k++) {
     const double x = 0.5 * (low + high);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "core/surface/measures/facets.hpp"
@@ -28,8 +29,8 @@ class Cell {
     static const auto corner = [] {
       std::array<Point2, 6> c;
       for (std::size_t k = 0; k < c.size(); k++) {
-        const double angle = 2 * 3.14159265358979324 * static_cast<double>(k) / 6,
-                     r = 1 / std::cos(3.14159265358979324 / 6);
+        const double angle = 2 * std::numbers::pi * static_cast<double>(k) / 6,
+                     r = 1 / std::cos(std::numbers::pi / 6);
         c[k] = {r * std::cos(angle), r * std::sin(angle)};
       }
       return c;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/math/tangent.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
@@ -19,7 +20,7 @@ struct Circle {
   std::array<float, directions> cosineF, sineF;
   Circle() {
     for (std::size_t k = 0; k < directions; k++) {
-      const double angle = 2 * 3.14159265358979323846 * static_cast<double>(k) / directions;
+      const double angle = 2 * std::numbers::pi * static_cast<double>(k) / directions;
       cosine[k] = std::cos(angle);
       sine[k] = std::sin(angle);
       cosineF[k] = static_cast<float>(cosine[k]), sineF[k] = static_cast<float>(sine[k]);
@@ -103,7 +104,7 @@ double widestGap(const Patch& patch, const SurfacePoint& p, double reach) {
   };
   look(patch.centre);
   for (const std::uint32_t j : patch.rows) look(j);
-  const double turn = 2 * 3.14159265358979323846;
+  const double turn = 2 * std::numbers::pi;
   if (angle.empty()) return turn;
   std::sort(angle.begin(), angle.end());
   double widest = angle.front() + turn - angle.back();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/math/hash_random.hpp"
 #include "core/math/tangent.hpp"
@@ -12,7 +13,7 @@ namespace thaw {
 
 std::vector<SurfelRow> dropSphere(std::uint64_t component, const Vec3d& centre, double volume,
                                   double spacing) {
-  constexpr double pi = 3.14159265358979323846, goldenAngle = 2.39996322972865332;
+  constexpr double pi = std::numbers::pi, goldenAngle = 2.39996322972865332;
   const double R = std::cbrt(0.75 * volume / pi), area = 4 * pi * R * R, perSurfel = std::sqrt(0.75);
   const double n = std::max(24.0, std::ceil(area / (perSurfel * spacing * spacing)));
   std::vector<SurfelRow> rows;

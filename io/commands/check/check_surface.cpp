@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <numbers>
 
 #include "core/materials/liquid_materials.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
@@ -17,7 +18,7 @@
 namespace thaw {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/tables/read_shape.hpp"
@@ -63,7 +64,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
             t.whole("wrinkles", wrinkles, 0, 1000, "furrows along x");
             t.number("wrinkle_height", b.wrinkleHeight, "m", notNegative(), "height above the ball");
             b.wrinkles = static_cast<int>(wrinkles);
-            constexpr double pi = 3.14159265358979323846;
+            using std::numbers::pi;
             if (t.describing()) return;
             if (!(b.width < 2 * pi * b.radius))
               t.fail("width", fmt::format("must be less than once around the ball, {:.4g} m, got {:g}",

@@ -6,6 +6,7 @@
 
 #include <cctype>
 #include <memory>
+#include <numbers>
 
 #include "io/scene/text/units.hpp"
 #include "io/scene/text/value_text.hpp"
@@ -81,7 +82,7 @@ Expression parseExpression(const std::string& text) {
     p.DefineVar("x", &formula->at.x);
     p.DefineVar("y", &formula->at.y);
     p.DefineVar("z", &formula->at.z);
-    p.DefineConst("pi", 3.14159265358979323846);
+    p.DefineConst("pi", std::numbers::pi);
     p.SetExpr(text);
     p.Eval();  // compiles the expression
     if (p.GetNumResults() != 1) return {{}, "it has several values, separated by commas"};

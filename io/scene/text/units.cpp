@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstdlib>
+#include <numbers>
 
 namespace thaw {
 namespace {
@@ -23,7 +24,7 @@ struct Prefix {
   Factor factor;
 };
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr Unit units[] = {{"m", {1, 1}, {1, 0, 0, 0, 0}, true},
                           {"g", {1, 1000}, {0, 1, 0, 0, 0}, true},
                           {"s", {1, 1}, {0, 0, 1, 0, 0}, true},

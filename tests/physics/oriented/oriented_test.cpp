@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/population/events.hpp"
@@ -197,7 +198,7 @@ TEST(Oriented, MassIsDensityTimesArea) {
   EXPECT_NEAR(test::Simulation(s).ledgerReport().now.mass, 3 * 0.65 * 0.65, 1e-12);
   s.oriented[0].source = OrientedSource::Disc;
   s.oriented[0].radius = 0.4;
-  EXPECT_NEAR(test::Simulation(s).ledgerReport().now.mass, 3 * 3.14159265358979 * 0.52 * 0.52, 1e-12);
+  EXPECT_NEAR(test::Simulation(s).ledgerReport().now.mass, 3 * std::numbers::pi * 0.52 * 0.52, 1e-12);
 }
 
 TEST(Oriented, CurveFollowsALiftedPoint) {  // as in scenes/oriented/curve2d.toml

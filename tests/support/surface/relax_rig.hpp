@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <numbers>
 
 #include "core/halo/serial.hpp"
 #include "core/math/hash_random.hpp"
@@ -72,7 +73,7 @@ struct RelaxRig {
   }
   /// Adds surfels on a ball in a spiral, about one per spacing^2 cos 30 degrees, displaced by up to `noise`.
   void addBallSurfels(double radius, double noise = 0, std::uint64_t component = 1) {
-    const double pi = 3.14159265358979323846, d = w.surface.spacing;
+    const double pi = std::numbers::pi, d = w.surface.spacing;
     const int n = static_cast<int>(4 * pi * radius * radius / (0.866 * d * d));
     for (int k = 0; k < n; k++) {
       const double z = 1 - (2 * k + 1.0) / n, a = k * pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "core/geometry/shapes/placed_mesh.hpp"
@@ -12,7 +13,7 @@ namespace thaw {
 namespace {
 
 constexpr double hexagon = 0.86602540378443865;  // area of a particle over the square of the spacing
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 // Lower bounds of bytes: per row (columns and lists), per point of a body during set-up, and per surface
 // sample, of which a particle has about 21.
 constexpr double orientedRow = 500, pointBytes = 49, sampleBytes = 21 * 56, vertexRow = 500, vertexPlan = 300;

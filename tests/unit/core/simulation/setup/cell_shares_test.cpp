@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "core/geometry/shapes/primitives.hpp"
@@ -45,7 +46,7 @@ TEST(CellFractions, HoldTheVolumeOfABallOnAnyNumberOfRanks) {
   const SampleLattice l = sampleLattice(ball, 0.1);
   const std::vector<std::int64_t> points = pointsOf(ball, l);
   const std::vector<std::int32_t> shares = cellFractions(ball, l, points);
-  const double volume = 4.0 / 3 * 3.14159265358979 * 0.83 * 0.83 * 0.83, cells = volume / 1e-3;
+  const double volume = 4.0 / 3 * std::numbers::pi * 0.83 * 0.83 * 0.83, cells = volume / 1e-3;
   EXPECT_NEAR(static_cast<double>(std::accumulate(shares.begin(), shares.end(), std::int64_t{0})) / wholeCell,
               cells, 0.002 * cells);
   // the share of a point is its nearest region, by a finer lattice of samples

@@ -9,7 +9,7 @@ namespace thaw {
 namespace {
 
 TEST(ExpectedArea, IsExactForBoxesAndCloseForOthers) {
-  constexpr double pi = 3.14159265358979323846;
+  using std::numbers::pi;
   const auto areaOf = [](const Shape& s) { return expectedArea({makeSignedDistance(s)}); };
   Shape box;
   box.size = {12, 10, 6};

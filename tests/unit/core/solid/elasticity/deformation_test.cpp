@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <numbers>
 
 #include "core/solid/elasticity/elastic_kernels.hpp"
 #include "core/solid/elasticity/moment.hpp"
@@ -50,7 +51,7 @@ TEST(Deformation, RigidRotationHasNoStrainNoForceNoEnergy) {
     // scale: the force of a strain of one
     const double scale = 1e6 * 0.1 * 0.1;
     for (int degrees = 0; degrees <= 360; degrees += 30) {
-      const Mat3d r = rotation({1, 2, -0.5}, degrees * 3.14159265358979323846 / 180);
+      const Mat3d r = rotation({1, 2, -0.5}, degrees * std::numbers::pi / 180);
       moveAll(*b, points, [&](const Vec3d& x) { return r * x + Vec3d{1, 2, 3}; });
       computeForces(*b);
       for (std::size_t s = 0; s < b->solids.owned; s++)

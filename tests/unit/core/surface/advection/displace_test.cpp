@@ -71,7 +71,7 @@ TEST(Displace, NormalsTurnWithPositions) {
       rig.addSurfel(Vec3d{0.5 * k, 0.1, 0} + off, {0, 0, 1});
   Surfels& s = rig.w.surface.surfels;
   SurfaceParticles& p = rig.w.surface.particles;
-  const double pi = 3.14159265358979323846;
+  using std::numbers::pi;
   std::vector<double> from(p.owned);
   for (std::size_t i = 0; i < p.owned; i++) from[p.id[i]] = p.position[i].x;
   for (int update = 0; update < 12; update++) {
@@ -110,7 +110,7 @@ TEST(Displace, AFullTurnInManyUpdatesEndsWhereItBegan) {
   for (std::size_t i = 0; i < s.owned; i++)
     begin[s.id[i] - 1000] = s.position[i], normal[s.id[i] - 1000] = s.normal[i];
   const int updates = 100;
-  const double a = 2 * 3.14159265358979323846 / updates, c = std::cos(a), n = std::sin(a);
+  const double a = 2 * std::numbers::pi / updates, c = std::cos(a), n = std::sin(a);
   for (int k = 0; k < updates; k++) {
     for (std::size_t i = 0; i < p.owned; i++) {
       const Vec3d x = p.position[i];

@@ -14,7 +14,7 @@ namespace {
 using test::SurfelRig;
 using test::surfelScene;
 
-constexpr double pi = 3.14159265358979324;
+using std::numbers::pi;
 
 SurfaceComponent measured(SurfelRig& rig) {
   Surface& s = rig.world.surface;

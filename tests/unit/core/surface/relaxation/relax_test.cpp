@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <map>
+#include <numbers>
 
 #include "core/surface/data/level_table.hpp"
 #include "core/surface/field/prepare_particles.hpp"
@@ -48,7 +49,7 @@ TEST(Relax, BallOfLatticeParticlesIsAccurate) {  // limits at R/dx = 16; the lat
   addBall(rig, 16);
   const double particles = static_cast<double>(rig.w.surface.particles.owned);
   rig.relaxSurfels(60);
-  const double same = std::cbrt(particles / (4.0 / 3 * 3.14159265358979323846));
+  const double same = std::cbrt(particles / (4.0 / 3 * std::numbers::pi));
   const test::BallErrors e = test::ballErrors(rig.w.surface.surfels, same);
   EXPECT_LT(e.hausdorff, 0.01);
   EXPECT_LT(std::abs(e.mean), 5e-4);
@@ -64,7 +65,7 @@ TEST(Relax, DropsOfFewParticlesKeepTheirVolume) {
     RelaxRig rig(0.25);
     Vec3d middle{};
     for (std::size_t k = 0; k < n; k++) rig.addParticle(all[k]), middle += all[k] / static_cast<double>(n);
-    const double R = std::cbrt(static_cast<double>(n) * 3 / (4 * 3.14159265358979323846));
+    const double R = std::cbrt(static_cast<double>(n) * 3 / (4 * std::numbers::pi));
     rig.addBallSurfels(1.3 * R);
     for (std::size_t i = 0; i < rig.w.surface.surfels.owned; i++) rig.w.surface.surfels.position[i] += middle;
     rig.place();

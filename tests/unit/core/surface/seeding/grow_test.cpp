@@ -76,7 +76,7 @@ TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
     }
     placeRows(rig.world.surface.grid, rig.ranks->particles, p, rig.world.surface.particleCells,
               rig.tools.sort);
-    const double R = std::cbrt(0.75e-3 * static_cast<double>(n) / 3.14159265358979);
+    const double R = std::cbrt(0.75e-3 * static_cast<double>(n) / std::numbers::pi);
     for (int update = 0; update < 2; update++) {  // a new surface in each update
       measureComponents(rig.world.surface, rig.ranks->halos().all);
       renewSurfels(surfaceView(rig.world), rig.ranks->halos(), rig.tools);
@@ -93,7 +93,7 @@ TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
 TEST(Grow, ASmallDropIsASphereOfItsVolume) {
   const double volume = 8e-6;
   const std::vector<SurfelRow> rows = dropSphere(7, {1, 2, 3}, volume, 0.01);
-  const double R = std::cbrt(0.75 * volume / 3.14159265358979);
+  const double R = std::cbrt(0.75 * volume / std::numbers::pi);
   EXPECT_GE(rows.size(), 24u);
   for (const SurfelRow& r : rows) {
     EXPECT_NEAR(length(r.position - Vec3d{1, 2, 3}), R, 1e-12);

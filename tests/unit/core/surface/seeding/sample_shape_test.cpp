@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/math/hash_random.hpp"
 #include "core/surface/seeding/sample_mesh.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 using namespace test;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// A scene with a spacing of 1 m and surfels half of that apart.
 Scene solidScene() {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <clocale>
+#include <numbers>
 
 #include "io/run/restart/restart_record.hpp"
 #include "io/scene/read_scene.hpp"
@@ -41,7 +42,7 @@ TEST(Expression, HasTheValuesOfItsFunctions) {
   EXPECT_EQ(valueOf("-x^2", {3, 0, 0}), -9);
   EXPECT_EQ(valueOf("z > 1 ? 2 : y", {0, 7, 0}), 7);
   EXPECT_DOUBLE_EQ(valueOf("sin(pi*x) + exp(y) * sqrt(z)", {0.25, 1, 4}),
-                   std::sin(3.14159265358979323846 * 0.25) + std::exp(1.0) * 2);
+                   std::sin(std::numbers::pi * 0.25) + std::exp(1.0) * 2);
   EXPECT_TRUE(std::isinf(valueOf("1/x", {})));
 }
 
