@@ -9,7 +9,7 @@
 namespace thaw::bench {
 
 enum class Kind { Fluid, Heat, Elastic, Mixed, Mesh, Carried };
-inline constexpr const char* bodyTypeNames[] = {"fluid", "heat", "elastic", "mixed", "mesh", "carried"};
+inline constexpr const char* caseNames[] = {"fluid", "heat", "elastic", "mixed", "mesh", "carried"};
 inline bool isElastic(Kind k) { return k == Kind::Elastic || k == Kind::Mesh; }
 
 /// Support radii in spacings that give a particle of the jittered block 33 and 74 neighbours on average, free

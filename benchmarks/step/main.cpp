@@ -200,7 +200,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
     return sum;
   };
   using P = StepPhase;
-  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", bodyTypeNames[static_cast<int>(c.kind)],
+  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", caseNames[static_cast<int>(c.kind)],
                c.precision == Precision::Double ? "double"
                : c.elastic == Precision::Double ? "default"
                                                 : "single",
