@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-constexpr double growth = 1.1;  // largest ratio of successive steps (core/simulation/step.cpp)
+constexpr double growth = 1.1;  // largest ratio of successive steps (core/simulation/reduce_step.cpp)
 // Fractions of a change from zero to the largest factor, per step. The second is the lower limit where an
 // oscillation would need shorter steps.
 constexpr double partOfChange = 0.04, leastOfChange = 0.001;

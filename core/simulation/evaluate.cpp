@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// The phases of an evaluation of all forces, in their order.
+#include "core/contact/solid_contact.hpp"
+#include "core/fluid/density/carried_density.hpp"
+#include "core/heat/heat.hpp"
+#include "core/oriented/forces/continuum_contact.hpp"
+#include "core/oriented/step_oriented.hpp"
+#include "core/sheet/step_sheets.hpp"
+#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/ledger/energy_left.hpp"
+#include "core/simulation/redistribute.hpp"
+#include "core/simulation/step.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/sums/solid_step.hpp"
+#include "core/simulation/world/views.hpp"
+#include "core/time/frame_times.hpp"
+#include "core/walls/wall_surface_energy.hpp"
+
+namespace thaw {
+namespace {
+
+/// One evaluation.
+struct Evaluation {
+  World& w;
+  Halos halos;
+  StepTools& t;
+  double dt;  ///< s, last step, 0 at the start
+  WallContext walls;
+  bool neighbours = false;  ///< some sum over neighbours is needed
+};
+
+WallContext wallContextOf(World& w, StepTools& t, double dt) {
+  return {wallView(w),
+          t.wallTables,
+          t.liquids,
+          dt,
+          dt > 0 ? dt : nextStep(w.clock),
+          1.0 / w.clock.substeps,
+          w.modules.sleep ? &t.sleep.steady : nullptr};
+}
+
+/// Brings each particle to the rank of its cell; rebuilds bonds and links.
+void redistributeAll(World& w, Halos halos, StepTools& t, double dt) {
+  const bool leftSlots = redistribute(w, halos, t, dt);  // emit, remove, migrate, sort by (cell, id)
+  if (w.modules.solid)
+    rebuildSolidBonds(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
+  t.phaseChangedHere = false;
+  if (w.modules.kinds()) redistributeBodyTypes(w, halos, t, dt);
+  if (w.modules.sheet) linkSheets(w.sheets, halos, t.times);
+  if (w.modules.oriented) evaluateOriented(orientedView(w, t), halos, dt);
+}
+
+/// Finds neighbours and sums densities. Inner particles are summed while surrounding cells are exchanged.
+void sumDensities(Evaluation& e) {
+  World& w = e.w;
+  StepTools& t = e.t;
+  const Modules& m = w.modules;
+  if (e.neighbours) e.halos.cells.beginGhosts(w.particles, w.cells, ghostColumns(w));
+  if (m.solid) beginDeformation(w, e.halos, t);
+  t.times.lap(StepPhase::Exchange);
+  clearRates(w, m.uniform);
+  if (e.neighbours) {
+    if (m.continuity) beginCarry(carryContext(w, t, e.dt));
+    markInner(w, e.halos.cells, t);
+    if (m.sleep) markSleepingInner(sleepView(w, t));
+    sumOverNeighbours(w, t, NeighbourPass::InnerDensity, e.dt);
+    e.halos.cells.finishGhosts(w.particles, w.cells);
+    t.times.lap(StepPhase::Exchange);
+    markInner(w, e.halos.cells, t);
+    if (m.sleep) markSleeping(sleepView(w, t));
+    sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, e.dt);
+  }
+  if (m.sleep) dropSkippedContacts(t.sleep, t.wallContacts);
+  if (m.fluid && !m.continuity) addWallRelativeDensity(e.walls, t.perLatticeSum, t.wallContacts);
+  t.times.lap(StepPhase::Walls);
+  if (m.continuity && e.neighbours) finishCarry(carryContext(w, t, e.dt));
+  if (m.shifting && !m.continuity) shiftInside(carryContext(w, t, e.dt));
+  if (m.surfaceEnergy) findSurfaceEnergy(e.walls, t.surface, t.wallContacts);
+  if (m.tension) recordEnergyLeft(w, t);
+}
+
+/// Columns of ghosts that follow from densities.
+ColumnList densityColumns(World& w) {
+  Continuum& p = w.particles;
+  ColumnList columns{&p.relativeDensity};
+  if (p.correction.active) columns.push_back(&p.correction);
+  if (p.relief.active) columns.push_back(&p.relief);
+  if (w.modules.surfaceEnergy) {
+    columns.push_back(&p.surfaceEnergyByGradient);
+    columns.push_back(&p.surfaceEnergyByColour);
+  }
+  return columns;
+}
+
+/// Pressure, viscosity, heat and tension of pairs, and stress of solids, while densities are exchanged.
+void sumForces(Evaluation& e) {
+  World& w = e.w;
+  StepTools& t = e.t;
+  const Modules& m = w.modules;
+  if (m.fluid) e.halos.cells.beginRefresh(w.particles, densityColumns(w));
+  t.times.lap(StepPhase::Exchange);
+  if (m.solid) deform(w, e.halos, t, e.dt);  // F, stress; bonds break, form, take new references
+  if (m.neighbours) sumOverNeighbours(w, t, NeighbourPass::InnerForces);
+  if (m.fluid) e.halos.cells.finishRefresh(w.particles);
+  t.times.lap(StepPhase::Exchange);
+  if (m.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
+  if (w.particles.softening.active && m.fluid)
+    beginSoftening(w, t);  // derivative of pair and contact energies with respect to the liquid fraction
+  if (m.solid) addElasticForces(w, e.halos, t, e.dt);
+}
+
+/// Contact of solids, walls, sheets and oriented particles. justFrozen: records the jump of all contacts, as
+/// an evaluation with new coefficients does.
+void addContacts(Evaluation& e, bool justFrozen) {
+  World& w = e.w;
+  StepTools& t = e.t;
+  const Modules& m = w.modules;
+  if (m.contact)
+    addSolidContacts(
+        {w.scene, w.grid, w.solids, w.bonds, e.walls.span, justFrozen ? &w.ledger.phaseJump : nullptr,
+         &t.contactResistance, m.fluid ? nullptr : &w.counters.coincidentPairs},
+        t.closePairs, w.particles);
+  t.times.lap(StepPhase::Contact);
+  if (m.sleep) recordConstraintForces(w.particles, w.scene, t.sleep);
+  addWallForces(e.walls, t.perLatticeSum, t.wallContacts);
+  t.times.lap(StepPhase::Walls);
+  if (m.sheet)
+    loadSheets(sheetView(w), e.halos, t.times, e.dt);  // forces on vertices, and of vertices on particles
+  if (m.orientedContact)
+    addContinuumContact(orientedView(w, t), e.dt);  // oriented particles and the continuum
+  if (m.oriented)
+    recordBirthContacts(w.oriented.rows, t.oriented, w.ledger);  // contacts of particles born in this step
+}
+
+/// Adds forces that need all others, and heat from outside.
+void finishForces(Evaluation& e) {
+  World& w = e.w;
+  StepTools& t = e.t;
+  if (w.modules.contact) recordResistance(e.walls, t.contactResistance);
+  recordClamps(e.walls, t.wallContacts);
+  if (w.modules.implicitViscosity) solveViscosity(w, e.halos, t, e.walls);
+  if (w.modules.heat) {
+    addWallHeat(e.walls, t.wallContacts);
+    addOuterHeat(heatView(w), e.dt, e.walls.steady);
+    addThermostats(heatView(w), e.dt);
+  }
+}
+
+}  // namespace
+
+void evaluate(World& w, Halos halos, StepTools& t, double dt) {
+  redistributeAll(w, halos, t, dt);
+  Evaluation e{w, halos, t, dt, wallContextOf(w, t, dt)};
+  // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
+  findWallContacts(e.walls, t.wallContacts);
+  t.times.lap(StepPhase::Walls);
+  if (w.modules.sleep) beginSleep(sleepView(w, t), dt);
+  const std::int64_t coincident = w.counters.coincidentPairs;
+  e.neighbours = needsNeighbours(w, t);
+  const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;
+  sumDensities(e);
+  sumForces(e);
+  addContacts(e, justFrozen);
+  finishForces(e);
+  if (w.modules.neighbours) separateCoincident(w, t, coincident);
+  t.times.lap(StepPhase::Heat);
+}
+
+}  // namespace thaw
