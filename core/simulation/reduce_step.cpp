@@ -16,7 +16,7 @@ namespace thaw {
 namespace {
 
 /// Values of this rank.
-StepReduction reductionHere(World& w, const StepTools& t, const StepOutcome& here, Requests wanted) {
+StepReduction reductionHere(World& w, StepTools& t, const StepOutcome& here, Requests wanted) {
   StepLimits own = particleLimits(w, here.largest ? *here.largest : largestRates(w), t.stableViscousStep);
   own[Limit::Sound] = t.fixedLimits[Limit::Sound] / soundStiffening(w);  // the minimum over ranks belongs to
                                                                          // the most compressed particle
@@ -61,7 +61,7 @@ StepLimits limitsOfAll(const World& w, const StepTools& t, const StepReduction& 
 }
 
 /// Sets the next step in the clock.
-void setNextStep(World& w, const StepLimits& limits, Limit limitedBy) {
+void setNextStep(World& w, StepLimits limits, Limit limitedBy) {
   w.watch.factor = nextFactor(w.watch);  // 1, or less after a rollback
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
   // Without a limit frames shorten the step; after a rollback it is a fraction of that.
@@ -85,7 +85,7 @@ StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Re
   reduceOverRanks(reduction, halos.all, w.modules);
   t.times.lap(StepPhase::Reduce);
   double longest = never;
-  const StepLimits limits = limitsOfAll(w, t, reduction, longest);
+  StepLimits limits = limitsOfAll(w, t, reduction, longest);
   StepOutcome all = here;
   all.limitedBy = limits.smallest();
   t.frozeAnywhere = reduction.froze > 0;

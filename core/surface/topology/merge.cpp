@@ -10,16 +10,16 @@
 namespace thaw {
 namespace {
 
-struct Pair {
+struct ComponentPair {
   std::uint64_t a, b;  // a < b
-  friend auto operator<=>(const Pair&, const Pair&) = default;
+  friend auto operator<=>(const ComponentPair&, const ComponentPair&) = default;
 };
 
 /// Union of labels that join, the same on all ranks.
 class Joined {
  public:
-  explicit Joined(const std::vector<Pair>& pairs) {
-    for (const Pair& p : pairs) label_.insert(label_.end(), {p.a, p.b});
+  explicit Joined(const std::vector<ComponentPair>& pairs) {
+    for (const ComponentPair& p : pairs) label_.insert(label_.end(), {p.a, p.b});
     std::sort(label_.begin(), label_.end());
     label_.erase(std::unique(label_.begin(), label_.end()), label_.end());
     into_ = label_;
@@ -99,11 +99,11 @@ bool touches(const SurfaceView& w, const ComponentTools& c, std::uint32_t i, std
 
 /// Returns the pairs of components in contact, unique on all ranks. Requires: bins of surfels and, with
 /// several parts, of particles.
-std::vector<Pair> contactPairs(const SurfaceView& w, Reducer& all, const ComponentTools& c, bool several,
-                               MergeTools& t) {
+std::vector<ComponentPair> contactPairs(const SurfaceView& w, Reducer& all, const ComponentTools& c,
+                                        bool several, MergeTools& t) {
   const Surface& s = w.surface;
   const SurfaceParticles& p = s.particles;
-  std::vector<Pair> pairs;
+  std::vector<ComponentPair> pairs;
   if (w.scene.surface.merge != MergeRule::None && several)
     forMultiLabel(c.particleBins,
                   multiLabelBins(c.particleBins, p.component.data(), c.surfelBins, s.surfels.component.data(),
@@ -128,13 +128,13 @@ std::vector<Pair> contactPairs(const SurfaceView& w, Reducer& all, const Compone
   };
   unique();
   std::vector<std::uint64_t> words;
-  for (const Pair& m : pairs) words.insert(words.end(), {m.a, m.b});
+  for (const ComponentPair& m : pairs) words.insert(words.end(), {m.a, m.b});
   words = gatherWords(all, words);
   pairs.clear();
   for (std::size_t k = 0; k + 1 < words.size(); k += 2) pairs.push_back({words[k], words[k + 1]});
   unique();
   // Parts that separated in this update do not join again at once, because their ends are still open.
-  std::erase_if(pairs, [&](const Pair& m) {
+  std::erase_if(pairs, [&](const ComponentPair& m) {
     return before(c, m.a) != noComponent && before(c, m.a) == before(c, m.b);
   });
   return pairs;
@@ -215,9 +215,9 @@ void mergeComponents(const SurfaceView& w, SurfaceHalos halos, ComponentTools& c
   SurfaceParticles& p = s.particles;
   const bool several = c.several();
   if (several) fillBins(f.position.data(), f.size(), s.surfelSupport, c.surfelBins);
-  const std::vector<Pair> pairs = contactPairs(w, halos.all, c, several, t);
+  const std::vector<ComponentPair> pairs = contactPairs(w, halos.all, c, several, t);
   Joined joined(pairs);
-  for (const Pair& m : pairs) {
+  for (const ComponentPair& m : pairs) {
     const std::uint64_t gone = joined.join(m.a, m.b);
     if (gone == 0) continue;
     s.counters.merges++;
