@@ -69,8 +69,8 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
       if (after > before) solids.volume[s] *= before / after;
       const double left = after > before ? slotEnergy(work, solids, bonds, s) : after;
       phaseJump.add(before - left);
-      // The half kick that ends this step uses the forces of the remaining bonds, while the drift used
-      // those of all bonds. Without the difference of their work the energy balance is of first order in dt.
+      // The half kick that ends this step uses the forces of the remaining bonds, the drift used the forces
+      // of all. Without the difference of their work the energy balance is of first order in dt.
       phaseJump.add(-0.5 * (stored - (left - energyBeforeDrift(work, solids, bonds, s, step.dt))));
       any = true;
     }

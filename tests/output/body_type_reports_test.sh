@@ -44,9 +44,9 @@ expectMessage "changed at the restart: oriented.net.event.0.time was 0.04, and i
 launch 2 run "$work/net.toml" \
   --steps 2 --set 'oriented.net.field=[{push=[0,0,1],box={size=[0.1,0.1,0.1]},place={move=[0,0,0.8]}}]' \
   --out "$work/idle" >"$work/log" 2>&1
-expectExit 0 "a field where nobody is"
+expectExit 0 "a field without particles"
 expectMessage "warning: .*oriented body 'net': no particle is in this field as it begins, at 0 s" \
-  "a field where nobody is"
+  "a field without particles"
 "$thaw" render "$work/net" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that is not there"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that is not there"
 "$thaw" render "$work/net" --what surface >"$work/log" 2>&1; expectExit 3 "no surface"

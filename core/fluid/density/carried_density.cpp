@@ -42,6 +42,9 @@ double wallSlope(const CarryContext& x, const WallContact& c) {
   return x.perLatticeSum * x.wallTables(c.distance / x.grid.support).push * c.share;
 }
 
+/// Gradient of the wall's own relative density, times h: half of the slope.
+Vec3d ownGradient(const CarryContext& x, const WallContact& c) { return c.normal * (-0.5 * wallSlope(x, c)); }
+
 /// Velocity (m/s) away from the wall.
 double speedOff(const CarryContext& x, const WallContact& c) {
   return dot(x.particles.velocity[c.row] - wallVelocity(x.walls.list[c.wall], x.particles.position[c.row]),
@@ -68,8 +71,7 @@ void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   const std::span<const WallContact> mine = contactsOf(contacts, row);
   const double h = x.grid.support;
   r.relativeDensity += x.perLatticeSum * wallRelativeDensity({x.wallTables, h}, mine, contacts.added);
-  for (const WallContact& c : mine)  // the slope is twice the gradient of the wall's own relative density
-    r.gradient += c.normal * (-0.5 * wallSlope(x, c));
+  for (const WallContact& c : mine) r.gradient += ownGradient(x, c);
   for (const WallContact& c : atMidStep(x, mine))
     r.rate -= r.liquidFraction * wallSlope(x, c) / h * speedOff(x, c);
   r.atSurface = r.liquidFraction > 0 &&
@@ -83,7 +85,7 @@ Vec3d alongWallsOf(const void* context, std::uint32_t row, Vec3d velocity) {
 }
 
 /// Returns whether this step stores the summed densities.
-bool notesSums(const CarryContext& x) {
+bool storesSums(const CarryContext& x) {
   constexpr std::int64_t everySteps = 16;
   return x.dt == 0 || x.clock.step % everySteps == 0;
 }
@@ -98,7 +100,7 @@ void beginCarry(const CarryContext& x) {
     work.besideWall.assign(rows, 0);
     for (const WallContact& c : x.wallContacts.list) work.besideWall[c.row] = 1;
   }
-  if (notesSums(x)) work.summed.assign(rows, 0);
+  if (storesSums(x)) work.summed.assign(rows, 0);
   x.counters.crowded = 0;
 }
 
@@ -129,7 +131,7 @@ CarryStep carryStepOf(const CarryContext& x) {
   s.atSurface = p.atSurface.data();
   s.shiftingVelocity = p.shiftingVelocity.data();
   if (p.relief.active) s.relief = p.relief.data();
-  if (notesSums(x)) s.summed = x.carry.summed.data();
+  if (storesSums(x)) s.summed = x.carry.summed.data();
   s.crowded = &x.counters.crowded;
   return s;
 }
@@ -149,19 +151,27 @@ void resetCarriedDensity(const CarryStep& x, float* relativeDensity, std::uint32
   if (x.relief) x.relief[row] = {};
 }
 
-void finishCarry(const CarryContext& x) {
-  Continuum& p = x.particles;
+namespace {
+
+/// Resets the particles of groups without liquid, over which no sum goes.
+void resetDryGroups(const CarryContext& x) {
   const NeighbourLists& lists = x.neighbours;
   const CarryStep step = carryStepOf(x);
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < 8 && !lists.fluid[g]; l++) {
       const std::uint32_t row = lists.self[8 * g + l];
       if (row != lists.dummy && !(step.steady && step.steady[row]))
-        resetCarriedDensity(step, p.relativeDensity.data(), row);
+        resetCarriedDensity(step, x.particles.relativeDensity.data(), row);
     }
-  if (!notesSums(x)) return;
+}
+
+}  // namespace
+
+void finishCarry(const CarryContext& x) {
+  if (x.modules.solid) resetDryGroups(x);
+  if (!storesSums(x)) return;
   if (x.dt == 0) x.startDensity = x.carry.summed;
-  const std::array<std::int64_t, 2> sums = connectedSums(p, lists, x.carry.summed);
+  const std::array<std::int64_t, 2> sums = connectedSums(x.particles, x.neighbours, x.carry.summed);
   x.counters.connected = sums[0];
   x.counters.connectedDensity = sums[1];
 }
@@ -169,8 +179,7 @@ void finishCarry(const CarryContext& x) {
 void shiftInside(const CarryContext& x) {
   Continuum& p = x.particles;
   for (const WallContact& c : x.wallContacts.list)
-    p.concentrationGradient[c.row] += single(
-        c.normal * (-0.5 * x.perLatticeSum * x.wallTables(c.distance / x.grid.support).push * c.share));
+    p.concentrationGradient[c.row] += single(ownGradient(x, c));
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool inside = liquidFraction(p, i) == 1 && static_cast<double>(p.relativeDensity[i]) > 0.9;
     p.shiftingVelocity[i] = inside ? wide(p.concentrationGradient[i]) *

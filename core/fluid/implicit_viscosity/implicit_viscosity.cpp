@@ -213,8 +213,8 @@ bool iterate(Solver& s) {
 }
 
 /// Adds the forces for the solution and records their energies. The kick ends at the velocity that these
-/// forces give, which differs from the last iterate by the solver's residual. Pairs dissipate at the midpoint
-/// of the kick to the iterate; the work of the difference is recorded as well.
+/// forces give, which differs from the last iterate by the solver's residual. Pairs dissipate at the
+/// midpoint, for the kick to the iterate; the work of the difference is recorded as well.
 void addForces(Solver& s) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;

@@ -2,6 +2,7 @@
 // Free surface of a liquid that carries its density, and particle shifting, which depends on it
 // (terms/carry.hpp).
 #pragma once
+
 namespace thaw {
 
 /// Smallest eigenvalue of the moment below which a particle is at the free surface (Marrone et al. 2010). It

@@ -81,13 +81,13 @@ struct PairSums {
                                                    ///< surface energy with respect to gradient and colour, Pa
   Vec3d* surfaceGradient = nullptr;                ///< 1 (overwritten)
   double* surfaceColour = nullptr;                 ///< 1 (overwritten)
-  /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: pressureDiagonal is zz xy xz yz; the fourth value
-  /// of positionVolume is xx, that of velocityViscosity yy.
+  /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: pressureDiagonal is zz xy xz yz; positionVolume
+  /// has xx as its fourth value, velocityViscosity yy.
   const void *pressureDiagonal = nullptr, *pressureOffDiagonal = nullptr;
   bool carried = false;                    ///< liquids carry their density
   const CarryStep* carry = nullptr;        ///< with `carried`: density sums advance the carried densities
-  Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density, for densities
-                                           ///< that are not carried; null: not needed
+  Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density, with summed
+                                           ///< densities; null: not needed
   bool relief = false;                     ///< records have forces of core/fluid/laws/lattice_relief.hpp
   Vec3d* smoothed = nullptr;               ///< m/s, velocity change by XSPH
   Vec3d* impulse = nullptr;  ///< N s, of impulse (overwritten); for response the gradient of the relative

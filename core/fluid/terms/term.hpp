@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Common parts of the pair-sum terms. sweep() (core/fluid/pair_sums/sweep.hpp) calls `load`, `pair` and
 // `finish` of a term; conduction.hpp is a short example. Compiled once per instruction set. Within a term d
-// is the position difference own - other in support radii, and V a volume in h^3. `finish` restores the units
-// of length.
+// is the position difference own - other in support radii, and V a volume in h^3. `finish` restores units of
+// length.
 #pragma once
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/fluid/pair_sums/sweep.hpp"
