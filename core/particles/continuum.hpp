@@ -80,6 +80,8 @@ struct Continuum : Table {
       "derivative of the surface energy per volume with respect to surfaceGradient"};
   Column<double> surfaceEnergyByColour{*this, "surfaceDraw", "Pa", Keep::Transient,
       "derivative of the surface energy per volume with respect to the colour"};
+  Column<float> viscosityCorrection{*this, "viscosityCorrection", "1", Keep::State,
+      "factor of the viscosity minus 1 (core/fluid/laws/viscosity_factor.hpp)"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State,
       "from implicit viscosity in the last step; initial guess of the next solve"};
   Column<Vec3d> viscousSearch{*this, "viscousSearch", "m/s", Keep::Transient,

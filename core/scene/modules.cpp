@@ -80,8 +80,8 @@ void findHeat(Finder& f) {
 /// other than positions and velocities. With heat, no sum may need volumes after the densities
 /// (terms/uniform_forces.hpp).
 bool isUniform(const Scene& s, const Modules& m) {
-  const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.tension ||
-                     m.kinds();
+  const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity ||
+                     m.viscosityCorrection || m.tension || m.kinds();
   const bool volumes = m.heat && (m.xsph || m.surfaceHeat || s.numerics.pressure != PairForm::Consistent);
   const bool otherCarried = m.continuity &&
                             (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);
@@ -149,6 +149,8 @@ Modules modulesOf(const Scene& s) {
     const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty();
     if (liquid && viscous && s.numerics.viscositySolver == ViscositySolver::Implicit)
       f.on(m.implicitViscosity, "implicit viscosity", who);
+    if (liquid && viscous && s.numerics.viscosityCorrection)
+      f.on(m.viscosityCorrection, "corrected viscosity", who);
     if (liquid && x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
     if (liquid && x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
     if (!m.solid || !x.canBeSolid()) continue;

@@ -20,9 +20,10 @@ struct Modules {
   bool surfaceEnergy = false;   ///< surface tension is the gradient of a surface energy
                                 ///< (core/fluid/laws/surface_energy.hpp)
   bool xsph = false, artificialViscosity = false;
-  bool implicitViscosity = false;  ///< a liquid has viscosity and the scene selects the implicit solver
-  bool solid = false;              ///< some particle is or can become solid: bonds, elastic forces
-  bool substeps = false;           ///< solids may take several substeps in a step
+  bool implicitViscosity = false;    ///< a liquid has viscosity and the scene selects the implicit solver
+  bool viscosityCorrection = false;  ///< viscosity is corrected for the arrangement of the particles
+  bool solid = false;                ///< some particle is or can become solid: bonds, elastic forces
+  bool substeps = false;             ///< solids may take several substeps in a step
   int mostSubsteps = 1;
   bool plastic = false;      ///< a material yields
   bool fracture = false;     ///< bonds of a material break

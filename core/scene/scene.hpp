@@ -185,6 +185,7 @@ struct Numerics {
   double divergenceTolerance = 1e-3;  // 1, mean residual rate of compression times the step
   std::int64_t maxIterations = 100;   // limit for each of its two solves
   ViscosityForm viscosity = ViscosityForm::Pairwise;
+  bool viscosityCorrection = false;  // for the pairwise form
   ViscositySolver viscositySolver = ViscositySolver::Explicit;
   double viscosityTolerance = 1e-3;        // 1, error of the implicit solver's velocity change
   std::int64_t viscosityIterations = 200;  // limit per step

@@ -162,6 +162,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   sumForces(e);
   addContacts(e, justFrozen);
   finishForces(e);
+  if (viscosityCorrectionDue(w)) correctViscosity(w, t);  // for the next step
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);
 }

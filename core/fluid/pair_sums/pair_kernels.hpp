@@ -22,6 +22,7 @@ struct PairKernels {
   void (*smoothing)(const PairSums&, GroupRange);
   void (*freeSurfaceIndicator)(const PairSums&, GroupRange);
   void (*closePairs)(const PairSums&, GroupRange, ClosePairs&);
+  void (*viscosityCorrection)(const PairSums&, GroupRange);
   void (*viscous)(const PairSums&, const ViscousSums&, GroupRange);
   // Incompressible solver (terms/incompressible.hpp).
   void (*compression)(const PairSums&, GroupRange);

@@ -88,10 +88,12 @@ struct PairSums {
   const CarryStep* carry = nullptr;        ///< with `carried`: density sums advance the carried densities
   Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density, with summed
                                            ///< densities; null: not needed
-  bool relief = false;                     ///< records have forces of core/fluid/laws/lattice_relief.hpp
-  Vec3d* smoothed = nullptr;               ///< m/s, velocity change by XSPH
-  Vec3d* impulse = nullptr;  ///< N s, of impulse (overwritten); for response the gradient of the relative
-                             ///< density, 1/m
+  float* viscosityCorrection = nullptr;    ///< 1, viscosityFactor() minus 1
+  double largestViscosityFactor = 1;
+  bool relief = false;        ///< records have forces of core/fluid/laws/lattice_relief.hpp
+  Vec3d* smoothed = nullptr;  ///< m/s, velocity change by XSPH
+  Vec3d* impulse = nullptr;   ///< N s, of impulse (overwritten); for response the gradient of the relative
+                              ///< density, 1/m
   double* compression = nullptr;  ///< 1/s, of compression (overwritten); for response the contribution of the
                                   ///< neighbours, 1/(m^2 kg)
   std::int64_t* coincident = nullptr;  ///< counts particles that coincide with another particle

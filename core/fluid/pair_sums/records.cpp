@@ -73,7 +73,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
   const CellGrid grid = x.grid;
   const double h = grid.support;
   const bool carried = x.modules.continuity, surfaces = p.atSurface.active,
-             substeps = p.stepMeanVelocity.active && x.substeps > 1;
+             corrected = p.viscosityCorrection.active, substeps = p.stepMeanVelocity.active && x.substeps > 1;
   const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0,
@@ -117,7 +117,8 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
                                          : r.constant[k];
     put(rows<Real>(r.velocityViscosity)[i],
         substeps && takesSubsteps(p, i) ? p.stepMeanVelocity[i] : p.velocity[i],
-        static_cast<Real>(local.viscosity));
+        static_cast<Real>(local.viscosity *
+                          (corrected ? 1 + static_cast<double>(p.viscosityCorrection[i]) : 1)));
     const double wet = surfaces && p.atSurface[i] ? -f : f;
     if (!r.pressurePhaseHeat.empty())
       rows<Real>(r.pressurePhaseHeat)[i] = {

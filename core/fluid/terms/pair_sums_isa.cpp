@@ -16,6 +16,7 @@
 #include "core/fluid/terms/surface_energy.hpp"
 #include "core/fluid/terms/tension.hpp"
 #include "core/fluid/terms/uniform_forces.hpp"
+#include "core/fluid/terms/viscosity_correction.hpp"
 #include "core/fluid/terms/viscous_operator.hpp"
 
 namespace thaw {
@@ -161,6 +162,17 @@ void forces(const PairSums& in, GroupRange range) {
   else laplacian ? forcesOf<true, true, false>(in, range) : forcesOf<true, false, false>(in, range);
 }
 
+void viscosityCorrection(const PairSums& in, GroupRange range) {
+  choose(in, [&](auto real, auto kernel) {
+    using Real = decltype(real);
+    ViscosityCorrection<Real, decltype(kernel)> term{
+        records<Real>(in.positionVolume),    records<Real>(in.velocityViscosity),
+        records<Real>(in.pressurePhaseHeat), &in,
+        Lanes<Real>(in.viscousWeight.scale), in.relativeDensityScale * in.support * in.support * in.support};
+    sweep(*in.lists, range, term, Groups::Fluid);
+  });
+}
+
 template<class Real, ViscousPass pass>
 void viscousOf(const PairSums& in, const ViscousSums& out, GroupRange range) {
   const auto velocities = [](const ViscousRecord* r) { return reinterpret_cast<const Record<double>*>(r); };
@@ -304,6 +316,7 @@ const PairKernels& pairKernelSet() {
                                    smoothing,
                                    freeSurfaceIndicator,
                                    closePairs,
+                                   viscosityCorrection,
                                    viscous,
                                    compression,
                                    impulse,

@@ -25,6 +25,7 @@ ColumnList ghostColumns(World& w) {
   if (p.compression.active) c.push_back(&p.compression);
   if (p.stepMeanVelocity.active) c.push_back(&p.stepMeanVelocity);
   if (p.atSurface.active) c.push_back(&p.atSurface);
+  if (p.viscosityCorrection.active) c.push_back(&p.viscosityCorrection);
   if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
   if (w.modules.sleep) c.push_back(&p.restTime);
   if (w.modules.sleep) c.push_back(&p.sleep);
@@ -207,6 +208,18 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   if (pass == NeighbourPass::BoundaryForces && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
   t.times.lap(StepPhase::Forces);
+}
+
+bool viscosityCorrectionDue(const World& w) {
+  constexpr std::int64_t everySteps = 8;  // explicit steps are much shorter than the flow takes for a spacing
+  return w.modules.viscosityCorrection && (w.modules.implicitViscosity || w.clock.step % everySteps == 0);
+}
+
+void correctViscosity(World& w, StepTools& t) {
+  PairSums s = pairSumsOf(w, t);
+  s.viscosityCorrection = w.particles.viscosityCorrection.data();
+  s.largestViscosityFactor = w.modules.implicitViscosity ? 2 : 1.25;
+  t.kernels->viscosityCorrection(s, {0, w.neighbours.groups});
 }
 
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {

@@ -42,6 +42,11 @@ enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryF
 /// elapsed: s, last step, over which liquids carry their density.
 void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass, double elapsed = 0);
 
+/// Returns true in steps that renew Continuum::viscosityCorrection.
+bool viscosityCorrectionDue(const World& world);
+/// Renews Continuum::viscosityCorrection for the next step. Requires: the records of this step.
+void correctViscosity(World& world, StepTools& tools);
+
 /// Computes viscous forces of the implicit solver (fluid/implicit_viscosity/), after all others.
 void solveViscosity(World& world, Halos halos, StepTools& tools, const WallContext& walls);
 

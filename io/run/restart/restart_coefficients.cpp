@@ -232,6 +232,7 @@ void addCoefficients(CheckpointValues& record, const Numerics& n) {
               {"tensile_limit", n.tensileLimit},
               {"pressure_solver", number(n.solver)},
               {"viscosity", number(n.viscosity)},
+              {"viscosity_correction", n.viscosityCorrection},
               {"viscosity_solver", number(n.viscositySolver)},
               {"tension", number(n.tension)},
               {"conduction", number(n.conduction)},

@@ -120,6 +120,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (!errors.empty()) return;
   chooseForFullBox(s, x.open);
   chooseForLiquids(s, x.open);
+  chooseForThickLiquids(s, x.open);
   if (n.tensileLimit == 0 || n.solver == PressureSolver::Incompressible || liquidFillsTheBox(s)) return;
   if (n.shifting == 0)
     errors.push_back(

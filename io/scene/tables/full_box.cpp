@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "core/kernels/lattice.hpp"
 #include "core/materials/liquid_materials.hpp"
 #include "core/scene/full_box.hpp"
+#include "core/scene/material_use.hpp"
 
 namespace thaw {
 
@@ -55,6 +57,31 @@ void chooseForLiquids(Scene& s, const OpenChoices& open) {
   if (open.tensileLimit && n.shifting > 0)
     n.tensileLimit = 1;  // tension without shifting makes particles clump
   chooseArtificialViscosity(s, open);
+}
+
+namespace {
+
+double largestViscosity(const Material& m) {
+  double largest = m.viscosity.liquid;
+  for (const auto& point : m.viscosityTable) largest = std::max(largest, point.second);
+  return largest;
+}
+
+}  // namespace
+
+void chooseForThickLiquids(Scene& s, const OpenChoices& open) {
+  Numerics& n = s.numerics;
+  if (!open.viscosityCorrection || s.quality == Quality::Preview || n.viscosity != ViscosityForm::Pairwise ||
+      n.pressure != PairForm::Consistent)
+    return;
+  const std::vector<LiquidMaterial> liquids = liquidMaterials(s);
+  const double h = n.support * s.spacing, stable = n.cflViscous * stableViscousStep(n) * h * h;
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    const Material& m = s.materials[k];
+    const double bySound = n.cflSound * std::min(h, 2 * s.spacing) / liquids[k].soundSpeed;
+    if (canBeLiquid(m) && inUse(s, k) && stable * m.density < largestViscosity(m) * bySound)
+      n.viscosityCorrection = true;
+  }
 }
 
 }  // namespace thaw

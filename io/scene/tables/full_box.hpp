@@ -10,7 +10,7 @@ namespace thaw {
 
 /// Choices of [numerics] and of the body that fills the box that the scene leaves open.
 struct OpenChoices {
-  bool density = true, tensileLimit = true, shifting = true, packing = true;
+  bool density = true, tensileLimit = true, shifting = true, viscosityCorrection = true, packing = true;
   std::vector<std::uint8_t> artificialViscosity;  ///< per material: 1 if the scene does not set it
 };
 
@@ -29,5 +29,9 @@ void chooseForFullBox(Scene& scene, const OpenChoices& open);
 /// Summation remains the default with surface tension (whose model is calibrated for it), quality =
 /// "preview", printed pressure and the incompressible solver.
 void chooseForLiquids(Scene& scene, const OpenChoices& open);
+
+/// Switches the correction of the viscosity on if the viscosity of a liquid limits explicit steps more than
+/// sound does. Such liquids keep the lattice of the start for long. Others lose it soon.
+void chooseForThickLiquids(Scene& scene, const OpenChoices& open);
 
 }  // namespace thaw

@@ -18,6 +18,7 @@ void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
   open.density = !numerics.has("density");
   open.tensileLimit = !numerics.has("tensile_limit");
   open.shifting = !numerics.has("shifting");
+  open.viscosityCorrection = !numerics.has("viscosity_correction");
 }
 
 }  // namespace

@@ -102,6 +102,10 @@ void readNumerics(TableReader& r, Numerics& n) {
           "incompressible: largest number of iterations per solve; the summary counts solves that reach it");
   r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"},
            "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");
+  r.flag("viscosity_correction", n.viscosityCorrection,
+         "pairwise viscosity is corrected for the arrangement of the particles, which makes it vary by some "
+         "per cent while layers slide past each other. Default: true where viscosity limits explicit steps "
+         "more than sound does, except with quality = \"preview\"");
   r.choice("viscosity_solver", n.viscositySolver, {"explicit", "implicit"},
            "explicit: viscosity limits the step; implicit: a linear system in each step, without this limit "
            "(recommended if viscosity sets the step)");
@@ -113,6 +117,9 @@ void readNumerics(TableReader& r, Numerics& n) {
     r.fail("viscosity_solver",
            "the implicit solver supports the pairwise form of viscosity only: leave numerics.viscosity at "
            "\"pairwise\"");
+  if (n.viscosityCorrection && n.viscosity == ViscosityForm::Laplacian)
+    r.fail("viscosity_correction",
+           "only the pairwise form of viscosity can be corrected: leave numerics.viscosity at \"pairwise\"");
   r.choice("tension", n.tension, {"pairwise", "colour field", "surface energy"},
            "cohesion of pairs: cheap, but drops behave like soft crystals; as printed in Keiser et al. 2005; "
            "or an energy of the free surface: drops have Laplace's pressure and oscillate like liquids");
