@@ -26,9 +26,9 @@ struct ExactBalance {
 struct Ledger {
   ExactBalance entered, left;  ///< emitters, open sides
   ExactSum dissipated;  ///< J, of particles that left or changed ranks; the rest is in Continuum::dissipated
-  ExactSum wallWork;    ///< J, work on particles by moving obstacles and emitters
-  ExactSum wallImpulse[3];     ///< N s, impulse on particles from obstacles and constraints
-  ExactSum wallForce[3];       ///< N, current force of these; half of the next kick is outstanding
+  ExactSum wallWork;    ///< J, work on particles by moving obstacles, emitters and forces from outside
+  ExactSum wallImpulse[3];  ///< N s, impulse on particles from obstacles, constraints and forces from outside
+  ExactSum wallForce[3];    ///< N, current force of these; half of the next kick is outstanding
   ExactSum gravityImpulse[3];  ///< N s, for entered minus left mass; the total adds initial.mass * g * time
   ExactSum heatIn;             ///< J, heat through obstacles, sources and surfaces
   ExactSum phaseJump;    ///< J, elastic energy that melting, freezing, fracture and new references removed (>

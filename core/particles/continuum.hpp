@@ -38,7 +38,7 @@ struct Continuum : Table {
   Column<u8> clamped{*this, "clamped", "1", Keep::State,
       "1: fixed in place; 2: driven by its emitter at constant velocity"};
   // Fluid.
-  Column<float> relativeDensity{*this, "filling", "1", Keep::Transient,
+  Column<float> relativeDensity{*this, "relativeDensity", "1", Keep::Transient,
       "relative density: delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
   Column<double> compression{*this, "compression", "1", Keep::State,
       "carried relative density minus 1; in solids, that of adjacent liquid, else 0"};
@@ -48,20 +48,20 @@ struct Continuum : Table {
       "gradient correction of the pressure, extrapolated to the end of the step"};
   Column<Vec3f> relief{*this, "relief", "N", Keep::Transient,
       "force on liquid from all its solid neighbours (core/fluid/laws/lattice_relief.hpp)"};
-  Column<Vec3d> stepMeanVelocity{*this, "travel", "m/s", Keep::State,
+  Column<Vec3d> stepMeanVelocity{*this, "stepMeanVelocity", "m/s", Keep::State,
       "mean velocity over the step, of particles with substeps"};
-  Column<Vec3d> shiftingVelocity{*this, "smoothing", "m/s", Keep::State,
+  Column<Vec3d> shiftingVelocity{*this, "shiftingVelocity", "m/s", Keep::State,
       "XSPH and shifting velocity; a particle moves with the sum of this and velocity"};
-  Column<Vec3f> concentrationGradient{*this, "crowding", "1", Keep::Transient,
+  Column<Vec3f> concentrationGradient{*this, "concentrationGradient", "1", Keep::Transient,
       "concentration gradient times h", Rows::Owned};
   Column<u8> atSurface{*this, "atSurface", "1", Keep::State,
       "1: at the free surface in the last step (core/fluid/laws/free_surface.hpp)"};
   // Incompressible liquids (core/fluid/incompressible/).
-  Column<float> densityPressure{*this, "holding", "Pa", Keep::State,
+  Column<float> densityPressure{*this, "densityPressure", "Pa", Keep::State,
       "density pressure (DFSPH) of the next step, over the step; initial guess of the next solve"};
-  Column<float> divergencePressure{*this, "steadying", "Pa", Keep::State,
+  Column<float> divergencePressure{*this, "divergencePressure", "Pa", Keep::State,
       "divergence pressure (DFSPH) of the last step, over the step; initial guess of the next solve"};
-  Column<Vec3d> pressureImpulse{*this, "pressureKick", "m/s", Keep::State,
+  Column<Vec3d> pressureImpulse{*this, "pressureImpulse", "m/s", Keep::State,
       "velocity change due to the density pressure, added at the start of the next step"};
   Column<Vec3d> drag{*this, "drag", "N", Keep::Transient,
       "dissipative part of the force: viscosity, drag of walls"};
@@ -69,16 +69,16 @@ struct Continuum : Table {
       "pressure of the current iteration times the step"};
   Column<Vec3d> trialVelocity{*this, "trialVelocity", "m/s", Keep::Transient,
       "velocity that follows from trialPressure"};
-  Column<float> freeSurfaceIndicator{*this, "exposure", "1", Keep::Transient,
+  Column<float> freeSurfaceIndicator{*this, "freeSurfaceIndicator", "1", Keep::Transient,
       "free-surface indicator; 1 for a column of particles below a flat surface"};
   // Surface tension as a surface energy (core/fluid/laws/surface_energy.hpp).
   Column<Vec3d> surfaceGradient{*this, "surfaceGradient", "1", Keep::Transient,
       "colour gradient h sum V grad W: points into the liquid at its surface, 0 inside"};
-  Column<double> surfaceColour{*this, "surfaceCover", "1", Keep::Transient,
+  Column<double> surfaceColour{*this, "surfaceColour", "1", Keep::Transient,
       "colour: sum V W over the neighbours"};
-  Column<Vec3d> surfaceEnergyByGradient{*this, "surfacePull", "Pa", Keep::Transient,
+  Column<Vec3d> surfaceEnergyByGradient{*this, "surfaceEnergyByGradient", "Pa", Keep::Transient,
       "derivative of the surface energy per volume with respect to surfaceGradient"};
-  Column<double> surfaceEnergyByColour{*this, "surfaceDraw", "Pa", Keep::Transient,
+  Column<double> surfaceEnergyByColour{*this, "surfaceEnergyByColour", "Pa", Keep::Transient,
       "derivative of the surface energy per volume with respect to the colour"};
   Column<float> viscosityCorrection{*this, "viscosityCorrection", "1", Keep::State,
       "factor of the viscosity minus 1 (core/fluid/laws/viscosity_factor.hpp)"};
@@ -94,51 +94,53 @@ struct Continuum : Table {
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction; blend parameter of the material"};
   Column<u8> phase{*this, "phase", "1", Keep::State, "Solid: has or may have bonds; Liquid: has none"};
   // Surface (core/surface/).
-  Column<Vec3d> surfacePosition{*this, "surfacePlace", "m", Keep::State,
+  Column<Vec3d> surfacePosition{*this, "surfacePosition", "m", Keep::State,
       "position at the last update of the surface"};
-  Column<Vec3d> surfaceStartPosition{*this, "surfaceStart", "m", Keep::State,
+  Column<Vec3d> surfaceStartPosition{*this, "surfaceStartPosition", "m", Keep::State,
       "position when the surface was created; only in scenes with solids"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State,
-      "label: label: 1 + smallest particle id of its component; 0: created after the last update"};
-  Column<double> surfaceVolumeRatio{*this, "surfaceShare", "1", Keep::State,
+      "label: 1 + smallest particle id of its component; 0: created after the last update"};
+  Column<double> surfaceVolumeRatio{*this, "surfaceVolumeRatio", "1", Keep::State,
       "volume that the surface encloses for it, over its own volume: from the mesh or shape of its body at "
       "the start; 0: its own volume"};
-  Column<float> initialFill{*this, "surfaceFill", "1", Keep::State,
+  Column<float> initialFill{*this, "initialFill", "1", Keep::State,
       "fraction of its cell that its body filled at the start, over the mean (cell_fractions.hpp); 0: the "
       "mean"};
   // Contact with sheets by triangles (face_contact.hpp), as the owner of the particle computed it.
   Column<std::uint32_t> sheetFace{*this, "sheetFace", "1", Keep::Transient,
       "1 + number of the sheet triangle with the deepest overlap; 0: no contact"};
-  Column<Vec3d> sheetNormalForce{*this, "sheetPush", "N, N, N/m", Keep::Transient,
+  Column<Vec3d> sheetNormalForce{*this, "sheetNormalForce", "N, N, N/m", Keep::Transient,
       "force along the gradient of its depth in the sheet, its dissipative part, and their derivative, for a "
       "triangle at a depth of 1 (face_contact.cpp)"};
-  Column<Mat3d> sheetFriction{*this, "sheetRubs", "N", Keep::Transient,
+  Column<Mat3d> sheetFriction{*this, "sheetFriction", "N", Keep::Transient,
       "friction on the corners of the sheet triangle in contact, one row each"};
-  Column<Vec3d> sheetContactData{*this, "sheetNumbers", "J, W/K, K", Keep::Transient,
+  Column<Vec3d> sheetContactData{*this, "sheetContactData", "J, W/K, K", Keep::Transient,
       "energy and conductance to the sheet for a triangle at a depth of 1, and temperature of the particle"};
   // Solid.
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local,
       "row in the table of solids; noSlot for liquids"};
   // Rest (core/sleep/sleep.hpp).
-  Column<float> restTime{*this, "calm", "s", Keep::State, "time since it last moved, accelerated or warmed"};
+  Column<float> restTime{*this, "restTime", "s", Keep::State, "time since it last moved, accelerated or warmed"};
   Column<u8> sleep{*this, "sleep", "1", Keep::State,
       "0: awake; 1, 2: sleeping, fixed in place; 3: sleeping, and its sums are skipped"};
-  Column<Vec3d> constraintForce{*this, "hold", "N", Keep::State,
+  Column<Vec3d> constraintForce{*this, "constraintForce", "N", Keep::State,
       "constraint force of a sleeping particle: balances its weight and all forces except those of walls"};
   // Bond forming in a running simulation (bond_forming.hpp). Exchanged only after a particle froze.
   Column<Mat3d> frame{*this, "frame", "1", Keep::Transient,
       "deformation gradient F; the identity if the particle has just frozen"};
   Column<u8> justFrozen{*this, "justFrozen", "1", Keep::State,
       "1: froze in this step; forms its bonds in the next step, also on another rank or after a restart"};
-  Column<float> contactOffset{*this, "standoff", "1", Keep::State,
+  Column<float> contactOffset{*this, "contactOffset", "1", Keep::State,
       "contact offset: distance from a wall, in spacings, at which a solid rests; below 1/2 if it froze "
       "closer"};
-  Column<Vec3d> unwrappedPosition{*this, "home", "m", Keep::Transient,
+  Column<Vec3d> unwrappedPosition{*this, "unwrappedPosition", "m", Keep::Transient,
       "position without the shift of periodic images; only with periodic sides"};
   // Rates of the current step.
   GuestColumn<Vec3d> force{*this, "force", "N", Keep::Transient,
       "sum of all forces; shares the memory of `acceleration` where possible, until the kick converts it "
       "(forceOf, core/simulation/time/integrate.hpp)", Rows::Owned};
+  Column<Vec3d> outsideForce{*this, "outsideForce", "N", Keep::State,
+      "part of the force that the program adds (core/domain/outside_forces.hpp)", Rows::Owned};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient,
       "sum of all heat flows into the particle", Rows::Owned};
   Column<double> dissipation{*this, "dissipation", "W", Keep::Transient,

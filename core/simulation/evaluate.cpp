@@ -144,6 +144,9 @@ void finishForces(Evaluation& e) {
     addOuterHeat(heatView(w), e.dt, e.walls.steady);
     addThermostats(heatView(w), e.dt);
   }
+  if (w.particles.outsideForce.active)
+    addOutsideLoads(t.outside, w.particles, w.ledger, e.dt > 0 ? timeAfter(w.clock, e.dt) : w.clock.time,
+                    e.dt);
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ void predict(World& w, Halos halos, StepTools& t, double dt, double time) {
     stepOriented(orientedView(w, t), halos, dt);  // with integrators of their own, and with obstacles at
                                                   // their positions of the force evaluation
   if (w.modules.incompressible) addPressureImpulse(w.particles);  // computed at the end of the last step
+  if (w.particles.outsideForce.active)
+    recordOutsideKick(w.particles, HalfKick::First, w.scene.domain.gravity, dt, w.ledger);
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w.modules, w.particles, t.sleep)) || w.clock.substeps > 1;
   substepSolids(w, halos, t, dt);  // stiff solids: bonds only, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
@@ -38,6 +40,8 @@ void predict(World& w, Halos halos, StepTools& t, double dt, double time) {
 StepOutcome finishKicks(World& w, StepTools& t, double dt) {
   StepOutcome here;
   LargestRates largest;
+  if (w.particles.outsideForce.active)
+    recordOutsideKick(w.particles, HalfKick::Second, w.scene.domain.gravity, dt, w.ledger);
   here.finite = finishKick(w, dt, awakeRows(w.modules, w.particles, t.sleep), &here.bad, &largest);
   here.largest = largest;
   here.badHere = !here.finite || w.oriented.exceededReach;

@@ -276,6 +276,7 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
     }
   };
   Continuum& p = w.particles;
+  if (s.particles.outsideForce.active) p.activate(p.outsideForce);
   takeOver(s.particles, p);
   if (w.surface.surfels.id.active) takeOver(s.surfels, w.surface.surfels);
   restoreSurfaceRecord(h.surface, w.surface);

@@ -14,7 +14,7 @@ void writeBodyTypeFrames(Run& r) {
     Frame f = bodyTypeFrameOf(w, kind);
     if (kind == sheetType) addSheetTriangles(w, *r.edges, spreadRows(r.comm.handle(), f.count).mine.first, f);
     writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
-    onFirstRank(r.comm.handle(), [&] {
+    onDisk(r, [&] {
       r.bodyTypeSeries[kind].push_back({file, w.clock.time});
       writeSeries(seriesPath(r.options.out, name), r.bodyTypeSeries[kind]);
     });
@@ -22,7 +22,7 @@ void writeBodyTypeFrames(Run& r) {
 }
 
 void resumeBodyTypeFrames(Run& r) {
-  onFirstRank(r.comm.handle(), [&] {
+  onDisk(r, [&] {
     forEachBodyType(r.world, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
       r.bodyTypeSeries[kind] = framesPresent(r.options.out, bodyTypeFrameName(r.name, kind),
                                              r.world.clock.time);

@@ -129,10 +129,11 @@ bool ledgerRowDue(const World& w, double before) {
 }
 
 void writeLedgerRow(Run& r) {
+  if (!r.writes()) return;
   r.tools.times.start();
   const LedgerReport ledger = reportLedger(r.world, r.tools, r.all);
   const StoredParts parts = storedParts(r.world, r.tools, r.all);
-  onFirstRank(r.comm.handle(), [&] {
+  onDisk(r, [&] {
     std::ofstream file(ledgerLogPath(r.options.out), std::ios::app);
     file << columnsOf(r.world.clock, ledger, parts).row();
     file.close();

@@ -45,7 +45,7 @@ void restoreLastSnapshot(Run& r) {
 
 /// Removes the frames and rows after the snapshot, which are written again.
 void removeFramesAfterSnapshot(Run& r) {
-  onFirstRank(r.comm.handle(), [&] {
+  onDisk(r, [&] {
     removeFramesAfter(r.options.out, r.name, r.series, r.world.clock.time);
     truncateProgressLog(r.options.out, r.world.clock.step);
     truncateLedgerLog(r.options.out, r.world.clock.step);
@@ -67,6 +67,13 @@ std::string triedText(const Run& r, const MonitorState& watch) {
   return text;
 }
 
+/// Makes the last snapshot the checkpoint of a run that gives up. Returns the end of its message.
+std::string keepSnapshot(Run& r) {
+  if (!r.snapshotInMemory || r.snapshotOnDisk) return "; the last checkpoint is older";
+  writeCheckpoint(r.options.out, r.comm.handle(), r.good, r.stamp(), restartRecordOf(r.world.scene));
+  return fmt::format("; the checkpoint holds step {}, before the failure", r.good.world.clock.step);
+}
+
 }  // namespace
 
 void beginRetries(Run& r) {
@@ -78,7 +85,7 @@ void beginRetries(Run& r) {
   const std::int64_t step = w.clock.step, good = w.watch.snapshotStep;
   if (good >= 0 && good < step && step % w.scene.numerics.retryEvery != 0) {
     int there = 0;
-    onFirstRank(r.comm.handle(), [&] {
+    onDisk(r, [&] {
       std::error_code error;
       there = std::filesystem::exists(snapshotFilePath(r.options.out, good), error);
     });
@@ -126,7 +133,7 @@ void writeLastSnapshot(Run& r) {
     acceptState(w, reportLedger(w, r.tools, r.all));
     return;
   }
-  if (r.snapshotOnDisk) return;
+  if (r.snapshotOnDisk || !r.writes()) return;
   writeSnapshot(r.options.out, r.comm.handle(), r.good, r.stamp(), restartRecordOf(w.scene));
   r.snapshotOnDisk = true;
 }
@@ -135,7 +142,6 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
   World& w = r.world;
   const Clock clock = w.clock;
   const MonitorState watch = w.watch;
-  const Numerics& n = w.scene.numerics;
   findStoredEnergy(w, r.tools);
   const FailingParticle s = findFailingParticle(w, failed.failure, failed.limitedBy, r.all);
   const std::string ofKinds = bodyTypeSuspect(w, r.tools, failed, r.all);  // on at most one rank
@@ -168,16 +174,8 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
       problem = fmt::format("; the snapshot cannot be read: {}", e.what());
     }
   }
-  if (r.snapshotInMemory && !r.snapshotOnDisk) {
-    writeCheckpoint(r.options.out, r.comm.handle(), r.good, r.stamp(), restartRecordOf(w.scene));
-    problem += fmt::format("; the checkpoint holds step {}, before the failure", r.good.world.clock.step);
-  } else {
-    problem += "; the last checkpoint is older";
-  }
+  if (r.writes()) problem += keepSnapshot(r);
   why = fmt::format("blew up at {}: {}{}{}", when, what, triedText(r, watch), problem);
-  if (r.first())
-    std::fprintf(stderr, "error: the simulation %s%s\n", why.c_str(),
-                 n.fixedStep > 0 ? "; numerics.fixed_step may be too long" : "");
   return false;
 }
 

@@ -35,7 +35,7 @@ namespace {
 
 /// Writes the summary of a run that has no state to gather.
 void summariseWithoutState(Run& r, const std::string& status, const std::string& message) {
-  if (!r.first()) return;
+  if (!r.first() || !r.writes()) return;
   r.summary.status = status;
   r.summary.message = message;
   r.summary.ranks = r.comm.size();
@@ -105,10 +105,14 @@ void reportBodies(const Run& r, const SamplingReport& sampled) {
 
 }  // namespace
 
+void onDisk(const Run& r, const std::function<void()>& work) {
+  if (r.writes()) onFirstRank(r.comm.handle(), work);
+}
+
 StopMonitor stopMonitorOf(const Run& r) {
   StopMonitor watch;
   if (r.first()) {
-    watch.stopFile = r.options.out + "/stop";
+    if (r.writes()) watch.stopFile = r.options.out + "/stop";
     watch.timeLimit = r.options.timeLimit;
     watch.start = r.start;
   }
@@ -136,7 +140,7 @@ void writeParticleFrame(Run& r) {
   const Frame f = frameOf(w, r.comm.rank());
   const std::string file = frameName(r.name, w.clock.frame);
   writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
-  onFirstRank(r.comm.handle(), [&] {
+  onDisk(r, [&] {
     r.series.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, r.name), r.series);
   });
@@ -168,11 +172,14 @@ std::string sleepText(Run& r) {
 void writeFrameOf(Run& r) {
   World& w = r.world;
   r.tools.times.start();
-  if (hasContinuum(w.scene)) writeParticleFrame(r);
-  if (w.modules.surface) writeSurfaceFrameOf(r);
-  writeBodyTypeFrames(r);
+  if (r.writes()) {
+    if (hasContinuum(w.scene)) writeParticleFrame(r);
+    if (w.modules.surface) writeSurfaceFrameOf(r);
+    writeBodyTypeFrames(r);
+  }
   w.clock.frame++;
   r.tools.times.lap(StepPhase::Frames);
+  for (const auto& call : r.onFrame) call();
 }
 
 void report(Run& r) {
@@ -190,7 +197,7 @@ void report(Run& r) {
   r.summary.solvers = solversOf(r.world, r.tools);
   r.say(progressLine(progress, l) + sleepText(r) + progressOf(r.summary.solvers) +
         progressOf(r.summary.surface));
-  onFirstRank(r.comm.handle(), [&] { addToProgressLog(r.options.out, progress, r.summary); });
+  onDisk(r, [&] { addToProgressLog(r.options.out, progress, r.summary); });
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
   r.tools.times.lap(StepPhase::Other);
@@ -239,7 +246,7 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   s.solvers = solversOf(r.world, r.tools);
   gatherSummary(s, r.world, r.tools.times, r.comm.statistics(), r.all);
   gatherSurface(r);
-  onFirstRank(r.comm.handle(), [&] {
+  onDisk(r, [&] {
     RunSummary all = s;
     for (const std::string& w : warningsOf(s.counters, s.ledger)) all.warnings.push_back(w);
     for (const std::string& w : surfaceWarnings(s.surface)) all.warnings.push_back(w);
@@ -259,16 +266,18 @@ void reportProfile(Run& r) {
   for (const std::string& line :
        profileLines(*p, r.tools.times, r.world.clock.step - r.firstStep, particles, r.comm))
     r.say(line);
+  if (!r.writes()) return;
   const std::string path = r.options.out + "/trace.json";
   writeTrace(path, r.comm, p->trace);
   r.say(fmt::format("  trace of the last steps: {} (ui.perfetto.dev opens it)", path));
 }
 
 void writeCheckpointOf(Run& r) {
+  if (!r.writes()) return;
   r.tools.times.start();
   findStoredEnergy(r.world, r.tools);
   writeCheckpoint(r.options.out, r.comm.handle(), r.world, r.stamp(), restartRecordOf(r.world.scene));
-  onFirstRank(r.comm.handle(), [&] { dropUnusedSnapshots(r.options.out); });
+  onDisk(r, [&] { dropUnusedSnapshots(r.options.out); });
   r.lastCheckpoint = WallClock::now();
   r.tools.times.lap(StepPhase::Checkpoint);
   summarise(r, "running", "");
@@ -382,7 +391,7 @@ void begin(Run& r, const MeshLoader& load) {
       r.summary.warnings.push_back(line);
     }
     // Only now is the new run sure to start. An error in the scene leaves the earlier run as it is.
-    onFirstRank(r.comm.handle(), [&] {
+    onDisk(r, [&] {
       if (moveEarlierRunAside(r.options.out))
         r.say(fmt::format("note: the earlier run in {0} is now in {0}/{1}", r.options.out, earlierRunFolder));
       makeOutputFolders(r.options.out);
@@ -392,7 +401,7 @@ void begin(Run& r, const MeshLoader& load) {
     writeFrameOf(r);
   }
   r.begun = true;
-  onFirstRank(r.comm.handle(), [&] {
+  onDisk(r, [&] {
     r.resumed ? truncateProgressLog(r.options.out, w.clock.step) : beginProgressLog(r.options.out);
     r.resumed ? truncateLedgerLog(r.options.out, w.clock.step) : beginLedgerLog(r.options.out);
     std::error_code code;

@@ -64,7 +64,9 @@ struct Run {
                                                                          // warned
   std::set<std::pair<std::size_t, std::size_t>> obstacleInterpenetrationWarned;  // the same for oriented
                                                                                  // bodies and walls
-  bool stepping = false;  // in the step loop, whose calls are collective
+  std::vector<std::function<void()>> onStep, onFrame;  // functions of the program, called after each step
+                                                       // and each frame
+  bool stepping = false;                               // in the step loop, whose calls are collective
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
   Halos halos() {
@@ -78,10 +80,14 @@ struct Run {
     say("warning: " + line);
   }
   void say(const std::string& line) const {
-    if (first()) std::printf("%s\n", line.c_str()), std::fflush(stdout);
+    if (first() && options.log) options.log(line);
   }
+  bool writes() const { return !options.out.empty(); }
   RunStamp stamp() const { return {name, world.scene.text, world.scene.output.piecesByRank}; }
 };
+
+/// Runs `work` on the first rank if the run has a folder. Throws its IoError on all ranks. Collective.
+void onDisk(const Run& run, const std::function<void()>& work);
 
 /// Makes new halos for particles, bonds and surface, at the start and at a rollback.
 void renewHalos(Run& run);

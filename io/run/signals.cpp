@@ -27,6 +27,7 @@ int caughtSignal() { return signalCaught; }
 
 std::string StopMonitor::reason() {
   if (const int s = caughtSignal()) return std::string("signal ") + strsignal(s);
+  if (requested) return "request of the program";
   const auto now = std::chrono::steady_clock::now();
   if (timeLimit > 0 && std::chrono::duration<double>(now - start).count() >= timeLimit) return "time limit";
   if (!stopFile.empty() && std::chrono::duration<double>(now - looked).count() > 0.5) {

@@ -15,8 +15,9 @@ int caughtSignal();
 
 /// Returns a reason to stop on this rank, or "". It checks for the stop file at most twice a second.
 struct StopMonitor {
-  std::string stopFile;  ///< path
-  double timeLimit = 0;  ///< s of wall-clock time, 0: none
+  std::string stopFile;    ///< path
+  double timeLimit = 0;    ///< s of wall-clock time, 0: none
+  bool requested = false;  ///< by the program
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now(), looked{};
   std::string reason();
 };

@@ -22,14 +22,14 @@ void beginSurface(Run& r, const MeshLoader& load) {
     r.summary.warnings.push_back(line);
     r.say("warning: " + line);
   }
-  onFirstRank(r.comm.handle(), [&] {
+  onDisk(r, [&] {
     beginComponentLog(r.options.out);
     writeEventLog(r.options.out, r.world.surface.events);
   });
 }
 
 void resumeSurfaceOutput(Run& r) {
-  onFirstRank(r.comm.handle(), [&] {
+  onDisk(r, [&] {
     r.surfaceSeries = framesPresent(r.options.out, surfaceName(r.name), r.world.clock.time);
     r.summary.surface.held = truncateComponentLog(r.options.out, r.world.clock.step);
     writeEventLog(r.options.out, r.world.surface.events);
@@ -46,8 +46,7 @@ void updateSurfaceOf(Run& r) {
   updateSurface(surfaceView(r.world), r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Surface);
   r.summary.surface.updatesHere++;
-  if (s.events.size() != events)
-    onFirstRank(r.comm.handle(), [&] { writeEventLog(r.options.out, s.events); });
+  if (s.events.size() != events) onDisk(r, [&] { writeEventLog(r.options.out, s.events); });
 }
 
 void writeSurfaceFrameOf(Run& r) {
@@ -55,7 +54,7 @@ void writeSurfaceFrameOf(Run& r) {
   const std::string name = surfaceName(r.name), file = frameName(name, w.clock.frame);
   const Frame f = surfaceFrameOf(w);
   writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
-  onFirstRank(r.comm.handle(), [&] {
+  onDisk(r, [&] {
     r.surfaceSeries.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, name), r.surfaceSeries);
     addToComponentLog(r.options.out, w);

@@ -25,7 +25,7 @@ struct Oriented : BodyTypeRows {
   Column<Vec3d> torque{*this, "torque", "N m", Keep::State, "torque of the last evaluation"};
   Column<Vec3d> external{*this, "external", "N", Keep::State,
       "contact force of the continuum and sheets, constant over a step"};
-  Column<Vec3d> dissipativeForce{*this, "resisting", "N", Keep::State,
+  Column<Vec3d> dissipativeForce{*this, "dissipativeForce", "N", Keep::State,
       "dissipative part of external: dashpots and friction"};
   Column<std::uint32_t> group{*this, "group", "1", Keep::State,
       "number of its surface, that of its body until a weld"};
@@ -34,14 +34,14 @@ struct Oriented : BodyTypeRows {
   Column<std::uint8_t> flags{*this, "flags", "1", Keep::State,
       "bits: 1 creased, 2 fixed position, 4 fixed orientation, 16 born in contact"};
   Column<std::uint16_t> anchor{*this, "anchor", "1", Keep::State, "index of its anchor in its body"};
-  Column<Vec3d> restPosition{*this, "home", "m", Keep::State, "initial position of anchored particles"};
-  Column<Quat> restOrientation{*this, "homeTurn", "1", Keep::State,
+  Column<Vec3d> restPosition{*this, "restPosition", "m", Keep::State, "initial position of anchored particles"};
+  Column<Quat> restOrientation{*this, "restOrientation", "1", Keep::State,
       "initial orientation of anchored particles"};
   Column<Vec3d> normal{*this, "normal", "1", Keep::Transient, "e_z rotated by the orientation"};
   Column<double> stiffness{*this, "stiffness", "1/s^2", Keep::Transient,
       "bound of its squared angular frequency"};
-  Column<Vec3d> candidate{*this, "offer", "m", Keep::Transient, "displacement to the candidate particle"};
-  Column<std::uint64_t> candidateRank{*this, "offerRank", "1", Keep::Transient,
+  Column<Vec3d> candidate{*this, "candidate", "m", Keep::Transient, "displacement to the candidate particle"};
+  Column<std::uint64_t> candidateRank{*this, "candidateRank", "1", Keep::Transient,
       "priority of the candidate: 0 none, else the smallest wins"};
   // columns of the implicit solver
   Column<Vec3d> search{*this, "search", "m/s", Keep::Transient, "velocities to multiply by the stiffness"};

@@ -34,7 +34,7 @@ struct Sheets : BodyTypeRows {
       "pull; only where one changes"};
   Column<Vec3d> moved{*this, "moved", "m", Keep::State,
       "displacement over the last step; only with external loads or damping"};
-  Column<Vec3d> dissipativeForce{*this, "resisting", "N/m^2", Keep::State,
+  Column<Vec3d> dissipativeForce{*this, "dissipativeForce", "N/m^2", Keep::State,
       "dissipative part of the load: dashpots and friction; only where a sheet touches anything"};
   Column<double> area{*this, "area", "m^2", Keep::State, "initial area, a third of the vertex's triangles"};
   Column<std::uint16_t> law{*this, "law", "1", Keep::State, "index into SheetBodies::laws"};
@@ -43,7 +43,7 @@ struct Sheets : BodyTypeRows {
   Column<std::uint8_t> clamped{*this, "clamped", "1", Keep::State, "1: fixed position"};
   Column<double> temperature{*this, "temperature", "K", Keep::State, "temperature; only with heat"};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient, "sum of all heat flows into the vertex"};
-  Column<Vec3d> areaNormal{*this, "facing", "m^2", Keep::Transient,
+  Column<Vec3d> areaNormal{*this, "areaNormal", "m^2", Keep::Transient,
       "area vector: a third of its triangles', along the normal"};
   Column<Vec3d> moving{*this, "moving", "m/s", Keep::Transient,
       "velocity at the time of the forces; only with contact of vertices"};

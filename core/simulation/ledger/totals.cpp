@@ -109,8 +109,8 @@ std::vector<NamedReal> realsOf(MonitorState& s) {
 std::vector<NamedCount> countsOf(MonitorState& s) {
   return {{"halvings", &s.halvings},
           {"failures", &s.failures},
-          {"patience", &s.requiredSnapshots},
-          {"calm", &s.snapshotsSinceChange},
+          {"required_snapshots", &s.requiredSnapshots},
+          {"snapshots_since_change", &s.snapshotsSinceChange},
           {"good_step", &s.snapshotStep}};
 }
 

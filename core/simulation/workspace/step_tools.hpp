@@ -7,6 +7,7 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/emit.hpp"
+#include "core/domain/outside_forces.hpp"
 #include "core/fluid/density/carry_work.hpp"
 #include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/incompressible/pressure_work.hpp"
@@ -67,6 +68,7 @@ struct StepTools {
   SleepWork sleep;
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
+  std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce
   std::vector<std::uint32_t> leaving;
   std::vector<Leaver> leavers;  ///< from all ranks; empty without surface tension
   PhaseTimes times;

@@ -65,7 +65,7 @@ struct Solids : Table {
       "stored elastic, volume and hourglass energy; migrates with the slot, also right after a restart"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::Transient,
       "lost to plastic flow and bond damping in this step"};
-  Column<std::uint8_t> exposed{*this, "bared", "1", Keep::State,
+  Column<std::uint8_t> exposed{*this, "exposed", "1", Keep::State,
       "lost a bond, froze, or touched liquid: the initial surface may no longer cover it; only with a "
       "surface"};
   Column<std::uint8_t> melted{*this, "melted", "1", Keep::Transient,

@@ -30,32 +30,32 @@ struct Surfels : Table {
       "remaining fraction of the mesh's detail, 1 at the start, 0 after melting"};
   Column<float> liquid{*this, "liquid", "1", Keep::State,
       "liquid fraction of the surrounding particles: weight of the surface update (K05 4.5)"};
-  Column<float> maxLiquidFraction{*this, "softened", "1", Keep::State,
+  Column<float> maxLiquidFraction{*this, "maxLiquidFraction", "1", Keep::State,
       "largest liquid fraction since it was solid, which has faded its detail (blend.hpp); 0: none yet. Only "
       "with solids that melt"};
-  Column<float> detailHeight{*this, "mark", "m", Keep::State,
+  Column<float> detailHeight{*this, "detailHeight", "m", Keep::State,
       "remaining height of detail over the smooth surface, where maxLiquidFraction > 0"};
   Column<float> temperature{*this, "temperature", "K", Keep::State,
       "temperature of the surrounding particles; only with heat"};
-  Column<float> resampleMargin{*this, "calm", "1", Keep::State,
+  Column<float> resampleMargin{*this, "resampleMargin", "1", Keep::State,
       "remaining strain and moves in radii before resampling inspects its surroundings; 0: at once"};
-  Column<std::uint8_t> hasReference{*this, "follows", "1", Keep::State,
+  Column<std::uint8_t> hasReference{*this, "hasReference", "1", Keep::State,
       "1: it has a reference position and frame (reference_motion.hpp); only with solids"};
-  Column<Vec3d> referencePosition{*this, "startPlace", "m", Keep::State, "reference position"};
-  Column<Vec3d> referenceNormal{*this, "startNormal", "1", Keep::State, "reference normal"};
-  Column<Vec3d> referenceTangent{*this, "startTangent", "1", Keep::State, "reference tangent"};
-  Column<Vec3d> wallOffset{*this, "pressed", "m", Keep::State,
+  Column<Vec3d> referencePosition{*this, "referencePosition", "m", Keep::State, "reference position"};
+  Column<Vec3d> referenceNormal{*this, "referenceNormal", "1", Keep::State, "reference normal"};
+  Column<Vec3d> referenceTangent{*this, "referenceTangent", "1", Keep::State, "reference tangent"};
+  Column<Vec3d> wallOffset{*this, "wallOffset", "m", Keep::State,
       "displacement of a solid's surfel by walls from its position on the body; only with walls"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   // fields of the current update: inactive outside of it, and not in checkpoints
   Column<std::uint8_t> moving{*this, "moving", "1", Keep::State,
       "1: moved in the last iteration; 2: stopped at the margin until the next search"};
-  Column<float> stepShare{*this, "pace", "1", Keep::State,
+  Column<float> stepShare{*this, "stepShare", "1", Keep::State,
       "fraction of the last step along its normal; negative: into the body; 0: none yet"};
-  Column<float> gapCutoff{*this, "ceiling", "m", Keep::State,
+  Column<float> gapCutoff{*this, "gapCutoff", "m", Keep::State,
       "height over its plane above which particles are across a gap (gap_cutoffs.hpp); infinity: no gap"};
-  Column<std::uint8_t> wallAligned{*this, "standing", "1", Keep::State,
+  Column<std::uint8_t> wallAligned{*this, "wallAligned", "1", Keep::State,
       "1: rests on a wall that it faces during iterations (alignWithWalls); only with walls"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State,
       "position after the particles' displacement (displaceSurfels)"};
@@ -63,10 +63,10 @@ struct Surfels : Table {
       "normal after the displacement; 0: born in this update on a crack face"};
   Column<float> strain{*this, "strain", "1", Keep::State,
       "magnitude of the strain since the last update (displaceSurfels)"};
-  Column<std::uint8_t> relaxesOnce{*this, "loose", "1", Keep::State,
+  Column<std::uint8_t> relaxesOnce{*this, "relaxesOnce", "1", Keep::State,
       "1: new on a crack face, or beside a seam of a merge; it relaxes in this update even if solid"};
   // fields of components and measures
-  Column<double> linkRadius2{*this, "reach", "m^2", Keep::Transient,
+  Column<double> linkRadius2{*this, "linkRadius2", "m^2", Keep::Transient,
       "squared distance to the farthest of the nearest surfels that it may link to"};
   Column<std::uint64_t> nearest{*this, "nearest", "1", Keep::Transient,
       "id of the nearest particle of its component, ~0 without one within h_ps"};
@@ -86,12 +86,12 @@ struct Surfels : Table {
   Column<double> depth{*this, "depth", "m", Keep::State,
       "only in an ActiveSet: lower bound of the distance to surfels that were open when it was made"};
   Column<double> wanted{*this, "wanted", "m", Keep::Transient, "target radius from curvature"};
-  Column<std::uint8_t> resampleFlags{*this, "wish", "1", Keep::Transient,
+  Column<std::uint8_t> resampleFlags{*this, "resampleFlags", "1", Keep::Transient,
       "resampling flags: 1 birth candidate, 2 crowded, 4 precedes all that are too close, 8 dies or gives "
       "birth"};
-  Column<Vec3d> candidateOffset{*this, "offer", "m", Keep::Transient,
+  Column<Vec3d> candidateOffset{*this, "candidateOffset", "m", Keep::Transient,
       "vector from the surfel to the birth candidate"};
-  Column<Vec3d> candidateNormal{*this, "offerNormal", "1", Keep::Transient,
+  Column<Vec3d> candidateNormal{*this, "candidateNormal", "1", Keep::Transient,
       "surface normal at the candidate"};
   // clang-format on
 };
@@ -128,7 +128,7 @@ struct SurfaceParticles : Table {
   Column<double> volume{*this, "volume", "m^3", Keep::State, "mass over rest density"};
   Column<float> fill{*this, "fill", "1", Keep::State,
       "initial fraction of its cell inside the body, over the mean (Continuum::initialFill); 0: the mean"};
-  Column<double> volumeRatio{*this, "share", "1", Keep::State,
+  Column<double> volumeRatio{*this, "volumeRatio", "1", Keep::State,
       "target volume inside the surface over its own volume"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "mass of the particle"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};
@@ -136,13 +136,13 @@ struct SurfaceParticles : Table {
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<std::uint8_t> covered{*this, "covered", "1", Keep::State,
       "1: solid with all initial bonds, and never adjacent to liquid; only with solids"};
-  Column<Vec3d> referencePosition{*this, "startPlace", "m", Keep::State,
+  Column<Vec3d> referencePosition{*this, "referencePosition", "m", Keep::State,
       "position when the surface was made; only with solids"};
   Column<float> colour{*this, "colour", "1", Keep::Transient,
       "colour field of its component at the particle (prepareParticles)"};
   Column<float> smoothColour{*this, "smoothColour", "1", Keep::Transient,
       "colour field of particles weighted by their colour"};
-  Column<std::uint64_t> source{*this, "home", "1", Keep::State, "rank << 32 | row of the original particle"};
+  Column<std::uint64_t> source{*this, "source", "1", Keep::State, "rank << 32 | row of the original particle"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   Column<Mat3d> gradient{*this, "gradient", "1", Keep::State,

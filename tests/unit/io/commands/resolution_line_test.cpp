@@ -2,7 +2,7 @@
 // The first lines of a run's output.
 #include <gtest/gtest.h>
 
-#include "io/commands/resolution_line.hpp"
+#include "io/run/resolution_line.hpp"
 #include "io/text/short_text.hpp"
 
 namespace thaw {

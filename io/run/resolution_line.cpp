@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/commands/resolution_line.hpp"
+#include "io/run/resolution_line.hpp"
 
 #include <fmt/format.h>
 

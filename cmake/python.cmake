@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# The Python package: python/thaw beside its compiled part, in <build>/python/thaw and in the installation.
+# THAW_PYTHON: AUTO builds it where Python's headers and pybind11 are, ON requires them, OFF leaves it out.
+set(THAW_PYTHON AUTO CACHE STRING "AUTO, ON or OFF: the Python package")
+if(THAW_PYTHON STREQUAL "OFF")
+  return()
+endif()
+find_package(Python3 COMPONENTS Interpreter Development.Module QUIET)
+find_package(pybind11 CONFIG QUIET)
+if(NOT Python3_Development.Module_FOUND OR NOT pybind11_FOUND)
+  if(THAW_PYTHON STREQUAL "ON")
+    message(FATAL_ERROR "THAW_PYTHON=ON needs Python's headers and pybind11 (Debian: python3-dev pybind11-dev)")
+  endif()
+  message(STATUS "The Python package is left out: Python's headers or pybind11 are missing")
+  return()
+endif()
+
+file(GLOB python_sources CONFIGURE_DEPENDS python/src/*.cpp)
+pybind11_add_module(thaw_python MODULE NO_EXTRAS ${python_sources})
+target_link_libraries(thaw_python PRIVATE thaw_io)
+target_compile_options(thaw_python PRIVATE $<$<CONFIG:Release>:-O1>)
+set_target_properties(thaw_python PROPERTIES OUTPUT_NAME _core
+  LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/python/thaw)
+file(GLOB python_files CONFIGURE_DEPENDS python/thaw/*)
+foreach(file ${python_files})
+  get_filename_component(name ${file} NAME)
+  file(CREATE_LINK ${file} ${PROJECT_BINARY_DIR}/python/thaw/${name} SYMBOLIC)
+endforeach()
+set(THAW_PYTHON_FOLDER ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages CACHE STRING
+  "Folder of the Python package in the installation")
+install(TARGETS thaw_python LIBRARY DESTINATION ${THAW_PYTHON_FOLDER}/thaw)
+install(FILES ${python_files} DESTINATION ${THAW_PYTHON_FOLDER}/thaw)

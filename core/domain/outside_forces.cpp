@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/domain/outside_forces.hpp"
+
+#include <algorithm>
+
+#include "core/particles/sleep_stage.hpp"
+
+namespace thaw {
+namespace {
+
+bool isFree(const Continuum& p, std::size_t i) {
+  return !(p.clamped.active && p.clamped[i]) && !(p.sleep.active && p.sleep[i] != awake);
+}
+
+}  // namespace
+
+void addOutsideLoads(const std::vector<OutsideSource>& sources, Continuum& p, Ledger& ledger, double time,
+                     double dt) {
+  const std::size_t n = p.owned;
+  std::fill_n(p.outsideForce.data(), n, Vec3d{});
+  std::vector<double> heat(p.heatFlow.active ? n : 0, 0.0);
+  for (const OutsideSource& source : sources)
+    source({p, time, p.outsideForce.data(), heat.empty() ? nullptr : heat.data()});
+  for (std::size_t i = 0; i < n; i++) {
+    if (isFree(p, i)) p.force[i] += p.outsideForce[i];
+    else p.outsideForce[i] = {};
+  }
+  for (std::size_t i = 0; i < heat.size(); i++) {
+    if (heat[i] == 0) continue;
+    p.heatFlow[i] += heat[i];
+    ledger.heatIn.add(heat[i] * dt);
+  }
+}
+
+void recordOutsideKick(const Continuum& p, HalfKick kick, const Vec3d& gravity, double dt, Ledger& ledger) {
+  const double half = 0.5 * dt;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Vec3d& f = p.outsideForce[i];
+    if (f.x == 0 && f.y == 0 && f.z == 0) continue;
+    const Vec3d a = kick == HalfKick::First ? p.acceleration[i] : p.force[i] * (1 / p.mass[i]) + gravity;
+    ledger.wallWork.add(dot(f, p.velocity[i] + a * (0.5 * half)) * half);  // at the mean velocity of the kick
+    for (int axis = 0; axis < 3; axis++) ledger.wallImpulse[axis].add(f[axis] * half);
+  }
+}
+
+}  // namespace thaw

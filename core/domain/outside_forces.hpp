@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forces and heat that a program adds to the particles of a simulation.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "core/ledger/ledger.hpp"
+#include "core/particles/continuum.hpp"
+
+namespace thaw {
+
+/// What an outside source reads and adds to. Arrays have one entry for each owned row of `particles`, whose
+/// positions and velocities are those at `time`.
+struct OutsideLoad {
+  Continuum& particles;
+  double time = 0;         ///< s
+  Vec3d* force = nullptr;  ///< N, to be added to
+  double* heat = nullptr;  ///< W, to be added to; null in a scene without heat
+};
+
+/// Called once in every evaluation of forces, on every rank, also on ranks without particles. For the same
+/// bits on any number of ranks, a load must follow from the particle's own fields and the time alone.
+using OutsideSource = std::function<void(const OutsideLoad&)>;
+
+/// Sets Continuum::outsideForce from all sources, and adds it to the forces of particles that are free to
+/// move. Heat is added to Continuum::heatFlow and recorded for the step dt (s) in the ledger.
+void addOutsideLoads(const std::vector<OutsideSource>& sources, Continuum& particles, Ledger& ledger,
+                     double time, double dt);
+
+/// The half kick that follows: with the accelerations of the last step, or with the forces of this one.
+enum class HalfKick { First, Second };
+
+/// Records work and impulse of Continuum::outsideForce in a half kick over dt / 2 (s). Called before it.
+/// gravity: m/s^2.
+void recordOutsideKick(const Continuum& particles, HalfKick kick, const Vec3d& gravity, double dt,
+                       Ledger& ledger);
+
+}  // namespace thaw

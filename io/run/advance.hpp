@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// One step of a run with all that follows it: surface, frames, ledger, snapshots, checkpoints, balance.
+#pragma once
+#include "io/run/run_state.hpp"
+#include "parallel/balance.hpp"
+
+namespace thaw {
+
+enum class Advance {
+  Stepped,
+  RolledBack,  ///< the step failed; the run is back at the last snapshot, with a shorter step
+  Stopped,     ///< after a step, since a stop was requested
+  BlewUp       ///< the step failed, and the retries are used up
+};
+
+/// Data that pass from one step of a run to the next.
+struct StepLoop {
+  StopMonitor stop;
+  WorkMeter meter;
+  std::string why;  ///< reason of Advance::Stopped and BlewUp
+};
+
+/// Takes one step. Requires: openRun returned Opened::Ready, and the end is not reached. Collective.
+Advance advance(Run& run, StepLoop& loop);
+
+}  // namespace thaw

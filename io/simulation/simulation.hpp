@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// A simulation as a program sees it: made from a scene, stepped, read, changed, written. It does all that
+// `thaw run` does, which is its first client, and prints nothing.
+//
+//   thaw::MpiSession mpi(&argc, &argv);
+//   thaw::Simulation sim({.scene = "melt.toml", .out = "out/melt"});
+//   sim.run();
+//
+// All functions but the const ones are collective: every rank of the communicator calls them in the same
+// order. Simulations are independent of each other.
+#pragma once
+#include <mpi.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/domain/outside_forces.hpp"
+#include "core/simulation/ledger/report.hpp"
+#include "core/simulation/world/world.hpp"
+#include "io/run/run_options.hpp"
+
+namespace thaw {
+
+struct Run;
+class Communicator;
+
+/// A step failed, and the retries of the scene are used up. what(): which particle, why, and what was tried.
+struct BlewUp : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Simulation {
+ public:
+  /// Reads the scene file `options.scene` and makes its particles, or continues from the checkpoint in
+  /// `options.out` with options.restart or resume. With a folder, it locks it and writes the first frame.
+  /// Throws SceneErrors, ShapeError, IoError or std::runtime_error, alike on all ranks.
+  explicit Simulation(RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
+  /// The same with a scene that the program made or changed, equal on all ranks. options.scene is a name for
+  /// messages and files. A restart compares the scene with that of the checkpoint.
+  Simulation(Scene scene, RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
+  /// The same with the text of a scene file (TOML), equal on all ranks; paths are relative to the working
+  /// folder.
+  static Simulation fromText(const std::string& text, RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Takes one step, with the surface, frames, ledger rows and checkpoints that are due after it. After a
+  /// failure that a retry may mend the simulation is back at its last snapshot. Returns false without a step
+  /// at the end of the scene, and after a stop request (signal, stop file, time limit). Throws BlewUp,
+  /// IoError.
+  bool step();
+  /// Steps to the end of the scene, or to a stop request.
+  void run();
+  /// Sets the time (s) that the next steps lead to.
+  void setEnd(double time);
+  /// Steps to a time (s), which may be beyond the end of the scene. The last steps are shortened to hit it.
+  void runUntil(double time);
+  /// Takes a number of steps, fewer at the end of the scene.
+  void runSteps(std::int64_t count);
+  /// Writes the last checkpoint and the summary of a run with a folder. No step may follow. Returns the exit
+  /// code of `thaw run`.
+  int finish();
+  /// Returns true after a stop request; stopReason() tells which.
+  bool stopped() const;
+  const std::string& stopReason() const;
+
+  double time() const;            ///< s
+  double lastStep() const;        ///< s, length of the last step
+  std::int64_t steps() const;     ///< steps since the start of the scene
+  const Scene& scene() const;     ///< with all defaults resolved
+  const World& world() const;     ///< particles, surface, sheets, oriented bodies of this rank
+  World& world();                 ///< what a program changes here itself is in no ledger
+  MPI_Comm communicator() const;  ///< of its own
+  const std::vector<std::string>& warnings() const;  ///< on the first rank
+  int rank() const;
+  int ranks() const;
+
+  /// The ledger over all ranks.
+  LedgerReport ledger();
+  /// Updates the surface to the current time. Requires: the scene has one.
+  void updateSurface();
+  /// Writes a frame or a checkpoint now. Requires: a folder.
+  void writeFrame();
+  void writeCheckpoint();
+
+  /// Functions that are called after every step, and after every frame. They are called again for steps that
+  /// a retry repeats.
+  void onStep(std::function<void()> call);
+  void onFrame(std::function<void()> call);
+  /// Adds a force or a source of heat, from the next step on. Its work, impulse and heat are in the ledger.
+  void addForce(OutsideSource source);
+  /// Lets the program change Continuum::velocity and temperature of owned rows between both calls. endEdit
+  /// returns whether some rank changed one; forces and the next step are then computed anew. The ledger
+  /// records the change as work, impulse and heat from outside.
+  Continuum& beginEdit();
+  bool endEdit();
+  /// Asks all ranks to stop after the next step; one rank suffices.
+  void requestStop();
+  /// Lets a simulation go on after a stop request.
+  void resume();
+
+ private:
+  struct Parts;
+  explicit Simulation(std::unique_ptr<Parts> parts);
+  bool atEnd() const;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace thaw

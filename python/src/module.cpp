@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The compiled part of the Python package: simulations and checked scenes. python/thaw/simulation.py is its
+// only caller.
+#include <mpi.h>
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "core/geometry/basic/shape_error.hpp"
+#include "io/hdf5/io_error.hpp"
+#include "io/scene/read_scene.hpp"
+#include "python/src/python_simulation.hpp"
+
+namespace py = pybind11;
+
+namespace thaw::python {
+namespace {
+
+/// Starts MPI for programs that have not done so (mpi4py does), and ends it with the interpreter.
+void startMpi() {
+  int done = 0;
+  MPI_Initialized(&done);
+  if (done) return;
+  int provided = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  py::module_::import("atexit").attr("register")(py::cpp_function([] {
+    int ended = 0;
+    MPI_Finalized(&ended);
+    if (!ended) MPI_Finalize();
+  }));
+}
+
+void defineSimulation(py::module_& m) {
+  py::class_<ArrayGuard>(m, "ArrayGuard");
+  py::class_<PythonSimulation>(m, "Simulation")
+      .def(py::init<const std::string&, const Options&, const py::object&, std::optional<int>>())
+      .def("step", &PythonSimulation::step)
+      .def("run", &PythonSimulation::run, py::arg("until"), py::arg("steps"), py::arg("progress"))
+      .def("finish", &PythonSimulation::finish)
+      .def("resume", &PythonSimulation::resume)
+      .def("request_stop", &PythonSimulation::requestStop)
+      .def_property_readonly("stop_reason", &PythonSimulation::stopReason)
+      .def_property_readonly("stopped", &PythonSimulation::stopped)
+      .def_property_readonly("time", &PythonSimulation::time)
+      .def_property_readonly("end", &PythonSimulation::end)
+      .def_property_readonly("last_step", &PythonSimulation::lastStep)
+      .def_property_readonly("steps", &PythonSimulation::steps)
+      .def_property_readonly("rank", &PythonSimulation::rank)
+      .def_property_readonly("ranks", &PythonSimulation::ranks)
+      .def_property_readonly("warnings", &PythonSimulation::warnings)
+      .def("ledger", &PythonSimulation::ledger)
+      .def("tables", &PythonSimulation::tables)
+      .def("rows", &PythonSimulation::rows)
+      .def("fields", &PythonSimulation::fields)
+      .def("view", &PythonSimulation::view, py::arg("table"), py::arg("field"), py::arg("writable"))
+      .def("gather", &PythonSimulation::gather, py::arg("table"), py::arg("field"))
+      .def("arrays", &PythonSimulation::arrays)
+      .def("begin_edit", &PythonSimulation::beginEdit)
+      .def("end_edit", &PythonSimulation::endEdit)
+      .def("write_frame", &PythonSimulation::writeFrame)
+      .def("write_checkpoint", &PythonSimulation::writeCheckpoint)
+      .def("on_step", &PythonSimulation::onStep)
+      .def("on_frame", &PythonSimulation::onFrame)
+      .def("add_load", &PythonSimulation::addLoad);
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "Compiled part of the package thaw.";
+  startMpi();
+  static py::exception<std::runtime_error> sceneError(m, "SceneError", PyExc_ValueError);
+  static py::exception<std::runtime_error> blewUp(m, "BlewUp", PyExc_RuntimeError);
+  static py::exception<std::runtime_error> fileError(m, "FileError", PyExc_OSError);
+  py::register_exception_translator([](std::exception_ptr error) {
+    const auto set = [](const py::object& type, const std::exception& e) {
+      PyErr_SetString(type.ptr(), e.what());
+    };
+    try {
+      if (error) std::rethrow_exception(error);
+    } catch (const BlewUp& e) { set(blewUp, e); } catch (const SceneErrors& e) {
+      set(sceneError, e);
+    } catch (const ShapeError& e) { set(sceneError, e); } catch (const IoError& e) {
+      set(fileError, e);
+    }
+  });
+  defineSimulation(m);
+  m.def("documentation", &sceneDocumentation, "The key table of scene files, as Markdown.");
+  m.def("example", &exampleScene, "A small complete scene, as TOML.");
+}
+
+}  // namespace thaw::python

@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Simulations: made from a scene, stepped, read and changed from Python, on any number of ranks."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from typing import Any, Callable, Iterator, Mapping, Optional, Union
+
+import numpy as np
+
+from ._load import core
+from .scene import Scene
+
+__all__ = ["Simulation", "Rows"]
+
+
+class Rows:
+    """The rows of one table on this rank, inside of a block `with sim.local() as p`.
+
+    Fields are arrays over the simulation's own memory, without a copy: `p["temperature"]` or `p.temperature`.
+    Outside of the block, access raises RuntimeError. Values of `velocity` and `temperature` of particles may
+    be changed in place (`p.velocity += dv`); all other arrays are read-only.
+    """
+
+    def __init__(self, sim: "Simulation", table: str, changes: bool):
+        self.__dict__.update(_sim=sim, _table=table, _changes=changes, _open=True)
+
+    def __getitem__(self, field: str) -> np.ndarray:
+        if not self._open:
+            raise RuntimeError(f"'{field}': the block `with sim.local()` has ended; use sim.gather() outside of it")
+        try:
+            return self._sim._core.view(self._table, field, self._changes and field in self._WRITABLE)
+        except KeyError:
+            raise KeyError(f"unknown field '{field}'; the {self._table} have {', '.join(self.fields())}") from None
+
+    _WRITABLE = ("velocity", "temperature")
+
+    def __getattr__(self, field: str) -> np.ndarray:
+        try:
+            return self[field]
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
+
+    def __setitem__(self, field: str, values: Any) -> None:
+        array = self[field]
+        if values is not array:  # `p.velocity += dv` assigns the array to itself
+            array[...] = values
+
+    __setattr__ = __setitem__
+
+    def __len__(self) -> int:
+        return self._sim._core.rows(self._table)
+
+    def __contains__(self, field: str) -> bool:
+        return field in self.fields()
+
+    def fields(self) -> list[str]:
+        """Names of the fields of this table."""
+        return [name for name, _, _, _ in self._sim._core.fields(self._table)]
+
+
+class Simulation:
+    """A simulation of a scene.
+
+    scene: a path, a thaw.Scene, or a dict of its keys.
+    out: folder for frames, checkpoints and the summary; None: nothing is written.
+    comm: an mpi4py communicator; None: all ranks. All ranks of it call all methods in the same order.
+    restart: continue from the checkpoint in `out`, which has to be there; resume: continue if there is one.
+    set: overrides of keys, such as {"numerics.cfl_sound": 0.2}.
+    log: called with each line of progress and each warning, on the first rank.
+
+    Raises thaw.SceneError (with file, line and what was expected), thaw.FileError, thaw.BlewUp.
+    """
+
+    def __init__(
+        self,
+        scene: Union[str, Scene, Mapping[str, Any]],
+        out: Optional[str] = None,
+        *,
+        comm: Any = None,
+        restart: bool = False,
+        resume: bool = False,
+        force: bool = False,
+        set: Optional[Mapping[str, Any]] = None,
+        log: Optional[Callable[[str], Any]] = None,
+        time_limit: Optional[float] = None,
+    ):
+        scene = Scene.of(scene)
+        options = {"scene": scene.name, "out": "" if out is None else str(out)}
+        for key, on in (("restart", restart), ("resume", resume), ("force", force)):
+            if on:
+                options[key] = "1"
+        if time_limit is not None:
+            options["time_limit"] = repr(float(time_limit))
+        for key, value in {**scene.overrides, **(set or {})}.items():
+            options["set " + key] = Scene.toml_value(value)
+        self._core = core().Simulation(scene.text, options, log, None if comm is None else comm.py2f())
+        self.scene = scene
+
+    # -- time ------------------------------------------------------------------------------------------------
+    @property
+    def time(self) -> float:
+        """Simulated time, s."""
+        return self._core.time
+
+    @property
+    def end(self) -> float:
+        """End of the scene, s."""
+        return self._core.end
+
+    @property
+    def steps(self) -> int:
+        """Number of steps since the start of the scene."""
+        return self._core.steps
+
+    @property
+    def last_step(self) -> float:
+        """Length of the last step, s."""
+        return self._core.last_step
+
+    def step(self) -> bool:
+        """Takes one step. Returns False without a step at the end of the scene or after a stop request."""
+        return self._core.step()
+
+    def run(self, until: Optional[float] = None, steps: Optional[int] = None, progress: bool = False) -> None:
+        """Steps until a time (s), for a number of steps, or to the end of the scene.
+
+        progress: a bar in a terminal or a notebook, on the first rank. Ctrl-C stops after the current step and
+        raises KeyboardInterrupt; the simulation can go on.
+        """
+        show = None
+        if progress and self.rank == 0:
+            begin = self.time
+
+            def show(time: float, end: float, step: int) -> None:
+                share = 1.0 if end <= begin else min(1.0, (time - begin) / (end - begin))
+                bar = "#" * round(30 * share)
+                sys.stderr.write(f"\r[{bar:<30}] {100 * share:5.1f} %  t {time:.6g} s  step {step} ")
+                sys.stderr.flush()
+
+        self._core.run(until, steps, show)
+        if show:
+            sys.stderr.write("\n")
+
+    def finish(self) -> int:
+        """Writes the last checkpoint and the summary of a run with a folder. No step may follow.
+
+        Returns the exit code that `thaw run` would have: 0 at the end, 75 after a stop request.
+        """
+        return self._core.finish()
+
+    @property
+    def stopped(self) -> bool:
+        """True after a stop request: a stop file, a time limit, request_stop(). resume() takes it back."""
+        return self._core.stopped
+
+    @property
+    def stop_reason(self) -> str:
+        """What asked to stop."""
+        return self._core.stop_reason
+
+    def request_stop(self) -> None:
+        """Asks all ranks to stop after the next step. One rank suffices."""
+        self._core.request_stop()
+
+    def resume(self) -> None:
+        """Lets a stopped simulation go on."""
+        self._core.resume()
+
+    # -- data ------------------------------------------------------------------------------------------------
+    @property
+    def rank(self) -> int:
+        """Number of this rank."""
+        return self._core.rank
+
+    @property
+    def ranks(self) -> int:
+        """Number of ranks."""
+        return self._core.ranks
+
+    @property
+    def warnings(self) -> list[str]:
+        """Warnings so far, on the first rank."""
+        return self._core.warnings
+
+    @property
+    def tables(self) -> list[str]:
+        """Tables of the scene: "particles", and "solids", "surfels", "oriented", "sheets" where it has them."""
+        return self._core.tables()
+
+    def fields(self, table: str = "particles") -> dict[str, tuple[str, str, int]]:
+        """Fields of a table: name -> (unit, meaning, number of components)."""
+        return {name: (unit, about, n) for name, unit, about, n in self._core.fields(table)}
+
+    @contextlib.contextmanager
+    def local(self, table: str = "particles") -> Iterator[Rows]:
+        """The rows of this rank, as arrays without a copy. See Rows.
+
+        All ranks enter the block. Where velocities or temperatures of particles were changed, forces are
+        computed anew at its end, and the ledger records the change as work, impulse and heat from outside.
+        """
+        changes = table == "particles"
+        if changes:
+            self._core.begin_edit()
+        rows = Rows(self, table, changes)
+        try:
+            yield rows
+        finally:
+            rows.__dict__["_open"] = False
+            if changes:
+                self._core.end_edit()
+
+    def gather(self, field: str, by: str = "id", table: str = "particles") -> np.ndarray:
+        """A copy of a field of all ranks on every rank, sorted by id. For small cases."""
+        if by != "id":
+            raise ValueError("rows are sorted by id: by='id'")
+        return self._core.gather(table, field)
+
+    @property
+    def ledger(self) -> dict[str, float]:
+        """Energies (J), mass (kg), momentum (kg m/s), heat (J) and their residuals over all ranks."""
+        return self._core.ledger()
+
+    # -- output ----------------------------------------------------------------------------------------------
+    def write_frame(self) -> None:
+        """Writes a frame now."""
+        self._core.write_frame()
+
+    def write_checkpoint(self) -> None:
+        """Writes a checkpoint now."""
+        self._core.write_checkpoint()
+
+    # -- functions of the program ----------------------------------------------------------------------------
+    def on_step(self, call: Callable[["Simulation"], Any]) -> None:
+        """Calls call(sim) after each step. An exception stops the run after the step and is raised by run()."""
+        self._core.on_step(lambda: call(self))
+
+    def on_frame(self, call: Callable[["Simulation"], Any]) -> None:
+        """Calls call(sim) after each frame."""
+        self._core.on_frame(lambda: call(self))
+
+    def add_force(self, force: Callable[[Rows, float], Any]) -> None:
+        """Adds a force: force(p, t) returns newtons of shape (n, 3) for the n particles p of this rank.
+
+        Called once a step at their positions at time t (s). Its work and impulse are in the ledger. For the
+        same bits on any number of ranks, a particle's force must follow from its own fields and t alone.
+        """
+
+        def load(time: float, forces: np.ndarray, heat: Optional[np.ndarray]) -> None:
+            rows = Rows(self, "particles", False)
+            forces += force(rows, time)
+            rows.__dict__["_open"] = False
+
+        self._core.add_load(load)
+
+    def add_heat(self, heat: Callable[[Rows, float], Any]) -> None:
+        """Adds a source of heat: heat(p, t) returns watts of shape (n,). Requires a scene with heat."""
+        if "temperature" not in self.fields():
+            raise ValueError("the scene has no heat: nothing in it can change its temperature")
+
+        def load(time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
+            rows = Rows(self, "particles", False)
+            flow += heat(rows, time)
+            rows.__dict__["_open"] = False
+
+        self._core.add_load(load)
