@@ -20,6 +20,7 @@ set(public
   parallel/row_scatter.hpp
   io/meshes/read_mesh.hpp
   io/scene/read_scene.hpp             # a scene from a file
+  io/simulation/simulation.hpp        # a simulation as a program sees it
   io/text/version.hpp)
 
 set(headers "")

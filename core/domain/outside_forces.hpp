@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// What an outside source reads and adds to. Arrays have one entry for each owned row of `particles`, whose
+/// The input and output of an outside source. Arrays have one entry for each owned row of `particles`, whose
 /// positions and velocities are those at `time`.
 struct OutsideLoad {
   Continuum& particles;

@@ -120,7 +120,8 @@ struct Continuum : Table {
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local,
       "row in the table of solids; noSlot for liquids"};
   // Rest (core/sleep/sleep.hpp).
-  Column<float> restTime{*this, "restTime", "s", Keep::State, "time since it last moved, accelerated or warmed"};
+  Column<float> restTime{*this, "restTime", "s", Keep::State,
+      "time since it last moved, accelerated or warmed"};
   Column<u8> sleep{*this, "sleep", "1", Keep::State,
       "0: awake; 1, 2: sleeping, fixed in place; 3: sleeping, and its sums are skipped"};
   Column<Vec3d> constraintForce{*this, "constraintForce", "N", Keep::State,

@@ -57,7 +57,8 @@ struct Simulation::Parts {
   StepLoop loop;
   Opened opened = Opened::Ready;
   bool stopped = false, blewUp = false, finished = false;
-  std::vector<Vec3d> velocity;      // of the owned rows at the start of an edit
+  bool restoredLoads = false;       // the checkpoint's accelerations contain the loads that are added next
+  std::vector<Vec3d> velocity;      // at the start of an edit, by owned row
   std::vector<double> temperature;  // the same
 
   Parts(RunOptions o, MPI_Comm c) : options(std::move(o)), comm(c), run(options, comm) {}
@@ -67,6 +68,7 @@ struct Simulation::Parts {
     try {
       opened = openRun(run, std::move(scene));
       stopped = opened == Opened::StoppedInRelaxation;
+      restoredLoads = run.world.particles.outsideForce.active;
       loop.stop = stopMonitorOf(run);
     } catch (const std::exception& e) {
       summariseFailure(run, failureMessage(options.scene, e), true);
@@ -128,6 +130,7 @@ bool Simulation::atEnd() const {
 
 bool Simulation::step() {
   if (atEnd()) return false;
+  parts_->restoredLoads = false;
   switch (parts_->guarded([&] { return advance(parts_->run, parts_->loop); })) {
     case Advance::Stopped: parts_->stopped = true; break;
     case Advance::BlewUp: parts_->blewUp = true; throw BlewUp("the simulation " + parts_->loop.why);
@@ -201,6 +204,7 @@ void Simulation::addForce(OutsideSource source) {
   Continuum& p = r.world.particles;
   if (!p.outsideForce.active) p.activate(p.outsideForce);
   r.tools.outside.push_back(std::move(source));
+  if (!parts_->restoredLoads) applyNewCoefficients(r.world, r.halos(), r.tools);
 }
 
 Continuum& Simulation::beginEdit() {

@@ -72,8 +72,8 @@ class Simulation {
   std::int64_t steps() const;     ///< steps since the start of the scene
   const Scene& scene() const;     ///< with all defaults resolved
   const World& world() const;     ///< particles, surface, sheets, oriented bodies of this rank
-  World& world();                 ///< what a program changes here itself is in no ledger
-  MPI_Comm communicator() const;  ///< of its own
+  World& world();                 ///< changes that a program makes here are in no ledger
+  MPI_Comm communicator() const;  ///< the simulation's own
   const std::vector<std::string>& warnings() const;  ///< on the first rank
   int rank() const;
   int ranks() const;
@@ -90,7 +90,10 @@ class Simulation {
   /// a retry repeats.
   void onStep(std::function<void()> call);
   void onFrame(std::function<void()> call);
-  /// Adds a force or a source of heat, from the next step on. Its work, impulse and heat are in the ledger.
+  /// Adds a force or a source of heat from now on. After a restart, add those of the earlier run before the
+  /// first step. Its work, impulse and heat are in the ledger.
+  /// The automatic sound speed of liquids does not know of it: give material.sound_speed, ten times the
+  /// largest speed of the flow.
   void addForce(OutsideSource source);
   /// Lets the program change Continuum::velocity and temperature of owned rows between both calls. endEdit
   /// returns whether some rank changed one; forces and the next step are then computed anew. The ledger

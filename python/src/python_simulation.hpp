@@ -70,7 +70,7 @@ class PythonSimulation {
   std::optional<bool> tryStep();
 
   ArrayCount count_ = std::make_shared<int>(0);
-  std::optional<pybind11::error_already_set> failed_;  // of a function of the program, or a signal
+  std::optional<pybind11::error_already_set> failed_;  // error of a function of the program, or a signal
   Simulation sim_;
 };
 

@@ -19,6 +19,6 @@ def core() -> ModuleType:
         if error.name != "thaw._core":
             raise
         raise ImportError(
-            "simulations need the compiled part of the package: install python3-dev and pybind11-dev, build thaw, "
-            "and import it from <build>/python or from the installation"
+            "simulations need the compiled part of the package: install python3-dev and pybind11-dev, build "
+            "thaw, and import it from <build>/python or from the installation"
         ) from None

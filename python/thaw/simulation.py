@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
+import weakref
 from typing import Any, Callable, Iterator, Mapping, Optional, Union
 
 import numpy as np
@@ -28,11 +29,15 @@ class Rows:
 
     def __getitem__(self, field: str) -> np.ndarray:
         if not self._open:
-            raise RuntimeError(f"'{field}': the block `with sim.local()` has ended; use sim.gather() outside of it")
+            raise RuntimeError(
+                f"'{field}': the block `with sim.local()` has ended; use sim.gather() outside of it"
+            )
         try:
             return self._sim._core.view(self._table, field, self._changes and field in self._WRITABLE)
         except KeyError:
-            raise KeyError(f"unknown field '{field}'; the {self._table} have {', '.join(self.fields())}") from None
+            raise KeyError(
+                f"unknown field '{field}'; the {self._table} have {', '.join(self.fields())}"
+            ) from None
 
     _WRITABLE = ("velocity", "temperature")
 
@@ -97,6 +102,23 @@ class Simulation:
             options["set " + key] = Scene.toml_value(value)
         self._core = core().Simulation(scene.text, options, log, None if comm is None else comm.py2f())
         self.scene = scene
+        # The compiled part only knows weak references, so that a simulation ends with its last reference.
+        self._on_step: list[Callable[[Simulation], Any]] = []
+        self._on_frame: list[Callable[[Simulation], Any]] = []
+        self._loads: list[Callable[[Rows, float, np.ndarray, Optional[np.ndarray]], None]] = []
+        me = weakref.ref(self)
+        self._core.on_step(lambda: [call(me()) for call in me()._on_step])
+        self._core.on_frame(lambda: [call(me()) for call in me()._on_frame])
+
+    def close(self) -> None:
+        """Frees the simulation's memory and its folder. No method may be called afterwards."""
+        del self._core
+
+    def __enter__(self) -> "Simulation":
+        return self
+
+    def __exit__(self, *error: Any) -> None:
+        self.close()
 
     # -- time ------------------------------------------------------------------------------------------------
     @property
@@ -126,8 +148,8 @@ class Simulation:
     def run(self, until: Optional[float] = None, steps: Optional[int] = None, progress: bool = False) -> None:
         """Steps until a time (s), for a number of steps, or to the end of the scene.
 
-        progress: a bar in a terminal or a notebook, on the first rank. Ctrl-C stops after the current step and
-        raises KeyboardInterrupt; the simulation can go on.
+        progress: a bar in a terminal or a notebook, on the first rank. Ctrl-C stops after the current step
+        and raises KeyboardInterrupt; the simulation can go on.
         """
         show = None
         if progress and self.rank == 0:
@@ -186,7 +208,7 @@ class Simulation:
 
     @property
     def tables(self) -> list[str]:
-        """Tables of the scene: "particles", and "solids", "surfels", "oriented", "sheets" where it has them."""
+        """Tables of the scene: "particles", and "solids", "surfels", "oriented", "sheets" if it has them."""
         return self._core.tables()
 
     def fields(self, table: str = "particles") -> dict[str, tuple[str, str, int]]:
@@ -233,35 +255,48 @@ class Simulation:
 
     # -- functions of the program ----------------------------------------------------------------------------
     def on_step(self, call: Callable[["Simulation"], Any]) -> None:
-        """Calls call(sim) after each step. An exception stops the run after the step and is raised by run()."""
-        self._core.on_step(lambda: call(self))
+        """Calls call(sim) after each step. run() raises its exceptions, after the step."""
+        self._on_step.append(call)
 
     def on_frame(self, call: Callable[["Simulation"], Any]) -> None:
         """Calls call(sim) after each frame."""
-        self._core.on_frame(lambda: call(self))
+        self._on_frame.append(call)
 
     def add_force(self, force: Callable[[Rows, float], Any]) -> None:
         """Adds a force: force(p, t) returns newtons of shape (n, 3) for the n particles p of this rank.
 
         Called once a step at their positions at time t (s). Its work and impulse are in the ledger. For the
         same bits on any number of ranks, a particle's force must follow from its own fields and t alone.
+        The automatic sound speed of liquids does not know of it: give material.NAME.sound_speed, ten times
+        the largest speed of the flow.
         """
 
-        def load(time: float, forces: np.ndarray, heat: Optional[np.ndarray]) -> None:
-            rows = Rows(self, "particles", False)
-            forces += force(rows, time)
-            rows.__dict__["_open"] = False
+        def load(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
+            forces += force(p, time)
 
-        self._core.add_load(load)
+        self._add_load(load)
 
     def add_heat(self, heat: Callable[[Rows, float], Any]) -> None:
         """Adds a source of heat: heat(p, t) returns watts of shape (n,). Requires a scene with heat."""
         if "temperature" not in self.fields():
             raise ValueError("the scene has no heat: nothing in it can change its temperature")
 
-        def load(time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
-            rows = Rows(self, "particles", False)
-            flow += heat(rows, time)
+        def load(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
+            flow += heat(p, time)
+
+        self._add_load(load)
+
+    def _add_load(self, load: Callable[[Rows, float, np.ndarray, Optional[np.ndarray]], None]) -> None:
+        self._loads.append(load)
+        if len(self._loads) > 1:
+            return
+        me = weakref.ref(self)
+
+        def all_loads(time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
+            sim = me()
+            rows = Rows(sim, "particles", False)
+            for each in sim._loads:
+                each(rows, time, forces, flow)
             rows.__dict__["_open"] = False
 
-        self._core.add_load(load)
+        self._core.add_load(all_loads)

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs the build folder $1 to a temporary prefix. Two programs that see only the installed files step a
-# scene: one from C++ with thaw::core, and one from a file with thaw::io, with the result of `thaw run`.
+# Installs the build folder $1 to a temporary prefix. The programs of examples/cpp, which see only the
+# installed files, step scenes: from code, from text, and from a file with the result of `thaw run`.
 set -euo pipefail
 build=${1:?usage: consumer_test.sh BUILD_FOLDER}
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 prefix=$dir/prefix
@@ -19,21 +19,21 @@ for header in core/solid/elasticity/elastic_lanes.hpp io/commands/run.hpp; do  #
   [ ! -e "$prefix/include/thaw/$header" ] || fail "$header is installed"
 done
 
-# The consumer sees only the installed files, not the source tree or the build folder.
-mkdir -p "$dir/tests/install"
-cp -r "$here/consumer" "$dir/tests/install/"
-consumer=$dir/tests/install/consumer
+# The programs see only the installed files, not the source tree or the build folder.
+consumer=$dir/examples
+cp -r "$root/examples/cpp" "$consumer"
 generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$build/CMakeCache.txt")
 compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
 flags=$(sed -n 's/^THAW_SANITIZE:STRING=\(.\+\)/-fsanitize=\1/p' "$build/CMakeCache.txt")
 (cd "$consumer" && cmake -G "$generator" -B build -DCMAKE_PREFIX_PATH="$prefix" \
   -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" >log 2>&1 && cmake --build build >>log 2>&1) ||
   { cat "$consumer/log"; exit 1; }
-"$consumer/build/from_code"
+"$consumer/build/falling_cube"
+"$consumer/build/trap"
 
 # The same steps by the program.
 scene=$prefix/share/thaw/scenes/dam_break.toml steps=73
-"$consumer/build/from_file" "$scene" "$steps" | tee "$dir/found"
+"$consumer/build/run_scene" "$scene" "$steps" | tee "$dir/found"
 "$prefix/bin/thaw" run "$scene" --set spacing=0.05 --steps "$steps" --out "$dir/out" >"$dir/log" ||
   { cat "$dir/log"; exit 1; }
 "$prefix/bin/thaw" info "$dir/out" --json >"$dir/info"
@@ -43,6 +43,9 @@ last = json.load(open(sys.argv[1]))["checkpoints"][-1]
 print(f'particles {last["particles"]}\nstep {last["step"]}\ntime {last["time"]:.17g}')
 END
 diff "$dir/found" "$dir/expected" || fail "the consumer's steps differ from those of thaw run"
+
+mpirun -n 3 "$consumer/build/two_groups" "$scene" | sort >"$dir/groups"
+[ "$(grep -c '^group [01]: ' "$dir/groups")" = 2 ] || fail "the two groups did not both step: $(cat "$dir/groups")"
 
 source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
 if grep -rlF -e "$source/" "$prefix/lib"*/cmake; then fail "the installed package names the source tree"; fi

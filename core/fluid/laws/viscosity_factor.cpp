@@ -28,7 +28,7 @@ double viscosityFactor(const ViscousNeighbours& s, double most) {
   if (!(complete > 0)) return 1;
   const Sym3d rate = fittedStrainRate(s);
   const double D[6] = {rate.xx, rate.yy, rate.zz, rate.xy, rate.yz, rate.xz};
-  const auto occurrences = [](int k) { return k < 3 ? 1 : 2; };  // of a component in the full tensor
+  const auto occurrences = [](int k) { return k < 3 ? 1 : 2; };  // number of a component in the full tensor
   double squared = 0, pairs = 0;                                 // D:D; sum of a (d.D d)^2
   for (int k = 0, at = 0; k < 6; k++) {
     const double Dk = occurrences(k) * D[k];

@@ -34,7 +34,8 @@ struct Oriented : BodyTypeRows {
   Column<std::uint8_t> flags{*this, "flags", "1", Keep::State,
       "bits: 1 creased, 2 fixed position, 4 fixed orientation, 16 born in contact"};
   Column<std::uint16_t> anchor{*this, "anchor", "1", Keep::State, "index of its anchor in its body"};
-  Column<Vec3d> restPosition{*this, "restPosition", "m", Keep::State, "initial position of anchored particles"};
+  Column<Vec3d> restPosition{*this, "restPosition", "m", Keep::State,
+      "initial position of anchored particles"};
   Column<Quat> restOrientation{*this, "restOrientation", "1", Keep::State,
       "initial orientation of anchored particles"};
   Column<Vec3d> normal{*this, "normal", "1", Keep::Transient, "e_z rotated by the orientation"};

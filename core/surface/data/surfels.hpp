@@ -142,7 +142,8 @@ struct SurfaceParticles : Table {
       "colour field of its component at the particle (prepareParticles)"};
   Column<float> smoothColour{*this, "smoothColour", "1", Keep::Transient,
       "colour field of particles weighted by their colour"};
-  Column<std::uint64_t> source{*this, "source", "1", Keep::State, "rank << 32 | row of the original particle"};
+  Column<std::uint64_t> source{*this, "source", "1", Keep::State,
+      "rank << 32 | row of the original particle"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   Column<Mat3d> gradient{*this, "gradient", "1", Keep::State,

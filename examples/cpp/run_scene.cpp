@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// run_scene SCENE STEPS: steps a scene at a spacing of 5 cm and prints the particles, the step and the time.
+#include <cstdio>
+#include <cstdlib>
+
+#include "io/simulation/simulation.hpp"
+#include "io/text/version.hpp"
+#include "parallel/communicator.hpp"
+
+int main(int argc, char** argv) {
+  thaw::MpiSession mpi(&argc, &argv);
+  if (argc != 3) return 2;
+  try {
+    thaw::Simulation sim({.scene = argv[1], .overrides = {"spacing=0.05"}});
+    sim.runSteps(std::atoi(argv[2]));
+    const thaw::LedgerReport ledger = sim.ledger();
+    if (sim.rank() > 0) return 0;
+    std::fprintf(stderr, "thaw %s\n", thaw::versionNumber());
+    std::printf("particles %lld\nstep %lld\ntime %.17g\n", static_cast<long long>(ledger.particles),
+                static_cast<long long>(sim.steps()), sim.time());
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return 1;
+  }
+  return 0;
+}

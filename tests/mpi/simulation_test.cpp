@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simulation as a program uses it: without a folder, with loads and changes of its own, side by side.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/scene/read_scene.hpp"
+#include "io/simulation/simulation.hpp"
+#include "parallel/communicator.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr const char* water = R"(
+spacing = 0.05
+end = 1
+[domain]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+[material.water]
+density = 1000
+sound_speed = 20
+[[body]]
+name = "drop"
+sphere = { radius = 0.3 }
+material = "water"
+)";
+
+constexpr const char* warmPlate = R"(
+spacing = 0.05
+end = 1
+[domain]
+min = [0, 0, 0]
+max = [0.4, 0.4, 0.4]
+gravity = [0, 0, 0]
+[material.plate]
+density = 1000
+young = 1e5
+heat_capacity = 100
+conductivity = 1
+heat_source = 1e-9
+[[body]]
+name = "plate"
+box = { size = [0.3, 0.3, 0.1] }
+place = { move = [0.2, 0.2, 0.2] }
+temperature = 300
+material = "plate"
+)";
+
+Simulation simulationOf(const char* text) { return Simulation::fromText(text, {.scene = "test"}); }
+
+/// Relative residual of mechanical energy.
+double residual(const LedgerReport& l) { return std::abs(l.energyResidual) / l.energyScale; }
+
+TEST(Simulation, StepsWithoutAFolder) {
+  Simulation sim = simulationOf(water);
+  sim.runSteps(10);
+  EXPECT_EQ(sim.steps(), 10);
+  sim.runUntil(0.02);
+  EXPECT_EQ(sim.time(), 0.02);
+  EXPECT_THROW(sim.writeFrame(), std::logic_error);
+  const LedgerReport l = sim.ledger();
+  EXPECT_NEAR(l.now.momentum.z, -9.81 * 0.02 * l.now.mass, 1e-9 * l.now.mass);
+}
+
+TEST(Simulation, RecordsForcesOfTheProgram) {
+  Simulation sim = simulationOf(water);
+  sim.addForce([](const OutsideLoad& load) {
+    for (std::size_t i = 0; i < load.particles.owned; i++)
+      load.force[i] += load.particles.position[i] * (-400 * load.particles.mass[i]);
+  });
+  sim.runUntil(0.1);
+  const LedgerReport l = sim.ledger();
+  EXPECT_GT(std::abs(l.wallWork), 0.1 * l.now.kinetic);
+  EXPECT_LT(residual(l), 0.01);
+  EXPECT_LT(length(l.momentumResidual), 1e-9 * l.now.mass);
+}
+
+TEST(Simulation, RecordsChangesOfVelocity) {
+  Simulation sim = simulationOf(water);
+  sim.runSteps(5);
+  Continuum& p = sim.beginEdit();
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] += Vec3d{2, 0, 0};
+  EXPECT_TRUE(sim.endEdit());
+  sim.beginEdit();
+  EXPECT_FALSE(sim.endEdit());  // nothing changed
+  sim.runSteps(5);
+  const LedgerReport l = sim.ledger();
+  EXPECT_NEAR(l.now.momentum.x, 2 * l.now.mass, 1e-9 * l.now.mass);
+  EXPECT_NEAR(l.wallWork, 0.5 * 4 * l.now.mass, 0.02 * l.now.mass);
+  EXPECT_LT(residual(l), 1e-3);
+  EXPECT_LT(length(l.momentumResidual), 1e-9 * l.now.mass);
+}
+
+TEST(Simulation, RecordsHeatAndTemperaturesOfTheProgram) {
+  Simulation sim = simulationOf(warmPlate);
+  const double before = sim.ledger().now.internal;
+  sim.addForce([](const OutsideLoad& load) {
+    for (std::size_t i = 0; i < load.particles.owned; i++) load.heat[i] += 5 * load.particles.mass[i];
+  });
+  sim.runUntil(0.01);
+  Continuum& p = sim.beginEdit();
+  for (std::size_t i = 0; i < p.owned; i++) p.temperature[i] += 10;
+  EXPECT_TRUE(sim.endEdit());
+  sim.runUntil(0.02);
+  const LedgerReport l = sim.ledger();
+  EXPECT_NEAR(l.now.internal - before, l.now.mass * (5 * 0.02 + 100 * 10), 1e-3 * l.now.mass);
+  EXPECT_LT(std::abs(l.heatResidual), 1e-9 * l.heatScale);
+}
+
+TEST(Simulation, StopsAtTheRequestOfOneRank) {
+  Simulation sim = simulationOf(water);
+  sim.onStep([&sim] {
+    if (sim.steps() == 3 && sim.rank() == sim.ranks() - 1) sim.requestStop();
+  });
+  sim.run();
+  EXPECT_TRUE(sim.stopped());
+  EXPECT_EQ(sim.steps(), 4);
+  EXPECT_FALSE(sim.step());
+  sim.resume();
+  EXPECT_TRUE(sim.step());
+}
+
+TEST(Simulation, RunsSideBySide) {
+  Simulation one = simulationOf(water), two = simulationOf(water), alone = simulationOf(water);
+  alone.runSteps(6);
+  for (int n = 0; n < 6; n++) {
+    one.step();
+    two.step();
+  }
+  for (const Simulation* s : {&one, &two}) {
+    const Continuum &p = s->world().particles, &q = alone.world().particles;
+    ASSERT_EQ(p.owned, q.owned);
+    for (std::size_t i = 0; i < p.owned; i++) {
+      EXPECT_EQ(p.id[i], q.id[i]);
+      EXPECT_EQ(p.position[i].z, q.position[i].z);
+    }
+  }
+}
+
+TEST(Simulation, RefusesBadScenesWithTheirPlace) {
+  try {
+    simulationOf("spacing = -1");
+    FAIL();
+  } catch (const SceneErrors& e) {
+    EXPECT_NE(std::string(e.what()).find("test:1:11: error: spacing: must be > 0 m, got -1"),
+              std::string::npos);
+  }
+  EXPECT_THROW(Simulation({.scene = "absent.toml"}), SceneErrors);
+}
+
+}  // namespace
+}  // namespace thaw
