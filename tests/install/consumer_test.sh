@@ -45,7 +45,7 @@ END
 diff "$dir/found" "$dir/expected" || fail "the consumer's steps differ from those of thaw run"
 
 mpirun -n 3 "$consumer/build/two_groups" "$scene" | sort >"$dir/groups"
-[ "$(grep -c '^group [01]: ' "$dir/groups")" = 2 ] || fail "the two groups did not both step: $(cat "$dir/groups")"
+[ "$(grep -c '^group [01]: ' "$dir/groups")" = 2 ] || fail "both groups step: $(cat "$dir/groups")"
 
 source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
 if grep -rlF -e "$source/" "$prefix/lib"*/cmake; then fail "the installed package names the source tree"; fi
