@@ -292,6 +292,12 @@ struct ExpectedMotion {
   std::string startBy, emittedBy, drivenBy;  // names
 };
 
+/// Values of a table [extension.NAME] (core/domain/extensions.hpp).
+struct ExtensionSettings {
+  std::string name;
+  std::map<std::string, double> values;  // by key, SI
+};
+
 struct Scene {
   std::string title, file, text;  // text: all input that was read, for the record in the output
   double spacing = 0.01;          // m, particle spacing
@@ -310,6 +316,7 @@ struct Scene {
   std::vector<Emitter> emitters;
   std::vector<Obstacle> obstacles;
   std::vector<Thermostat> thermostats;
+  std::vector<ExtensionSettings> extensions;
   SurfaceSettings surface;
   Output output;
 };

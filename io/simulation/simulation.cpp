@@ -68,7 +68,7 @@ struct Simulation::Parts {
     try {
       opened = openRun(run, std::move(scene));
       stopped = opened == Opened::StoppedInRelaxation;
-      restoredLoads = run.world.particles.outsideForce.active;
+      restoredLoads = run.resumed && run.world.particles.outsideForce.active;
       loop.stop = stopMonitorOf(run);
     } catch (const std::exception& e) {
       summariseFailure(run, failureMessage(options.scene, e), true);

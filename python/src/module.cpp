@@ -32,6 +32,10 @@ void startMpi() {
 
 void defineSimulation(py::module_& m) {
   py::class_<ArrayGuard>(m, "ArrayGuard");
+  py::class_<LoadRows>(m, "LoadRows")
+      .def("view", &LoadRows::view)
+      .def("rows", &LoadRows::rows)
+      .def("fields", &LoadRows::fields);
   py::class_<PythonSimulation>(m, "Simulation")
       .def(py::init<const std::string&, const Options&, const py::object&, std::optional<int>>())
       .def("step", &PythonSimulation::step)
@@ -85,6 +89,8 @@ PYBIND11_MODULE(_core, m) {
     }
   });
   defineSimulation(m);
+  m.def("register_extension", &registerFunction, py::arg("name"), py::arg("about"), py::arg("keys"),
+        py::arg("load"), py::arg("step_limit"));
   m.def("documentation", &sceneDocumentation, "The key table of scene files, as Markdown.");
   m.def("example", &exampleScene, "A small complete scene, as TOML.");
 }

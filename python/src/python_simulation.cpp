@@ -182,29 +182,17 @@ Table& PythonSimulation::tableOf(const std::string& name) {
   throw py::key_error("unknown table '" + name + "'");
 }
 
-AnyColumn& PythonSimulation::columnOf(const std::string& table, const std::string& field) {
-  for (AnyColumn* c : tableOf(table).columns)
-    if (c->active && pythonName(c->name) == field) return *c;
-  throw py::key_error(field);
-}
-
 std::size_t PythonSimulation::rows(const std::string& table) { return tableOf(table).owned; }
 
-std::vector<std::tuple<std::string, std::string, std::string, int>> PythonSimulation::fields(
-    const std::string& table) {
-  std::vector<std::tuple<std::string, std::string, std::string, int>> all;
-  for (const AnyColumn* c : tableOf(table).columns)
-    if (c->active) all.emplace_back(pythonName(c->name), c->unit, c->about, c->components);
-  return all;
-}
+std::vector<FieldNote> PythonSimulation::fields(const std::string& table) { return notesOf(tableOf(table)); }
 
 py::array PythonSimulation::view(const std::string& table, const std::string& field, bool writable) {
-  return arrayOf(columnOf(table, field), tableOf(table).owned, writable, count_);
+  return arrayOf(columnOf(tableOf(table), field), tableOf(table).owned, writable, count_);
 }
 
 py::array PythonSimulation::gather(const std::string& table, const std::string& field) {
   const Table& t = tableOf(table);
-  AnyColumn &id = columnOf(table, "id"), &column = columnOf(table, field);
+  AnyColumn &id = columnOf(tableOf(table), "id"), &column = columnOf(tableOf(table), field);
   std::vector<std::byte> ids, values;
   {
     const py::gil_scoped_release others;
@@ -269,11 +257,7 @@ void PythonSimulation::onFrame(const py::function& call) {
 
 void PythonSimulation::addLoad(const py::function& call) {
   sim_.addForce([this, call](const OutsideLoad& load) {
-    guarded(failed_, sim_, [&] {
-      const std::size_t n = load.particles.owned;
-      const py::object heat = load.heat ? py::object(arrayOf(load.heat, n, 1, count_)) : py::none();
-      call(load.time, arrayOf(&load.force->x, n, 3, count_), heat);
-    });
+    guarded(failed_, sim_, [&] { callLoad(call, load, count_); });
   });
 }
 

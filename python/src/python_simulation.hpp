@@ -7,11 +7,10 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "io/simulation/simulation.hpp"
-#include "python/src/arrays.hpp"
+#include "python/src/load_rows.hpp"
 
 namespace thaw::python {
 
@@ -46,7 +45,7 @@ class PythonSimulation {
   std::vector<std::string> tables();
   std::size_t rows(const std::string& table);
   /// (name, unit, meaning, components) of the active fields.
-  std::vector<std::tuple<std::string, std::string, std::string, int>> fields(const std::string& table);
+  std::vector<FieldNote> fields(const std::string& table);
   pybind11::array view(const std::string& table, const std::string& field, bool writable);
   /// The field of all ranks, sorted by id. Collective.
   pybind11::array gather(const std::string& table, const std::string& field);
@@ -58,12 +57,11 @@ class PythonSimulation {
 
   void onStep(const pybind11::function& call);
   void onFrame(const pybind11::function& call);
-  /// call(time, force, heat): arrays to add to; heat is None in a scene without heat.
+  /// See callLoad.
   void addLoad(const pybind11::function& call);
 
  private:
   Table& tableOf(const std::string& name);
-  AnyColumn& columnOf(const std::string& table, const std::string& field);
   void refuseArrays(const char* what) const;
   /// Notes a pending signal such as Ctrl-C. All ranks then stop after the step.
   void lookForSignals();

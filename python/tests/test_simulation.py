@@ -295,3 +295,22 @@ def test_log_receives_lines():
     sim.run(steps=1)
     assert (sim.rank != 0) == (not lines)
     assert not sys.stdout.closed
+
+
+def test_extensions_have_keys_in_scenes():
+    thaw.register_extension(
+        'trap',
+        {'omega': (10, '1/s', 0, 1e6, 'frequency of the trap')},
+        force=lambda p, t, values: -values['omega'] ** 2 * p.mass[:, None] * p.position,
+        step_limit=lambda values: 0.1 / values['omega'],
+    )
+    sim = thaw.Simulation(drop(extension={'trap': {'omega': '20 1/s'}}))
+    sim.run(until=0.05)
+    assert sim.last_step <= 0.1 / 20
+    now = sim.ledger
+    assert abs(now['outside_work']) > 0
+    assert abs(now['energy_residual']) < 0.01 * now['energy_scale']
+    with pytest.raises(thaw.SceneError, match='unknown key .omegas.'):
+        thaw.Simulation(drop(extension={'trap': {'omegas': 1}}))
+    with pytest.raises(thaw.SceneError, match='no such extension; it has trap'):
+        thaw.Simulation(drop(extension={'tarp': {}}))

@@ -2,9 +2,9 @@
 """thaw: particle simulations of solids and fluids that deform, melt, flow, freeze and break."""
 
 from .scene import Scene
-from .simulation import Rows, Simulation
+from .simulation import Rows, Simulation, register_extension
 
-__all__ = ["BlewUp", "FileError", "Rows", "Scene", "SceneError", "Simulation"]
+__all__ = ["BlewUp", "FileError", "Rows", "Scene", "SceneError", "Simulation", "register_extension"]
 
 
 def __getattr__(name: str):

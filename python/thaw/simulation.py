@@ -6,14 +6,14 @@ from __future__ import annotations
 import contextlib
 import sys
 import weakref
-from typing import Any, Callable, Iterator, Mapping, Optional, Union
+from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
 from ._load import core
 from .scene import Scene
 
-__all__ = ["Simulation", "Rows"]
+__all__ = ["Rows", "Simulation", "register_extension"]
 
 
 class Rows:
@@ -24,8 +24,8 @@ class Rows:
     be changed in place (`p.velocity += dv`); all other arrays are read-only.
     """
 
-    def __init__(self, sim: "Simulation", table: str, changes: bool):
-        self.__dict__.update(_sim=sim, _table=table, _changes=changes, _open=True)
+    def __init__(self, source: Any, table: str, changes: bool):
+        self.__dict__.update(_source=source, _table=table, _changes=changes, _open=True)
 
     def __getitem__(self, field: str) -> np.ndarray:
         if not self._open:
@@ -33,7 +33,7 @@ class Rows:
                 f"'{field}': the block `with sim.local()` has ended; use sim.gather() outside of it"
             )
         try:
-            return self._sim._core.view(self._table, field, self._changes and field in self._WRITABLE)
+            return self._source.view(self._table, field, self._changes and field in self._WRITABLE)
         except KeyError:
             raise KeyError(
                 f"unknown field '{field}'; the {self._table} have {', '.join(self.fields())}"
@@ -55,14 +55,14 @@ class Rows:
     __setattr__ = __setitem__
 
     def __len__(self) -> int:
-        return self._sim._core.rows(self._table)
+        return self._source.rows(self._table)
 
     def __contains__(self, field: str) -> bool:
         return field in self.fields()
 
     def fields(self) -> list[str]:
         """Names of the fields of this table."""
-        return [name for name, _, _, _ in self._sim._core.fields(self._table)]
+        return [name for name, _, _, _ in self._source.fields(self._table)]
 
 
 class Simulation:
@@ -105,7 +105,7 @@ class Simulation:
         # The compiled part only knows weak references, so that a simulation ends with its last reference.
         self._on_step: list[Callable[[Simulation], Any]] = []
         self._on_frame: list[Callable[[Simulation], Any]] = []
-        self._loads: list[Callable[[Rows, float, np.ndarray, Optional[np.ndarray]], None]] = []
+        self._loads: list[Load] = []
         me = weakref.ref(self)
         self._core.on_step(lambda: [call(me()) for call in me()._on_step])
         self._core.on_frame(lambda: [call(me()) for call in me()._on_frame])
@@ -225,7 +225,7 @@ class Simulation:
         changes = table == "particles"
         if changes:
             self._core.begin_edit()
-        rows = Rows(self, table, changes)
+        rows = Rows(self._core, table, changes)
         try:
             yield rows
         finally:
@@ -286,17 +286,54 @@ class Simulation:
 
         self._add_load(load)
 
-    def _add_load(self, load: Callable[[Rows, float, np.ndarray, Optional[np.ndarray]], None]) -> None:
+    def _add_load(self, load: Load) -> None:
         self._loads.append(load)
         if len(self._loads) > 1:
             return
         me = weakref.ref(self)
+        self._core.add_load(lambda *given: _call(me()._loads, *given))
 
-        def all_loads(time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
-            sim = me()
-            rows = Rows(sim, "particles", False)
-            for each in sim._loads:
-                each(rows, time, forces, flow)
-            rows.__dict__["_open"] = False
 
-        self._core.add_load(all_loads)
+Load = Callable[[Rows, float, np.ndarray, Optional[np.ndarray]], None]
+
+
+def _call(loads: Sequence[Load], source: Any, time: float, forces: np.ndarray, flow: Optional[np.ndarray]):
+    rows = Rows(source, "particles", False)
+    for load in loads:
+        load(rows, time, forces, flow)
+    rows.__dict__["_open"] = False
+
+
+def register_extension(
+    name: str,
+    keys: Optional[Mapping[str, Any]] = None,
+    *,
+    force: Optional[Callable[[Rows, float, Mapping[str, float]], Any]] = None,
+    heat: Optional[Callable[[Rows, float, Mapping[str, float]], Any]] = None,
+    step_limit: Optional[Callable[[Mapping[str, float]], float]] = None,
+    about: str = "",
+) -> None:
+    """Registers a force or a source of heat that scenes name as [extension.NAME].
+
+    keys: name -> default, or (default, unit), or (default, unit, least, most, meaning).
+    force(p, t, values) returns newtons of shape (n, 3), heat(p, t, values) watts of shape (n,), for the n
+    particles p of this rank at time t (s). step_limit(values) returns the longest stable step, s.
+    Scenes that name an unregistered extension are refused, also at a restart.
+    """
+
+    def note(key: str, given: Any) -> tuple[str, str, float, float, float, str]:
+        given = given if isinstance(given, (tuple, list)) else (given,)
+        default, unit, least, most, meaning = (*given, *("", -np.inf, np.inf, "")[len(given) - 1 :])
+        return key, unit, float(default), float(least), float(most), meaning
+
+    def load(values: Mapping[str, float]) -> Callable[..., None]:
+        def add(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
+            if force is not None:
+                forces += force(p, time, values)
+            if heat is not None and flow is not None:
+                flow += heat(p, time, values)
+
+        return lambda *given: _call([add], *given)
+
+    notes = [note(key, given) for key, given in (keys or {}).items()]
+    core().register_extension(name, about, notes, load, step_limit)

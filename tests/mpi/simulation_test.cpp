@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/domain/extensions.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
@@ -106,6 +107,53 @@ TEST(Simulation, RecordsHeatAndTemperaturesOfTheProgram) {
   const LedgerReport l = sim.ledger();
   EXPECT_NEAR(l.now.internal - before, l.now.mass * (5 * 0.02 + 100 * 10), 1e-3 * l.now.mass);
   EXPECT_LT(std::abs(l.heatResidual), 1e-9 * l.heatScale);
+}
+
+/// Registers a trap with the key omega, once a process.
+void registerTrap() {
+  if (findExtension("trap")) return;
+  Extension trap;
+  trap.name = "trap";
+  trap.about = "a force towards the origin";
+  trap.keys = {{"omega", "1/s", 10, 0, 1e6, "frequency of the trap"}};
+  trap.load = [](const ExtensionSettings& settings) {
+    const double stiffness = std::pow(settings.values.at("omega"), 2);
+    return [stiffness](const OutsideLoad& load) {
+      const Continuum& p = load.particles;
+      for (std::size_t i = 0; i < p.owned; i++) load.force[i] -= p.position[i] * (stiffness * p.mass[i]);
+    };
+  };
+  trap.stepLimit = [](const ExtensionSettings& settings) { return 0.1 / settings.values.at("omega"); };
+  registerExtension(trap);
+}
+
+TEST(Extensions, HaveKeysInScenes) {
+  registerTrap();
+  Simulation sim = simulationOf((std::string(water) + "[extension.trap]\nomega = \"40 1/s\"\n").c_str());
+  EXPECT_EQ(sim.scene().extensions.at(0).values.at("omega"), 40);
+  sim.runUntil(0.05);
+  EXPECT_LE(sim.lastStep(), 0.1 / 40);
+  const LedgerReport l = sim.ledger();
+  EXPECT_GT(std::abs(l.wallWork), 0.1 * l.now.kinetic);
+  EXPECT_LT(residual(l), 0.01);
+}
+
+TEST(Extensions, AreRefusedWithTheirPlace) {
+  registerTrap();
+  const auto messageOf = [](const std::string& table) {
+    try {
+      simulationOf((std::string(water) + table).c_str());
+    } catch (const SceneErrors& e) { return std::string(e.what()); }
+    return std::string("accepted");
+  };
+  EXPECT_NE(messageOf("[extension.trap]\nomega = -1\n").find("extension.trap.omega: must be"),
+            std::string::npos);
+  EXPECT_NE(messageOf("[extension.trap]\nomegas = 1\n").find("unknown key 'omegas'"), std::string::npos);
+  EXPECT_NE(messageOf("[extension.tarp]\n").find("this program has no such extension; it has trap"),
+            std::string::npos);
+  EXPECT_THROW(registerExtension({"trap", "", {}, findExtension("trap")->load, {}}), std::invalid_argument);
+  EXPECT_THROW(registerExtension({"no name", "", {}, findExtension("trap")->load, {}}),
+               std::invalid_argument);
 }
 
 TEST(Simulation, StopsAtTheRequestOfOneRank) {

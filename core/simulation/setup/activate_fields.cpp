@@ -18,6 +18,7 @@ void activateFields(World& w, StepTools& t) {
             &p.cell, &p.phase, &p.dissipation, &p.interaction});
   on(m.fluid, {&p.relativeDensity});
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
+  on(!t.outside.empty(), {&p.outsideForce});
   on(m.viscosityCorrection, {&p.viscosityCorrection});
   on(m.continuity, {&p.compression});
   on(m.corrected, {&p.midCorrection, &p.correction});

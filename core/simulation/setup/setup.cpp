@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/domain/extensions.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
@@ -115,6 +116,23 @@ void addWallWarnings(const World& w, std::vector<SceneWarning>& warnings) {
 
 }  // namespace
 
+namespace {
+
+/// Adds the loads of the scene's extensions and their step limits.
+void addExtensions(World& w, StepTools& t) {
+  for (const ExtensionSettings& settings : w.scene.extensions) {
+    const Extension* e = findExtension(settings.name);
+    if (!e) throw std::runtime_error("extension '" + settings.name + "' is not registered");
+    w.modules.why.push_back("extension '" + settings.name + "': " + e->about);
+    t.outside.push_back(e->load(settings));
+    if (!e->stepLimit) continue;
+    double& limit = t.fixedLimits[Limit::Extension];
+    limit = std::min(limit, e->stepLimit(settings));
+  }
+}
+
+}  // namespace
+
 void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   w.modules = modulesOf(w.scene);
   w.grid = makeGrid(w.scene);
@@ -153,6 +171,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
   if (w.modules.orientedContact) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
+  addExtensions(w, t);
   if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
   t.watch = monitorLimits(w.scene, w.modules, t.liquids, t.fixedLimits);
   if (w.modules.fluid) {

@@ -18,12 +18,13 @@ enum class Limit {
   Speed,
   Contact,
   Scene,
+  Extension,
   Oriented,
   Sheet
 };
-inline constexpr std::array<const char*, 11> limitNames{
-    "sound", "viscosity", "heat",  "elastic waves",      "surface tension", "acceleration",
-    "speed", "contact",   "scene", "oriented particles", "sheets"};
+inline constexpr std::array<const char*, 12> limitNames{
+    "sound", "viscosity", "heat",  "elastic waves", "surface tension",    "acceleration",
+    "speed", "contact",   "scene", "extensions",    "oriented particles", "sheets"};
 inline constexpr std::size_t bodyTypeLimits = 2;  ///< the last entries: further body types, reduced only in
                                                   ///< scenes that have them
 

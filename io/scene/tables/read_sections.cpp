@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_sections.hpp"
 
+#include "core/domain/extensions.hpp"
 #include "core/scene/quality.hpp"
 #include "io/scene/tables/read_shape.hpp"
 
@@ -19,6 +20,25 @@ void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
   open.tensileLimit = !numerics.has("tensile_limit");
   open.shifting = !numerics.has("shifting");
   open.viscosityCorrection = !numerics.has("viscosity_correction");
+}
+
+/// Reads the keys that the extension of that name has declared.
+void readExtension(const std::string& name, TableReader& r, std::vector<ExtensionSettings>& all) {
+  if (r.describing()) return;
+  const Extension* e = findExtension(name);
+  if (!e) {
+    std::string known;
+    for (const std::string& other : extensionNames()) known += (known.empty() ? "" : ", ") + other;
+    return r.fail(r.place(), r.path() + ": this program has no such extension" +
+                                 (known.empty() ? "" : "; it has " + known));
+  }
+  ExtensionSettings settings{name, {}};
+  for (const ExtensionKey& key : e->keys) {
+    double value = key.standard;
+    r.number(key.name.c_str(), value, key.unit.c_str(), between(key.least, key.most), key.about.c_str());
+    settings.values[key.name] = value;
+  }
+  all.push_back(std::move(settings));
 }
 
 }  // namespace
@@ -80,6 +100,9 @@ void readSections(TableReader& top, SceneReading& x) {
   } else {
     top.tables("wall", "", [&](TableReader& r) { readObstacle(r, x); });
   }
+  top.namedTables("extension",
+                  "forces and sources of heat that a program has registered; `thaw` itself has none",
+                  [&](const std::string& name, TableReader& r) { readExtension(name, r, s.extensions); });
   top.table(
       "surface",
       "surfels on the continuum bodies (Keiser et al. 2005, section 4); without this table there are none",
