@@ -21,7 +21,7 @@ struct ExtensionKey {
 /// A force or a source of heat with keys in scenes. Scenes that name it are refused by programs that have not
 /// registered it, also at a restart.
 struct Extension {
-  std::string name;   ///< of its table: letters, digits, _
+  std::string name;   ///< name of its table: letters, digits, _
   std::string about;  ///< one line
   std::vector<ExtensionKey> keys;
   /// Makes the source for the values of a scene.

@@ -41,6 +41,12 @@ void readExtension(const std::string& name, TableReader& r, std::vector<Extensio
   all.push_back(std::move(settings));
 }
 
+void readExtensions(TableReader& top, std::vector<ExtensionSettings>& all) {
+  top.namedTables("extension",
+                  "forces and sources of heat that a program has registered; `thaw` itself has none",
+                  [&](const std::string& name, TableReader& r) { readExtension(name, r, all); });
+}
+
 }  // namespace
 
 void readSections(TableReader& top, SceneReading& x) {
@@ -100,9 +106,7 @@ void readSections(TableReader& top, SceneReading& x) {
   } else {
     top.tables("wall", "", [&](TableReader& r) { readObstacle(r, x); });
   }
-  top.namedTables("extension",
-                  "forces and sources of heat that a program has registered; `thaw` itself has none",
-                  [&](const std::string& name, TableReader& r) { readExtension(name, r, s.extensions); });
+  readExtensions(top, s.extensions);
   top.table(
       "surface",
       "surfels on the continuum bodies (Keiser et al. 2005, section 4); without this table there are none",
