@@ -117,7 +117,11 @@ CASES = {
         "0.05",
         {**WIDE, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]},
     ),
-    "thick_channel": (["0.05"], "0.05", {"viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]}),
+    "thick_channel": (
+        ["0.05"],
+        "0.05",
+        {"viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"], "viscosity_correction": ["false"]},
+    ),
     "stiff_in_soft": (
         ["0.02"],
         "0.02",
