@@ -4,13 +4,14 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 
-# Packages that a bare Debian 12 lacks to build and test thaw. Charts also need chart_packages, and the manual
-# docs_packages.
+# Packages that a bare Debian 12 lacks to build and test thaw. Charts also need chart_packages, the manual
+# docs_packages, and tests of the Python package python_packages.
 packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev
   libnanoflann-dev libgtest-dev python3)
 case ${CXX:-} in clang++*) packages+=("clang${CXX#clang++}") ;; esac  # CXX=clang++-14 selects Clang
 chart_packages=(python3-matplotlib)
+python_packages=(python3-numpy python3-h5py python3-pytest)  # tests of the package in python/
 docs_packages=(python3-sphinx python3-myst-parser furo)
 lint_packages=(black clang-format-14 clang-tidy-14 codespell git python3)
 
