@@ -28,6 +28,14 @@ endif()
 install(CODE "set(THAW_SOURCE \"${PROJECT_SOURCE_DIR}\")
   set(THAW_HEADERS \"${CMAKE_INSTALL_INCLUDEDIR}/thaw\")")
 install(SCRIPT cmake/public_headers.cmake)
+# The Python package alone: cmake --install BUILD --component python. A generated file has its version.
+set(THAW_PYTHON_DIR ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages CACHE STRING
+  "folder of the Python package, relative to the prefix")
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/generated/_version.py CONTENT "VERSION = '${PROJECT_VERSION}'\n")
+install(DIRECTORY python/thaw DESTINATION ${THAW_PYTHON_DIR} COMPONENT python OPTIONAL
+  FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/generated/_version.py DESTINATION ${THAW_PYTHON_DIR}/thaw COMPONENT
+  python)
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/thaw OPTIONAL)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 

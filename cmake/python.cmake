@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The Python package: python/thaw beside its compiled part, in <build>/python/thaw and in the installation.
+# The compiled part of the Python package, beside links to python/thaw in <build>/python/thaw, and in the
+# installation.
 # THAW_PYTHON: AUTO builds it where Python's headers and pybind11 are, ON requires them, OFF leaves it out.
 set(THAW_PYTHON AUTO CACHE STRING "AUTO, ON or OFF: the Python package")
 if(THAW_PYTHON STREQUAL "OFF")
@@ -38,7 +39,4 @@ foreach(file ${python_files})
   get_filename_component(name ${file} NAME)
   file(CREATE_LINK ${file} ${PROJECT_BINARY_DIR}/python/thaw/${name} SYMBOLIC)
 endforeach()
-set(THAW_PYTHON_FOLDER ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages CACHE STRING
-  "Folder of the Python package in the installation")
-install(TARGETS thaw_python LIBRARY DESTINATION ${THAW_PYTHON_FOLDER}/thaw)
-install(FILES ${python_files} DESTINATION ${THAW_PYTHON_FOLDER}/thaw)
+install(TARGETS thaw_python LIBRARY DESTINATION ${THAW_PYTHON_DIR}/thaw COMPONENT python)

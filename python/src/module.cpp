@@ -30,6 +30,21 @@ void startMpi() {
   }));
 }
 
+/// Sets the Python error of a class of thaw.errors.
+void raise(const char* name, const std::exception& e) {
+  PyErr_SetString(py::object(py::module_::import("thaw.errors").attr(name)).ptr(), e.what());
+}
+
+/// An IoError's text begins with its path and a colon.
+void raiseFileError(const IoError& e) {
+  const std::string text = e.what();
+  const std::size_t colon = text.find(": ");
+  const py::object type = py::module_::import("thaw.errors").attr("FileError");
+  const py::object value = colon == std::string::npos ? type("", text)
+                                                      : type(text.substr(0, colon), text.substr(colon + 2));
+  PyErr_SetObject(type.ptr(), value.ptr());
+}
+
 void defineSimulation(py::module_& m) {
   py::class_<ArrayGuard>(m, "ArrayGuard");
   py::class_<LoadRows>(m, "LoadRows")
@@ -73,19 +88,13 @@ void defineSimulation(py::module_& m) {
 PYBIND11_MODULE(_core, m) {
   m.doc() = "Compiled part of the package thaw.";
   startMpi();
-  static py::exception<std::runtime_error> sceneError(m, "SceneError", PyExc_ValueError);
-  static py::exception<std::runtime_error> blewUp(m, "BlewUp", PyExc_RuntimeError);
-  static py::exception<std::runtime_error> fileError(m, "FileError", PyExc_OSError);
   py::register_exception_translator([](std::exception_ptr error) {
-    const auto set = [](const py::object& type, const std::exception& e) {
-      PyErr_SetString(type.ptr(), e.what());
-    };
     try {
       if (error) std::rethrow_exception(error);
-    } catch (const BlewUp& e) { set(blewUp, e); } catch (const SceneErrors& e) {
-      set(sceneError, e);
-    } catch (const ShapeError& e) { set(sceneError, e); } catch (const IoError& e) {
-      set(fileError, e);
+    } catch (const BlewUp& e) { raise("BlewUp", e); } catch (const SceneErrors& e) {
+      raise("SceneError", e);
+    } catch (const ShapeError& e) { raise("SceneError", e); } catch (const IoError& e) {
+      raiseFileError(e);
     }
   });
   defineSimulation(m);

@@ -174,7 +174,7 @@ def test_heat_needs_a_scene_with_heat():
 def test_errors_have_the_place_of_the_command_line():
     with pytest.raises(thaw.SceneError, match='scene:1:11: error: spacing: must be > 0 m, got -1'):
         thaw.Simulation({'spacing': -1})
-    with pytest.raises(ValueError, match='absent.toml'):
+    with pytest.raises(thaw.SceneError, match="absent.toml"):
         thaw.Simulation('absent.toml')
 
 
