@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Prints liquid fraction and height of the melting front of a run, and when its particles melted.
+"""Prints liquid fraction and melting front of a body: the height at the start up to which it has melted.
 
 melting_front.py out/melt [body]
 """

@@ -74,7 +74,8 @@ def test_the_guide_runs_as_it_is_printed(bodies: str, tmp_path: pathlib.Path) ->
     code = '\n'.join(re.findall(r'```python\n(.*?)```', text, re.S))
     (tmp_path / 'guide.py').write_text(code)
     (tmp_path / 'out').mkdir()
-    (tmp_path / 'out/melt').symlink_to(bodies)
+    for name in ('melt', 'melt_one_rank'):
+        (tmp_path / 'out' / name).symlink_to(bodies)
     env = {**os.environ, 'PYTHONPATH': str(ROOT / 'python'), 'MPLBACKEND': 'Agg'}
     line = [sys.executable, '-W', 'error::UserWarning', 'guide.py']
     done = subprocess.run(line, env=env, cwd=tmp_path, capture_output=True, text=True)

@@ -122,9 +122,9 @@ class HdfFile:
         try:
             with h5py.File(self.path, 'r') as file:
                 yield file
-        except ThawError:
+        except (ThawError, MemoryError):
             raise
-        except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:
+        except Exception as error:  # h5py raises many types for damaged files
             raise FileError(self.path, f'is damaged, or no file of thaw: {error}') from error
 
     def check(self) -> None:
