@@ -37,8 +37,8 @@ namespace thaw {
 /// Version of the layout of the files and of the meaning of their values. Other versions are refused.
 inline constexpr std::int64_t checkpointFormat = 8;
 
-/// Further numbers of a run, by name.
-using CheckpointValues = std::map<std::string, double>;
+/// Further values of a run as texts, by name.
+using CheckpointValues = std::map<std::string, std::string>;
 
 /// State of a surface beside its surfels; the same on all ranks.
 struct SurfaceRecord {

@@ -147,7 +147,7 @@ CheckpointHeader headerOf(const H5File& file) {
   for (const NamedValue& v : valuesOf(h.ledger.initial))
     if (file.hasAttribute(at + "/initial", v.name)) *v.value = file.number(at + "/initial", v.name);
   for (const std::string& name : file.attributes(at + "/values"))
-    h.values[name] = file.number(at + "/values", name);
+    h.values[name] = file.text(at + "/values", name);
   h.code = file.text("/run", "code");
   h.commit = file.text("/run", "commit");
   h.ranks = file.integer("/run", "ranks");

@@ -143,7 +143,7 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   file.createGroup(at + "/initial");
   for (const NamedValue& v : valuesOf(ledger.initial)) file.setNumber(at + "/initial", v.name, *v.value);
   file.createGroup(at + "/values");
-  for (const auto& [name, value] : h.values) file.setNumber(at + "/values", name, value);
+  for (const auto& [name, value] : h.values) file.setText(at + "/values", name, value);
   if (h.surface.there) writeSurfaceRecord(file, h.surface);
 }
 

@@ -248,6 +248,17 @@ void compareNumbers(const Snapshot& a, const Snapshot& b, const CompareRule& rul
       result.general.push_back(fmt::format("{} is in B only", y.name));
 }
 
+void compareValues(const Snapshot& a, const Snapshot& b, Comparison& result) {
+  for (const auto& [name, text] : a.values) {
+    const auto other = b.values.find(name);
+    if (other == b.values.end()) result.general.push_back(name + " is in A only");
+    else if (other->second != text)
+      result.general.push_back(fmt::format("{}: A {}, B {}", name, text, other->second));
+  }
+  for (const auto& [name, text] : b.values)
+    if (!a.values.contains(name)) result.general.push_back(name + " is in B only");
+}
+
 constexpr std::size_t mostPerGroup = 4;
 
 /// Adds the first lines of each group, by first word, in order of appearance: dissimilar scenes differ in
@@ -272,6 +283,7 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
     return result;
   }
   compareNumbers(a, b, rule, result);
+  compareValues(a, b, result);
   for (const SnapshotTable& ta : a.tables) {
     const auto tb = std::find_if(b.tables.begin(), b.tables.end(),
                                  [&](const SnapshotTable& t) { return t.title == ta.title; });

@@ -2,6 +2,7 @@
 #include "io/compare/snapshot.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <numeric>
 
@@ -70,7 +71,12 @@ void openCheckpoint(Snapshot& s) {
                          {x.sum->digit.begin(), x.sum->digit.end()}});
   for (const NamedValue& v : valuesOf(h.ledger.initial))
     s.numbers.push_back(real(std::string("initial ") + v.name, v.unit, *v.value));
-  for (const auto& [name, value] : h.values) s.numbers.push_back(real(name, "", value));
+  for (const auto& [name, text] : h.values) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (end == text.c_str() + text.size()) s.numbers.push_back(real(name, "", number));
+    else s.values[name] = text;
+  }
   s.tables.push_back(tableOf(s.file, "particles", "/particles", {}));
   if (h.surface.there) {
     s.numbers.push_back(whole("surface last_step", h.surface.lastStep));
@@ -113,7 +119,7 @@ std::string snapshotPath(const std::string& path) {
 }
 
 Snapshot openSnapshot(const std::string& path) {
-  Snapshot s{H5File::openToRead(snapshotPath(path)), {}, {}, {}};
+  Snapshot s{H5File::openToRead(snapshotPath(path)), {}, {}, {}, {}};
   if (isCheckpoint(s.file)) openCheckpoint(s);
   else if (isFrame(s.file)) openFrame(s);
   else throw IoError(path, "is neither a frame nor a checkpoint");

@@ -3,6 +3,7 @@
 // one at a time.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct Snapshot {
   H5File file;
   std::string kind;  ///< "frame" or "checkpoint"
   std::vector<SnapshotNumber> numbers;
+  std::map<std::string, std::string> values;  ///< the restart record of a checkpoint, but for its numbers
   std::vector<SnapshotTable> tables;
 };
 

@@ -22,7 +22,6 @@
 #include "io/run/reports/progress.hpp"
 #include "io/run/reports/trace_file.hpp"
 #include "io/run/restart/mesh_fingerprints.hpp"
-#include "io/run/restart/restart_places.hpp"
 #include "io/run/restart/restart_record.hpp"
 #include "io/run/restart/validate_restart.hpp"
 #include "io/run/surface_run.hpp"

@@ -20,6 +20,18 @@ std::string cell(const std::string& s) {
   return t;
 }
 
+const char* wordOf(const KeyDescription& k) {
+  if (!k.restart) return "";
+  switch (*k.restart) {
+    case Restart::State: return "refused";
+    case Restart::Coefficient:
+    case Restart::Setting: return "reported";
+    case Restart::Start: return "no effect";
+    case Restart::Free: return "free";
+  }
+  return "";
+}
+
 constexpr const char* introduction =
     "# Keys of a scene file\n\n"
     "Generated from the table of keys in `io/scene` by `thaw docs`; a test compares the two.\n\n"
@@ -34,6 +46,11 @@ constexpr const char* introduction =
     "is `\"never\"`. An unknown key is an error; all errors of a scene are reported at once, with file, line "
     "and column.\n"
     "A line has at most 16384 characters, and a file 16 MiB: long lists go over several lines.\n\n"
+    "The column *restart* has the result of a change at a restart. refused: the run does not continue. "
+    "reported: it continues with the new value.\n"
+    "no effect: the change is reported, and has no effect. free: it is not reported. Keys of shapes follow "
+    "the table that has the shape.\n"
+    "A list marked refused must keep the names and the order of its tables.\n\n"
     "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 "
     "mm\"`, `--set\n"
     "material.wax.young=\"1 MPa\"`, `--set body.bust.velocity=\"[0, 0, -1]\"` (a body, emitter or obstacle "
@@ -119,16 +136,6 @@ const char* exampleScene() {
          "every = \"20 ms\"\n";
 }
 
-std::vector<KeyDescription> sceneKeys() {
-  std::vector<KeyDescription> keys;
-  Scene s;
-  SceneReading reading;
-  reading.scene = &s;
-  TableReader top("", keys);
-  readSections(top, reading);
-  return keys;
-}
-
 std::string sceneDocumentation() {
   const std::vector<KeyDescription> keys = sceneKeys();
   std::string text(introduction);
@@ -139,11 +146,11 @@ std::string sceneDocumentation() {
     if (std::find(tables.begin(), tables.end(), k.table) == tables.end()) tables.push_back(k.table);
   for (const std::string& t : tables) {
     text += t.empty() ? "\n## Top level\n\n" : "\n## `" + t + "`\n\n";
-    text += "| key | unit | range | default | what it is |\n|---|---|---|---|---|\n";
+    text += "| key | unit | range | default | restart | what it is |\n|---|---|---|---|---|---|\n";
     for (const KeyDescription& k : keys)
       if (k.table == t)
-        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", k.key, cell(k.unit), cell(k.range),
-                            cell(k.standard), cell(k.about));
+        text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", k.key, cell(k.unit), cell(k.range),
+                            cell(k.standard), wordOf(k), cell(k.about));
   }
   return text;
 }

@@ -39,7 +39,7 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
       const Some some(writers);
       if (some.in()) {
         const Sample sample(some.comm, N, twoFrames);
-        EXPECT_EQ(writeCheckpoint(folder.path, some.comm, sample.w, stamp, {{"fall height", 1.25}}),
+        EXPECT_EQ(writeCheckpoint(folder.path, some.comm, sample.w, stamp, {{"fall height", "1.25"}}),
                   folder.path + "/checkpoint/a.hdf");
       }
       MPI_Barrier(MPI_COMM_WORLD);
@@ -50,7 +50,7 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
       EXPECT_EQ(h.clock.time, 0.1 + 0.2);
       EXPECT_EQ(h.clock.dt, 1e-5 / 3);
       EXPECT_EQ(h.limitedBy, "sound");
-      EXPECT_EQ(h.values.at("fall height"), 1.25);
+      EXPECT_EQ(h.values.at("fall height"), "1.25");
       EXPECT_EQ(h.sceneText, stamp.sceneText);
       EXPECT_EQ(h.ranks, writers);
       // even shares

@@ -88,17 +88,20 @@ refuses() {
   expectMessage 'cannot be continued with this scene, it began with a different one' "$3"
   expectMessage "$2" "$3"
 }
-refuses 3 '^  sheet.cloth.place.mesh_vertices was 121, and is 49 now.*(.*all.toml:17)' \
+refuses 3 '^  sheet.cloth.mesh was 121 vertices .*, and is 49 vertices .* now (.*all.toml:17)' \
   "sheet.cloth.mesh=\"$work/coarse.obj\""
-refuses 1 '^  sheet.cloth.place.mesh_checksum was' "sheet.cloth.mesh=\"$work/other.obj\""
-refuses 2 '^  sheet.cloth.region.0.point.x was 0, and is 0.1 now.*(.*all.toml:28)' \
+refuses 1 '^  sheet.cloth.mesh was 121 vertices .*, and is 121 vertices .* now' \
+  "sheet.cloth.mesh=\"$work/other.obj\""
+refuses 2 '^  sheet.cloth.region.0.plane.point was .0, 0, 0., and is .0.1, 0, 0. now (m) (.*all.toml:28)' \
   'sheet.cloth.region.0.plane.point=[0.1,0,0]'
-refuses 2 '^  oriented.net.anchor.0.point.x was -0.2, and is -0.1 now' \
+refuses 2 '^  oriented.net.anchor.0.plane.point was .-0.2, 0, 0., and is .-0.1, 0, 0. now' \
   'oriented.net.anchor.0.plane.point=[-0.1,0,0]'
-refuses 2 '^  body.block.shape.size.x was 0.2, and is 0.3 now' 'body.block.box.size=[0.3,0.2,0.2]'
+refuses 2 '^  body.block.box.size was .0.2, 0.2, 0.2., and is .0.3, 0.2, 0.2. now (m)' \
+  'body.block.box.size=[0.3,0.2,0.2]'
 cp "$work/cloth.obj" "$work/kept.obj" && cp "$work/coarse.obj" "$work/cloth.obj"
 again 3 2 "another mesh under the same name"
-expectMessage '^  sheet.cloth.place.mesh_vertices was 121, and is 49 now' "another mesh under the same name"
+expectMessage '^  sheet.cloth.mesh was 121 vertices .*, and is 49 vertices .* now' \
+  "another mesh under the same name"
 mv "$work/kept.obj" "$work/cloth.obj"
 again 2 2 "heat, where there was none" --set sheet.cloth.conductance=5
 expectMessage "cannot be continued.*a change needs data that the run has not stored: .*no field 'enthalpy'" \
@@ -112,14 +115,15 @@ again 2 0 "another quality" --set quality=preview
 expectMessage '^  spacing 0.05 m; quality preview (--set quality=preview)$' "another quality"
 again 2 2 "another spacing" --set spacing=0.04
 expectMessage '^  spacing 0.04 m; quality standard (--set spacing=0.04)$' "another spacing"
-tells 'sheet.cloth.wrap_to.net was not in the scene then' 'sheet.cloth.wrap_to="net"'
-tells 'sheet.cloth.brush.0.motion.1.move.x was 0.3, and is 0.2 now' \
+tells 'sheet.cloth.wrap_to was "block", and is "net" now' 'sheet.cloth.wrap_to="net"'
+tells 'sheet.cloth.brush.0.motion.1.move was .0.3, 0, 0., and is .0.2, 0, 0. now (m)' \
   'sheet.cloth.brush.0.motion=[{time=0},{time=0.5,move=[0.2,0,0]}]'
 tells 'oriented.net.cfl was 0.25, and is 0.2 now' 'oriented.net.cfl=0.2'
-tells 'obstacle.floor.shape.point.z was -0.6, and is -0.7 now' 'obstacle.floor.plane.point=[0,0,-0.7]' 3
-tells 'obstacle.floor.motion.1.move.z was not in the scene then' \
+tells 'obstacle.floor.plane.point was .0, 0, -0.6., and is .0, 0, -0.7. now (m)' \
+  'obstacle.floor.plane.point=[0,0,-0.7]' 3
+tells 'obstacle.floor.motion.1.move was not in the scene then' \
   'obstacle.floor.motion=[{time=0},{time=1,move=[0,0,0.1]}]'
-tells 'domain.wall.z.low was 0, and is 1 now' 'domain.sides={z=["wall","open"]}'
+tells 'domain.sides.z.low was "open", and is "wall" now' 'domain.sides={z=["wall","open"]}'
 tells 'numerics.cfl_elastic was .*, and is 0.2 now' 'numerics.cfl_elastic=0.2'
 again 2 0 "an event that has been" --set oriented.net.event.0.time=0.0005
 expectMessage \

@@ -8,7 +8,7 @@
 namespace thaw {
 
 /// Returns whether a key of [numerics] ("numerics.cfl_elastic") differs from its default. False for keys that
-/// are neither numbers nor choices.
+/// the restart record omits.
 bool isChosen(const std::string& key, const Numerics& numerics);
 
 }  // namespace thaw

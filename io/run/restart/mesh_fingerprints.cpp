@@ -5,7 +5,7 @@
 
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/builtin/builtin_meshes.hpp"
-#include "io/run/restart/checksum.hpp"
+#include "io/scene/text/checksum.hpp"
 
 namespace thaw {
 namespace {

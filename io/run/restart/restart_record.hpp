@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The restart record: quantities of a scene, compared between a checkpoint and the run that continues it.
+// The restart record: values of the keys of a scene, compared between a checkpoint and the run that continues
+// it. The reader of the scene declares which keys it has (io/scene/tables/table_reader.hpp).
 #pragma once
 #include <string>
 #include <vector>
@@ -9,15 +10,13 @@
 
 namespace thaw {
 
-/// Returns the quantities of a scene (SI) by the key that sets them; every checkpoint has them. Particles,
-/// frames and ledger depend on most of them, which must not change: spacing, support, domain, gravity,
-/// periods, frame interval, seed, the order of materials, bodies and emitters ("body.bust" = 0), and the
-/// geometry of bodies, sheets and oriented bodies. The others may change (restart_coefficients.hpp).
-/// Quantities without an entry (end, fields of frames, the stability monitor) may change without a report.
+/// Returns the record of a scene; every checkpoint has it. Keys: the effect of a change (Restart) and the
+/// path in the scene, as "coefficient.material.wax.density". Values: text as in a scene file (SI). Long texts
+/// and meshes are checksums, as are the elements of a list beyond its first hundred.
 /// Requires: fingerprintMeshes.
 CheckpointValues restartRecordOf(const Scene& scene);
 
-/// Returns a line for each difference that prevents a restart: "spacing was 0.01, and is 0.02 now".
+/// Returns a line for each difference that prevents a restart: "spacing was 0.01, and is 0.02 now (m)".
 std::vector<std::string> restartConflicts(const CheckpointValues& stored, const Scene& scene);
 
 /// Returns a line for each change at which forces and energies jump: coefficients of materials, sheets,
@@ -33,5 +32,9 @@ std::vector<std::string> pastEventChanges(const CheckpointValues& stored, const 
 
 /// Returns a line for each change of the start of bodies. It has no effect.
 std::vector<std::string> initialStateChanges(const CheckpointValues& stored, const Scene& scene);
+
+/// Returns " (scene.toml:14)": the line of the smallest table whose key begins the text
+/// ("sheet.c.region.0.plane.point was ..."). Returns "" if none is known.
+std::string placeOfRecordKey(const Scene& scene, const std::string& text);
 
 }  // namespace thaw

@@ -6,13 +6,26 @@
 
 namespace thaw {
 
-void readBody(TableReader& r, SceneReading& x) {
-  Body b;
-  b.where = r.place();
-  std::string material;
-  r.text("name", b.name, "for messages and `--set`; none: \"body\" and its number");
+namespace {
+
+/// Reads the name of a material. checkScene finds its place in the list, from which it is recorded.
+void readMaterialName(TableReader& r, const SceneReading& x, int place, std::vector<MaterialName>& names,
+                      const char* about) {
+  std::string name;
+  if (r.recording() && place >= 0 && place < static_cast<int>(x.scene->materials.size()))
+    name = x.scene->materials[static_cast<std::size_t>(place)].name;
+  r.text("material", name, about, "name of a material");
+  if (r.reading()) names.push_back({name, r.placeOf("material"), r.refused("material")});
+}
+
+}  // namespace
+
+void readBody(TableReader& r, Body& b, SceneReading& x) {
+  r.as(Restart::Free).text("name", b.name, "for messages and `--set`; none: \"body\" and its number");
+  r.restart(Restart::State);
   readShape(r, b.shape);
-  r.text("material", material, "material of the body; required", "name of a material");
+  readMaterialName(r, x, b.material, x.bodyMaterials, "material of the body; required");
+  r.restart(Restart::Start);
   readVelocity(r, b.velocity, b.velocityField,
                "velocity at the start: three numbers, or a table of x, y, z with expressions of position, as "
                "{ x = \"-100*x\", y = \"100*y\" } (default 0)");
@@ -25,36 +38,27 @@ void readBody(TableReader& r, SceneReading& x) {
       "temperature at the start; the value of an expression of position, as \"300 + 20*z\", is in K");
   r.vector("temperature_gradient", b.temperatureGradient, "K/m",
            "temperature gradient about the middle of the bounding box, added to the temperature");
+  r.restart(Restart::State);
   r.choice("packing", b.packing, {"lattice", "relaxed"},
            "arrangement of its particles: a cubic lattice, or jittered and relaxed (the default if liquid "
            "fills a periodic box)");
   x.open.packing = !r.has("packing");  // used for a single body only
-  if (r.describing()) {
-    r.node("clamp", "", "list of tables with a SHAPE each",
-           "particles in one of these at the start are fixed");
-    return;
-  }
-  r.tables("clamp", "", [&](TableReader& c) {
-    b.clamp.emplace_back();
-    readShape(c, b.clamp.back());
-  });
+  readClamps(r, b.clamp, "particles in one of these at the start are fixed");
+  if (!r.reading()) return;
   if (b.name.empty()) b.name = "body " + std::to_string(x.scene->bodies.size());
   if (b.shape.kind == ShapeKind::HalfSpace)
     r.fail("plane", "a body must be bounded on all sides; use the plane in an intersection");
-  x.scene->bodies.push_back(std::move(b));
-  x.bodyMaterials.push_back({material, r.placeOf("material"), r.refused("material")});
 }
 
-void readEmitter(TableReader& r, SceneReading& x) {
-  Emitter e;
-  e.where = r.place();
-  std::string material;
-  r.text("name", e.name, "for messages and `--set`; none: \"emitter\" and its number");
-  r.text("material", material, "material of the emitted particles; required", "name of a material");
+void readEmitter(TableReader& r, Emitter& e, SceneReading& x) {
+  r.as(Restart::Free).text("name", e.name, "for messages and `--set`; none: \"emitter\" and its number");
+  // It numbers its particles by their count since its start, so its schedule is part of the state.
+  r.restart(Restart::State);
+  readMaterialName(r, x, e.material, x.emitterMaterials, "material of the emitted particles; required");
   if (r.has("disc") && r.has("rectangle")) r.fail("rectangle", "an emitter is a disc or a rectangle");
-  r.table("disc", "round opening; the default",
+  r.table("disc", "round opening; the default", e.disc,
           [&](TableReader& t) { t.number("radius", e.radius, "m", positive(), "radius"); });
-  r.table("rectangle", "rectangular opening instead of a disc", [&](TableReader& t) {
+  r.table("rectangle", "rectangular opening instead of a disc", !e.disc, [&](TableReader& t) {
     e.disc = false;
     t.number("width", e.width, "m", positive(), "first edge");
     t.number("depth", e.depth, "m", positive(), "second edge");
@@ -69,23 +73,21 @@ void readEmitter(TableReader& r, SceneReading& x) {
   readVelocityGradient(
       r, e.velocityField,
       "velocity gradient about the centre of the opening; row i has the derivatives of component i");
+  r.restart(Restart::Setting);
   readTemperature(r, e.temperature, e.temperatureField,
                   "temperature of emitted particles; the value of an expression of the position in the "
                   "opening, as \"300 + 20*z\", is in K");
-  r.number("start", e.start, "s", notNegative(), "time at which it starts");
+  r.as(Restart::State).number("start", e.start, "s", notNegative(), "time at which it starts");
   r.number("end", e.end, "s", orNever(notNegative()), "time at which it ends");
-  if (r.describing()) return;
+  if (!r.reading()) return;
   if (length(e.direction) == 0) r.fail("direction", "must not be zero");
   if (e.end < e.start) r.fail("end", "must not be before start", {"start"});
   if (e.name.empty()) e.name = "emitter " + std::to_string(x.scene->emitters.size());
-  x.scene->emitters.push_back(std::move(e));
-  x.emitterMaterials.push_back({material, r.placeOf("material"), r.refused("material")});
 }
 
-void readObstacle(TableReader& r, SceneReading& x) {
-  Obstacle o;
-  o.where = r.place();
-  r.text("name", o.name, "for messages and `--set`; none: \"obstacle\" and its number");
+void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
+  r.restart(Restart::Coefficient);
+  r.as(Restart::Free).text("name", o.name, "for messages and `--set`; none: \"obstacle\" and its number");
   readShape(r, o.shape);
   r.number("temperature", o.temperature, "K", positive(), "temperature of its surface; none: insulating");
   r.number("conductance", o.conductance, "W/(m^2 K)", orNever(positive()),
@@ -98,36 +100,21 @@ void readObstacle(TableReader& r, SceneReading& x) {
            "set the material's as well");
   r.flag("slip", o.slip, "liquids slip along it freely; false: they stick");
   r.number("until", o.until, "s", orNever(notNegative()), "time at which it disappears");
-  r.tables("motion", "keyframes; the pose is linear in between and stays after the last",
-           [&](TableReader& k) {
-             Keyframe f;
-             k.number("time", f.time, "s", notNegative(), "time of the keyframe; must ascend");
-             k.vector("move", f.move, "m", "displacement from its initial position");
-             k.vector("rotate", f.rotate, "rad", "rotation about x, y, z through the origin");
-             if (!o.motion.empty() && f.time <= o.motion.back().time)
-               k.fail("time", "keyframes must ascend in time");
-             o.motion.push_back(f);
-           });
-  if (r.describing()) return;
+  readMotion(r, "keyframes; the pose is linear in between and stays after the last", o.motion);
+  if (!r.reading()) return;
   if (o.conductance < never && !o.temperature)
     r.fail("conductance", "an obstacle without a temperature conducts no heat: set temperature, too",
            {"temperature"});
   if (o.name.empty()) o.name = "obstacle " + std::to_string(x.scene->obstacles.size());
-  x.scene->obstacles.push_back(std::move(o));
 }
 
-void readTempering(TableReader& r, SceneReading& x) {
-  Thermostat t;
-  t.where = r.place();
-  std::string material;
-  r.text("material", material, "material that it acts on; none: all", "name of a material");
+void readTempering(TableReader& r, Thermostat& t, SceneReading& x) {
+  r.restart(Restart::Setting);
+  readMaterialName(r, x, t.material, x.temperingMaterials, "material that it acts on; none: all");
   r.number("temperature", t.temperature, "K", positive(), "temperature at the end");
   r.number("start", t.start, "s", notNegative(), "time at which it starts");
   r.number("over", t.over, "s", notNegative(), "duration; 0: one step");
-  if (r.describing()) return;
-  if (!r.has("temperature")) r.fail("temperature", "is missing");
-  x.scene->thermostats.push_back(t);
-  x.temperingMaterials.push_back({material, r.placeOf("material"), r.refused("material")});
+  if (r.reading() && !r.has("temperature")) r.fail("temperature", "is missing");
 }
 
 }  // namespace thaw

@@ -16,8 +16,10 @@ struct NumberKey {
   const char* about;
 };
 void readNumberOrField(TableReader& r, const NumberKey& k, double& value, PositionField& field) {
+  if (r.recording() && field)
+    return static_cast<void>(r.node(k.key, k.unit, "", "", "\"" + field.text + "\""));
   const std::string text = r.textOf(k.key);
-  if (r.describing() || !looksLikeExpression(text)) return r.number(k.key, value, k.unit, k.range, k.about);
+  if (!r.reading() || !looksLikeExpression(text)) return r.number(k.key, value, k.unit, k.range, k.about);
   const toml::node* n = r.node(k.key, k.unit, "", k.about);
   Expression e = parseExpression(text);
   if (!e.error.empty())
@@ -34,21 +36,30 @@ void readComponents(TableReader& r, Vec3d& velocity, VelocityField& field) {
     readNumberOrField(r, {axes[a], "m/s", anyNumber(), ""}, velocity[a], field.component[a]);
 }
 
-bool isTable(TableReader& r, const char* key) {
-  const toml::node* n = r.describing() ? nullptr : r.node(key, "", "", "");
-  return n && n->is_table();
+/// Returns three components as they would be in a list.
+std::string componentsText(const Vec3d& velocity, const VelocityField& field) {
+  std::vector<std::string> texts;
+  for (int a = 0; a < 3; a++)
+    texts.push_back(field.component[a] ? "\"" + field.component[a].text + "\"" : numberText(velocity[a]));
+  return listText(texts);
 }
 
 }  // namespace
 
 void readVelocity(TableReader& r, Vec3d& velocity, VelocityField& field, const char* about) {
-  if (!isTable(r, "velocity")) return r.vector("velocity", velocity, "m/s", about);
+  if (r.recording())
+    return static_cast<void>(r.node("velocity", "m/s", "", "", componentsText(velocity, field)));
+  if (!r.isTable("velocity")) return r.vector("velocity", velocity, "m/s", about);
   r.table("velocity", about, [&](TableReader& t) { readComponents(t, velocity, field); });
 }
 
 void readVelocityField(TableReader& r, VelocityField& field, const char* about) {
-  if (r.describing())
-    return static_cast<void>(r.node("velocity", "m/s", "table of expressions x, y, z", about));
+  if (!r.reading()) {
+    const bool given = field.component[0] || field.component[1] || field.component[2];
+    r.node("velocity", "m/s", "table of expressions x, y, z", about,
+           given ? componentsText({}, field) : "none");
+    return;
+  }
   r.table("velocity", about, [&](TableReader& t) {
     Vec3d constant{};
     readComponents(t, constant, field);
@@ -61,7 +72,10 @@ void readVelocityField(TableReader& r, VelocityField& field, const char* about) 
 
 void readVelocityGradient(TableReader& r, VelocityField& field, const char* about) {
   constexpr const char* key = "velocity_gradient";
-  const toml::node* n = r.node(key, "1/s", "three lists of three numbers", about);
+  const Vec3d* slope = field.gradient.row;
+  const toml::node* n = r.node(
+      key, "1/s", "three lists of three numbers", about,
+      field.linear ? listText({vectorText(slope[0]), vectorText(slope[1]), vectorText(slope[2])}) : "none");
   if (!n) return;
   const toml::array* rows = n->as_array();
   const auto refuse = [&](const std::string& got) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdlib>
 
+#include "core/scene/quality.hpp"
 #include "io/scene/tables/read_sections.hpp"
+#include "io/scene/text/value_text.hpp"
 
 namespace thaw {
 
@@ -21,9 +23,8 @@ constexpr const char* meltsRange = "> 0, one temperature or [solidus, liquidus]"
 
 void readLiquid(TableReader& r, Material& m) {
   r.number("density", m.density, "kg/m^3", positive(), "density at rest");
-  if (r.hasList("viscosity")) {
-    r.node("viscosity", "", "", "");
-    r.pairs({"viscosity", "K", "Pa s", {0, never, true, false, false}, positive()}, m.viscosityTable);
+  if (r.hasList("viscosity") || !m.viscosityTable.empty()) {
+    r.pairs({"viscosity", "K", "Pa s", {0, never, true, false, false}, positive(), "", ""}, m.viscosityTable);
   } else {
     r.blend({"viscosity", "Pa s", notNegative(), Liquid::Same,
              "viscosity of the liquid; or a table of pairs `[[\"900 degC\", \"1e4 Pa s\"], [\"1200 degC\", "
@@ -31,9 +32,10 @@ void readLiquid(TableReader& r, Material& m) {
             m.viscosity);
   }
   std::string colour;
-  r.text("colour", colour,
-         "colour of its surface in pictures and exports, if its mesh has none; default: a pale one",
-         "\"#rrggbb\"");
+  r.as(Restart::Free)
+      .text("colour", colour,
+            "colour of its surface in pictures and exports, if its mesh has none; default: a pale one",
+            "\"#rrggbb\"");
   if (!colour.empty() && !readColour(colour, m.colour))
     r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
   r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "surface tension of the liquid");
@@ -91,8 +93,12 @@ void readHeat(TableReader& r, Material& m) {
            "heat capacity; required for a material that melts"},
           m.heatCapacity);
   r.number("latent_heat", m.latentHeat, "J/kg", notNegative(), "latent heat of melting");
+  const std::string melts = !m.melts() ? "none"
+                            : m.solidus < m.liquidus
+                                ? listText({numberText(m.solidus), numberText(m.liquidus)})
+                                : numberText(m.solidus);
   if (const toml::node* n = r.node("melts", "K", meltsRange,
-                                   "melting temperature; none: the material does not melt")) {
+                                   "melting temperature; none: the material does not melt", melts)) {
     const toml::array* a = n->as_array();
     const Range T = positive();
     if (a && a->size() == 2) {
@@ -143,8 +149,9 @@ void checkMaterial(TableReader& r, const Material& m) {
 
 }  // namespace
 
-void readMaterial(TableReader& r, Material& m) {
-  if (!r.describing()) m.where = r.place();
+void readMaterial(TableReader& r, Material& m, SceneReading& x) {
+  if (r.reading()) applyQuality(x.scene->quality, m);
+  r.restart(Restart::Coefficient);
   readLiquid(r, m);
   readSolid(r, m);
   int phase = m.liquidAtStart ? 1 : 0;
@@ -153,7 +160,11 @@ void readMaterial(TableReader& r, Material& m) {
       "phase of a material that does not melt and has a Young's modulus; without a modulus it is liquid");
   m.liquidAtStart = phase == 1;
   readHeat(r, m);
-  if (!r.describing()) checkMaterial(r, m);
+  if (!r.reading()) return;
+  checkMaterial(r, m);
+  if (x.scene->numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
+    r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
+  x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));
 }
 
 }  // namespace thaw

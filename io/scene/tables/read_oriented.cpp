@@ -4,14 +4,22 @@
 #include "core/geometry/builtin/builtin_meshes.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/tables/read_shape.hpp"
+#include "io/scene/text/value_text.hpp"
 
 namespace thaw {
 namespace {
 
-/// Reads a list of points [[x, y, z], ...], each number with a unit or in m.
-void readPoints(TableReader& r, const char* key, const char* unit, std::vector<Vec3d>& points,
-                const char* about) {
-  const toml::node* n = r.node(key, unit, "list of [x, y, z]", about);
+/// A list of points [[x, y, z], ...], each number with a unit or in the default one. there: whether a
+/// recorded list is that of this key.
+struct PointsKey {
+  const char *key, *unit, *about;
+  bool there = true;
+};
+void readPoints(TableReader& r, const PointsKey& k, std::vector<Vec3d>& points) {
+  std::vector<std::string> texts;
+  if (k.there) std::ranges::transform(points, std::back_inserter(texts), vectorText);
+  const auto& [key, unit, about, there] = k;
+  const toml::node* n = r.node(key, unit, "list of [x, y, z]", about, listText(texts));
   if (!n) return;
   const toml::array* list = n->as_array();
   if (!list) return r.fail(key, "expected a list of points [x, y, z]");
@@ -27,38 +35,25 @@ void readPoints(TableReader& r, const char* key, const char* unit, std::vector<V
   }
 }
 
-void readMotion(TableReader& r, std::vector<Keyframe>& motion) {
-  r.tables("motion", "keyframes of the held particles; linear in between", [&](TableReader& k) {
-    Keyframe f;
-    k.number("time", f.time, "s", notNegative(), "time of the keyframe; must ascend");
-    k.vector("move", f.move, "m", "displacement from the position at the start");
-    k.vector("rotate", f.rotate, "rad", "rotation about x, y, z through the origin");
-    if (!motion.empty() && f.time <= motion.back().time) k.fail("time", "keyframes must ascend in time");
-    motion.push_back(f);
-  });
-}
-
 bool readsFile(const Shape& s) {
   return (s.kind == ShapeKind::Mesh && !namesBuiltin(s.mesh)) ||
          std::any_of(s.parts.begin(), s.parts.end(), [](const Shape& p) { return readsFile(p); });
 }
 
-void readAnchor(TableReader& r, OrientedBody& b) {
-  OrientedAnchor a;
-  a.where = r.place();
+void readAnchor(TableReader& r, OrientedAnchor& a) {
+  r.restart(Restart::State);  // particles refer to anchors by their places in the list
   readShape(r, a.region);
   r.flag("position", a.position, "holds their positions");
   r.flag("normal", a.normal, "holds their orientations");
+  r.restart(Restart::Coefficient);
   r.number("until", a.until, "s", orNever(notNegative()), "time at which it releases them");
-  readMotion(r, a.motion);
-  if (!r.describing() && !a.position && !a.normal)
+  readMotion(r, "keyframes of the held particles; linear in between", a.motion);
+  if (!a.position && !a.normal)
     r.fail(r.place(), r.path() + ": it holds nothing: expected position = true, normal = true, or both");
-  if (!r.describing()) b.anchors.push_back(std::move(a));
 }
 
-void readField(TableReader& r, OrientedBody& b) {
-  OrientedField f;
-  f.where = r.place();
+void readField(TableReader& r, OrientedField& f) {
+  r.restart(Restart::Coefficient);
   r.vector("push", f.push, "m/s^2", "uniform acceleration");
   r.vector("point", f.point, "m", "target point of pull");
   r.number("pull", f.pull, "m/s^2", anyNumber(),
@@ -69,13 +64,13 @@ void readField(TableReader& r, OrientedBody& b) {
   r.number("from", f.from, "s", notNegative(), "start time");
   r.number("until", f.until, "s", orNever(notNegative()), "end time");
   readInTime(r, "in_time", f.inTime, "factor of the whole field, linear in between", anyNumber());
-  if (r.describing() || hasShape(r)) {
+  if (r.describing() || hasShape(r) || !f.everywhere) {
     readShape(r, f.region);  // region of the field; none: everywhere
     f.everywhere = false;
   } else if (r.has("place")) {
     r.fail("place", "needs a shape: without one this field acts everywhere");
   }
-  if (r.describing()) return;
+  if (!r.reading()) return;
   if (length(f.push) == 0 && f.pull == 0 && f.pressure == 0)
     r.fail(r.place(), r.path() + ": it does nothing: expected push, pull or pressure");
   if (f.pull != 0 && !r.has("point")) r.fail("pull", "needs `point`, its target");
@@ -83,7 +78,6 @@ void readField(TableReader& r, OrientedBody& b) {
   for (const char* key : {"point", "radius"})
     if (r.has(key) && f.pull == 0) r.fail(key, "belongs to `pull`, which is missing", {"pull"});
   if (!(f.until > f.from)) r.fail("until", "must be after `from`", {"from"});
-  b.fields.push_back(std::move(f));
 }
 
 /// Returns whether each piece of the stroke is parallel to its direction.
@@ -95,32 +89,33 @@ bool isParallelStroke(const OrientedEvent& e) {
   return true;
 }
 
-void readEvent(TableReader& r, OrientedBody& b) {
-  OrientedEvent e;
-  e.where = r.place();
+void readEvent(TableReader& r, OrientedEvent& e) {
+  r.restart(Restart::Setting);
   r.choice(
       "kind", e.kind, {"weld", "cut", "crease", "smooth"},
       "weld joins another body to this one, whose name later events use; cut ends all interaction across it; "
       "crease removes the orientation from the forces along a line; smooth restores it within its SHAPE");
   r.number("time", e.time, "s", notNegative(), "time of the event; 0: at the start, after relaxation");
   r.text("other", e.other, "weld: the body that is joined to this one", "name of an oriented body");
-  r.table("plane", "cut: the plane", [&](TableReader& t) {
-    e.tool = CutTool::Plane;
+  const bool cut = e.kind == OrientedEventKind::Cut;
+  r.table("plane", "cut: the plane", cut && e.tool == CutTool::Plane, [&](TableReader& t) {
     t.vector("point", e.point, "m", "a point of the plane");
     t.vector("normal", e.normal, "", "normal of the plane; any length but 0");
     if (length(e.normal) == 0) t.fail("normal", "must not be zero");
   });
-  readPoints(r, "stroke", "m", e.path,
-             "cut: a line through points, extruded along `direction`; nothing beyond its ends is cut");
-  if (!e.path.empty()) e.tool = CutTool::Stroke;
+  readPoints(r,
+             {"stroke", "m",
+              "cut: a line through points, extruded along `direction`; nothing beyond its ends is cut", cut},
+             e.path);
+  if (r.reading() && !e.path.empty()) e.tool = CutTool::Stroke;
   r.vector("direction", e.direction, "", "cut by a stroke: direction of extrusion; any length but 0");
-  readPoints(r, "along", "m", e.path, "crease: the line");
+  readPoints(r, {"along", "m", "crease: the line", !cut}, e.path);
   r.number("radius", e.radius, "m", notNegative(),
            "crease: distance from the line within which particles are creased, 0: a spacing; stroke: "
            "distance within which particles are cut, 0: a support radius");
-  const bool shaped = r.describing() || e.kind == OrientedEventKind::Smooth ||
-                      (e.kind == OrientedEventKind::Cut && !r.has("plane") && e.path.empty());
-  if (shaped) {
+  const bool smooth = e.kind == OrientedEventKind::Smooth;
+  const bool shaped = smooth || (cut && !r.has("plane") && e.path.empty());
+  if (r.reading() ? shaped : r.describing() || e.tool == CutTool::Box) {
     readShape(r, e.region);  // smooth: the region; cut: the part that comes off
     e.tool = CutTool::Box;
     if (readsFile(e.region))
@@ -128,8 +123,7 @@ void readEvent(TableReader& r, OrientedBody& b) {
                             ": the region of an event cannot be a mesh file: expected a shape, "
                             "\"builtin:bust\" or \"builtin:head\"");
   }
-  if (r.describing()) return;
-  const bool cut = e.kind == OrientedEventKind::Cut;
+  if (!r.reading()) return;
   if (cut && r.has("plane") && r.has("stroke"))
     r.fail("stroke", "a second tool; expected one of plane, stroke and a shape, and a cut for each tool");
   const auto only = [&](const char* key, bool takes, const char* of) {
@@ -155,7 +149,6 @@ void readEvent(TableReader& r, OrientedBody& b) {
   else if (cut && e.tool == CutTool::Stroke && e.path.size() > 1 && isParallelStroke(e))
     r.fail("stroke",
            "is parallel to its `direction` and defines no plane: expected a direction across the stroke");
-  b.events.push_back(std::move(e));
 }
 
 void readSource(TableReader& r, OrientedBody& b) {
@@ -168,34 +161,44 @@ void readSource(TableReader& r, OrientedBody& b) {
       p.vector("move", b.shape.move, "m", "position of its middle");
     });
   };
-  r.table("patch", "flat rectangle in its own z = 0, normals along z", [&](TableReader& t) {
-    b.source = OrientedSource::Patch;
-    t.number("width", b.width, "m", positive(), "along x");
-    t.number("depth", b.depth, "m", positive(), "along y");
-  });
-  r.table("disc", "flat disc in its own z = 0", [&](TableReader& t) {
+  const auto from = [&](OrientedSource source) { return b.source == source; };
+  r.table("patch", "flat rectangle in its own z = 0, normals along z", from(OrientedSource::Patch),
+          [&](TableReader& t) {
+            b.source = OrientedSource::Patch;
+            t.number("width", b.width, "m", positive(), "along x");
+            t.number("depth", b.depth, "m", positive(), "along y");
+          });
+  r.table("disc", "flat disc in its own z = 0", from(OrientedSource::Disc), [&](TableReader& t) {
     b.source = OrientedSource::Disc;
     t.number("radius", b.radius, "m", positive(), "radius");
   });
   r.table("curve", "2D: particles along a parabola in the plane y = constant, in which they stay (planar)",
-          [&](TableReader& t) {
+          from(OrientedSource::Curve), [&](TableReader& t) {
             b.source = OrientedSource::Curve;
-            if (!t.describing()) b.planar = true;
+            if (t.reading()) b.planar = true;
             t.vector("from", b.from, "m", "first end");
             t.vector("to", b.to, "m", "last end");
             t.number("bulge", b.bulge, "m", anyNumber(), "height of its middle above the chord");
-            if (!t.describing() && b.from.y != b.to.y) t.fail("to", "must have the y of from");
-            if (!t.describing() && length(b.to - b.from) == 0) t.fail("to", "must differ from from");
+            if (b.from.y != b.to.y) t.fail("to", "must have the y of from");
+            if (length(b.to - b.from) == 0) t.fail("to", "must differ from from");
           });
-  readPoints(r, "points", "m", b.points,
-             "a surface through these points; growth = \"borders\" holds them and fills holes between them");
+  readPoints(r,
+             {"points", "m",
+              "a surface through these points; growth = \"borders\" holds them and fills holes between them",
+              from(OrientedSource::Points)},
+             b.points);
   const bool points = r.has("points");
-  readPoints(r, "normals", "", b.normals,
-             "normals of `points`; none: those of a plane through their neighbours, oriented consistently "
-             "along a spanning tree");
-  readPoints(r, "control", "m", b.points,
-             "a thin plate through a few control points; particles within 2.2 spacings of one are held in "
-             "position and normal, and the others hang from them");
+  readPoints(r,
+             {"normals", "",
+              "normals of `points`; none: those of a plane through their neighbours, oriented consistently "
+              "along a spanning tree"},
+             b.normals);
+  readPoints(r,
+             {"control", "m",
+              "a thin plate through a few control points; particles within 2.2 spacings of one are held in "
+              "position and normal, and the others hang from them",
+              from(OrientedSource::Control)},
+             b.points);
   const int given = r.has("patch") + r.has("disc") + r.has("curve") + r.has("points") + r.has("control");
   if (points) b.source = OrientedSource::Points;
   else if (r.has("control")) b.source = OrientedSource::Control;
@@ -215,22 +218,24 @@ void readSource(TableReader& r, OrientedBody& b) {
     r.fail("normals", "there must be one for each point");
   for (const Vec3d& n : b.normals)
     if (length(n) == 0) r.fail("normals", "must not be zero");
-  if (r.describing() || given == 0) readShape(r, b.shape);
+  if (r.recording() ? b.source == OrientedSource::Surface : given == 0) readShape(r, b.shape);
   else place();
 }
 
 }  // namespace
 
-void readOriented(TableReader& r, SceneReading& x) {
-  OrientedBody b;
-  b.where = r.place();
-  r.text("name", b.name, "for messages and `--set`; none: \"oriented\" and its number");
+void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
+  r.as(Restart::Free).text("name", b.name, "for messages and `--set`; none: \"oriented\" and its number");
+  // A restart finds anchors and given points by their positions at the start.
+  r.restart(Restart::State);
   readSource(r, b);
   std::string colour;
-  r.text("colour", colour,
-         "colour in pictures and exports; none: blue, green, turquoise, violet, orange, red in the order of "
-         "the scene",
-         "\"#rrggbb\"");
+  r.as(Restart::Free)
+      .text(
+          "colour", colour,
+          "colour in pictures and exports; none: blue, green, turquoise, violet, orange, red in the order of "
+          "the scene",
+          "\"#rrggbb\"");
   if (std::uint32_t value = 0; !colour.empty()) {
     if (readColour(colour, value)) b.colour = value;
     else r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
@@ -238,15 +243,18 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.number("thin", b.thin, "", between(1e-4, 1),
            "share of its particles that is kept and held; growth = \"borders\" adds the others again");
   r.number("spacing", b.spacing, "m", notNegative(), "distance of its particles; 0: that of the scene");
+  r.restart(Restart::Start);
   r.number("jitter", b.jitter, "", between(0, 1),
            "largest random displacement (spacings) and rotation (radians) of its particles at the start, "
            "along each axis");
   r.vector("velocity", b.velocity, "m/s", "velocity at the start");
+  r.restart(Restart::State);  // particles keep their mass and inertia
   r.number("density", b.density, "kg/m^2", positive(),
            "mass per area. A patch or a disc has this times its full area (less with thin below 1, until it "
            "has grown); a particle of another source has this times the cell of a hexagonal lattice");
   r.number("inertia", b.inertia, "", positive(),
            "moment of inertia of a particle, over its mass and the square of the spacing");
+  r.restart(Restart::Coefficient);
   r.number("stiffness", b.stiffness, "N/m", positive(),
            "unit of its energies: weight times stiffness times the square of the spacing");
   r.number("attract", b.attract, "", notNegative(),
@@ -284,10 +292,13 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.choice("integrator", b.integrator, {"symplectic", "rk4", "semi-implicit"},
            "integrator of all oriented bodies, set by the first one: symplectic Euler, Runge-Kutta of fourth "
            "order, or linearised backward Euler, which takes far longer steps");
+  r.restart(Restart::Setting);
   r.number("cfl", b.cfl, "", between(1e-4, 10),
            "step over the longest that is stable for the stiffest particle (semi-implicit: over ten times "
            "that of symplectic Euler)");
-  r.whole("relax", b.relax, 0, 10000000,
+  r.as(Restart::Start)
+      .whole(
+          "relax", b.relax, 0, 10000000,
           "largest number of relaxation iterations before the start; fewer, with a warning, if they make no "
           "progress");
   r.choice("growth", b.growth, {"none", "gaps", "borders"},
@@ -300,14 +311,13 @@ void readOriented(TableReader& r, SceneReading& x) {
            "distance (spacings) below which one of two particles is removed; 0: never");
   r.whole("every", b.every, 1, 100000, "steps between checks of gaps, borders and crowding");
   r.whole("most", b.most, 1, INT64_C(1) << 32, "number of particles at which this body stops growing");
-  r.tables("anchor", "holds the particles in its SHAPE at the start",
-           [&](TableReader& a) { readAnchor(a, b); });
+  r.tables("anchor", "holds the particles in its SHAPE at the start", b.anchors, readAnchor);
   r.tables("field",
            "external field, in addition to push and pressure, on the particles that are in its SHAPE (none: "
            "on all) at that time",
-           [&](TableReader& f) { readField(f, b); });
-  r.tables("event", "weld, cut, crease or smoothing at a time", [&](TableReader& e) { readEvent(e, b); });
-  if (r.describing()) return;
+           b.fields, readField);
+  r.tables("event", "weld, cut, crease or smoothing at a time", b.events, readEvent);
+  if (!r.reading()) return;
   if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below repel_power", {"repel_power"});
   if (b.growth == OrientedGrowth::Borders && b.thin == 1 && b.source != OrientedSource::Points &&
       !r.has("most"))
@@ -325,7 +335,6 @@ void readOriented(TableReader& r, SceneReading& x) {
     b.integrator = first;
   }
   if (b.name.empty()) b.name = "oriented " + std::to_string(x.scene->oriented.size());
-  x.scene->oriented.push_back(std::move(b));
 }
 
 }  // namespace thaw

@@ -8,13 +8,22 @@
 namespace thaw {
 
 void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* about, const Range& factor) {
-  r.node(key, "", "list of pairs [time, factor]", about);
-  if (!r.describing()) r.pairs({key, "s", "", notNegative(), factor}, f.points);
+  r.pairs({key, "s", "", notNegative(), factor, "list of pairs [time, factor]", about}, f.points);
+}
+
+void readMotion(TableReader& r, const char* about, std::vector<Keyframe>& motion, bool turns) {
+  r.tables("motion", about, motion, [&](TableReader& k, Keyframe& f) {
+    k.number("time", f.time, "s", notNegative(), "time of the keyframe; must ascend");
+    k.vector("move", f.move, "m", "displacement from the position at the start");
+    if (turns) k.vector("rotate", f.rotate, "rad", "rotation about x, y, z through the origin");
+    if (k.reading() && !motion.empty() && f.time <= motion.back().time)
+      k.fail("time", "keyframes must ascend in time");
+  });
 }
 
 namespace {
 
-/// Records which choices of [numerics] the scene leaves open.
+/// Notes which choices of [numerics] the scene leaves open.
 void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
   open.density = !numerics.has("density");
   open.tensileLimit = !numerics.has("tensile_limit");
@@ -23,50 +32,46 @@ void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
 }
 
 /// Reads the keys that the extension of that name has declared.
-void readExtension(const std::string& name, TableReader& r, std::vector<ExtensionSettings>& all) {
-  if (r.describing()) return;
-  const Extension* e = findExtension(name);
-  if (!e) {
+void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
+  const Extension* e = findExtension(settings.name);
+  if (!e && r.reading()) {
     std::string known;
     for (const std::string& other : extensionNames()) known += (known.empty() ? "" : ", ") + other;
-    return r.fail(r.place(), r.path() + ": this program has no such extension" +
-                                 (known.empty() ? "" : "; it has " + known));
+    r.fail(r.place(),
+           r.path() + ": this program has no such extension" + (known.empty() ? "" : "; it has " + known));
   }
-  ExtensionSettings settings{name, {}};
+  if (!e) return;
+  r.restart(Restart::Coefficient);
   for (const ExtensionKey& key : e->keys) {
-    double value = key.standard;
+    double& value = settings.values.try_emplace(key.name, key.standard).first->second;
     r.number(key.name.c_str(), value, key.unit.c_str(), between(key.least, key.most), key.about.c_str());
-    settings.values[key.name] = value;
   }
-  all.push_back(std::move(settings));
-}
-
-void readExtensions(TableReader& top, std::vector<ExtensionSettings>& all) {
-  top.namedTables("extension",
-                  "forces and sources of heat that a program has registered; `thaw` itself has none",
-                  [&](const std::string& name, TableReader& r) { readExtension(name, r, all); });
 }
 
 }  // namespace
 
 void readSections(TableReader& top, SceneReading& x) {
   Scene& s = *x.scene;
-  top.text("title", s.title, "one line for pictures and listings, which show about 100 characters of it");
+  top.as(Restart::Free)
+      .text("title", s.title, "one line for pictures and listings, which show about 100 characters of it");
   if (s.title.find_first_of("\n\r") != std::string::npos)
     top.fail("title", "expected one line, got a text of several");
-  top.number("spacing", s.spacing, "m", positive(), "distance of particles, which sets the resolution");
-  top.number("end", s.end, "s", notNegative(), "simulated time");
-  top.choice("quality", s.quality, {"preview", "standard", "reference"},
-             "defaults of [numerics]: fast (summed densities: stretched liquid falls apart), balanced, or "
-             "most accurate (docs/validation/accuracy.md); explicit keys take precedence");
-  applyQuality(s.quality, s.numerics);
+  top.as(Restart::State)
+      .number("spacing", s.spacing, "m", positive(), "distance of particles, which sets the resolution");
+  top.as(Restart::Free).number("end", s.end, "s", notNegative(), "simulated time");
+  top.as(Restart::Free)
+      .choice("quality", s.quality, {"preview", "standard", "reference"},
+              "defaults of [numerics]: fast (summed densities: stretched liquid falls apart), balanced, or "
+              "most accurate (docs/validation/accuracy.md); explicit keys take precedence");
+  if (top.reading()) applyQuality(s.quality, s.numerics);
   std::int64_t seed = static_cast<std::int64_t>(s.seed);
-  top.whole("seed", seed, 0, INT64_MAX, "seed of all random numbers");
+  top.as(Restart::State).whole("seed", seed, 0, INT64_MAX, "seed of all random numbers");
   s.seed = static_cast<std::uint64_t>(seed);
   // Includes are merged before tables are read. Only the description is here.
-  top.node("include", "", "path or list of paths",
-           "scene files to start from, relative to this one; keys of this file take precedence, and its "
-           "bodies, emitters and obstacles are added");
+  top.as(Restart::Free)
+      .node("include", "", "path or list of paths",
+            "scene files to start from, relative to this one; keys of this file take precedence, and its "
+            "bodies, emitters and obstacles are added");
   top.table("domain", "the simulated box", [&](TableReader& r) {
     x.domain = r.place();
     readDomain(r, s.domain);
@@ -78,46 +83,59 @@ void readSections(TableReader& top, SceneReading& x) {
     if (s.numerics.fixedStep > s.end)
       r.fail("fixed_step", "must not be longer than the simulated time (end)");
   });
-  top.namedTables(
-      "material", "materials of bodies and emitters", [&](const std::string& name, TableReader& r) {
-        Material m;
-        m.name = name;
-        applyQuality(s.quality, m);
-        readMaterial(r, m);
-        if (!r.describing() && s.numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
-          r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
-        x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));
-        s.materials.push_back(std::move(m));
-      });
+  const auto in = [&](auto read) {
+    return [&x, read](TableReader& r, auto& element) { read(r, element, x); };
+  };
+  top.as(Restart::State)
+      .namedTables("material", "materials of bodies and emitters", s.materials, in(readMaterial));
   x.materials = !top.refused("material");
-  top.tables("body", "a body of solid or liquid particles", [&](TableReader& r) { readBody(r, x); });
-  top.tables("oriented", "a surface of oriented particles (Szeliski & Tonnesen 1992)",
-             [&](TableReader& r) { readOriented(r, x); });
-  top.tables("sheet", "a sheet whose vertices are exact damped springs",
-             [&](TableReader& r) { readSheet(r, x); });
-  top.tables("emitter", "an opening that emits particles", [&](TableReader& r) { readEmitter(r, x); });
-  top.tables("obstacle", "a rigid object that particles cannot enter; [[wall]] means the same",
-             [&](TableReader& r) { readObstacle(r, x); });
-  top.tables("tempering", "brings particles to a temperature, regardless of position",
-             [&](TableReader& r) { readTempering(r, x); });
-  if (top.describing()) {
-    top.table("SHAPE", "keys of bodies, obstacles and clamps; not a table of its own",
-              [](TableReader& r) { describeShape(r); });
-  } else {
-    top.tables("wall", "", [&](TableReader& r) { readObstacle(r, x); });
-  }
-  readExtensions(top, s.extensions);
-  top.table(
-      "surface",
-      "surfels on the continuum bodies (Keiser et al. 2005, section 4); without this table there are none",
-      [&](TableReader& r) {
-        s.surface.on = !r.describing();
-        readSurface(r, s.surface);
-      });
+  // Particles refer to their body and material by its place in the list.
+  top.as(Restart::State).tables("body", "a body of solid or liquid particles", s.bodies, in(readBody));
+  top.as(Restart::State)
+      .tables("oriented", "a surface of oriented particles (Szeliski & Tonnesen 1992)", s.oriented,
+              in(readOriented));
+  top.as(Restart::State)
+      .tables("sheet", "a sheet whose vertices are exact damped springs", s.sheets, in(readSheet));
+  top.as(Restart::State).tables("emitter", "an opening that emits particles", s.emitters, in(readEmitter));
+  top.tables("obstacle", "a rigid object that particles cannot enter; [[wall]] means the same", s.obstacles,
+             in(readObstacle));
+  top.tables("tempering", "brings particles to a temperature, regardless of position", s.thermostats,
+             in(readTempering));
+  if (top.reading()) top.tables("wall", "", s.obstacles, in(readObstacle));
+  if (top.describing())
+    top.table("SHAPE", "keys of bodies, obstacles and clamps; not a table of its own", describeShapes);
+  top.as(Restart::State)
+      .namedTables("extension",
+                   "forces and sources of heat that a program has registered; `thaw` itself has none",
+                   s.extensions, in(readExtension));
+  top.as(Restart::State)
+      .table("surface",
+             "surfels on the continuum bodies (Keiser et al. 2005, section 4); without this table there are "
+             "none",
+             s.surface.on, [&](TableReader& r) { readSurface(r, s.surface); });
   top.table("output", "frames, checkpoints, pictures", [&](TableReader& r) {
     readOutput(r, s.output);
     if (s.end / s.output.every > 1e7) r.fail("every", "there would be more than ten million frames");
   });
+}
+
+std::vector<KeyDescription> sceneKeys() {
+  std::vector<KeyDescription> keys;
+  Scene s;
+  SceneReading reading;
+  reading.scene = &s;
+  TableReader top("", keys, TableReader::Mode::Describing);
+  readSections(top, reading);
+  return keys;
+}
+
+std::vector<KeyDescription> sceneValues(Scene s) {
+  std::vector<KeyDescription> values;
+  SceneReading reading;
+  reading.scene = &s;
+  TableReader top("", values, TableReader::Mode::Recording);
+  readSections(top, reading);
+  return values;
 }
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys of a scene file: one function per kind of table, used for reading and for describing.
+// The keys of a scene file: one function per kind of table, used for reading, describing and recording.
 #pragma once
 #include "io/scene/tables/full_box.hpp"
 #include "io/scene/tables/table_reader.hpp"
@@ -28,25 +28,27 @@ struct SceneReading {
 void readSections(TableReader& top, SceneReading& reading);
 /// Returns their descriptions.
 std::vector<KeyDescription> sceneKeys();
-/// Returns the keys of a sheet's mesh, by SheetMesh.
-const std::vector<std::string>& sheetMeshWords();
+/// Returns the values (SI) that a restart compares, of a scene whose defaults are chosen.
+std::vector<KeyDescription> sceneValues(Scene scene);
 
 void readDomain(TableReader& reader, Domain& domain);
 void readNumerics(TableReader& reader, Numerics& numerics);
 void readSurface(TableReader& reader, SurfaceSettings& surface);
 void readOutput(TableReader& reader, Output& output);
-void readMaterial(TableReader& reader, Material& material);
+void readMaterial(TableReader& reader, Material& material, SceneReading& reading);
 /// Reads a list of pairs of a time and a factor.
 void readInTime(TableReader& reader, const char* key, FactorInTime& factor, const char* about,
                 const Range& range = notNegative());
+/// Reads the keyframes of a motion, with rotations if it turns.
+void readMotion(TableReader& reader, const char* about, std::vector<Keyframe>& motion, bool turns = true);
 /// Converts "#rrggbb" to red | green << 8 | blue << 16. Returns false for other texts.
 bool readColour(const std::string& text, std::uint32_t& colour);
-void readBody(TableReader& reader, SceneReading& reading);
-void readOriented(TableReader& reader, SceneReading& reading);
-void readSheet(TableReader& reader, SceneReading& reading);
-void readEmitter(TableReader& reader, SceneReading& reading);
-void readTempering(TableReader& reader, SceneReading& reading);
-void readObstacle(TableReader& reader, SceneReading& reading);
+void readBody(TableReader& reader, Body& body, SceneReading& reading);
+void readOriented(TableReader& reader, OrientedBody& body, SceneReading& reading);
+void readSheet(TableReader& reader, SheetBody& body, SceneReading& reading);
+void readEmitter(TableReader& reader, Emitter& emitter, SceneReading& reading);
+void readTempering(TableReader& reader, Thermostat& tempering, SceneReading& reading);
+void readObstacle(TableReader& reader, Obstacle& obstacle, SceneReading& reading);
 
 /// Checks references, duplicates and sizes, which concern several tables. Adds to errors.
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);

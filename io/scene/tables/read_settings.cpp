@@ -19,13 +19,22 @@ bool sideOf(const toml::node* n, Side& side) {
 }
 
 void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
+  const bool periodic = sides[0] == Side::Periodic;
   const toml::node* n = r.node(
       key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]",
       "type of the two sides across this axis. open: leaving particles are recorded in the ledger. periodic: "
       "leaving particles enter at the other side. A body may be placed across a periodic side, with its mesh "
       "and surface, if it does not overlap its own image; a sheet or an oriented body may not. A periodic "
-      "axis is at least three support radii long: 6 spacings if `numerics.support` is 2");
-  if (r.describing() || !n) return;
+      "axis is at least three support radii long: 6 spacings if `numerics.support` is 2",
+      r.describing() ? "\"open\""
+      : periodic     ? "periodic"
+                     : "not periodic");
+  if (r.recording() && !periodic)  // walls may change
+    for (std::size_t end = 0; end < 2; end++)
+      r.as(Restart::Coefficient)
+          .node((key + std::string(end == 0 ? ".low" : ".high")).c_str(), "", "", "",
+                sides[end] == Side::Wall ? "\"wall\"" : "\"open\"");
+  if (!n) return;
   const toml::array* pair = n->as_array();
   const bool good = pair ? pair->size() == 2 && sideOf(pair->get(0), sides[0]) &&
                                sideOf(pair->get(1), sides[1])
@@ -42,18 +51,20 @@ Range factor() { return {0, 2, true, false, false}; }
 }  // namespace
 
 void readDomain(TableReader& r, Domain& d) {
+  r.restart(Restart::State);
   r.vector("min", d.min, "m", "low corner");
   r.vector("max", d.max, "m", "high corner, above the low one");
   r.table("sides",
           "types of the domain's sides, open by default. Bodies and obstacles may lie across periodic sides: "
-          "the part beyond acts at the other side",
+          "the part beyond acts at the other side. At a restart open and wall may change",
           [&](TableReader& s) {
             readSides(s, "x", d.side[0]);
             readSides(s, "y", d.side[1]);
             readSides(s, "z", d.side[2]);
           });
   r.vector("gravity", d.gravity, "m/s^2", "acceleration of everything");
-  r.number("ambient", d.ambient, "K", positive(), "ambient temperature, for convection and radiation");
+  r.as(Restart::Coefficient)
+      .number("ambient", d.ambient, "K", positive(), "ambient temperature, for convection and radiation");
   for (int a = 0; a < 3; a++)
     if (!(d.max[a] > d.min[a]))
       r.fail(r.has("max") ? "max" : "min",
@@ -61,10 +72,12 @@ void readDomain(TableReader& r, Domain& d) {
 }
 
 void readNumerics(TableReader& r, Numerics& n) {
+  r.restart(Restart::State);
   r.number("support", n.support, "", between(1.2, 6), "support radius of the kernel in spacings");
   r.number("bond_support", n.bondSupport, "", between(1.2, 6),
            "longest bond of solids in spacings, at most `support`; longer bonds soften thin bodies, shorter "
            "ones need shorter steps in irregular arrangements");
+  r.restart(Restart::Coefficient);
   r.choice("kernel", n.kernel, {"wendland", "mcg03", "cubic"},
            "Wendland C2; poly6, spiky and viscosity kernel of Mueller et al. 2003; cubic spline");
   r.choice("precision", n.precision, {"single", "double"},
@@ -93,6 +106,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("pressure_solver", n.solver, {"state equation", "incompressible"},
            "pressure from the density, or solved for so that liquids keep their volume (steps are limited by "
            "the speed of the flow, not of sound)");
+  r.restart(Restart::Setting);
   r.number("density_tolerance", n.densityTolerance, "", {0, 0.1, true, false, false},
            "incompressible: the solver stops when the mean remaining compression of a step is below it; "
            "earlier compression is undone over the time that the flow takes for a spacing");
@@ -100,6 +114,7 @@ void readNumerics(TableReader& r, Numerics& n) {
            "incompressible: mean rate of compression, times the step, at which it stops");
   r.whole("max_iterations", n.maxIterations, 1, 100000,
           "incompressible: largest number of iterations per solve; the summary counts solves that reach it");
+  r.restart(Restart::Coefficient);
   r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"},
            "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");
   r.flag("viscosity_correction", n.viscosityCorrection,
@@ -109,6 +124,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("viscosity_solver", n.viscositySolver, {"explicit", "implicit"},
            "explicit: viscosity limits the step; implicit: a linear system in each step, without this limit "
            "(recommended if viscosity sets the step)");
+  r.restart(Restart::Setting);
   r.number("viscosity_tolerance", n.viscosityTolerance, "", between(1e-10, 0.1),
            "implicit solver: error of the velocity change by viscosity in a step, over that change");
   r.whole("viscosity_iterations", n.viscosityIterations, 1, 100000,
@@ -120,20 +136,25 @@ void readNumerics(TableReader& r, Numerics& n) {
   if (n.viscosityCorrection && n.viscosity == ViscosityForm::Laplacian)
     r.fail("viscosity_correction",
            "only the pairwise form of viscosity can be corrected: leave numerics.viscosity at \"pairwise\"");
+  r.restart(Restart::Coefficient);
   r.choice("tension", n.tension, {"pairwise", "colour field", "surface energy"},
            "cohesion of pairs: cheap, but drops behave like soft crystals; as printed in Keiser et al. 2005; "
            "or an energy of the free surface: drops have Laplace's pressure and oscillate like liquids");
-  r.choice("heat", n.heat, {"enthalpy", "paper"},
-           "enthalpy with latent heat, or the plain temperature of Keiser et al. 2005");
+  r.as(Restart::State)
+      .choice("heat", n.heat, {"enthalpy", "paper"},
+              "enthalpy with latent heat, or the plain temperature of Keiser et al. 2005");
   r.choice("conduction", n.conduction, {"normalised", "plain"},
            "the sum for heat conduction: exact for a quadratic temperature on the lattice, or with the "
            "kernel's own constant");
   r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");
   r.number("max_density_error", n.maxDensityError, "", {0, 0.2, true, false, false},
            "compression that the automatic sound speed allows");
-  r.choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"},
-           "treatment of the particles of two bodies that overlap; a sheet or an oriented body that begins "
-           "inside a solid one is an error except with \"keep\"");
+  r.as(Restart::Start)
+      .choice(
+          "overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"},
+          "treatment of the particles of two bodies that overlap; a sheet or an oriented body that begins "
+          "inside a solid one is an error except with \"keep\"");
+  r.restart(Restart::Setting);
   r.number("fixed_step", n.fixedStep, "s", notNegative(),
            "longest time step, at most `end`, shortened to a whole number of steps per frame; 0: as large as "
            "the limits allow");
@@ -166,6 +187,7 @@ void readNumerics(TableReader& r, Numerics& n) {
       "half of gravity, keeps it awake or wakes it. With less, a solid with weak vibrations sleeps sooner");
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(),
            "rate of change of the temperature that keeps a solid awake or wakes it");
+  r.restart(Restart::Free);
   r.whole("retry_every", n.retryEvery, 0, 1000000000,
           "steps between snapshots in memory; a run that fails goes back to the last one and continues with "
           "half the step; 0: no snapshots, and a failure stops the run");
@@ -187,13 +209,16 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("watch_energy", n.watchEnergy, "", orNever(positive()),
            "unexplained energy that counts as failure, over the largest term of the ledger, within "
            "retry_every steps or since the run began");
-  r.number("plastic_rereference", n.plasticRereference, "", positive(),
-           "norm of the plastic strain above which the reference follows the flow");
+  r.as(Restart::Setting)
+      .number("plastic_rereference", n.plasticRereference, "", positive(),
+              "norm of the plastic strain above which the reference follows the flow");
 }
 
 void readOutput(TableReader& r, Output& o) {
   const std::vector<std::string> known = knownFrameFields();
-  r.number("every", o.every, "s", positive(), "simulated time between frames");
+  r.restart(Restart::Free);
+  // Otherwise new frames would have the numbers of existing ones.
+  r.as(Restart::State).number("every", o.every, "s", positive(), "simulated time between frames");
   r.number("ledger_every", o.ledgerEvery, "s", notNegative(),
            "simulated time between additional rows of ledger.csv, which has one per frame; a row is written "
            "at the first step at or after its time and changes no step; 0: none");
@@ -230,11 +255,11 @@ void readOutput(TableReader& r, Output& o) {
   o.height = static_cast<int>(height);
   r.table("camera", "camera of the pictures; without it the view is fitted to all frames",
           [&](TableReader& c) {
-            if (!c.describing()) o.camera.fitted = false;
+            if (c.reading()) o.camera.fitted = false;
             c.vector("from", o.camera.from, "m", "position of the camera");
             c.vector("at", o.camera.at, "m", "point that it looks at");
             c.number("field_of_view", o.camera.fieldOfView, "rad", between(0.01, 3), "vertical angle");
-            if (c.describing()) return;
+            if (!c.reading()) return;
             if (!c.has("from") || !c.has("at")) c.fail(c.place(), c.path() + ": needs from and at");
             else if (o.camera.from == o.camera.at) c.fail("at", "must differ from `from`");
           });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_shape.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -40,55 +42,64 @@ bool meshEnding(std::string path) {
   return false;
 }
 
-void readMesh(TableReader& r, Shape& s) {
-  r.text("mesh", s.mesh,
-         "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or "
-         "\"builtin:head\", both 1 m tall. Its surfels have the normals of the file (PLY nx ny nz, OBJ vn); "
-         "smooth normals from the triangles replace missing ones, and those that are 0 or point to the other "
-         "side of their triangle (the run reports how many)",
-         "path or \"builtin:bust\"");
-  checkMeshPath(r, s.mesh);
+constexpr const char* aboutMesh =
+    "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or "
+    "\"builtin:head\", both 1 m tall. Its surfels have the normals of the file (PLY nx ny nz, OBJ vn); "
+    "smooth normals from the triangles replace missing ones, and those that are 0 or point to the other "
+    "side of their triangle (the run reports how many)";
+
+void checkMeshPath(TableReader& r, const std::string& path) {
+  if (path.empty()) {
+    if (r.has("mesh"))
+      r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
+  } else if (namesBuiltin(path)) {
+    if (!isBuiltin(path))
+      r.fail("mesh", "there is no built-in mesh '" + path.substr(8) + "'; there is " + builtinList);
+  } else if (!meshEnding(path)) {
+    r.fail("mesh", "expected a file that ends in .obj, .ply or .stl, got \"" + path + "\"");
+  }
 }
 
 void readSolids(TableReader& r, Shape& s) {
-  r.table("box", "box around its own origin", [&](TableReader& t) {
+  r.table("box", "box around its own origin", s.kind == ShapeKind::Box, [&](TableReader& t) {
     t.vector("size", s.size, "m", "edge lengths, > 0");
-    if (!t.describing() && !(s.size.x > 0 && s.size.y > 0 && s.size.z > 0))
+    if (t.reading() && !(s.size.x > 0 && s.size.y > 0 && s.size.z > 0))
       t.fail("size", "edge lengths must be > 0 m");
   });
-  r.table("sphere", "ball around its own origin",
+  r.table("sphere", "ball around its own origin", s.kind == ShapeKind::Sphere,
           [&](TableReader& t) { t.number("radius", s.radius, "m", positive(), "radius"); });
-  r.table("cylinder", "cylinder around its own origin, along z", [&](TableReader& t) {
-    t.number("radius", s.radius, "m", positive(), "radius");
-    t.number("height", s.height, "m", positive(), "length along z");
-  });
-  r.table("torus", "ring around its own origin, in the plane z = 0", [&](TableReader& t) {
-    t.number("radius", s.radius, "m", positive(), "radius of the ring");
-    t.number("tube", s.radius2, "m", positive(), "radius of the tube, less than that of the ring");
-    if (s.radius2 >= s.radius) t.fail("tube", "must be less than the radius of the ring");
-  });
-  r.table("glass", "drinking glass standing on its own z = 0, open at the top", [&](TableReader& t) {
-    t.number("radius", s.radius, "m", positive(), "outer radius");
-    t.number("height", s.height, "m", positive(), "height");
-    t.number("thickness", s.thickness, "m", positive(), "thickness of wall and floor");
-    if (s.thickness >= std::min(s.radius, s.height))
-      t.fail("thickness", "must be less than radius and height");
-  });
-  r.table("plane", "half-space: solid on the side that the normal points away from", [&](TableReader& t) {
-    t.vector("point", s.point, "m", "a point of the plane");
-    t.vector("normal", s.normal, "", "normal out of the solid; any length but 0");
-    if (length(s.normal) == 0) t.fail("normal", "must not be zero");
-  });
+  r.table("cylinder", "cylinder around its own origin, along z", s.kind == ShapeKind::Cylinder,
+          [&](TableReader& t) {
+            t.number("radius", s.radius, "m", positive(), "radius");
+            t.number("height", s.height, "m", positive(), "length along z");
+          });
+  r.table("torus", "ring around its own origin, in the plane z = 0", s.kind == ShapeKind::Torus,
+          [&](TableReader& t) {
+            t.number("radius", s.radius, "m", positive(), "radius of the ring");
+            t.number("tube", s.radius2, "m", positive(), "radius of the tube, less than that of the ring");
+            if (s.radius2 >= s.radius) t.fail("tube", "must be less than the radius of the ring");
+          });
+  r.table("glass", "drinking glass standing on its own z = 0, open at the top", s.kind == ShapeKind::Glass,
+          [&](TableReader& t) {
+            t.number("radius", s.radius, "m", positive(), "outer radius");
+            t.number("height", s.height, "m", positive(), "height");
+            t.number("thickness", s.thickness, "m", positive(), "thickness of wall and floor");
+            if (s.thickness >= std::min(s.radius, s.height))
+              t.fail("thickness", "must be less than radius and height");
+          });
+  r.table("plane", "half-space: solid on the side that the normal points away from",
+          s.kind == ShapeKind::HalfSpace, [&](TableReader& t) {
+            t.vector("point", s.point, "m", "a point of the plane");
+            t.vector("normal", s.normal, "", "normal out of the solid; any length but 0");
+            if (length(s.normal) == 0) t.fail("normal", "must not be zero");
+          });
 }
 
 void readParts(TableReader& r, const char* key, ShapeKind kind, Shape& s) {
-  if (!r.has(key)) return;
-  if (r.path().size() > deepest) return r.fail(r.place(), "shapes are nested too deeply");
-  s.parts.clear();
-  r.tables(key, "", [&](TableReader& part) {
-    s.parts.emplace_back();
-    readShape(part, s.parts.back());
-  });
+  if (r.recording() ? s.kind != kind : !r.has(key)) return;
+  if (r.reading() && r.path().size() > deepest) return r.fail(r.place(), "shapes are nested too deeply");
+  if (r.reading()) s.parts.clear();
+  r.tables(key, "", s.parts, readShape);
   const std::size_t least = kind == ShapeKind::Union ? 1 : 2;
   if (s.parts.size() < least)
     r.fail(key,
@@ -110,31 +121,12 @@ constexpr Key solids[] = {{"mesh", ShapeKind::Mesh, ""},      {"box", ShapeKind:
 
 }  // namespace
 
-void checkMeshPath(TableReader& r, const std::string& path) {
-  if (path.empty()) {
-    if (r.has("mesh"))
-      r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
-  } else if (namesBuiltin(path)) {
-    if (!isBuiltin(path))
-      r.fail("mesh", "there is no built-in mesh '" + path.substr(8) + "'; there is " + builtinList);
-  } else if (!meshEnding(path)) {
-    r.fail("mesh", "expected a file that ends in .obj, .ply or .stl, got \"" + path + "\"");
-  }
-}
-
-std::vector<std::string> shapeWords() {
-  std::vector<std::string> words(std::size(solids) + std::size(parts));
-  for (const Key& k : solids) words[static_cast<std::size_t>(k.kind)] = k.key;
-  for (const Key& k : parts) words[static_cast<std::size_t>(k.kind)] = k.key;
-  return words;
-}
-
 void readShape(TableReader& r, Shape& s) {
   if (r.describing()) {
     r.node("SHAPE", "", allShapes, "its shape, one key, and `place`: see `SHAPE` below");
     return;
   }
-  s.where = r.place();
+  if (r.reading()) s.where = r.place();
   int given = 0;
   const auto one = [&](const Key& k) {
     if (!r.has(k.key)) return;
@@ -146,13 +138,29 @@ void readShape(TableReader& r, Shape& s) {
   // Errors of a file are reported where it is named.
   if (s.kind == ShapeKind::Mesh && r.has("mesh")) s.where = r.placeOf("mesh");
   if (given == 0) r.fail(r.place(), r.path() + ": its shape is missing: " + allShapes);
-  readMesh(r, s);
+  readMesh(r, s, aboutMesh);
   readSolids(r, s);
   for (const Key& k : parts) {
     r.node(k.key, "", "", k.about);
     readParts(r, k.key, k.kind, s);
   }
   readPlace(r, s);
+}
+
+void readMesh(TableReader& r, Shape& s, const char* about) {
+  const MeshFingerprint& f = s.meshFingerprint;
+  if (r.recording() && !s.mesh.empty())
+    r.node("mesh", "", "", "",
+           fmt::format("{} vertices and {} triangles with checksum {}", f.vertices, f.triangles, f.checksum));
+  if (r.recording()) return;
+  r.text("mesh", s.mesh, about, "path or \"builtin:bust\"");
+  if (r.reading()) checkMeshPath(r, s.mesh);
+}
+
+void readClamps(TableReader& r, std::vector<Shape>& clamps, const char* about) {
+  // The description of a shape has a section of its own.
+  if (r.describing()) r.node("clamp", "", "list of tables with a SHAPE each", about);
+  else r.tables("clamp", "", clamps, readShape);
 }
 
 bool hasShape(const TableReader& r) {
@@ -171,9 +179,9 @@ void refuseShape(TableReader& r, const char* why) {
   for (const Key& k : parts) refuse(k);
 }
 
-void describeShape(TableReader& r) {
+void describeShapes(TableReader& r) {
   Shape s;
-  readMesh(r, s);
+  readMesh(r, s, aboutMesh);
   readSolids(r, s);
   for (const Key& k : parts) r.node(k.key, "", "list of tables with a SHAPE each", k.about);
   readPlace(r, s);

@@ -29,25 +29,30 @@ const char* aboutInRegion(std::size_t f) {
   }
 }
 
+/// Keys of a sheet's mesh, by SheetMesh.
+constexpr const char* meshKeys[] = {"grid", "sphere", "head", "dome", "forehead", "mesh"};
+
 void readSheetMesh(TableReader& r, SheetBody& b) {
   int given = 0;
-  for (std::size_t k = 0; k < sheetMeshWords().size(); k++)
-    if (const char* key = sheetMeshWords()[k].c_str(); r.has(key)) {
+  for (std::size_t k = 0; k < std::size(meshKeys); k++)
+    if (const char* key = meshKeys[k]; r.has(key)) {
       b.mesh = static_cast<SheetMesh>(k);
       if (++given == 2) r.fail(key, "a second mesh; expected one, and a sheet for each mesh");
     }
-  if (given == 0 && !r.describing())
+  if (given == 0)
     r.fail(r.place(), r.path() + ": its mesh is missing: grid, sphere, head, dome, forehead or mesh");
-  r.table("grid", "rectangle in the plane z = 0 of threads along x and y", [&](TableReader& t) {
-    t.number("width", b.width, "m", positive(), "along x");
-    t.number("depth", b.depth, "m", positive(), "along y");
-  });
-  r.table("sphere", "closed sphere around its own origin",
+  const auto is = [&](SheetMesh mesh) { return b.mesh == mesh; };
+  r.table("grid", "rectangle in the plane z = 0 of threads along x and y", is(SheetMesh::Grid),
+          [&](TableReader& t) {
+            t.number("width", b.width, "m", positive(), "along x");
+            t.number("depth", b.depth, "m", positive(), "along y");
+          });
+  r.table("sphere", "closed sphere around its own origin", is(SheetMesh::Sphere),
           [&](TableReader& t) { t.number("radius", b.radius, "m", positive(), "radius"); });
-  r.table("head", "closed head around its own origin, looking along -y", [&](TableReader& t) {
-    t.number("height", b.height, "m", positive(), "height from chin to crown");
-  });
-  r.table("dome", "cap with its border in the plane z = 0", [&](TableReader& t) {
+  r.table(
+      "head", "closed head around its own origin, looking along -y", is(SheetMesh::Head),
+      [&](TableReader& t) { t.number("height", b.height, "m", positive(), "height from chin to crown"); });
+  r.table("dome", "cap with its border in the plane z = 0", is(SheetMesh::Dome), [&](TableReader& t) {
     std::int64_t ribs = b.ribs;
     t.number("radius", b.radius, "m", positive(), "radius of the border");
     t.number("height", b.height, "m", positive(), "height of the middle");
@@ -56,7 +61,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
     b.ribs = static_cast<int>(ribs);
   });
   r.table("forehead", "skin over a ball around its own origin, on its side towards +z, with furrows",
-          [&](TableReader& t) {
+          is(SheetMesh::Forehead), [&](TableReader& t) {
             std::int64_t wrinkles = b.wrinkles;
             t.number("radius", b.radius, "m", positive(), "radius of the ball");
             t.number("width", b.width, "m", positive(), "along x, measured along the ball");
@@ -65,7 +70,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
             t.number("wrinkle_height", b.wrinkleHeight, "m", notNegative(), "height above the ball");
             b.wrinkles = static_cast<int>(wrinkles);
             using std::numbers::pi;
-            if (t.describing()) return;
+            if (!t.reading()) return;
             if (!(b.width < 2 * pi * b.radius))
               t.fail("width", fmt::format("must be less than once around the ball, {:.4g} m, got {:g}",
                                           2 * pi * b.radius, b.width));
@@ -74,18 +79,17 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
                      fmt::format("must be less than from pole to pole of the ball, {:.4g} m, got {:g}",
                                  pi * b.radius, b.height));
           });
-  r.text("mesh", b.shape.mesh,
-         "triangles of an OBJ, PLY or STL file, open or closed, in one piece or several; or \"builtin:bust\" "
-         "or \"builtin:head\"",
-         "path or \"builtin:bust\"");
-  if (!r.describing()) checkMeshPath(r, b.shape.mesh);
+  readMesh(r, b.shape,
+           "triangles of an OBJ, PLY or STL file, open or closed, in one piece or several; or "
+           "\"builtin:bust\" or \"builtin:head\"");
   r.number("spacing", b.spacing, "m", notNegative(),
            "distance of vertices of generated meshes; 0: that of the scene's particles");
   readPlace(r, b.shape);
 }
 
 void readExactStep(TableReader& r, SheetBody& b) {
-  r.number("mass", b.mass, "kg/m^2", notNegative(), "mass per area; 0: the sheet creeps without inertia");
+  r.as(Restart::State)
+      .number("mass", b.mass, "kg/m^2", notNegative(), "mass per area; 0: the sheet creeps without inertia");
   r.number("damping", b.damping, "kg/(m^2 s)", notNegative(), "viscous damping per area");
   r.number("stiffness", b.stiffness, "N/m^3", notNegative(),
            "stiffness per area of the springs that pull each vertex to its rest position");
@@ -96,13 +100,13 @@ void readExactStep(TableReader& r, SheetBody& b) {
   r.tables("region",
            "part of the sheet with other coefficients: its vertices in a SHAPE at the start; where regions "
            "overlap, all factors are those of the last one",
-           [&](TableReader& t) {
-             SheetRegion g;
-             g.where = t.place();
+           b.regions, [&](TableReader& t, SheetRegion& g) {
+             t.restart(Restart::State);  // vertices refer to their region by its place in the list
              readShape(t, g.shape);
-             for (std::size_t f = 0; f < sheetFactors; f++)
+             for (std::size_t f = 0; f < sheetFactors; f++) {
+               t.restart(f == placeOf(SheetFactor::Mass) ? Restart::State : Restart::Coefficient);
                t.number(sheetCoefficients[f].key, g.factor[f], "", factorRange(f), aboutInRegion(f));
-             if (!t.describing()) b.regions.push_back(std::move(g));
+             }
            });
 }
 
@@ -112,9 +116,11 @@ void readInner(TableReader& r, SheetBody& b) {
   r.number("weft", b.weft, "N/m", notNegative(), "stiffness of springs along edges across the warp");
   r.number("shear", b.shear, "N/m", notNegative(),
            "stiffness of springs along the edges between, both diagonals of a square");
-  r.vector("warp_direction", b.warpDirection, "",
-           "direction of the warp in the mesh's own axes, which `place` rotates; edges within 25 degrees of "
-           "it are warp, beyond 72 degrees weft");
+  r.as(Restart::State)
+      .vector(
+          "warp_direction", b.warpDirection, "",
+          "direction of the warp in the mesh's own axes, which `place` rotates; edges within 25 degrees of "
+          "it are warp, beyond 72 degrees weft");
   r.number("rest_length", b.restLength, "", positive(),
            "rest length of the springs, over their length at the start");
   r.number("bending", b.bending, "N/m", notNegative(),
@@ -141,29 +147,17 @@ void readOuter(TableReader& r, SheetBody& b) {
   r.text("wrap_to", b.wrapTo,
          "target of wrap; if it can move, it gets the opposite force; none: against the normal",
          "name of an obstacle, a body, an emitter, an oriented body or another sheet");
-  r.tables("brush", "a local pressure", [&](TableReader& t) {
-    SheetBrush g;
-    g.where = t.place();
+  r.tables("brush", "a local pressure", b.brushes, [&](TableReader& t, SheetBrush& g) {
     t.vector("centre", g.centre, "m", "centre of the pressure");
     t.number("radius", g.radius, "m", positive(),
              "radius R at which it ends; the profile is (1 - r^2/R^2)^2");
     t.vector("pressure", g.pressure, "Pa", "force per area of the sheet at the centre");
     readInTime(t, "in_time", g.inTime, "factor, linear in between", anyNumber());
-    t.tables("motion",
-             "keyframes of its centre, linear in between; it acts along its whole path, also in steps longer "
-             "than its radius",
-             [&](TableReader& k) {
-               Keyframe f;
-               k.number("time", f.time, "s", notNegative(), "time of the keyframe");
-               k.vector("move", f.move, "m", "displacement of its centre");
-               if (k.describing()) return;
-               if (!g.motion.empty() && f.time <= g.motion.back().time)
-                 k.fail("time", "keyframes must ascend in time");
-               g.motion.push_back(f);
-             });
-    if (!t.describing() && length(g.pressure) == 0)
-      t.fail("pressure", "is missing or zero: expected a pressure [x, y, z]");
-    if (!t.describing()) b.brushes.push_back(std::move(g));
+    readMotion(t,
+               "keyframes of its centre, linear in between; it acts along its whole path, also in steps "
+               "longer than its radius",
+               g.motion, false);
+    if (length(g.pressure) == 0) t.fail("pressure", "is missing or zero: expected a pressure [x, y, z]");
   });
   r.number("thickness", b.thickness, "m", notNegative(),
            "distance at which contact begins; 0: 0.8 of its spacing");
@@ -184,8 +178,8 @@ void readCoefficientsInTime(TableReader& r, SheetBody& b) {
     const std::string key = std::string(coefficient) + "_in_time";
     readInTime(r, key.c_str(), b.inTime[f],
                ("factor of " + std::string(coefficient) + ", linear in between").c_str(), factorRange(f));
-    if (r.describing() || b.*value != 0) continue;
-    if (r.has(key)) r.fail(key, "is a factor of " + std::string(coefficient) + ", which is 0", {coefficient});
+    if (r.has(key) && b.*value == 0)
+      r.fail(key, "is a factor of " + std::string(coefficient) + ", which is 0", {coefficient});
   }
 }
 
@@ -202,40 +196,30 @@ void checkRegions(TableReader& r, const SheetBody& b) {
 
 }  // namespace
 
-const std::vector<std::string>& sheetMeshWords() {
-  static const std::vector<std::string> words{"grid", "sphere", "head", "dome", "forehead", "mesh"};
-  return words;
-}
-
-void readSheet(TableReader& r, SceneReading& x) {
-  SheetBody b;
+void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
   std::string colour;
-  b.where = r.place();
   b.shape.where = b.where;
   b.shape.kind = ShapeKind::Mesh;
-  r.text("name", b.name, "for messages and `--set`; none: \"sheet\" and its number");
+  r.as(Restart::Free).text("name", b.name, "for messages and `--set`; none: \"sheet\" and its number");
+  r.restart(Restart::State);  // a restart makes edges, triangles and rest positions again from its mesh
   readSheetMesh(r, b);
+  r.restart(Restart::Coefficient);
   readExactStep(r, b);
   readInner(r, b);
   readOuter(r, b);
   readCoefficientsInTime(r, b);
-  r.vector("velocity", b.velocity, "m/s", "velocity at the start");
-  r.text("colour", colour, "colour in pictures and exports; default: a pale one", "\"#rrggbb\"");
+  r.as(Restart::Start).vector("velocity", b.velocity, "m/s", "velocity at the start");
+  r.as(Restart::Free)
+      .text("colour", colour, "colour in pictures and exports; default: a pale one", "\"#rrggbb\"");
   if (!colour.empty() && !readColour(colour, b.colour))
     r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
-  r.number("temperature", b.temperature, "K", positive(), "temperature at the start");
+  r.as(Restart::Start).number("temperature", b.temperature, "K", positive(), "temperature at the start");
   r.number("heat_capacity", b.heatCapacity, "J/(m^2 K)", positive(), "heat capacity per area");
   r.number("conductance", b.conductance, "W/(m^2 K)", notNegative(),
            "heat conductance to bodies in contact; 0: insulating");
-  if (r.describing()) {
-    r.node("clamp", "", "list of tables with a SHAPE each",
-           "vertices in one of these at the start are fixed");
-    return;
-  }
-  r.tables("clamp", "", [&](TableReader& c) {
-    b.clamp.emplace_back();
-    readShape(c, b.clamp.back());
-  });
+  r.restart(Restart::State);
+  readClamps(r, b.clamp, "vertices in one of these at the start are fixed");
+  if (!r.reading()) return;
   b.massWhere = r.placeOf("mass");
   checkRegions(r, b);
   if (b.mass == 0 && b.windDensity > 0)
@@ -263,7 +247,6 @@ void readSheet(TableReader& r, SceneReading& x) {
            {"warp", "weft", "shear"});
   if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "needs wrap: without it nothing acts", {"wrap"});
   if (b.name.empty()) b.name = "sheet " + std::to_string(x.scene->sheets.size());
-  x.scene->sheets.push_back(std::move(b));
 }
 
 }  // namespace thaw

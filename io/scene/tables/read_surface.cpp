@@ -4,11 +4,10 @@
 namespace thaw {
 
 void readSurface(TableReader& r, SurfaceSettings& s) {
-  if (!r.describing()) s.where = r.place();
-  for (const char* key : {"spacing", "support", "particle_support", "every_steps", "every_move", "implicit",
-                          "attract", "smooth", "repel", "iso_level", "least_level", "damping", "iterations",
-                          "stop", "adapt", "keep_volume", "link_length"})
-    if (r.has(key)) s.places[key] = r.placeOf(key);
+  s.on = s.on || r.reading();
+  r.locate(s.where);
+  r.restart(Restart::Setting);
+  if (r.reading()) s.places = r.placesOfKeys();
   r.number("spacing", s.spacing, "m", notNegative(),
            "distance of surfels, and radius of their discs; 0: half the spacing of particles");
   r.number("support", s.support, "", between(1.5, 12),
@@ -16,10 +15,12 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
            "al. 2005 means hundreds of neighbours on a detailed body");
   r.number("particle_support", s.particleSupport, "", between(1, 3),
            "radius within which particles act on surfels (h_ps), over the support radius of the particles");
-  r.choice("source", s.source, {"automatic", "particles"},
-           "source of the first surfels: sampled from the meshes of bodies and the shapes of initially solid "
-           "bodies (unless numerics.overlap removes particles), else grown from the particles; or always "
-           "grown from the particles");
+  r.as(Restart::Start)
+      .choice(
+          "source", s.source, {"automatic", "particles"},
+          "source of the first surfels: sampled from the meshes of bodies and the shapes of initially solid "
+          "bodies (unless numerics.overlap removes particles), else grown from the particles; or always "
+          "grown from the particles");
   r.whole(
       "every_steps", s.everySteps, 0, INT64_MAX,
       "steps between updates of the surface; 0: by the other rules. Every frame has an update of its own");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/scene/text/checksum.hpp"
 #include "io/scene/text/nearest_word.hpp"
 #include "io/scene/text/units.hpp"
 #include "io/scene/text/value_text.hpp"
@@ -13,11 +14,16 @@
 namespace thaw {
 namespace {
 
-std::string numberText(double v) { return v == never ? "\"never\"" : fmt::format("{}", v); }
-
 std::string withUnit(const std::string& range, const char* unit) {
   const bool none = unit[0] == 0 || std::string(unit) == "1";
   return none ? range : range + " " + unit;
+}
+
+/// Returns a long text as its length and checksum.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most = 200;
+  if (text.size() <= most) return text;
+  return fmt::format("a text of {} characters with checksum {:x}", text.size(), Checksum().add(text).value);
 }
 
 }  // namespace
@@ -30,13 +36,18 @@ SourcePlace placeOfNode(const toml::node& n) {
 
 TableReader::TableReader(const toml::table& table, std::string path, std::vector<SceneError>& errors)
     : table_(&table), path_(std::move(path)), errors_(&errors) {}
-TableReader::TableReader(std::string path, std::vector<KeyDescription>& descriptions)
-    : path_(std::move(path)), descriptions_(&descriptions) {}
+TableReader::TableReader(std::string path, std::vector<KeyDescription>& keys, Mode mode)
+    : mode_(mode), path_(std::move(path)), keys_(&keys) {}
 
 SourcePlace TableReader::place() const { return table_ ? placeOfNode(*table_) : SourcePlace{}; }
 SourcePlace TableReader::placeOf(const std::string& key) const {
   const toml::node* n = table_ ? table_->get(key) : nullptr;
   return n ? placeOfNode(*n) : place();
+}
+std::map<std::string, SourcePlace> TableReader::placesOfKeys() const {
+  std::map<std::string, SourcePlace> places;
+  for (const auto& [key, node] : *table_) places[std::string(key.str())] = placeOfNode(node);
+  return places;
 }
 std::string TableReader::textOf(const std::string& key) const {
   const auto* s = table_ ? table_->get_as<std::string>(key) : nullptr;
@@ -64,10 +75,45 @@ const toml::node* TableReader::get(const std::string& key) {
   return table_ ? table_->get(key) : nullptr;
 }
 
-void TableReader::describe(const char* key, const std::string& unit, const std::string& range,
-                           const std::string& standard, const char* about) {
+void TableReader::describe(KeyDescription k) {
+  known_.insert(k.key);
+  const std::optional<Restart> once = std::exchange(once_, std::nullopt);
+  if (reading()) return;
+  k.table = path_;
+  if (!k.restart) k.restart = once ? once : restart_;
+  if (recording()) {
+    if (k.standard == "none" || !k.restart || *k.restart == Restart::Free) return;
+    k.standard = shortened(k.standard);
+    k.where = where_;
+  }
+  keys_->push_back(std::move(k));
+}
+
+/// Describes a key whose value is a table or several.
+void TableReader::describeTable(const char* key, const char* range, const char* about) {
   known_.insert(key);
-  if (descriptions_) descriptions_->push_back({path_, key, unit, range, standard, about});
+  const std::optional<Restart> once = std::exchange(once_, std::nullopt);
+  if (describing()) keys_->push_back({path_, key, "", range, "none", about, once});
+}
+
+TableReader TableReader::inner(const std::string& path, std::vector<KeyDescription>& keys) const {
+  TableReader r(path, keys, mode_);
+  r.restart_ = restart_;
+  r.where_ = where_;
+  return r;
+}
+
+void TableReader::locate(SourcePlace& where) {
+  if (reading()) where = place();
+  if (recording()) where_ = where;
+}
+
+void TableReader::recordOthers(const std::string& key, const std::vector<KeyDescription>& others) {
+  std::map<Restart, Checksum> sums;
+  for (const KeyDescription& k : others) sums[*k.restart].add(k.table).add(k.key).add(k.standard);
+  for (const auto& [effect, sum] : sums)
+    keys_->push_back({path_, fmt::format("{} from number {} on", key, mostRecorded), "", "",
+                      fmt::format("checksum {:x}", sum.value), "", effect});
 }
 
 bool TableReader::quantity(const toml::node& n, const char* key, const char* unit, const Range& range,
@@ -107,19 +153,19 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
 
 void TableReader::number(const char* key, double& value, const char* unit, const Range& range,
                          const char* about) {
-  describe(key, unit, range.text(), numberText(value), about);
+  describe({"", key, unit, range.text(), numberText(value), about});
   if (const toml::node* n = get(key)) quantity(*n, key, unit, range, value);
 }
 void TableReader::number(const char* key, std::optional<double>& value, const char* unit, const Range& range,
                          const char* about) {
-  describe(key, unit, range.text(), "none", about);
+  describe({"", key, unit, range.text(), value ? numberText(*value) : "none", about});
   double v = 0;
   if (const toml::node* n = get(key); n && quantity(*n, key, unit, range, v)) value = v;
 }
 
 void TableReader::whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high,
                         const char* about) {
-  describe(key, "", fmt::format("{} ... {}, whole", low, high), fmt::format("{}", value), about);
+  describe({"", key, "", fmt::format("{} ... {}, whole", low, high), fmt::format("{}", value), about});
   const toml::node* n = get(key);
   if (!n) return;
   const auto* i = n->as_integer();
@@ -128,27 +174,32 @@ void TableReader::whole(const char* key, std::int64_t& value, std::int64_t low, 
   value = i->get();
 }
 
-void TableReader::vector(const char* key, Vec3d& value, const char* unit, const char* about) {
-  describe(key, unit, "three numbers", fmt::format("[{}, {}, {}]", value.x, value.y, value.z), about);
+/// Reads three quantities. Returns whether the key is there.
+bool TableReader::readVector(const char* key, const char* unit, Vec3d& value) {
   const toml::node* n = get(key);
-  if (!n) return;
+  if (!n) return false;
   const toml::array* a = n->as_array();
-  if (!a || a->size() != 3)
-    return fail(key, fmt::format("expected a list of three quantities such as [0, 0, 0], got {}",
-                                 a ? fmt::format("{}", a->size()) : shown(*n)));
+  if (!a || a->size() != 3) {
+    fail(key, fmt::format("expected a list of three quantities such as [0, 0, 0], got {}",
+                          a ? fmt::format("{}", a->size()) : shown(*n)));
+    return true;
+  }
   for (std::size_t k = 0; k < 3; k++)
     quantity(*a->get(k), key, unit, anyNumber(), value[static_cast<int>(k)]);
+  return true;
+}
+void TableReader::vector(const char* key, Vec3d& value, const char* unit, const char* about) {
+  describe({"", key, unit, "three numbers", vectorText(value), about});
+  readVector(key, unit, value);
 }
 void TableReader::vector(const char* key, std::optional<Vec3d>& value, const char* unit, const char* about) {
+  describe({"", key, unit, "three numbers", value ? vectorText(*value) : "none", about});
   Vec3d v{};
-  vector(key, v, unit, about);
-  if (descriptions_) descriptions_->back().standard = "none";
-  if (has(key)) value = v;
+  if (readVector(key, unit, v)) value = v;
 }
 
 void TableReader::flag(const char* key, bool& value, const char* about) {
-  describe(key, "", "true, false", value ? "true" : "false", about);
-  if (descriptions_) descriptions_->back().words = {"false", "true"};
+  describe({"", key, "", "true, false", value ? "true" : "false", about});
   const toml::node* n = get(key);
   if (!n) return;
   if (const auto* b = n->as_boolean()) value = b->get();
@@ -156,7 +207,7 @@ void TableReader::flag(const char* key, bool& value, const char* about) {
 }
 
 void TableReader::text(const char* key, std::string& value, const char* about, const char* range) {
-  describe(key, "", range, value.empty() ? "none" : "\"" + value + "\"", about);
+  describe({"", key, "", range, value.empty() ? "none" : "\"" + value + "\"", about});
   const toml::node* n = get(key);
   if (!n) return;
   if (const auto* s = n->as_string()) value = s->get();
@@ -165,7 +216,7 @@ void TableReader::text(const char* key, std::string& value, const char* about, c
 
 void TableReader::words(const char* key, std::vector<std::string>& value,
                         const std::vector<std::string>& allowed, const char* about) {
-  describe(key, "", "list of " + listOf(allowed), "[" + listOf(value) + "]", about);
+  describe({"", key, "", "list of " + listOf(allowed), "[" + listOf(value) + "]", about});
   const toml::node* n = get(key);
   if (!n) return;
   const toml::array* a = n->as_array();
@@ -184,8 +235,7 @@ void TableReader::words(const char* key, std::vector<std::string>& value,
 
 void TableReader::choice(const char* key, int& value, const std::vector<std::string>& words,
                          const char* about) {
-  describe(key, "", listOf(words), "\"" + words[static_cast<std::size_t>(value)] + "\"", about);
-  if (descriptions_) descriptions_->back().words = words;
+  describe({"", key, "", listOf(words), "\"" + words[static_cast<std::size_t>(value)] + "\"", about});
   const toml::node* n = get(key);
   if (!n) return;
   const auto* s = n->as_string();
@@ -203,7 +253,7 @@ void TableReader::blend(const BlendKey& k, Blend& value) {
                                    ? numberText(value.solid)
                                    : fmt::format("{{ solid = {}, liquid = {} }}", numberText(value.solid),
                                                  numberText(value.liquid));
-  describe(k.key, k.unit, k.range.text() + ", or { solid = ..., liquid = ... }", standard, k.about);
+  describe({"", k.key, k.unit, k.range.text() + ", or { solid = ..., liquid = ... }", standard, k.about});
   const toml::node* n = get(k.key);
   if (!n) return;
   if (n->is_table()) {
@@ -219,6 +269,10 @@ void TableReader::blend(const BlendKey& k, Blend& value) {
 }
 
 void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>>& value) {
+  std::vector<std::string> texts;
+  for (const auto& [first, second] : value)
+    texts.push_back(fmt::format("[{}, {}]", numberText(first), numberText(second)));
+  describe({"", k.key, "", k.range, listText(texts), k.about});
   const toml::node* n = get(k.key);
   const toml::array* a = n ? n->as_array() : nullptr;
   if (!n) return;
@@ -242,8 +296,9 @@ void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>
   }
 }
 
-const toml::node* TableReader::node(const char* key, const char* unit, const char* range, const char* about) {
-  describe(key, unit, range, "none", about);
+const toml::node* TableReader::node(const char* key, const char* unit, const char* range, const char* about,
+                                    const std::string& value) {
+  describe({"", key, unit, range, value, about});
   return get(key);
 }
 
@@ -256,10 +311,11 @@ void TableReader::readTable(const toml::node& n, const std::string& path,
   r.finish();
 }
 
-void TableReader::tables(const char* key, const char* about, const std::function<void(TableReader&)>& read) {
-  describe(key, "", "list of tables", "none", about);
-  if (descriptions_) {
-    TableReader r(named(key), *descriptions_);
+void TableReader::eachTable(const char* key, const char* about,
+                            const std::function<void(TableReader&)>& read) {
+  describeTable(key, "list of tables", about);
+  if (describing()) {
+    TableReader r = inner(named(key), *keys_);
     return read(r);
   }
   const toml::node* n = get(key);
@@ -279,20 +335,26 @@ void TableReader::tables(const char* key, const char* about, const std::function
   }
 }
 
-void TableReader::table(const char* key, const char* about, const std::function<void(TableReader&)>& read) {
-  describe(key, "", "table", "none", about);
-  if (descriptions_) {
-    TableReader r(named(key), *descriptions_);
-    return read(r);
+void TableReader::table(const char* key, const char* about, bool there,
+                        const std::function<void(TableReader&)>& read) {
+  if (recording() && there && once_) keys_->push_back({path_, key, "", "", "true", "", once_});
+  describeTable(key, "table", about);
+  if (!reading()) {
+    TableReader r = inner(named(key), *keys_);
+    if (describing() || there) read(r);
+  } else if (const toml::node* n = get(key)) {
+    readTable(*n, named(key), read);
   }
-  if (const toml::node* n = get(key)) readTable(*n, named(key), read);
+}
+void TableReader::table(const char* key, const char* about, const std::function<void(TableReader&)>& read) {
+  table(key, about, true, read);
 }
 
-void TableReader::namedTables(const char* key, const char* about,
-                              const std::function<void(const std::string&, TableReader&)>& read) {
-  describe(key, "", "tables by name", "none", about);
-  if (descriptions_) {
-    TableReader r(named(key) + ".NAME", *descriptions_);
+void TableReader::eachNamedTable(const char* key, const char* about,
+                                 const std::function<void(const std::string&, TableReader&)>& read) {
+  describeTable(key, "tables by name", about);
+  if (describing()) {
+    TableReader r = inner(named(key) + ".NAME", *keys_);
     return read("NAME", r);
   }
   const toml::node* n = get(key);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the keys of a TOML table, or describes them. The same calls give the scene, its error messages and
-// docs/scene.md. Every key is thus declared once, with unit, range, default and meaning.
+// Reads the keys of a TOML table, describes them, or records their values in a scene. The same calls give the
+// scene, its error messages, docs/scene.md and the restart record. Every key is thus declared once, with
+// unit, range, default, meaning, and the effect of a change at a restart.
 #pragma once
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -25,27 +27,53 @@ struct SceneError {
   std::string text;
 };
 
-/// A key as docs/scene.md shows it.
+/// Effect of a change of a key between a checkpoint and the run that continues it.
+enum class Restart {
+  State,        ///< refused: particles, frames or the ledger depend on it
+  Coefficient,  ///< reported: forces and energies jump
+  Setting,      ///< reported: forces and energies stay as they are
+  Start,        ///< reported as without effect: it sets only how a run begins
+  Free          ///< not recorded
+};
+
+/// A key as docs/scene.md shows it, or with its value in a scene.
 struct KeyDescription {
-  std::string table, key, unit, range, standard, about;
-  std::vector<std::string> words{};  ///< words of a choice, by number, or of a flag
+  std::string table, key, unit, range;
+  std::string standard;  ///< default, or value, as in a scene file; "none" without one
+  std::string about;
+  std::optional<Restart> restart{};  ///< none: a table, or a key of shapes, which have that of their table
+  SourcePlace where{};               ///< table of a recorded key; without a line if unknown
 };
 
 class TableReader {
  public:
   /// Reads `table`, called `path` in messages.
   TableReader(const toml::table& table, std::string path, std::vector<SceneError>& errors);
-  /// Describes the keys of the tables called `path`.
-  TableReader(std::string path, std::vector<KeyDescription>& descriptions);
+  enum class Mode { Reading, Describing, Recording };
+  /// Describes all keys of the tables called `path`, or records the keys and values of a scene. Recording
+  /// calls read functions with the scene's own structs. It omits keys without a value and Restart::Free.
+  TableReader(std::string path, std::vector<KeyDescription>& keys, Mode mode);
 
-  bool describing() const { return table_ == nullptr; }
+  bool reading() const { return mode_ == Mode::Reading; }
+  bool describing() const { return mode_ == Mode::Describing; }
+  bool recording() const { return mode_ == Mode::Recording; }
+  /// Sets the effect of changes at a restart, for the keys that follow and tables in them.
+  void restart(Restart effect) { restart_ = effect; }
+  /// Sets it for the next key alone. Before a table or a list it concerns their presence and order.
+  TableReader& as(Restart effect) { return once_ = effect, *this; }
   const std::string& path() const { return path_; }
   SourcePlace place() const;
-  SourcePlace placeOf(const std::string& key) const;  ///< place of the value of a key, or of the table
-                                                      ///< without it
+  /// Reads the place of the table into `where`, or records its keys with this place.
+  void locate(SourcePlace& where);
+  SourcePlace placeOf(const std::string& key) const;        ///< place of the value of a key, or of the table
+                                                            ///< without it
+  std::map<std::string, SourcePlace> placesOfKeys() const;  ///< places of all values in the table
   bool has(const std::string& key) const { return table_ != nullptr && table_->contains(key); }
   bool hasList(const std::string& key) const {
     return table_ != nullptr && table_->get_as<toml::array>(key) != nullptr;
+  }
+  bool isTable(const std::string& key) const {
+    return table_ != nullptr && table_->get_as<toml::table>(key) != nullptr;
   }
   std::string textOf(const std::string& key) const;  ///< a text value, or ""
   void fail(const SourcePlace& where, const std::string& text);
@@ -88,16 +116,34 @@ class TableReader {
   struct PairsKey {
     const char *key, *unit1, *unit2;
     Range range1, range2;
+    const char *range, *about;
   };
   void pairs(const PairsKey& key, std::vector<std::pair<double, double>>& value);
   /// Marks a key as known, describes it, and returns its node (or nullptr) to a caller that reads it itself.
-  const toml::node* node(const char* key, const char* unit, const char* range, const char* about);
-  /// Calls read for each table of a list, or for a single table.
-  void tables(const char* key, const char* about, const std::function<void(TableReader&)>& read);
+  /// value: the value to record.
+  const toml::node* node(const char* key, const char* unit, const char* range, const char* about,
+                         const std::string& value = "none");
+  /// Reads a table with read(reader).
   void table(const char* key, const char* about, const std::function<void(TableReader&)>& read);
-  /// Calls read(name, table) for each named table, such as [material.wax].
-  void namedTables(const char* key, const char* about,
-                   const std::function<void(const std::string&, TableReader&)>& read);
+  /// Records it only if it is `there`.
+  void table(const char* key, const char* about, bool there, const std::function<void(TableReader&)>& read);
+  /// Reads each table of a list, or a single table, with read(reader, element), and appends the element.
+  template<class T, class Read>
+  void tables(const char* key, const char* about, std::vector<T>& list, const Read& read) {
+    if (recording()) return recordList(key, list, read);
+    eachTable(key, about, [&](TableReader& r) { readElement(r, list, read); });
+  }
+  /// Reads named tables, such as [material.wax], in the same way.
+  template<class T, class Read>
+  void namedTables(const char* key, const char* about, std::vector<T>& list, const Read& read) {
+    if (recording()) return recordList(key, list, read);
+    eachNamedTable(key, about, [&](const std::string& name, TableReader& r) {
+      readElement(r, list, [&](TableReader& table, T& element) {
+        element.name = name;
+        read(table, element);
+      });
+    });
+  }
 
   /// Reads and checks a quantity in a node. Returns false, and adds an error, if it is not one.
   bool quantity(const toml::node& node, const char* key, const char* unit, const Range& range, double& value);
@@ -107,16 +153,51 @@ class TableReader {
  private:
   const toml::node* get(const std::string& key);
   std::string named(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
-  void describe(const char* key, const std::string& unit, const std::string& range,
-                const std::string& standard, const char* about);
+  void describe(KeyDescription key);
+  void describeTable(const char* key, const char* range, const char* about);
+  bool readVector(const char* key, const char* unit, Vec3d& value);
+  TableReader inner(const std::string& path, std::vector<KeyDescription>& keys) const;
+  void eachTable(const char* key, const char* about, const std::function<void(TableReader&)>& read);
+  void eachNamedTable(const char* key, const char* about,
+                      const std::function<void(const std::string&, TableReader&)>& read);
+  template<class T, class Read>
+  static void readElement(TableReader& r, std::vector<T>& list, const Read& read) {
+    T element{};
+    if constexpr (requires { element.where; }) r.locate(element.where);
+    read(r, element);
+    if (r.reading()) list.push_back(std::move(element));
+  }
+  template<class T, class Read>
+  void recordList(const std::string& key, std::vector<T>& list, const Read& read) {
+    const std::optional<Restart> order = std::exchange(once_, std::nullopt);
+    std::vector<KeyDescription> others;
+    for (std::size_t k = 0; k < list.size(); k++) {
+      std::string name = std::to_string(k);
+      if constexpr (requires { list[k].name; })
+        if (!list[k].name.empty()) name = list[k].name;
+      std::vector<KeyDescription>& keys = k < mostRecorded ? *keys_ : others;
+      if (order) keys.push_back({named(key), name, "place in the list", "", std::to_string(k), "", order});
+      TableReader r = inner(named(key) + "." + name, keys);
+      if constexpr (requires { list[k].where; }) r.locate(list[k].where);
+      read(r, list[k]);
+    }
+    if (!others.empty()) recordOthers(key, others);
+  }
+  void recordOthers(const std::string& key, const std::vector<KeyDescription>& others);
   void readTable(const toml::node& node, const std::string& path,
                  const std::function<void(TableReader&)>& read);
   void refuse(const std::string& key, const toml::node& node, const std::string& text);
 
+  static constexpr std::size_t mostRecorded = 100;  // elements of a list with keys of their own; for more of
+                                                    // them the record would be too long
+
+  Mode mode_ = Mode::Reading;
   const toml::table* table_ = nullptr;
   std::string path_;
   std::vector<SceneError>* errors_ = nullptr;
-  std::vector<KeyDescription>* descriptions_ = nullptr;
+  std::vector<KeyDescription>* keys_ = nullptr;
+  std::optional<Restart> restart_, once_;
+  SourcePlace where_;
   std::set<std::string> known_, refused_;
 };
 

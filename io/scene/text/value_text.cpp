@@ -2,6 +2,9 @@
 #include "io/scene/text/value_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/scene/shape.hpp"
 
 namespace thaw {
 
@@ -18,6 +21,16 @@ std::string shown(const toml::node& n) {
   if (const auto* f = n.as_floating_point()) return fmt::format("{}", f->get());
   if (const auto* b = n.as_boolean()) return b->get() ? "true" : "false";
   return n.is_array() ? "a list" : n.is_table() ? "a table" : "a date or time";
+}
+
+std::string numberText(double v) { return v == never ? "\"never\"" : fmt::format("{}", v + 0.0); }
+
+std::string vectorText(const Vec3d& v) {
+  return fmt::format("[{}, {}, {}]", numberText(v.x), numberText(v.y), numberText(v.z));
+}
+
+std::string listText(const std::vector<std::string>& values) {
+  return values.empty() ? "none" : fmt::format("[{}]", fmt::join(values, ", "));
 }
 
 std::string listOf(const std::vector<std::string>& words) {
