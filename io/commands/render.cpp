@@ -130,15 +130,12 @@ void filmOf(std::vector<fs::path> pictures, const RenderOptions& options) {
       end != std::string::npos && name[end] == '_' && end > 0)
     name.resize(end);
   const fs::path file = pictures[0].parent_path() / (name + ".mp4");
-  if (isInstalled("ffmpeg")) {
-    makeMovie(pictures, file, options.rate);
-    fmt::print("{}\n", file.string());
-  } else {
+  if (makeMovie(pictures, file, options.rate)) fmt::print("{}\n", file.string());
+  else
     fmt::print(stderr,
                "thaw render: no movie: ffmpeg is not installed (Debian: apt-get install ffmpeg); with it, "
                "make one from the pictures:\n  {}\n",
                movieCommand(pictures, file, options.rate));
-  }
 }
 
 }  // namespace

@@ -6,12 +6,6 @@
 
 namespace thaw {
 
-namespace {
-
-using Corner = BandGrid::Corner;
-
-}  // namespace
-
 BandGrid::BandGrid(const Vec3d& origin, const Vec3d& spacing, const Corner& count,
                    const std::array<bool, 3>& cut)
     : origin_(origin), spacing_(spacing), count_(count) {
@@ -49,77 +43,74 @@ std::int32_t BandGrid::at(const Corner& c) const {
   return block < 0 ? block : kept_[static_cast<std::size_t>(block)].slot[within(c)];
 }
 
-void BandGrid::classify(const std::vector<std::uint8_t>& isInside) {
-  // Nodes of a set: single corners of stored blocks, and whole blocks that are not stored (named by their
-  // first corner).
+/// Connected set of corners without a slot. Nodes are single corners of stored blocks, and whole blocks that
+/// are not stored, named by their first corner.
+struct BandGrid::Region {
   struct Node {
     Corner corner;
     bool block;
   };
-  std::vector<Node> set;
-  std::int64_t votes = 0;
-  bool border = false;
-  // Adds a corner to the set as `mark`, once; slots count for the majority.
-  const auto reach = [&](const Corner& c, std::int32_t mark) {
+  BandGrid& grid;
+  const std::vector<std::uint8_t>& isInside;
+  std::vector<Node> nodes{};
+  std::int64_t majority = 0;  // adjacent slots inside minus those outside
+  bool atBorder = false;
+
+  std::int32_t& blockAt(const Corner& c) const {
+    return grid.table_[static_cast<std::size_t>(grid.blockOf(c))];
+  }
+  std::int32_t& slotAt(const Corner& c) const {
+    return grid.kept_[static_cast<std::size_t>(blockAt(c))].slot[within(c)];
+  }
+
+  /// Adds an open corner as outside. Counts a slot for the majority.
+  void reach(const Corner& c) {
     for (std::size_t a = 0; a < 3; a++)
-      if (c[a] < first_[a] || c[a] > last_[a]) {
-        border = border || first_[a] == 0;
+      if (c[a] < grid.first_[a] || c[a] > grid.last_[a]) {
+        atBorder = atBorder || grid.first_[a] == 0;
         return;
       }
-    std::int32_t& block = table_[static_cast<std::size_t>(blockOf(c))];
-    if (block == open) {
-      block = mark;
-      set.push_back({{c[0] / side * side, c[1] / side * side, c[2] / side * side}, true});
+    if (std::int32_t& block = blockAt(c); block == open) {
+      block = outside;
+      nodes.push_back({{c[0] / side * side, c[1] / side * side, c[2] / side * side}, true});
     } else if (block >= 0) {
-      std::int32_t& slot = kept_[static_cast<std::size_t>(block)].slot[within(c)];
-      if (slot >= 0) votes += isInside[static_cast<std::size_t>(slot)] ? 1 : -1;
+      std::int32_t& slot = slotAt(c);
+      if (slot >= 0) majority += isInside[static_cast<std::size_t>(slot)] ? 1 : -1;
       if (slot != open) return;
-      slot = mark;
-      set.push_back({c, false});
+      slot = outside;
+      nodes.push_back({c, false});
     }
-  };
-  const auto spread = [&](const Node& n, std::int32_t mark) {
-    const Corner& c = n.corner;
-    if (!n.block) {
-      for (int a = 0; a < 3; a++)
-        for (const int step : {-1, 1}) {
-          Corner next = c;
-          next[a] += step;
-          reach(next, mark);
-        }
-      return;
-    }
-    for (int a = 0; a < 3; a++)
-      for (const std::int64_t step : {std::int64_t{-1}, side})
-        for (std::int64_t u = 0; u < side; u++)
-          for (std::int64_t v = 0; v < side; v++) {
-            Corner next = c;
-            next[a] += step, next[(a + 1) % 3] += u, next[(a + 2) % 3] += v;
-            if (next[(a + 1) % 3] < count_[(a + 1) % 3] && next[(a + 2) % 3] < count_[(a + 2) % 3])
-              reach(next, mark);
+  }
+
+  /// Reaches all corners next to a node.
+  void spread(Node n) {
+    const std::int64_t size = n.block ? side : 1;
+    for (std::size_t a = 0; a < 3; a++)
+      for (const std::int64_t step : {std::int64_t{-1}, size})
+        for (std::int64_t u = 0; u < size; u++)
+          for (std::int64_t v = 0; v < size; v++) {
+            const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+            Corner next = n.corner;
+            next[a] += step, next[b] += u, next[c] += v;
+            if (next[b] < grid.count_[b] && next[c] < grid.count_[c]) reach(next);
           }
-  };
+  }
+};
+
+void BandGrid::classify(const std::vector<std::uint8_t>& isInside) {
   const auto classifyFrom = [&](const Corner& first) {
-    set.clear();
-    votes = 0, border = false;
-    reach(first, outside);
-    for (std::size_t k = 0; k < set.size(); k++) {
-      const Node n = set[k];  // copy: the list grows
-      spread(n, outside);
-    }
-    if (border || votes <= 0) return;
-    for (const Node& n : set) {
-      if (n.block) table_[static_cast<std::size_t>(blockOf(n.corner))] = inside;
-      else
-        kept_[static_cast<std::size_t>(table_[static_cast<std::size_t>(blockOf(n.corner))])]
-            .slot[within(n.corner)] = inside;
-    }
+    Region region{*this, isInside};
+    region.reach(first);
+    for (std::size_t k = 0; k < region.nodes.size(); k++) region.spread(region.nodes[k]);  // the list grows
+    if (region.atBorder || region.majority <= 0) return;
+    for (const Region::Node& n : region.nodes)
+      (n.block ? region.blockAt(n.corner) : region.slotAt(n.corner)) = inside;
   };
-  // Every set is adjacent to a slot, or fills a grid without slots.
-  for (std::size_t s = 0; s < corners_.size(); s++)
-    for (int a = 0; a < 3; a++)
+  // Every region is adjacent to a slot, or fills a grid without slots.
+  for (const Corner& corner : corners_)
+    for (std::size_t a = 0; a < 3; a++)
       for (const int step : {-1, 1}) {
-        Corner next = corners_[s];
+        Corner next = corner;
         next[a] += step;
         if (next[a] >= first_[a] && next[a] <= last_[a] && at(next) == open) classifyFrom(next);
       }

@@ -46,16 +46,17 @@ class BandGrid {
 
   /// Returns the slot of a corner, and creates it if needed: slots count from 0 in order of creation.
   std::int32_t makeSlot(const Corner& c);
-  /// Returns the slot, or outside, inside, open (a corner without slot before settle).
+  /// Returns the slot, or outside, inside, open (a corner without slot before classify).
   std::int32_t at(const Corner& c) const;
   std::size_t slots() const { return corners_.size(); }
   const Corner& corner(std::size_t slot) const { return corners_[slot]; }
 
-  /// Classifies corners without a slot, by connected set: each is inside if most adjacent slots are
-  /// (isInside, one per slot). Sets that reach a border without a cut are outside.
+  /// Classifies corners without a slot by connected region: each is inside if most adjacent slots are
+  /// (isInside, one per slot). Regions that reach a border without a cut are outside.
   void classify(const std::vector<std::uint8_t>& isInside);
 
  private:
+  struct Region;
   struct Block {
     std::array<std::int32_t, side * side * side> slot;
   };

@@ -22,7 +22,7 @@ struct KeyHash {
 /// Marches the cubes that have a corner with a value, and those at a cut.
 struct BandMarcher {
   const BandGrid& grid;
-  const BandField& field;
+  const std::vector<double>& values;  // m, one per slot
   const PlaneField& planes;
   const Vec3f deep;
   MarchedBand out;
@@ -32,8 +32,8 @@ struct BandMarcher {
     return {low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2)};
   }
 
-  /// Returns the crossing of the surface along an edge, 0 to 1. It iterates, since values are not linear
-  /// where the surface is curved.
+  /// Returns the crossing of the surface along an edge, 0 to 1, and the surface near it. It iterates, since
+  /// values are not linear where the surface is curved.
   double zeroOn(const Vec3d& p, const Vec3d& along, double from, double to, PlaneHeight& here) {
     double low = 0, high = 1, t = crossing(from, to);
     for (int k = 0; k < 3; k++) {
@@ -44,6 +44,8 @@ struct BandMarcher {
       t = std::clamp(low + (high - low) * (from != to ? from / (from - to) : 0.5), nearestToCorner,
                      1 - nearestToCorner);
     }
+    if (!here.known) here = planes.at(p);  // one of the ends has surfels in reach
+    if (!here.known) here = planes.at(p + along);
     return t;
   }
 
@@ -62,64 +64,45 @@ struct BandMarcher {
   }
 
   /// Returns the vertex of a cap at an inside corner, the same for all edges that lead beyond the cut.
-  std::uint32_t onCap(const Corner& c, std::int32_t slot) {
+  std::uint32_t onCap(const Corner& c) {
     const auto [number, fresh] = numberOf(c, 7);
     if (!fresh) return number;
     const int cuts = grid.onCut(c);
     Vec3f normal{};
     for (int a = 0; a < 3; a++)
       if (cuts >> a & 1) normal[a] = c[static_cast<std::size_t>(a)] == 1 ? -1.0f : 1.0f;
-    add(grid.place(c), normal, slot >= 0 ? field.colour[static_cast<std::size_t>(slot)] : deep,
-        cuts | MarchedBand::onCap);
+    const PlaneHeight here = planes.at(grid.place(c));
+    add(grid.place(c), normal, here.known ? here.colour : deep, cuts | MarchedBand::onCap);
     return number;
   }
 
-  std::uint32_t vertex(const Corner& low, const std::int32_t (&slot)[8], const double (&value)[8],
-                       const CubeEdge& e) {
+  std::uint32_t vertex(const Corner& low, const double (&value)[8], const CubeEdge& e) {
     const Corner from = cornerOf(low, e.from), to = cornerOf(low, e.to);
-    if (grid.beyond(to)) return onCap(from, slot[e.from]);
-    if (grid.beyond(from)) return onCap(to, slot[e.to]);
+    if (grid.beyond(to)) return onCap(from);
+    if (grid.beyond(from)) return onCap(to);
     const auto [number, fresh] = numberOf(from, e.direction());
     if (!fresh) return number;
     const Vec3d p = grid.place(from), along = grid.place(to) - p;
     PlaneHeight here;
     const double t = zeroOn(p, along, value[e.from], value[e.to], here);
-    // An end without a value uses the other one's; one of them has one.
-    const std::int32_t a = slot[e.from] >= 0 ? slot[e.from] : slot[e.to],
-                       b = slot[e.to] >= 0 ? slot[e.to] : a;
-    const float u = static_cast<float>(t);
-    const auto between = [&](const std::vector<Vec3f>& of) {
-      return (1 - u) * of[static_cast<std::size_t>(a)] + u * of[static_cast<std::size_t>(b)];
-    };
-    add(p + t * along, here.known ? here.normal : between(field.normal), between(field.colour),
-        grid.onCut(from) & grid.onCut(to));
+    add(p + t * along, here.normal, here.colour, grid.onCut(from) & grid.onCut(to));
     return number;
   }
 
   /// own: first slot among the cube's corners, by which it is marched once; -1: cube without slots.
-  void marchCube(const Corner& low, std::int32_t own) {
-    std::int32_t slot[8];
+  void marchCubeOf(const Corner& low, std::int32_t own) {
     double value[8];
-    int inside = 0, first = -1;
+    std::int32_t first = -1;
     for (int c = 0; c < 8; c++) {
-      slot[c] = grid.at(cornerOf(low, c));
-      if (slot[c] >= 0 && first < 0) first = slot[c];
-      value[c] = slot[c] >= 0                  ? field.value[static_cast<std::size_t>(slot[c])]
-                 : slot[c] == BandGrid::inside ? -grid.spacing()
-                                               : grid.spacing();
-      inside += value[c] < 0;
+      const std::int32_t slot = grid.at(cornerOf(low, c));
+      if (slot >= 0 && first < 0) first = slot;
+      value[c] = slot >= 0                  ? values[static_cast<std::size_t>(slot)]
+                 : slot == BandGrid::inside ? -grid.spacing()
+                                            : grid.spacing();
     }
-    if (first != own || inside == 0 || inside == 8) return;
-    marchTetrahedra(value,
-                    [&](const CubeEdge& e, const CubeEdge& f, const CubeEdge& g, const Vec3d& outward) {
-                      std::uint32_t a = vertex(low, slot, value, e), b = vertex(low, slot, value, f),
-                                    c = vertex(low, slot, value, g);
-                      if (a == b || b == c || c == a)
-                        return;  // edges from one corner beyond a cut have one vertex
-                      const auto& v = out.mesh.mesh.vertices;
-                      if (dot(cross(v[b] - v[a], v[c] - v[a]), outward) < 0) std::swap(b, c);
-                      out.mesh.mesh.triangles.push_back({a, b, c});
-                    });
+    if (first == own)
+      marchCube(
+          value, [&](const CubeEdge& e) { return vertex(low, value, e); }, out.mesh.mesh);
   }
 
   /// Cubes beyond a cut, where the inside may be far from all surfels.
@@ -137,7 +120,7 @@ struct BandMarcher {
             low[axis] = layer, low[u] = i, low[v] = j;
             bool before = false;  // marched for another axis
             for (std::size_t a = 0; a < axis; a++) before = before || isCap(low, a);
-            if (!before) marchCube(low, -1);
+            if (!before) marchCubeOf(low, -1);
           }
     }
   }
@@ -146,7 +129,7 @@ struct BandMarcher {
     for (std::size_t s = 0; s < grid.slots(); s++)
       for (int c = 0; c < 8; c++) {
         const Corner& at = grid.corner(s);
-        marchCube({at[0] - (c & 1), at[1] - (c >> 1 & 1), at[2] - (c >> 2)}, static_cast<std::int32_t>(s));
+        marchCubeOf({at[0] - (c & 1), at[1] - (c >> 1 & 1), at[2] - (c >> 2)}, static_cast<std::int32_t>(s));
       }
     marchCaps();
   }
@@ -154,9 +137,9 @@ struct BandMarcher {
 
 }  // namespace
 
-MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneField& planes,
+MarchedBand marchBand(const BandGrid& grid, const std::vector<double>& values, const PlaneField& planes,
                       const Vec3f& deep) {
-  BandMarcher marcher{grid, field, planes, deep, {}, {}};
+  BandMarcher marcher{grid, values, planes, deep, {}, {}};
   marcher.march();
   return std::move(marcher.out);
 }

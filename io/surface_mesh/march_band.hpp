@@ -7,14 +7,6 @@
 
 namespace thaw {
 
-/// Values of a grid corner, one per slot: nearest surfel, and weighted sums over surfels around it.
-struct BandField {
-  std::vector<float> nearest2;  // m^2
-  std::vector<std::uint32_t> nearest;
-  std::vector<float> weight, value;
-  std::vector<Vec3f> offset, normal, colour;
-};
-
 /// Triangles, with constraints of their vertices.
 struct MarchedBand {
   static constexpr std::uint8_t onCap = 8;
@@ -23,9 +15,10 @@ struct MarchedBand {
                                         ///< inside a cap
 };
 
-/// Marches all cubes that the surface crosses. At a cut the inside ends with a flat cap on the plane, with a
-/// vertex at each inside corner. Corners far from all surfels have the colour `deep` (sRGB 0 to 255).
-MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneField& planes,
+/// Marches all cubes that the surface crosses. values: heights over the surface at the corners (m, one per
+/// slot). At a cut the inside ends with a flat cap on the plane, with a vertex at each inside corner. Corners
+/// far from all surfels have the colour `deep` (sRGB 0 to 255).
+MarchedBand marchBand(const BandGrid& grid, const std::vector<double>& values, const PlaneField& planes,
                       const Vec3f& deep);
 
 /// Removes spurious closed shells next to a larger one. One test is a volume below two cubes, since nearest

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implicit surface of surfels: the weighted mean of their planes.
 #pragma once
-#include <cstdint>
-#include <vector>
-
 #include "core/surface/search/bins.hpp"
 #include "io/frames/read_surface_frame.hpp"
 
@@ -15,11 +12,11 @@ inline constexpr float planeAgreement = -0.3f;
 /// Radii within which surfels count, plus `margin`.
 inline constexpr double planeReach = 1.5;
 
-/// Signed height over the surface (m, above 0 outside) and its outward gradient, not normalised; `known` is
-/// false if no surfel is in reach.
+/// Signed height over the surface (m, above 0 outside), its outward gradient, not normalised, and the mean
+/// colour (sRGB 0 to 255); `known` is false if no surfel is in reach.
 struct PlaneHeight {
   double value = 0;
-  Vec3f normal{};
+  Vec3f normal{}, colour{};
   bool known = false;
 };
 
@@ -28,14 +25,14 @@ struct PlaneHeight {
 /// the mean of both normals, exactly so on a sphere.
 class PlaneField {
  public:
-  PlaneField(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows, double margin);
+  /// Of the frame, reads positions, normals, radii and colours. margin: m.
+  PlaneField(const SurfaceFrame& frame, double margin);
   PlaneHeight at(const Vec3d& x) const;
   /// Returns whether a disc with a similar normal covers the position.
   bool onDisc(const Vec3d& x, const Vec3f& normal) const;
 
  private:
   const SurfaceFrame& frame_;
-  const std::vector<std::uint32_t>& rows_;
   double margin_, farthest_ = 0;
   Bins bins_;
 };

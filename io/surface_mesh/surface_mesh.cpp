@@ -21,8 +21,7 @@ constexpr double mostOfSize = 0.15;
 
 /// Surfels of a mesh: an unwrapped component, and near images where it is cut at periodic sides.
 struct Patch {
-  SurfaceFrame frame;               // positions, normals, radii and colours only
-  std::vector<std::uint32_t> rows;  // all of them
+  SurfaceFrame frame;  // positions, normals, radii and colours only
   PeriodicSides sides;
   std::array<bool, 3> cut{};  // per axis
   Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -43,13 +42,13 @@ bool usable(const SurfaceFrame& f, std::size_t i) {
          f.radii[i] > 0;
 }
 
-double reachOf(const Patch& p, std::uint32_t i, double spacing) {
+double reachOf(const Patch& p, std::size_t i, double spacing) {
   return planeReach * p.frame.radii[i] + spacing;
 }
 
 BandGrid gridAround(const Patch& p, double spacing) {
   double reach = 0;
-  for (const std::uint32_t i : p.rows) reach = std::max(reach, reachOf(p, i, spacing));
+  for (std::size_t i = 0; i < p.frame.radii.size(); i++) reach = std::max(reach, reachOf(p, i, spacing));
   Vec3d origin, edge;
   Corner count;
   double blocks = 1;
@@ -77,59 +76,6 @@ BandGrid gridAround(const Patch& p, double spacing) {
   return BandGrid(origin, edge, count, p.cut);
 }
 
-void findNearest(const Patch& p, BandGrid& grid, BandField& field) {
-  for (const std::uint32_t i : p.rows) {
-    const Vec3d& x = p.frame.positions[i];
-    grid.forCornersNear(x, reachOf(p, i, grid.spacing()), [&](const Corner& c) {
-      const std::size_t slot = static_cast<std::size_t>(grid.makeSlot(c));
-      if (slot == field.nearest.size()) {
-        field.nearest.push_back(i);
-        field.nearest2.push_back(std::numeric_limits<float>::infinity());
-      }
-      const Vec3d d = grid.place(c) - x;
-      const float d2 = static_cast<float>(dot(d, d));
-      if (d2 < field.nearest2[slot]) field.nearest2[slot] = d2, field.nearest[slot] = i;
-    });
-  }
-}
-
-void addPlanes(const Patch& p, const BandGrid& grid, BandField& field) {
-  const std::size_t slots = grid.slots();
-  field.weight.assign(slots, 0);
-  field.value.assign(slots, 0);
-  field.offset.assign(slots, {});
-  field.normal.assign(slots, {});
-  field.colour.assign(slots, {});
-  for (const std::uint32_t i : p.rows) {
-    const Vec3d& x = p.frame.positions[i];
-    const Vec3f& n = p.frame.normals[i];
-    const Vec3f colour = colourOf(p.frame.colours[i]);
-    const float over = static_cast<float>(
-        0.5 / (planeSharpness * planeSharpness * p.frame.radii[i] * p.frame.radii[i]));
-    grid.forCornersNear(x, reachOf(p, i, grid.spacing()), [&](const Corner& c) {
-      const std::size_t slot = static_cast<std::size_t>(grid.at(c));
-      if (dot(n, p.frame.normals[field.nearest[slot]]) < planeAgreement) return;
-      const Vec3d d = grid.place(c) - x;
-      // relative to the nearest one, so weights do not vanish far from the surface
-      const float w = std::exp(
-          std::max(-60.0f, (field.nearest2[slot] - static_cast<float>(dot(d, d))) * over));
-      field.weight[slot] += w;
-      const Vec3f away{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
-      field.value[slot] += w * dot(away, n);
-      field.offset[slot] += w * away;
-      field.normal[slot] += w * n;
-      field.colour[slot] += w * colour;
-    });
-  }
-  for (std::size_t s = 0; s < slots; s++) {
-    const float over = 1 / field.weight[s];  // the nearest surfel has weight 1, so the sum is at least 1
-    const float l = std::sqrt(dot(field.normal[s], field.normal[s]));
-    const float along = l > 0 ? dot(field.normal[s], field.offset[s]) / l : field.value[s];
-    field.value[s] = 0.5f * over * (field.value[s] + along);
-    field.colour[s] = over * field.colour[s];
-  }
-}
-
 Patch patchOf(const SurfaceFrame& frame, const ComponentRows& component, const std::vector<Rgb>& colours,
               const PeriodicSides& sides) {
   std::vector<std::uint32_t> rows;
@@ -144,7 +90,6 @@ Patch patchOf(const SurfaceFrame& frame, const ComponentRows& component, const s
     p.frame.normals.push_back(frame.normals[i]);
     p.frame.radii.push_back(frame.radii[i]);
     p.frame.colours.push_back(colours[i]);
-    p.rows.push_back(static_cast<std::uint32_t>(k));
     p.radius += frame.radii[i] / static_cast<double>(rows.size());
     p.meanColour += colourOf(colours[i]) / static_cast<float>(rows.size());
     for (int a = 0; a < 3; a++)
@@ -160,10 +105,9 @@ Patch withImages(Patch p, double spacing) {
   for (int a = 0; a < 3; a++) {
     if (!p.cut[static_cast<std::size_t>(a)]) continue;
     const double period = p.sides.period[a], min = p.sides.min[a];
-    const std::size_t before = p.rows.size();
+    const std::size_t before = p.frame.radii.size();
     for (std::size_t i = 0; i < before; i++) {
-      const double reach = reachOf(p, static_cast<std::uint32_t>(i), 2 * spacing),
-                   most = std::ceil(reach / period);
+      const double reach = reachOf(p, i, 2 * spacing), most = std::ceil(reach / period);
       for (double n = -most; n <= most; n++) {
         Vec3d x = p.frame.positions[i];
         x[a] += n * period;
@@ -172,7 +116,6 @@ Patch withImages(Patch p, double spacing) {
         p.frame.normals.push_back(p.frame.normals[i]);
         p.frame.radii.push_back(p.frame.radii[i]);
         p.frame.colours.push_back(p.frame.colours[i]);
-        p.rows.push_back(static_cast<std::uint32_t>(p.rows.size()));
       }
     }
   }
@@ -181,14 +124,16 @@ Patch withImages(Patch p, double spacing) {
 
 ComponentMesh meshAt(const Patch& p, double spacing) {
   BandGrid grid = gridAround(p, spacing);
-  BandField field;
-  findNearest(p, grid, field);
-  addPlanes(p, grid, field);
+  for (std::size_t i = 0; i < p.frame.radii.size(); i++)
+    grid.forCornersNear(p.frame.positions[i], reachOf(p, i, grid.spacing()),
+                        [&](const Corner& c) { grid.makeSlot(c); });
+  const PlaneField planes(p.frame, grid.spacing());
+  std::vector<double> values(grid.slots());
+  for (std::size_t s = 0; s < values.size(); s++) values[s] = planes.at(grid.place(grid.corner(s))).value;
   std::vector<std::uint8_t> isInside(grid.slots());
-  for (std::size_t s = 0; s < isInside.size(); s++) isInside[s] = field.value[s] < 0;
+  for (std::size_t s = 0; s < isInside.size(); s++) isInside[s] = values[s] < 0;
   grid.classify(isInside);
-  const PlaneField planes(p.frame, p.rows, grid.spacing());
-  MarchedBand band = marchBand(grid, field, planes, p.meanColour);
+  MarchedBand band = marchBand(grid, values, planes, p.meanColour);
   removeFragments(band, planes, grid.spacing());
   offsetVertices(band, 0.1 * grid.spacing());
   return std::move(band.mesh);
@@ -215,7 +160,7 @@ ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& co
   ComponentMesh mesh;
   mesh.component = component.component;
   const Patch own = patchOf(frame, component, colours, sides);
-  if (own.rows.empty()) return mesh;
+  if (own.frame.radii.empty()) return mesh;
   const double asked = cell * own.radius;
   double edge = std::min(asked, mostOfSize * own.largest());
   for (int n = 0; n < 4 && edge > 0.01 * own.radius && mesh.mesh.triangles.empty(); n++, edge *= 0.5) {

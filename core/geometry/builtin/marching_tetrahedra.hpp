@@ -3,8 +3,9 @@
 // match those of adjacent cubes.
 #pragma once
 #include <algorithm>
+#include <utility>
 
-#include "core/math/vec3.hpp"
+#include "core/geometry/basic/triangle_mesh.hpp"
 
 namespace thaw {
 
@@ -31,9 +32,9 @@ inline double crossing(double from, double to) {
   return std::clamp(from / (from - to), nearestToCorner, 1 - nearestToCorner);
 }
 
-/// Calls add(edge, edge, edge, outward) for each triangle of the zero set within a cube. The corners of the
-/// triangle lie on the edges, and its normal is along `outward`. value < 0 inside.
-template<class Add> void marchTetrahedra(const double (&value)[8], Add add) {
+/// Adds the triangles of the zero set within a cube to the mesh, outward. vertexOn(edge) returns the number
+/// of the vertex on an edge. Triangles with equal vertices are left out. value < 0 inside.
+template<class VertexOn> void marchCube(const double (&value)[8], VertexOn vertexOn, TriangleMesh& mesh) {
   const auto place = [](int c) {
     return Vec3d{static_cast<double>(c & 1), static_cast<double>(c >> 1 & 1), static_cast<double>(c >> 2)};
   };
@@ -44,14 +45,21 @@ template<class Add> void marchTetrahedra(const double (&value)[8], Add add) {
     Vec3d outward;
     for (int k = 0; k < outside; k++) outward += place(out[k]) / static_cast<double>(outside);
     for (int k = 0; k < inside; k++) outward -= place(in[k]) / static_cast<double>(inside);
+    const auto add = [&](const CubeEdge& e, const CubeEdge& f, const CubeEdge& g) {
+      std::uint32_t a = vertexOn(e), b = vertexOn(f), c = vertexOn(g);
+      if (a == b || b == c || c == a) return;
+      const auto& x = mesh.vertices;
+      if (dot(cross(x[b] - x[a], x[c] - x[a]), outward) < 0) std::swap(b, c);
+      mesh.triangles.push_back({a, b, c});
+    };
     if (inside == 2) {
       const CubeEdge a(in[0], out[0]), b(in[0], out[1]), c(in[1], out[1]), d(in[1], out[0]);
-      add(a, b, c, outward);
-      add(a, c, d, outward);
+      add(a, b, c);
+      add(a, c, d);
     } else if (inside == 1) {
-      add(CubeEdge(in[0], out[0]), CubeEdge(in[0], out[1]), CubeEdge(in[0], out[2]), outward);
+      add(CubeEdge(in[0], out[0]), CubeEdge(in[0], out[1]), CubeEdge(in[0], out[2]));
     } else {
-      add(CubeEdge(in[0], out[0]), CubeEdge(in[1], out[0]), CubeEdge(in[2], out[0]), outward);
+      add(CubeEdge(in[0], out[0]), CubeEdge(in[1], out[0]), CubeEdge(in[2], out[0]));
     }
   }
 }
