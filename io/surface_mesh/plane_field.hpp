@@ -25,7 +25,7 @@ struct PlaneHeight {
 /// the mean of both normals, exactly so on a sphere.
 class PlaneField {
  public:
-  /// Of the frame, reads positions, normals, radii and colours. margin: m.
+  /// Reads positions, normals, radii and colours of the frame. margin: m.
   PlaneField(const SurfaceFrame& frame, double margin);
   PlaneHeight at(const Vec3d& x) const;
   /// Returns whether a disc with a similar normal covers the position.
