@@ -102,6 +102,7 @@ Scene wholeScene() {
     for (auto& element : list) element.name = "NAME";
   };
   name(s.materials), name(s.bodies), name(s.emitters), name(s.obstacles), name(s.sheets), name(s.oriented);
+  s.extensions.push_back({"NAME", {}});
   return s;
 }
 

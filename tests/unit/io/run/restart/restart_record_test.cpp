@@ -239,9 +239,9 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   EXPECT_EQ(initialStateChanges(then, other),
             std::vector<std::string>{"surface.source was \"automatic\", and is \"particles\" now"});
   EXPECT_EQ(restartConflicts(then, other),
-            (std::vector<std::string>{"body.bust.material was \"wax\", and is \"oil\" now",
+            (std::vector<std::string>{"body.bust.box.size is not in the scene any more",
+                                      "body.bust.material was \"wax\", and is \"oil\" now",
                                       "body.bust.packing was \"lattice\", and is \"relaxed\" now",
-                                      "body.bust.box.size is not in the scene any more",
                                       "body.bust.torus.radius was not in the scene then",
                                       "body.bust.torus.tube was not in the scene then"}));
 }
@@ -295,6 +295,7 @@ TEST(SceneMarks, ExternalActionsAreReported) {
   s.sheets[0].brushes.emplace_back();
   s.oriented.emplace_back().name = "film";
   s.oriented[0].fields.emplace_back().everywhere = false;
+  s.oriented[0].fields[0].region.kind = ShapeKind::Sphere;
   s.obstacles.emplace_back().name = "pan";
   const CheckpointValues then = restartRecordOf(s);
   const auto reported = [&](auto&& change) {
