@@ -15,6 +15,7 @@
 #include "io/commands/info_command.hpp"
 #include "io/commands/render.hpp"
 #include "io/commands/run.hpp"
+#include "io/commands/view.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_for_all.hpp"
@@ -125,6 +126,7 @@ int main(int argc, char** argv) {
   CheckOptions check;
   RenderOptions render;
   ExportOptions exportOptions;
+  ViewOptions view;
   CompareArguments compare;
   InfoArguments info;
   CLI::App* runApp = app.add_subcommand("run", "simulate a scene; mpirun starts it on several ranks");
@@ -140,6 +142,8 @@ int main(int argc, char** argv) {
   addRenderOptions(*renderApp, render);
   CLI::App* exportApp = app.add_subcommand("export", "export frames for other programs");
   addExportOptions(*exportApp, exportOptions);
+  CLI::App* viewApp = app.add_subcommand("view", "show a run in the browser, finished or running");
+  addViewOptions(*viewApp, view);
   CLI::App* compareApp = addCompareCommand(app, compare);
   CLI::App* infoApp = addInfoCommand(app, info);
   DocsOptions docs;
@@ -149,6 +153,7 @@ int main(int argc, char** argv) {
 
   if (*renderApp) return renderCommand(render);
   if (*exportApp) return exportCommand(exportOptions);
+  if (*viewApp) return viewCommand(view);
   if (*docsApp) return docsCommand(app, docs);
   useRomio();  // before MPI starts
   MpiSession mpi(&argc, &argv);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Choice of rows of large frames. A row is drawn in all frames or in none, so points do not flicker.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/frames/frame.hpp"
+
+namespace thaw {
+
+/// Returns the smallest level at which about `most` of `count` rows are left: one of 2^level.
+int thinningLevel(std::uint64_t count, std::uint64_t most);
+
+/// Returns whether a row stays at a level. It is a hash of the id; a row of one level is in all lower ones.
+bool staysAt(int level, std::uint64_t id);
+
+/// Returns the rows of finite positions that stay, ascending. ids: empty if the frame has none; then the row
+/// counts as its id.
+std::vector<std::uint32_t> rowsAt(int level, std::span<const Vec3d> positions,
+                                  std::span<const std::uint64_t> ids);
+
+/// Keeps these rows of a frame, ascending, and the triangles between them.
+void keepRows(FrameData& frame, std::span<const std::uint32_t> rows);
+
+}  // namespace thaw

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/view/run/scene_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/geometry/builtin/polygonise.hpp"
+#include "core/geometry/shapes/pose.hpp"
+#include "core/geometry/shapes/shape_mesh.hpp"
+#include "core/scene/modules.hpp"
+#include "io/hdf5/h5_file.hpp"
+#include "io/render/scene_job.hpp"
+#include "io/scene/scene_for_all.hpp"
+
+namespace thaw {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vectorJson(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+const char* sideName(Side side) {
+  return side == Side::Wall ? "wall" : side == Side::Periodic ? "periodic" : "open";
+}
+
+std::string colourField(const Scene& scene) {
+  if (!scene.output.colour.empty()) return scene.output.colour;
+  if (modulesOf(scene).heat) return "temperature";
+  return hasContinuum(scene) ? "speed" : "surface";
+}
+
+bool isCut(const Shape& shape) {
+  return shape.kind == ShapeKind::Difference || shape.kind == ShapeKind::Intersection ||
+         std::any_of(shape.parts.begin(), shape.parts.end(), isCut);
+}
+
+/// Returns the surface of a bounded shape. Cuts are polygonised, others are exact up to a small sag.
+TriangleMesh meshOf(const Shape& shape, const SignedDistance& distance) {
+  const Bounds box = distance.bounds();
+  const Vec3d size = box.max - box.min;
+  const double largest = std::max({size.x, size.y, size.z});
+  if (!isCut(shape)) return shapeMesh(shape, 2e-3 * largest, meshLoader());
+  constexpr double cells = 80;
+  const double edge = largest / cells;
+  const Vec3d margin{2 * edge, 2 * edge, 2 * edge};
+  return polygonise([&](const Vec3d& x) { return distance.distanceWithin(x, 2 * edge); },
+                    {box.min - margin, box.max + margin}, edge);
+}
+
+/// Adds a plane or the triangles of an obstacle. Vertices are numbered over all obstacles.
+void addObstacle(const Obstacle& obstacle, Json& entry, std::vector<float>& vertices,
+                 std::vector<std::uint32_t>& triangles) {
+  const auto distance = makeSignedDistance(obstacle.shape, meshLoader());
+  const Bounds box = distance->bounds();
+  entry["first"] = triangles.size() / 3;
+  entry["triangles"] = 0;
+  if (!std::isfinite(length(box.max - box.min))) {
+    Vec3d normal;
+    const double away = distance->distance({}, &normal);
+    entry["plane"] = {{"point", vectorJson(-away * normal)}, {"normal", vectorJson(normal)}};
+    return;
+  }
+  const TriangleMesh mesh = meshOf(obstacle.shape, *distance);
+  const auto start = static_cast<std::uint32_t>(vertices.size() / 3);
+  for (const Vec3d& v : mesh.vertices)
+    for (int a = 0; a < 3; a++) vertices.push_back(static_cast<float>(v[a]));
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t corner : t) triangles.push_back(start + corner);
+  entry["triangles"] = mesh.triangles.size();
+}
+
+}  // namespace
+
+Scene sceneOfFrame(const std::filesystem::path& frame) {
+  const H5File file = H5File::openToRead(frame.string(), Trailer::MustBe);
+  if (!file.has("/run/scene_toml") || !file.has("/run/scene_name"))
+    throw IoError(frame.string(), "has no scene");
+  return sceneOfText(file.readText("/run/scene_toml"), file.readText("/run/scene_name"));
+}
+
+Json sceneView(const Scene& scene) {
+  Json view = {{"title", scene.title},
+               {"spacing", scene.spacing},
+               {"end", std::isfinite(scene.end) ? Json(scene.end) : Json(nullptr)},
+               {"domain",
+                {{"min", vectorJson(scene.domain.min)},
+                 {"max", vectorJson(scene.domain.max)},
+                 {"sides", Json::array()}}},
+               {"camera", nullptr},
+               {"colour", colourField(scene)},
+               {"surface", scene.surface.on}};
+  for (const auto& axis : scene.domain.side)
+    view["domain"]["sides"].push_back({sideName(axis[0]), sideName(axis[1])});
+  const Output& o = scene.output;
+  if (!o.camera.fitted)
+    view["camera"] = {{"from", vectorJson(o.camera.from)},
+                      {"at", vectorJson(o.camera.at)},
+                      {"field_of_view_deg", o.camera.fieldOfView * 180 / std::numbers::pi}};
+  view["colour_min"] = o.colourMin ? Json(*o.colourMin) : Json(nullptr);
+  view["colour_max"] = o.colourMax ? Json(*o.colourMax) : Json(nullptr);
+  return view;
+}
+
+Packet obstacleMeshes(const Scene& scene) {
+  Packet packet;
+  packet.header["obstacles"] = Json::array();
+  std::vector<float> vertices;
+  std::vector<std::uint32_t> triangles;
+  for (const Obstacle& obstacle : scene.obstacles) {
+    Json entry = {{"name", obstacle.name}};
+    try {
+      addObstacle(obstacle, entry, vertices, triangles);
+    } catch (const std::exception& error) {  // a mesh that is no longer there, on another machine
+      entry["problem"] = error.what();
+    }
+    packet.header["obstacles"].push_back(entry);
+  }
+  packet.add("position", std::span<const float>(vertices), 3);
+  packet.add("triangles", std::span<const std::uint32_t>(triangles), 3);
+  return packet;
+}
+
+Json obstaclePoses(const Scene& scene, double time) {
+  Json poses = Json::array();
+  for (const Obstacle& obstacle : scene.obstacles) {
+    const Pose pose = poseAt(obstacle.motion, time);
+    Json rotation = Json::array();
+    for (int r = 0; r < 3; r++)
+      for (int c = 0; c < 3; c++) rotation.push_back(pose.rotation.row[r][c]);
+    poses.push_back(
+        {{"present", !(time >= obstacle.until)}, {"move", vectorJson(pose.move)}, {"rotation", rotation}});
+  }
+  return poses;
+}
+
+}  // namespace thaw

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The only file that `thaw view` writes: `stop` in the folder of a live run.
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace thaw {
+
+inline constexpr const char* stopName = "stop";
+
+/// Returns whether a run may be live in this folder: its lock names a process of this host that is there, or
+/// one of another host.
+bool mayBeLive(const std::filesystem::path& run);
+
+/// Makes the file for which a run looks (io/run/signals.hpp). Returns why it does not, or "". An existing
+/// file is left as it is.
+std::string requestStop(const std::filesystem::path& run);
+
+}  // namespace thaw

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of `thaw view` in a browser: node browser_test.mjs CASE ADDRESS [ARGUMENT]. CASE is a function
+// below. Environment: MODULES (node_modules with playwright-core), CHROMIUM (program).
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import http from 'node:http';
+import { coloursIn, difference, launch, open, pixelsOf, settle } from './page.mjs';
+
+/// Returns the status of a request without a browser.
+function status(address, headers = {}, method = 'GET') {
+  return new Promise((resolve, reject) => {
+    http
+      .request(address, { headers, method }, (reply) => {
+        reply.resume();
+        resolve(reply.statusCode);
+      })
+      .on('error', reject)
+      .end();
+  });
+}
+
+const cases = {
+  async refusals(browser, address) {
+    const api = `${address}api/run`,
+      { origin, host } = new URL(address);
+    assert.equal(await status(api), 200);
+    assert.equal(await status(api.replace(/\w{32}/, '0'.repeat(32))), 403, 'wrong token');
+    assert.equal(await status(`${origin}/`), 403, 'no token');
+    assert.equal(await status(api, { Host: 'example.org' }), 403, 'DNS rebinding');
+    assert.equal(await status(api, { Origin: 'http://example.org' }), 403, 'other origin');
+    assert.equal(await status(api, { 'Sec-Fetch-Site': 'cross-site' }), 403, 'other site');
+    assert.equal(await status(`${address}..%2f..%2fetc%2fpasswd`), 404, 'path out of the run');
+    assert.equal(await status(`${address}api/stop`, { 'Content-Length': 0 }, 'POST'), 403, 'no origin');
+    assert.equal(
+      await status(`${address}api/stop`, { 'Content-Length': 0, Origin: `http://${host}` }, 'POST'),
+      409,
+      'no run is live',
+    );
+    // A page of another port cannot read the run.
+    const other = http.createServer((request, reply) => {
+      reply.setHeader('Content-Type', 'text/html');
+      reply.end('<p>other');
+    });
+    await new Promise((done) => other.listen(0, '127.0.0.1', done));
+    const page = await browser.newPage();
+    await page.goto(`http://127.0.0.1:${other.address().port}/`);
+    const isRead = ([url, mode]) =>
+      fetch(url, { mode })
+        .then(Boolean)
+        .catch(() => false);
+    for (const mode of ['cors', 'no-cors'])
+      assert.equal(await page.evaluate(isRead, [api, mode]), false, `read by another origin, ${mode}`);
+    await page.setContent(`<a href="${address}">view</a>`);
+    const [reply] = await Promise.all([page.waitForResponse((r) => r.url() === address), page.click('a')]);
+    assert.equal(reply.status(), 403, 'a link of another site');
+    other.close();
+  },
+
+  async particles(browser, address) {
+    const { page, errors } = await open(browser, address);
+    const last = await pixelsOf(page);
+    assert.ok(coloursIn(last) > 200, `the picture is blank: ${coloursIn(last)} colours`);
+    assert.match(await page.textContent('#state'), /done/);
+    assert.ok((await page.locator('.chart').count()) >= 3, 'charts');
+
+    await page.locator('#time').fill('0');
+    await page.waitForFunction(() => document.body.dataset.frame === '0');
+    const first = await pixelsOf(page);
+    assert.ok(difference(first, last) > 0.02, 'the slider changes the picture');
+    await page.keyboard.press('Escape');
+    await page.locator('#play').click();
+    await page.waitForFunction(() => Number(document.body.dataset.frame) >= 2);
+    await page.evaluate(() => window.thawView.settings.change({ playing: false }));
+
+    await page.locator('#time').fill('12');
+    const speed = await pixelsOf(page);
+    await page.selectOption('#field', 'pressure');
+    await page.waitForFunction(() => document.querySelector('.bar-title').textContent === 'pressure (Pa)');
+    assert.ok(difference(speed, await pixelsOf(page)) > 0.05, 'the field changes the colours');
+    await page.selectOption('#field', 'velocity');
+    await page.selectOption('#part', '2');
+    await page.waitForFunction(() => document.querySelector('.bar-title').textContent === 'velocity z (m/s)');
+    await page.locator('#range-max').fill('0.5');
+    await page.keyboard.press('Enter');
+    await settle(page);
+    assert.ok((await page.textContent('#colour-bar')).includes('0.5'), 'the range is that of the input');
+
+    const whole = await pixelsOf(page);
+    await page.selectOption('#cut', 'y');
+    assert.ok(difference(whole, await pixelsOf(page)) > 0.01, 'the cut plane hides particles');
+    await page.selectOption('#cut', '');
+    await page.locator('#layer-particles').uncheck();
+    assert.ok(difference(whole, await pixelsOf(page)) > 0.05, 'the layer is hidden');
+    await page.locator('#layer-particles').check();
+    assert.ok(difference(whole, await pixelsOf(page)) < 0.01, 'the layer is back');
+    await page.locator('#theme').click();
+    assert.ok(difference(whole, await pixelsOf(page)) > 0.3, 'the dark theme has another ground');
+    assert.deepEqual(errors, []);
+  },
+
+  async picking(browser, address) {
+    const { page, errors } = await open(browser, address);
+    await page.locator('#time').fill('0');
+    await page.waitForFunction(() => document.body.dataset.frame === '0');
+    await settle(page);
+    const middle = await page.evaluate(() => {
+      const { stage, boxOf } = window.thawView,
+        { packet } = stage.layers.get('particles');
+      const centre = boxOf([packet]).getCenter(stage.camera.position.clone());
+      return stage.onPage(centre);
+    });
+    await page.mouse.click(middle.x, middle.y);
+    await page.waitForSelector('#point-panel table');
+    const { id, place, pixels } = await page.evaluate(() => {
+      const { stage, selection } = window.thawView,
+        { point } = selection;
+      const size = stage.layers.get('particles').spheres.uniforms.size.value;
+      const far = point.position.distanceTo(stage.camera.position);
+      const scale = stage.size.height / 2 / Math.tan((stage.camera.fov * Math.PI) / 360);
+      return { id: point.id, place: stage.onPage(point.position), pixels: (size / far) * scale };
+    });
+    const away = Math.hypot(place.x - middle.x, place.y - middle.y);
+    assert.ok(away <= pixels + 1, `the click is ${away} pixels from the centre of a sphere of ${pixels}`);
+    const text = await page.textContent('#point-panel');
+    for (const word of [id, 'velocity', 'pressure', 'density', 'position'])
+      assert.ok(text.includes(word), `no ${word} in: ${text}`);
+    await page.locator('#time').fill('3');
+    await page.waitForFunction(() => document.body.dataset.frame === '3');
+    assert.equal(
+      await page.evaluate(() => window.thawView.selection.point.id),
+      id,
+      'the point is followed by its id',
+    );
+    assert.ok(await page.locator('#marker').isVisible());
+    await page.keyboard.press('Escape');
+    assert.ok(await page.locator('#point-panel').isHidden());
+
+    await page.evaluate(() => window.thawView.settings.change({ most: 100 }));
+    await page.waitForSelector('[data-notice=thinned]');
+    assert.match(await page.textContent('[data-notice=thinned]'), /particles: 1 of \d+ drawn, of/);
+
+    await page.mouse.move(500, 200);
+    await page.mouse.down();
+    await page.mouse.move(560, 240, { steps: 4 });
+    await page.mouse.up();
+    await page.locator('#copy-camera').click();
+    const turned = await page.evaluate(() => navigator.clipboard.readText());
+    assert.match(
+      turned,
+      /^camera = \{ from = \[[-\d., e]+\], at = \[[-\d., e]+\], field_of_view = "30 deg" \}$/,
+    );
+    await page.locator('#scene-camera').click();
+    await page.locator('#copy-camera').click();
+    assert.equal(
+      await page.evaluate(() => navigator.clipboard.readText()),
+      'camera = { from = [2.9, -1.9, 1.7], at = [0.8, 0.3, 0.25], field_of_view = "30 deg" }',
+    );
+    assert.notEqual(turned, await page.inputValue('#camera-line'));
+    assert.deepEqual(errors, []);
+  },
+
+  /// ARGUMENT: name of the layer.
+  async layer(browser, address, name) {
+    const { page, errors } = await open(browser, address);
+    await page.locator('#fit').click();
+    const shown = await pixelsOf(page);
+    assert.ok(coloursIn(shown) > 100, `the picture is blank: ${coloursIn(shown)} colours`);
+    await page.locator(`#layer-${name}`).uncheck();
+    assert.ok(difference(shown, await pixelsOf(page)) > 0.03, `the layer ${name} is drawn`);
+    assert.deepEqual(errors, []);
+  },
+
+  /// The run is live, and the page stops it.
+  async live(browser, address) {
+    const { page, errors } = await open(browser, address, { frame: false });
+    await page.waitForFunction(() => document.body.dataset.frame !== undefined);
+    assert.equal(await page.textContent('#state'), 'running');
+    assert.ok(await page.locator('#follow').isChecked(), 'a running run is followed');
+    const count = () => page.evaluate(() => window.thawView.frames.numbers.length);
+    const before = await count();
+    await page.waitForFunction((n) => window.thawView.frames.numbers.length > n + 1, before);
+    await page.waitForFunction(
+      () => Number(document.body.dataset.frame) >= window.thawView.frames.numbers.length - 2,
+    );
+    await page.waitForFunction(() => document.querySelector('#time-left').textContent.includes('left'));
+    await page.locator('#stop').click();
+    await page.locator('#stop-yes').click();
+    await page.waitForFunction(() => document.querySelector('#state').textContent === 'stopped');
+    assert.deepEqual(errors, []);
+  },
+
+  /// The newest frame is half-written.
+  async damaged(browser, address) {
+    const { page, errors } = await open(browser, address, { frame: false });
+    await page.waitForSelector('[data-notice=frame]');
+    assert.match(await page.textContent('[data-notice=frame]'), /\.hdf: /);
+    await page.locator('#time').fill('0');
+    await page.waitForFunction(() => document.body.dataset.frame === '0');
+    assert.ok(coloursIn(await pixelsOf(page)) > 200, 'other frames are drawn');
+    assert.ok(
+      errors.every((error) => error.includes('422')),
+      errors.join('\n'),
+    ); // of the frame itself
+  },
+
+  /// ARGUMENT: file of a picture for the manual.
+  async picture(browser, address, file) {
+    const { page } = await open(browser, address, { size: [1200, 720] });
+    await page.evaluate(() =>
+      window.thawView.time.go(Math.round(0.6 * window.thawView.frames.numbers.length)),
+    );
+    await settle(page);
+    writeFileSync(file, await page.screenshot());
+  },
+};
+
+const [name, address, argument] = process.argv.slice(2);
+const browser = await launch(process.env.MODULES, process.env.CHROMIUM);
+try {
+  await cases[name](browser, address, argument);
+} finally {
+  await browser.close();
+}

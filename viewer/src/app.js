@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joins the parts of the page: a change of the settings loads frames and draws them.
+import * as THREE from 'three';
+import { getJson, getPacket } from './data/api.js';
+import { FrameStore } from './data/frame_store.js';
+import { Settings } from './data/settings.js';
+import { Colouring, fieldsOf, titleOf } from './colouring.js';
+import { byId } from './dom.js';
+import { ColourBar } from './panels/colour_bar.js';
+import { Charts } from './panels/charts.js';
+import { Notices } from './panels/notices.js';
+import { StatusPanel } from './panels/status_panel.js';
+import { TimeBar } from './panels/time_bar.js';
+import { ViewPanel } from './panels/view_panel.js';
+import { RunWatch } from './run_watch.js';
+import { Axes } from './scene/axes.js';
+import { cameraLine } from './scene/camera_text.js';
+import { Stage } from './scene/stage.js';
+import { Selection } from './selection.js';
+import { countText } from './text.js';
+
+const AHEAD = 3; // frames that are loaded ahead while playing
+
+export class App {
+  constructor() {
+    this.settings = new Settings();
+    this.store = new FrameStore();
+    this.colouring = new Colouring();
+    this.frames = null; // of api/run
+    this.scene = null; // of api/scene
+    this.notices = new Notices(byId('notices'));
+    this.stage = new Stage(byId('canvas'));
+    this.axes = new Axes(byId('axes'));
+    this.bar = new ColourBar(byId('colour-bar'));
+    this.time = new TimeBar(byId('time-bar'), this.settings);
+    this.status = new StatusPanel(byId('status'));
+    this.charts = new Charts(byId('charts'), (time) => this.goToTime(time));
+    this.view = new ViewPanel(byId('view-panel'), this.settings, {
+      sceneCamera: () => this.sceneCamera(),
+      fit: () => this.fit(),
+      copyCamera: () => this.copyCamera(),
+      theme: () => this.turnTheme(),
+    });
+    this.selection = new Selection(this);
+    this.stage.onDrawn = () => {
+      this.axes.update(this.stage.camera);
+      this.selection.place();
+    };
+    this.settings.listen((changed) => this.settingsChanged(changed));
+    this.dark = window.matchMedia('(prefers-color-scheme: dark)');
+    this.dark.addEventListener('change', () => this.applyTheme());
+    this.applyTheme();
+    this.watch = new RunWatch(
+      (run, frames) => this.runChanged(run, frames),
+      (text) => this.notices.set('server', text, true),
+    );
+  }
+
+  start() {
+    return this.watch.look();
+  }
+
+  // ---- state of the run ----
+
+  async runChanged(run, frames) {
+    document.title = `${run.folder} – thaw view`;
+    this.view.title.textContent = run.summary.title || this.scene?.title || run.folder;
+    this.status.update(run, this.scene?.end ?? null);
+    this.live = run.live;
+    if (frames) await this.framesChanged(frames);
+    await this.charts.read();
+  }
+
+  async framesChanged(frames) {
+    const before = this.frames;
+    this.frames = frames;
+    const repeated = before && before.times.some((time, k) => frames.times[k] !== time);
+    if (repeated) this.store.clear(); // after a restart from an earlier time
+    this.time.setTimes(frames.times);
+    if (frames.numbers.length === 0) return;
+    if (!this.scene || repeated) await this.loadScene();
+    const newest = frames.numbers.length - 1,
+      { frame, follow } = this.settings;
+    if (frame < 0) this.settings.change({ frame: newest, follow: this.settings.follow && this.live });
+    else if (follow || frame > newest) this.settings.change({ frame: newest });
+    else this.show();
+  }
+
+  async loadScene() {
+    try {
+      this.scene = await getJson('scene');
+    } catch (problem) {
+      this.notices.set('scene', `the scene cannot be shown: ${problem.message}`, true);
+    }
+    const { domain } = this.scene ?? {};
+    if (!domain) return;
+    const box = new THREE.Box3(new THREE.Vector3(...domain.min), new THREE.Vector3(...domain.max));
+    this.stage.setDomain(box);
+    const problems = this.stage.obstacles.set(await getPacket('obstacles'), box);
+    this.notices.set('obstacles', problems.map((o) => `obstacle ${o.name}: ${o.problem}`).join('; '), true);
+    const name = { speed: 'velocity', surface: '', glow: '' }[this.scene.colour] ?? this.scene.colour;
+    const all = this.frames.has.reduce((mask, has) => mask | has, 0);
+    this.settings.change({
+      field: { name, part: -1 },
+      range: { min: this.scene.colour_min, max: this.scene.colour_max },
+      // A surface hides the particles within.
+      layers: { ...this.settings.layers, particles: (all & 2) === 0 },
+    });
+    if (this.scene.camera) this.sceneCamera();
+    else this.fitting = true;
+  }
+
+  // ---- the frame that is shown ----
+
+  /// Returns the types of the points of a frame that are switched on.
+  typesOf(index) {
+    const mask = this.frames.has[index];
+    return this.frames.types.filter((type, k) => (mask >> k) & 1 && this.settings.layers[type]);
+  }
+
+  queryOf(index, type) {
+    const { field, most } = this.settings;
+    return {
+      number: this.frames.numbers[index],
+      type,
+      field: field.name || undefined,
+      part: field.part,
+      most,
+    };
+  }
+
+  async show() {
+    const { frame } = this.settings;
+    if (!this.frames || frame < 0 || frame >= this.frames.numbers.length) return;
+    const wanted = (this.wanted = {});
+    const types = this.typesOf(frame);
+    const loads = await Promise.allSettled(types.map((type) => this.store.load(this.queryOf(frame, type))));
+    if (this.wanted !== wanted) return; // a later choice
+    const bad = loads.filter((load) => load.status === 'rejected').map((load) => load.reason.message);
+    this.notices.set('frame', bad.join('; '), true);
+    const packets = new Map(types.map((type, k) => [type, loads[k].value]).filter(([, packet]) => packet));
+    this.draw(packets, bad.length > 0);
+    await this.selection.update(frame);
+    document.body.dataset.frame = String(this.frames.numbers[frame]);
+    if (this.settings.playing) this.playOn(frame);
+  }
+
+  /// keep: layers without a packet stay as they are, since their frame cannot be read.
+  draw(packets, keep) {
+    const { settings, stage, scene } = this;
+    const key = `${settings.field.name} ${settings.field.part}`;
+    if (this.colouring.key !== key) this.colouring.reset(key);
+    for (const [type, layer] of stage.layers) {
+      const packet = packets.get(type);
+      if (!packet && keep && settings.layers[type]) continue;
+      if (packet && packet === layer.packet && layer.look === settings.look) {
+        layer.setVisible(true);
+        continue;
+      }
+      layer.look = settings.look;
+      layer.show(packet ?? null, scene?.spacing ?? this.guessSpacing(packet), settings.look);
+    }
+    for (const { header } of packets.values()) this.colouring.add(header);
+    const first = packets.values().next().value;
+    if (first) stage.obstacles.move(first.header.obstacles);
+    this.describe(packets);
+    this.applyColours(packets);
+    if (this.fitting && packets.size > 0) this.fit();
+    stage.touch();
+    this.charts.setTime(this.frames.times[settings.frame]);
+  }
+
+  describe(packets) {
+    const all = this.frames.has.reduce((mask, has) => mask | has, 0);
+    const present = this.frames.types.filter((type, k) => (all >> k) & 1);
+    const own = [...packets.values()].some((packet) => packet.arrays.colour);
+    if (packets.size > 0)
+      this.view.describe({
+        present: [...present, 'obstacles', 'domain'],
+        fields: fieldsOf(packets.values()),
+        own,
+      });
+    const thinned = [...packets]
+      .filter(([, { header }]) => header.level > 0)
+      .map(([type, { header }]) => `${type}: 1 of ${2 ** header.level} drawn, of ${countText(header.count)}`);
+    this.notices.set('thinned', thinned.join('; '));
+    const lost = [...packets]
+      .filter(([, { header }]) => header.finite < header.count)
+      .map(
+        ([type, { header }]) =>
+          `${type}: ${countText(header.count - header.finite)} positions are not finite`,
+      );
+    this.notices.set('finite', lost.join('; '), true);
+  }
+
+  applyColours(packets) {
+    const { settings, stage } = this;
+    const range = this.colouring.range(settings.range);
+    stage.setColours(settings.map, range);
+    const shown = [...packets.values()];
+    const labelled = shown.find((packet) => packet.arrays.label);
+    if (labelled) this.bar.showLabels(settings.field.name, new Set(labelled.arrays.label.data));
+    else if (shown.some((packet) => packet.arrays.value))
+      this.bar.showValues({
+        title: titleOf(settings.field),
+        unit: this.colouring.unit,
+        ...range,
+        map: settings.map,
+      });
+    else this.bar.hide();
+  }
+
+  /// Returns a spacing for frames whose scene is not readable.
+  guessSpacing(packet) {
+    const size = this.boxOf([packet]).getSize(new THREE.Vector3());
+    return Math.cbrt((size.x * size.y * size.z || 1e-6) / Math.max(1, packet?.arrays.position.rows ?? 1));
+  }
+
+  async playOn(frame) {
+    const { rate } = this.settings,
+      count = this.frames.numbers.length;
+    for (let k = 1; k <= AHEAD; k++)
+      if (frame + k < count)
+        for (const type of this.typesOf(frame + k))
+          this.store.load(this.queryOf(frame + k, type)).catch(() => {});
+    clearTimeout(this.player);
+    this.player = setTimeout(() => {
+      if (!this.settings.playing || this.settings.frame !== frame) return;
+      if (frame + 1 < count) this.settings.change({ frame: frame + 1 });
+      else this.settings.change({ playing: false });
+    }, 1000 / rate);
+  }
+
+  goToTime(time) {
+    if (!this.frames?.times.length) return;
+    const distances = this.frames.times.map((t) => Math.abs(t - time));
+    this.time.go(distances.indexOf(Math.min(...distances)));
+  }
+
+  // ---- settings ----
+
+  settingsChanged(changed) {
+    const { settings, stage } = this;
+    if (changed.has('theme')) this.applyTheme();
+    if (changed.has('cut')) stage.setCut(settings.cut);
+    if (changed.has('layers')) {
+      stage.obstacles.group.visible = settings.layers.obstacles;
+      stage.domain.object.visible = settings.layers.domain;
+    }
+    const reload = ['frame', 'field', 'most', 'layers', 'look', 'range', 'map'];
+    if (reload.some((name) => changed.has(name)) || (changed.has('playing') && settings.playing)) this.show();
+  }
+
+  turnTheme() {
+    this.settings.change({ theme: this.isDark() ? 'light' : 'dark' });
+  }
+
+  isDark() {
+    const { theme } = this.settings;
+    return theme === 'auto' ? this.dark.matches : theme === 'dark';
+  }
+
+  applyTheme() {
+    document.documentElement.dataset.theme = this.isDark() ? 'dark' : 'light';
+    this.stage.setTheme(this.isDark());
+    this.charts.restyle();
+  }
+
+  // ---- camera ----
+
+  sceneCamera() {
+    const camera = this.scene?.camera;
+    if (camera) this.stage.setCamera(camera.from, camera.at, camera.field_of_view_deg);
+    else this.fit();
+  }
+
+  boxOf(packets) {
+    const box = new THREE.Box3(),
+      point = new THREE.Vector3();
+    for (const packet of packets) {
+      const data = packet?.arrays.position.data ?? [];
+      const stride = 3 * Math.max(1, Math.floor(data.length / 3 / 20000));
+      for (let k = 0; k + 2 < data.length; k += stride)
+        box.expandByPoint(point.set(data[k], data[k + 1], data[k + 2]));
+    }
+    return box;
+  }
+
+  fit() {
+    const box = this.boxOf(
+      [...this.stage.layers.values()].filter((l) => l.group.visible).map((l) => l.packet),
+    );
+    if (box.isEmpty()) return;
+    this.fitting = false;
+    this.stage.fit(box);
+  }
+
+  async copyCamera() {
+    const { camera, controls } = this.stage;
+    const line = cameraLine(camera.position.toArray(), controls.target.toArray(), camera.fov);
+    const copied = await navigator.clipboard?.writeText(line).then(
+      () => true,
+      () => false,
+    );
+    this.view.showCamera(line, copied);
+  }
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Uniforms and shader functions that all parts of the picture share.
+import * as THREE from 'three';
+import { paletteOf } from './colour_maps.js';
+
+const palette = new THREE.DataTexture(paletteOf('ember'), 256, 1, THREE.RGBAFormat);
+palette.minFilter = palette.magFilter = THREE.LinearFilter;
+palette.needsUpdate = true;
+
+/// Shared by reference: a change shows in all materials.
+export const shared = {
+  palette: { value: palette },
+  range: { value: new THREE.Vector2(0, 1) },
+  cut: { value: new THREE.Vector4(0, 0, 0, 1) }, // x is hidden where dot(cut.xyz, x) > cut.w
+  up: { value: new THREE.Vector3(0, 1, 0) }, // of the world, in the camera's frame
+  bright: { value: 1 }, // of the ambient light: 1 light theme, less in the dark
+};
+
+export function setPalette(name) {
+  palette.image.data.set(paletteOf(name));
+  palette.needsUpdate = true;
+}
+
+/// Source of a material's colours: one for all points, one each, values with the palette, or labels.
+export const PLAIN = 0,
+  OWN = 1,
+  VALUES = 2,
+  LABELS = 3;
+
+export const vertexCommon = /* glsl */ `
+precision highp float;
+precision highp int;
+uniform mat4 modelMatrix, viewMatrix, projectionMatrix;
+uniform vec4 cut;
+`;
+
+export const fragmentCommon = /* glsl */ `
+precision highp float;
+precision highp int;
+uniform sampler2D palette;
+uniform vec2 range;
+uniform vec3 up, plain;
+uniform vec4 cut;
+uniform float bright;
+
+vec3 linearOf(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
+vec3 srgbOf(vec3 c) {
+  return mix(12.92 * c, 1.055 * pow(max(c, 0.0), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+vec3 valueColour(float v) {
+  if (isnan(v) || isinf(v)) return vec3(0.5);
+  float t = range.y > range.x ? clamp((v - range.x) / (range.y - range.x), 0.0, 1.0) : 0.0;
+  return texture(palette, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+}
+vec3 labelColour(uint label) {
+  float k = float(label % 4096u);
+  float hue = fract(k * 0.61803398875), light = 0.58 + 0.14 * fract(k * 0.7548776662);
+  return light + 0.26 * cos(6.28318530718 * (hue + vec3(0.0, 1.0, 2.0) / 3.0));
+}
+/// albedo: sRGB; normal: towards the camera, in its frame; position: in its frame. Returns sRGB.
+vec3 shaded(vec3 albedo, vec3 normal, vec3 position) {
+  vec3 key = normalize(vec3(-0.35, 0.55, 0.76)), eye = normalize(-position);
+  float wrapped = max(0.0, (dot(normal, key) + 0.25) / 1.25);
+  float sky = 0.5 + 0.5 * dot(normal, up);
+  vec3 light = bright * mix(vec3(0.26, 0.25, 0.24), vec3(0.50, 0.53, 0.57), sky) + 0.66 * wrapped;
+  float shine = pow(max(0.0, dot(normal, normalize(key + eye))), 48.0);
+  return srgbOf(linearOf(albedo) * light + 0.10 * shine);
+}
+`;
+
+/// Colour by one of the four sources, in a vertex shader's outputs `colour`, `value` and `label`.
+export const colourInputs = /* glsl */ `
+in vec4 colour;
+in float value;
+in uint label;
+`;
+export const colourOutputs = /* glsl */ `
+out vec3 ownColour;
+out float ownValue;
+flat out uint ownLabel;
+void passColour() {
+  ownColour = colour.rgb;
+  ownValue = value;
+  ownLabel = label;
+}
+`;
+export const colourFragment = /* glsl */ `
+in vec3 ownColour;
+in float ownValue;
+flat in uint ownLabel;
+uniform int source;
+vec3 albedo() {
+  if (source == ${VALUES}) return valueColour(ownValue);
+  if (source == ${LABELS}) return labelColour(ownLabel);
+  return source == ${OWN} ? ownColour : plain;
+}
+`;
+
+/// Returns the uniforms of a material with colours.
+export function colourUniforms() {
+  return { ...shared, source: { value: PLAIN }, plain: { value: new THREE.Color(0.62, 0.67, 0.73) } };
+}
+
+/// Writes the index of a point instead of its colour: 24 bits of the index plus 1.
+export const pickOutput = /* glsl */ `
+vec4 indexColour(int index) {
+  int k = index + 1;
+  return vec4(float(k & 255), float((k >> 8) & 255), float((k >> 16) & 255), 255.0) / 255.0;
+}
+`;
