@@ -54,7 +54,7 @@ Names sorted(Names n) { return std::sort(n.begin(), n.end()), n; }
 }  // namespace
 
 TEST(Fields, LiquidHasTheNecessaryOnes) {
-  EXPECT_EQ(sorted(fields(block(false))), with(always, {"continuum.filling"}));
+  EXPECT_EQ(sorted(fields(block(false))), with(always, {"continuum.relativeDensity"}));
 }
 
 TEST(Fields, SolidHasTheNecessaryOnes) {
@@ -99,7 +99,7 @@ TEST(Fields, HeatAddsThree) {
             (Names{"continuum.enthalpy", "continuum.temperature", "continuum.heatFlow"}));
   Scene lossy = s;
   lossy.materials[0].convection = 1;
-  EXPECT_EQ(added(lossy, s), (Names{"continuum.exposure"}));
+  EXPECT_EQ(added(lossy, s), (Names{"continuum.freeSurfaceIndicator"}));
 }
 
 TEST(Fields, CohesionAndArtificialViscosityAddNone) {
@@ -110,10 +110,11 @@ TEST(Fields, CohesionAndArtificialViscosityAddNone) {
   EXPECT_EQ(added(s, block(false)), Names{});
   Scene energy = s;
   energy.numerics.tension = TensionForm::SurfaceEnergy;
-  EXPECT_EQ(added(energy, s), (Names{"continuum.surfaceGradient", "continuum.surfaceCover",
-                                     "continuum.surfacePull", "continuum.surfaceDraw"}));
+  EXPECT_EQ(added(energy, s),
+            (Names{"continuum.surfaceGradient", "continuum.surfaceColour",
+                   "continuum.surfaceEnergyByGradient", "continuum.surfaceEnergyByColour"}));
   s.materials[0].xsph = 0.1;
-  EXPECT_EQ(added(s, block(false)), (Names{"continuum.smoothing"}));
+  EXPECT_EQ(added(s, block(false)), (Names{"continuum.shiftingVelocity"}));
 }
 
 TEST(Fields, YieldFractureAndDampingAddTheirOwn) {
@@ -144,9 +145,9 @@ TEST(Fields, MeltingAddsItsOwn) {
   m.conductivity = {1, 1};
   s.bodies[0].temperatureGradient = {1, 0, 0};
   EXPECT_EQ(added(s, block(true)),
-            (Names{"continuum.filling", "continuum.enthalpy", "continuum.temperature", "continuum.liquid",
-                   "continuum.frame", "continuum.justFrozen", "continuum.standoff", "continuum.heatFlow",
-                   "continuum.softening", "solid.liquid", "solid.melted"}));
+            (Names{"continuum.relativeDensity", "continuum.enthalpy", "continuum.temperature",
+                   "continuum.liquid", "continuum.frame", "continuum.justFrozen", "continuum.contactOffset",
+                   "continuum.heatFlow", "continuum.softening", "solid.liquid", "solid.melted"}));
 }
 
 TEST(Fields, SurfaceAddsTwoToParticlesAndItsOwnTables) {
@@ -159,12 +160,14 @@ TEST(Fields, SurfaceAddsTwoToParticlesAndItsOwnTables) {
     return names;
   };
   s.surface.keepVolume = 0;
-  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceFill"}));
+  EXPECT_EQ(ofParticles(),
+            (Names{"continuum.surfacePosition", "continuum.component", "continuum.initialFill"}));
   s.surface.keepVolume = 1;
-  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare",
-                                  "continuum.surfaceFill"}));
+  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePosition", "continuum.component",
+                                  "continuum.surfaceVolumeRatio", "continuum.initialFill"}));
   s.bodies[0].packing = Packing::Relaxed;
-  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare"}))
+  EXPECT_EQ(ofParticles(),
+            (Names{"continuum.surfacePosition", "continuum.component", "continuum.surfaceVolumeRatio"}))
       << "a relaxed packing has no staircase to smooth";
 }
 

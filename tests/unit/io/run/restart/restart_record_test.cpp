@@ -194,16 +194,17 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   other.oriented[0].anchors[0].normal = true;
   std::swap(other.materials[0], other.materials[1]);
   EXPECT_EQ(restartConflicts(then, other),
-            (std::vector<std::string>{"domain.sides.x was not periodic, and is periodic now",
+            (std::vector<std::string>{"body.bust.material was \"wax\", and is \"oil\" now",
+                                      "domain.sides.x was not periodic, and is periodic now",
                                       // The tap's material keeps its name and has another place.
                                       "material.oil was 1, and is 0 now (place in the list)",
                                       "material.wax was 0, and is 1 now (place in the list)",
                                       "numerics.heat was \"enthalpy\", and is \"paper\" now",
                                       "oriented.film.anchor.0.normal was false, and is true now",
                                       "oriented.film.box.size is not in the scene any more",
-                                      "oriented.film.disc.radius was not in the scene then",
                                       "sheet.cloth.grid.depth is not in the scene any more",
                                       "sheet.cloth.grid.width is not in the scene any more",
+                                      "oriented.film.disc.radius was not in the scene then",
                                       "sheet.cloth.sphere.radius was not in the scene then"}));
   other = s;
   other.surface.merge = MergeRule::None;
