@@ -19,7 +19,7 @@ export async function launch(modules, program) {
 
 /// Opens the page and waits for its first frame, if there is one. Returns it with `errors`, its messages of
 /// console and scripts.
-export async function open(browser, address, { frame = true, dark = false, size = [1000, 640] } = {}) {
+export async function open(browser, address, { frame = true, dark = false, size = [1000, 500] } = {}) {
   const context = await browser.newContext({
     viewport: { width: size[0], height: size[1] },
     colorScheme: dark ? 'dark' : 'light',

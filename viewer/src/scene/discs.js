@@ -1,36 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfels and other points with normals as discs. Splats (splats.js) blends them into a smooth surface.
 import * as THREE from 'three';
-import { setPoints, squares } from './points_geometry.js';
-import {
-  colourFragment,
-  colourInputs,
-  colourOutputs,
-  colourUniforms,
-  fragmentCommon,
-  pickOutput,
-  vertexCommon,
-} from './shading.js';
+import { readPoint, showPoints, textureUniforms } from './point_textures.js';
+import { colourFragment, colourUniforms, fragmentCommon, pickOutput, vertexCommon } from './shading.js';
 
+/// moved: discs are moved away from the camera by a share of their radii.
 const vertex = (moved) => /* glsl */ `
 ${vertexCommon}
+${readPoint}
 uniform float size, behind;
-in vec3 position, centre, normal;
-in float radius;
-${colourInputs}
-${colourOutputs}
 out vec2 corner;
 out vec3 place, where, direction;
-flat out int number;
 void main() {
-  number = gl_InstanceID;
-  passColour();
+  vec3 normal;
+  float radius;
+  vec3 centre = readPoint(normal, radius);
   vec3 n = normalize(normal), a = abs(n.z) < 0.8 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
   vec3 u = normalize(cross(a, n)), v = cross(n, u);
-  corner = position.xy;
+  corner = squareCorner();
   where = centre + size * radius * (corner.x * u + corner.y * v);
   place = (viewMatrix * modelMatrix * vec4(where, 1.0)).xyz;
-${moved ? 'place += behind * radius * normalize(place);' : ''}
+  ${moved ? 'place += behind * radius * normalize(place);' : ''}
   direction = mat3(viewMatrix) * n;
   gl_Position = projectionMatrix * vec4(place, 1.0);
 }`;
@@ -56,6 +46,10 @@ void main() {
   colours = weight * vec4(linearOf(albedo()), 1.0);
   normals = weight * vec4(n, 1.0);
 }`;
+const depth = /* glsl */ `${fragmentStart}
+void main() {
+  ${inside}
+}`;
 const pick = /* glsl */ `${fragmentStart}
 out vec4 result;
 void main() {
@@ -65,9 +59,9 @@ void main() {
 
 export class Discs {
   constructor() {
-    this.uniforms = { ...colourUniforms(), size: { value: 1 }, behind: { value: 1 } };
-    // In front of neighbours by less than this, a disc is blended with them.
-    this.depthMaterial = this.materialOf(vertex(true), pick, { colorWrite: false });
+    this.uniforms = { ...colourUniforms(), ...textureUniforms(), size: { value: 1 }, behind: { value: 1 } };
+    // In front of neighbours by less than `behind`, a disc is blended with them.
+    this.depthMaterial = this.materialOf(vertex(true), depth, { colorWrite: false });
     this.blendMaterial = this.materialOf(vertex(false), blend, {
       depthWrite: false,
       transparent: true,
@@ -77,7 +71,7 @@ export class Discs {
       blendDst: THREE.OneFactor,
     });
     this.pickMaterial = this.materialOf(vertex(false), pick, {});
-    this.mesh = new THREE.Mesh(squares(), this.blendMaterial);
+    this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.blendMaterial);
     this.mesh.frustumCulled = false;
     this.mesh.visible = false;
   }
@@ -96,11 +90,8 @@ export class Discs {
 
   /// size: factor of the radii.
   show(packet, size) {
-    const geometry = squares();
-    this.uniforms.source.value = setPoints(geometry, packet, true);
-    this.uniforms.size.value = size;
-    geometry.instanceCount = packet.arrays.position.rows;
     this.mesh.geometry.dispose();
-    this.mesh.geometry = geometry;
+    this.mesh.geometry = showPoints(this.uniforms, packet);
+    this.uniforms.size.value = size;
   }
 }

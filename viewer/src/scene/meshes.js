@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles between points, seen from both sides: sheets, oriented bodies, and the lines of curves.
 import * as THREE from 'three';
-import { setPoints } from './points_geometry.js';
 import {
   colourFragment,
-  colourInputs,
-  colourOutputs,
   colourUniforms,
   fragmentCommon,
+  LABELS,
+  OWN,
   pickOutput,
+  PLAIN,
+  VALUES,
   vertexCommon,
 } from './shading.js';
 
-const vertex = /* glsl */ `
+const vertexShader = /* glsl */ `
 ${vertexCommon}
 in vec3 position, normal;
-${colourInputs}
-${colourOutputs}
+in vec4 colour;
+in float value;
+out vec3 ownColour;
+out float ownValue;
 out vec3 place, where, direction;
 flat out int number;
 void main() {
   number = gl_VertexID;
-  passColour();
+  ownColour = colour.rgb;
+  ownValue = value;
   where = position;
   place = (viewMatrix * modelMatrix * vec4(position, 1.0)).xyz;
   direction = mat3(viewMatrix) * normal;
@@ -49,6 +53,20 @@ const pick = `${fragmentStart}
   result = indexColour(number);
 }`;
 
+/// Returns a geometry of the points of a packet, and the source of their colours.
+function geometryOf({ position, normal, colour, value, label }) {
+  const geometry = new THREE.BufferGeometry();
+  const set = (name, data, components, normalised) =>
+    geometry.setAttribute(name, new THREE.BufferAttribute(data, components, normalised));
+  set('position', position.data, 3, false);
+  set('normal', normal.data, normal.components, true);
+  set('colour', colour?.data ?? new Uint8Array(4 * position.rows), 4, true);
+  const labels = label && Float32Array.from(label.data, (k) => k % 4096);
+  set('value', value?.data ?? labels ?? new Float32Array(position.rows), 1, false);
+  const source = value ? VALUES : label ? LABELS : colour ? OWN : PLAIN;
+  return { geometry, source };
+}
+
 export class Meshes {
   constructor() {
     this.uniforms = colourUniforms();
@@ -65,7 +83,7 @@ export class Meshes {
     return new THREE.RawShaderMaterial({
       glslVersion: THREE.GLSL3,
       uniforms,
-      vertexShader: vertex,
+      vertexShader,
       fragmentShader,
       side: THREE.DoubleSide,
     });
@@ -76,10 +94,10 @@ export class Meshes {
       [this.mesh, 'triangles'],
       [this.lines, 'lines'],
     ]) {
-      const geometry = new THREE.BufferGeometry();
-      this.uniforms.source.value = setPoints(geometry, packet, false);
+      const { geometry, source } = geometryOf(packet.arrays);
       const corners = packet.arrays[name];
       geometry.setIndex(new THREE.BufferAttribute(corners ? corners.data : new Uint32Array(0), 1));
+      this.uniforms.source.value = source;
       object.geometry.dispose();
       object.geometry = geometry;
     }

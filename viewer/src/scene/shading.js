@@ -13,7 +13,7 @@ export const shared = {
   range: { value: new THREE.Vector2(0, 1) },
   cut: { value: new THREE.Vector4(0, 0, 0, 1) }, // x is hidden where dot(cut.xyz, x) > cut.w
   up: { value: new THREE.Vector3(0, 1, 0) }, // of the world, in the camera's frame
-  bright: { value: 1 }, // of the ambient light: 1 light theme, less in the dark
+  bright: { value: 1 }, // of the ambient light: 1 in the light theme, less in the dark
 };
 
 export function setPalette(name) {
@@ -52,8 +52,7 @@ vec3 valueColour(float v) {
   float t = range.y > range.x ? clamp((v - range.x) / (range.y - range.x), 0.0, 1.0) : 0.0;
   return texture(palette, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
-vec3 labelColour(uint label) {
-  float k = float(label % 4096u);
+vec3 labelColour(float k) {
   float hue = fract(k * 0.61803398875), light = 0.58 + 0.14 * fract(k * 0.7548776662);
   return light + 0.26 * cos(6.28318530718 * (hue + vec3(0.0, 1.0, 2.0) / 3.0));
 }
@@ -68,30 +67,14 @@ vec3 shaded(vec3 albedo, vec3 normal, vec3 position) {
 }
 `;
 
-/// Colour by one of the four sources, in a vertex shader's outputs `colour`, `value` and `label`.
-export const colourInputs = /* glsl */ `
-in vec4 colour;
-in float value;
-in uint label;
-`;
-export const colourOutputs = /* glsl */ `
-out vec3 ownColour;
-out float ownValue;
-flat out uint ownLabel;
-void passColour() {
-  ownColour = colour.rgb;
-  ownValue = value;
-  ownLabel = label;
-}
-`;
+/// Colour by one of the four sources. ownValue: the value, or the label modulo 4096.
 export const colourFragment = /* glsl */ `
 in vec3 ownColour;
 in float ownValue;
-flat in uint ownLabel;
 uniform int source;
 vec3 albedo() {
   if (source == ${VALUES}) return valueColour(ownValue);
-  if (source == ${LABELS}) return labelColour(ownLabel);
+  if (source == ${LABELS}) return labelColour(floor(ownValue + 0.5));
   return source == ${OWN} ? ownColour : plain;
 }
 `;

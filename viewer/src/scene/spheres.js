@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Particles as spheres: a square each, on which rays are cut with the sphere. Depth is that of the sphere.
 import * as THREE from 'three';
-import { setPoints, squares } from './points_geometry.js';
-import {
-  colourFragment,
-  colourInputs,
-  colourOutputs,
-  colourUniforms,
-  fragmentCommon,
-  pickOutput,
-  vertexCommon,
-} from './shading.js';
+import { readPoint, showPoints, textureUniforms } from './point_textures.js';
+import { colourFragment, colourUniforms, fragmentCommon, pickOutput, vertexCommon } from './shading.js';
 
-const vertex = /* glsl */ `
+const vertexShader = /* glsl */ `
 ${vertexCommon}
+${readPoint}
 uniform float size;
-in vec3 position, centre;
-${colourInputs}
-${colourOutputs}
 out vec3 corner, middle;
-flat out int number;
 void main() {
-  number = gl_InstanceID;
-  passColour();
+  vec3 normal;
+  float radius;
+  vec3 centre = readPoint(normal, radius);
+  vec2 side = squareCorner();
   middle = (viewMatrix * modelMatrix * vec4(centre, 1.0)).xyz;
   if (dot(cut.xyz, centre) > cut.w || middle.z > -size) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
@@ -33,7 +24,7 @@ void main() {
   vec3 over = cross(right, ahead);
   float far = length(middle), near = far - size;
   float wide = size * near / sqrt(max(far * far - size * size, 1e-12));
-  corner = middle - size * ahead + wide * (position.x * right + position.y * over);
+  corner = middle - size * ahead + wide * (side.x * right + side.y * over);
   gl_Position = projectionMatrix * vec4(corner, 1.0);
 }`;
 
@@ -62,11 +53,10 @@ const pick = `${fragmentStart}
 
 export class Spheres {
   constructor() {
-    this.geometry = squares();
-    this.uniforms = { ...colourUniforms(), size: { value: 0.01 } };
+    this.uniforms = { ...colourUniforms(), ...textureUniforms(), size: { value: 0.01 } };
     this.material = this.materialOf(draw);
     this.pickMaterial = this.materialOf(pick);
-    this.mesh = new THREE.Mesh(this.geometry, this.material);
+    this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
     this.mesh.frustumCulled = false;
   }
 
@@ -75,18 +65,15 @@ export class Spheres {
     return new THREE.RawShaderMaterial({
       glslVersion: THREE.GLSL3,
       uniforms,
-      vertexShader: vertex,
+      vertexShader,
       fragmentShader,
     });
   }
 
   /// radius: m.
   show(packet, radius) {
-    const geometry = squares();
-    this.uniforms.source.value = setPoints(geometry, packet, true);
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = showPoints(this.uniforms, packet);
     this.uniforms.size.value = radius;
-    geometry.instanceCount = packet.arrays.position.rows;
-    this.geometry.dispose();
-    this.geometry = this.mesh.geometry = geometry;
   }
 }
