@@ -217,11 +217,21 @@ class Pair:
             f'{name} is in B only' for name in self.b.numbers if name not in self.a.numbers
         ]
 
+    def compareValues(self) -> None:
+        for name, x in self.a.values.items():
+            y = self.b.values.get(name)
+            if y is None:
+                self.result.general.append(f'{name} is in A only')
+            elif x != y:
+                self.result.general.append(f'{name}: A {x}, B {y}')
+        self.result.general += [f'{name} is in B only' for name in self.b.values if name not in self.a.values]
+
 
 def compareSnapshots(a: Snapshot, b: Snapshot, tolerance: Optional[float]) -> Comparison:
     result = Comparison(a.path, b.path, [], {}, [])
     pair = Pair(a, b, tolerance, result)
     pair.compareNumbers()
+    pair.compareValues()
     pair.compareTables()
     return result
 

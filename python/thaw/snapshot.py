@@ -38,6 +38,7 @@ class Snapshot(NamedTuple):
     path: str
     numbers: Dict[str, Number]
     tables: Dict[str, Table]
+    values: Dict[str, str] = {}  #: keys of the scene whose values are no numbers
 
 
 def whole(value: Any) -> Number:
@@ -73,10 +74,10 @@ def numbersOf(checkpoint: Checkpoint) -> Dict[str, Number]:
             'step': whole(top.attrs['step']),
             'dt': real(top.attrs['dt'], 's'),
         }
-        groups = {'counter ': top, 'watch ': top, '': top}
-        for begin, name in (('counter ', 'counters'), ('watch ', 'watch'), ('', 'values')):
-            for key, value in groups[begin][name].attrs.items() if name in top else ():
-                numbers[begin + key] = numberOf(value)
+        for name in ('counter', 'watch'):
+            group = 'counters' if name == 'counter' else name
+            for key, value in top[group].attrs.items() if group in top else ():
+                numbers[f'{name} {key}'] = numberOf(value)
         units = {}
         for key, data in top['ledger'].items():
             units[key] = textOf(data.attrs['units'])
@@ -89,6 +90,19 @@ def numbersOf(checkpoint: Checkpoint) -> Dict[str, Number]:
             for key, value in file['surface/counters'].attrs.items():
                 numbers[f'surface {key}'] = whole(value)
     return numbers
+
+
+def valuesOf(checkpoint: Checkpoint) -> Dict[str, str]:
+    """Values of the keys of the scene as texts, by name."""
+    with checkpoint._hdf.open() as file:
+        return {name: textOf(value) for name, value in file['checkpoint/values'].attrs.items()}
+
+
+def asNumber(text: str) -> Optional[float]:
+    try:
+        return float(text)
+    except ValueError:
+        return None
 
 
 def columnsOf(checkpoint: Checkpoint, table: str, without: List[str]) -> Dict[str, str]:
@@ -123,4 +137,10 @@ def snapshotOfCheckpoint(checkpoint: Checkpoint) -> Snapshot:
         tables['solids'] = tables['solids']._replace(
             first_bond=first, bonds={f'bond {n}': u for n, u in bonds.items()}
         )
-    return Snapshot(checkpoint.path, numbersOf(checkpoint), tables)
+    numbers, values = numbersOf(checkpoint), valuesOf(checkpoint)
+    for name in list(values):
+        number = asNumber(values[name])
+        if number is not None:
+            numbers[name] = real(number, '')
+            del values[name]
+    return Snapshot(checkpoint.path, numbers, tables, values)
