@@ -25,6 +25,10 @@ void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame,
                        const std::vector<std::array<std::uint32_t, 2>>& lines = {});
 
+/// Writes the triangles of meshes with normals, colours, the index of the mesh as "object", and the fields
+/// that all of them have. time: s.
+void writeMeshVtp(const std::filesystem::path& file, double time, const std::vector<ComponentMesh>& meshes);
+
 /// Writes a scene for POV-Ray 3.7: discs, camera, sun, sky, and floors. Lengths are scaled to a stage ten
 /// units across.
 void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours,
@@ -32,7 +36,8 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 
 /// Write the closed meshes of components to one file, with normals and colours at the vertices. PLY is
 /// binary: each face has its component's index in the list (0, 1, ...), lines are edges, and ids are split in
-/// halves (id_high, id_low: PLY has no 64-bit type). OBJ has an object `component_LABEL` for each, and lines
+/// halves (id_high, id_low: PLY has no 64-bit type). Velocities, temperatures and liquid fractions are there if
+/// all meshes have them. OBJ has an object `component_LABEL` for each, or one with its name, and lines
 /// as `l`. The line of a mesh that is cut ends with ", which extends through ..." (cutNote; else empty).
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);

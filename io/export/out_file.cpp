@@ -30,6 +30,13 @@ void OutFile::fail() const {
 
 void OutFile::bytes(const void* data, std::size_t count) {
   if (count > 0 && std::fwrite(data, 1, count, file_.get()) != count) fail();
+  size_ += count;
+}
+
+void OutFile::overwrite(std::uint64_t at, const void* data, std::size_t count) {
+  if (fseeko(file_.get(), static_cast<off_t>(at), SEEK_SET) != 0 ||
+      std::fwrite(data, 1, count, file_.get()) != count || fseeko(file_.get(), 0, SEEK_END) != 0)
+    fail();
 }
 
 void OutFile::finish() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // File written under a temporary name and renamed at the end, so it is either complete or absent.
 #pragma once
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -22,6 +23,10 @@ class OutFile {
   template<class T> void array(const std::vector<T>& values) {
     bytes(values.data(), values.size() * sizeof(T));
   }
+  /// Replaces bytes that are already written.
+  void overwrite(std::uint64_t at, const void* data, std::size_t count);
+  /// Bytes so far.
+  std::uint64_t size() const { return size_; }
   void finish();
 
  private:
@@ -31,6 +36,7 @@ class OutFile {
   };
   std::filesystem::path path_, part_;
   std::unique_ptr<std::FILE, Close> file_;
+  std::uint64_t size_ = 0;
 };
 
 }  // namespace thaw

@@ -35,6 +35,30 @@ constexpr const char* vertexProperties =
     "float nz\n"
     "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 
+/// Fields that all meshes have at their vertices.
+struct FieldsOfAll {
+  bool velocities = true, temperatures = true, liquid = true;
+  explicit FieldsOfAll(const std::vector<ComponentMesh>& meshes) {
+    for (const ComponentMesh& m : meshes) {
+      const std::size_t n = m.mesh.vertices.size();
+      velocities = velocities && m.velocities.size() == n;
+      temperatures = temperatures && m.temperatures.size() == n;
+      liquid = liquid && m.liquid.size() == n;
+    }
+  }
+  std::string properties() const {
+    return std::string(velocities ? "property float velocity_x\nproperty float velocity_y\nproperty float "
+                                    "velocity_z\n"
+                                  : "") +
+           (temperatures ? "property float temperature\n" : "") + (liquid ? "property float liquid\n" : "");
+  }
+  void write(const ComponentMesh& m, std::size_t v, OutFile& out) const {
+    if (velocities) out.number(m.velocities[v]);
+    if (temperatures) out.number(m.temperatures[v]);
+    if (liquid) out.number(m.liquid[v]);
+  }
+};
+
 }  // namespace
 
 std::string cutNote(const ComponentMesh& mesh) {
@@ -89,17 +113,20 @@ void writeMeshPly(const std::filesystem::path& file, const std::vector<Component
   out.text(
       fmt::format("ply\nformat {} 1.0\ncomment surface of thaw, m; components in this order:\n", ending));
   for (const ComponentMesh& m : meshes)
-    out.text(fmt::format("comment component {}{}\n", m.component, cutNote(m)));
+    out.text(m.name.empty() ? fmt::format("comment component {}{}\n", m.component, cutNote(m))
+                            : fmt::format("comment object {}\n", m.name));
+  const FieldsOfAll fields(meshes);
   out.text(fmt::format(
-      "element vertex {}\n{}{}element face {}\nproperty list uchar int vertex_indices\nproperty int "
+      "element vertex {}\n{}{}{}element face {}\nproperty list uchar int vertex_indices\nproperty int "
       "component\n{}end_header\n",
-      vertices, vertexProperties, ids ? "property uint id_high\nproperty uint id_low\n" : "", faces,
+      vertices, vertexProperties, fields.properties(), ids ? "property uint id_high\nproperty uint id_low\n" : "", faces,
       edges > 0 ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges) : ""));
   for (const ComponentMesh& m : meshes)
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
       place(out, m.mesh.vertices[v]);
       out.number(m.normals[v]);
       for (int a = 0; a < 3; a++) out.number(byteOf(m.colours[v][a]));
+      fields.write(m, v, out);
       if (!ids) continue;
       out.number(static_cast<std::uint32_t>(m.ids[v] >> 32));
       out.number(static_cast<std::uint32_t>(m.ids[v]));
@@ -132,7 +159,8 @@ void writeMeshObj(const std::filesystem::path& file, const std::vector<Component
     lines.clear();
     if (const std::string note = cutNote(m); !note.empty())
       fmt::format_to(std::back_inserter(lines), "# component {}{}\n", m.component, note);
-    fmt::format_to(std::back_inserter(lines), "o component_{}\n", m.component);
+    if (m.name.empty()) fmt::format_to(std::back_inserter(lines), "o component_{}\n", m.component);
+    else fmt::format_to(std::back_inserter(lines), "o {}\n", m.name);
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
       const Vec3d& x = m.mesh.vertices[v];
       const Vec3f &c = m.colours[v], &n = m.normals[v];

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <string>
@@ -154,6 +156,41 @@ void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame
   if (!lines.empty()) edges.addTo(a, "Lines");
   polygons.addTo(a, "Polys");
   writePolyData(file, frame.time, n, {0, lines.size(), frame.triangles.size()}, a);
+}
+
+void writeMeshVtp(const std::filesystem::path& file, double time, const std::vector<ComponentMesh>& meshes) {
+  std::vector<Vec3f> points, normals, velocities;
+  std::vector<Rgb> colours;
+  std::vector<float> temperatures, liquid;
+  std::vector<std::uint32_t> components;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  const auto append = [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
+  const auto byte = [](float c) { return static_cast<std::uint8_t>(std::lround(std::clamp(c, 0.0f, 255.0f))); };
+  for (const ComponentMesh& m : meshes) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const Vec3d& x : m.mesh.vertices) points.push_back(single(x));
+    for (const Vec3f& c : m.colours) colours.push_back({byte(c.x), byte(c.y), byte(c.z)});
+    for (const auto& t : m.mesh.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    components.resize(points.size(), static_cast<std::uint32_t>(&m - meshes.data()));
+    append(m.normals, normals), append(m.velocities, velocities);
+    append(m.temperatures, temperatures), append(m.liquid, liquid);
+  }
+  const Cells polygons(triangles);
+  const std::size_t n = points.size();
+  Appended a;
+  a.xml = "<PointData Normals=\"normal\">\n";
+  a.addVector("type=\"Float32\" Name=\"normal\" NumberOfComponents=\"3\"", normals);
+  a.addVector("type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", colours);
+  a.addVector("type=\"UInt32\" Name=\"object\"", components);
+  if (velocities.size() == n)
+    a.addVector("type=\"Float32\" Name=\"velocity\" NumberOfComponents=\"3\"", velocities);
+  if (temperatures.size() == n) a.addVector("type=\"Float32\" Name=\"temperature\"", temperatures);
+  if (liquid.size() == n) a.addVector("type=\"Float32\" Name=\"liquid\"", liquid);
+  a.xml += "</PointData>\n<Points>\n";
+  a.addVector("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", points);
+  a.xml += "</Points>\n";
+  polygons.addTo(a, "Polys");
+  writePolyData(file, time, n, {0, 0, triangles.size()}, a);
 }
 
 }  // namespace thaw

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/commands/export/export_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+#include <thread>
+
+#include "io/commands/export/in_order.hpp"
+#include "io/text/bytes_text.hpp"
+
+namespace thaw {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Returns the time between frames (s), from the first and last one; 0 for fewer than two.
+double intervalOf(const std::vector<FrameGroup>& groups) {
+  if (groups.size() < 3) return 0;  // the last frame may come early, at the end of the run
+  const std::size_t last = groups.size() - 2;
+  const double from = readFrameInfo(groups[0].first().string()).time,
+               to = readFrameInfo(groups[last].first().string()).time;
+  return (to - from) / static_cast<double>(last);
+}
+
+/// Returns the expected size of an export in bytes, from the rows of its first, middle and last frame.
+double expectedSize(const std::vector<FrameGroup>& groups, const ExportFormat& format, unsigned contents) {
+  double rows = 0;
+  const std::size_t samples[] = {0, groups.size() / 2, groups.size() - 1};
+  for (const std::size_t k : samples)
+    for (const auto& [content, file] :
+         {std::pair{surfaceContent, groups[k].surface}, std::pair{sheetContent, groups[k].sheets},
+          std::pair{orientedContent, groups[k].oriented}, std::pair{particleContent, groups[k].particles}})
+      if ((contents & content) && !file.empty())
+        rows += static_cast<double>(readFrameInfo(file.string()).count) / std::size(samples);
+  return rows * format.bytesPerRow * static_cast<double>(groups.size());
+}
+
+/// Returns export/ in the run folder. The input is that folder, its frames/ or a file in there.
+fs::path exportFolder(const fs::path& input) {
+  fs::path folder = fs::is_directory(input) ? input : input.parent_path();
+  if (folder.filename().empty() && folder.has_parent_path()) folder = folder.parent_path();  // "run/"
+  if (folder.filename() == "frames") folder = folder.parent_path();
+  return folder / "export";
+}
+
+}  // namespace
+
+void printNotes(const GatherNotes& notes) {
+  for (const std::string& note : notes.notes) fmt::print("{}\n", note);
+  for (const std::string& warning : notes.warnings) fmt::print(stderr, "thaw export: {}\n", warning);
+}
+
+bool isComplete(const fs::path& file, const std::vector<FrameGroup>& groups) {
+  std::error_code error;
+  const auto made = fs::last_write_time(file, error);
+  if (error) return false;
+  for (const FrameGroup& group : groups)
+    for (const fs::path* frame : {&group.surface, &group.particles, &group.sheets, &group.oriented})
+      if (!frame->empty() && fs::last_write_time(*frame, error) > made) return false;
+  return true;
+}
+
+void startExport(const ExportOptions& options, const ExportFormat& format, ExportRun& run) {
+  run.job.options = &options;
+  run.job.format = &format;
+  run.job.scenes = &run.scenes;
+  run.groups = findFrameGroups(options, format, run.job.contents);
+  constexpr unsigned coloured = surfaceContent | particleContent;
+  if (!(run.job.contents & coloured) && options.field != "surface")
+    throw std::invalid_argument(
+        "sheets and oriented particles are exported in their own colours, --as vtp with all fields: expected "
+        "no --field, got " +
+        options.field);
+  const int cores = options.threads > 0 ? options.threads
+                                        : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  run.threads = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(cores), run.groups.size()));
+  run.job.threads = run.groups.size() == 1 ? cores : 1;
+  run.job.interval = intervalOf(run.groups);
+  if (run.groups.size() > 1)
+    fmt::print("{} frames as {}, about {}\n", run.groups.size(), format.name,
+               bytesText(expectedSize(run.groups, format, run.job.contents)));
+}
+
+void exportFrames(const ExportOptions& options, const ExportFormat& format) {
+  ExportRun run;
+  startExport(options, format, run);
+  const bool one = run.groups.size() == 1 && !fs::is_directory(options.out) && options.out.has_extension();
+  const fs::path folder = options.out.empty() ? exportFolder(options.input) : options.out;
+  std::vector<fs::path> files;
+  for (const FrameGroup& group : run.groups)
+    files.push_back(one ? options.out : folder / (group.first().stem().string() + format.extension));
+  if (files[0].has_parent_path()) fs::create_directories(files[0].parent_path());
+  std::size_t skipped = 0;
+  ProgressLine progress(files.size());
+  struct Written {
+    GatherNotes notes;
+    bool isSkipped = false;
+  };
+  parallelInOrder(
+      files.size(), run.threads,
+      [&](std::size_t k) {
+        Written written;
+        written.isSkipped = options.resume && isComplete(files[k], {run.groups[k]});
+        if (!written.isSkipped)
+          format.writeFrame(files[k], gatherScene(run.groups[k], run.job, written.notes));
+        return written;
+      },
+      [&](std::size_t k, Written written) {
+        skipped += written.isSkipped;
+        if (!written.isSkipped) {
+          printNotes(written.notes);
+          fmt::print("{}: {}\n", files[k].string(), written.notes.summary);
+        }
+        progress.done(k + 1);
+      });
+  if (skipped > 0) fmt::print("{} complete files are kept\n", skipped);
+}
+
+void exportUsd(const fs::path& given, const ExportOptions& options) {
+  const ExportFormat& format = exportFormatNamed(options.as);
+  ExportRun run;
+  startExport(options, format, run);
+  std::string name = readFrameInfo(run.groups[0].first().string()).sceneName;
+  if (name.empty()) name = "run";
+  const fs::path file = !given.empty() && !fs::is_directory(given)
+                            ? given
+                            : (given.empty() ? exportFolder(options.input) : given) / (name + format.extension);
+  if (options.resume && isComplete(file, run.groups)) {
+    fmt::print("{} is complete and kept\n", file.string());
+    return;
+  }
+  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  writeUsd(file, name, run);
+}
+
+}  // namespace thaw

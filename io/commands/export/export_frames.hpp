@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Export of many frames, several in parallel.
+#pragma once
+#include "io/commands/export/gather_scene.hpp"
+
+namespace thaw {
+
+/// Frames of an export, and what their threads share.
+struct ExportRun {
+  std::vector<FrameGroup> groups;
+  RunScenes scenes;
+  GatherJob job;
+  int threads = 1;  ///< frames at a time
+};
+
+/// Finds the frames, and prints their number and the expected size unless there is only one. Throws IoError
+/// and std::invalid_argument.
+void startExport(const ExportOptions& options, const ExportFormat& format, ExportRun& run);
+
+/// Prints notes and warnings of a frame.
+void printNotes(const GatherNotes& notes);
+
+/// Returns whether a file is complete: it exists and is newer than the frames that it is made from. Files get
+/// their name when they are complete.
+bool isComplete(const std::filesystem::path& file, const std::vector<FrameGroup>& groups);
+
+/// Writes one file per frame. Throws IoError and std::invalid_argument.
+void exportFrames(const ExportOptions& options, const ExportFormat& format);
+
+/// Writes a run as one USD layer: text if the file ends in .usda, else crate.
+void exportUsd(const std::filesystem::path& file, const ExportOptions& options);
+
+/// Writes the frames of a run as one USD layer. name: of the root prim. Prints a summary.
+void writeUsd(const std::filesystem::path& file, const std::string& name, ExportRun& run);
+
+/// A line on a terminal that is redrawn as frames are done.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::size_t count);
+  ~ProgressLine();
+  void done(std::size_t frames);
+
+ private:
+  std::size_t count_;
+  double start_;
+  bool isTerminal_;
+};
+
+}  // namespace thaw

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options of `thaw export`.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace thaw {
+
+struct ExportOptions {
+  std::filesystem::path input;  ///< frame, series index, or run folder
+  std::filesystem::path out;    ///< file for one frame or a sequence, folder for several frames; empty:
+                                ///< export/ in the run's folder
+  std::string what;  ///< kinds of contents, separated by commas; empty: those of the format's default
+  std::string as;    ///< name of a format (formats.hpp)
+  std::string field = "surface";  ///< source of the colours: the surface's own, or a field
+  std::string map = "ember";
+  std::optional<double> min, max;  ///< range of the colours, SI; empty: the range of the frame
+  double cell = 1;                 ///< cell edge of the mesh grid, over the surfels' mean radius
+  int threads = 0;                 ///< 0: one per core
+  bool resume = false;             ///< skips files that are complete
+};
+
+}  // namespace thaw

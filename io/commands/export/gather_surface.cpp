@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/geometry/trees/point_tree.hpp"
+#include "io/commands/export/gather_scene.hpp"
+#include "io/export/export_surface.hpp"
+#include "io/hdf5/io_error.hpp"
+#include "io/render/image/parallel_for.hpp"
+
+namespace thaw {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t neighbours = 4;
+
+/// Weights of the points nearest to a place: inverse squared distances.
+struct NearWeights {
+  std::vector<std::uint32_t> rows;
+  std::vector<double> shares;
+  NearWeights(const PointTree& tree, const Vec3d& x) : rows(tree.nearest(x, neighbours)) {
+    double sum = 0;
+    for (const std::uint32_t i : rows) {
+      const Vec3d d = tree.points()[i] - x;
+      shares.push_back(1 / (dot(d, d) + 1e-30));
+      sum += shares.back();
+    }
+    for (double& s : shares) s /= sum;
+  }
+};
+
+/// Adds the fields that surfels lack and particles have, from the nearest particles inside.
+void addFieldsOfParticles(SurfaceFrame& surfels, const FrameData& particles) {
+  std::vector<const FrameColumn*> missing;
+  for (const char* name : {"velocity", "temperature", "liquid"})
+    if (const FrameColumn* c = particles.find(name); c && !surfels.find(name)) missing.push_back(c);
+  if (missing.empty() || particles.positions.empty()) return;
+  const PointTree tree(particles.positions);
+  std::vector<NearWeights> weights;
+  weights.reserve(surfels.positions.size());
+  for (std::size_t i = 0; i < surfels.positions.size(); i++) {
+    const Vec3f& n = surfels.normals[i];
+    weights.emplace_back(tree, surfels.positions[i] - static_cast<double>(surfels.radii[i]) * Vec3d{n.x, n.y, n.z});
+  }
+  for (const FrameColumn* c : missing) {
+    FrameColumn column{c->name, c->unit, Element::F32, c->components, {}};
+    std::vector<float> values;
+    values.reserve(weights.size() * static_cast<std::size_t>(c->components));
+    for (const NearWeights& w : weights)
+      for (int k = 0; k < c->components; k++) {
+        double sum = 0;
+        for (std::size_t m = 0; m < w.rows.size(); m++) sum += w.shares[m] * c->value(w.rows[m], k);
+        values.push_back(static_cast<float>(sum));
+      }
+    column.bytes.resize(values.size() * sizeof(float));
+    if (!values.empty()) std::memcpy(column.bytes.data(), values.data(), column.bytes.size());
+    surfels.columns.push_back(std::move(column));
+  }
+}
+
+/// Returns one colour per surfel. Throws IoError for an unknown field.
+std::vector<Rgb> coloursOf(const SurfaceFrame& frame, const ExportOptions& options, const fs::path& file) {
+  if (options.field == "surface") return frame.colours;
+  const FrameColumn* column = frame.find(options.field);
+  if (column && column->components == 1) return coloursOfColumn(*column, frame.positions.size(), options);
+  std::string names = "surface";
+  for (const FrameColumn& c : frame.columns)
+    if (c.components == 1) names += ", " + c.name;
+  throw IoError(file.string(), "has no field '" + options.field + "' for the colours; there are: " + names);
+}
+
+/// Fields of surfels for the vertices of meshes.
+struct SurfelFields {
+  std::vector<Vec3f> velocities;
+  std::vector<float> temperatures, liquid;
+};
+
+/// Adds the fields of the nearest surfels of its component to a mesh.
+void addFieldsOfSurfels(ComponentMesh& mesh, const SurfaceFrame& frame, const ComponentRows& component,
+                        const SurfelFields& fields, const PeriodicSides& sides) {
+  if (fields.velocities.empty() && fields.temperatures.empty() && fields.liquid.empty()) return;
+  const UnwrappedComponent whole = unwrapComponent(frame, component.rows, sides);
+  const PointTree tree(whole.positions);
+  for (const Vec3d& x : mesh.mesh.vertices) {
+    const NearWeights near(tree, x);
+    Vec3f velocity{};
+    float temperature = 0, liquid = 0;
+    for (std::size_t k = 0; k < near.rows.size(); k++) {
+      const std::uint32_t row = component.rows[near.rows[k]];
+      const auto share = static_cast<float>(near.shares[k]);
+      if (!fields.velocities.empty()) velocity += share * fields.velocities[row];
+      if (!fields.temperatures.empty()) temperature += share * fields.temperatures[row];
+      if (!fields.liquid.empty()) liquid += share * fields.liquid[row];
+    }
+    if (!fields.velocities.empty()) mesh.velocities.push_back(velocity);
+    if (!fields.temperatures.empty()) mesh.temperatures.push_back(temperature);
+    if (!fields.liquid.empty()) mesh.liquid.push_back(liquid);
+  }
+}
+
+std::vector<ComponentMesh> meshesOf(const SurfaceFrame& frame, const std::vector<Rgb>& colours,
+                                    const GatherJob& job, const PeriodicSides& sides) {
+  const std::vector<ComponentRows> components = rowsByComponent(frame);
+  const std::size_t rows = frame.positions.size();
+  const SurfelFields fields{vectorsOf(frame.find("velocity"), rows),
+                            numbersOf(frame.find("temperature"), rows),
+                            numbersOf(frame.find("liquid"), rows)};
+  std::vector<ComponentMesh> meshes(components.size());
+  parallelFor(components.size(), job.threads, [&](std::size_t c) {
+    meshes[c] = meshOfComponent(frame, components[c], colours, sides, job.options->cell);
+    if (!meshes[c].mesh.triangles.empty())
+      addFieldsOfSurfels(meshes[c], frame, components[c], fields, sides);
+  });
+  return meshes;
+}
+
+void addNotes(const std::vector<ComponentMesh>& meshes, std::size_t empty, const fs::path& file, double cell,
+              GatherNotes& notes) {
+  std::size_t finer = 0, triangles = 0;
+  for (const ComponentMesh& m : meshes) {
+    triangles += m.mesh.triangles.size();
+    finer += m.edge < m.asked;
+    if (const std::string note = cutNote(m); !note.empty())
+      notes.notes.push_back(fmt::format("component {}{}", m.component, note));
+  }
+  if (cell > 1 && finer > 0)
+    notes.warnings.push_back(
+        fmt::format("warning: {}: --cell {:g}: cubes of {:.3g} m are too wide for {} of {} components, which "
+                    "use finer ones; 0.5 to 2 is recommended",
+                    file.string(), cell, meshes[0].asked, finer, meshes.size()));
+  notes.summary = fmt::format("{} component{}, {} triangles", meshes.size(), meshes.size() == 1 ? "" : "s",
+                              triangles);
+  if (empty > 0) notes.summary += fmt::format("; {} components enclose nothing and are left out", empty);
+}
+
+}  // namespace
+
+void gatherSurface(const FrameGroup& group, const GatherJob& job, ExportScene& scene, GatherNotes& notes) {
+  SurfaceFrame frame;
+  FrameData particles;
+  {
+    const std::lock_guard lock(job.scenes->hdf5);
+    frame = readSurfaceFrame(group.surface.string());
+    if (!group.particles.empty())
+      particles = readFrame(group.particles.string(), [](const std::string& name) {
+        return name == "velocity" || name == "temperature" || name == "liquid";
+      });
+  }
+  addFieldsOfParticles(frame, particles);
+  scene.surfelColours = coloursOf(frame, *job.options, group.surface);
+  if (job.format->keepsSurfels && job.contents == surfaceContent) {
+    notes.summary = fmt::format("{} surfels", frame.positions.size());
+  } else {
+    ExportObject surface{"surface", ExportKind::Surface, {}, {}, false};
+    surface.parts = meshesOf(frame, scene.surfelColours, job, scene.periodic);
+    const auto empty = static_cast<std::size_t>(
+        std::erase_if(surface.parts, [](const ComponentMesh& m) { return m.mesh.triangles.empty(); }));
+    addNotes(surface.parts, empty, group.surface, job.options->cell, notes);
+    scene.objects.push_back(std::move(surface));
+  }
+  scene.surfels = std::move(frame);
+}
+
+}  // namespace thaw

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/export/write_bgeo.hpp"
+
+#include <bit>
+#include <limits>
+
+#include "io/export/out_file.hpp"
+#include "io/hdf5/io_error.hpp"
+
+namespace thaw {
+
+namespace {
+
+enum AttributeType : std::int32_t { floatType = 0, integerType = 1, vectorType = 5 };
+constexpr std::uint16_t longestRun = 30000;  // polygons behind one key
+
+/// Writes big-endian numbers.
+class BigEndian {
+ public:
+  explicit BigEndian(const std::filesystem::path& file) : out_(file) {}
+  void put(std::uint32_t v) {
+    const unsigned char b[4] = {byte(v >> 24), byte(v >> 16), byte(v >> 8), byte(v)};
+    out_.bytes(b, 4);
+  }
+  void put(std::int32_t v) { put(static_cast<std::uint32_t>(v)); }
+  void put(std::uint16_t v) {
+    const unsigned char b[2] = {byte(v >> 8u), byte(v)};
+    out_.bytes(b, 2);
+  }
+  void put(float v) { put(std::bit_cast<std::uint32_t>(v)); }
+  void put(const Vec3f& v) { put(v.x), put(v.y), put(v.z); }
+  void put(char c) { out_.bytes(&c, 1); }
+  void text(std::string_view s) { out_.text(s); }
+  void attribute(std::string_view name, std::uint16_t size, AttributeType type) {
+    put(static_cast<std::uint16_t>(name.size()));
+    text(name);
+    put(size);
+    put(static_cast<std::int32_t>(type));
+    for (int k = 0; k < size; k++) put(std::int32_t{0});  // defaults
+  }
+  void finish() { out_.finish(); }
+
+ private:
+  static unsigned char byte(std::uint32_t v) { return static_cast<unsigned char>(v & 255); }
+  OutFile out_;
+};
+
+/// Attributes of a point, in the order of the file.
+struct BgeoPoint {
+  Vec3f position, normal, velocity, colour;
+  float radius = 0;
+  std::int32_t id = -1;
+  float temperature = 0, liquid = 0;
+  std::int32_t component = -1;
+
+  static void declare(BigEndian& out) {
+    out.attribute("N", 3, vectorType);
+    out.attribute("v", 3, vectorType);
+    out.attribute("Cd", 3, floatType);
+    out.attribute("pscale", 1, floatType);
+    out.attribute("id", 1, integerType);
+    out.attribute("temperature", 1, floatType);
+    out.attribute("liquid", 1, floatType);
+    out.attribute("component", 1, integerType);
+  }
+  static constexpr std::int32_t attributes = 8;
+  void write(BigEndian& out) const {
+    out.put(position);
+    out.put(1.0f);
+    out.put(normal), out.put(velocity), out.put(colour * (1 / 255.0f));
+    out.put(radius), out.put(id), out.put(temperature), out.put(liquid), out.put(component);
+  }
+};
+
+template<class T> T valueAt(const std::vector<T>& values, std::size_t i, const T& otherwise) {
+  return i < values.size() ? values[i] : otherwise;
+}
+
+std::int32_t shortId(const std::vector<std::uint64_t>& ids, std::size_t i) {
+  return i < ids.size() ? static_cast<std::int32_t>(ids[i] & 0x7fffffff) : -1;
+}
+
+constexpr Vec3f plain{200, 200, 200};
+
+void writeVertices(const ComponentMesh& mesh, std::int32_t number, BigEndian& out) {
+  for (std::size_t v = 0; v < mesh.mesh.vertices.size(); v++) {
+    BgeoPoint p;
+    p.position = single(mesh.mesh.vertices[v]);
+    p.normal = valueAt(mesh.normals, v, {});
+    p.velocity = valueAt(mesh.velocities, v, {});
+    p.colour = valueAt(mesh.colours, v, plain);
+    p.id = shortId(mesh.ids, v);
+    p.temperature = valueAt(mesh.temperatures, v, 0.0f);
+    p.liquid = valueAt(mesh.liquid, v, 0.0f);
+    p.component = number;
+    p.write(out);
+  }
+}
+
+void writeParticles(const ExportPoints& points, BigEndian& out) {
+  for (std::size_t i = 0; i < points.positions.size(); i++) {
+    BgeoPoint p;
+    p.position = points.positions[i];
+    p.velocity = valueAt(points.velocities, i, {});
+    p.colour = valueAt(points.colours, i, plain);
+    p.radius = 0.5f * points.width;
+    p.id = shortId(points.ids, i);
+    p.temperature = valueAt(points.temperatures, i, 0.0f);
+    p.liquid = valueAt(points.liquid, i, 0.0f);
+    p.write(out);
+  }
+}
+
+/// Writes triangles in runs. wide: point numbers have 32 bits, else 16.
+void writeTriangles(const std::vector<ComponentMesh>& meshes, std::size_t triangles, bool wide,
+                    BigEndian& out) {
+  std::size_t done = 0;
+  std::uint32_t first = 0;
+  for (const ComponentMesh& mesh : meshes) {
+    for (const auto& t : mesh.mesh.triangles) {
+      if (done % longestRun == 0) {
+        out.put(std::int32_t{-1});  // a run
+        out.put(static_cast<std::uint16_t>(std::min<std::size_t>(longestRun, triangles - done)));
+        out.put(std::int32_t{1});  // of polygons
+      }
+      done++;
+      out.put(std::int32_t{3});
+      out.put('<');  // closed
+      // Houdini's front is clockwise
+      for (const std::uint32_t v : {t[0], t[2], t[1]})
+        if (wide) out.put(first + v);
+        else
+          out.put(static_cast<std::uint16_t>(first + v));
+    }
+    first += static_cast<std::uint32_t>(mesh.mesh.vertices.size());
+  }
+}
+
+}  // namespace
+
+void writeBgeo(const std::filesystem::path& file, const ExportScene& scene) {
+  const std::vector<ComponentMesh> meshes = placedParts(scene);
+  std::size_t points = scene.points ? scene.points->positions.size() : 0, triangles = 0;
+  for (const ComponentMesh& m : meshes)
+    points += m.mesh.vertices.size(), triangles += m.mesh.triangles.size();
+  if (points > std::numeric_limits<std::int32_t>::max() ||
+      triangles > std::numeric_limits<std::int32_t>::max())
+    throw IoError(file.string(), "cannot be written: bgeo allows at most 2^31 points and polygons");
+  BigEndian out(file);
+  out.text("BgeoV");
+  out.put(std::int32_t{5});
+  for (const std::size_t n : {points, triangles}) out.put(static_cast<std::int32_t>(n));
+  // groups of points and primitives; attributes of points, vertices, primitives and of all
+  for (const std::int32_t n : {0, 0, BgeoPoint::attributes, 0, 0, 0}) out.put(n);
+  BgeoPoint::declare(out);
+  std::int32_t number = 0;
+  for (const ComponentMesh& m : meshes) writeVertices(m, number++, out);
+  if (scene.points) writeParticles(*scene.points, out);
+  writeTriangles(meshes, triangles, points > 0xffff, out);
+  out.put('\x00');  // no extra data
+  out.put('\xff');
+  out.finish();
+}
+
+}  // namespace thaw

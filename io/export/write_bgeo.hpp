@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Geometry of Houdini, classic binary format (version 5).
+#pragma once
+#include <filesystem>
+
+#include "io/export/export_scene.hpp"
+
+namespace thaw {
+
+/// Writes all meshes of a scene as closed polygons, and its particles as points behind their vertices. Point
+/// attributes: N, v (m/s), Cd (sRGB, 0 to 1), pscale (m, radius; 0 for vertices), id (the lower 31 bits, -1
+/// without one), temperature (K), liquid, component (index of the mesh, -1 for particles). Big-endian. Throws
+/// IoError if the file cannot be written.
+void writeBgeo(const std::filesystem::path& file, const ExportScene& scene);
+
+}  // namespace thaw
