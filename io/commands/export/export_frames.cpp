@@ -35,8 +35,9 @@ double expectedSize(const std::vector<FrameGroup>& groups, const ExportFormat& f
          {std::pair{surfaceContent, groups[k].surface}, std::pair{sheetContent, groups[k].sheets},
           std::pair{orientedContent, groups[k].oriented}, std::pair{particleContent, groups[k].particles}})
       if ((contents & content) && !file.empty())
-        rows += static_cast<double>(readFrameInfo(file.string()).count) / std::size(samples);
-  return rows * format.bytesPerRow * static_cast<double>(groups.size());
+        rows += (content == surfaceContent ? 1 : 0.25) *
+                static_cast<double>(readFrameInfo(file.string()).count) / std::size(samples);
+  return rows * format.bytesPerSurfel * static_cast<double>(groups.size());
 }
 
 /// Returns export/ in the run folder. The input is that folder, its frames/ or a file in there.
@@ -120,15 +121,18 @@ void exportFrames(const ExportOptions& options, const ExportFormat& format) {
   if (skipped > 0) fmt::print("{} complete files are kept\n", skipped);
 }
 
-void exportUsd(const fs::path& given, const ExportOptions& options) {
+void exportUsd(const fs::path& out, const ExportOptions& options) {
   const ExportFormat& format = exportFormatNamed(options.as);
+  const std::string ending = out.extension().string();
+  if (!ending.empty() && ending != format.extension && ending != ".usd")
+    throw std::invalid_argument(fmt::format("--out: expected a folder or a file that ends in {} or .usd, found {}",
+                                            format.extension, out.string()));
   ExportRun run;
   startExport(options, format, run);
   std::string name = readFrameInfo(run.groups[0].first().string()).sceneName;
   if (name.empty()) name = "run";
-  const fs::path file = !given.empty() && !fs::is_directory(given)
-                            ? given
-                            : (given.empty() ? exportFolder(options.input) : given) / (name + format.extension);
+  const fs::path folder = out.empty() ? exportFolder(options.input) : out;
+  const fs::path file = !ending.empty() ? out : folder / (name + format.extension);
   if (options.resume && isComplete(file, run.groups)) {
     fmt::print("{} is complete and kept\n", file.string());
     return;

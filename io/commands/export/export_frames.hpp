@@ -27,8 +27,8 @@ bool isComplete(const std::filesystem::path& file, const std::vector<FrameGroup>
 /// Writes one file per frame. Throws IoError and std::invalid_argument.
 void exportFrames(const ExportOptions& options, const ExportFormat& format);
 
-/// Writes a run as one USD layer: text if the file ends in .usda, else crate.
-void exportUsd(const std::filesystem::path& file, const ExportOptions& options);
+/// Writes a run as one USD layer. out: file, folder, or empty for export/ in the run's folder.
+void exportUsd(const std::filesystem::path& out, const ExportOptions& options);
 
 /// Writes the frames of a run as one USD layer. name: of the root prim. Prints a summary.
 void writeUsd(const std::filesystem::path& file, const std::string& name, ExportRun& run);

@@ -17,7 +17,8 @@ void writeUsd(const fs::path& file, const std::string& name, ExportRun& run) {
     std::vector<std::string> ignored;
     if (const auto stored = run.scenes.of(run.groups[0].first(), ignored)) interval = stored->scene.output.every;
   }
-  UsdSequence sequence(file.extension() == ".usda" ? openUsda(file) : openUsdc(file), name, interval);
+  const bool isText = run.job.options->as == "usda";
+  UsdSequence sequence(isText ? openUsda(file) : openUsdc(file), name, interval);
   struct Made {
     UsdFrame frame;
     GatherNotes notes;

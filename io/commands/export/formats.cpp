@@ -40,25 +40,25 @@ constexpr unsigned meshContents = surfaceContent | sheetContent | orientedConten
 
 // The order is that of --help.
 const ExportFormat formats[] = {
-    {"ply-discs", ".discs.ply", "a polygon for each surfel (Blender)", surfaceContent, true, false, false, 350,
+    {"ply-discs", ".discs.ply", "a polygon for each surfel (Blender)", surfaceContent, true, false, false, 240,
      plyDiscs, nullptr},
     {"pov", ".pov", "a scene of POV-Ray", surfaceContent, true, false, false, 110, pov, nullptr},
     {"vtp", ".vtp",
      "points with all fields, and the triangles of sheets, oriented particles and obstacles (ParaView)",
-     meshContents, true, true, false, 90, vtp, nullptr},
+     meshContents, true, true, false, 85, vtp, nullptr},
     {"ply", ".ply",
      "a closed triangle mesh of each component, or the triangles of each sheet, oriented surface or obstacle, "
      "and the lines of a curve",
-     meshContents, false, false, false, 80, ply, nullptr},
-    {"obj", ".obj", "the same as text", meshContents, false, false, false, 200, obj, nullptr},
+     meshContents, false, false, false, 310, ply, nullptr},
+    {"obj", ".obj", "the same as text", meshContents, false, false, false, 630, obj, nullptr},
     {"usd", ".usdc", "one USD layer of all frames with meshes, particles, obstacles and camera (Houdini, Blender, "
-     "Maya, Omniverse)", allContent, false, false, true, 120, nullptr, exportUsd},
-    {"usda", ".usda", "the same layer as text", allContent, false, false, true, 500, nullptr, exportUsd},
-    {"bgeo", ".bgeo", "points and triangles of Houdini, classic version", allContent, false, false, false, 90,
+     "Maya, Omniverse)", allContent, false, false, true, 240, nullptr, exportUsd},
+    {"usda", ".usda", "the same layer as text", allContent, false, false, true, 800, nullptr, exportUsd},
+    {"bgeo", ".bgeo", "points and triangles of Houdini, classic version", allContent, false, false, false, 360,
      writeBgeo, nullptr},
     {"vdb", ".vdb",
      "OpenVDB: the level set of a surface, and fogs of density, temperature and liquid fraction of particles",
-     surfaceContent | particleContent, false, false, true, 60, writeVdb, nullptr},
+     surfaceContent | particleContent, false, false, true, 30, writeVdb, nullptr},
 };
 
 struct NamedContent {

@@ -30,7 +30,7 @@ struct ExportFormat {
   bool keepsTables;        ///< sheets or oriented particles alone are written with all their fields
   bool holdsAllByDefault;  ///< without --what: all contents, but particles only without a surface; else only
                            ///< the first content that the run has
-  double bytesPerRow;      ///< expected size per surfel, particle or vertex of a frame
+  double bytesPerSurfel;   ///< expected size per surfel of a frame; particles take a quarter
   /// Writes one frame. Throws IoError.
   void (*writeFrame)(const std::filesystem::path& file, const ExportScene& scene);
   /// Writes a run as one file, and prints a summary. Throws IoError and std::invalid_argument.

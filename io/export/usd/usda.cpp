@@ -107,19 +107,15 @@ class Usda : public UsdFile {
   void writeAttribute(const UsdAttribute& a, const std::string& indent) {
     const std::string name = fmt::format("{}{}{} {}", indent, a.type.isUniform ? "uniform " : "", a.type.type,
                                          a.type.name);
-    const std::string more = a.type.interpolation.empty()
-                                 ? "\n"
-                                 : fmt::format(" (\n{0}    interpolation = \"{1}\"\n{0})\n", indent,
-                                               a.type.interpolation);
-    if (a.value || a.samples.empty()) {
-      out_.text(name);
-      if (a.value) {
-        out_.text(" = ");
-        copyValue(*a.value);
-      }
-      out_.text(more);
+    if (a.value) {
+      out_.text(name + " = ");
+      copyValue(*a.value);
+      if (!a.type.interpolation.empty())
+        out_.text(fmt::format(" (\n{0}    interpolation = \"{1}\"\n{0})", indent, a.type.interpolation));
+      out_.text("\n");
     } else if (!a.type.interpolation.empty()) {
-      out_.text(name + more);
+      // on one line: the parser of three.js takes "primvars:NAME (" at a line's end for a time sample
+      out_.text(fmt::format("{} (interpolation = \"{}\")\n", name, a.type.interpolation));
     }
     if (a.samples.empty()) return;
     out_.text(name + ".timeSamples = {\n");

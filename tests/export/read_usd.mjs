@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads USD layers of `thaw export` with the parsers of three.js and with tinyusdz, and compares them with each
+// other and with PLY meshes of the same frames: node read_usd.mjs MODULES LAYER.usdc LAYER.usda PLY...
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+
+const [modules, crateFile, textFile, ...meshFiles] = process.argv.slice(2);
+const load = (file) => import(pathToFileURL(`${modules}/${file}`).href);
+const bytesOf = (file) => new Uint8Array(readFileSync(file));
+
+/// Returns vertices and triangles of a binary PLY file.
+function readPly(file) {
+  const bytes = readFileSync(file),
+    end = bytes.indexOf('end_header\n') + 11,
+    head = bytes.toString('latin1', 0, end),
+    count = (element) => Number(new RegExp(`element ${element} (\\d+)`).exec(head)[1]),
+    body = head.slice(head.indexOf('element vertex'), head.indexOf('element face')),
+    properties = [...body.matchAll(/property (float|uchar) (\w+)/g)].map(([, type, name]) => ({ type, name }));
+  let at = end;
+  const vertices = [];
+  for (let v = 0; v < count('vertex'); v++) {
+    const vertex = {};
+    for (const { type, name } of properties) {
+      vertex[name] = type === 'float' ? bytes.readFloatLE(at) : bytes[at];
+      at += type === 'float' ? 4 : 1;
+    }
+    vertices.push(vertex);
+  }
+  const corners = [];
+  for (let f = 0; f < count('face'); f++, at += 17)
+    for (let k = 0; k < 3; k++) corners.push(bytes.readInt32LE(at + 1 + 4 * k));
+  return { vertices, corners };
+}
+
+function samples(specs, path, attribute) {
+  const spec = specs[`${path}.${attribute}`];
+  assert.ok(spec, `three.js finds no ${path}.${attribute}`);
+  return spec.fields.timeSamples;
+}
+
+/// Compares samples of a crate file with meshes.
+function compareWithMeshes(specs, path, meshes) {
+  const fields = [
+    ['points', ['x', 'y', 'z']],
+    ['normals', ['nx', 'ny', 'nz']],
+    ['velocities', ['velocity_x', 'velocity_y', 'velocity_z']],
+    ['primvars:temperature', ['temperature']],
+    ['primvars:liquid', ['liquid']],
+  ];
+  for (const [attribute, names] of fields) {
+    const { times, values } = samples(specs, path, attribute);
+    assert.deepEqual([...times], meshes.map((_, k) => k), `time codes of ${attribute}`);
+    meshes.forEach(({ vertices }, k) => {
+      assert.equal(values[k].length, names.length * vertices.length, `${attribute} of frame ${k}`);
+      vertices.forEach((vertex, v) =>
+        names.forEach((name, c) => assert.equal(values[k][names.length * v + c], vertex[name], attribute)),
+      );
+    });
+  }
+  const corners = samples(specs, path, 'faceVertexIndices').values,
+    counts = samples(specs, path, 'faceVertexCounts').values;
+  meshes.forEach((mesh, k) => {
+    assert.deepEqual([...corners[k]], mesh.corners);
+    assert.ok(counts[k].every((n) => n === 3) && 3 * counts[k].length === mesh.corners.length);
+  });
+}
+
+/// Returns the layer as text by tinyusdz, which is built for browsers.
+async function textsByTinyusdz(files) {
+  process.type = 'renderer';
+  globalThis.window = globalThis;
+  const { default: start } = await load('tinyusdz/tinyusdz.js');
+  const native = await start({ wasmBinary: bytesOf(`${modules}/tinyusdz/tinyusdz.wasm`) });
+  return files.map((file) => {
+    const reader = new native.TinyUSDZLoaderNative();
+    assert.ok(reader.loadAsLayerFromBinary(bytesOf(file), file), `tinyusdz cannot read ${file}`);
+    return reader.layerToString();
+  });
+}
+
+const { USDCParser } = await load('three/examples/jsm/loaders/usd/USDCParser.js');
+const { USDLoader } = await load('three/examples/jsm/loaders/USDLoader.js');
+const meshes = meshFiles.map(readPly);
+const { specsByPath } = new USDCParser().parseData(bytesOf(crateFile).buffer);
+const root = specsByPath['/'].fields.defaultPrim,
+  layer = specsByPath['/'].fields;
+assert.equal(layer.upAxis, 'Z');
+assert.equal(layer.metersPerUnit, 1);
+assert.equal(layer.timeCodesPerSecond, 20);
+assert.equal(layer.endTimeCode, meshes.length - 1);
+compareWithMeshes(specsByPath, `/${root}/surface`, meshes);
+assert.ok(specsByPath[`/${root}/particles.ids`] && specsByPath[`/${root}/particles.widths`]);
+assert.ok(samples(specsByPath, `/${root}/lid`, 'xformOp:transform').values.length === meshes.length);
+
+for (const file of [crateFile, textFile]) {
+  const scene = new USDLoader().parse(bytesOf(file).buffer);
+  const found = {};
+  scene.traverse((o) => (found[o.name] = o));
+  assert.ok(found.camera.isCamera, 'camera');
+  assert.equal(found.surface.geometry.attributes.position.count, meshes[0].corners.length, 'surface');
+  assert.ok(found.lid.isMesh && found.plate.isMesh, 'obstacles');
+}
+
+const [crate, text] = await textsByTinyusdz([crateFile, textFile]);
+// tinyusdz reads 64-bit integers of text digit by digit
+const linesOf = (layer) => layer.replace(/int64\[\] ids\.timeSamples = \{[^}]*\}/, '').split('\n'),
+  textLines = linesOf(text);
+linesOf(crate).forEach((line, k) => {
+  const other = textLines[k] ?? '';
+  assert.ok(line === other, `crate and text differ: ${line.slice(0, 200)} | ${other.slice(0, 200)}`);
+});
+for (const part of ['def Mesh "surface"', 'def Points "particles"', 'def Camera "camera"', 'primvars:displayColor'])
+  assert.ok(crate.includes(part), part);
+const first = /point3f\[\] points\.timeSamples = \{\s*0: \[\(([^)]*)\)/.exec(crate)[1].split(',').map(Number);
+['x', 'y', 'z'].forEach((name, c) => assert.ok(Math.abs(first[c] - meshes[0].vertices[0][name]) < 1e-6, name));
