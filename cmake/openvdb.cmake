@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # OpenVDB for `thaw export --as vdb`, which is optional: without it all else builds, and the command reports
 # how to get it.
-set(THAW_OPENVDB AUTO CACHE STRING "`thaw export --as vdb`: AUTO (if OpenVDB is there), ON (error if not) or OFF")
+set(THAW_OPENVDB AUTO CACHE STRING
+  "`thaw export --as vdb`: AUTO (if OpenVDB is there), ON (error if not) or OFF")
 set_property(CACHE THAW_OPENVDB PROPERTY STRINGS AUTO ON OFF)
 set(openvdb "")
 if(THAW_OPENVDB)

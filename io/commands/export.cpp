@@ -36,17 +36,16 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
                   "frame of a surface, of oriented particles or of sheets (NAME_surface_000120.hdf, "
                   "NAME_oriented_..., NAME_sheet_...), series index, or run folder (all its frames)")
       ->required();
-  command
-      .add_option("--as", o.as, formatHelp())
-      ->required()
-      ->check(CLI::IsMember(formatNames()));
-  command.add_option("--what", o.what,
-                     "contents, separated by commas: surface, sheet, oriented, obstacles, particles, or all "
-                     "that the format holds (default: for usd, usda and vdb all, but particles only without a "
-                     "surface; for others the first of surface, oriented and sheet that the run has)");
-  command.add_option("--out", o.out,
-                     "file for one frame or a format of one file, folder for several (default: export/ in the "
-                     "run's folder)");
+  command.add_option("--as", o.as, formatHelp())->required()->check(CLI::IsMember(formatNames()));
+  command.add_option(
+      "--what", o.what,
+      "contents, separated by commas: surface, sheet, oriented, obstacles, particles, or all "
+      "that the format holds (default: for usd, usda and vdb all, but particles only without a "
+      "surface; for others the first of surface, oriented and sheet that the run has)");
+  command.add_option(
+      "--out", o.out,
+      "file for one frame or a format of one file, folder for several (default: export/ in the "
+      "run's folder)");
   command
       .add_option("--field", o.field,
                   "source of the colours: surface (its own colours) or a field: temperature, liquid, detail")
@@ -59,7 +58,8 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
       .add_option("--cell", o.cell, "edge of the cubes of the mesh grid, over the mean radius of the surfels")
       ->check(CLI::Range(0.2, 10.0))
       ->capture_default_str();
-  command.add_option("--threads", o.threads, "frames at a time, or components of one (default: one per core)")
+  command
+      .add_option("--threads", o.threads, "frames at a time, or components of one (default: one per core)")
       ->check(CLI::Range(0, 4096));
   command.add_flag("--resume", o.resume,
                    "skip files that are complete: they exist and are newer than their frames");

@@ -44,18 +44,18 @@ struct ExportTable {
 
 /// Lengths are in metres, z is up.
 struct ExportScene {
-  double time = 0;       ///< s
-  std::string name;      ///< of the scene
-  double interval = 0;   ///< s between frames; 0: unknown
+  double time = 0;      ///< s
+  std::string name;     ///< scene name
+  double interval = 0;  ///< s between frames; 0: unknown
   std::vector<ExportObject> objects;
   std::optional<ExportPoints> points;
   std::optional<SurfaceFrame> surfels;
   std::vector<Rgb> surfelColours;  ///< one per surfel
   std::optional<ExportTable> table;
-  RenderStyle style;  ///< camera, size of the picture, floors
-  double spacing = 0;  ///< m, of the particles; 0: unknown
+  RenderStyle style;   ///< camera, size of the picture, floors
+  double spacing = 0;  ///< m, between particles; 0: unknown
   PeriodicSides periodic;
-  std::vector<std::string> sheetNames;  ///< by number of the sheet
+  std::vector<std::string> sheetNames;  ///< one per sheet of the scene
 };
 
 /// Returns an object's meshes in the scene: vertices, normals and velocities of an obstacle follow its pose.

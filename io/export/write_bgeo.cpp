@@ -121,7 +121,7 @@ void writeTriangles(const std::vector<ComponentMesh>& meshes, std::size_t triang
       if (done % longestRun == 0) {
         out.put(std::int32_t{-1});  // a run
         out.put(static_cast<std::uint16_t>(std::min<std::size_t>(longestRun, triangles - done)));
-        out.put(std::int32_t{1});  // of polygons
+        out.put(std::int32_t{1});  // polygons
       }
       done++;
       out.put(std::int32_t{3});
@@ -129,8 +129,7 @@ void writeTriangles(const std::vector<ComponentMesh>& meshes, std::size_t triang
       // Houdini's front is clockwise
       for (const std::uint32_t v : {t[0], t[2], t[1]})
         if (wide) out.put(first + v);
-        else
-          out.put(static_cast<std::uint16_t>(first + v));
+        else out.put(static_cast<std::uint16_t>(first + v));
     }
     first += static_cast<std::uint32_t>(mesh.mesh.vertices.size());
   }

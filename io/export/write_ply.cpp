@@ -119,7 +119,8 @@ void writeMeshPly(const std::filesystem::path& file, const std::vector<Component
   out.text(fmt::format(
       "element vertex {}\n{}{}{}element face {}\nproperty list uchar int vertex_indices\nproperty int "
       "component\n{}end_header\n",
-      vertices, vertexProperties, fields.properties(), ids ? "property uint id_high\nproperty uint id_low\n" : "", faces,
+      vertices, vertexProperties, fields.properties(),
+      ids ? "property uint id_high\nproperty uint id_low\n" : "", faces,
       edges > 0 ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges) : ""));
   for (const ComponentMesh& m : meshes)
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {

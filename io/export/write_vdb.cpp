@@ -49,7 +49,8 @@ openvdb::GridBase::Ptr levelSetOf(const ExportScene& scene, double voxel) {
     for (const ComponentMesh& part : object.parts) {
       const auto first = static_cast<std::uint32_t>(points.size());
       for (const Vec3d& x : part.mesh.vertices) points.emplace_back(x.x, x.y, x.z);
-      for (const auto& t : part.mesh.triangles) triangles.emplace_back(first + t[0], first + t[1], first + t[2]);
+      for (const auto& t : part.mesh.triangles)
+        triangles.emplace_back(first + t[0], first + t[1], first + t[2]);
     }
   }
   constexpr float halfWidth = 3;  // voxels
@@ -64,7 +65,8 @@ template<class Visit> void forVoxelsNear(const Vec3f& x, double voxel, Visit vis
   const double at[3] = {x.x / voxel, x.y / voxel, x.z / voxel};
   int low[3], high[3];
   for (int a = 0; a < 3; a++)
-    low[a] = static_cast<int>(std::ceil(at[a] - reach)), high[a] = static_cast<int>(std::floor(at[a] + reach));
+    low[a] = static_cast<int>(std::ceil(at[a] - reach)),
+    high[a] = static_cast<int>(std::floor(at[a] + reach));
   for (int i = low[0]; i <= high[0]; i++)
     for (int j = low[1]; j <= high[1]; j++)
       for (int k = low[2]; k <= high[2]; k++) {
@@ -76,7 +78,8 @@ template<class Visit> void forVoxelsNear(const Vec3f& x, double voxel, Visit vis
 
 /// Returns the weighted mean of a particle field near each voxel. weights: sums of the weights.
 template<class Grid, class Value>
-typename Grid::Ptr meanGrid(const char* name, const ExportPoints& points, const FloatGrid& weights, Value value) {
+typename Grid::Ptr meanGrid(const char* name, const ExportPoints& points, const FloatGrid& weights,
+                            Value value) {
   const double voxel = weights.voxelSize()[0];
   auto grid = newGrid<Grid>(name, voxel, openvdb::GRID_FOG_VOLUME);
   auto to = grid->getAccessor();
@@ -124,8 +127,8 @@ void addFogs(const ExportPoints& points, double voxel, openvdb::GridPtrVec& grid
 
 void writeVdb(const std::filesystem::path& file, const ExportScene& scene) {
   openvdb::initialize();
-  const double spacing = scene.spacing > 0  ? scene.spacing
-                         : scene.points     ? static_cast<double>(scene.points->width)
+  const double spacing = scene.spacing > 0 ? scene.spacing
+                         : scene.points    ? static_cast<double>(scene.points->width)
                          : scene.surfels && !scene.surfels->radii.empty()
                              ? 2.0 * static_cast<double>(scene.surfels->radii[0])
                              : 0.01;

@@ -7,7 +7,8 @@ namespace thaw {
 
 void writeVdb(const std::filesystem::path&, const ExportScene&) {
   throw std::invalid_argument(
-      "this program is built without OpenVDB; install it (Debian: libopenvdb-dev), configure and build again");
+      "this program is built without OpenVDB; install it (Debian: libopenvdb-dev), configure and build "
+      "again");
 }
 
 }  // namespace thaw

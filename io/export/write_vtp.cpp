@@ -165,7 +165,9 @@ void writeMeshVtp(const std::filesystem::path& file, double time, const std::vec
   std::vector<std::uint32_t> components;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const auto append = [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
-  const auto byte = [](float c) { return static_cast<std::uint8_t>(std::lround(std::clamp(c, 0.0f, 255.0f))); };
+  const auto byte = [](float c) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(c, 0.0f, 255.0f)));
+  };
   for (const ComponentMesh& m : meshes) {
     const auto first = static_cast<std::uint32_t>(points.size());
     for (const Vec3d& x : m.mesh.vertices) points.push_back(single(x));

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# `thaw export` as USD and OpenVDB, read by programs of others: three.js, tinyusdz and OpenVDB's Python module.
-# Readers that are not installed are named at the end. MODULES=DIR: node_modules with the readers of USD.
+# `thaw export` as USD and OpenVDB, read by programs of others: three.js, tinyusdz and OpenVDB's Python
+# module. Readers that are not installed are named at the end. MODULES=DIR: node_modules with the readers of
+# USD.
 . "$(dirname "$0")/../support/run.sh"
 MODULES=${MODULES:-$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")}
 skipped=()

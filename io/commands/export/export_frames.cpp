@@ -125,8 +125,9 @@ void exportUsd(const fs::path& out, const ExportOptions& options) {
   const ExportFormat& format = exportFormatNamed(options.as);
   const std::string ending = out.extension().string();
   if (!ending.empty() && ending != format.extension && ending != ".usd")
-    throw std::invalid_argument(fmt::format("--out: expected a folder or a file that ends in {} or .usd, found {}",
-                                            format.extension, out.string()));
+    throw std::invalid_argument(
+        fmt::format("--out: expected a folder or a file that ends in {} or .usd, found {}", format.extension,
+                    out.string()));
   ExportRun run;
   startExport(options, format, run);
   std::string name = readFrameInfo(run.groups[0].first().string()).sceneName;

@@ -15,7 +15,8 @@ void writeUsd(const fs::path& file, const std::string& name, ExportRun& run) {
   double interval = run.job.interval;
   if (interval <= 0) {  // one or two frames: the scene's interval
     std::vector<std::string> ignored;
-    if (const auto stored = run.scenes.of(run.groups[0].first(), ignored)) interval = stored->scene.output.every;
+    if (const auto stored = run.scenes.of(run.groups[0].first(), ignored))
+      interval = stored->scene.output.every;
   }
   const bool isText = run.job.options->as == "usda";
   UsdSequence sequence(isText ? openUsda(file) : openUsdc(file), name, interval);

@@ -29,8 +29,7 @@ void pov(const fs::path& file, const ExportScene& scene) {
 void vtp(const fs::path& file, const ExportScene& scene) {
   if (scene.table) writeTrianglesVtp(file, scene.table->frame, scene.table->lines);
   else if (!scene.objects.empty() || !scene.surfels) writeMeshVtp(file, scene.time, placedParts(scene));
-  else
-    writeVtp(file, *scene.surfels, scene.surfelColours);
+  else writeVtp(file, *scene.surfels, scene.surfelColours);
 }
 
 void ply(const fs::path& file, const ExportScene& scene) { writeMeshPly(file, placedParts(scene)); }
@@ -40,22 +39,25 @@ constexpr unsigned meshContents = surfaceContent | sheetContent | orientedConten
 
 // The order is that of --help.
 const ExportFormat formats[] = {
-    {"ply-discs", ".discs.ply", "a polygon for each surfel (Blender)", surfaceContent, true, false, false, 240,
-     plyDiscs, nullptr},
+    {"ply-discs", ".discs.ply", "a polygon for each surfel (Blender)", surfaceContent, true, false, false,
+     240, plyDiscs, nullptr},
     {"pov", ".pov", "a scene of POV-Ray", surfaceContent, true, false, false, 110, pov, nullptr},
     {"vtp", ".vtp",
      "points with all fields, and the triangles of sheets, oriented particles and obstacles (ParaView)",
      meshContents, true, true, false, 85, vtp, nullptr},
     {"ply", ".ply",
-     "a closed triangle mesh of each component, or the triangles of each sheet, oriented surface or obstacle, "
+     "a closed triangle mesh of each component, or the triangles of each sheet, oriented surface or "
+     "obstacle, "
      "and the lines of a curve",
      meshContents, false, false, false, 310, ply, nullptr},
     {"obj", ".obj", "the same as text", meshContents, false, false, false, 630, obj, nullptr},
-    {"usd", ".usdc", "one USD layer of all frames with meshes, particles, obstacles and camera (Houdini, Blender, "
-     "Maya, Omniverse)", allContent, false, false, true, 240, nullptr, exportUsd},
+    {"usd", ".usdc",
+     "one USD layer of all frames with meshes, particles, obstacles and camera (Houdini, Blender, "
+     "Maya, Omniverse)",
+     allContent, false, false, true, 240, nullptr, exportUsd},
     {"usda", ".usda", "the same layer as text", allContent, false, false, true, 800, nullptr, exportUsd},
-    {"bgeo", ".bgeo", "points and triangles of Houdini, classic version", allContent, false, false, false, 360,
-     writeBgeo, nullptr},
+    {"bgeo", ".bgeo", "points and triangles of Houdini, classic version", allContent, false, false, false,
+     360, writeBgeo, nullptr},
     {"vdb", ".vdb",
      "OpenVDB: the level set of a surface, and fogs of density, temperature and liquid fraction of particles",
      surfaceContent | particleContent, false, false, true, 30, writeVdb, nullptr},
@@ -65,12 +67,9 @@ struct NamedContent {
   const char* name;
   unsigned content;
 };
-constexpr NamedContent contents[] = {{"surface", surfaceContent},
-                                     {"sheet", sheetContent},
-                                     {"oriented", orientedContent},
-                                     {"obstacles", obstacleContent},
-                                     {"particles", particleContent},
-                                     {"all", allContent}};
+constexpr NamedContent contents[] = {{"surface", surfaceContent},    {"sheet", sheetContent},
+                                     {"oriented", orientedContent},  {"obstacles", obstacleContent},
+                                     {"particles", particleContent}, {"all", allContent}};
 
 }  // namespace
 
@@ -90,10 +89,11 @@ unsigned contentsNamed(const std::string& list) {
     for (const NamedContent& c : contents)
       if (name == c.name) found = c.content;
     if (found == 0)
-      throw std::invalid_argument(fmt::format(
-          "--what: expected surface, sheet, oriented, obstacles, particles or all, separated by commas, found "
-          "'{}'",
-          name));
+      throw std::invalid_argument(
+          fmt::format("--what: expected surface, sheet, oriented, obstacles, particles or all, separated by "
+                      "commas, found "
+                      "'{}'",
+                      name));
     sum |= found;
   }
   return sum;

@@ -101,8 +101,8 @@ std::vector<FrameGroup> findFrameGroups(const ExportOptions& options, const Expo
   const unsigned named = contentsNamed(options.what);
   for (unsigned c = 1; c <= named; c <<= 1)
     if (named != allContent && (named & c) && !(format.holds & c))
-      throw std::invalid_argument(fmt::format("{} are exported as {}, not as {}", contentText(c),
-                                              formatsHolding(c), format.name));
+      throw std::invalid_argument(
+          fmt::format("{} are exported as {}, not as {}", contentText(c), formatsHolding(c), format.name));
   unsigned wanted = named == 0 ? format.holds : named & format.holds;
   const unsigned ofFrames = wanted & ~obstacleContent;
   unsigned main = 0;

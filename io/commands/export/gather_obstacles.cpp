@@ -30,19 +30,21 @@ std::vector<Vec3d> clipped(const std::vector<Vec3d>& polygon, const Vec3d& norma
     const Vec3d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
     const double over = dot(normal, a) - height, next = dot(normal, b) - height;
     if (over <= 0) kept.push_back(a);
-    if ((over < 0 && next > 0) || (over > 0 && next < 0)) kept.push_back(a + (over / (over - next)) * (b - a));
+    if ((over < 0 && next > 0) || (over > 0 && next < 0))
+      kept.push_back(a + (over / (over - next)) * (b - a));
   }
   return kept;
 }
 
 /// Returns the part of a plane in the domain; all of a square around it if it lies outside.
 TriangleMesh planeMesh(const Vec3d& normal, double height, const Domain& domain) {
-  const Vec3d middle = 0.5 * (domain.min + domain.max), foot = middle - (dot(normal, middle) - height) * normal;
+  const Vec3d middle = 0.5 * (domain.min + domain.max),
+              foot = middle - (dot(normal, middle) - height) * normal;
   const Vec3d u = normalized(cross(normal, std::abs(normal.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0})),
               v = cross(normal, u);
   const double half = length(domain.max - domain.min);
-  std::vector<Vec3d> square{foot - half * u - half * v, foot + half * u - half * v, foot + half * u + half * v,
-                            foot - half * u + half * v};
+  std::vector<Vec3d> square{foot - half * u - half * v, foot + half * u - half * v,
+                            foot + half * u + half * v, foot - half * u + half * v};
   std::vector<Vec3d> polygon = square;
   for (int a = 0; a < 3; a++) {
     Vec3d axis{};
@@ -107,7 +109,10 @@ std::vector<ExportObject> obstaclesOf(const Scene& scene, std::vector<std::strin
   for (std::size_t k = 0; k < scene.obstacles.size(); k++) {
     const Obstacle& obstacle = scene.obstacles[k];
     ExportObject object{obstacle.name.empty() ? fmt::format("obstacle_{}", k) : obstacle.name,
-                        ExportKind::Obstacle, {}, Pose{}, !obstacle.motion.empty()};
+                        ExportKind::Obstacle,
+                        {},
+                        Pose{},
+                        !obstacle.motion.empty()};
     try {
       object.parts.push_back(withNormals(meshOf(obstacle, scene.domain)));
       object.parts[0].name = object.name;

@@ -94,8 +94,7 @@ void gatherOriented(const FrameGroup& group, const GatherJob& job, ExportScene& 
     scene.table = ExportTable{std::move(all), made.lines};
     return;
   }
-  scene.objects.push_back(
-      {"oriented", ExportKind::Oriented, meshesOf(frame, velocities, made), {}, false});
+  scene.objects.push_back({"oriented", ExportKind::Oriented, meshesOf(frame, velocities, made), {}, false});
 }
 
 }  // namespace thaw

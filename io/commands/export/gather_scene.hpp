@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `thaw export` writes of a frame: meshes, particles and camera, read from the frames of one time.
+// Contents of an exported frame: meshes, particles and camera, read from the frames of one time.
 #pragma once
 #include <map>
 #include <memory>
@@ -49,8 +49,8 @@ struct GatherJob {
 
 /// Lines for the user about one frame.
 struct GatherNotes {
-  std::string summary;             ///< "3 components, 1200 triangles"
-  std::vector<std::string> notes;  ///< for standard output, before the summary
+  std::string summary;                ///< "3 components, 1200 triangles"
+  std::vector<std::string> notes;     ///< for standard output, before the summary
   std::vector<std::string> warnings;  ///< for standard error
 };
 

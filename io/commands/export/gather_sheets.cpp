@@ -73,12 +73,12 @@ void gatherSheets(const FrameGroup& group, const GatherJob& job, ExportScene& sc
   const SheetRows rows(frame, group.sheets.string());
   std::size_t sheets = 0;
   for (auto& [number, mesh] : meshesByBody(frame, rows)) {
-    ExportObject sheet{number < scene.sheetNames.size() ? scene.sheetNames[number]
-                                                        : fmt::format("sheet_{}", number),
-                       ExportKind::Sheet,
-                       {},
-                       {},
-                       false};
+    ExportObject sheet{
+        number < scene.sheetNames.size() ? scene.sheetNames[number] : fmt::format("sheet_{}", number),
+        ExportKind::Sheet,
+        {},
+        {},
+        false};
     sheet.parts.push_back(std::move(mesh));
     scene.objects.push_back(std::move(sheet));
     sheets++;

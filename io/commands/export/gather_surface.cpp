@@ -45,7 +45,8 @@ void addFieldsOfParticles(SurfaceFrame& surfels, const FrameData& particles) {
   weights.reserve(surfels.positions.size());
   for (std::size_t i = 0; i < surfels.positions.size(); i++) {
     const Vec3f& n = surfels.normals[i];
-    weights.emplace_back(tree, surfels.positions[i] - static_cast<double>(surfels.radii[i]) * Vec3d{n.x, n.y, n.z});
+    weights.emplace_back(tree,
+                         surfels.positions[i] - static_cast<double>(surfels.radii[i]) * Vec3d{n.x, n.y, n.z});
   }
   for (const FrameColumn* c : missing) {
     FrameColumn column{c->name, c->unit, Element::F32, c->components, {}};
@@ -113,8 +114,7 @@ std::vector<ComponentMesh> meshesOf(const SurfaceFrame& frame, const std::vector
   std::vector<ComponentMesh> meshes(components.size());
   parallelFor(components.size(), job.threads, [&](std::size_t c) {
     meshes[c] = meshOfComponent(frame, components[c], colours, sides, job.options->cell);
-    if (!meshes[c].mesh.triangles.empty())
-      addFieldsOfSurfels(meshes[c], frame, components[c], fields, sides);
+    if (!meshes[c].mesh.triangles.empty()) addFieldsOfSurfels(meshes[c], frame, components[c], fields, sides);
   });
   return meshes;
 }

@@ -12,8 +12,7 @@ namespace thaw {
 
 /// Calls use(i, make(i)) for i = 0 .. count - 1: make on several threads, use in the order of i and by one
 /// thread at a time. Each thread holds at most one result. Rethrows the first exception.
-template<class Make, class Use>
-void parallelInOrder(std::size_t count, int threads, Make make, Use use) {
+template<class Make, class Use> void parallelInOrder(std::size_t count, int threads, Make make, Use use) {
   std::mutex guard;
   std::condition_variable changed;
   std::size_t turn = 0;

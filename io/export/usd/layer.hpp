@@ -46,7 +46,7 @@ struct UsdAttributeType {
 
 struct UsdAttribute {
   UsdAttributeType type;
-  std::optional<UsdPlace> value;                      ///< the same at all times
+  std::optional<UsdPlace> value;                     ///< the same at all times
   std::vector<std::pair<double, UsdPlace>> samples;  ///< by time code, ascending
 };
 

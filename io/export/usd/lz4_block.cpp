@@ -117,8 +117,7 @@ std::vector<char> crateIntegers(std::span<const std::int32_t> values) {
     if (d == common) continue;
     if (d == static_cast<std::int8_t>(d)) code = 1, addNumber(rest, static_cast<std::int8_t>(d));
     else if (d == static_cast<std::int16_t>(d)) code = 2, addNumber(rest, static_cast<std::int16_t>(d));
-    else
-      code = 3, addNumber(rest, d);
+    else code = 3, addNumber(rest, d);
     codes[i / 4] = static_cast<char>(static_cast<unsigned char>(codes[i / 4]) | code << 2 * (i % 4));
   }
   std::vector<char> plain;

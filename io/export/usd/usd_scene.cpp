@@ -107,8 +107,7 @@ UsdPrimSample meshPrim(const ExportObject& object, const UsdFile& file) {
   if (mesh.has(mesh.velocities)) maker.add("vector3f[]", "velocities", mesh.velocities);
   if (mesh.has(mesh.colours))
     maker.add("color3f[]", "primvars:displayColor", linearColours(mesh.colours), "vertex");
-  if (mesh.has(mesh.temperatures))
-    maker.add("float[]", "primvars:temperature", mesh.temperatures, "vertex");
+  if (mesh.has(mesh.temperatures)) maker.add("float[]", "primvars:temperature", mesh.temperatures, "vertex");
   if (mesh.has(mesh.liquid)) maker.add("float[]", "primvars:liquid", mesh.liquid, "vertex");
   if (object.kind == ExportKind::Surface)
     maker.add("int[]", "primvars:component", mesh.components, "uniform");
@@ -145,7 +144,8 @@ UsdPrimSample cameraPrim(const RenderStyle& style, const UsdFile& file) {
   maker.add("float", "focalLength", static_cast<float>(focal));
   maker.add("float", "verticalAperture", static_cast<float>(tall));
   maker.add("float", "horizontalAperture", static_cast<float>(tall * style.width / style.height));
-  maker.add("float2", "clippingRange", Vec2f{static_cast<float>(1e-3 * away), static_cast<float>(1e3 * away)});
+  maker.add("float2", "clippingRange",
+            Vec2f{static_cast<float>(1e-3 * away), static_cast<float>(1e3 * away)});
   addTransform(maker,
                {view.right.x, view.right.y, view.right.z, 0, view.up.x, view.up.y, view.up.z, 0, back.x,
                 back.y, back.z, 0, from.x, from.y, from.z, 1},
@@ -202,8 +202,7 @@ void UsdSequence::add(const UsdFrame& frame) {
                             ? *same
                             : prim.attributes.emplace_back(UsdAttribute{s.type, {}, {}});
       if (!s.isConstant) a.samples.emplace_back(code, file_->store(s.value));
-      else if (!a.value)
-        a.value = file_->store(s.value);
+      else if (!a.value) a.value = file_->store(s.value);
     }
   }
 }

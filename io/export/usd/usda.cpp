@@ -36,7 +36,9 @@ void add(Text& out, const std::string& v) {
   out.push_back('"');
 }
 void add(Text& out, const UsdToken& v) { add(out, v.text); }
-void add(Text& out, const Vec2f& v) { fmt::format_to(std::back_inserter(out), "({:.9g}, {:.9g})", v[0], v[1]); }
+void add(Text& out, const Vec2f& v) {
+  fmt::format_to(std::back_inserter(out), "({:.9g}, {:.9g})", v[0], v[1]);
+}
 void add(Text& out, const Vec3f& v) {
   fmt::format_to(std::back_inserter(out), "({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z);
 }
@@ -148,7 +150,7 @@ class Usda : public UsdFile {
   OutFile out_;
   std::filesystem::path valuePath_;
   std::unique_ptr<std::FILE, Close> values_;
-  std::vector<std::int64_t> ends_;  // of each value
+  std::vector<std::int64_t> ends_;  // offset behind each value
 };
 
 }  // namespace

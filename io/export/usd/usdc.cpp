@@ -184,9 +184,8 @@ class Usdc : public UsdFile {
     std::vector<std::string> properties, children;
     for (const UsdAttribute& a : prim.attributes) properties.push_back(a.type.name);
     for (const UsdPrim& c : prim.children) children.push_back(c.name);
-    std::vector<CrateField> fields{
-        {"specifier", crateRep(CrateType::Specifier) | crateIsInlined},  // "def"
-        {"typeName", rep(UsdToken{prim.type})}};
+    std::vector<CrateField> fields{{"specifier", crateRep(CrateType::Specifier) | crateIsInlined},  // "def"
+                                   {"typeName", rep(UsdToken{prim.type})}};
     if (!properties.empty()) fields.push_back({"properties", namesRep(properties)});
     if (!children.empty()) fields.push_back({"primChildren", namesRep(children)});
     structure_.addSpec(node, CrateSpec::Prim, fields);
@@ -197,8 +196,10 @@ class Usdc : public UsdFile {
   void addAttribute(const UsdAttribute& a, CrateNode& parent) {
     CrateNode& node = structure_.addNode(parent, a.type.name, true);
     std::vector<CrateField> fields{{"typeName", rep(UsdToken{a.type.type})}};
-    if (a.type.isUniform) fields.push_back({"variability", crateRep(CrateType::Variability) | crateIsInlined | 1});
-    if (!a.type.interpolation.empty()) fields.push_back({"interpolation", rep(UsdToken{a.type.interpolation})});
+    if (a.type.isUniform)
+      fields.push_back({"variability", crateRep(CrateType::Variability) | crateIsInlined | 1});
+    if (!a.type.interpolation.empty())
+      fields.push_back({"interpolation", rep(UsdToken{a.type.interpolation})});
     if (a.value) fields.push_back({"default", *a.value});
     if (!a.samples.empty()) fields.push_back({"timeSamples", samplesRep(a)});
     structure_.addSpec(node, CrateSpec::Attribute, fields);
