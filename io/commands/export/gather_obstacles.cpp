@@ -115,7 +115,6 @@ std::vector<ExportObject> obstaclesOf(const Scene& scene, std::vector<std::strin
                         !obstacle.motion.empty()};
     try {
       object.parts.push_back(withNormals(meshOf(obstacle, scene.domain)));
-      object.parts[0].name = object.name;
     } catch (const std::exception& error) {  // a mesh that is no longer there, on another machine
       warnings.push_back(fmt::format("obstacle {} is left out: {}", object.name, error.what()));
     }

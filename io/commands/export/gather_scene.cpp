@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "io/export/usd/layer.hpp"
 #include "io/hdf5/h5_file.hpp"
 #include "io/render/scene_job.hpp"
 
@@ -41,6 +43,20 @@ RenderStyle styleOf(const FrameJob& picture, const ExportScene& scene) {
   return style;
 }
 
+/// Gives sheets and obstacles names that differ in all formats and frames, also from those of other objects.
+void separateNames(RunScene& run) {
+  std::set<std::string> used{"surface", "oriented", "particles", "camera"};
+  const auto separate = [&](std::string& name) {
+    const std::string own = name;
+    for (int k = 2; !used.insert(usdName(name)).second; k++) name = fmt::format("{}_{}", own, k);
+  };
+  for (std::string& name : run.sheetNames) separate(name);
+  for (ExportObject& object : run.obstacles) {
+    separate(object.name);
+    for (ComponentMesh& part : object.parts) part.name = object.name;
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const RunScene> RunScenes::of(const fs::path& frame, std::vector<std::string>& warnings) {
@@ -58,7 +74,9 @@ std::shared_ptr<const RunScene> RunScenes::of(const fs::path& frame, std::vector
   try {
     auto made = std::make_shared<RunScene>();
     made->scene = sceneOfText(text, name);
+    for (const SheetBody& sheet : made->scene.sheets) made->sheetNames.push_back(sheet.name);
     made->obstacles = obstaclesOf(made->scene, warnings);
+    separateNames(*made);
     place->second = made;
     made->picture = jobOfScene(made->scene);
   } catch (const std::exception& error) {
@@ -118,7 +136,7 @@ ExportScene gatherScene(const FrameGroup& group, const GatherJob& job, GatherNot
     scene.spacing = stored->scene.spacing;
     if (scene.interval <= 0) scene.interval = stored->scene.output.every;
     scene.periodic = periodicSidesOf(stored->scene.domain);
-    for (const SheetBody& sheet : stored->scene.sheets) scene.sheetNames.push_back(sheet.name);
+    scene.sheetNames = stored->sheetNames;
   }
   const auto has = [&](unsigned content) { return (job.contents & content) != 0; };
   if (has(surfaceContent) && !group.surface.empty()) gatherSurface(group, job, scene, notes);

@@ -16,6 +16,7 @@ namespace thaw {
 /// A scene that frames store, with what all its frames share.
 struct RunScene {
   Scene scene;
+  std::vector<std::string> sheetNames;  ///< one per sheet, different from all other names
   FrameJob picture;                     ///< camera, size, walls
   std::vector<ExportObject> obstacles;  ///< at rest, one per obstacle of the scene; without parts if it
                                         ///< cannot be shown

@@ -66,10 +66,7 @@ class Usda : public UsdFile {
     if (!values_) fail();
     std::setvbuf(values_.get(), nullptr, _IOFBF, 1 << 20);
   }
-  ~Usda() override {
-    std::error_code ignored;
-    std::filesystem::remove(valuePath_, ignored);
-  }
+  ~Usda() override { removeValues(); }
 
   UsdBytes encode(const UsdValue& value) const override {
     Text text;
@@ -96,9 +93,16 @@ class Usda : public UsdFile {
     out_.bytes(head.data(), head.size());
     writePrim(layer.root, "");
     out_.finish();
+    removeValues();
   }
 
  private:
+  void removeValues() {
+    values_.reset();
+    std::error_code ignored;
+    std::filesystem::remove(valuePath_, ignored);
+  }
+
   void writePrim(const UsdPrim& prim, const std::string& indent) {
     out_.text(fmt::format("{0}def {1} \"{2}\"\n{0}{{\n", indent, prim.type, prim.name));
     for (const UsdAttribute& a : prim.attributes) writeAttribute(a, indent + "    ");

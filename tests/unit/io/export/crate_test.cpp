@@ -74,7 +74,7 @@ TEST(Crate, BlocksAreUnpackedToTheSameBytes) {
       addLz4Block(data, packed);
       EXPECT_EQ(unpackedBlock(packed), data) << size << " " << letters;
       EXPECT_LE(packed.size(), size + size / 255 + 16);
-      if (letters == 1 && size > 1000) EXPECT_LT(packed.size(), size / 100);
+      if (letters == 1 && size > 1000) { EXPECT_LT(packed.size(), size / 100); }
     }
 }
 

@@ -73,6 +73,11 @@ TEST_F(Export, SheetsKeepTheirTriangles) {
         "type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\""})
     EXPECT_NE(vtp.find(part), std::string::npos) << part;
   EXPECT_EQ(run(frame, "pov", folder / "cloth.pov"), 2);
+  ASSERT_EQ(run(frame, "usda", folder / "cloth.usda"), 0);
+  const std::string usd = contentOf(folder / "cloth.usda");
+  for (const char* part : {"def Mesh \"sheet_0\"", "def Mesh \"sheet_1\"", "uniform bool doubleSided = 1",
+                           "0: [0, 1, 2, 0, 2, 3],"})
+    EXPECT_NE(usd.find(part), std::string::npos) << part;
 }
 
 /// Two flat rows and a curve of oriented particles. `turn` rotates the order of the rows.
@@ -129,6 +134,8 @@ TEST_F(Export, OrientedParticlesAreInIdOrderWithLinesOfCurves) {
   }
   EXPECT_NE(contentOf(folder / "o0.ply").find("element edge 4\nproperty int vertex1"), std::string::npos);
   EXPECT_EQ(readMesh((folder / "o0.obj").string()).triangles.size(), 10u);
+  ASSERT_EQ(run(folder / "frames" / "o_oriented_000001.hdf", "usda", folder / "o.usda"), 0);
+  EXPECT_NE(contentOf(folder / "o.usda").find("def Mesh \"oriented\""), std::string::npos);
 }
 
 TEST_F(Export, ReadsItsFrames) {
