@@ -12,6 +12,10 @@ expectExit 0 "run"
 export() { "$thaw" export "$work/run" "$@" >"$work/log" 2>&1; }
 
 export --as ply; expectExit 0 "ply"
+export --as ply --what obstacles; expectExit 0 "ply of obstacles"
+[ "$(find "$work/run/export" -name 'scene_obstacles_00000[0-4].ply' | wc -l)" = 5 ] ||
+  fail "names of files of obstacles"
+rm "$work"/run/export/*_obstacles_*
 export --as usd --what all --out "$work/run.usdc"; expectExit 0 "usd"
 grep -q '^5 frames as usd, about ' "$work/log" || fail "no announcement of the size"
 export --as usda --what all --out "$work/run.usda"; expectExit 0 "usda"
@@ -49,7 +53,7 @@ elif ! /usr/bin/python3 -c 'import pyopenvdb' 2>/dev/null; then
   skipped+=("OpenVDB's module for Python (python3-openvdb)")
 else
   # a ball of 5 cm, whose particles have 171 times the volume of their spacing cubed
-  /usr/bin/python3 "$source_dir/tests/export/read_vdb.py" "$work/vdb/scene_surface_000000.vdb" 5.77e-4 \
+  /usr/bin/python3 "$source_dir/tests/export/read_vdb.py" "$work/vdb/scene_all_000000.vdb" 5.77e-4 \
     >"$work/log" 2>&1
   expectExit 0 "OpenVDB"
 fi

@@ -27,7 +27,9 @@ double intervalOf(const std::vector<FrameGroup>& groups) {
 }
 
 /// Returns the expected size of an export in bytes, from the rows of its first, middle and last frame.
-double expectedSize(const std::vector<FrameGroup>& groups, const ExportFormat& format, unsigned contents) {
+double expectedSize(const std::vector<FrameGroup>& groups, const ExportFormat& format, unsigned contents,
+                    double cell) {
+  const double finer = format.keepsSurfels ? 1 : 1 / (cell * cell);  // triangles per surfel
   double rows = 0;
   const std::size_t samples[] = {0, groups.size() / 2, groups.size() - 1};
   for (const std::size_t k : samples)
@@ -35,7 +37,7 @@ double expectedSize(const std::vector<FrameGroup>& groups, const ExportFormat& f
          {std::pair{surfaceContent, groups[k].surface}, std::pair{sheetContent, groups[k].sheets},
           std::pair{orientedContent, groups[k].oriented}, std::pair{particleContent, groups[k].particles}})
       if ((contents & content) && !file.empty())
-        rows += (content == surfaceContent ? 1 : 0.25) *
+        rows += (content == surfaceContent ? finer : 0.25) *
                 static_cast<double>(readFrameInfo(file.string()).count) / std::size(samples);
   return rows * format.bytesPerSurfel * static_cast<double>(groups.size());
 }
@@ -83,7 +85,7 @@ void startExport(const ExportOptions& options, const ExportFormat& format, Expor
   run.job.interval = intervalOf(run.groups);
   if (run.groups.size() > 1)
     fmt::print("{} frames as {}, about {}\n", run.groups.size(), format.name,
-               bytesText(expectedSize(run.groups, format, run.job.contents)));
+               bytesText(expectedSize(run.groups, format, run.job.contents, options.cell)));
 }
 
 void exportFrames(const ExportOptions& options, const ExportFormat& format) {
@@ -93,7 +95,7 @@ void exportFrames(const ExportOptions& options, const ExportFormat& format) {
   const fs::path folder = options.out.empty() ? exportFolder(options.input) : options.out;
   std::vector<fs::path> files;
   for (const FrameGroup& group : run.groups)
-    files.push_back(one ? options.out : folder / (group.first().stem().string() + format.extension));
+    files.push_back(one ? options.out : folder / (outputName(group, run.job.contents) + format.extension));
   if (files[0].has_parent_path()) fs::create_directories(files[0].parent_path());
   std::size_t skipped = 0;
   ProgressLine progress(files.size());

@@ -88,6 +88,23 @@ fs::path FrameGroup::first() const {
   return {};
 }
 
+std::string outputName(const FrameGroup& group, unsigned contents) {
+  FrameGroup files = group;
+  for (const unsigned c : frameContents)
+    if (contents == c) return fileOf(files, c).stem().string();
+  const std::string stem = group.first().stem().string(),
+                    suffix = suffixOf(group.first() == group.surface    ? surfaceContent
+                                      : group.first() == group.oriented ? orientedContent
+                                      : group.first() == group.sheets   ? sheetContent
+                                                                        : particleContent);
+  const std::size_t number = stem.find_last_of('_');
+  const char* kind = contents == obstacleContent ? "_obstacles" : "_all";
+  if (number == std::string::npos) return stem + kind;
+  std::string name = stem.substr(0, number);
+  if (name.ends_with(suffix)) name.resize(name.size() - suffix.size());
+  return name + kind + stem.substr(number);
+}
+
 unsigned contentOfFrame(const fs::path& frame) {
   const FrameInfo info = readFrameInfo(frame.string());
   if (isOrientedFrame(info)) return orientedContent;

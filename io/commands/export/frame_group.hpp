@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "io/commands/export/formats.hpp"
@@ -20,6 +21,10 @@ struct FrameGroup {
 /// of a wanted kind, and std::invalid_argument if the format cannot hold it.
 std::vector<FrameGroup> findFrameGroups(const ExportOptions& options, const ExportFormat& format,
                                         unsigned& contents);
+
+/// Returns the name of an exported frame without its ending: that of its frame for one content, such as
+/// NAME_surface_000120, NAME_obstacles_000120, or NAME_all_000120 for several contents.
+std::string outputName(const FrameGroup& group, unsigned contents);
 
 /// Returns the content of a frame file.
 unsigned contentOfFrame(const std::filesystem::path& frame);
