@@ -91,7 +91,9 @@ assert.equal(layer.timeCodesPerSecond, 20);
 assert.equal(layer.endTimeCode, meshes.length - 1);
 compareWithMeshes(specsByPath, `/${root}/surface`, meshes);
 assert.ok(specsByPath[`/${root}/particles.ids`] && specsByPath[`/${root}/particles.widths`]);
-assert.ok(samples(specsByPath, `/${root}/lid`, 'xformOp:transform').values.length === meshes.length);
+const lid = samples(specsByPath, `/${root}/lid`, 'xformOp:transform').values;
+assert.equal(lid.length, meshes.length);
+lid.forEach((matrix, k) => assert.ok(Math.abs(matrix[14] - 0.01 * k) < 1e-6, 'height of the lid'));
 
 for (const file of [crateFile, textFile]) {
   const scene = new USDLoader().parse(bytesOf(file).buffer);
