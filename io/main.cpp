@@ -13,6 +13,8 @@
 #include "io/commands/compare_command.hpp"
 #include "io/commands/export.hpp"
 #include "io/commands/info_command.hpp"
+#include "io/commands/new_command.hpp"
+#include "io/commands/plot.hpp"
 #include "io/commands/render.hpp"
 #include "io/commands/run.hpp"
 #include "io/commands/view.hpp"
@@ -93,7 +95,7 @@ bool parsed(CLI::App& app, int argc, char** argv, int& code) {
 
 /// Options of `thaw docs`.
 struct DocsOptions {
-  bool man = false;
+  bool man = false, schema = false;
   std::string completion;
 };
 
@@ -101,14 +103,18 @@ CLI::App* addDocsCommand(CLI::App& app, DocsOptions& o) {
   CLI::App* command = app.add_subcommand("docs",
                                          "print the keys of a scene file (docs/scene.md), or other pages");
   auto* man = command->add_flag("--man", o.man, "print the man page thaw.1 instead");
+  auto* schema = command->add_flag("--schema", o.schema, "print the JSON schema of scene files for editors")
+                     ->excludes(man);
   command->add_option("--completion", o.completion, "print the completion of the command line for this shell")
       ->check(CLI::IsMember({"bash"}))
-      ->excludes(man);
+      ->excludes(man)
+      ->excludes(schema);
   return command;
 }
 
 int docsCommand(const CLI::App& app, const DocsOptions& o) {
   const std::string text = o.man                   ? thaw::manPage(thaw::describe(app), thaw::versionNumber())
+                           : o.schema              ? thaw::sceneSchema()
                            : !o.completion.empty() ? thaw::bashCompletion(thaw::describe(app))
                                                    : thaw::sceneDocumentation();
   return std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0 ? thaw::exitInputOutput : 0;
@@ -129,6 +135,9 @@ int main(int argc, char** argv) {
   ViewOptions view;
   CompareArguments compare;
   InfoArguments info;
+  NewOptions fresh;
+  PlotOptions plot;
+  CLI::App* newApp = addNewCommand(app, fresh);
   CLI::App* runApp = app.add_subcommand("run", "simulate a scene; mpirun starts it on several ranks");
   addRunOptions(*runApp, run);
   RunOptions relax;
@@ -146,6 +155,7 @@ int main(int argc, char** argv) {
   addViewOptions(*viewApp, view);
   CLI::App* compareApp = addCompareCommand(app, compare);
   CLI::App* infoApp = addInfoCommand(app, info);
+  CLI::App* plotApp = addPlotCommand(app, plot);
   DocsOptions docs;
   CLI::App* docsApp = addDocsCommand(app, docs);
   int code = 0;
@@ -154,6 +164,8 @@ int main(int argc, char** argv) {
   if (*renderApp) return renderCommand(render);
   if (*exportApp) return exportCommand(exportOptions);
   if (*viewApp) return viewCommand(view);
+  if (*newApp) return newCommand(fresh);
+  if (*plotApp) return plotCommand(plot);
   if (*docsApp) return docsCommand(app, docs);
   useRomio();  // before MPI starts
   MpiSession mpi(&argc, &argv);

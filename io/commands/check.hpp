@@ -14,6 +14,7 @@ struct CheckOptions {
   std::string scene;
   std::vector<std::string> overrides;
   int ranks = 0;          ///< number of ranks for the estimates; 0: the ranks of this command
+  bool json = false;      ///< print the report, or the errors of the scene, as JSON
   bool settings = false;  ///< print all settings on the frontier of error against time
 };
 

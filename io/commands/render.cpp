@@ -96,7 +96,8 @@ FrameKind kindOf(const std::string& what) {
 }
 
 FrameJob jobOf(const RenderOptions& options) {
-  const std::vector<fs::path> frames = findFrames(options.input, kindOf(options.what));
+  std::vector<fs::path> frames = findFrames(options.input, kindOf(options.what));
+  if (options.latest) frames.erase(frames.begin(), frames.end() - 1);
   FrameJob job = jobOfRun(frames.back());
   job.frames = frames;
   job.out = options.out.empty() ? picturesFolder(options.input) : options.out;
@@ -143,7 +144,9 @@ void filmOf(std::vector<fs::path> pictures, const RenderOptions& options) {
 void addRenderOptions(CLI::App& command, RenderOptions& o) {
   command.add_option("path", o.input, "frame (.hdf), series index (.hdf.series), or run folder")->required();
   command.add_option("--out", o.out, "folder of the pictures (default: pictures/ in the run's folder)");
-  command.add_option("--sheet", o.sheet, "write a contact sheet of the run to this file as well");
+  auto* latest = command.add_flag("--latest", o.latest, "only the newest frame, also of a running run");
+  command.add_option("--sheet", o.sheet, "write a contact sheet of the run to this file as well")
+      ->excludes(latest);
   command.add_option(
       "--field", o.field,
       "field of the colours: a name, speed, or none; for surfaces also surface (its own colours) and glow "
@@ -180,7 +183,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
                   "look of oriented particles: mesh (shaded triangles), wire, discs, or axes")
       ->check(CLI::IsMember({"mesh", "wire", "discs", "axes"}))
       ->capture_default_str();
-  command.add_flag("--movie", o.movie, "make a movie (mp4) of the pictures as well; needs ffmpeg");
+  command.add_flag("--movie", o.movie, "make a movie (mp4) of the pictures as well; needs ffmpeg")
+      ->excludes(latest);
   command.add_option("--rate", o.rate, "pictures per second of the movie")
       ->check(CLI::Range(0.1, 240.0))
       ->capture_default_str();

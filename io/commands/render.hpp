@@ -22,6 +22,7 @@ struct RenderOptions {
   std::string map = "ember";
   std::vector<double> from, at;  ///< m, three numbers each; empty: the scene's camera or fitted
   double fieldOfView = 0;        ///< degrees, vertical; 0: the scene's
+  bool latest = false;           ///< only the newest frame
   bool fit = false;              ///< fit the camera to the particles, not to the scene's choice
   bool obstacles = true;
   int width = 0, height = 0;    ///< pixels; 0: the scene's

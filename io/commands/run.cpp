@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/commands/run.hpp"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <memory>
 #include <optional>
 
 #include "io/run/signals.hpp"
@@ -23,6 +28,65 @@ CLI::Validator notBelowZero() {
                                                     : "must be a number of at least 0, got " + text;
           },
           "", ""};
+}
+
+/// Writes to a terminal: lines scroll, and a line of status stays below them.
+class TerminalLog {
+ public:
+  void say(const std::string& line) {
+    std::printf("\r\033[K%s\n", line.c_str());
+    draw();
+  }
+  void status(const std::string& line) {
+    status_ = line;
+    draw();
+    if (line.find('>') == line.npos) end();  // the bar is full: no line follows it
+  }
+  ~TerminalLog() { end(); }
+
+ private:
+  void end() {
+    if (!status_.empty()) std::printf("\n"), std::fflush(stdout);
+    status_.clear();
+  }
+  /// A line longer than the terminal would wrap, and could not be redrawn.
+  void draw() const {
+    winsize size{};
+    const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+    const std::size_t columns = known ? size.ws_col - 1u : 79;
+    if (!status_.empty()) std::printf("\r%s\033[K", status_.substr(0, columns).c_str());
+    std::fflush(stdout);
+  }
+  std::string status_;
+};
+
+/// Returns whether a launcher such as mpirun started this process, by its first environment: MPI adds
+/// variables of its own once it has started.
+bool launched() {
+  std::ifstream file("/proc/self/environ", std::ios::binary);
+  for (std::string entry; std::getline(file, entry, '\0');)
+    for (const char* name :
+         {"OMPI_COMM_WORLD_SIZE=", "PMIX_RANK=", "PMI_RANK=", "PMI_SIZE=", "SLURM_PROCID="})
+      if (entry.rfind(name, 0) == 0) return true;
+  return false;
+}
+
+/// Returns whether lines may be redrawn. Under a launcher, isatty is true on every rank also when its output
+/// goes to a file.
+bool drawsInPlace() {
+  const char* term = std::getenv("TERM");
+  return ::isatty(STDOUT_FILENO) == 1 && term && std::string(term) != "dumb" && !launched();
+}
+
+/// Sends lines of the run to standard output.
+void setOutput(RunOptions& o) {
+  if (!drawsInPlace()) {
+    o.log = [](const std::string& line) { std::printf("%s\n", line.c_str()), std::fflush(stdout); };
+    return;
+  }
+  const auto terminal = std::make_shared<TerminalLog>();
+  o.log = [terminal](const std::string& line) { terminal->say(line); };
+  o.status = [terminal](const std::string& line) { terminal->status(line); };
 }
 
 void addForce(CLI::App& c, RunOptions& o) {
@@ -74,7 +138,7 @@ void addRelaxOptions(CLI::App& c, RunOptions& o) {
 int runCommand(const RunOptions& given) {
   RunOptions options = given;
   if (options.out.empty()) options.out = "out/" + std::filesystem::path(options.scene).stem().string();
-  options.log = [](const std::string& line) { std::printf("%s\n", line.c_str()), std::fflush(stdout); };
+  setOutput(options);
   catchSignals();
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

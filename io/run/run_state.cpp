@@ -194,8 +194,10 @@ void report(Run& r) {
   gatherSurface(r);
   r.summary.ledger = l;
   r.summary.solvers = solversOf(r.world, r.tools);
-  r.say(progressLine(progress, l) + sleepText(r) + progressOf(r.summary.solvers) +
-        progressOf(r.summary.surface));
+  const std::string line = progressLine(progress, l) + sleepText(r) + progressOf(r.summary.solvers) +
+                           progressOf(r.summary.surface);  // collective
+  if (!r.options.status) r.say(line);
+  else if (r.first()) r.options.status(statusLine(progress, l));
   onDisk(r, [&] { addToProgressLog(r.options.out, progress, r.summary); });
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;

@@ -31,4 +31,7 @@ const char* exampleScene();
 /// Returns docs/scene.md, from the table of keys.
 std::string sceneDocumentation();
 
+/// Returns the JSON schema (draft 4) of scene files for editors, from the same table.
+std::string sceneSchema();
+
 }  // namespace thaw

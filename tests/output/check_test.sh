@@ -47,6 +47,35 @@ expectMessage ' to .* for the surface)$' "a range of times"
 launch 2 check "$work/s.toml" --ranks 5 --settings >"$work/log" 2>&1; expectExit 0 "check --ranks --settings"
 expectMessage '^run time: about .* with 5 ranks' "--ranks"
 expectMessage '^  liquid at rest (hydrostatic): defaults' "--settings"
+# --json has all of it, as numbers
+launch 2 check "$work/s.toml" --json --set nonsense=1 >"$work/log" 2>"$work/errors"
+expectExit 2 "a bad scene"
+grep -q "unknown key 'nonsense'" "$work/errors" || fail "the message of --json"
+/usr/bin/python3 - "$work/log" <<'PYTHON' || fail "errors as JSON: $(cat "$work/log")"
+import json, sys
+[error] = json.load(open(sys.argv[1]))['errors']
+assert error['file'] == '--set nonsense=1' and 'unknown key' in error['message'] and 'line' not in error
+PYTHON
+sed 's/^density.*/densty = 1/' "$work/s.toml" >"$work/bad.toml"
+launch 1 check "$work/bad.toml" --json >"$work/log" 2>/dev/null; expectExit 2 "a bad key"
+/usr/bin/python3 - "$work/log" <<'PYTHON' || fail "errors as JSON: $(cat "$work/log")"
+import json, sys
+[error] = json.load(open(sys.argv[1]))['errors']
+assert (error['line'], error['column']) == (7, 1) and error['file'].endswith('bad.toml'), error
+PYTHON
+launch 2 check "$work/s.toml" --json >"$work/log" 2>&1; expectExit 0 "check --json"
+/usr/bin/python3 - "$work/log" <<'PYTHON' || fail "the report as JSON: $(cat "$work/log")"
+import json, sys
+report = json.load(open(sys.argv[1]))
+ball, brick = report['particles']['bodies']
+assert (ball['name'], ball['particles'], ball['material']) == ('ball', 81, 'wax')
+assert abs(brick['mass'] - 0.4) < 1e-12 and abs(ball['shape_mass'] - 0.5236) < 1e-3
+assert report['errors'] == [] and report['spacing'] == 0.02 and report['estimate']['ranks'] == 2
+step, least, most = report['time_step'], *report['estimate']['run_time']
+assert 0 < step['start'] < 1 and step['limited_by'] in step['material_limits'] and 0 < least < most
+assert step['sound_speeds'][0]['material'] == 'wax' and len(report['modules']) > 3
+assert any('hourglass' in line for line in report['settings'])
+PYTHON
 sed -i '/melts/d; /tempering/,/over/d' "$work/s.toml"
 launch 1 check "$work/s.toml" >"$work/log" 2>&1; expectExit 0 "check of a solid"
 grep -q 'breaks up' "$work/log" && fail "a solid that falls apart into drops"

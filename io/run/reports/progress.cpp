@@ -85,6 +85,12 @@ Columns columnsOf(const Progress& p, const RunSummary& s) {
   return c;
 }
 
+/// Returns the residual over the largest term of the ledger.
+std::string residualShare(const LedgerReport& l) {
+  return isRounding(l) ? "rounding"
+                       : fmt::format("{:+.1e}", l.energyScale > 0 ? l.energyResidual / l.energyScale : 0);
+}
+
 std::string headOf(const Columns& columns) {
   std::string head;
   for (const auto& [name, value] : columns) head += (head.empty() ? "" : ",") + name;
@@ -103,17 +109,26 @@ std::string progressLine(const Progress& p, const LedgerReport& l) {
   const bool continuum = l.particles > 0 || kinds.empty();
   if (continuum)
     kinds = fmt::format("  particles {}{}  liquid {:.1f} %", l.particles, kinds, 100 * l.liquidFraction);
-  const std::string share = isRounding(l)
-                                ? "rounding"
-                                : fmt::format("{:+.1e}",
-                                              l.energyScale > 0 ? l.energyResidual / l.energyScale : 0);
   // Sheets without neighbour forces have no limit; a step ends at the next frame.
   const std::string step = c.dt < never
                                ? fmt::format("{:.1e} s ({}{})", c.dt, c.limitedBy,
                                              c.substeps > 1 ? fmt::format(", {} substeps", c.substeps) : "")
                                : "without limit";
   return fmt::format("t {:.5f} s  step {}  dt {}  {:.1f} steps/s  left {}{}  residual {:+.1e} J ({})", c.time,
-                     c.step, step, p.stepsPerSecond, duration(p.secondsLeft), kinds, l.energyResidual, share);
+                     c.step, step, p.stepsPerSecond, duration(p.secondsLeft), kinds, l.energyResidual,
+                     residualShare(l));
+}
+
+std::string statusLine(const Progress& p, const LedgerReport& l) {
+  constexpr int width = 20;
+  const Clock& c = p.clock;
+  const double share = c.end > 0 ? std::min(1.0, c.time / c.end) : 1;
+  const int done = static_cast<int>(share * width);
+  const std::string bar = std::string(static_cast<std::size_t>(done), '=') + (done < width ? ">" : "");
+  const std::string step = c.dt < never ? fmt::format("  dt {:.1e} s ({})", c.dt, c.limitedBy) : "",
+                    liquid = l.particles > 0 ? fmt::format("  liquid {:.1f} %", 100 * l.liquidFraction) : "";
+  return fmt::format("[{:<{}}] {:3.0f} %  left {}  t {:.4g} s{}{}  residual {}", bar, width, 100 * share,
+                     duration(p.secondsLeft), c.time, step, liquid, residualShare(l));
 }
 
 std::string progressOf(const std::vector<SolverUse>& solvers) {

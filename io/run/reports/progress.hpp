@@ -20,6 +20,9 @@ struct Progress {
 /// explains, with its share of the largest term. Solvers and the surface add their text behind it. The line
 /// has some 160 characters.
 std::string progressLine(const Progress& progress, const LedgerReport& ledger);
+/// Returns "[=======>            ]  36 %  left 12 min 6 s  t 0.4819 s  dt 8.0e-05 s (elastic waves)  liquid
+/// 9.2 %  residual +9.4e-04", for a line that is redrawn in place.
+std::string statusLine(const Progress& progress, const LedgerReport& ledger);
 /// Returns "  density 7 it  viscosity 12 it", for the last step.
 std::string progressOf(const std::vector<SolverUse>& solvers);
 /// Returns "  surfels 60123", or "" without a surface.

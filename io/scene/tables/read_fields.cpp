@@ -19,7 +19,8 @@ void readNumberOrField(TableReader& r, const NumberKey& k, double& value, Positi
   if (r.recording() && field)
     return static_cast<void>(r.node(k.key, k.unit, "", "", "\"" + field.text + "\""));
   const std::string text = r.textOf(k.key);
-  if (!r.reading() || !looksLikeExpression(text)) return r.number(k.key, value, k.unit, k.range, k.about);
+  if (!r.reading() || !looksLikeExpression(text))
+    return r.orAs(KeyForm::Type::Expression).number(k.key, value, k.unit, k.range, k.about);
   const toml::node* n = r.node(k.key, k.unit, "", k.about);
   Expression e = parseExpression(text);
   if (!e.error.empty())
@@ -49,7 +50,8 @@ std::string componentsText(const Vec3d& velocity, const VelocityField& field) {
 void readVelocity(TableReader& r, Vec3d& velocity, VelocityField& field, const char* about) {
   if (r.recording())
     return static_cast<void>(r.node("velocity", "m/s", "", "", componentsText(velocity, field)));
-  if (!r.isTable("velocity")) return r.vector("velocity", velocity, "m/s", about);
+  if (!r.isTable("velocity"))
+    return r.orAs(KeyForm::Type::Expression).vector("velocity", velocity, "m/s", about);
   r.table("velocity", about, [&](TableReader& t) { readComponents(t, velocity, field); });
 }
 

@@ -26,7 +26,9 @@ void readLiquid(TableReader& r, Material& m) {
   if (r.hasList("viscosity") || !m.viscosityTable.empty()) {
     r.pairs({"viscosity", "K", "Pa s", {0, never, true, false, false}, positive(), "", ""}, m.viscosityTable);
   } else {
-    r.blend({"viscosity", "Pa s", notNegative(), Liquid::Same,
+    r.orAs(KeyForm::Type::Pairs)
+        .blend(
+            {"viscosity", "Pa s", notNegative(), Liquid::Same,
              "viscosity of the liquid; or a table of pairs `[[\"900 degC\", \"1e4 Pa s\"], [\"1200 degC\", "
              "\"50 Pa s\"]]`, interpolated logarithmically"},
             m.viscosity);

@@ -75,11 +75,13 @@ const toml::node* TableReader::get(const std::string& key) {
   return table_ ? table_->get(key) : nullptr;
 }
 
-void TableReader::describe(KeyDescription k) {
+void TableReader::describe(KeyDescription k, KeyForm form) {
   known_.insert(k.key);
   const std::optional<Restart> once = std::exchange(once_, std::nullopt);
+  form.alternative = std::exchange(alternative_, std::nullopt);
   if (reading()) return;
   k.table = path_;
+  k.form = std::move(form);
   if (!k.restart) k.restart = once ? once : restart_;
   if (recording()) {
     if (k.standard == "none" || !k.restart || *k.restart == Restart::Free) return;
@@ -90,10 +92,13 @@ void TableReader::describe(KeyDescription k) {
 }
 
 /// Describes a key whose value is a table or several.
-void TableReader::describeTable(const char* key, const char* range, const char* about) {
+void TableReader::describeTable(const char* key, KeyForm::Type type, const char* about) {
   known_.insert(key);
   const std::optional<Restart> once = std::exchange(once_, std::nullopt);
-  if (describing()) keys_->push_back({path_, key, "", range, "none", about, once});
+  const char* range = type == KeyForm::Type::Table    ? "table"
+                      : type == KeyForm::Type::Tables ? "list of tables"
+                                                      : "tables by name";
+  if (describing()) keys_->push_back({path_, key, "", range, "none", about, once, {}, {type}});
 }
 
 TableReader TableReader::inner(const std::string& path, std::vector<KeyDescription>& keys) const {
@@ -153,19 +158,21 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
 
 void TableReader::number(const char* key, double& value, const char* unit, const Range& range,
                          const char* about) {
-  describe({"", key, unit, range.text(), numberText(value), about});
+  describe({"", key, unit, range.text(), numberText(value), about}, {KeyForm::Type::Quantity, range});
   if (const toml::node* n = get(key)) quantity(*n, key, unit, range, value);
 }
 void TableReader::number(const char* key, std::optional<double>& value, const char* unit, const Range& range,
                          const char* about) {
-  describe({"", key, unit, range.text(), value ? numberText(*value) : "none", about});
+  describe({"", key, unit, range.text(), value ? numberText(*value) : "none", about},
+           {KeyForm::Type::Quantity, range});
   double v = 0;
   if (const toml::node* n = get(key); n && quantity(*n, key, unit, range, v)) value = v;
 }
 
 void TableReader::whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high,
                         const char* about) {
-  describe({"", key, "", fmt::format("{} ... {}, whole", low, high), fmt::format("{}", value), about});
+  describe({"", key, "", fmt::format("{} ... {}, whole", low, high), fmt::format("{}", value), about},
+           {KeyForm::Type::Whole, between(static_cast<double>(low), static_cast<double>(high))});
   const toml::node* n = get(key);
   if (!n) return;
   const auto* i = n->as_integer();
@@ -189,17 +196,18 @@ bool TableReader::readVector(const char* key, const char* unit, Vec3d& value) {
   return true;
 }
 void TableReader::vector(const char* key, Vec3d& value, const char* unit, const char* about) {
-  describe({"", key, unit, "three numbers", vectorText(value), about});
+  describe({"", key, unit, "three numbers", vectorText(value), about}, {KeyForm::Type::Vector});
   readVector(key, unit, value);
 }
 void TableReader::vector(const char* key, std::optional<Vec3d>& value, const char* unit, const char* about) {
-  describe({"", key, unit, "three numbers", value ? vectorText(*value) : "none", about});
+  describe({"", key, unit, "three numbers", value ? vectorText(*value) : "none", about},
+           {KeyForm::Type::Vector});
   Vec3d v{};
   if (readVector(key, unit, v)) value = v;
 }
 
 void TableReader::flag(const char* key, bool& value, const char* about) {
-  describe({"", key, "", "true, false", value ? "true" : "false", about});
+  describe({"", key, "", "true, false", value ? "true" : "false", about}, {KeyForm::Type::Flag});
   const toml::node* n = get(key);
   if (!n) return;
   if (const auto* b = n->as_boolean()) value = b->get();
@@ -207,7 +215,7 @@ void TableReader::flag(const char* key, bool& value, const char* about) {
 }
 
 void TableReader::text(const char* key, std::string& value, const char* about, const char* range) {
-  describe({"", key, "", range, value.empty() ? "none" : "\"" + value + "\"", about});
+  describe({"", key, "", range, value.empty() ? "none" : "\"" + value + "\"", about}, {KeyForm::Type::Text});
   const toml::node* n = get(key);
   if (!n) return;
   if (const auto* s = n->as_string()) value = s->get();
@@ -216,7 +224,8 @@ void TableReader::text(const char* key, std::string& value, const char* about, c
 
 void TableReader::words(const char* key, std::vector<std::string>& value,
                         const std::vector<std::string>& allowed, const char* about) {
-  describe({"", key, "", "list of " + listOf(allowed), "[" + listOf(value) + "]", about});
+  describe({"", key, "", "list of " + listOf(allowed), "[" + listOf(value) + "]", about},
+           {KeyForm::Type::Words, {}, allowed});
   const toml::node* n = get(key);
   if (!n) return;
   const toml::array* a = n->as_array();
@@ -235,7 +244,8 @@ void TableReader::words(const char* key, std::vector<std::string>& value,
 
 void TableReader::choice(const char* key, int& value, const std::vector<std::string>& words,
                          const char* about) {
-  describe({"", key, "", listOf(words), "\"" + words[static_cast<std::size_t>(value)] + "\"", about});
+  describe({"", key, "", listOf(words), "\"" + words[static_cast<std::size_t>(value)] + "\"", about},
+           {KeyForm::Type::Choice, {}, words});
   const toml::node* n = get(key);
   if (!n) return;
   const auto* s = n->as_string();
@@ -253,7 +263,8 @@ void TableReader::blend(const BlendKey& k, Blend& value) {
                                    ? numberText(value.solid)
                                    : fmt::format("{{ solid = {}, liquid = {} }}", numberText(value.solid),
                                                  numberText(value.liquid));
-  describe({"", k.key, k.unit, k.range.text() + ", or { solid = ..., liquid = ... }", standard, k.about});
+  describe({"", k.key, k.unit, k.range.text() + ", or { solid = ..., liquid = ... }", standard, k.about},
+           {KeyForm::Type::Blend, k.range});
   const toml::node* n = get(k.key);
   if (!n) return;
   if (n->is_table()) {
@@ -272,7 +283,7 @@ void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>
   std::vector<std::string> texts;
   for (const auto& [first, second] : value)
     texts.push_back(fmt::format("[{}, {}]", numberText(first), numberText(second)));
-  describe({"", k.key, "", k.range, listText(texts), k.about});
+  describe({"", k.key, "", k.range, listText(texts), k.about}, {KeyForm::Type::Pairs});
   const toml::node* n = get(k.key);
   const toml::array* a = n ? n->as_array() : nullptr;
   if (!n) return;
@@ -313,7 +324,7 @@ void TableReader::readTable(const toml::node& n, const std::string& path,
 
 void TableReader::eachTable(const char* key, const char* about,
                             const std::function<void(TableReader&)>& read) {
-  describeTable(key, "list of tables", about);
+  describeTable(key, KeyForm::Type::Tables, about);
   if (describing()) {
     TableReader r = inner(named(key), *keys_);
     return read(r);
@@ -338,7 +349,7 @@ void TableReader::eachTable(const char* key, const char* about,
 void TableReader::table(const char* key, const char* about, bool there,
                         const std::function<void(TableReader&)>& read) {
   if (recording() && there && once_) keys_->push_back({path_, key, "", "", "true", "", once_});
-  describeTable(key, "table", about);
+  describeTable(key, KeyForm::Type::Table, about);
   if (!reading()) {
     TableReader r = inner(named(key), *keys_);
     if (describing() || there) read(r);
@@ -352,7 +363,7 @@ void TableReader::table(const char* key, const char* about, const std::function<
 
 void TableReader::eachNamedTable(const char* key, const char* about,
                                  const std::function<void(const std::string&, TableReader&)>& read) {
-  describeTable(key, "tables by name", about);
+  describeTable(key, KeyForm::Type::NamedTables, about);
   if (describing()) {
     TableReader r = inner(named(key) + ".NAME", *keys_);
     return read("NAME", r);

@@ -36,6 +36,30 @@ enum class Restart {
   Free          ///< not recorded
 };
 
+/// The values of a key as data, for the schema of scene files.
+struct KeyForm {
+  enum class Type {
+    Other,  ///< described by the text of its range alone
+    Quantity,
+    Blend,
+    Whole,
+    Vector,
+    Flag,
+    Text,
+    Words,
+    Choice,
+    Pairs,
+    Expression,
+    Table,
+    Tables,
+    NamedTables
+  };
+  Type type = Type::Other;
+  Range range{};                      ///< Quantity, Blend, Whole
+  std::vector<std::string> words{};   ///< Words, Choice
+  std::optional<Type> alternative{};  ///< a second form that the reader takes
+};
+
 /// A key as docs/scene.md shows it, or with its value in a scene.
 struct KeyDescription {
   std::string table, key, unit, range;
@@ -43,6 +67,7 @@ struct KeyDescription {
   std::string about;
   std::optional<Restart> restart{};  ///< none: a table, or a key of shapes, which have that of their table
   SourcePlace where{};               ///< table of a recorded key; without a line if unknown
+  KeyForm form{};
 };
 
 class TableReader {
@@ -61,6 +86,8 @@ class TableReader {
   void restart(Restart effect) { restart_ = effect; }
   /// Sets it for the next key alone. Before a table or a list it concerns their presence and order.
   TableReader& as(Restart effect) { return once_ = effect, *this; }
+  /// Describes a second form of the value of the next key.
+  TableReader& orAs(KeyForm::Type alternative) { return alternative_ = alternative, *this; }
   const std::string& path() const { return path_; }
   SourcePlace place() const;
   /// Reads the place of the table into `where`, or records its keys with this place.
@@ -153,8 +180,8 @@ class TableReader {
  private:
   const toml::node* get(const std::string& key);
   std::string named(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
-  void describe(KeyDescription key);
-  void describeTable(const char* key, const char* range, const char* about);
+  void describe(KeyDescription key, KeyForm form = {});
+  void describeTable(const char* key, KeyForm::Type type, const char* about);
   bool readVector(const char* key, const char* unit, Vec3d& value);
   TableReader inner(const std::string& path, std::vector<KeyDescription>& keys) const;
   void eachTable(const char* key, const char* about, const std::function<void(TableReader&)>& read);
@@ -197,6 +224,7 @@ class TableReader {
   std::vector<SceneError>* errors_ = nullptr;
   std::vector<KeyDescription>* keys_ = nullptr;
   std::optional<Restart> restart_, once_;
+  std::optional<KeyForm::Type> alternative_;
   SourcePlace where_;
   std::set<std::string> known_, refused_;
 };

@@ -16,6 +16,14 @@ TEST(SceneDocumentation, DocsSceneMdMatchesTheTableOfKeys) {
       << "docs/scene.md is out of date; write it with: build/release/thaw docs > docs/scene.md";
 }
 
+TEST(SceneDocumentation, SchemaOfScenesMatchesTheTableOfKeys) {
+  std::ifstream file(THAW_SOURCE_DIR "/scenes/scene.schema.json");
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_TRUE(text.str() == sceneSchema())
+      << "it is out of date; write it with: build/release/thaw docs --schema > scenes/scene.schema.json";
+}
+
 TEST(SceneDocumentation, ExampleIsAValidScene) {
   const Scene s = readScene(sceneFilesOf("jelly.toml", exampleScene()));
   ASSERT_EQ(s.bodies.size(), 1u);

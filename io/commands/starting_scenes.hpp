@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commented scenes that `thaw new` writes.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+namespace thaw {
+
+struct StartingScene {
+  const char *kind, *about;
+  const char* text;  ///< TOML without its title; a line break comes first
+};
+
+std::span<const StartingScene> startingScenes();
+
+/// Returns the names of all kinds.
+std::vector<std::string> startingKinds();
+
+}  // namespace thaw
