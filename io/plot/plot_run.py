@@ -134,6 +134,9 @@ def residual(run):
         axis.plot(time, energy, color=COLOURS[0], linewidth=1.6, label='energy')
         if changes(of_heat):
             axis.plot(time, of_heat, color=COLOURS[1], linewidth=1.6, label='heat')
+        drawn = np.concatenate((energy, of_heat))
+        most = 1.2 * np.nanmax(np.abs(drawn)) or 1
+        axis.set_ylim(-most, most)
         axis.set_title('unexplained, over the largest term of the ledger')
         axis.set_ylabel('%')
         axis.legend(fontsize=8, frameon=False, ncols=3)

@@ -101,6 +101,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("register_extension", &registerFunction, py::arg("name"), py::arg("about"), py::arg("keys"),
         py::arg("load"), py::arg("step_limit"));
   m.def("documentation", &sceneDocumentation, "The key table of scene files, as Markdown.");
+  m.def("schema", &sceneSchema, "The JSON schema of scene files.");
   m.def("example", &exampleScene, "A small complete scene, as TOML.");
 }
 

@@ -82,3 +82,46 @@ def test_the_guide_runs_as_it_is_printed(bodies: str, tmp_path: pathlib.Path) ->
     assert done.returncode == 0, done.stderr
     assert '<Run out/melt: <5 frames, 0 to 0.04 s>>' in done.stdout and 'equal' in done.stdout
     assert (tmp_path / 'energy.png').exists()
+
+
+def needsSimulations() -> None:
+    try:
+        from thaw._load import core
+
+        core()
+    except ImportError as error:
+        pytest.skip(str(error))
+
+
+def runWithCore(name: str, *arguments: str) -> str:
+    env = {**os.environ, 'PYTHONPATH': str(pathlib.Path(thaw.__file__).parents[1])}
+    line = [sys.executable, str(EXAMPLES / name), *arguments]
+    done = subprocess.run(line, env=env, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_a_sweep_melts_more_on_hotter_plates_and_repeats_no_run(tmp_path: pathlib.Path) -> None:
+    needsSimulations()
+    first = runWithCore('sweep.py', str(tmp_path))
+    shares = [float(s) for s in re.findall(r'degC: ([\d.]+) % liquid', first)]
+    assert len(shares) == 4 and shares == sorted(shares) and 10 < shares[0] < shares[-1] < 60
+    before = (tmp_path / 'plate_100/summary.json').stat().st_mtime_ns
+    assert runWithCore('sweep.py', str(tmp_path)) == first
+    assert (tmp_path / 'plate_100/summary.json').stat().st_mtime_ns == before
+
+
+def test_an_optimisation_reaches_its_target() -> None:
+    pytest.importorskip('scipy')
+    needsSimulations()
+    lines = runWithCore('optimise.py', '0.15').splitlines()
+    assert re.fullmatch(r'\d+ degC melts 15 %', lines[-1])
+    shares = [float(re.search(r'([\d.]+) % liquid', line)[1]) for line in lines[:-1]]
+    assert min(abs(s - 15) for s in shares) < 0.5
+
+
+def test_a_coupled_pendulum_gives_its_energy_to_the_water() -> None:
+    needsSimulations()
+    last = runWithCore('coupling.py', '0.4').splitlines()[-1]
+    lost, got = (float(x) for x in re.findall(r'([-\d.]+) J', last))
+    assert lost > 10 and abs(lost - got) < 0.1 * lost

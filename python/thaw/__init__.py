@@ -35,7 +35,8 @@ from .mesh import Mesh
 from .points import Field, Points
 from .run import Run
 from .run import openRun as open  # noqa: A001
-from .scene import Scene
+from .picture import Picture
+from .scene import Scene, SceneReport
 from .scene_text import Domain
 from .simulation import Rows, Simulation, register_extension
 from .summary import Summary
@@ -60,11 +61,13 @@ __all__ = [
     'MissingError',
     'Oriented',
     'Points',
+    'Picture',
     'ProgramError',
     'Rows',
     'Run',
     'Scene',
     'SceneError',
+    'SceneReport',
     'Sheets',
     'Simulation',
     'Summary',

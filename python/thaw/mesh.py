@@ -124,7 +124,7 @@ def exportedMesh(frame: str) -> Optional[str]:
         return None
 
 
-def findProgram() -> str:
+def findProgram(purpose: str = '') -> str:
     """Path of the program thaw: that of the environment variable THAW_PROGRAM, else that on PATH."""
     given = os.environ.get('THAW_PROGRAM')
     found = shutil.which(given or 'thaw')
@@ -133,6 +133,8 @@ def findProgram() -> str:
     raise ProgramError(
         f'THAW_PROGRAM names {given}, which is no program'
         if given
+        else f'the program thaw is needed {purpose}: put it on PATH, or name it in THAW_PROGRAM'
+        if purpose
         else 'triangles of this frame need the program thaw: put it on PATH, name it in THAW_PROGRAM, or run '
         '`thaw export RUN --as ply`, whose files are read'
     )

@@ -3,14 +3,91 @@
 
 from __future__ import annotations
 
+import functools
+import inspect
 import json
 import math
-from typing import Any, Mapping, Optional, Union
+import os
+import subprocess
+import tempfile
+from typing import Any, Iterator, Mapping, Optional, Union
 
-__all__ = ["Scene"]
+from ._load import core
+from .errors import ProgramError
+from .mesh import findProgram
+
+__all__ = ["Scene", "SceneReport"]
 
 
-class Scene:
+@functools.lru_cache(maxsize=1)
+def _schema() -> str:
+    return core().schema()
+
+
+class _Completed(type):
+    """Gives the signature of Scene the keys of scene files, for the completion of keywords."""
+
+    @property
+    def __signature__(cls) -> inspect.Signature:
+        kind = inspect.Parameter.KEYWORD_ONLY
+        first = inspect.Parameter("scene", inspect.Parameter.POSITIONAL_OR_KEYWORD, default=None)
+        try:
+            names = list(json.loads(_schema())["properties"])
+        except ImportError:
+            names = []
+        keys = [inspect.Parameter(name, kind, default=None) for name in ["name", *names]]
+        return inspect.Signature([first, *keys])
+
+
+class SceneReport(Mapping):
+    """The result of `Scene.check()`: what `thaw check --json` prints, as a mapping in SI units.
+
+    True where the scene is usable. errors: list of dicts with file, line, column, message. warnings: texts.
+    """
+
+    def __init__(self, values: Mapping[str, Any]):
+        self._values = values
+        self.errors: list[dict[str, Any]] = values["errors"]
+        self.warnings: list[str] = values.get("warnings", [])
+
+    def __getitem__(self, key: str) -> Any:
+        return self._values[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __bool__(self) -> bool:
+        return not self.errors
+
+    @property
+    def particles(self) -> int:
+        """Particles of bodies at the start."""
+        return sum(body["particles"] for body in self._values.get("particles", {}).get("bodies", []))
+
+    @property
+    def run_time(self) -> tuple[float, float]:
+        """Least and most wall-clock time of a run, s."""
+        return tuple(self._values["estimate"]["run_time"])
+
+    def __repr__(self) -> str:
+        if self.errors:
+            return "\n".join(_errorLine(error) for error in self.errors)
+        step = self._values["time_step"]["start"]
+        dt = "no step limit" if step is None else f"dt {step:.2g} s"
+        least, most = self.run_time
+        lines = [f"{self.particles} particles, {dt}, {least:.2g} to {most:.2g} s to run"]
+        return "\n".join(lines + ["warning: " + line for line in self.warnings])
+
+
+def _errorLine(error: Mapping[str, Any]) -> str:
+    place = [str(error[key]) for key in ("file", "line", "column") if key in error]
+    return ":".join(place) + ": " + error["message"]
+
+
+class Scene(metaclass=_Completed):
     """A scene: a file, or the keys of one.
 
     Scene("melt.toml")                       a file; keywords override its keys
@@ -68,6 +145,35 @@ class Scene:
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.to_toml())
 
+    def check(self, ranks: int = 0) -> SceneReport:
+        """What a run of the scene would be, or its errors. Takes seconds, in the program thaw.
+
+        ranks: number of ranks for the estimates of memory and time. The program is that of the environment
+        variable THAW_PROGRAM, else that on PATH. Raises ProgramError where there is none.
+        """
+        command = [findProgram("to check a scene"), "check", "--json"]
+        command += ["--ranks", str(int(ranks))] if ranks else []
+        for key, value in self.overrides.items():
+            command += ["--set", f"{key}={self.toml_value(value)}"]
+        if self.keys is None:
+            return _report([*command, self.name])
+        # Paths of meshes are relative to the file, and so to the present folder.
+        folder = os.getcwd() if os.access(os.getcwd(), os.W_OK) else None
+        with tempfile.NamedTemporaryFile(
+            "w", suffix=".toml", prefix=f".{_plain(self.name)}_", dir=folder
+        ) as file:
+            file.write(self.to_toml())
+            file.flush()
+            return _report([*command, file.name], {file.name: self.name})
+
+    @staticmethod
+    def schema() -> dict[str, Any]:
+        """The JSON schema (draft 4) of scenes: keys, types, ranges, units, defaults and meanings."""
+        return json.loads(_schema())
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self._editable())
+
     @staticmethod
     def toml_value(value: Any) -> str:
         """A value in TOML. numpy arrays and numbers are taken like lists and numbers."""
@@ -88,6 +194,28 @@ class Scene:
         if isinstance(value, (list, tuple)):
             return "[" + ", ".join(Scene.toml_value(v) for v in value) + "]"
         raise TypeError(f"a scene has numbers, texts, lists and tables, got {type(value).__name__}")
+
+
+def _plain(name: str) -> str:
+    return "".join(c if c.isalnum() else "_" for c in os.path.basename(name)) or "scene"
+
+
+def _report(command: list[str], names: Mapping[str, str] = {}) -> SceneReport:
+    done = subprocess.run(command, capture_output=True, text=True, errors="replace", env=_ownEnvironment())
+    text = done.stdout
+    for path, name in names.items():
+        text = text.replace(json.dumps(path)[1:-1], json.dumps(name)[1:-1])
+    begin = text.find("{")
+    if begin < 0 or done.returncode not in (0, 2, 3):
+        lines = (done.stderr or done.stdout).strip().splitlines() or ["no message"]
+        raise ProgramError(f"{' '.join(command)} failed with exit code {done.returncode}: {lines[-1]}")
+    return SceneReport(json.loads(text[begin:]))
+
+
+def _ownEnvironment() -> dict[str, str]:
+    """The environment without the variables of a launcher, under which the program would wait for ranks."""
+    marks = ("OMPI_COMM_", "OMPI_UNIVERSE", "OMPI_MCA_orte", "OMPI_MCA_ess", "OMPI_APP", "PMIX_", "PMI_")
+    return {key: value for key, value in os.environ.items() if not key.startswith(marks)}
 
 
 def _key(name: Any) -> str:

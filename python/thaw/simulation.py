@@ -11,6 +11,7 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ._load import core
+from .picture import Picture, draw
 from .scene import Scene
 
 __all__ = ["Rows", "Simulation", "register_extension"]
@@ -63,6 +64,12 @@ class Rows:
     def fields(self) -> list[str]:
         """Names of the fields of this table."""
         return [name for name, _, _, _ in self._source.fields(self._table)]
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.fields()})
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return self.fields()
 
 
 class Simulation:
@@ -243,6 +250,44 @@ class Simulation:
     def ledger(self) -> dict[str, float]:
         """Energies (J), mass (kg), momentum (kg m/s), heat (J) and their residuals over all ranks."""
         return self._core.ledger()
+
+    def picture(
+        self,
+        field: Optional[str] = None,
+        *,
+        size: Sequence[int] = (640, 480),
+        limits: Sequence[Optional[float]] = (None, None),
+        eye: Optional[Sequence[float]] = None,
+        at: Optional[Sequence[float]] = None,
+    ) -> Picture:
+        """A picture of all points now, which a notebook shows. All ranks call it.
+
+        field: of particles, for their colours; default: "temperature" where the scene has heat, else the speed.
+        size: width and height in pixels. limits: lowest and highest value of the colours. eye, at: points in m
+        that give the direction of the view. `thaw render` makes better pictures of frames.
+        """
+        points, values = [], []
+        for table in ("particles", "oriented", "sheets"):
+            if table not in self.tables or not (table != "particles" or field or self._total()):
+                continue
+            points.append(self.gather("position", table=table))
+            values.append(self._colour(table, field, len(points[-1])))
+        x = np.concatenate(points) if points else np.zeros((0, 3))
+        of = np.concatenate(values) if values else np.zeros(0)
+        return draw(x, of, size=size, limits=limits, eye=eye, at=at)
+
+    def _total(self) -> int:
+        return len(self.gather("id"))
+
+    def _colour(self, table: str, field: Optional[str], n: int) -> np.ndarray:
+        known = self.fields(table)
+        name = field or ("temperature" if "temperature" in known else "velocity")
+        if name not in known:
+            if field and table == "particles":
+                raise KeyError(f"unknown field '{field}'; the particles have {', '.join(known)}")
+            return np.full(n, np.nan)
+        values = np.asarray(self.gather(name, table=table), float)
+        return values if values.ndim == 1 else np.sqrt((values.reshape(n, -1) ** 2).sum(axis=1))
 
     # -- output ----------------------------------------------------------------------------------------------
     def write_frame(self) -> None:

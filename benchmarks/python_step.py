@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Measures what stepping from Python costs over stepping in the library.
+
+python_step.py [--spacing X] [--csv FILE]     default 0.0105 m: 100,000 particles
+
+One simulation of scenes/dam_break.toml takes blocks of steps in turn: by one call of run(), by step() in a loop
+of Python, which reads the time after each. The result is the median over blocks of the ratio of
+processor time. Exit code 1 if stepping costs more than 1 %.
+"""
+import argparse
+import csv
+import os
+import pathlib
+import statistics
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(pathlib.Path(os.environ.get('THAW_BUILD', ROOT / 'build/release')) / 'python'))
+import thaw  # noqa: E402
+
+BLOCK, BLOCKS, TARGET = 10, 12, 0.01
+
+
+def seconds(action):
+    start = time.process_time()
+    action()
+    return time.process_time() - start
+
+
+def main():
+    parser = argparse.ArgumentParser(description='cost of stepping from Python')
+    parser.add_argument('--spacing', type=float, default=0.0105)
+    parser.add_argument('--csv')
+    options = parser.parse_args()
+    sim = thaw.Simulation(thaw.Scene(str(ROOT / 'scenes/dam_break.toml'), spacing=options.spacing))
+    with sim.local() as p:
+        particles = len(p)
+    calls = []
+
+    def inPython():
+        for _ in range(BLOCK):
+            sim.step()
+            calls.append(sim.time)
+
+    sim.run(steps=BLOCK)  # warms caches
+    rows = []
+    for _ in range(BLOCKS):
+        before = seconds(lambda: sim.run(steps=BLOCK))
+        looped = seconds(inPython)
+        after = seconds(lambda: sim.run(steps=BLOCK))
+        rows.append(2 * looped / (before + after) - 1)
+    assert len(calls) == BLOCKS * BLOCK
+    base = statistics.median(seconds(lambda: sim.run(steps=BLOCK)) for _ in range(3)) / BLOCK
+    # Python's own part, without the noise of the steps: an ended simulation takes none.
+    sim.request_stop()
+    sim.step()
+    most = 20000
+    own = seconds(lambda: [sim.step() for _ in range(most)]) / most
+    result = {
+        'particles': particles,
+        'ms_per_step': round(1e3 * base, 3),
+        'cost_of_loop': round(statistics.median(rows), 5),
+        'target_cost_of_loop': TARGET,
+        'us_per_call': round(1e6 * own, 3),
+        'cost_of_call': round(own / base, 7),
+    }
+    for name, value in result.items():
+        print(f'{name:22s} {value}')
+    if options.csv:
+        with open(options.csv, 'w', newline='', encoding='utf-8') as file:
+            writer = csv.DictWriter(file, list(result))
+            writer.writeheader()
+            writer.writerow(result)
+    return 0 if result['cost_of_loop'] < TARGET else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())

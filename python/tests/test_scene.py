@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks, schema and pictures of scenes; the stub of the compiled part."""
+from __future__ import annotations
+
+import ast
+import inspect
+import json
+import pathlib
+import struct
+import zlib
+
+import numpy as np
+import pytest
+from conftest import BODIES, ROOT
+
+import thaw
+from thaw import picture
+
+
+@pytest.fixture
+def core():
+    from thaw._load import core as load
+
+    try:
+        return load()
+    except ImportError as error:
+        pytest.skip(str(error))
+
+
+def namesInStub(body: list, outer: str = '') -> set:
+    names = set()
+    for node in body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            names.add(outer + node.name)
+            names |= (
+                namesInStub(node.body, outer + node.name + '.') if isinstance(node, ast.ClassDef) else set()
+            )
+    return names
+
+
+def test_the_stub_has_the_names_of_the_module(core) -> None:
+    stub = ast.parse((pathlib.Path(thaw.__file__).parent / '_core.pyi').read_text())
+    found = set()
+    for name, value in vars(core).items():
+        if name.startswith('_'):
+            continue
+        found.add(name)
+        if inspect.isclass(value):
+            found |= {f'{name}.{m}' for m in vars(value) if not m.startswith('_') or m == '__init__'}
+    inherited = {'ArrayGuard.__init__', 'LoadRows.__init__'}  # pybind11's, which raise
+    assert namesInStub(stub.body) == found - inherited
+
+
+def test_a_check_has_the_figures_of_the_program(tmp_path: pathlib.Path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / 'bodies.toml').write_text(BODIES)
+    report = thaw.Scene('bodies.toml', numerics__cfl_sound=0.2).check(ranks=3)
+    assert report and report.particles == 64 and report['estimate']['ranks'] == 3
+    assert 0 < report['time_step']['start'] < 0.01 and report.run_time[0] <= report.run_time[1]
+    assert '64 particles, dt' in repr(report) and report['title'] == ''
+    assert sorted(p.name for p in tmp_path.iterdir()) == ['bodies.toml']
+
+
+def test_a_check_reports_errors_with_their_place(tmp_path: pathlib.Path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    report = thaw.Scene({'material': {'wax': {'densty': 900}}}, name='mine').check()
+    assert not report and report.errors[0]['line'] == 1 and report.errors[0]['file'] == 'mine'
+    assert "unknown key 'densty'" in repr(report) and not list(tmp_path.iterdir())
+    monkeypatch.setenv('THAW_PROGRAM', '/nowhere/thaw')
+    with pytest.raises(thaw.ProgramError):
+        thaw.Scene({}).check()
+
+
+def test_the_schema_completes_keywords(core) -> None:
+    schema = thaw.Scene.schema()
+    assert schema == json.loads((ROOT / 'scenes/scene.schema.json').read_text())
+    names = list(inspect.signature(thaw.Scene).parameters)
+    assert names[0] == 'scene' and set(names[2:]) == set(schema['properties'])
+
+
+def pixelsOf(png: bytes) -> np.ndarray:
+    """Decodes a PNG without filters."""
+    width, height = struct.unpack('>II', png[16:24])
+    at = png.index(b'IDAT')
+    data = zlib.decompress(png[at + 4 : at + 4 + int.from_bytes(png[at - 4 : at], 'big')])
+    return np.frombuffer(data, np.uint8).reshape(height, 1 + 3 * width)[:, 1:].reshape(height, width, 3)
+
+
+def test_the_nearest_sphere_is_drawn() -> None:
+    x = np.array([[0, 0, 0], [0, 1, 0], [3, 0, 0], [4, 0, 0.0]])  # the second is behind the first
+    image = picture.draw(x, np.array([0, 1, 0, 1]), size=(200, 100), eye=(2, -9, 0), at=(2, 0, 0))
+    assert (pixelsOf(image.png()) == image.pixels).all() and '200 x 100' in repr(image)
+    ink = (image.pixels != image.pixels[0, 0]).any(axis=2)
+    columns = np.flatnonzero(ink.any(axis=0))
+    left, right = image.pixels[50, columns[0] + 6].astype(int), image.pixels[50, columns[-1] - 6].astype(int)
+    assert left[2] > left[1] and right[1] > right[2]  # the lowest colour is blue, the highest yellow
+    assert picture.draw(np.zeros((0, 3))).pixels.shape == (480, 640, 3)
+    with pytest.raises(ValueError):
+        picture.draw(x, size=(1, 1))
+
+
+def test_a_simulation_is_drawn(core) -> None:
+    with thaw.Simulation(thaw.Scene({'body': [], **parsed(BODIES)})) as sim:
+        shown = sim.picture(size=(320, 240))
+        assert 0.02 < (shown.pixels != shown.pixels[0, 0]).any(axis=2).mean() < 0.9
+        assert (sim.picture('velocity', size=(64, 64)).pixels != 0).any()
+        with pytest.raises(KeyError, match='the particles have'):
+            sim.picture('colour')
+        with sim.local() as p:
+            assert {'velocity', 'temperature', 'fields'} <= set(dir(p))
+            assert 'velocity' in p._ipython_key_completions_()
+
+
+def parsed(text: str) -> dict:
+    toml = pytest.importorskip('tomllib')
+    return toml.loads(text)
