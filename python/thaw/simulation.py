@@ -262,9 +262,9 @@ class Simulation:
     ) -> Picture:
         """A picture of all points now, which a notebook shows. All ranks call it.
 
-        field: of particles, for their colours; default: "temperature" where the scene has heat, else the speed.
-        size: width and height in pixels. limits: lowest and highest value of the colours. eye, at: points in m
-        that give the direction of the view. `thaw render` makes better pictures of frames.
+        field: of particles, for their colours; default: "temperature" with heat, else the speed.
+        size: width and height in pixels. limits: lowest and highest value of the colours. eye, at: points
+        in m that give the direction of the view. `thaw render` makes better pictures of frames.
         """
         points, values = [], []
         for table in ("particles", "oriented", "sheets"):

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Imports a run: surface, sheets, oriented bodies or particles over time, obstacles, camera, a light."""
+import os
+
+import bpy
+
+from . import hdf, looks, obstacles, ply, run_files, sequence
+from .units import si
+
+
+def importRun(folder, *, what='automatic', field='', program='', setting=True, start=1):
+    """Adds the objects of a run. Returns the imported object and a list of notes. Raises RunError.
+
+    what: automatic, surface, sheet, oriented, particles. field: for the colours of the material; empty: own
+    colours of surfaces. setting: also obstacles, camera and light, and the frames of the film.
+    """
+    run = run_files.Run(folder)
+    kind = run.first() if what == 'automatic' else what
+    if kind not in run.frames:
+        raise run_files.RunError(f'{folder}: has no frames of {kind}; it has {", ".join(sorted(run.frames))}')
+    times, scene = run.times(), run.scene()
+    film = bpy.context.scene
+    spacing = (times[-1] - times[0]) / max(1, len(times) - 1)
+    rate = spacing * film.render.fps / film.render.fps_base
+    frames = run.frames[kind]
+    # Frames of one time have one number.
+    particles = {numberOf(f): f for f in run.frames.get('particles', [])}
+    files = frames if kind == 'particles' else run.meshes(kind, program)
+    others = [particles.get(numberOf(f), '') for f in frames]
+    others = others if kind == 'surface' and all(others) else []
+    name = os.path.basename(run.folder)
+    thing = sequence.add(f'{name} {kind}', sequence.relative(files), sequence.relative(others), rate, start)
+    dress(thing, kind, scene, field)
+    notes = []
+    if setting:
+        film.frame_start, film.frame_end = start, start + len(frames) - 1
+        notes = addSetting(scene, lambda time: start + (time - times[0]) / (spacing or 1))
+    return thing, notes
+
+
+def numberOf(path):
+    return os.path.splitext(path)[0].rsplit('_', 1)[1]
+
+
+def dress(thing, kind, scene, field):
+    attributes = thing.data.attributes
+    if kind == 'particles' and not field:
+        field = next((f for f in ('temperature', 'velocity') if f in attributes), '')
+    low, high = limits(thing, field)
+    material = looks.surface(thing.name, attributes, field, low, high)
+    if kind == 'particles':
+        looks.spheres(thing, 0.6 * si(scene.get('spacing', 0.01)), material)
+    else:
+        thing.data.materials.append(material)
+
+
+def limits(thing, field):
+    """Returns the lowest and highest value of a field in the last frame: a film mostly covers its range."""
+    if not field:
+        return 0.0, 1.0
+    import json
+
+    import numpy as np
+
+    values = []
+    files = json.loads(thing[sequence.FILES])
+    others = json.loads(thing[sequence.PARTICLES])
+    for path in {files[0], files[-1]}:
+        k = files.index(path)
+        path = bpy.path.abspath(path)
+        if path.endswith('.ply'):
+            fields = run_files.meshFields(path, bpy.path.abspath(others[k]) if others else None)[2]
+        else:
+            fields = run_files.fieldsOf(path)[1]
+        if field in fields and len(fields[field]):
+            v = np.asarray(fields[field], float)
+            # A material sees the mean of the components of a vector.
+            values += [v.min(), v.max()] if v.ndim == 1 else [v.mean(axis=1).min(), v.mean(axis=1).max()]
+    return (float(min(values)), float(max(values))) if values else (0.0, 1.0)
+
+
+def addSetting(scene, frameOf):
+    notes = []
+    if not scene:
+        notes.append('no obstacles and no camera: reading the scene needs Python 3.11, as in Blender 4.1')
+    try:
+        left = obstacles.addObstacles(scene, frameOf)
+        notes += [f'obstacle {name}: meshes and composed shapes are not imported' for name in left]
+        obstacles.addCamera(scene)
+    except ValueError as error:
+        notes.append(str(error))
+    if not any(thing.type == 'LIGHT' for thing in bpy.context.scene.objects):
+        light = bpy.data.lights.new('thaw sun', 'SUN')
+        light.energy, light.angle = 2.5, 0.09
+        thing = bpy.data.objects.new('thaw sun', light)
+        thing.rotation_euler = (0.7, 0.25, 0.6)
+        bpy.context.collection.objects.link(thing)
+    return notes
+
+
+ERRORS = (run_files.RunError, hdf.FormatError, ply.PlyError, OSError)

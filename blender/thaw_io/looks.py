@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Materials from colours and fields, and spheres for particles."""
+import bpy
+
+# Ember, the map of `thaw render`: position, red, green, blue.
+EMBER = ((0, 0.07, 0.04, 0.32), (0.25, 0.34, 0.03, 0.48), (0.5, 0.89, 0.08, 0.15), (0.75, 1, 0.34, 0.05))
+EMBER += ((1, 0.95, 0.79, 0.1),)
+
+
+def surface(name, attributes, field='', low=0.0, high=1.0):
+    """A material by the surface's own colours, or by a field between two values."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    shader = next(node for node in nodes if node.type == 'BSDF_PRINCIPLED')
+    shader.inputs['Roughness'].default_value = 0.35
+    source = nodes.new('ShaderNodeAttribute')
+    if field and field in attributes:
+        source.attribute_name = field
+        scale, ramp = nodes.new('ShaderNodeMapRange'), nodes.new('ShaderNodeValToRGB')
+        scale.inputs['From Min'].default_value, scale.inputs['From Max'].default_value = low, high
+        for k, (place, *rgb) in enumerate(EMBER):
+            ends = ramp.color_ramp.elements
+            end = ends[0] if k == 0 else ends[-1] if k == len(EMBER) - 1 else ends.new(place)
+            end.position, end.color = place, (*rgb, 1)
+        links.new(source.outputs['Fac'], scale.inputs['Value'])
+        links.new(scale.outputs['Result'], ramp.inputs['Fac'])
+        links.new(ramp.outputs['Color'], shader.inputs['Base Color'])
+    elif 'Col' in attributes:
+        source.attribute_name = 'Col'
+        links.new(source.outputs['Color'], shader.inputs['Base Color'])
+    else:
+        nodes.remove(source)
+        shader.inputs['Base Color'].default_value = (0.35, 0.5, 0.7, 1)
+    return material
+
+
+def obstacle(name):
+    material = bpy.data.materials.get(name) or bpy.data.materials.new(name)
+    material.use_nodes = True
+    shader = next(node for node in material.node_tree.nodes if node.type == 'BSDF_PRINCIPLED')
+    shader.inputs['Base Color'].default_value = (0.55, 0.56, 0.58, 1)
+    shader.inputs['Roughness'].default_value = 0.6
+    return material
+
+
+def spheres(thing, radius, material):
+    """Draws the vertices of an object as spheres (Cycles: exact ones), by geometry nodes."""
+    group = bpy.data.node_groups.new('thaw particles', 'GeometryNodeTree')
+    if hasattr(group, 'interface'):
+        group.interface.new_socket('Geometry', in_out='INPUT', socket_type='NodeSocketGeometry')
+        group.interface.new_socket('Geometry', in_out='OUTPUT', socket_type='NodeSocketGeometry')
+    else:
+        group.inputs.new('NodeSocketGeometry', 'Geometry')
+        group.outputs.new('NodeSocketGeometry', 'Geometry')
+    kinds = ('NodeGroupInput', 'GeometryNodeMeshToPoints', 'GeometryNodeSetMaterial', 'NodeGroupOutput')
+    first, points, paint, last = (group.nodes.new(kind) for kind in kinds)
+    points.inputs['Radius'].default_value = radius
+    paint.inputs['Material'].default_value = material
+    for a, b in ((first, points), (points, paint), (paint, last)):
+        group.links.new(a.outputs[0], b.inputs[0])
+    thing.modifiers.new('thaw particles', 'NODES').node_group = group

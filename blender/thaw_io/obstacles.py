@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Obstacles and camera of a scene as objects of Blender."""
+import math
+
+import bmesh
+import bpy
+from mathutils import Euler, Matrix, Vector
+
+from . import looks
+from .units import si, vector
+
+PLANE = 4.0  # m, edge of a plane's square, over the extent of the domain
+
+
+def shapeMesh(name, shape, extent):
+    """Returns the mesh of a shape around its own origin, or None for one that this add-on does not draw."""
+    mesh, work = bpy.data.meshes.new(name), bmesh.new()
+    if 'box' in shape:
+        size = vector(shape['box'].get('size', [1, 1, 1]))
+        bmesh.ops.create_cube(work, size=1, matrix=Matrix.Diagonal((*size, 1)))
+    elif 'sphere' in shape:
+        bmesh.ops.create_uvsphere(
+            work, u_segments=48, v_segments=24, radius=si(shape['sphere'].get('radius', 0.5))
+        )
+    elif 'cylinder' in shape:
+        radius, height = (si(shape['cylinder'].get(k, d)) for k, d in (('radius', 0.5), ('height', 1)))
+        bmesh.ops.create_cone(work, cap_ends=True, segments=64, radius1=radius, radius2=radius, depth=height)
+    elif 'plane' in shape:
+        bmesh.ops.create_grid(work, x_segments=1, y_segments=1, size=PLANE * extent / 2)
+    elif 'torus' in shape:
+        spinRing(work, *(si(shape['torus'].get(k, d)) for k, d in (('radius', 0.5), ('tube', 0.1))))
+    elif 'glass' in shape:
+        spinGlass(work, *(si(shape['glass'].get(k, d)) for k, d in GLASS))
+    else:
+        work.free()
+        return None
+    work.to_mesh(mesh)
+    work.free()
+    for face in mesh.polygons:
+        face.use_smooth = 'sphere' in shape or 'torus' in shape
+    return mesh
+
+
+GLASS = (('radius', 0.5), ('height', 1), ('thickness', 0.01))
+
+
+def spin(work, profile, closed):
+    """Turns a profile of (distance from z, z) around the z axis."""
+    vertices = [work.verts.new((r, 0, z)) for r, z in profile]
+    edges = [work.edges.new(pair) for pair in zip(vertices, vertices[1:] + (vertices[:1] if closed else []))]
+    edges = edges if closed else edges[: len(vertices) - 1]
+    bmesh.ops.spin(
+        work,
+        geom=vertices + edges,
+        axis=(0, 0, 1),
+        cent=(0, 0, 0),
+        steps=64,
+        angle=2 * math.pi,
+        use_merge=True,
+    )
+    bmesh.ops.remove_doubles(work, verts=work.verts, dist=1e-7)
+    bmesh.ops.recalc_face_normals(work, faces=work.faces)
+
+
+def spinRing(work, radius, tube):
+    turns = [2 * math.pi * k / 24 for k in range(24)]
+    spin(work, [(radius + tube * math.cos(a), tube * math.sin(a)) for a in turns], True)
+
+
+def spinGlass(work, radius, height, thickness):
+    inner = radius - thickness
+    spin(
+        work,
+        [(0, 0), (radius, 0), (radius, height), (inner, height), (inner, thickness), (0, thickness)],
+        False,
+    )
+
+
+def placeOf(shape, mesh):
+    """Returns the matrix of `place`: scaled, rotated about x, y and z, then moved."""
+    place = shape.get('place', {})
+    turns = [si(place.get('rotate_' + axis, 0)) for axis in 'xyz']
+    turn = Euler(turns, 'XYZ').to_matrix().to_4x4()
+    points = [turn @ v.co for v in mesh.vertices] or [Vector()]
+    low, high = (Vector([f(p[a] for p in points) for a in range(3)]) for f in (min, max))
+    scale = si(place.get('scale', 1))
+    if 'height' in place:
+        scale = si(place['height']) / (high.z - low.z)
+    to = Vector(vector(place.get('move', [0, 0, 0])))
+    if 'bottom' in place:
+        middle = (low + high) / 2
+        to = Vector(vector(place['bottom'])) - scale * Vector((middle.x, middle.y, low.z))
+    if 'plane' in shape:
+        plane = shape['plane']
+        normal = Vector(vector(plane.get('normal', [0, 0, 1])))
+        turn = turn @ normal.to_track_quat('Z', 'Y').to_matrix().to_4x4()
+        to = to + Vector(vector(plane.get('point', [0, 0, 0])))
+    return Matrix.Translation(to) @ turn @ Matrix.Scale(scale, 4)
+
+
+def addKeyframes(thing, motion, frameOf):
+    """Keyframes of a motion: rotations about the origin, then displacements."""
+    rest = thing.matrix_world.copy()
+    thing.rotation_mode = 'QUATERNION'
+    for key in motion:
+        turn = Euler(vector(key.get('rotate', [0, 0, 0])), 'XYZ').to_matrix().to_4x4()
+        thing.matrix_world = Matrix.Translation(vector(key.get('move', [0, 0, 0]))) @ turn @ rest
+        for path in ('location', 'rotation_quaternion'):
+            thing.keyframe_insert(path, frame=frameOf(si(key.get('time', 0))))
+    curves = thing.animation_data.action.fcurves if thing.animation_data else []
+    for curve in curves:
+        for point in curve.keyframe_points:
+            point.interpolation = 'LINEAR'
+
+
+def addObstacles(scene, frameOf):
+    """Adds the obstacles of a scene. Returns the names of those that are left out."""
+    domain = scene.get('domain', {})
+    low, high = vector(domain.get('min', [-1, -1, -1])), vector(domain.get('max', [1, 1, 1]))
+    extent, left = max(b - a for a, b in zip(low, high)), []
+    given = [o for key in ('obstacle', 'wall') for o in listOf(scene.get(key, []))]
+    for k, shape in enumerate(given):
+        name = shape.get('name', f'obstacle {k}')
+        mesh = shapeMesh(name, shape, extent)
+        if mesh is None:
+            left.append(name)
+            continue
+        thing = bpy.data.objects.new(name, mesh)
+        mesh.materials.append(looks.obstacle('thaw obstacle'))
+        bpy.context.collection.objects.link(thing)
+        thing.matrix_world = placeOf(shape, mesh)
+        if shape.get('motion'):
+            addKeyframes(thing, listOf(shape['motion']), frameOf)
+    return left
+
+
+def listOf(value):
+    return [value] if isinstance(value, dict) else value
+
+
+def addCamera(scene):
+    """Adds the camera of the scene's pictures. Returns it, or None."""
+    output = scene.get('output', {})
+    given = output.get('camera')
+    if not given:
+        return None
+    camera = bpy.data.cameras.new('thaw camera')
+    camera.sensor_fit, camera.angle = 'VERTICAL', si(given.get('field_of_view', 0.6))
+    thing = bpy.data.objects.new('thaw camera', camera)
+    bpy.context.collection.objects.link(thing)
+    eye, at = (Vector(vector(given.get(key, d))) for key, d in (('from', [1, -1, 1]), ('at', [0, 0, 0])))
+    thing.matrix_world = Matrix.Translation(eye) @ (at - eye).to_track_quat('-Z', 'Y').to_matrix().to_4x4()
+    camera.clip_start = 0.01 * (at - eye).length
+    bpy.context.scene.camera = thing
+    return thing

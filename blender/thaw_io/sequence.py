@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Objects whose mesh is that of the present frame: surfaces, sheets, oriented bodies and particles."""
+import json
+import os
+
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from . import run_files
+
+FILES, PARTICLES, SHOWN, START, RATE = 'thaw_files', 'thaw_particles', 'thaw_shown', 'thaw_start', 'thaw_rate'
+
+
+def linear(colours):
+    """Converts sRGB of 0 to 255 to linear values of 0 to 1, which Blender's colours have."""
+    c = colours.astype(np.float32) / 255
+    return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
+
+
+def addAttribute(mesh, name, values):
+    kinds = {1: ('FLOAT', 'value'), 3: ('FLOAT_VECTOR', 'vector'), 4: ('FLOAT_COLOR', 'color')}
+    values = np.asarray(values, np.float32)
+    kind, member = kinds[1 if values.ndim == 1 else values.shape[1]]
+    attribute = mesh.attributes.new(name, kind, 'POINT')
+    attribute.data.foreach_set(member, values.ravel())
+
+
+def fill(mesh, vertices, triangles, fields, rate):
+    """Replaces the geometry of a mesh.
+
+    rate: for velocities, simulated seconds a frame times frames a second.
+    """
+    mesh.clear_geometry()
+    mesh.vertices.add(len(vertices))
+    mesh.vertices.foreach_set('co', np.asarray(vertices, np.float32).ravel())
+    if len(triangles):
+        mesh.loops.add(3 * len(triangles))
+        mesh.loops.foreach_set('vertex_index', np.asarray(triangles, np.int32).ravel())
+        mesh.polygons.add(len(triangles))
+        mesh.polygons.foreach_set('loop_start', np.arange(0, 3 * len(triangles), 3, dtype=np.int32))
+        if bpy.app.version < (3, 6):
+            mesh.polygons.foreach_set('loop_total', np.full(len(triangles), 3, np.int32))
+        mesh.polygons.foreach_set('use_smooth', np.ones(len(triangles), bool))
+    mesh.update(calc_edges=True)
+    for name, values in fields.items():
+        if name == 'velocity':
+            # Cycles blurs meshes of changing topology by this attribute, m per second of the film.
+            addAttribute(mesh, 'velocity', values * rate)
+        elif name in ('colour', 'color'):
+            c = linear(values)
+            addAttribute(mesh, 'Col', np.column_stack([c, np.ones(len(c))]))
+        elif (
+            name not in ('normal', 'id')
+            and values.dtype.kind == 'f'
+            and (values.ndim == 1 or values.shape[1] == 3)
+        ):
+            addAttribute(mesh, name, values)
+    if len(triangles) and 'normal' in fields and hasattr(mesh, 'normals_split_custom_set_from_vertices'):
+        if bpy.app.version < (4, 1):
+            mesh.use_auto_smooth = True
+        mesh.normals_split_custom_set_from_vertices(np.asarray(fields['normal'], np.float32))
+
+
+def show(thing, frame):
+    """Gives an object the geometry of a frame of Blender. Nothing is read if it has it."""
+    files = json.loads(thing[FILES])
+    number = min(max(frame - thing[START], 0), len(files) - 1)
+    if thing.get(SHOWN) == number:
+        return
+    path = bpy.path.abspath(files[number])
+    if path.endswith('.ply'):
+        others = json.loads(thing[PARTICLES])
+        particles = bpy.path.abspath(others[number]) if number < len(others) else None
+        vertices, triangles, fields = run_files.meshFields(path, particles)
+    else:
+        (vertices, fields), triangles = run_files.fieldsOf(path), []
+    fill(thing.data, vertices, triangles, fields, thing[RATE])
+    thing[SHOWN] = number
+
+
+@persistent
+def onFrame(scene, graph=None):
+    for thing in scene.objects:
+        if FILES in thing.keys() and thing.type == 'MESH':
+            try:
+                show(thing, scene.frame_current)
+            except (
+                OSError,
+                ValueError,
+                KeyError,
+                run_files.hdf.FormatError,
+                run_files.ply.PlyError,
+            ) as error:
+                print(f'thaw: {thing.name}: {error}')
+
+
+def add(name, files, particles, rate, start):
+    """Adds an object that shows one of the files at each frame from `start` on."""
+    thing = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+    thing[FILES], thing[PARTICLES] = json.dumps(files), json.dumps(particles)
+    thing[START], thing[RATE], thing[SHOWN] = start, rate, -1
+    bpy.context.collection.objects.link(thing)
+    show(thing, bpy.context.scene.frame_current)
+    return thing
+
+
+def relative(files):
+    """Paths relative to the saved .blend file, so that both can move."""
+    base = os.path.dirname(bpy.data.filepath)
+    return [bpy.path.relpath(f) for f in files] if base else files
+
+
+def register():
+    bpy.app.handlers.frame_change_pre.append(onFrame)
+
+
+def unregister():
+    bpy.app.handlers.frame_change_pre.remove(onFrame)

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks the add-on inside of Blender: blender --background --python blender_check.py -- ZIP RUN FOLDER
+
+RUN has a surface that falls and melts, and a plate. Writes pictures and a scene into FOLDER.
+"""
+import math
+import os
+import sys
+
+import bpy
+import numpy as np
+
+ZIP, RUN, FOLDER = sys.argv[sys.argv.index('--') + 1 :]
+
+
+def fresh():
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.preferences.addon_enable(module='thaw_io')
+
+
+def values(mesh, name, size):
+    data = mesh.attributes[name].data
+    out = np.zeros(len(data) * size, np.float32)
+    data.foreach_get({1: 'value', 3: 'vector', 4: 'color'}[size], out)
+    return out.reshape(-1, size)
+
+
+def render(name, blur):
+    scene = bpy.context.scene
+    scene.render.engine = 'CYCLES'
+    scene.cycles.samples, scene.cycles.use_denoising, scene.cycles.seed = 8, False, 1
+    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 160, 120, 100
+    scene.render.use_motion_blur, scene.render.motion_blur_shutter = blur, 1.0
+    scene.render.filepath = os.path.join(FOLDER, name)
+    scene.world = scene.world or bpy.data.worlds.new('world')
+    scene.world.color = (0.6, 0.65, 0.7)
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(scene.render.filepath)
+    pixels = np.array(image.pixels[:]).reshape(120, 160, 4)[..., :3]
+    assert pixels.std() > 0.015, (name, pixels.std())
+    return pixels
+
+
+def checkSurface():
+    fresh()
+    assert bpy.ops.import_scene.thaw(directory=RUN) == {'FINISHED'}
+    scene, thing = bpy.context.scene, bpy.context.view_layer.objects.active
+    frames = scene.frame_end - scene.frame_start + 1
+    assert frames >= 3 and len(thing.data.polygons) > 500, (frames, len(thing.data.polygons))
+    assert {'Col', 'velocity', 'temperature', 'liquid'} <= set(thing.data.attributes.keys())
+    assert not thing.data.validate(), 'the mesh is invalid'
+    plate, camera = bpy.data.objects['plate'], scene.camera
+    assert abs(plate.matrix_world.translation.z) < 1e-6 and plate.dimensions.z < 1e-6
+    assert camera and abs(camera.data.angle - math.radians(32)) < 1e-3
+    ahead = -camera.matrix_world.to_3x3().col[2]
+    to = np.array([0, 0, 0.13]) - np.array(camera.matrix_world.translation)
+    assert np.dot(ahead, to / np.linalg.norm(to)) > 0.9999
+
+    def height():
+        out = np.zeros(3 * len(thing.data.vertices), np.float32)
+        thing.data.vertices.foreach_get('co', out)
+        return out.reshape(-1, 3)[:, 2]
+
+    first = height()
+    scene.frame_set(3)
+    assert height().min() < first.min() - 0.001, 'the surface does not fall'
+    # A frame of the run lasts 50 ms, one of the film 1/24 s.
+    speed = values(thing.data, 'velocity', 3)
+    assert (speed[:, 2].mean() < 0) and 0.1 < abs(speed[:, 2].mean()) < 5
+    # A stretched film makes the blur long: the picture of the fall has soft edges.
+    sharp, soft = render('sharp.png', False), render('blurred.png', True)
+    edge = lambda p: np.abs(np.diff(p.mean(axis=2), axis=0)).max()  # noqa: E731
+    assert np.abs(sharp - soft).max() > 0.1 and edge(soft) < edge(sharp), (edge(soft), edge(sharp))
+    # A saved file goes on.
+    bpy.ops.wm.save_as_mainfile(filepath=os.path.join(FOLDER, 'film.blend'))
+    bpy.ops.wm.open_mainfile(filepath=os.path.join(FOLDER, 'film.blend'))
+    thing = bpy.context.view_layer.objects.active
+    before = len(thing.data.vertices)
+    bpy.context.scene.frame_set(1)
+    assert len(thing.data.vertices) != before, 'the handler is lost with the file'
+
+
+def checkParticles():
+    fresh()
+    assert bpy.ops.import_scene.thaw(directory=RUN, what='particles', field='temperature') == {'FINISHED'}
+    thing = bpy.context.view_layer.objects.active
+    points = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    assert len(thing.modifiers) == 1 and len(thing.data.vertices) > 100 and points
+    render('particles.png', False)
+
+
+def checkRefusals():
+    fresh()
+    for arguments in ({'directory': FOLDER}, {'directory': RUN, 'what': 'sheet'}):
+        try:
+            bpy.ops.import_scene.thaw(**arguments)
+        except RuntimeError as error:
+            assert 'no f' in str(error), error  # "no folder of a run", "no frames of sheet"
+        else:
+            raise AssertionError(f'{arguments} is accepted')
+
+
+def add(operator, name, material, role, **arguments):
+    operator(**arguments)
+    thing = bpy.context.object
+    thing.name, thing.thaw.role = name, role
+    if material:
+        thing.data.materials.append(material)
+    return thing
+
+
+def checkExport():
+    fresh()
+    wax = bpy.data.materials.new('my wax')
+    wax.thaw.density, wax.thaw.young, wax.thaw.viscosity = '900 kg/m^3', '100 kPa', '2 Pa s'
+    wax.thaw.melts, wax.thaw.heat_capacity, wax.thaw.latent_heat = (
+        '40 degC, 60 degC',
+        '2 kJ/(kg K)',
+        '30 kJ/kg',
+    )
+    wax.thaw.conductivity, wax.thaw.sound_speed, wax.diffuse_color = '300 W/(m K)', '20 m/s', (1, 0, 0, 1)
+    mesh = bpy.ops.mesh
+    cube = add(
+        mesh.primitive_cube_add, 'cube', wax, 'BODY', size=0.1, location=(0, 0, 0.2), rotation=(0.3, 0, 0)
+    )
+    cube.scale.x = -2  # mirrored: its faces are turned
+    cube.thaw.temperature = '20 degC'
+    table = add(mesh.primitive_cube_add, 'table', None, 'OBSTACLE', size=0.4, location=(0, 0, -0.2))
+    table.thaw.temperature = '200 degC'
+    add(
+        mesh.primitive_plane_add,
+        'jug',
+        wax,
+        'EMITTER',
+        size=0.06,
+        location=(0.2, 0, 0.3),
+        rotation=(math.pi, 0, 0),
+    )
+    add(mesh.primitive_cube_add, 'room', None, 'DOMAIN', size=1.2, location=(0, 0, 0.3))
+    add(mesh.primitive_cube_add, 'helper', None, 'NONE')
+    camera = bpy.data.objects.new('camera', bpy.data.cameras.new('camera'))
+    camera.location, camera.rotation_euler = (0, -1, 0.3), (math.pi / 2, 0, 0)
+    bpy.context.collection.objects.link(camera)
+    bpy.context.scene.camera, bpy.context.scene.thaw.spacing = camera, '2 cm'
+    bpy.ops.object.select_all(action='SELECT')
+    bpy.context.view_layer.update()
+    assert bpy.ops.export_scene.thaw(filepath=os.path.join(FOLDER, 'made.toml')) == {'FINISHED'}
+    assert not os.path.exists(os.path.join(FOLDER, 'made_helper.ply'))
+
+
+os.makedirs(FOLDER, exist_ok=True)
+bpy.ops.preferences.addon_install(filepath=ZIP)
+try:
+    checkSurface()
+    checkParticles()
+    checkRefusals()
+    checkExport()
+except BaseException:
+    import traceback
+
+    traceback.print_exc()
+    sys.exit(1)
+print('add-on: all passed')
