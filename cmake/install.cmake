@@ -33,7 +33,7 @@ set(THAW_PYTHON_DIR ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages CACHE STRING
   "folder of the Python package, relative to the prefix")
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/generated/_version.py CONTENT "VERSION = '${PROJECT_VERSION}'\n")
 install(DIRECTORY python/thaw DESTINATION ${THAW_PYTHON_DIR} COMPONENT python OPTIONAL
-  FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+  FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/generated/_version.py DESTINATION ${THAW_PYTHON_DIR}/thaw COMPONENT
   python)
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/thaw OPTIONAL)

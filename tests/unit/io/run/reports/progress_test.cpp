@@ -55,6 +55,23 @@ TEST(ProgressLine, FitsOnATerminal) {
   EXPECT_LE(progressLine(p, l).size(), 160u) << progressLine(p, l);
 }
 
+TEST(StatusLine, FillsItsBarWithTheTime) {
+  Progress p;
+  p.clock.end = 2;
+  p.clock.time = 0.5;
+  p.clock.dt = 8e-5;
+  p.clock.limitedBy = "sound";
+  p.secondsLeft = 61;
+  EXPECT_EQ(statusLine(p, {}),
+            "[=====>              ]  25 %  left 61 s  t 0.5 s  dt 8.0e-05 s (sound)  residual +0.0e+00");
+  LedgerReport l;
+  l.particles = 10;
+  l.liquidFraction = 0.092;
+  p.clock.time = 2;
+  EXPECT_TRUE(has(statusLine(p, l), "[====================] 100 %  ")) << statusLine(p, l);
+  EXPECT_TRUE(has(statusLine(p, l), "  liquid 9.2 %  "));
+}
+
 TEST(Warnings, NameTheSidesWhereParticlesLeft) {
   Counters c;
   c.left = 15;
