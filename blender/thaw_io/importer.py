@@ -27,7 +27,9 @@ def importRun(folder, *, what='automatic', field='', program='', setting=True, s
     particles = {numberOf(f): f for f in run.frames.get('particles', [])}
     files = frames if kind == 'particles' else run.meshes(kind, program)
     others = [particles.get(numberOf(f), '') for f in frames]
-    others = others if kind == 'surface' and all(others) else []
+    if kind != 'surface':
+        others = frames  # vertices of sheets and oriented bodies have fields of their own
+    others = others if all(others) else []
     name = os.path.basename(run.folder)
     thing = sequence.add(f'{name} {kind}', sequence.relative(files), sequence.relative(others), rate, start)
     dress(thing, kind, scene, field)
