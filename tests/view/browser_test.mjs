@@ -109,7 +109,14 @@ const cases = {
       const centre = boxOf([packet]).getCenter(stage.camera.position.clone());
       return stage.onPage(centre);
     });
-    await page.mouse.click(middle.x, middle.y);
+    const { x: left, y: top } = await page.locator('#canvas').boundingBox();
+    const [x, y] = [left + middle.x, top + middle.y];
+    assert.equal(
+      await page.evaluate(([a, b]) => document.elementFromPoint(a, b).id, [x, y]),
+      'canvas',
+      'no panel covers the picture',
+    );
+    await page.mouse.click(x, y);
     await page.waitForSelector('#point-panel table');
     const { id, place, pixels } = await page.evaluate(() => {
       const { stage, selection } = window.thawView,
@@ -139,9 +146,9 @@ const cases = {
     await page.waitForSelector('[data-notice=thinned]');
     assert.match(await page.textContent('[data-notice=thinned]'), /particles: 1 of \d+ drawn, of/);
 
-    await page.mouse.move(500, 200);
+    await page.mouse.move(x, y);
     await page.mouse.down();
-    await page.mouse.move(560, 240, { steps: 4 });
+    await page.mouse.move(x + 60, y + 40, { steps: 4 });
     await page.mouse.up();
     await page.locator('#copy-camera').click();
     const turned = await page.evaluate(() => navigator.clipboard.readText());

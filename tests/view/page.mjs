@@ -47,11 +47,11 @@ export async function settle(page) {
   });
 }
 
-/// Returns the pixels (r, g, b, a) of the middle of the picture, without the panels around.
+/// Returns the pixels (r, g, b, a) of the middle of the picture, without the colour bar and the time slider.
 export async function pixelsOf(page) {
   await settle(page);
-  const { width, height } = await page.locator('#canvas').boundingBox();
-  const clip = { x: width * 0.32, y: height * 0.2, width: width * 0.5, height: height * 0.6 };
+  const { x, y, width, height } = await page.locator('#canvas').boundingBox();
+  const clip = { x: x + width * 0.1, y: y + height * 0.15, width: width * 0.65, height: height * 0.65 };
   const png = (await page.screenshot({ clip, timeout: SECONDS * 1000 })).toString('base64');
   const pixels = await page.evaluate(async (text) => {
     const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));

@@ -158,6 +158,7 @@ export class Charts {
       {
         width: this.width(),
         height: HEIGHT,
+        legend: { markers: { width: 0, fill: (u, k) => lines[k - 1]?.colour ?? null } },
         cursor: { y: false, drag: { x: true, y: false } },
         scales: { x: { time: false }, y: chart.log ? { distr: 3 } : {} },
         axes: [
@@ -169,7 +170,7 @@ export class Charts {
           ...lines.map(({ name, colour }) => ({
             label: name,
             stroke: colour,
-            width: 1.4,
+            width: 1.6,
             points: { show: false },
             spanGaps: true,
             value: (u, v, series, k) =>

@@ -104,7 +104,8 @@ export class StatusPanel {
     return parts.join(' · ');
   }
 
-  figures({ progress: p, summary: s }) {
+  figures(run) {
+    const { progress: p, summary: s } = run;
     const rows = [];
     const add = (name, value, unit = '') => {
       if (value !== undefined && value !== null && value !== '')
@@ -117,7 +118,7 @@ export class StatusPanel {
     if (p.substeps > 1) add('substeps', p.substeps);
     add('steps a second', p.steps_per_second);
     if (s.ranks) add('ranks', s.ranks);
-    add('wall-clock time', s.wall_s === undefined ? undefined : durationText(s.wall_s));
+    if (!run.live && s.wall_s > 0) rows.push(['wall-clock time', durationText(s.wall_s)]);
     for (const [key, name] of COUNTS) if (p[key] > 0) rows.push([name, countText(p[key])]);
     if (p.particles > 0 && p.liquid_fraction !== undefined) add('liquid', 100 * p.liquid_fraction, ' %');
     if (p.energy_scale_J > 0) {

@@ -29,6 +29,7 @@ const row = (text, ...inputs) =>
 export class ViewPanel {
   /// actions: {sceneCamera, fit, copyCamera}.
   constructor(parent, settings, actions) {
+    this.parent = parent;
     this.settings = settings;
     this.layers = make('div', { className: 'layers' });
     this.field = make('select', {
@@ -160,7 +161,7 @@ export class ViewPanel {
           id: 'fold',
           textContent: '–',
           title: 'folds this panel',
-          onclick: () => this.fold(body),
+          onclick: (event) => this.fold(body, event.target),
         }),
       ),
       body,
@@ -168,8 +169,10 @@ export class ViewPanel {
     settings.listen(() => this.update());
   }
 
-  fold(body) {
+  fold(body, button) {
     body.hidden = !body.hidden;
+    this.parent.classList.toggle('folded', body.hidden);
+    button.textContent = body.hidden ? '☰' : '–';
   }
 
   rangeInput(id, title) {

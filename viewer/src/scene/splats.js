@@ -20,8 +20,23 @@ in vec2 at;
 out vec4 result;
 void main() {
   vec4 colour = texture(colours, at), normal = texture(normals, at);
-  if (colour.a < 1e-4) discard;
   float depth = texture(depths, at).r;
+  if (colour.a < 1e-4) {
+    // A lone pixel between steep discs: it takes the mean of its neighbours.
+    vec2 pixel = 1.0 / vec2(textureSize(colours, 0));
+    int covered = 0;
+    depth = 1.0;
+    for (int k = 0; k < 4; k++) {
+      vec2 beside = at + pixel * vec2(k == 0 ? 1 : k == 1 ? -1 : 0, k == 2 ? 1 : k == 3 ? -1 : 0);
+      vec4 other = texture(colours, beside);
+      if (other.a < 1e-4) continue;
+      covered++;
+      colour += other;
+      normal += texture(normals, beside);
+      depth = min(depth, texture(depths, beside).r);
+    }
+    if (covered < 3) discard;
+  }
   gl_FragDepth = depth;
   vec4 place = inverseProjection * vec4(2.0 * vec3(at, depth) - 1.0, 1.0);
   result = vec4(shaded(srgbOf(colour.rgb / colour.a), normalize(normal.xyz), place.xyz / place.w), 1.0);
