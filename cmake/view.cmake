@@ -44,7 +44,9 @@ endif()
 
 file(GLOB_RECURSE view_sources CONFIGURE_DEPENDS io/view/*.cpp)
 list(FILTER view_sources EXCLUDE REGEX "/(serve|serve_missing|page_missing)\\.cpp$")
-list(APPEND view_sources ${PROJECT_SOURCE_DIR}/io/commands/view.cpp)
+foreach(command view export_page preview)
+  list(APPEND view_sources ${PROJECT_SOURCE_DIR}/io/commands/${command}.cpp)
+endforeach()
 set(view_server ${PROJECT_SOURCE_DIR}/io/view/server)
 list(APPEND view_sources ${view_server}/$<IF:$<BOOL:${httplib}>,serve.cpp,serve_missing.cpp>)
 
@@ -77,7 +79,7 @@ endif()
 
 add_library(thaw_view STATIC ${view_sources})
 target_precompile_headers(thaw_view REUSE_FROM thaw_io)
-target_link_libraries(thaw_view PUBLIC thaw_io)
+target_link_libraries(thaw_view PUBLIC thaw_io PRIVATE ZLIB::ZLIB)  # a part of PNG::PNG
 if(httplib)
   # its definitions and its 2,000 lines concern one source
   target_link_libraries(thaw_view PRIVATE ${httplib})

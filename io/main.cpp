@@ -15,6 +15,7 @@
 #include "io/commands/info_command.hpp"
 #include "io/commands/new_command.hpp"
 #include "io/commands/plot.hpp"
+#include "io/commands/preview.hpp"
 #include "io/commands/render.hpp"
 #include "io/commands/run.hpp"
 #include "io/commands/view.hpp"
@@ -145,6 +146,9 @@ int main(int argc, char** argv) {
   relax.steps = 0;
   CLI::App* relaxApp = app.add_subcommand("relax", "relax the oriented bodies of a scene");
   addRelaxOptions(*relaxApp, relax);
+  PreviewOptions preview;
+  CLI::App* previewApp = app.add_subcommand("preview", "show the start of a scene before anything runs");
+  addPreviewOptions(*previewApp, preview);
   CLI::App* checkApp = app.add_subcommand("check", "check a scene and report what would be simulated");
   addCheckOptions(*checkApp, check);
   CLI::App* renderApp = app.add_subcommand("render", "render pictures of a frame or a run");
@@ -172,6 +176,7 @@ int main(int argc, char** argv) {
   if (*compareApp) return compareCommand(compare);
   if (*infoApp) return infoCommand(info);
   if (*checkApp) return checkCommand(check);
+  if (*previewApp) return previewCommand(preview);
   if (*relaxApp) return runCommand(relax);
   return runCommand(run);
 }

@@ -63,6 +63,12 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
       ->check(CLI::Range(0, 4096));
   command.add_flag("--resume", o.resume,
                    "skip files that are complete: they exist and are newer than their frames");
+  command
+      .add_option(
+          "--size", o.size,
+          "html: largest size of the page, such as 800kB or 20MB; frames, then points are left out to "
+          "stay within it")
+      ->capture_default_str();
 }
 
 int exportCommand(const ExportOptions& options) {

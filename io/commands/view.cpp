@@ -10,15 +10,13 @@
 
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/scene_for_all.hpp"
-#include "io/view/server/page.hpp"
+#include "io/view/page/page_file.hpp"
 #include "io/view/server/serve.hpp"
 
 namespace fs = std::filesystem;
 
 namespace thaw {
-namespace {
 
-/// Returns the run's folder, which may be given by its frames/. Throws IoError if it is none.
 fs::path runFolder(const fs::path& given) {
   std::error_code error;
   fs::path folder = fs::canonical(given, error);
@@ -30,8 +28,6 @@ fs::path runFolder(const fs::path& given) {
   return folder;
 }
 
-}  // namespace
-
 void addViewOptions(CLI::App& command, ViewOptions& o) {
   command.add_option("run", o.run, "folder of a run, finished or running")->required();
   command.add_option("--port", o.port, "port on 127.0.0.1 (default: 8573, or a free one if that is taken)")
@@ -41,10 +37,7 @@ void addViewOptions(CLI::App& command, ViewOptions& o) {
 
 int viewCommand(const ViewOptions& options) {
   std::string problem = serverProblem();
-  if (problem.empty() && pageFiles().empty())
-    problem =
-        "this program is built without its page: scripts/view installs what is missing (Debian: nodejs, npm) "
-        "and builds it";
+  if (problem.empty()) problem = pageProblem();
   if (!problem.empty()) {
     fmt::print(stderr, "thaw view: {}\n", problem);
     return exitUsage;

@@ -180,6 +180,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
     RenderStyle now = style;
     addWalls(job.walls, frame.time, now);
     Image picture = pictureOf(frame, job, now, job.frames.size() == 1 ? threads : 1);
+    if (job.over) job.over(picture, now);
     const std::string label = timeLabel(frame.time, common.lastTime);
     for (std::size_t k = 0; k < chosen.size(); k++)
       if (chosen[k] == f) {

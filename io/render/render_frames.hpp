@@ -52,6 +52,7 @@ struct FrameJob {
   float radius = 0;        ///< radius of spheres in spacings, or surfels' discs in their radii; 0: default
   Walls walls;             ///< at their rest poses: planes become floors, other obstacles glass
   int threads = 0;         ///< 0: one per core
+  std::function<void(Image&, const RenderStyle&)> over;  ///< draws over each picture; empty: nothing
 };
 
 /// Returns the written pictures in frame order, then the contact sheet, if any.

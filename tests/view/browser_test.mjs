@@ -210,12 +210,77 @@ const cases = {
     ); // of the frame itself
   },
 
-  /// ARGUMENT: file of a picture for the manual.
+  /// A page of `thaw export --as html`. ARGUMENT: words of what it left out, or nothing.
+  async page(browser, address, leftOut) {
+    const { page, errors } = await open(browser, address);
+    const requests = [];
+    page.on('request', (request) => requests.push(request.url()));
+    const last = await pixelsOf(page);
+    assert.ok(coloursIn(last) > 200, `the picture is blank: ${coloursIn(last)} colours`);
+    assert.ok((await page.locator('.chart').count()) >= 3, 'charts');
+    await page.selectOption('#field', 'pressure');
+    await page.waitForFunction(() => document.querySelector('.bar-title').textContent === 'pressure (Pa)');
+    assert.ok(difference(last, await pixelsOf(page)) > 0.05, 'the field changes the colours');
+    await page.locator('#time').fill('0');
+    await page.waitForFunction(() => document.body.dataset.frame === '0');
+    const first = await pixelsOf(page);
+    assert.ok(difference(first, last) > 0.02, 'the slider changes the picture');
+    const before = Number(await page.evaluate(() => document.body.dataset.frame));
+    await page.locator('#play').click();
+    await page.waitForFunction((n) => Number(document.body.dataset.frame) > n, before);
+    await page.evaluate(() => window.thawView.settings.change({ playing: false }));
+    const at = await page.evaluate(() => {
+      const { stage, boxOf } = window.thawView,
+        { packet } = stage.layers.get('particles');
+      return stage.onPage(boxOf([packet]).getCenter(stage.camera.position.clone()));
+    });
+    const { x, y } = await page.locator('#canvas').boundingBox();
+    await page.mouse.click(x + at.x, y + at.y);
+    await page.waitForSelector('#point-panel table');
+    const text = await page.textContent('#point-panel');
+    for (const word of ['id ', 'velocity', 'pressure', 'density', 'position'])
+      assert.ok(text.includes(word), `no ${word} in: ${text}`);
+    const notes = await page.textContent('#notices');
+    assert.ok(leftOut ? notes.includes(leftOut) : !notes.includes('left out'), notes);
+    assert.match(await page.textContent('footer pre'), /three 0/, 'licences');
+    assert.deepEqual(requests, [], 'no request');
+    assert.deepEqual(errors, []);
+  },
+
+  /// A page of `thaw preview --html`. ARGUMENT: a layer that it has.
+  async preview(browser, address, layer) {
+    const { page, errors } = await open(browser, address);
+    const shown = await pixelsOf(page);
+    assert.ok(coloursIn(shown) > 20, `the picture is blank: ${coloursIn(shown)} colours`);
+    await page.locator(`#layer-${layer}`).uncheck();
+    assert.ok(difference(shown, await pixelsOf(page)) > 1e-4, `${layer} are drawn`);
+    assert.ok(await page.locator('#time-bar').isHidden());
+    assert.deepEqual(errors, []);
+  },
+
+  /// ARGUMENT: file of a picture for the manual. The address ends with #dark for the dark theme.
   async picture(browser, address, file) {
-    const { page } = await open(browser, address, { size: [1200, 720] });
+    const { page } = await open(browser, address, { size: [1280, 760], dark: address.endsWith('#dark') });
     await page.evaluate(() =>
-      window.thawView.time.go(Math.round(0.6 * window.thawView.frames.numbers.length)),
+      window.thawView.time.go(Math.round(0.45 * window.thawView.frames.numbers.length)),
     );
+    await settle(page);
+    const point = await page.evaluate(() => {
+      const { stage } = window.thawView,
+        { packet } = stage.layers.get('surface');
+      const { data } = packet.arrays.position;
+      // The surfel that is nearest to the camera is not hidden.
+      let best = 0,
+        least = Infinity;
+      for (let k = 0; k < data.length; k += 3) {
+        const far = stage.camera.position.distanceTo({ x: data[k], y: data[k + 1], z: data[k + 2] });
+        if (far < least) [best, least] = [k, far];
+      }
+      return stage.onPage(stage.camera.position.clone().set(data[best], data[best + 1], data[best + 2]));
+    });
+    const { x, y } = await page.locator('#canvas').boundingBox();
+    await page.mouse.click(x + point.x, y + point.y);
+    await page.waitForSelector('#point-panel table');
     await settle(page);
     writeFileSync(file, await page.screenshot());
   },

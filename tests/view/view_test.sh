@@ -2,15 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The page of `thaw view` in headless Chromium: it shows finished and running runs, refuses others, and
 # survives damaged frames. PICTURE=FILE makes the picture of the manual instead.
-. "$(dirname "$0")/../support/run.sh"
-skip() { echo "skipped: $*"; exit 77; }
-MODULES=$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")
-CHROMIUM=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
-export MODULES CHROMIUM
-get="scripts/view --test installs it"
-command -v node >/dev/null || skip "node is not installed ($get)"
-[ -n "$CHROMIUM" ] || skip "chromium is not installed ($get)"
-[ -d "$MODULES/playwright-core" ] || skip "playwright-core is not in $MODULES ($get)"
+. "$(dirname "$0")/browser.sh"
 "$thaw" view "$work/none" >"$work/log" 2>&1
 grep -q "is built without" "$work/log" && skip "$(cat "$work/log")"
 expectMessage "there is no such folder" "a missing folder"
@@ -24,11 +16,6 @@ serve() {  # serve RUN: starts a server; $address is that of the page
   address=$(grep -o 'http://[^ ]*' "$work/served" | head -n 1)
   [ -n "$address" ] || { fail "thaw view $1 gives no address"; cat "$work/served"; }
 }
-inBrowser() {  # inBrowser CASE [ARGUMENT]: a case of browser_test.mjs
-  timeout 900 node "$source_dir/tests/view/browser_test.mjs" "$1" "$address" "${@:2}" >"$work/log" 2>&1 ||
-    { fail "$1"; tail -n 30 "$work/log"; }
-}
-simulate() { "$thaw" run "$@" >"$work/log" 2>&1; expectExit 0 "run $1"; }
 
 if [ -n "${PICTURE:-}" ]; then
   simulate "$scenes/melt.toml" --set 'spacing="6 mm"' --set end=1.5 --out "$work/melt"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Joins the parts of the page: a change of the settings loads frames and draws them.
 import * as THREE from 'three';
-import { getJson, getPacket } from './data/api.js';
+import { getJson, getPacket, pageData } from './data/api.js';
 import { FrameStore } from './data/frame_store.js';
 import { Settings } from './data/settings.js';
 import { Colouring, fieldsOf, titleOf } from './colouring.js';
@@ -56,17 +56,21 @@ export class App {
     );
   }
 
-  start() {
+  async start() {
+    if (pageData) this.settings.change((await pageData.about()).settings);
     return this.watch.look();
   }
 
   // ---- state of the run ----
 
   async runChanged(run, frames) {
-    document.title = `${run.folder} – thaw view`;
+    if (!pageData) document.title = `${run.folder} – thaw view`;
+    document.body.dataset.preview = String(run.preview ?? false);
+    this.notices.set('left-out', run.note ?? '');
     this.view.title.textContent = run.summary.title || this.scene?.title || run.folder;
     this.status.update(run, this.scene?.end ?? null);
     this.live = run.live;
+    this.preview = run.preview ?? false;
     if (frames) await this.framesChanged(frames);
     await this.charts.read();
   }
@@ -97,6 +101,7 @@ export class App {
     const box = new THREE.Box3(new THREE.Vector3(...domain.min), new THREE.Vector3(...domain.max));
     this.stage.setDomain(box);
     const problems = this.stage.obstacles.set(await getPacket('obstacles'), box);
+    this.stage.marks.set(await getPacket('marks'));
     this.notices.set('obstacles', problems.map((o) => `obstacle ${o.name}: ${o.problem}`).join('; '), true);
     const name = { speed: 'velocity', surface: '', glow: '' }[this.scene.colour] ?? this.scene.colour;
     const all = this.frames.has.reduce((mask, has) => mask | has, 0);
@@ -104,9 +109,11 @@ export class App {
       field: { name, part: -1 },
       range: { min: this.scene.colour_min, max: this.scene.colour_max },
       // A surface hides the particles within.
-      layers: { ...this.settings.layers, particles: (all & 2) === 0 },
+      layers: { ...this.settings.layers, particles: (all & 2) === 0, camera: this.preview },
     });
-    if (this.scene.camera) this.sceneCamera();
+    this.showMarks();
+    if (this.preview) this.stage.fit(box);
+    else if (this.scene.camera) this.sceneCamera();
     else this.fitting = true;
   }
 
@@ -171,12 +178,13 @@ export class App {
   }
 
   describe(packets) {
+    const { stage } = this;
     const all = this.frames.has.reduce((mask, has) => mask | has, 0);
     const present = this.frames.types.filter((type, k) => (all >> k) & 1);
     const own = [...packets.values()].some((packet) => packet.arrays.colour);
     if (packets.size > 0)
       this.view.describe({
-        present: [...present, 'obstacles', 'domain'],
+        present: [...present, 'obstacles', 'domain', ...stage.marks.kinds.keys()],
         fields: fieldsOf(packets.values()),
         own,
       });
@@ -243,12 +251,17 @@ export class App {
     const { settings, stage } = this;
     if (changed.has('theme')) this.applyTheme();
     if (changed.has('cut')) stage.setCut(settings.cut);
-    if (changed.has('layers')) {
-      stage.obstacles.group.visible = settings.layers.obstacles;
-      stage.domain.object.visible = settings.layers.domain;
-    }
+    if (changed.has('layers')) this.showMarks();
     const reload = ['frame', 'field', 'most', 'layers', 'look', 'range', 'map'];
     if (reload.some((name) => changed.has(name)) || (changed.has('playing') && settings.playing)) this.show();
+  }
+
+  /// Shows what has no points by the choice of layers.
+  showMarks() {
+    const { stage, settings } = this;
+    stage.obstacles.group.visible = settings.layers.obstacles;
+    stage.domain.object.visible = settings.layers.domain;
+    stage.marks.show(settings.layers);
   }
 
   turnTheme() {

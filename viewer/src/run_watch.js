@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Asks the server for the state of the run, often while it is live.
-import { getJson } from './data/api.js';
+import { getJson, pageData } from './data/api.js';
 
 const LIVE = 1000,
   QUIET = 5000; // ms
@@ -27,6 +27,7 @@ export class RunWatch {
         problem instanceof TypeError ? 'thaw view has ended, or the connection is lost' : problem.message,
       );
     }
+    if (pageData) return; // which does not change
     this.timer = setTimeout(() => this.look(), wait);
   }
 }

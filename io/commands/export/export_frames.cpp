@@ -42,15 +42,14 @@ double expectedSize(const std::vector<FrameGroup>& groups, const ExportFormat& f
   return rows * format.bytesPerSurfel * static_cast<double>(groups.size());
 }
 
-/// Returns export/ in the run folder. The input is that folder, its frames/ or a file in there.
+}  // namespace
+
 fs::path exportFolder(const fs::path& input) {
   fs::path folder = fs::is_directory(input) ? input : input.parent_path();
   if (folder.filename().empty() && folder.has_parent_path()) folder = folder.parent_path();  // "run/"
   if (folder.filename() == "frames") folder = folder.parent_path();
   return folder / "export";
 }
-
-}  // namespace
 
 void printNotes(const GatherNotes& notes) {
   for (const std::string& note : notes.notes) fmt::print("{}\n", note);

@@ -13,6 +13,9 @@ struct ExportRun {
   int threads = 1;  ///< frames at a time
 };
 
+/// Returns export/ in the run folder. The input is that folder, its frames/ or a file in there.
+std::filesystem::path exportFolder(const std::filesystem::path& input);
+
 /// Finds the frames, and prints their number and the expected size unless there is only one. Throws IoError
 /// and std::invalid_argument.
 void startExport(const ExportOptions& options, const ExportFormat& format, ExportRun& run);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/commands/export/export_frames.hpp"
+#include "io/commands/export/export_page.hpp"
 #include "io/export/export_surface.hpp"
 #include "io/export/write_bgeo.hpp"
 #include "io/export/write_vdb.hpp"
@@ -61,6 +62,8 @@ const ExportFormat formats[] = {
     {"vdb", ".vdb",
      "OpenVDB: the level set of a surface, and fogs of density, temperature and liquid fraction of particles",
      surfaceContent | particleContent, false, false, true, 30, writeVdb, nullptr},
+    {"html", ".html", "the run as one page for any browser, without a server", allContent, true, true, true,
+     0, nullptr, exportRunPage},
 };
 
 struct NamedContent {

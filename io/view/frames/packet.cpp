@@ -15,36 +15,44 @@ void pad(std::string& text, char with) {
   while (text.size() % alignment != 0) text += with;
 }
 
+template<class T>
+PacketArray arrayOf(const char* name, const char* type, std::span<const T> v, int components) {
+  PacketArray array{name, type, static_cast<std::size_t>(components), v.size(), {}};
+  array.rows /= array.components;
+  if (!v.empty()) array.bytes.assign(reinterpret_cast<const char*>(v.data()), v.size_bytes());
+  return array;
+}
+
 }  // namespace
 
 void Packet::add(const char* name, std::span<const float> v, int components) {
-  addBlock(name, {"f32", v.data(), v.size(), sizeof(float)}, components);
+  arrays_.push_back(arrayOf(name, "f32", v, components));
 }
 void Packet::add(const char* name, std::span<const std::uint32_t> v, int components) {
-  addBlock(name, {"u32", v.data(), v.size(), sizeof(std::uint32_t)}, components);
+  arrays_.push_back(arrayOf(name, "u32", v, components));
 }
 void Packet::add(const char* name, std::span<const std::int16_t> v, int components) {
-  addBlock(name, {"i16", v.data(), v.size(), sizeof(std::int16_t)}, components);
+  arrays_.push_back(arrayOf(name, "i16", v, components));
 }
 void Packet::add(const char* name, std::span<const std::uint8_t> v, int components) {
-  addBlock(name, {"u8", v.data(), v.size(), sizeof(std::uint8_t)}, components);
-}
-
-void Packet::addBlock(const char* name, const Block& block, int components) {
-  header["arrays"][name] = {{"type", block.type},
-                            {"components", components},
-                            {"rows", block.count / static_cast<std::size_t>(components)},
-                            {"offset", data_.size()}};
-  if (block.count > 0) data_.append(static_cast<const char*>(block.data), block.count * block.width);
-  pad(data_, '\0');
+  arrays_.push_back(arrayOf(name, "u8", v, components));
 }
 
 std::string Packet::bytes() const {
-  std::string text = "0000" + header.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  nlohmann::ordered_json described = header;
+  std::string data;
+  for (const PacketArray& a : arrays_) {
+    described["arrays"][a.name] = {
+        {"type", a.type}, {"components", a.components}, {"rows", a.rows}, {"offset", data.size()}};
+    data += a.bytes;
+    pad(data, '\0');
+  }
+  std::string text = "0000" +
+                     described.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   pad(text, ' ');
   const auto length = static_cast<std::uint32_t>(text.size() - 4);
   for (std::size_t k = 0; k < 4; k++) text[k] = static_cast<char>(length >> (8 * k) & 255);
-  return text + data_;
+  return text + data;
 }
 
 }  // namespace thaw

@@ -8,8 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace thaw {
+
+/// An array of a packet: rows of `components` elements.
+struct PacketArray {
+  std::string name, type;  ///< type: "f32", "u32", "i16", "u8"
+  std::size_t components = 1, rows = 0;
+  std::string bytes;
+};
 
 class Packet {
  public:
@@ -19,17 +27,12 @@ class Packet {
   void add(const char* name, std::span<const std::uint32_t> values, int components);
   void add(const char* name, std::span<const std::int16_t> values, int components);
   void add(const char* name, std::span<const std::uint8_t> values, int components);
+  const std::vector<PacketArray>& arrays() const { return arrays_; }
   /// Returns the whole reply.
   std::string bytes() const;
 
  private:
-  struct Block {
-    const char* type;
-    const void* data;
-    std::size_t count, width;  ///< elements, bytes of each
-  };
-  void addBlock(const char* name, const Block& block, int components);
-  std::string data_;
+  std::vector<PacketArray> arrays_;
 };
 
 }  // namespace thaw

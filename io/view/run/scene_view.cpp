@@ -13,6 +13,7 @@
 #include "core/scene/modules.hpp"
 #include "io/hdf5/h5_file.hpp"
 #include "io/render/scene_job.hpp"
+#include "io/render/scene_marks.hpp"
 #include "io/scene/scene_for_all.hpp"
 
 namespace thaw {
@@ -120,6 +121,27 @@ Packet obstacleMeshes(const Scene& scene) {
   }
   packet.add("position", std::span<const float>(vertices), 3);
   packet.add("triangles", std::span<const std::uint32_t>(triangles), 3);
+  return packet;
+}
+
+Packet markLines(const Scene& scene) {
+  Packet packet;
+  packet.header["marks"] = Json::array();
+  std::vector<float> ends;
+  try {
+    for (const Mark& mark : sceneMarks(scene)) {
+      if (mark.kind == MarkKind::Domain) continue;  // sceneView has it
+      packet.header["marks"].push_back({{"kind", markNames[static_cast<std::size_t>(mark.kind)]},
+                                        {"name", mark.name},
+                                        {"first", ends.size() / 6},
+                                        {"lines", mark.lines.size()}});
+      for (const auto& line : mark.lines)
+        for (const Vec3d& end : line)
+          for (int a = 0; a < 3; a++) ends.push_back(static_cast<float>(end[a]));
+    }
+  } catch (const std::exception&) {  // obstacleMeshes reports a mesh that is no longer there
+  }
+  packet.add("position", std::span<const float>(ends), 3);
   return packet;
 }
 

@@ -21,6 +21,10 @@ nlohmann::ordered_json sceneView(const Scene& scene);
 /// `problem`, such as a missing mesh.
 Packet obstacleMeshes(const Scene& scene);
 
+/// Returns the lines of emitters, clamps and the camera: `position`, two rows for each line. The header has
+/// kind, name, first line and number of lines of each mark.
+Packet markLines(const Scene& scene);
+
 /// Returns whether each obstacle is present at a time (s), and its pose: x = move + rotation x_rest.
 nlohmann::ordered_json obstaclePoses(const Scene& scene, double time);
 

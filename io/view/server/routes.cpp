@@ -164,6 +164,10 @@ ViewReply apiReply(ViewState& state, const ViewRequest& q, const std::string& na
     const Scene* scene = sceneOf(state);
     return {200, binary, scene ? obstacleMeshes(*scene).bytes() : Packet{}.bytes()};
   }
+  if (name == "marks") {
+    const Scene* scene = sceneOf(state);
+    return {200, binary, scene ? markLines(*scene).bytes() : Packet{}.bytes()};
+  }
   return problemReply(404, "there is no such address");
 }
 

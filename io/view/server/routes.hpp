@@ -2,6 +2,7 @@
 // Replies of `thaw view`. Addresses begin with the token; behind it are the files of the page and
 //   api/run       state of the run; its frames if `frames` is not their revision
 //   api/scene     camera, colours, domain        api/obstacles  their triangles (packet)
+//   api/marks     lines of emitters, clamps and the camera (packet)
 //   api/frame     `number`, `type`, `field`, `part`, `most`: a packet (frame_packet.hpp)
 //   api/point     the same, and `index` or `id`: all fields of one point
 //   api/log       `file`, `columns`, `rows`, `known`: a CSV file (log_rows.hpp)

@@ -13,6 +13,9 @@ export class Settings {
       oriented: true,
       obstacles: true,
       domain: true,
+      emitters: true,
+      clamps: true,
+      camera: false,
     };
     this.look = 'mesh'; // of oriented particles: mesh or discs
     this.field = { name: '', part: -1 }; // '': own colours

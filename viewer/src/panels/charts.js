@@ -166,7 +166,7 @@ export class Charts {
           { ...axis, size: 58, values: (u, ticks) => ticks.map((v) => (v === null ? '' : numberText(v, 3))) },
         ],
         series: [
-          { label: 't', value: (u, v) => (v === null ? '' : `${numberText(v)} s`) },
+          { label: ' ', value: (u, v) => (v === null ? '' : `${numberText(v)} s`) },
           ...lines.map(({ name, colour }) => ({
             label: name,
             stroke: colour,

@@ -11,6 +11,19 @@ const COUNTS = [
   ['oriented', 'oriented'],
 ];
 
+/// Returns a link to the licences of bundled packages, or their text in a page without a server.
+function licences() {
+  const title = 'licences of three.js and uPlot',
+    text = document.getElementById('licences');
+  if (!text) return make('a', { href: 'licences.txt', textContent: title, target: '_blank' });
+  return make(
+    'details',
+    {},
+    make('summary', { textContent: title }),
+    make('pre', { textContent: text.textContent }),
+  );
+}
+
 export class StatusPanel {
   constructor(parent) {
     this.state = make('span', { id: 'state', className: 'state' });
@@ -48,11 +61,7 @@ export class StatusPanel {
       this.warningsTitle,
       this.warnings,
       this.charts,
-      make(
-        'footer',
-        {},
-        make('a', { href: 'licences.txt', textContent: 'licences of three.js and uPlot', target: '_blank' }),
-      ),
+      make('footer', {}, licences()),
     );
   }
 

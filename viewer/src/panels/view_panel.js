@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Choices of the picture: layers, colours, cut plane, camera.
+import { pageData } from '../data/api.js';
 import { make, setOptions } from '../dom.js';
 import { mapNames } from '../scene/colour_maps.js';
 import { numberText } from '../text.js';
@@ -11,6 +12,9 @@ const LAYER_NAMES = {
   oriented: 'oriented bodies',
   obstacles: 'obstacles',
   domain: 'domain',
+  emitters: 'emitters',
+  clamps: 'clamps',
+  camera: 'camera',
 };
 const TENSOR = ['xx', 'yy', 'zz', 'xy', 'yz', 'xz'];
 const POINTS = [20000, 50000, 100000, 200000, 500000, 1000000, 5000000];
@@ -91,6 +95,8 @@ export class ViewPanel {
       POINTS.map((n) => [String(n), n.toLocaleString('en-GB')]),
       String(settings.most),
     );
+    this.mostRow = row('points', this.most);
+    this.mostRow.hidden = pageData !== null; // a page has the points that were chosen for it
     this.look = make('select', {
       id: 'look',
       title: 'look of oriented bodies',
@@ -138,7 +144,7 @@ export class ViewPanel {
       row('map', this.map),
       row('range', this.min, this.max),
       row('cut plane', this.axis, this.share, this.flip),
-      row('points', this.most),
+      this.mostRow,
       this.lookRow,
       make(
         'div',
@@ -151,7 +157,7 @@ export class ViewPanel {
       this.camera,
     );
     this.title = make('strong', { id: 'title' });
-    parent.append(
+    parent.prepend(
       make(
         'header',
         {},

@@ -5,6 +5,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { DepthShade } from './depth_shade.js';
 import { DomainBox } from './domain.js';
 import { Layer } from './layers.js';
+import { Marks } from './marks.js';
 import { Obstacles } from './obstacles.js';
 import { Picking } from './picking.js';
 import { setPalette, shared } from './shading.js';
@@ -38,11 +39,13 @@ export class Stage {
     for (const { discs } of this.layers.values()) if (discs) this.splats.add(discs);
     this.obstacles = new Obstacles();
     this.domain = new DomainBox();
+    this.marks = new Marks();
     this.scene.add(
       ...[...this.layers.values()].map((layer) => layer.group),
       this.obstacles.group,
       this.domain.object,
       this.domain.cut,
+      this.marks.group,
       this.splats.mesh,
     );
     this.box = new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));

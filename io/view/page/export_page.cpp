@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/view/page/export_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "io/export/out_file.hpp"
+#include "io/hdf5/io_error.hpp"
+#include "io/view/page/byte_planes.hpp"
+#include "io/view/page/frame_block.hpp"
+#include "io/view/page/page_file.hpp"
+#include "io/view/page/thinning.hpp"
+#include "io/view/run/log_rows.hpp"
+#include "io/view/run/run_files.hpp"
+#include "io/view/run/run_status.hpp"
+#include "io/view/run/scene_view.hpp"
+
+namespace fs = std::filesystem;
+
+namespace thaw {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t samples = 5;  // frames that are encoded to estimate the size of all
+constexpr std::size_t logRowsMost = 600;
+
+/// The run as the page needs it.
+struct Source {
+  const PageExport& request;
+  FrameList list;
+  std::optional<Scene> scene;
+};
+
+/// Encoded frames. left: names of types with the largest thinning level of each.
+struct Encoded {
+  PageData data;
+  std::uint64_t bytes = 0;
+  PageSizes sizes;
+  std::map<std::string, int> levels;
+  std::set<std::string> tensors;
+};
+
+std::optional<Scene> sceneOf(const fs::path& run, const FrameList& list) {
+  const ListedFrame& frame = list.frames.front();
+  const auto type = std::find(frame.has.begin(), frame.has.end(), true) - frame.has.begin();
+  try {
+    return sceneOfFrame(framePath(run, list.scene, static_cast<PointType>(type), frame.number));
+  } catch (const std::runtime_error&) { return std::nullopt; }  // a mesh of another machine
+}
+
+void encodeFrame(const Source& from, const ListedFrame& frame, const Thinning& t, Encoded& to) {
+  const Json poses = from.scene ? obstaclePoses(*from.scene, frame.time) : Json::array();
+  for (std::size_t k = 0; k < frame.has.size(); k++) {
+    if (!frame.has[k]) continue;
+    BlockRequest request{
+        framePath(from.request.run, from.list.scene, static_cast<PointType>(k), frame.number),
+        static_cast<PointType>(k), t.most, from.scene ? from.scene->spacing : 0, t.tensors};
+    FrameBlock block = frameBlock(request, poses);
+    to.bytes += bytesInPage(block.stream);
+    to.sizes.points = std::max(to.sizes.points, block.points);
+    to.sizes.tensors = to.sizes.tensors || !block.tensors.empty();
+    to.tensors.insert(block.tensors.begin(), block.tensors.end());
+    int& level = to.levels[pointTypeNames[k]];
+    level = std::max(level, block.level);
+    to.data.add(fmt::format("{}-{}", frame.number, pointTypeNames[k]), std::move(block.stream));
+  }
+}
+
+/// Returns the rows of all columns of a CSV file, or null without one.
+Json logOf(const fs::path& run, const std::string& name) {
+  const auto path = logInRun(run, name);
+  if (!path) return nullptr;
+  std::ifstream file(*path);
+  std::string header;
+  std::getline(file, header);
+  LogRequest request{path->string(), {}, logRowsMost};
+  for (std::size_t begin = 0; begin < header.size();) {
+    const std::size_t end = std::min(header.find(',', begin), header.size());
+    request.columns.push_back(header.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return logRows(request);
+}
+
+/// Returns the blocks other than frames. kept: frames in the page.
+PageData about(const Source& from, const std::vector<ListedFrame>& kept, const std::string& note) {
+  const PageExport& q = from.request;
+  Json run = {{"folder", q.preview ? std::string() : q.run.filename().string()}};
+  run.update(runStatus(q.run));
+  if (run["live"].get<bool>()) run["state"] = "running", run["text"] = "a copy of a run that was running";
+  run["live"] = false;
+  run["note"] = note;
+  run["preview"] = q.preview;
+  Json numbers = Json::array(), times = Json::array(), has = Json::array();
+  for (const ListedFrame& f : kept) {
+    int mask = 0;
+    for (std::size_t k = 0; k < f.has.size(); k++) mask |= f.has[k] ? 1 << k : 0;
+    numbers.push_back(f.number), times.push_back(f.time), has.push_back(mask);
+  }
+  run["frames"] = {{"scene", from.list.scene}, {"revision", "0"}, {"types", pointTypeNames},
+                   {"numbers", numbers},       {"times", times},  {"has", has}};
+  Json scene = from.scene ? sceneView(*from.scene) : Json(nullptr), logs = Json::object();
+  if (from.scene) scene.update(q.look);
+  if (!q.preview)
+    for (const char* name : {"ledger.csv", "progress.csv"}) logs[name] = logOf(q.run, name);
+  PageData data;
+  data.addJson("run", {{"run", run}, {"scene", scene}, {"logs", logs}, {"settings", q.settings}});
+  data.add("obstacles", deflated((from.scene ? obstacleMeshes(*from.scene) : Packet{}).bytes()));
+  data.add("marks", deflated((from.scene ? markLines(*from.scene) : Packet{}).bytes()));
+  return data;
+}
+
+/// Returns some frames with the same thinning, and the bytes of all that are kept, about.
+std::uint64_t estimate(const Source& from, const Thinning& t, Encoded& sample) {
+  const std::size_t count = from.list.frames.size(), n = std::min(samples, count);
+  for (std::size_t k = 0; k < n; k++)
+    encodeFrame(from, from.list.frames[n == 1 ? count - 1 : k * (count - 1) / (n - 1)], t, sample);
+  sample.sizes.frames = count;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < count; k++) kept += isKept(k, sample.sizes, t);
+  return sample.bytes * kept / n;
+}
+
+std::string sizeText(std::uint64_t bytes) {
+  const auto b = static_cast<double>(bytes);
+  return b < 1e6 ? fmt::format("{:.0f} kB", b / 1e3) : fmt::format("{:.3g} MB", b / 1e6);
+}
+
+/// Returns what is left out, "" if nothing is.
+std::string leftOut(const Source& from, const Encoded& all, std::size_t kept, const Thinning& t) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  const std::size_t count = from.list.frames.size();
+  if (kept < count) add(fmt::format("{} of {} frames", count - kept, count));
+  for (const auto& [type, level] : all.levels)
+    if (level > 0) add(fmt::format("{}: all but 1 of {} points", type, 1 << level));
+  std::string names;
+  if (!t.tensors)
+    for (const std::string& name : all.tensors) names += (names.empty() ? "" : ", ") + name;
+  if (!names.empty()) add("the field " + names);
+  return text;
+}
+
+/// Encodes all kept frames, or returns nothing once they exceed the bytes.
+std::optional<Encoded> encodeAll(const Source& from, const Thinning& t, std::uint64_t bytes,
+                                 std::vector<ListedFrame>& kept) {
+  Encoded all;
+  all.sizes.frames = from.list.frames.size();
+  kept.clear();
+  for (std::size_t k = 0; k < from.list.frames.size(); k++) {
+    if (!isKept(k, all.sizes, t)) continue;
+    encodeFrame(from, from.list.frames[k], t, all);
+    kept.push_back(from.list.frames[k]);
+    if (all.bytes > bytes) return std::nullopt;
+  }
+  return all;
+}
+
+void write(const fs::path& file, const std::string& page) {
+  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  OutFile out(file);
+  out.text(page);
+  out.finish();
+}
+
+}  // namespace
+
+void exportPage(const PageExport& q) {
+  Source from{q, readFrameList(q.run), {}};
+  if (from.list.frames.empty()) throw IoError(q.run.string(), "has no frames");
+  from.scene = sceneOf(q.run, from.list);
+  std::uint64_t fixed = 4096;  // bytes of the page without frames
+  fixed += pageText("", about(from, from.list.frames, "")).size();
+  const auto refuse = [&] {
+    throw IoError(q.file.string(), fmt::format("a size of {} is too small: {} are the page itself; "
+                                               "a larger one: --size",
+                                               sizeText(q.budget), sizeText(fixed)));
+  };
+  if (fixed >= q.budget) refuse();
+  const std::uint64_t bytes = q.budget - fixed;
+  const auto start = std::chrono::steady_clock::now();
+  Thinning t;
+  Encoded sample;
+  std::uint64_t expected = 0;
+  while ((expected = estimate(from, t, sample)) > bytes) {
+    if (!thinFurther(sample.sizes, t)) refuse();
+    sample = {};
+  }
+  const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
+                      static_cast<double>(std::min(samples, from.list.frames.size()));
+  const std::size_t count = (from.list.frames.size() + t.every - 1) / t.every;
+  if (!q.preview)
+    q.say(fmt::format("{} frames, about {}, about {:.0f} s", count, sizeText(expected + fixed),
+                      std::ceil(each * static_cast<double>(count))));
+  std::vector<ListedFrame> kept;
+  std::optional<Encoded> all;
+  while (!(all = encodeAll(from, t, bytes, kept))) {
+    sample.sizes.frames = from.list.frames.size();
+    if (!thinFurther(sample.sizes, t)) refuse();
+  }
+  const std::string note = leftOut(from, *all, kept.size(), t);
+  PageData data = about(from, kept, note.empty() ? "" : "left out of this page: " + note);
+  for (auto& block : all->data.blocks) data.blocks.push_back(std::move(block));
+  const std::string title = from.scene && !from.scene->title.empty() ? from.scene->title : from.list.scene;
+  const std::string page = pageText(title + " – thaw", data);
+  write(q.file, page);
+  q.say(fmt::format("{}: {} frame{}, {}", q.file.string(), kept.size(), kept.size() == 1 ? "" : "s",
+                    sizeText(page.size())));
+  if (!note.empty()) q.say(fmt::format("left out to stay within {}: {}", sizeText(q.budget), note));
+}
+
+}  // namespace thaw

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Choice of what a page leaves out.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace thaw {
+
+struct Thinning {
+  std::size_t every = 1;        ///< one of so many frames, and the last one
+  std::uint64_t most = 100000;  ///< points of each type, about
+  bool tensors = true;          ///< with fields of six components
+};
+
+struct PageSizes {
+  std::size_t frames = 0;    ///< frames of the run
+  std::uint64_t points = 0;  ///< points of the largest encoded frame
+  bool tensors = false;      ///< whether some were encoded
+};
+
+/// Returns whether a frame is in the page.
+inline bool isKept(std::size_t frame, const PageSizes& sizes, const Thinning& t) {
+  return frame % t.every == 0 || frame + 1 == sizes.frames;
+}
+
+/// Leaves out more: tensors, frames down to 60, points down to 12,500, frames down to 12, and the rest in
+/// turn. Returns false where nothing is left to leave out.
+bool thinFurther(const PageSizes& sizes, Thinning& t);
+
+}  // namespace thaw

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Pages without a server in headless Chromium, from disk: `thaw export --as html`, `thaw preview --html`.
+. "$(dirname "$0")/browser.sh"
+simulate "$scenes/dam_break.toml" --set spacing=0.05 --set end=0.4 --out "$work/dam"
+"$thaw" export "$work/dam" --as html >"$work/log" 2>&1
+grep -q "is built without" "$work/log" && skip "$(cat "$work/log")"
+grep -q "17 frames, about .* s" "$work/log" || fail "export says how large: $(cat "$work/log")"
+grep -q "left out" "$work/log" && fail "nothing is left out of a small run: $(cat "$work/log")"
+address=file://$work/dam/export/dam.html
+inBrowser page
+"$thaw" export "$work/dam" --as html --size 780kB --out "$work/small.html" >"$work/log" 2>&1
+expectExit 0 "export within 780 kB"
+grep -q "left out to stay within 780 kB: " "$work/log" || fail "no word of what is left out"
+[ "$(stat -c %s "$work/small.html")" -le 780000 ] || fail "the page is larger than its budget"
+address=file://$work/small.html
+inBrowser page "left out of this page"
+
+"$thaw" export "$work/dam" --as html --size 1kB >"$work/log" 2>&1
+expectExit 3 "a budget below the page itself"
+expectMessage "too small" "a budget below the page itself"
+"$thaw" export "$work/dam" --as html --size large >"$work/log" 2>&1
+expectExit 2 "a size that is none"
+expectMessage "expected a size such as 800kB or 20MB, got large" "a size that is none"
+"$thaw" export "$work/dam" --as html --what surface >"$work/log" 2>&1
+expectExit 2 "--what with a page"
+"$thaw" export "$work/none" --as html >"$work/log" 2>&1
+expectExit 3 "a run that is not there"
+
+"$thaw" preview "$scenes/beam.toml" --html "$work/beam.html" >"$work/log" 2>&1
+expectExit 0 "preview --html"
+address=file://$work/beam.html
+inBrowser preview clamps
+finish
