@@ -41,9 +41,13 @@ export async function open(browser, address, { frame = true, dark = false, size 
 export async function settle(page) {
   await page.evaluate(async () => {
     const { thawView: app } = window;
+    const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     await app.show();
-    app.stage.rest();
-    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    await drawn();
+    clearTimeout(app.stage.resting);
+    app.stage.setScale(1); // on any machine, however fast it is
+    app.stage.draw();
+    await drawn();
   });
 }
 

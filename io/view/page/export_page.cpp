@@ -214,7 +214,9 @@ void exportPage(const PageExport& q) {
   write(q.file, page);
   q.say(fmt::format("{}: {} frame{}, {}", q.file.string(), kept.size(), kept.size() == 1 ? "" : "s",
                     sizeText(page.size())));
-  if (!note.empty()) q.say(fmt::format("left out to stay within {}: {}", sizeText(q.budget), note));
+  if (!note.empty())
+    q.say(fmt::format("left out to stay within {} and {} points of each type: {}", sizeText(q.budget),
+                      Thinning{}.most, note));
 }
 
 }  // namespace thaw

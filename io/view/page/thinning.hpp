@@ -8,7 +8,7 @@ namespace thaw {
 
 struct Thinning {
   std::size_t every = 1;        ///< one of so many frames, and the last one
-  std::uint64_t most = 100000;  ///< points of each type, about
+  std::uint64_t most = 500000;  ///< points of each type, about: as many as browsers draw
   bool tensors = true;          ///< with fields of six components
 };
 

@@ -31,6 +31,9 @@ Json summaryOf(const fs::path& run) {
   for (const auto& [key, value] : all.items())
     if (key != "phases_s_per_rank" && key != "traffic" && key != "ledger" && key != "counters")
       shown[key] = value;
+  if (const auto phases = all.find("phases_s_per_rank"); phases != all.end() && phases->is_object())
+    for (const auto& [name, times] : phases->items())
+      if (times.is_object() && times.contains("mean")) shown["phases_s"][name] = times["mean"];
   return shown;
 }
 

@@ -39,6 +39,7 @@ export class StatusPanel {
     this.warnings = make('ul', { id: 'warnings' });
     this.warningsTitle = make('h2', { textContent: 'Warnings' });
     this.charts = make('div', { id: 'charts' });
+    this.phases = make('div', { id: 'phases', hidden: true });
     this.ask = make(
       'div',
       { id: 'stop-question', hidden: true },
@@ -61,6 +62,7 @@ export class StatusPanel {
       this.warningsTitle,
       this.warnings,
       this.charts,
+      this.phases,
       make('footer', {}, licences()),
     );
   }
@@ -102,6 +104,26 @@ export class StatusPanel {
       ),
     );
     this.showWarnings(s.warnings ?? []);
+    this.showPhases(s.phases_s ?? {});
+  }
+
+  /// phases: s of wall-clock time by name, means over the ranks.
+  showPhases(phases) {
+    const all = Object.entries(phases).sort(([, a], [, b]) => b - a);
+    const sum = all.reduce((total, [, time]) => total + time, 0);
+    this.phases.hidden = !(sum > 0);
+    const bar = ([name, time]) =>
+      make(
+        'div',
+        { className: 'phase', title: `${numberText(time, 3)} s` },
+        make('span', { textContent: name }),
+        make('i', { style: { width: `${(100 * time) / all[0][1]}px` } }),
+        make('span', { textContent: `${numberText((100 * time) / sum, 2)} %` }),
+      );
+    this.phases.replaceChildren(
+      make('h3', { textContent: 'wall-clock time by phase of the step' }),
+      ...all.filter(([, time]) => time > 0.01 * sum).map(bar),
+    );
   }
 
   leftText({ live, age_s: age, progress }, share, time, last) {

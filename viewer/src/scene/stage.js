@@ -12,6 +12,7 @@ import { setPalette, shared } from './shading.js';
 import { Splats } from './splats.js';
 
 const SLOW = 34; // ms between pictures: above it, fewer pixels are drawn while the camera moves
+const PAUSE = 100; // ms between a picture and the request of the next: above it, nothing moves
 const QUICK = 25; // ms for a picture at rest: below it, one with twice as many pixels a side follows
 
 export class Stage {
@@ -87,23 +88,27 @@ export class Stage {
     this.resting = setTimeout(() => this.rest(), 250);
     if (this.due) return;
     this.due = true;
+    const moving = performance.now() - (this.ended ?? -PAUSE) < PAUSE;
     requestAnimationFrame((now) => {
       this.due = false;
-      this.pace(now);
+      this.pace(now, moving);
       this.draw();
+      this.ended = performance.now();
     });
   }
 
-  /// Lowers the scale while pictures follow each other slowly.
-  pace(now) {
+  /// Lowers the scale while pictures follow each other slowly, and raises it again while they are quick. moving: this one follows the last at once.
+  pace(now, moving) {
     const since = now - (this.before ?? 0);
     this.before = now;
     const own = Math.min(2, window.devicePixelRatio || 1);
-    if (since < 250) this.interval = this.interval > 0 ? 0.8 * this.interval + 0.2 * since : since;
+    if (moving) this.interval = this.interval > 0 ? 0.8 * this.interval + 0.2 * since : since;
     let wanted = Math.min(own, this.motionScale ?? own);
     if (this.interval > SLOW && wanted > 0.5) {
       wanted = Math.max(0.5, 0.8 * wanted);
       this.interval = 0.8 * SLOW; // the next pictures show the effect
+    } else if (this.interval < 0.6 * SLOW) {
+      wanted = Math.min(own, 1.05 * wanted);
     }
     this.motionScale = wanted;
     if (wanted !== this.scale) this.setScale(wanted);

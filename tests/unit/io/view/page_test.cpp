@@ -111,7 +111,7 @@ TEST(PageThinning, leavesOutTensorsThenFramesThenPoints) {
   EXPECT_TRUE(thinFurther(sizes, t));
   EXPECT_TRUE(thinFurther(sizes, t));
   EXPECT_EQ(t.every, 4u);
-  EXPECT_EQ(t.most, 100000u);
+  EXPECT_EQ(t.most, 500000u);
   EXPECT_TRUE(thinFurther(sizes, t));
   EXPECT_EQ(t.most, 20000u);
 }
