@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time slider, play, and following the newest frame.
+import { pageData } from '../data/api.js';
 import { make, setOptions } from '../dom.js';
 import { timeText } from '../text.js';
 
@@ -42,7 +43,12 @@ export class TimeBar {
       this.slider,
       this.label,
       this.rate,
-      make('label', { title: 'shows the newest frame of a running run' }, this.follow, 'follow'),
+      make(
+        'label',
+        { title: 'shows the newest frame of a running run', hidden: pageData !== null },
+        this.follow,
+        'follow',
+      ),
     );
     document.addEventListener('keydown', (event) => this.key(event));
     settings.listen(() => this.update());

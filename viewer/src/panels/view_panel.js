@@ -42,6 +42,7 @@ export class ViewPanel {
       onchange: () => this.chooseField(),
     });
     this.part = make('select', { id: 'part', title: 'component', onchange: () => this.chooseField() });
+    this.partRow = row('part', this.part);
     this.map = make('select', {
       id: 'map',
       title: 'colour map',
@@ -140,7 +141,8 @@ export class ViewPanel {
       'div',
       { className: 'body' },
       this.layers,
-      row('colours', this.field, this.part),
+      row('colours', this.field),
+      this.partRow,
       row('map', this.map),
       row('range', this.min, this.max),
       row('cut plane', this.axis, this.share, this.flip),
@@ -228,7 +230,7 @@ export class ViewPanel {
     if (this.choices) setOptions(this.field, this.choices, field.name);
     const parts = partsOf(this.fields?.find((f) => f.name === field.name)?.components ?? 1);
     setOptions(this.part, parts, String(field.part));
-    this.part.hidden = parts.length === 0;
+    this.partRow.hidden = parts.length === 0;
     for (const [input, value] of [
       [this.min, range.min],
       [this.max, range.max],

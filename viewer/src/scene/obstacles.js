@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Obstacles: bounded ones as glass, planes as floors that fade with the distance from the domain.
 import * as THREE from 'three';
+import { toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import { fragmentCommon, shared, vertexCommon } from './shading.js';
+
+const CREASE = 0.6; // rad: edges of boxes stay sharp, balls are smooth
 
 const glassVertex = /* glsl */ `
 ${vertexCommon}
@@ -89,8 +92,7 @@ export class Obstacles {
         1,
       ),
     );
-    const geometry = whole.toNonIndexed(); // flat faces: edges of boxes stay sharp
-    geometry.computeVertexNormals();
+    const geometry = toCreasedNormals(whole, CREASE);
     const mesh = new THREE.Mesh(geometry, this.glass);
     const edges = new THREE.LineSegments(
       new THREE.EdgesGeometry(geometry, 30),
