@@ -262,7 +262,7 @@ const cases = {
   async picture(browser, address, file) {
     const { page } = await open(browser, address, { size: [1280, 760], dark: address.endsWith('#dark') });
     await page.evaluate(() =>
-      window.thawView.time.go(Math.round(0.45 * window.thawView.frames.numbers.length)),
+      window.thawView.time.go(Math.round(0.75 * window.thawView.frames.numbers.length)),
     );
     await settle(page);
     const point = await page.evaluate(() => {
