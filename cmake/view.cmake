@@ -44,9 +44,11 @@ endif()
 
 file(GLOB_RECURSE view_sources CONFIGURE_DEPENDS io/view/*.cpp)
 list(FILTER view_sources EXCLUDE REGEX "/(serve|serve_missing|page_missing)\\.cpp$")
-foreach(command view export_page preview)
+foreach(command view export preview)
   list(APPEND view_sources ${PROJECT_SOURCE_DIR}/io/commands/${command}.cpp)
 endforeach()
+file(GLOB export_sources CONFIGURE_DEPENDS io/commands/export/*.cpp)
+list(APPEND view_sources ${export_sources})
 set(view_server ${PROJECT_SOURCE_DIR}/io/view/server)
 list(APPEND view_sources ${view_server}/$<IF:$<BOOL:${httplib}>,serve.cpp,serve_missing.cpp>)
 

@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <cstdio>
 
+#include "io/frames/run_folder.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "io/view/page/page_file.hpp"
@@ -16,17 +15,6 @@
 namespace fs = std::filesystem;
 
 namespace thaw {
-
-fs::path runFolder(const fs::path& given) {
-  std::error_code error;
-  fs::path folder = fs::canonical(given, error);
-  if (error || !fs::is_directory(folder)) throw IoError(given.string(), "there is no such folder");
-  if (folder.filename() == "frames") folder = folder.parent_path();
-  constexpr std::array<const char*, 4> signs{"frames", "summary.json", "progress.csv", "lock"};
-  if (std::none_of(signs.begin(), signs.end(), [&](const char* name) { return fs::exists(folder / name); }))
-    throw IoError(given.string(), "is not a run folder: it has no frames and no summary.json");
-  return folder;
-}
 
 void addViewOptions(CLI::App& command, ViewOptions& o) {
   command.add_option("run", o.run, "folder of a run, finished or running")->required();

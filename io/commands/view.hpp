@@ -15,9 +15,6 @@ struct ViewOptions {
   bool open = true;           ///< start a browser where there is a desktop
 };
 
-/// Returns the run's folder, which may be given by its frames/. Throws IoError if it is none.
-std::filesystem::path runFolder(const std::filesystem::path& given);
-
 void addViewOptions(CLI::App& command, ViewOptions& options);
 
 /// Serves the page until a signal. Returns the exit code: 0, 2 if the program is built without the page, 3

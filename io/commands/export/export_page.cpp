@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "io/commands/export/export_frames.hpp"
-#include "io/commands/view.hpp"
+#include "io/frames/run_folder.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/render/image/colour_map.hpp"
 #include "io/scene/scene_for_all.hpp"

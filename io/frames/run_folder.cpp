@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/frames/run_folder.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "io/hdf5/io_error.hpp"
+
+namespace fs = std::filesystem;
+
+namespace thaw {
+
+fs::path runFolder(const fs::path& given) {
+  std::error_code error;
+  fs::path folder = fs::canonical(given, error);
+  if (error || !fs::is_directory(folder)) throw IoError(given.string(), "there is no such folder");
+  if (folder.filename() == "frames") folder = folder.parent_path();
+  constexpr std::array<const char*, 4> signs{"frames", "summary.json", "progress.csv", "lock"};
+  if (std::none_of(signs.begin(), signs.end(), [&](const char* name) { return fs::exists(folder / name); }))
+    throw IoError(given.string(), "is not a run folder: it has no frames and no summary.json");
+  return folder;
+}
+
+}  // namespace thaw
