@@ -127,6 +127,8 @@ THAW_INLINE Vec4d fma(Vec4d a, Vec4d b, Vec4d c) {
 THAW_INLINE bool any(MaskF m) {
   return !_mm256_testz_ps(reinterpret_cast<__m256>(m.bits), reinterpret_cast<__m256>(m.bits));
 }
+/// Returns false if no lane is negative; -0 may count as negative.
+THAW_INLINE bool anyNegative(LanesF a) { return any(MaskF{reinterpret_cast<Vec8i>(a.v)}); }
 #else
 THAW_INLINE LanesF max(LanesF a, LanesF b) { return select(a > b, a, b); }
 THAW_INLINE LanesF min(LanesF a, LanesF b) { return select(a < b, a, b); }
@@ -159,6 +161,7 @@ THAW_INLINE bool any(MaskF m) {
   const Vec4l b = reinterpret_cast<Vec4l>(m.bits);
   return (b[0] | b[1] | b[2] | b[3]) != 0;
 }
+THAW_INLINE bool anyNegative(LanesF a) { return any(a < LanesF(0.0f)); }
 #endif
 /// a b + c, rounded once: the same bits on all instruction sets. Without a hardware instruction it is a slow
 /// library call. The compiler contracts nothing by itself.
@@ -173,6 +176,8 @@ THAW_INLINE bool any(MaskD m) {
   const Vec4l b = m.lo | m.hi;
   return (b[0] | b[1] | b[2] | b[3]) != 0;
 }
+
+THAW_INLINE bool anyNegative(LanesD a) { return any(a < LanesD(0.0)); }
 
 // ---- four values of eight rows, loaded as records and transposed: no gather instructions ------------------
 /// Four values of one particle; a pair sum loads whole records of its neighbours.

@@ -13,9 +13,34 @@ namespace THAW_ISA {
 /// sums over liquid.
 enum class Groups { All, Fluid, NonFluid };
 
+/// Adds the neighbours of a group, whose list of n entries starts at `at`.
+template<class Term>
+THAW_INLINE void addNeighbours(const Term& term, const typename Term::Data& own, const std::uint32_t* at,
+                               std::uint32_t n, typename Term::Sum& sum) {
+  if constexpr (requires { typename Term::Pair; }) {
+    if (n == 0) return;
+    typename Term::Pair next = term.begin(own, term.load(at));
+    for (; n > 1; n--) {
+      at += 8;
+      __builtin_prefetch(at + listAhead);
+      const typename Term::Pair now = next;
+      next = term.begin(own, term.load(at));
+      term.add(own, now, sum);
+    }
+    term.add(own, next, sum);
+  } else {
+    for (; n > 0; n--, at += 8) {
+      __builtin_prefetch(at + listAhead);
+      term.pair(own, term.load(at), at, sum);
+    }
+  }
+}
+
 /// Sums a term over the neighbours of all groups in `range`. A Term has structs Data and Sum, and:
 /// - load(entries): the data of eight rows; entries are twice the rows, the record offsets of loadListed.
 /// - pair(own, other, entries, sum): adds one neighbour in each lane. Lanes of short lists get the dummy row.
+///   Or, where the latency of a pair is long: begin(own, other), which returns a Pair, and add(own, pair,
+///   sum). The next pair then begins before the last one is added.
 /// - finish(rows, own, sum, dummy): writes the sums. Lanes with rows[l] == dummy hold no particle.
 template<class Term>
 THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, Groups groups) {
@@ -28,11 +53,7 @@ THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term
     for (int l = 0; l < 8; l++) ownEntries[l] = 2 * rows[l];
     const typename Term::Data own = term.load(ownEntries);
     typename Term::Sum sum{};
-    const std::uint32_t* at = list + lists.first[g];
-    for (std::uint32_t n = lists.count[g]; n > 0; n--, at += 8) {
-      __builtin_prefetch(at + listAhead);
-      term.pair(own, term.load(at), at, sum);
-    }
+    addNeighbours(term, own, list + lists.first[g], lists.count[g], sum);
     const typename Term::Sum total = sum;  // read lane by lane from memory, so that sum itself stays in
                                            // registers
     term.finish(rows, own, total, lists.dummy);

@@ -24,6 +24,7 @@ enum class Mix { One, Liquids, Solids };
 template<class Real, class Kernel, Carry carry, bool Surfaces = false, Mix mix = Mix::Solids>
 struct CarriedDensity {
   using L = Lanes<Real>;
+  static constexpr double unit = lengthUnit<Real>;
   static constexpr bool Carried = carry != Carry::Nothing, Corrected = carry == Carry::Corrected,
                         Mixed = mix != Mix::One, Solids = mix == Mix::Solids;
   using Step = CarryLanes<Real, Corrected, Surfaces, Mixed>;
@@ -31,10 +32,12 @@ struct CarriedDensity {
   const PairSums* in;
   double scale;
   L weight[3];  ///< h g; not Mixed: over c^2
-  L half;       ///< s/m, half of the last step over h
+  L half;       ///< s/m, half of the last step over h, over unit
   struct Data {
     Lanes4<Real> positionVolume, velocityViscosity, pressurePhaseHeat;
   };
+  /// Over lengths in `unit`; differences are other - own, so that sums over odd numbers of them have the
+  /// opposite sign. `finish` restores both.
   struct Sum {
     L relativeDensity = L(0.0), closest = L(1.0), rate = L(0.0), spread = L(0.0), column = L(0.0),
       size = L(0.0), liquidKernelSum = L(0.0), solids = L(0.0), nearby = L(0.0), depth = L(0.0);
@@ -48,79 +51,96 @@ struct CarriedDensity {
     if constexpr (Carried && Mixed) d.pressurePhaseHeat = loadListed(pressurePhaseHeat, entries);
     return d;
   }
-  THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    Vector3<L> d{positionDifference(i.positionVolume.a, j.positionVolume.a),
-                 positionDifference(i.positionVolume.b, j.positionVolume.b),
-                 positionDifference(i.positionVolume.c, j.positionVolume.c)};
-    Vector3<L> u;
+  /// A neighbour before its sums. Differences are other - own.
+  struct Pair {
+    Vector3<L> d, u;  ///< unit, m/s: at mid-step, and of the velocities
+    L r2, q;
+    L volume;                   ///< V; negative: one liquid, at the free surface
+    L mark;                     ///< Mixed: liquid fraction; negative: at the free surface
+    L compression, difference;  ///< the neighbour's compression, and other - own of what diffuses
+  };
+  THAW_INLINE Pair begin(const Data& i, const Data& j) const {
+    Pair p;
+    // The own values do not fit into registers. As subtrahends they are memory operands.
+    p.d = {unitDifference(j.positionVolume.a, i.positionVolume.a),
+           unitDifference(j.positionVolume.b, i.positionVolume.b),
+           unitDifference(j.positionVolume.c, i.positionVolume.c)};
+    p.volume = j.positionVolume.d;
     if constexpr (Carried) {
-      u = {i.velocityViscosity.a - j.velocityViscosity.a, i.velocityViscosity.b - j.velocityViscosity.b,
-           i.velocityViscosity.c - j.velocityViscosity.c};
-      add(d, -half, u.x, u.y, u.z);
+      p.u = {j.velocityViscosity.a - i.velocityViscosity.a, j.velocityViscosity.b - i.velocityViscosity.b,
+             j.velocityViscosity.c - i.velocityViscosity.c};
+      addScaled(p.d, -half, p.u.x, p.u.y, p.u.z);
+      if constexpr (Mixed) {
+        p.mark = j.pressurePhaseHeat.b;
+        p.compression = j.pressurePhaseHeat.a;
+        p.difference = j.pressurePhaseHeat.a - i.pressurePhaseHeat.a;
+      } else {
+        p.difference = j.velocityViscosity.d - i.velocityViscosity.d;
+      }
     }
-    const L q2 = dotOf(d, d), q = sqrt(q2),
-            V = Carried && Surfaces && !Mixed ? sizeOf(j.positionVolume.d) : j.positionVolume.d;
-    const L w = V * Kernel::w(q, q2), slope = V * Kernel::slope(q, q2);
-    s.relativeDensity += w;
-    s.closest = select(V > L(0.0), min(s.closest, q2), s.closest);
-    const Vector3<L> g = scaled(slope, d);
+    p.r2 = dotOf(p.d, p.d);
+    p.q = L(unit) * sqrt(p.r2);
+    return p;
+  }
+  THAW_INLINE void add(const Data& i, const Pair& p, Sum& s) const {
+    const L q2 = L(unit * unit) * p.r2, V = Carried && Surfaces && !Mixed ? sizeOf(p.volume) : p.volume,
+            kernel = Kernel::w(p.q, q2), w = V * kernel, slope = V * Kernel::slope(p.q, q2);
+    s.relativeDensity = fma(V, kernel, s.relativeDensity);
+    s.closest = select(V > L(0.0), min(s.closest, p.r2), s.closest);
+    const Vector3<L> g = scaled(slope, p.d);
     s.gradient.x += g.x;
     s.gradient.y += g.y;
     s.gradient.z += g.z;
-    if constexpr (Surfaces) addSurface(j, g, s);
-    if constexpr (Surfaces && !Corrected) s.size -= slope * q;
-    if constexpr (Carried)
-      addRate(i, j, {d, g, u, w, slope, Solids ? V * Kernel::laplace(q, q2) : L(0.0)}, s);
+    if constexpr (Surfaces) addSurface(Mixed ? p.mark : p.volume, g, s);
+    if constexpr (Surfaces && !Corrected) s.size -= slope * p.q;
+    if constexpr (Carried) addRate(i, p, {g, w, slope, Solids ? V * Kernel::laplace(p.q, q2) : L(0.0)}, s);
   }
-  struct Pair {
-    Vector3<L> d, g, u;   ///< h, 1/h, m/s: difference of positions, V grad W, difference of velocities
+  struct Weights {
+    Vector3<L> g;         ///< V grad W
     L w, slope, laplace;  ///< V W, V W' / q, V times the kernel of the Laplacian
   };
   /// Adds the sums from which the free surface and adjacent solids are found.
-  THAW_INLINE void addSurface(const Data& j, const Vector3<L>& g, Sum& s) const {
-    const L mark = Mixed ? j.pressurePhaseHeat.b : j.positionVolume.d;
-    const typename L::Mask marked = mark < L(0.0);
-    // rare, except close to the free surface
-    if (any(marked)) add(s.surface, select(marked, L(-1.0), L(0.0)), g.x, g.y, g.z);
-    if constexpr (Solids) add(s.solid, sizeOf(mark) - L(1.0), g.x, g.y, g.z);
+  THAW_INLINE void addSurface(L mark, const Vector3<L>& g, Sum& s) const {
+    if (anyNegative(mark)) [[unlikely]]  // close to the free surface
+      addScaled(s.surface, select(mark < L(0.0), L(1.0), L(0.0)), g.x, g.y, g.z);
+    if constexpr (Solids) addScaled(s.solid, L(1.0) - sizeOf(mark), g.x, g.y, g.z);
   }
-  THAW_INLINE void addRate(const Data& i, const Data& j, const Pair& p, Sum& s) const {
-    Vector3<L> g = p.g;
-    L laplace = p.laplace;
+  THAW_INLINE void addRate(const Data& i, const Pair& p, const Weights& k, Sum& s) const {
+    Vector3<L> g = k.g;
+    L laplace = k.laplace;
     if constexpr (Solids) {
-      const L fi = sizeOf(i.pressurePhaseHeat.b), fj = sizeOf(j.pressurePhaseHeat.b),
-              pairLiquidFraction = fi + fj - fi * fj, wet = p.w * fj;
+      const L fi = sizeOf(i.pressurePhaseHeat.b), fj = sizeOf(p.mark), pairLiquidFraction = fi + fj - fi * fj,
+              wet = k.w * fj;
       s.liquidKernelSum += wet;
-      s.solids += p.w - wet;
-      s.nearby = fma(wet, j.pressurePhaseHeat.a, s.nearby);
+      s.solids += k.w - wet;
+      s.nearby = fma(wet, p.compression, s.nearby);
       s.depth = fma(wet, fallOf(p.d), s.depth);
       g = scaled(pairLiquidFraction, g);
       laplace = pairLiquidFraction * laplace;
     }
-    if constexpr (Corrected) {
-      s.moment.xx -= p.g.x * p.d.x;
-      s.moment.yy -= p.g.y * p.d.y;
-      s.moment.zz -= p.g.z * p.d.z;
-      s.moment.xy -= p.g.x * p.d.y;
-      s.moment.yz -= p.g.y * p.d.z;
-      s.moment.xz -= p.g.x * p.d.z;
-      s.strain.xx = fma(g.x, p.u.x, s.strain.xx);
-      s.strain.yy = fma(g.y, p.u.y, s.strain.yy);
-      s.strain.zz = fma(g.z, p.u.z, s.strain.zz);
-      s.strain.xy = fma(g.x, p.u.y, fma(g.y, p.u.x, s.strain.xy));
-      s.strain.yz = fma(g.y, p.u.z, fma(g.z, p.u.y, s.strain.yz));
-      s.strain.xz = fma(g.x, p.u.z, fma(g.z, p.u.x, s.strain.xz));
-    } else {
-      s.rate += dotOf(g, p.u);
-    }
+    if constexpr (Corrected) addTensors(p, k.g, g, s);
+    else s.rate += dotOf(g, p.u);
     if constexpr (Solids) {
-      s.spread = fma(laplace, j.pressurePhaseHeat.a - i.pressurePhaseHeat.a, s.spread);
+      s.spread = fma(laplace, p.difference, s.spread);
       s.column = fma(laplace, fallOf(p.d), s.column);
     } else {
-      const L mine = Mixed ? i.pressurePhaseHeat.a : i.velocityViscosity.d,
-              other = Mixed ? j.pressurePhaseHeat.a : j.velocityViscosity.d;
-      s.spread = fma(p.slope, other - mine, s.spread);
+      s.spread = fma(k.slope, p.difference, s.spread);
     }
+  }
+  /// Adds to the moment with the gradient over all neighbours, to the rate of strain with that over liquid.
+  THAW_INLINE void addTensors(const Pair& p, const Vector3<L>& all, const Vector3<L>& g, Sum& s) const {
+    s.moment.xx = fma(all.x, p.d.x, s.moment.xx);
+    s.moment.yy = fma(all.y, p.d.y, s.moment.yy);
+    s.moment.zz = fma(all.z, p.d.z, s.moment.zz);
+    s.moment.xy = fma(all.x, p.d.y, s.moment.xy);
+    s.moment.yz = fma(all.y, p.d.z, s.moment.yz);
+    s.moment.xz = fma(all.x, p.d.z, s.moment.xz);
+    s.strain.xx = fma(g.x, p.u.x, s.strain.xx);
+    s.strain.yy = fma(g.y, p.u.y, s.strain.yy);
+    s.strain.zz = fma(g.z, p.u.z, s.strain.zz);
+    s.strain.xy = fma(g.x, p.u.y, fma(g.y, p.u.x, s.strain.xy));
+    s.strain.yz = fma(g.y, p.u.z, fma(g.z, p.u.y, s.strain.yz));
+    s.strain.xz = fma(g.x, p.u.z, fma(g.z, p.u.x, s.strain.xz));
   }
   THAW_INLINE L fallOf(const Vector3<L>& d) const {
     return dot3(weight[0], weight[1], weight[2], d.x, d.y, d.z);
@@ -131,8 +151,9 @@ struct CarriedDensity {
                     L(static_cast<Real>(in->selfExcess)) * own;
     int lanes = 0;  // the dummy row only pads the end of a group
     while (lanes < 8 && rows[lanes] != dummy) lanes++;
-    if (any(s.closest < L(1e-20)))
-      for (int l = 0; l < lanes; l++) *in->coincident += s.closest[l] < Real(1e-20);
+    constexpr Real together = Real(1e-20 / (unit * unit));
+    if (any(s.closest < L(together)))
+      for (int l = 0; l < lanes; l++) *in->coincident += s.closest[l] < together;
     if constexpr (Carried) {
       std::uint32_t all[8];
       for (int l = 0; l < 8; l++) all[l] = rows[l < lanes ? l : 0];
@@ -144,7 +165,7 @@ struct CarriedDensity {
     } else {
       for (int l = 0; l < lanes; l++) {
         in->relativeDensity[rows[l]] = static_cast<float>(total[l]);
-        in->concentrationGradient[rows[l]] = single(scale * laneAt(s.gradient, l));
+        in->concentrationGradient[rows[l]] = single(-unit * scale * laneAt(s.gradient, l));
       }
     }
   }
@@ -153,17 +174,18 @@ struct CarriedDensity {
   static constexpr double sizePerMoment = 1.77;
   THAW_INLINE CarrySums<Real> scaledSums(const Data& i, const Sum& s, L total) const {
     const double h = in->support;
-    const L k(static_cast<Real>(scale)), perSecond(static_cast<Real>(scale / h));
+    const L k(static_cast<Real>(scale)), perSecond(static_cast<Real>(scale / h * unit)), length(unit),
+        perMoment(static_cast<Real>(-scale * unit * unit));
     CarrySums<Real> r;
     r.relativeDensity = total;
-    r.gradient = scaled(k, s.gradient);
+    r.gradient = scaled(L(static_cast<Real>(-scale * unit)), s.gradient);
     if constexpr (Surfaces) {
-      r.gradientSize = k *
-                       (Corrected ? L(sizePerMoment) * (s.moment.xx + s.moment.yy + s.moment.zz) : s.size);
-      r.surface = s.surface;
+      r.gradientSize = Corrected ? L(sizePerMoment) * perMoment * (s.moment.xx + s.moment.yy + s.moment.zz)
+                                 : k * s.size;
+      r.surface = scaled(length, s.surface);
     }
     if constexpr (Corrected) {
-      r.moment = scaled(k, s.moment);
+      r.moment = scaled(perMoment, s.moment);
       r.strain = scaled(perSecond, s.strain);
     } else {
       r.rate = perSecond * s.rate;
@@ -172,7 +194,7 @@ struct CarriedDensity {
     if constexpr (Solids) {
       r.liquidKernelSum = s.liquidKernelSum + r.liquidFraction;
       r.solidShare = k * s.solids;
-      r.solid = s.solid;
+      r.solid = scaled(length, s.solid);
     }
     return r;
   }
@@ -181,18 +203,18 @@ struct CarriedDensity {
     const L perSecond = L(static_cast<Real>(0.5 * in->carry->diffusion / in->support)) * step.soundSpeed;
     const L c2 = step.soundSpeed * step.soundSpeed;
     if constexpr (Solids) {
-      return perSecond * (commonStiffness(step) * s.spread + s.column / c2);
+      return perSecond * (commonStiffness(step) * s.spread - L(unit) * s.column / c2);
     } else {
       // The hydrostatic part is the weight times the gradient of the relative density.
-      const L perSlope = L(Kernel::laplacePerSlope) * perSecond, column = fallOf(s.gradient);
+      const L perSlope = L(Kernel::laplacePerSlope) * perSecond, column = L(-unit) * fallOf(s.gradient);
       if constexpr (Mixed) return perSlope * (commonStiffness(step) * s.spread + column / c2);
       return perSlope * (s.spread + column);
     }
   }
   /// Mean compression of liquid neighbours, extrapolated along the weight to the particle.
   THAW_INLINE L nearbyOf(const Sum& s, const Step& step) const {
-    const L mean = (commonStiffness(step) * s.nearby + s.depth / (step.soundSpeed * step.soundSpeed)) /
-                   max(s.liquidKernelSum, L(1e-30));
+    const L depth = L(unit) * s.depth / (step.soundSpeed * step.soundSpeed);
+    const L mean = (commonStiffness(step) * s.nearby - depth) / max(s.liquidKernelSum, L(1e-30));
     return select(s.liquidKernelSum > L(0.0), mean, L(0.0));
   }
   /// Stiffness of the first liquid, the unit of compressions in records, over the particle's own.

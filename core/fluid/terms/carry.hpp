@@ -4,6 +4,7 @@
 #pragma once
 #include "core/fluid/laws/free_surface.hpp"
 #include "core/fluid/pair_sums/carry.hpp"
+#include "core/fluid/terms/rows.hpp"
 #include "core/fluid/terms/term.hpp"
 #include "core/materials/liquid_materials.hpp"
 
@@ -11,44 +12,18 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-THAW_INLINE void setLane(LanesF& v, int l, double x) { v.v[l] = static_cast<float>(x); }
-THAW_INLINE void setLane(LanesD& v, int l, double x) { l < 4 ? v.lo[l] = x : v.hi[l - 4] = x; }
-THAW_INLINE LanesF narrowed(LanesD a, LanesF) {
-  typedef float Half __attribute__((vector_size(16)));
-  const Half lo = __builtin_convertvector(a.lo, Half), hi = __builtin_convertvector(a.hi, Half);
-  return LanesF(__builtin_shufflevector(lo, hi, 0, 1, 2, 3, 4, 5, 6, 7));
+THAW_INLINE LanesF sizeOf(LanesF a) {
+  return LanesF(reinterpret_cast<Vec8f>(reinterpret_cast<Vec8i>(a.v) & 0x7fffffff));
 }
-THAW_INLINE LanesD narrowed(LanesD a, LanesD) { return a; }
-template<class L> THAW_INLINE L sizeOf(L a) { return max(a, -a); }
+THAW_INLINE LanesD sizeOf(LanesD a) { return max(a, -a); }
 template<class L> THAW_INLINE L clamped(L a, L least, L most) { return min(max(a, least), most); }
 
-template<class L> struct Vector3 { L x = L(0.0), y = L(0.0), z = L(0.0); };
-template<class L> THAW_INLINE Vector3<L> scaled(L k, const Vector3<L>& v) {
-  return {k * v.x, k * v.y, k * v.z};
-}
-template<class L> THAW_INLINE L dotOf(const Vector3<L>& a, const Vector3<L>& b) {
-  return dot3(a.x, a.y, a.z, b.x, b.y, b.z);
-}
-/// Adds factor (x, y, z).
-template<class L> THAW_INLINE void add(Vector3<L>& to, L factor, L x, L y, L z) {
-  to.x = fma(factor, x, to.x);
-  to.y = fma(factor, y, to.y);
-  to.z = fma(factor, z, to.z);
-}
 template<class L> THAW_INLINE Vec3d laneAt(const Vector3<L>& v, int l) {
   return {static_cast<double>(v.x[l]), static_cast<double>(v.y[l]), static_cast<double>(v.z[l])};
 }
 
-/// Components XX YY ZZ XY YZ XZ, the order of Sym3.
-template<class L> struct Tensor {
-  L xx = L(0.0), yy = L(0.0), zz = L(0.0), xy = L(0.0), yz = L(0.0), xz = L(0.0);
-};
 template<class L> THAW_INLINE Tensor<L> scaled(L k, const Tensor<L>& a) {
   return {k * a.xx, k * a.yy, k * a.zz, k * a.xy, k * a.yz, k * a.xz};
-}
-template<class L> THAW_INLINE Sym3f singleAt(const Tensor<L>& a, int l) {
-  const auto f = [l](const L& v) { return static_cast<float>(v[l]); };
-  return {f(a.xx), f(a.yy), f(a.zz), f(a.xy), f(a.yz), f(a.xz)};
 }
 /// Mask of the matrices whose eigenvalues all exceed `least` (Sylvester's criterion).
 template<class L> THAW_INLINE typename L::Mask eigenvaluesAbove(const Tensor<L>& m, L least) {
@@ -82,6 +57,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   const std::uint32_t* rows;
   int lanes;  ///< number of particles
   CarrySums<Real> s;
+  GroupRows at = groupRows(rows, lanes);
   L soundSpeed = L(1.0), atSurface = L(0.0), besideSurface = L(0.0);
   Wide stiffness = Wide(1.0), restVolume = Wide(1.0), compression = Wide(0.0);
 
@@ -90,12 +66,24 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     for (int l = 0; l < 8; l++) setLane(v, l, column(rows[l]));
     return v;
   }
-  template<class Column> THAW_INLINE L singleFromRows(Column column) const {
-    L v;
-    for (int l = 0; l < 8; l++) setLane(v, l, static_cast<double>(column(rows[l])));
-    return v;
-  }
   THAW_INLINE bool isSteady(int l) const { return x.steady && x.steady[rows[l]]; }
+
+  /// Lanes of particles that the step changes.
+  THAW_INLINE LaneBits awakeLanes() const {
+    LaneBits bits = (1u << lanes) - 1;
+    if (x.steady)
+      for (int l = 0; l < lanes; l++)
+        if (x.steady[rows[l]]) bits &= ~(1u << l);
+    return bits;
+  }
+  /// Lanes of particles that the step changes and that have liquid around.
+  THAW_INLINE LaneBits wetLanes() const {
+    LaneBits bits = awakeLanes();
+    if constexpr (Mixed)
+      for (int l = 0; l < lanes; l++)
+        if (!(s.liquidKernelSum[l] > 0)) bits &= ~(1u << l);
+    return bits;
+  }
 
   THAW_INLINE void run() {
     if constexpr (Surfaces) findFreeSurface();
@@ -115,14 +103,15 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
       return x.liquids[Mixed ? x.material[row] : 0];
     };
     if constexpr (Mixed) {
-      soundSpeed = singleFromRows([&](std::uint32_t row) { return of(row).soundSpeed; });
+      soundSpeed = narrowed(fromRows([&](std::uint32_t row) { return of(row).soundSpeed; }), L(0.0));
       stiffness = fromRows([&](std::uint32_t row) { return of(row).stiffness; });
+      restVolume = at.doubles(x.mass) * fromRows([&](std::uint32_t row) { return of(row).restVolume; });
     } else {
+      restVolume = at.doubles(x.mass) * Wide(of(0).restVolume);
       soundSpeed = L(static_cast<Real>(of(0).soundSpeed));
       stiffness = Wide(of(0).stiffness);
     }
-    restVolume = fromRows([&](std::uint32_t row) { return x.mass[row] * of(row).restVolume; });
-    compression = fromRows([&](std::uint32_t row) { return x.compression[row]; });
+    compression = at.doubles(x.compression);
   }
 
   /// Marks the free surface by the moment of the neighbourhood, without moments by its asymmetry.
@@ -187,18 +176,19 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     speed = select(atSurface > zero, zero, speed);
     Vector3<L> u = scaled(-speed, s.gradient);
     const L outwards = min(dotOf(u, s.surface), zero) / max(dotOf(s.surface, s.surface), L(1e-30));
-    add(u, select(besideSurface > zero, -outwards, zero), s.surface.x, s.surface.y, s.surface.z);
+    addScaled(u, select(besideSurface > zero, -outwards, zero), s.surface.x, s.surface.y, s.surface.z);
     if constexpr (Mixed) {
       const L size2 = dotOf(s.solid, s.solid);
       const L across = dotOf(u, s.solid) / max(size2, L(1e-30));
-      add(u, select(size2 > L(besideSolid * besideSolid), -across, zero), s.solid.x, s.solid.y, s.solid.z);
+      addScaled(u, select(size2 > L(besideSolid * besideSolid), -across, zero), s.solid.x, s.solid.y,
+                s.solid.z);
     }
-    for (int l = 0; l < lanes; l++) {
-      if (isSteady(l)) continue;
-      Vec3d v = laneAt(u, l);
-      if (x.walls.beside && x.walls.beside[rows[l]]) v = x.walls.along(x.walls.context, rows[l], v);
-      x.shiftingVelocity[rows[l]] = v;
-    }
+    const LaneBits awake = awakeLanes();
+    write(at, awake, u.x, u.y, u.z, x.shiftingVelocity);
+    if (!x.walls.beside) return;
+    for (int l = 0; l < lanes; l++)
+      if (awake >> l & 1 && x.walls.beside[rows[l]])
+        x.shiftingVelocity[rows[l]] = x.walls.along(x.walls.context, rows[l], laneAt(u, l));
   }
 
   /// Inverse moment minus 1, times the interior weight: 0 up to a summed relative density of 0.9 (truncated
@@ -228,16 +218,12 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     s.rate += dot3(one + d.xx, one + d.yy, one + d.zz, e.xx, e.yy, e.zz) +
               dot3(d.xy, d.yz, d.xz, e.xy, e.yz, e.xz);
     const L ahead(static_cast<Real>(x.ahead));
-    const auto extrapolated = [&](L now, auto part) {
-      const L before = singleFromRows([&](std::uint32_t row) { return part(x.midCorrection[row]); });
-      return fma(ahead, clamped(now - before, L(-most), L(most)), now);
+    const Tensor<L> before = tensors<L>(at, x.midCorrection);
+    const auto extrapolated = [&](L now, L then) {
+      return fma(ahead, clamped(now - then, L(-most), L(most)), now);
     };
-    next = {extrapolated(d.xx, [](const Sym3f& a) { return a.xx; }),
-            extrapolated(d.yy, [](const Sym3f& a) { return a.yy; }),
-            extrapolated(d.zz, [](const Sym3f& a) { return a.zz; }),
-            extrapolated(d.xy, [](const Sym3f& a) { return a.xy; }),
-            extrapolated(d.yz, [](const Sym3f& a) { return a.yz; }),
-            extrapolated(d.xz, [](const Sym3f& a) { return a.xz; })};
+    next = {extrapolated(d.xx, before.xx), extrapolated(d.yy, before.yy), extrapolated(d.zz, before.zz),
+            extrapolated(d.xy, before.xy), extrapolated(d.yz, before.yz), extrapolated(d.xz, before.xz)};
   }
 
   /// Pressure term p / delta^2 (Pa) at a relative density of 1 + y.
@@ -287,29 +273,27 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     // mean of both ends of the step, as for the pressure work of the flow
     const Wide half = Wide(0.5) * spread;
     const Wide energy = half * restVolume * (pressureTerm(flow + half) + pressureTerm(before + half));
-    for (int l = 0; l < lanes; l++)
-      if (s.liquidKernelSum[l] > 0 && !isSteady(l)) x.dissipated[rows[l]] -= energy[l];
+    write(at, wetLanes(), at.doubles(x.dissipated) - energy, x.dissipated);
     return flow + spread;
   }
 
   THAW_INLINE void store(const Tensor<L>& now, const Tensor<L>& next, Wide end) {
-    for (int l = 0; l < lanes; l++) {
-      if (isSteady(l)) continue;
-      const std::uint32_t row = rows[l];
-      if constexpr (Surfaces) x.atSurface[row] = atSurface[l] > 0;
-      if (Mixed && !(s.liquidKernelSum[l] > 0)) {
-        resetCarriedDensity(x, in.relativeDensity, row);
-        continue;
-      }
-      x.compression[row] = end[l];
-      in.relativeDensity[row] = static_cast<float>(1 + end[l]);
-      if constexpr (Corrected) {
-        x.midCorrection[row] = singleAt(now, l);
-        x.correction[row] = singleAt(next, l);
-      }
-      if constexpr (Mixed && Surfaces)
-        if (x.relief) storeRelief(l, end[l]);
+    const LaneBits awake = awakeLanes(), wet = wetLanes();
+    if constexpr (Surfaces)
+      for (int l = 0; l < lanes; l++)
+        if (awake >> l & 1) x.atSurface[rows[l]] = atSurface[l] > 0;
+    write(at, wet, end, x.compression);
+    write(at, wet, toFloats(Wide(1.0) + end), in.relativeDensity);
+    if constexpr (Corrected) {
+      write(at, wet, now, x.midCorrection);
+      write(at, wet, next, x.correction);
     }
+    if constexpr (Mixed)
+      for (int l = 0; l < lanes; l++) {
+        if (!(awake >> l & 1)) continue;
+        if (!(wet >> l & 1)) resetCarriedDensity(x, in.relativeDensity, rows[l]);
+        else if (Surfaces && x.relief) storeRelief(l, end[l]);
+      }
   }
 
   THAW_INLINE void storeRelief(int l, double end) {

@@ -49,7 +49,7 @@ template<class Real, class Kernel> void carriedDensity(const PairSums& in, Group
                                                             &in,
                                                             scale,
                                                             {L(down.x), L(down.y), L(down.z)},
-                                                            L(0.5 * x.dt / in.support)};
+                                                            L(0.5 * x.dt / in.support / lengthUnit<Real>)};
     sweep(*in.lists, range, term, Groups::Fluid);
   };
   const auto withSurfaces = [&]<Carry carry, Mix mix>() {

@@ -2,6 +2,7 @@
 // Pressure, viscosity, heat and artificial viscosity of one liquid with constant parameters: two records per
 // neighbour instead of three, and no pair means. One term of the pair sums (term.hpp).
 #pragma once
+#include "core/fluid/terms/lane_vectors.hpp"
 #include "core/fluid/terms/term.hpp"
 #include "core/kernels/viscous_weight.hpp"
 
@@ -38,48 +39,67 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
     if constexpr (Carried) d.tensor = loadListed(tensor, entries);
     return d;
   }
-  THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    // Positions are in lengthUnit; viscousScale and finish contain the remaining factors.
-    const L dx = unitDifference(i.positionVolume.a, j.positionVolume.a),
-            dy = unitDifference(i.positionVolume.b, j.positionVolume.b),
-            dz = unitDifference(i.positionVolume.c, j.positionVolume.c);
-    const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
-    const L Vi = Heat || Carried ? volume : i.positionVolume.d;
-    L Vj = j.positionVolume.d;
+  /// A neighbour before its sums. Positions are in lengthUnit; viscousScale and finish contain the remaining
+  /// factors.
+  struct Pair {
+    Vector3<L> d;  ///< own - other
+    L r2, q, VV, Vj;
+    L approach;          ///< u . d
+    Vector3<L> tension;  ///< Carried: sum of both pressure tensors times d
+    L pressure;          ///< else: sum of both pressure terms
+    L warmth;            ///< Heat: other - own temperature
+  };
+  THAW_INLINE Pair begin(const Data& i, const Data& j) const {
+    Pair p;
+    p.d = {unitDifference(i.positionVolume.a, j.positionVolume.a),
+           unitDifference(i.positionVolume.b, j.positionVolume.b),
+           unitDifference(i.positionVolume.c, j.positionVolume.c)};
+    p.r2 = dotOf(p.d, p.d);
+    p.q = L(unit) * sqrt(p.r2);
+    p.Vj = j.positionVolume.d;
     if constexpr (Heat || Carried)
-      Vj = select(j.velocityViscosity.d > L(0.5 * (Heat ? dummyTemperature : dummyPressure)), volume, L(0.0));
-    const L VV = Vi * Vj;
-    const L slope = Kernel::slope(q, q2);
-    const L strength = pressureScale * VV * slope;
-    const L ux = i.velocityViscosity.a - j.velocityViscosity.a,
-            uy = i.velocityViscosity.b - j.velocityViscosity.b,
-            uz = i.velocityViscosity.c - j.velocityViscosity.c;
-    const L approach = dot3(ux, uy, uz, dx, dy, dz);
-    const L mu = viscosity * VV * weightAt(viscousWeight, q) * approach / (r2 + L(1e-6 / (unit * unit)));
+      p.Vj = select(j.velocityViscosity.d > L(0.5 * (Heat ? dummyTemperature : dummyPressure)), volume,
+                    L(0.0));
+    p.VV = (Heat || Carried ? volume : i.positionVolume.d) * p.Vj;
+    const Vector3<L> u{i.velocityViscosity.a - j.velocityViscosity.a,
+                       i.velocityViscosity.b - j.velocityViscosity.b,
+                       i.velocityViscosity.c - j.velocityViscosity.c};
+    p.approach = dotOf(u, p.d);
     if constexpr (Carried) {
       const L xx = i.positionVolume.d + j.positionVolume.d,
-              yy = i.velocityViscosity.d + j.velocityViscosity.d, zz = i.tensor.a + j.tensor.a;
-      const L xy = i.tensor.b + j.tensor.b, xz = i.tensor.c + j.tensor.c, yz = i.tensor.d + j.tensor.d,
-              resist = viscousScale * mu;
-      s.x -= wide(strength * dot3(xx, xy, xz, dx, dy, dz) + resist * dx);
-      s.y -= wide(strength * dot3(xy, yy, yz, dx, dy, dz) + resist * dy);
-      s.z -= wide(strength * dot3(xz, yz, zz, dx, dy, dz) + resist * dz);
+              yy = i.velocityViscosity.d + j.velocityViscosity.d, zz = i.tensor.a + j.tensor.a,
+              xy = i.tensor.b + j.tensor.b, xz = i.tensor.c + j.tensor.c, yz = i.tensor.d + j.tensor.d;
+      p.tension = {dotOf({xx, xy, xz}, p.d), dotOf({xy, yy, yz}, p.d), dotOf({xz, yz, zz}, p.d)};
     } else {
-      const L f = fma(viscousScale, mu, strength * (i.pressure() + j.pressure()));
-      s.x -= wide(f * dx);
-      s.y -= wide(f * dy);
-      s.z -= wide(f * dz);
+      p.pressure = i.pressure() + j.pressure();
     }
-    s.lost = fma(mu, approach, s.lost);
-    if constexpr (Heat)
-      s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) *
-                     (j.velocityViscosity.d - i.velocityViscosity.d));
+    if constexpr (Heat) p.warmth = j.velocityViscosity.d - i.velocityViscosity.d;
+    return p;
+  }
+  THAW_INLINE void add(const Data&, const Pair& p, Sum& s) const {
+    const L q2 = L(unit * unit) * p.r2, slope = Kernel::slope(p.q, q2);
+    const L strength = pressureScale * p.VV * slope;
+    const L mu = viscosity * p.VV * weightAt(viscousWeight, p.q) * p.approach /
+                 (p.r2 + L(1e-6 / (unit * unit)));
+    if constexpr (Carried) {
+      const L resist = viscousScale * mu;
+      s.x -= wide(fma(resist, p.d.x, strength * p.tension.x));
+      s.y -= wide(fma(resist, p.d.y, strength * p.tension.y));
+      s.z -= wide(fma(resist, p.d.z, strength * p.tension.z));
+    } else {
+      const L f = fma(viscousScale, mu, strength * p.pressure);
+      s.x -= wide(f * p.d.x);
+      s.y -= wide(f * p.d.y);
+      s.z -= wide(f * p.d.z);
+    }
+    s.lost = fma(mu, p.approach, s.lost);
+    if constexpr (Heat) s.heat += wide(p.VV * conductivity * Kernel::laplace(p.q, q2) * p.warmth);
     if constexpr (Shocks) {
-      const L closing = min(approach, L(0.0)),
-              nu = artificial * Vj * slope * closing / (r2 + L(0.01 / (unit * unit)));
-      s.sx += nu * dx;
-      s.sy += nu * dy;
-      s.sz += nu * dz;
+      const L closing = min(p.approach, L(0.0)),
+              nu = artificial * p.Vj * slope * closing / (p.r2 + L(0.01 / (unit * unit)));
+      s.sx += nu * p.d.x;
+      s.sy += nu * p.d.y;
+      s.sz += nu * p.d.z;
       s.shocked -= nu * closing;
     }
   }
