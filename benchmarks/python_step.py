@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures what stepping from Python costs over stepping in the library.
+"""Measures the overhead of stepping from Python over stepping in the library.
 
 python_step.py [--spacing X] [--csv FILE]     default 0.0105 m: 100,000 particles
 
-One simulation of scenes/dam_break.toml takes blocks of steps in turn: by one call of run(), and by step() in
-a loop of Python, which reads the time after each. The result is the ratio of the fastest blocks in processor
-time, since other programs only add to it. Exit code 1 if stepping costs more than 1 %.
+One simulation of scenes/dam_break.toml takes blocks of steps in two ways by turns: one call of run(), or a
+Python loop of step() that reads the time after each step. The result is the ratio of the fastest blocks in
+processor time, since other programs only add to it. Exit code 1 if stepping costs more than 1 %.
 """
 import argparse
 import csv
@@ -29,7 +29,7 @@ def seconds(action):
 
 
 def main():
-    parser = argparse.ArgumentParser(description='cost of stepping from Python')
+    parser = argparse.ArgumentParser(description='overhead of stepping from Python')
     parser.add_argument('--spacing', type=float, default=0.0105)
     parser.add_argument('--csv')
     options = parser.parse_args()
@@ -50,7 +50,7 @@ def main():
         looped.append(seconds(inPython))
     assert len(calls) == BLOCKS * BLOCK
     base = min(within) / BLOCK
-    # Python's own part, without the noise of the steps: an ended simulation takes none.
+    # The cost of a call alone: a simulation that has ended takes no steps.
     sim.request_stop()
     sim.step()
     most = 20000

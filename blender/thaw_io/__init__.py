@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Blender add-on of thaw: imports runs, and writes objects as a scene."""
+"""Blender add-on of thaw: imports runs, and writes objects as scenes."""
 bl_info = {
     'name': 'thaw',
     'author': 'the authors of thaw',
     'version': (0, 2, 0),
     'blender': (3, 4, 0),
     'location': 'File > Import, File > Export',
-    'description': 'Imports runs of the particle simulation thaw, and writes scenes for it',
+    'description': 'Imports runs of the particle simulator thaw, and writes scenes for it',
     'category': 'Import-Export',
 }
 
@@ -21,7 +21,7 @@ KINDS = tuple((k, k.capitalize(), '') for k in ('automatic', 'surface', 'sheet',
 
 class Preferences(bpy.types.AddonPreferences):
     bl_idname = __package__
-    program: StringProperty(name='Program thaw', subtype='FILE_PATH', description='Empty: the one on PATH')
+    program: StringProperty(name='thaw program', subtype='FILE_PATH', description='Empty: the one on PATH')
 
     def draw(self, context):
         self.layout.prop(self, 'program')
@@ -33,12 +33,14 @@ def programOf(context):
 
 
 class ImportRun(bpy.types.Operator):
-    """Import a run of thaw: its surface, sheets or particles over time, obstacles and camera"""
+    """Import a thaw run: its surface, sheets or particles over time, obstacles and camera"""
 
     bl_idname, bl_label, bl_options = 'import_scene.thaw', 'Import thaw run', {'REGISTER', 'UNDO'}
     directory: StringProperty(subtype='DIR_PATH')
     what: EnumProperty(name='What', items=KINDS)
-    field: StringProperty(name='Colour by', description='A field such as temperature; empty: own colours')
+    field: StringProperty(
+        name='Colour by', description='A field such as temperature; empty: colours of the scene'
+    )
     setting: BoolProperty(name='Obstacles, camera, light', default=True)
 
     def invoke(self, context, event):
@@ -65,7 +67,7 @@ class ImportRun(bpy.types.Operator):
 
 
 class ExportScene(bpy.types.Operator, ExportHelper):
-    """Write the selected objects as a scene of thaw, with a PLY file for each mesh"""
+    """Write the selected objects as a thaw scene, with a PLY file for each mesh"""
 
     bl_idname, bl_label = 'export_scene.thaw', 'Export thaw scene'
     filename_ext = '.toml'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes objects as a scene of thaw: TOML, and a PLY file for each mesh beside it."""
+"""Writes objects as a thaw scene: a TOML file, and a PLY file for each mesh."""
 import json
 import os
 import re
@@ -13,11 +13,11 @@ from .properties import QUANTITIES
 
 
 class ExportError(Exception):
-    """The objects make no scene. The message says what to change."""
+    """The objects do not form a scene. The message says what to change."""
 
 
 def text(value):
-    """A value in TOML."""
+    """Returns a value as TOML."""
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, dict):
@@ -32,7 +32,7 @@ def table(head, values):
 
 
 def key(name):
-    """A name that is a key of TOML and a part of a file's name."""
+    """Returns a name that is valid as a TOML key and in a file name."""
     return re.sub(r'[^A-Za-z0-9_-]+', '_', name) or 'unnamed'
 
 
@@ -62,7 +62,7 @@ class SceneWriter:
         self.points = []
 
     def write(self, objects):
-        """Writes the scene. Returns notes."""
+        """Writes the scene. Returns warnings for the user."""
         writers = {
             'BODY': self.body,
             'OBSTACLE': self.obstacle,
@@ -93,7 +93,7 @@ class SceneWriter:
         if len(triangles) == 0:
             raise ExportError(f'{thing.name}: its mesh has no faces')
         if opened:
-            self.notes.append(f'{thing.name}: its mesh is not closed ({opened} edges)')
+            self.notes.append(f'{thing.name}: its mesh is not closed ({opened} open edges)')
         self.points.append(vertices)
         name = f'{key(os.path.splitext(os.path.basename(self.path))[0])}_{key(thing.name)}.ply'
         ply.write(os.path.join(self.folder, name), vertices, triangles)
@@ -103,7 +103,7 @@ class SceneWriter:
         material = thing.active_material
         if material is None:
             raise ExportError(
-                f'{thing.name}: give it a material, whose panel "thaw" has density, viscosity, ...'
+                f'{thing.name}: needs a material; its panel "thaw" sets density, viscosity, ...'
             )
         self.materials[key(material.name)] = material
         return key(material.name)
@@ -133,7 +133,7 @@ class SceneWriter:
     def emitter(self, thing):
         corners = np.array([thing.matrix_world @ v.co for v in thing.data.vertices])
         if len(corners) < 3:
-            raise ExportError(f'{thing.name}: an emitter is a plane or a disc')
+            raise ExportError(f'{thing.name}: expected a plane or a disc as emitter')
         self.points.append(corners)
         centre, along = corners.mean(axis=0), thing.matrix_world.to_3x3().col[2].normalized()
         radius = float(np.linalg.norm(corners - centre, axis=1).max())

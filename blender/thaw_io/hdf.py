@@ -13,7 +13,7 @@ UNDEFINED = 0xFFFFFFFFFFFFFFFF
 
 
 class FormatError(Exception):
-    """The file is damaged, or no frame of thaw."""
+    """The file is damaged, or is not a frame of thaw."""
 
 
 class Frame:
@@ -24,9 +24,9 @@ class Frame:
         with open(path, 'rb') as file:
             self.data = file.read()
         if self.data[:8] != SIGNATURE or len(self.data) < 96:
-            raise FormatError(f'{path}: is no HDF5 file')
+            raise FormatError(f'{path}: is not an HDF5 file')
         if self.data[8] != 0 or self.data[13] != 8 or self.data[14] != 8:
-            raise FormatError(f'{path}: has another version of HDF5 than frames of thaw')
+            raise FormatError(f'{path}: has an unsupported HDF5 version')
         # The root's symbol table entry ends the superblock: name offset, header address.
         self.root = struct.unpack_from('<Q', self.data, 56 + 8)[0]
 
@@ -41,11 +41,11 @@ class Frame:
             return False
 
     def read(self, path):
-        """Returns an array, or a text. Raises KeyError if there is none of the name."""
+        """Returns an array or a text. Raises KeyError if there is none of this name."""
         return self._guarded(path, lambda: self._dataset(self._find(path)))
 
     def _guarded(self, path, action):
-        """Damaged addresses and sizes lead anywhere, and so to any of these errors."""
+        """Converts errors of damaged addresses and sizes to FormatError."""
         try:
             return action()
         except (struct.error, IndexError, ValueError, TypeError, OverflowError, RecursionError) as error:
@@ -63,14 +63,14 @@ class Frame:
     def _messages(self, address):
         """Yields (type, position, size) of the messages of an object header of version 1."""
         if self.data[address] != 1:
-            raise FormatError(f'{self.path}: has an object header of another version')
+            raise FormatError(f'{self.path}: has an object header of an unsupported version')
         count, size = struct.unpack_from('<H4xI', self.data, address + 2)
         blocks = [(address + 16, size)]
         while blocks and count > 0:
             at, left = blocks.pop(0)
             while left >= 8 and count > 0:
                 kind, length = struct.unpack_from('<HH', self.data, at)
-                if kind == 0x10:  # the header goes on elsewhere
+                if kind == 0x10:  # the header continues elsewhere
                     blocks.append(struct.unpack_from('<QQ', self.data, at + 8))
                 else:
                     yield kind, at + 8, length
@@ -110,12 +110,12 @@ class Frame:
                     raise FormatError(f'{self.path}: has a dataset that is not contiguous')
                 place = struct.unpack_from('<Q', self.data, at + 2)[0]
         if dtype is None or place is None:
-            raise FormatError(f'{self.path}: has an object that is no dataset')
+            raise FormatError(f'{self.path}: has an object that is not a dataset')
         count = math.prod(shape)
         if count == 0 or place == UNDEFINED:
             return np.zeros(shape, dtype)
         if place + count * dtype.itemsize > len(self.data):
-            raise FormatError(f'{self.path}: ends early')
+            raise FormatError(f'{self.path}: is truncated')
         array = np.frombuffer(self.data, dtype, count, place).reshape(shape)
         return array.tobytes().rstrip(b'\0').decode('utf-8', 'replace') if dtype.kind == 'S' else array
 

@@ -11,8 +11,8 @@ from .units import si
 def importRun(folder, *, what='automatic', field='', program='', setting=True, start=1):
     """Adds the objects of a run. Returns the imported object and a list of notes. Raises RunError.
 
-    what: automatic, surface, sheet, oriented, particles. field: for the colours of the material; empty: own
-    colours of surfaces. setting: also obstacles, camera and light, and the frames of the film.
+    what: automatic, surface, sheet, oriented, particles. field: for the colours of the material; empty:
+    colours of the scene. setting: also adds obstacles, camera and light, and sets the frame range.
     """
     run = run_files.Run(folder)
     kind = run.first() if what == 'automatic' else what
@@ -23,7 +23,7 @@ def importRun(folder, *, what='automatic', field='', program='', setting=True, s
     spacing = (times[-1] - times[0]) / max(1, len(times) - 1)
     rate = spacing * film.render.fps / film.render.fps_base
     frames = run.frames[kind]
-    # Frames of one time have one number.
+    # Frames at the same time have the same number.
     particles = {numberOf(f): f for f in run.frames.get('particles', [])}
     files = frames if kind == 'particles' else run.meshes(kind, program)
     others = [particles.get(numberOf(f), '') for f in frames]
@@ -57,7 +57,7 @@ def dress(thing, kind, scene, field):
 
 
 def limits(thing, field):
-    """Returns the lowest and highest value of a field in the last frame: a film mostly covers its range."""
+    """Returns the lowest and highest value of a field in the first and the last frame."""
     if not field:
         return 0.0, 1.0
     import json
@@ -76,7 +76,7 @@ def limits(thing, field):
             fields = run_files.fieldsOf(path)[1]
         if field in fields and len(fields[field]):
             v = np.asarray(fields[field], float)
-            # A material sees the mean of the components of a vector.
+            # Materials convert a vector to the mean of its components.
             values += [v.min(), v.max()] if v.ndim == 1 else [v.mean(axis=1).min(), v.mean(axis=1).max()]
     return (float(min(values)), float(max(values))) if values else (0.0, 1.0)
 
@@ -84,10 +84,10 @@ def limits(thing, field):
 def addSetting(scene, frameOf):
     notes = []
     if not scene:
-        notes.append('no obstacles and no camera: reading the scene needs Python 3.11, as in Blender 4.1')
+        notes.append('obstacles and camera are not imported: they need Python 3.11, as in Blender 4.1')
     try:
         left = obstacles.addObstacles(scene, frameOf)
-        notes += [f'obstacle {name}: meshes and composed shapes are not imported' for name in left]
+        notes += [f'obstacle {name} is not imported: it is a mesh or a compound shape' for name in left]
         obstacles.addCamera(scene)
     except ValueError as error:
         notes.append(str(error))

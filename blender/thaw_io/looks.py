@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Materials from colours and fields, and spheres for particles."""
+"""Materials that show colours or fields, and spheres for particles."""
 import bpy
 
 # Ember, the map of `thaw render`: position, red, green, blue.
@@ -8,7 +8,7 @@ EMBER += ((1, 0.95, 0.79, 0.1),)
 
 
 def surface(name, attributes, field='', low=0.0, high=1.0):
-    """A material by the surface's own colours, or by a field between two values."""
+    """Returns a material that shows the colours of the scene, or a field between two values."""
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
@@ -45,7 +45,7 @@ def obstacle(name):
 
 
 def spheres(thing, radius, material):
-    """Draws the vertices of an object as spheres (Cycles: exact ones), by geometry nodes."""
+    """Adds geometry nodes that draw vertices as spheres, which are exact in Cycles."""
     group = bpy.data.node_groups.new('thaw particles', 'GeometryNodeTree')
     if hasattr(group, 'interface'):
         group.interface.new_socket('Geometry', in_out='INPUT', socket_type='NodeSocketGeometry')

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Obstacles and camera of a scene as objects of Blender."""
+"""Obstacles and camera of a scene as Blender objects."""
 import math
 
 import bmesh
@@ -13,7 +13,7 @@ PLANE = 4.0  # m, edge of a plane's square, over the extent of the domain
 
 
 def shapeMesh(name, shape, extent):
-    """Returns the mesh of a shape around its own origin, or None for one that this add-on does not draw."""
+    """Returns the mesh of a shape around its own origin, or None if it is not supported."""
     mesh, work = bpy.data.meshes.new(name), bmesh.new()
     if 'box' in shape:
         size = vector(shape['box'].get('size', [1, 1, 1]))
@@ -45,7 +45,7 @@ GLASS = (('radius', 0.5), ('height', 1), ('thickness', 0.01))
 
 
 def spin(work, profile, closed):
-    """Turns a profile of (distance from z, z) around the z axis."""
+    """Rotates a profile of (distance from the z axis, z) about the z axis."""
     vertices = [work.verts.new((r, 0, z)) for r, z in profile]
     edges = [work.edges.new(pair) for pair in zip(vertices, vertices[1:] + (vertices[:1] if closed else []))]
     edges = edges if closed else edges[: len(vertices) - 1]
@@ -114,7 +114,7 @@ def addKeyframes(thing, motion, frameOf):
 
 
 def addObstacles(scene, frameOf):
-    """Adds the obstacles of a scene. Returns the names of those that are left out."""
+    """Adds the obstacles of a scene. Returns the names of those that are not supported."""
     domain = scene.get('domain', {})
     low, high = vector(domain.get('min', [-1, -1, -1])), vector(domain.get('max', [1, 1, 1]))
     extent, left = max(b - a for a, b in zip(low, high)), []

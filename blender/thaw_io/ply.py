@@ -7,13 +7,13 @@ TYPES['double'] = 'f8'
 
 
 class PlyError(Exception):
-    """The file is damaged, or of another form than thaw writes."""
+    """The file is damaged, or does not have the form that thaw writes."""
 
 
 def _header(file, path):
     """Returns the elements as (name, count, fields), and the sign of the byte order."""
     if file.readline().strip() != b'ply':
-        raise PlyError(f'{path}: is no PLY file')
+        raise PlyError(f'{path}: is not a PLY file')
     elements, order = [], None
     for line in file:
         words = line.decode('utf-8', 'replace').split()
@@ -43,7 +43,7 @@ def read(path):
                 dtype = np.dtype(fields)
                 data = file.read(count * dtype.itemsize)
                 if len(data) < count * dtype.itemsize:
-                    raise PlyError(f'{path}: ends early')
+                    raise PlyError(f'{path}: is truncated')
                 tables[name] = np.frombuffer(data, dtype, count)
         except (KeyError, IndexError, TypeError, ValueError) as error:
             raise PlyError(f'{path}: has a damaged header: {error}') from error

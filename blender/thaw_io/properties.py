@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What objects, materials and the scene of Blender are in a scene of thaw."""
+"""Settings of Blender objects, materials and scenes for thaw."""
 import bpy
 from bpy.props import EnumProperty, FloatProperty, PointerProperty, StringProperty
 
@@ -17,7 +17,7 @@ QUANTITIES = (
     ('viscosity', 'viscosity', '', 'Viscosity of the liquid, such as 2 Pa s'),
     ('sound_speed', 'sound_speed', '', 'About ten times the fastest flow, such as 20 m/s; empty: automatic'),
     ('surface_tension', 'surface_tension', '', 'Surface tension, such as 0.03 N/m'),
-    ('melts', 'melts', '', 'Melting temperature, or two with a comma: 40 degC, 60 degC; empty: none'),
+    ('melts', 'melts', '', 'Melting temperature, or solidus and liquidus: 40 degC, 60 degC; empty: none'),
     ('heat_capacity', 'heat_capacity', '', 'Heat capacity, such as 2 kJ/(kg K)'),
     ('latent_heat', 'latent_heat', '', 'Latent heat of melting, such as 30 kJ/kg'),
     ('conductivity', 'conductivity', '', 'Heat conductivity, such as 0.25 W/(m K)'),
@@ -31,7 +31,7 @@ class ThawObject(bpy.types.PropertyGroup):
 
 
 class ThawScene(bpy.types.PropertyGroup):
-    spacing: StringProperty(name='Spacing', description='Distance of particles', default='1 cm')
+    spacing: StringProperty(name='Spacing', description='Particle spacing', default='1 cm')
     end: StringProperty(name='End', description='Simulated time', default='2 s')
     every: StringProperty(name='Frame every', description='Simulated time between frames', default='40 ms')
 

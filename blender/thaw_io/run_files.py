@@ -14,7 +14,7 @@ KINDS = ('surface', 'sheet', 'oriented')
 
 
 class RunError(Exception):
-    """The folder is no run, or a program is missing. The message says what to do."""
+    """The folder is not a run, or a program is missing. The message says what to do."""
 
 
 class Run:
@@ -29,10 +29,10 @@ class Run:
             if match:
                 self.frames.setdefault(match[2] or 'particles', []).append(os.path.join(base, name))
         if not self.frames:
-            raise RunError(f'{folder}: is no folder of a run: it has no frames/*.hdf')
+            raise RunError(f'{folder}: is not a run folder: it has no frames/*.hdf')
 
     def times(self):
-        """Times of the frames, s, from the index, else from the files."""
+        """Returns the times of the frames, s, from the index or else from the files."""
         files = self.frames[self.first()]
         index = [n for n in os.listdir(os.path.join(self.folder, 'frames')) if n.endswith('.hdf.series')]
         known = {}
@@ -45,7 +45,7 @@ class Run:
         return next(kind for kind in (*KINDS, 'particles') if kind in self.frames)
 
     def scene(self):
-        """The scene as a dict; {} where this Python cannot read TOML (before Blender 4.1)."""
+        """Returns the scene as a dict; {} if this Python cannot read TOML (before Blender 4.1)."""
         try:
             import tomllib
         except ImportError:
@@ -60,8 +60,8 @@ class Run:
         found = shutil.which(program or os.environ.get('THAW_PROGRAM') or 'thaw')
         if not found:
             raise RunError(
-                f'{self.folder}: has no meshes of all frames; run `thaw export RUN --as ply --what {kind}`, '
-                'or give the program thaw in the preferences of the add-on'
+                f'{self.folder}: some frames have no mesh; run `thaw export RUN --as ply --what {kind}`, '
+                'or set the path of thaw in the preferences of the add-on'
             )
         command = [found, 'export', self.folder, '--as', 'ply', '--what', kind]
         done = subprocess.run(command, capture_output=True, text=True, errors='replace')
@@ -95,8 +95,8 @@ def fieldsOf(path):
 def meshFields(path, particles):
     """Returns vertices, triangles and attributes of a mesh file.
 
-    particles: the frame of particles of the same time, or None. Where the mesh has no velocity or
-    temperature, those of the nearest particles serve.
+    particles: the frame of particles at the same time, or None. It replaces a velocity, temperature or
+    liquid fraction that the mesh lacks, by that of the nearest particles.
     """
     vertices, triangles, others = ply.read(path)
     fields = {

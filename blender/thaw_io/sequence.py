@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Objects whose mesh is that of the present frame: surfaces, sheets, oriented bodies and particles."""
+"""Objects whose mesh follows the current frame: surfaces, sheets, oriented bodies and particles."""
 import json
 import os
 
@@ -13,7 +13,7 @@ FILES, PARTICLES, SHOWN, START, RATE = 'thaw_files', 'thaw_particles', 'thaw_sho
 
 
 def linear(colours):
-    """Converts sRGB of 0 to 255 to linear values of 0 to 1, which Blender's colours have."""
+    """Converts sRGB from 0 to 255 to the linear values from 0 to 1 of Blender."""
     c = colours.astype(np.float32) / 255
     return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
 
@@ -29,7 +29,7 @@ def addAttribute(mesh, name, values):
 def fill(mesh, vertices, triangles, fields, rate):
     """Replaces the geometry of a mesh.
 
-    rate: for velocities, simulated seconds a frame times frames a second.
+    rate: factor of velocities: simulated seconds per frame times frames per second.
     """
     mesh.clear_geometry()
     mesh.vertices.add(len(vertices))
@@ -45,7 +45,7 @@ def fill(mesh, vertices, triangles, fields, rate):
     mesh.update(calc_edges=True)
     for name, values in fields.items():
         if name == 'velocity':
-            # Cycles blurs meshes of changing topology by this attribute, m per second of the film.
+            # Cycles uses this attribute, in m per second of animation, for meshes of changing topology.
             addAttribute(mesh, 'velocity', values * rate)
         elif name in ('colour', 'color'):
             c = linear(values)
@@ -63,7 +63,7 @@ def fill(mesh, vertices, triangles, fields, rate):
 
 
 def show(thing, frame):
-    """Gives an object the geometry of a frame of Blender. Nothing is read if it has it."""
+    """Gives an object the geometry of a Blender frame. Reads no file if it already has it."""
     files = json.loads(thing[FILES])
     number = min(max(frame - thing[START], 0), len(files) - 1)
     if thing.get(SHOWN) == number:
@@ -106,7 +106,7 @@ def add(name, files, particles, rate, start):
 
 
 def relative(files):
-    """Paths relative to the saved .blend file, so that both can move."""
+    """Returns paths relative to the saved .blend file, so that both can be moved."""
     base = os.path.dirname(bpy.data.filepath)
     return [bpy.path.relpath(f) for f in files] if base else files
 

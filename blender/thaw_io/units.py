@@ -8,7 +8,7 @@ UNITS.update({'s': 1, 'ms': 1e-3, 'us': 1e-6, 'min': 60, 'h': 3600, 'rad': 1, 'd
 
 
 def si(value):
-    """Returns a quantity as a number. Raises ValueError for units that this add-on does not know."""
+    """Returns a quantity as a number. Raises ValueError for units that the add-on does not support."""
     if isinstance(value, (int, float)):
         return float(value)
     match = re.fullmatch(r'\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(\w*)\s*', str(value))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A pendulum of another program swings through water: both act on each other in each step.
+"""Couples a pendulum with water: in each step, each acts on the other.
 
 coupling.py [END]     mpirun -n 3 python3 coupling.py works too; END in s, default 1
 """
@@ -20,7 +20,7 @@ except ImportError:
 
 
 class Pendulum:
-    """A ball on a rigid, massless rod in the plane y = 0, as another program would have it."""
+    """A ball on a rigid, massless rod in the plane y = 0. It stands for another program."""
 
     radius, mass, rod = 0.12, 12.0, 0.5  # m, kg, m
     pivot = np.array([0, 0, 0.62])  # m
@@ -28,7 +28,7 @@ class Pendulum:
 
     def __init__(self):
         self.angle, self.rate = 1.2, 0.0  # rad from below, rad/s
-        self.push = np.zeros(3)  # N, of the water on the ball
+        self.push = np.zeros(3)  # N, force of the water on the ball
 
     @property
     def place(self):
@@ -36,7 +36,7 @@ class Pendulum:
 
     @property
     def along(self):
-        """Direction of its motion for a growing angle."""
+        """Direction of motion for a growing angle."""
         return np.array([np.cos(self.angle), 0, np.sin(self.angle)])
 
     def energy(self):
@@ -69,7 +69,7 @@ def main():
                     'material': 'water',
                 }
             ],
-            numerics={'max_step': 2e-4},  # the spring of the ball is not known to the step limit
+            numerics={'max_step': 2e-4},  # the automatic step does not consider the spring
         )
     )
 
@@ -87,11 +87,11 @@ def main():
     start, lost = ball.energy(), 0.0
     while sim.time < end and sim.step():
         if sim.steps % 500 == 0 and sim.rank == 0:
-            print(f't {sim.time:.3f} s: angle {np.degrees(ball.angle):6.1f} deg, push {ball.push.round(1)} N')
+            print(f't {sim.time:.3f} s: angle {np.degrees(ball.angle):.1f} deg, force {ball.push.round(1)} N')
     lost = start - ball.energy()
     ledger = sim.ledger
     if sim.rank == 0:
-        print(f'the pendulum lost {lost:.2f} J; the water got {ledger["outside_work"]:.2f} J of work')
+        print(f'the pendulum lost {lost:.2f} J; the water received {ledger["outside_work"]:.2f} J of work')
 
 
 if __name__ == '__main__':

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds the temperature of the plate at which a share of the block of sweep.py is liquid after 0.2 s.
+"""Finds the plate temperature at which a given fraction of the block of sweep.py melts in 0.2 s.
 
-optimise.py [SHARE]     default 0.2
+optimise.py [FRACTION]     default 0.2
 """
 import sys
 
@@ -12,7 +12,7 @@ import thaw
 
 
 def liquidAt(plate):
-    """Liquid fraction after 0.2 s. Without a folder, nothing is written."""
+    """Liquid fraction after 0.2 s. Writes no files."""
     with thaw.Simulation(sceneOf(plate, end=0.2)) as sim:
         sim.run()
         share = sim.ledger['liquid_fraction']

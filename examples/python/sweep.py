@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Melts a block of wax on plates of several temperatures, two runs at a time, and prints how much melts.
+"""Melts a block of wax on plates of several temperatures, two at a time, and prints the liquid fractions.
 
 sweep.py OUT [PICTURE.png]     runs that are complete in OUT are not repeated; others go on from a checkpoint
 """
@@ -54,7 +54,7 @@ def isComplete(out):
 
 
 def simulate(plate, folder):
-    """Runs one case in a process of its own. Returns the liquid fraction at the end."""
+    """Runs one case. Returns the liquid fraction at the end."""
     out = os.path.join(folder, f'plate_{plate}')
     if not isComplete(out):
         sim = thaw.Simulation(sceneOf(plate), out, resume=True)
@@ -66,7 +66,7 @@ def simulate(plate, folder):
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    # Each process starts MPI anew: a copy of this one could not.
+    # A spawned process can start MPI, a forked one cannot.
     context = multiprocessing.get_context('spawn')
     with concurrent.futures.ProcessPoolExecutor(2, mp_context=context) as pool:
         shares = list(pool.map(simulate, PLATES, [sys.argv[1]] * len(PLATES)))

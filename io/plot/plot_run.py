@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the course of a run as one picture. `thaw plot` has this script as a part of it.
+"""Draws charts of a run as one picture. This script is embedded in `thaw plot`.
 
 plot_run.py RUN PICTURE
 
-Reads ledger.csv, progress.csv and summary.json of the run, and frames where h5py is there.
+Reads ledger.csv, progress.csv and summary.json of the run, and frames if h5py is installed.
 """
 import csv
 import json
@@ -18,11 +18,11 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
 COLOURS = ('#3b6ea5', '#d1495b', '#66a182', '#edae49', '#7768ae', '#8d6e63', '#00798c', '#9e9e9e')
-MOST_FRAMES = 80  # that the front is read from
+MOST_FRAMES = 80  # most frames that are read for the front
 
 
 class Table:
-    """A CSV file of the run by column. Rows that are not complete are left out: the run may be writing."""
+    """A CSV file of the run by column. Incomplete rows are left out: the run may be writing them."""
 
     def __init__(self, path):
         self.columns = {}
@@ -56,7 +56,7 @@ def numberOf(text):
 
 
 def unitOf(values, unit):
-    """Returns the values in a unit with a prefix that suits the largest, and its name."""
+    """Returns the values in a unit whose prefix suits the largest one, and the name of the unit."""
     most = np.nanmax(np.abs(values)) if np.isfinite(values).any() else 0
     for factor, prefix in ((1e9, 'G'), (1e6, 'M'), (1e3, 'k'), (1, ''), (1e-3, 'm'), (1e-6, '\u00b5')):
         if most >= factor:
@@ -65,7 +65,7 @@ def unitOf(values, unit):
 
 
 class Clock:
-    """The axis of time: s, ms or \u00b5s by the length of the run."""
+    """The axis of time: s, ms or \u00b5s depending on the length of the run."""
 
     def __init__(self, end):
         self.factor, self.unit = unitOf(np.array([end]), 's') if end < 1 else (1, 's')
@@ -137,7 +137,7 @@ def residual(run):
         drawn = np.concatenate((energy, of_heat))
         most = 1.2 * np.nanmax(np.abs(drawn)) or 1
         axis.set_ylim(-most, most)
-        axis.set_title('unexplained, over the largest term of the ledger')
+        axis.set_title('unexplained energy, relative to the largest term of the ledger')
         axis.set_ylabel('%')
         axis.legend(fontsize=8, frameon=False, ncols=3)
 
@@ -154,7 +154,7 @@ def heat(run):
 
     def draw(axis):
         drawLines(axis, run.clock, led['time_s'], lines, 'J')
-        axis.lines[-1].set_linestyle('--')  # else one of two equal lines hides the other
+        axis.lines[-1].set_linestyle('--')  # a solid line would hide an equal one
         axis.legend(fontsize=8, frameon=False)
         axis.set_title('heat')
 
@@ -191,12 +191,12 @@ def particles(run):
 
 
 def limits(values):
-    """Returns the lowest and the highest value without the outermost 0.5 %, which may be drops that fly."""
+    """Returns the lowest and the highest value without the outermost 0.5 %, which may be flying drops."""
     return np.percentile(values, (0.5, 99.5)) if len(values) else (math.nan, math.nan)
 
 
 def pointsOf(path, h5py):
-    """Returns time, positions and the liquid fraction, or None for it."""
+    """Returns time, positions, and the liquid fraction or None."""
     with h5py.File(path, 'r') as file:
         data = file['VTKHDF']
         liquid = np.asarray(data['PointData/liquid']) if 'liquid' in data['PointData'] else None
@@ -241,10 +241,10 @@ def front(run):
 
         rows = frontRows(run, h5py)
     except ImportError:
-        print('thaw plot: no front: python3 has no h5py (Debian: python3-h5py)', file=sys.stderr)
+        print('thaw plot: the front is left out: python3 has no h5py (Debian: python3-h5py)', file=sys.stderr)
         return None
     except (OSError, KeyError) as error:
-        print(f'thaw plot: no front: {error}', file=sys.stderr)
+        print(f'thaw plot: the front is left out: {error}', file=sys.stderr)
         return None
     if len(rows) < 2:
         return None
@@ -299,14 +299,14 @@ def iterations(run):
 
     def draw(axis):
         drawLines(axis, run.clock, log['time_s'], lines, '')
-        axis.set_title('iterations of the solvers, mean')
+        axis.set_title('mean iterations of the solvers')
         axis.set_ylim(bottom=0)
 
     return draw
 
 
 def phases(run):
-    """Bars of the wall-clock time of each phase, with the least and the most of all ranks."""
+    """Bars of the wall-clock time of each phase, with the range over all ranks."""
     found = run.summary.get('phases_s_per_rank') or {}
     rows = sorted(((p['mean'], p['min'], p['max'], name) for name, p in found.items()), reverse=True)
     total = sum(row[0] for row in rows)
@@ -335,7 +335,7 @@ def phases(run):
         axis.invert_yaxis()
         axis.set_xlim(0, 1.15 * np.max(most))
         ranks = run.summary.get('ranks', 1)
-        over = f': mean of {ranks} ranks, least to most' if ranks > 1 else ''
+        over = f': mean and range over {ranks} ranks' if ranks > 1 else ''
         axis.set_title(f'wall-clock time by phase{over}')
         axis.set_xlabel('s')
 
@@ -354,7 +354,7 @@ class Run:
         except (OSError, ValueError):
             pass
         if len(self.ledger) == 0:
-            sys.exit(f'{folder}: is not the folder of a run that has begun: it has no ledger.csv with rows')
+            sys.exit(f'{folder}: is not the folder of a started run: it has no ledger.csv with rows')
         self.clock = Clock(max(np.nanmax(self.ledger['time_s']), 1e-12))
 
     def frames(self):
@@ -385,7 +385,7 @@ def main(folder, picture):
     makers = (energies, residual, heat, liquid, front, particles, step, iterations, phases)
     panels = [draw for draw in (make(run) for make in makers) if draw]
     if not panels:
-        sys.exit(f'{folder}: nothing changes in the run yet: its ledger.csv has {len(run.ledger)} row')
+        sys.exit(f'{folder}: there is nothing to plot yet: rows in ledger.csv: {len(run.ledger)}')
     rows = (len(panels) + 1) // 2
     plt.rcParams.update({'font.size': 9, 'axes.titlesize': 10, 'axes.grid': True, 'grid.color': '#eeeeee'})
     plt.rcParams.update({'axes.spines.top': False, 'axes.spines.right': False, 'axes.axisbelow': True})

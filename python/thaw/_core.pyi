@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Types of the compiled part of the package. A test compares its names with those of the module."""
+"""Types of the compiled module. A test compares the names with those of the module."""
 
 from typing import Any, Callable, Optional, Sequence
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of particles as shaded spheres, with numpy alone. `thaw render` makes the good ones."""
+"""Pictures of particles as shaded spheres, drawn with numpy alone. `thaw render` draws better ones."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ __all__ = ['Picture', 'draw']
 EMBER = ((0.30, 0.22, 0.60), (0.62, 0.20, 0.72), (0.95, 0.32, 0.42), (1.0, 0.62, 0.25), (0.98, 0.90, 0.35))
 BACKGROUND = (0.93, 0.94, 0.96)
 LIGHT = np.array([-0.35, 0.6, 0.72])  # right, up, toward the camera
-MOST_PIXELS = 4e7  # drawn at once
+MOST_PIXELS = 4e7  # most pixels of a picture
 
 
 class Picture:
-    """An image. A notebook shows it; `save(path)` writes a PNG file. pixels: uint8 (height, width, 3)."""
+    """An image. Notebooks show it; `save(path)` writes a PNG file. pixels: uint8 (height, width, 3)."""
 
     def __init__(self, pixels: np.ndarray):
         self.pixels = pixels
@@ -49,7 +49,7 @@ class Picture:
 
 
 def colours(values: Optional[np.ndarray], limits: Sequence[Optional[float]]) -> np.ndarray:
-    """Colours of values between the limits; None: those of the values."""
+    """Returns colours of values between the limits; None: the lowest or highest value."""
     if values is None or len(values) == 0:
         return np.array([[0.62, 0.68, 0.76]])
     low = np.nanmin(values) if limits[0] is None else limits[0]
@@ -62,7 +62,7 @@ def colours(values: Optional[np.ndarray], limits: Sequence[Optional[float]]) -> 
 
 
 def distanceOf(x: np.ndarray) -> float:
-    """The usual distance of neighbours, m, from a sample."""
+    """Returns the median distance between neighbours in a sample, m."""
     sample = x[:: max(1, len(x) // 100)][:100]
     d2 = ((sample[:, None] - x[None, :: max(1, len(x) // 100000)]) ** 2).sum(axis=2)
     d2[d2 == 0] = np.inf
@@ -72,7 +72,7 @@ def distanceOf(x: np.ndarray) -> float:
 
 
 def view(x: np.ndarray, eye: Optional[Sequence[float]], at: Optional[Sequence[float]], radius: float):
-    """Returns coordinates right, up and toward the camera, m, from the middle of the view, and its extent."""
+    """Returns coordinates to the right, up and toward the camera, m, and half the extent of the view, m."""
     low, high = (np.percentile(x, q, axis=0) for q in (0.1, 99.9))
     middle = (low + high) / 2 if at is None else np.asarray(at, float)
     toward = np.array([0.45, -1, 0.55]) if eye is None else np.asarray(eye, float) - middle
@@ -87,7 +87,7 @@ def view(x: np.ndarray, eye: Optional[Sequence[float]], at: Optional[Sequence[fl
 
 
 def splat(seen: np.ndarray, rgb: np.ndarray, radius: float, size: Sequence[int]) -> np.ndarray:
-    """Draws spheres of a radius in pixels; seen has pixels too, from the middle. Returns uint8 pixels."""
+    """Draws spheres. radius is in pixels; so is seen, from the middle. Returns uint8 pixels."""
     width, height = size
     depth = np.full(width * height, -np.inf)
     owner = np.full(width * height, -1)

@@ -25,7 +25,7 @@ def _schema() -> str:
 
 
 class _Completed(type):
-    """Gives the signature of Scene the keys of scene files, for the completion of keywords."""
+    """Adds the keys of scene files to the signature of Scene, for the completion of keywords."""
 
     @property
     def __signature__(cls) -> inspect.Signature:
@@ -42,7 +42,7 @@ class _Completed(type):
 class SceneReport(Mapping):
     """The result of `Scene.check()`: what `thaw check --json` prints, as a mapping in SI units.
 
-    True where the scene is usable. errors: list of dicts with file, line, column, message. warnings: texts.
+    True if the scene is usable. errors: list of dicts with file, line, column, message. warnings: texts.
     """
 
     def __init__(self, values: Mapping[str, Any]):
@@ -64,12 +64,12 @@ class SceneReport(Mapping):
 
     @property
     def particles(self) -> int:
-        """Particles of bodies at the start."""
+        """Number of particles of bodies at the start."""
         return sum(body["particles"] for body in self._values.get("particles", {}).get("bodies", []))
 
     @property
     def run_time(self) -> tuple[float, float]:
-        """Least and most wall-clock time of a run, s."""
+        """Shortest and longest expected wall-clock time of a run, s."""
         return tuple(self._values["estimate"]["run_time"])
 
     def __repr__(self) -> str:
@@ -146,10 +146,10 @@ class Scene(metaclass=_Completed):
             file.write(self.to_toml())
 
     def check(self, ranks: int = 0) -> SceneReport:
-        """What a run of the scene would be, or its errors. Takes seconds, in the program thaw.
+        """Returns the report of `thaw check`, or the errors of the scene. Takes seconds.
 
-        ranks: number of ranks for the estimates of memory and time. The program is that of the environment
-        variable THAW_PROGRAM, else that on PATH. Raises ProgramError where there is none.
+        ranks: number of ranks for the estimates of memory and time. The program is the one that the
+        variable THAW_PROGRAM names, or else the one on PATH. Raises ProgramError if there is none.
         """
         command = [findProgram("to check a scene"), "check", "--json"]
         command += ["--ranks", str(int(ranks))] if ranks else []
@@ -157,7 +157,7 @@ class Scene(metaclass=_Completed):
             command += ["--set", f"{key}={self.toml_value(value)}"]
         if self.keys is None:
             return _report([*command, self.name])
-        # Paths of meshes are relative to the file, and so to the present folder.
+        # Paths of meshes are relative to the file, which is therefore in the current folder.
         folder = os.getcwd() if os.access(os.getcwd(), os.W_OK) else None
         with tempfile.NamedTemporaryFile(
             "w", suffix=".toml", prefix=f".{_plain(self.name)}_", dir=folder
@@ -213,7 +213,7 @@ def _report(command: list[str], names: Mapping[str, str] = {}) -> SceneReport:
 
 
 def _ownEnvironment() -> dict[str, str]:
-    """The environment without the variables of a launcher, under which the program would wait for ranks."""
+    """Returns the environment without launcher variables, which would make the program expect other ranks."""
     marks = ("OMPI_COMM_", "OMPI_UNIVERSE", "OMPI_MCA_orte", "OMPI_MCA_ess", "OMPI_APP", "PMIX_", "PMI_")
     return {key: value for key, value in os.environ.items() if not key.startswith(marks)}
 

@@ -260,11 +260,11 @@ class Simulation:
         eye: Optional[Sequence[float]] = None,
         at: Optional[Sequence[float]] = None,
     ) -> Picture:
-        """A picture of all points now, which a notebook shows. All ranks call it.
+        """Returns a picture of the current points, which notebooks show. All ranks call it.
 
         field: of particles, for their colours; default: "temperature" with heat, else the speed.
         size: width and height in pixels. limits: lowest and highest value of the colours. eye, at: points
-        in m that give the direction of the view. `thaw render` makes better pictures of frames.
+        in m that give the direction of the view. `thaw render` draws better pictures of frames.
         """
         points, values = [], []
         for table in ("particles", "oriented", "sheets"):

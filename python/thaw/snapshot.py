@@ -38,7 +38,7 @@ class Snapshot(NamedTuple):
     path: str
     numbers: Dict[str, Number]
     tables: Dict[str, Table]
-    values: Dict[str, str] = {}  #: keys of the scene whose values are no numbers
+    values: Dict[str, str] = {}  #: keys of the scene whose values are not numbers
 
 
 def whole(value: Any) -> Number:
@@ -93,7 +93,7 @@ def numbersOf(checkpoint: Checkpoint) -> Dict[str, Number]:
 
 
 def valuesOf(checkpoint: Checkpoint) -> Dict[str, str]:
-    """Values of the keys of the scene as texts, by name."""
+    """Returns the values of scene keys as texts, by name."""
     with checkpoint._hdf.open() as file:
         return {name: textOf(value) for name, value in file['checkpoint/values'].attrs.items()}
 

@@ -67,11 +67,11 @@ def checkSurface():
     # A frame of the run lasts 50 ms, one of the film 1/24 s.
     speed = values(thing.data, 'velocity', 3)
     assert (speed[:, 2].mean() < 0) and 0.1 < abs(speed[:, 2].mean()) < 5
-    # A stretched film makes the blur long: the picture of the fall has soft edges.
+    # Faster playback lengthens the blur: the picture of the fall has soft edges.
     sharp, soft = render('sharp.png', False), render('blurred.png', True)
     edge = lambda p: np.abs(np.diff(p.mean(axis=2), axis=0)).max()  # noqa: E731
     assert np.abs(sharp - soft).max() > 0.1 and edge(soft) < edge(sharp), (edge(soft), edge(sharp))
-    # A saved file goes on.
+    # The handler works after saving and loading.
     bpy.ops.wm.save_as_mainfile(filepath=os.path.join(FOLDER, 'film.blend'))
     bpy.ops.wm.open_mainfile(filepath=os.path.join(FOLDER, 'film.blend'))
     thing = bpy.context.view_layer.objects.active
@@ -95,7 +95,7 @@ def checkRefusals():
         try:
             bpy.ops.import_scene.thaw(**arguments)
         except RuntimeError as error:
-            assert 'no f' in str(error), error  # "no folder of a run", "no frames of sheet"
+            assert 'no f' in str(error), error  # "no frames/*.hdf", "no frames of sheet"
         else:
             raise AssertionError(f'{arguments} is accepted')
 
@@ -123,7 +123,7 @@ def checkExport():
     cube = add(
         mesh.primitive_cube_add, 'cube', wax, 'BODY', size=0.1, location=(0, 0, 0.2), rotation=(0.3, 0, 0)
     )
-    cube.scale.x = -2  # mirrored: its faces are turned
+    cube.scale.x = -2  # mirrored: its faces are reversed
     cube.thaw.temperature = '20 degC'
     table = add(mesh.primitive_cube_add, 'table', None, 'OBSTACLE', size=0.4, location=(0, 0, -0.2))
     table.thaw.temperature = '200 degC'

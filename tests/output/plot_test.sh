@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# `thaw plot` draws finished, running and broken runs or says what it lacks. `thaw render --latest` draws the
-# newest frame alone. In a terminal, progress is one line.
+# `thaw plot` draws finished, running and failed runs, and reports what is missing. `thaw render --latest`
+# draws only the newest frame. In a terminal, progress is one line.
 . "$(dirname "$0")/../support/run.sh"
 settings melt
 launch 2 run "$scenes/melt.toml" "${set[@]}" --set end=0.2 --progress 0.1 --out "$work/melt" >"$work/log" 2>&1
@@ -45,12 +45,12 @@ for name in sys.argv[1:]:
     inked = (picture[..., :3].min(axis=2) < 0.9).mean()
     assert picture.shape[1] > 1000 and picture.shape[0] > 500 and 0.01 < inked < 0.6, name
 PYTHON
-# a run that has just begun, a half-written row, and a folder that is no run
+# a run that has just begun, a half-written row, and a folder that is not a run
 mkdir -p "$work/begun" "$work/none"
 head -n 3 "$work/melt/ledger.csv" >"$work/begun/ledger.csv"
 printf '17,0.3' >>"$work/begun/ledger.csv"
 "$thaw" plot "$work/begun" >"$work/log" 2>&1; expectExit 0 "plot of a run that has begun"
-"$thaw" plot "$work/none" >"$work/log" 2>&1; expectExit 3 "plot of a folder that is no run"
-expectMessage 'is not the folder of a run that has begun' "what it is not"
+"$thaw" plot "$work/none" >"$work/log" 2>&1; expectExit 3 "plot of a folder that is not a run"
+expectMessage 'is not the folder of a started run' "what it is not"
 [ -e "$work/none/pictures/plot.png" ] && fail "a picture of nothing"
 finish
