@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# OpenVDB for `thaw export --as vdb`, which is optional: without it all else builds, and the command reports
-# how to get it.
+# OpenVDB for `thaw export --as vdb`, which is optional: without it everything else builds, and the command
+# reports how to install it.
 set(THAW_OPENVDB AUTO CACHE STRING
-  "`thaw export --as vdb`: AUTO (if OpenVDB is there), ON (error if not) or OFF")
+  "`thaw export --as vdb`: AUTO (if OpenVDB is found), ON (error if it is not) or OFF")
 set_property(CACHE THAW_OPENVDB PROPERTY STRINGS AUTO ON OFF)
 set(openvdb "")
 if(THAW_OPENVDB)
-  # OpenVDB's own module is not on CMake's path in Debian, and it looks for packages of its tools.
+  # Debian's CMake does not find the module of OpenVDB, which also requires packages of the tools.
   find_path(OPENVDB_INCLUDE openvdb/openvdb.h)
   find_library(OPENVDB_LIBRARY openvdb)
   find_library(OPENVDB_TBB tbb)

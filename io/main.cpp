@@ -147,7 +147,7 @@ int main(int argc, char** argv) {
   CLI::App* relaxApp = app.add_subcommand("relax", "relax the oriented bodies of a scene");
   addRelaxOptions(*relaxApp, relax);
   PreviewOptions preview;
-  CLI::App* previewApp = app.add_subcommand("preview", "show the start of a scene before anything runs");
+  CLI::App* previewApp = app.add_subcommand("preview", "show a scene before it runs");
   addPreviewOptions(*previewApp, preview);
   CLI::App* checkApp = app.add_subcommand("check", "check a scene and report what would be simulated");
   addCheckOptions(*checkApp, check);

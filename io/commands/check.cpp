@@ -46,7 +46,7 @@ void countBodyTypes(const World& w, Reducer& all, CheckReport& r) {
   count(w.sheets.rows, w.scene.sheets, r.sheets);
 }
 
-constexpr std::size_t mostVolumes = 100;  // the volume of a shape takes time
+constexpr std::size_t mostVolumes = 100;  // computing the volume of a shape takes time
 
 /// Adds the continuum bodies. Collective.
 void countBodies(const World& w, const SamplingReport& sampled, Reducer& all, CheckReport& r) {
@@ -116,7 +116,7 @@ struct CheckedWorld {
   StepTools t;
 };
 
-/// Adds the start of the scene: geometry, emitters, modules, step limits. Before any step.
+/// Adds the start of the scene: geometry, emitters, modules, step limits. Requires: no step has been taken.
 void describeStart(const CheckedWorld& c, const SamplingReport& sampled, CheckReport& r) {
   const World& w = c.w;
   const Scene& s = w.scene;
@@ -179,7 +179,7 @@ double timeSteps(CheckedWorld& c, const Halos& halos, int& steps) {
   return steps > 0 ? seconds() / steps : 0;
 }
 
-/// Adds what a run costs, and the advice. Collective.
+/// Adds the estimated cost of the run, and the advice. Collective.
 void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface, double perStep,
                   CheckReport& r) {
   MpiReducer all(c.comm);

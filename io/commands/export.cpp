@@ -40,7 +40,7 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
   command.add_option(
       "--what", o.what,
       "contents, separated by commas: surface, sheet, oriented, obstacles, particles, or all "
-      "that the format holds (default: for usd, usda and vdb all, but particles only without a "
+      "that the format supports (default: for usd, usda and vdb all, but particles only without a "
       "surface; for others the first of surface, oriented and sheet that the run has)");
   command.add_option(
       "--out", o.out,
@@ -59,15 +59,16 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
       ->check(CLI::Range(0.2, 10.0))
       ->capture_default_str();
   command
-      .add_option("--threads", o.threads, "frames at a time, or components of one (default: one per core)")
+      .add_option("--threads", o.threads,
+                  "frames at a time, or components of one frame (default: one per core)")
       ->check(CLI::Range(0, 4096));
   command.add_flag("--resume", o.resume,
                    "skip files that are complete: they exist and are newer than their frames");
   command
       .add_option(
           "--size", o.size,
-          "html: largest size of the page, such as 800kB or 20MB; frames, then points are left out to "
-          "stay within it")
+          "html: largest size of the page, such as 800kB or 20MB; tensors, frames and points are left out "
+          "to stay within it")
       ->capture_default_str();
 }
 

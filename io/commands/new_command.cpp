@@ -52,14 +52,14 @@ std::string sceneText(const NewOptions& o, const std::string& name) {
 
 CLI::App* addNewCommand(CLI::App& app, NewOptions& o) {
   CLI::App* c = app.add_subcommand("new", "write a commented scene to start from");
-  c->add_option("name", o.name, "file of the scene; .toml is added where it is missing")->required();
+  c->add_option("name", o.name, "file of the scene; .toml is added if it is missing")->required();
   std::string kinds;
   for (const StartingScene& s : startingScenes())
     kinds += fmt::format("{}{}: {}", kinds.empty() ? "" : "; ", s.kind, s.about);
   c->add_option("--kind", o.kind, "kind of the scene. " + kinds)
       ->check(CLI::IsMember(startingKinds()))
       ->capture_default_str();
-  c->add_flag("--schema", o.schema, fmt::format("also write {} beside it, which editors read", schemaName));
+  c->add_flag("--schema", o.schema, fmt::format("also write {} next to it, for editors", schemaName));
   return c;
 }
 
@@ -69,7 +69,7 @@ int newCommand(const NewOptions& o) {
     if (path.filename().empty() || path.filename() == "." || path.filename() == "..")
       throw IoError(path.string(), "expected the name of a file");
     if (path.extension() != ".toml") path += ".toml";
-    if (fs::exists(path)) throw IoError(path.string(), "exists already; nothing is overwritten");
+    if (fs::exists(path)) throw IoError(path.string(), "already exists, and is not overwritten");
     const fs::path schema = path.parent_path() / schemaName;
     if (o.schema && !fs::exists(schema)) writeNew(schema, sceneSchema());
     writeNew(path, sceneText(o, path.stem().string()));

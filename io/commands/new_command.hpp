@@ -11,9 +11,9 @@ class App;
 namespace thaw {
 
 struct NewOptions {
-  std::filesystem::path name;  ///< file of the scene; ".toml" is added where it is missing
+  std::filesystem::path name;  ///< file of the scene; ".toml" is added if it is missing
   std::string kind = "melt";
-  bool schema = false;  ///< also write scene.schema.json, which editors read
+  bool schema = false;  ///< also write scene.schema.json, for editors
 };
 
 /// Adds the command. Returns it.

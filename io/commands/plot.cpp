@@ -26,8 +26,7 @@ std::string quoted(std::string text) {
   return "'" + text + "'";
 }
 
-/// Returns the first interpreter that has matplotlib: another one on PATH may lack what Debian's has. Throws
-/// IoError.
+/// Returns the first interpreter that has matplotlib, which the python3 on PATH may lack. Throws IoError.
 std::string findPython() {
   std::vector<std::string> candidates{"python3", "/usr/bin/python3"};
   if (const char* given = std::getenv("THAW_PYTHON")) candidates = {given};
@@ -38,13 +37,13 @@ std::string findPython() {
     names += (names.empty() ? "" : " and ") + python;
   }
   throw IoError("thaw plot", fmt::format("needs python3 with matplotlib and numpy (Debian: apt-get install "
-                                         "python3-matplotlib); tried {}; THAW_PYTHON names another one",
+                                         "python3-matplotlib); tried {}; set THAW_PYTHON to use another one",
                                          names));
 }
 
 void draw(const PlotOptions& o) {
   std::error_code error;
-  if (!fs::is_directory(o.run, error)) throw IoError(o.run.string(), "there is no such folder of a run");
+  if (!fs::is_directory(o.run, error)) throw IoError(o.run.string(), "there is no such folder");
   const fs::path picture = o.out.empty() ? o.run / "pictures" / "plot.png" : o.out;
   const std::string python = findPython();
   if (picture.has_parent_path() && !fs::create_directories(picture.parent_path(), error) && error)

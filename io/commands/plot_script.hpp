@@ -4,7 +4,7 @@
 
 namespace thaw {
 
-/// Returns the script io/plot/plot_run.py, a part of the program.
+/// Returns the script io/plot/plot_run.py, which is embedded in the program.
 std::string_view plotScript();
 
 }  // namespace thaw

@@ -29,12 +29,12 @@ namespace {
 
 constexpr std::uint64_t mostBytes = 100'000'000;  // largest size of a page
 
-/// A folder of its own that ends with the object.
+/// A temporary folder that is removed with the object.
 struct TemporaryFolder {
   fs::path path;
   TemporaryFolder() {
     std::string name = (fs::temp_directory_path() / "thaw-preview-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw IoError(name, "cannot be made");
+    if (!mkdtemp(name.data())) throw IoError(name, "cannot be created");
     path = name;
   }
   ~TemporaryFolder() {
@@ -55,14 +55,14 @@ Rgb colourOf(MarkKind kind) {
   return {};
 }
 
-/// A place with a text.
+/// A text at a position.
 struct Label {
   Vec3d place;
   std::string text;
   Rgb colour;
 };
 
-/// Parts of a preview beside the frame.
+/// Parts of a preview other than the points of the frame.
 struct Preview {
   std::vector<Mark> marks;
   std::vector<Label> labels;
@@ -129,7 +129,7 @@ void drawLabels(const Preview& preview, const View& view, Image& image) {
   }
 }
 
-/// Draws marks and names over a picture. points: those in it.
+/// Draws marks and names over a picture. points: the points of the picture.
 void drawOver(const Preview& preview, const FrameView& points, const RenderStyle& style, bool through,
               Image& image) {
   const View view = viewOf(style.camera, image.width, image.height);
@@ -139,8 +139,8 @@ void drawOver(const Preview& preview, const FrameView& points, const RenderStyle
   drawLabels(preview, view, image);
 }
 
-/// Returns the box that the picture shows: the domain, unless it is much larger than what is in it, and the
-/// camera, unless it is far away.
+/// Returns the box that the picture shows: the domain unless it is much larger than its contents, and the
+/// camera unless it is far away.
 ViewBox stageOf(const Scene& scene, const Preview& preview) {
   ViewBox domain, box = preview.content;
   domain.add(scene.domain.min), domain.add(scene.domain.max);
@@ -159,8 +159,8 @@ ViewBox stageOf(const Scene& scene, const Preview& preview) {
   return box;
 }
 
-/// Returns a camera that shows the box. It looks from the other side, left for right, if the scene's camera
-/// would be in the way.
+/// Returns a camera that shows the box. Its position is mirrored in x if the scene's camera would be in the
+/// way.
 Camera overviewOf(const Camera& own, const ViewBox& stage, double aspect) {
   Camera camera = fittedCamera(stage, aspect);
   const Vec3d sight = camera.at - camera.from;
@@ -169,18 +169,18 @@ Camera overviewOf(const Camera& own, const ViewBox& stage, double aspect) {
   return camera;
 }
 
-/// Returns the frames of the start; for a scene without frames of one kind, those of another.
+/// Returns the frames at the start, of the first type that the scene has.
 std::vector<fs::path> firstFrames(const fs::path& run) {
   for (const FrameKind kind :
        {FrameKind::Automatic, FrameKind::Particles, FrameKind::Oriented, FrameKind::Sheet})
     try {
       return findFrames(run, kind);
-    } catch (const IoError&) {  // the next kind
+    } catch (const IoError&) {  // try the next type
     }
   throw IoError(run.string(), "has no frames");
 }
 
-/// Removes the values of a field without a range, for which a colour bar says nothing.
+/// Removes the values of a uniform field, whose colour bar would be meaningless.
 void removeUniform(FrameView& view) {
   float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
   for (const float v : view.values)
@@ -190,7 +190,7 @@ void removeUniform(FrameView& view) {
   else std::fill(view.values.begin(), view.values.end(), std::numeric_limits<float>::quiet_NaN());
 }
 
-/// Returns whether a preview shows the colours of the surface: fields have hardly a range at the start.
+/// Returns whether a preview shows the colours of the surface, since fields are nearly uniform at the start.
 bool ownColours(const Scene& scene) {
   return scene.surface.on && !scene.output.colourMin && !scene.output.colourMax;
 }
@@ -221,7 +221,7 @@ void drawPicture(const Scene& scene, const fs::path& run, const PreviewOptions& 
   fmt::print("{}\n", file.string());
 }
 
-/// own: in the colours of the surface.
+/// Writes the page. own: with the colours of the surface.
 void writePage(const fs::path& run, const fs::path& file, bool own) {
   PageExport page;
   page.run = run;
@@ -256,8 +256,8 @@ void addPreviewOptions(CLI::App& command, PreviewOptions& o) {
   command.add_option("--set", o.overrides, "override a key of the scene: key=value; may be repeated")
       ->allow_extra_args(false);
   command.add_option("--out", o.out,
-                     "file of the picture (default: NAME_preview.png; none if there is --html alone)");
-  command.add_option("--html", o.html, "write a page for the browser to this file");
+                     "file of the picture (default: NAME_preview.png; none with --html alone)");
+  command.add_option("--html", o.html, "write an interactive page for the browser to this file");
   command.add_flag("--through", o.through, "show what the scene's camera sees, not the whole domain");
   command.add_option("--width", o.width, "pixels (default: the scene's)")->check(CLI::Range(16, 16384));
   command.add_option("--height", o.height, "pixels")->check(CLI::Range(16, 16384));

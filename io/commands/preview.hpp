@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `thaw preview SCENE`: a picture of the start of a scene, with the parts that have no particles.
+// `thaw preview SCENE`: a picture of a scene at its start, including the parts without particles.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -14,7 +14,7 @@ namespace thaw {
 struct PreviewOptions {
   std::string scene;
   std::vector<std::string> overrides;  ///< "key=value"
-  std::filesystem::path out;           ///< the picture; empty: NAME_preview.png, unless there is an html
+  std::filesystem::path out;           ///< the picture; empty: NAME_preview.png, or none if html is set
   std::filesystem::path html;          ///< the page; empty: none
   bool through = false;                ///< as the scene's camera sees it
   int width = 0, height = 0;           ///< pixels; 0: those of the scene

@@ -30,7 +30,7 @@ CLI::Validator notBelowZero() {
           "", ""};
 }
 
-/// Writes to a terminal: lines scroll, and a line of status stays below them.
+/// Writes to a terminal: lines scroll, and a status line stays below them.
 class TerminalLog {
  public:
   void say(const std::string& line) {
@@ -49,7 +49,7 @@ class TerminalLog {
     if (!status_.empty()) std::printf("\n"), std::fflush(stdout);
     status_.clear();
   }
-  /// A line longer than the terminal would wrap, and could not be redrawn.
+  /// Draws the status line, cut to the terminal's width: a wrapped line could not be redrawn.
   void draw() const {
     winsize size{};
     const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
@@ -60,8 +60,8 @@ class TerminalLog {
   std::string status_;
 };
 
-/// Returns whether a launcher such as mpirun started this process, by its first environment: MPI adds
-/// variables of its own once it has started.
+/// Returns whether a launcher such as mpirun started this process. Reads the initial environment, since MPI
+/// later adds variables of its own.
 bool launched() {
   std::ifstream file("/proc/self/environ", std::ios::binary);
   for (std::string entry; std::getline(file, entry, '\0');)
@@ -71,7 +71,7 @@ bool launched() {
   return false;
 }
 
-/// Returns whether lines may be redrawn. Under a launcher, isatty is true on every rank also when its output
+/// Returns whether lines may be redrawn. Under a launcher, isatty is true on every rank even if the output
 /// goes to a file.
 bool drawsInPlace() {
   const char* term = std::getenv("TERM");

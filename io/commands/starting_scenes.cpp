@@ -5,7 +5,7 @@ namespace thaw {
 namespace {
 
 constexpr const char* melt = R"toml(
-spacing = "6 mm"          # distance of particles: finer looks better and takes longer
+spacing = "6 mm"          # particle spacing: finer looks better and takes longer
 end     = "2 s"           # simulated time
 
 [domain]                  # particles that leave this box are removed and counted
@@ -46,13 +46,13 @@ camera = { from = [0.16, -0.42, 0.26], at = [0, 0, 0.04], field_of_view = "32 de
 )toml";
 
 constexpr const char* drop = R"toml(
-spacing = "0.8 mm"        # distance of particles: finer looks better and takes longer
+spacing = "0.8 mm"        # particle spacing: finer looks better and takes longer
 end     = "60 ms"         # simulated time
 
 [domain]
 min   = ["-12.8 mm", "-12.8 mm", 0]
 max   = [ "12.8 mm",  "12.8 mm", "32 mm"]
-sides = { x = "periodic", y = "periodic", z = ["wall", "open"] }   # the pool goes on beyond its sides
+sides = { x = "periodic", y = "periodic", z = ["wall", "open"] }   # the pool repeats beyond its sides
 
 [material.milk]
 density         = "1030 kg/m^3"
@@ -62,7 +62,7 @@ surface_tension = "0.05 N/m"
 
 [[body]]
 name     = "pool"
-box      = { size = ["25.6 mm", "25.6 mm", "4.8 mm"] }   # whole numbers of spacings start at rest
+box      = { size = ["25.6 mm", "25.6 mm", "4.8 mm"] }   # multiples of the spacing: starts at rest
 material = "milk"
 place    = { move = [0, 0, "2.4 mm"] }
 
@@ -81,7 +81,7 @@ camera = { from = [0.02, -0.035, 0.022], at = [0, 0, 0.004], field_of_view = "36
 )toml";
 
 constexpr const char* dam = R"toml(
-spacing = "3 cm"          # distance of particles: finer looks better and takes longer
+spacing = "3 cm"          # particle spacing: finer looks better and takes longer
 end     = "2 s"           # simulated time
 
 [domain]
@@ -116,7 +116,7 @@ camera     = { from = [2.9, -1.9, 1.7], at = [0.8, 0.3, 0.25], field_of_view = "
 )toml";
 
 constexpr const char* sheet = R"toml(
-spacing = "4 mm"          # distance of particles; sheets have a spacing of their own
+spacing = "4 mm"          # particle spacing; sheets have their own spacing
 end     = "1.5 s"         # simulated time
 
 [domain]
@@ -137,7 +137,7 @@ plane = { point = [0, 0, 0], normal = [0, 0, 1] }
 [[sheet]]
 name         = "cloth"
 grid         = { width = "60 cm", depth = "60 cm" }
-spacing      = "15 mm"                 # distance of its vertices: finer folds, longer runs
+spacing      = "15 mm"                 # vertex spacing: a finer one gives finer folds and longer runs
 place        = { move = [0, 0, "38 cm"], rotate_z = "12 deg" }
 mass         = "0.25 kg/m^2"
 damping      = "0.5 kg/(m^2 s)"
@@ -157,7 +157,7 @@ camera = { from = [0.60, -1.05, 0.66], at = [-0.02, 0, 0.19], field_of_view = "3
 )toml";
 
 constexpr const char* oriented = R"toml(
-spacing = "3 cm"          # distance of the oriented particles
+spacing = "3 cm"          # spacing of the oriented particles
 end     = "2 s"           # simulated time
 
 [domain]
@@ -170,11 +170,11 @@ name         = "patch"
 patch        = { width = "60 cm", depth = "40 cm" }
 density      = 20
 inertia      = 1
-cfl          = 0.5        # length of the steps, over their limit
+cfl          = 0.5        # step length relative to the limit
 damping      = 12
 spin_damping = 12
 
-[[oriented.anchor]]       # holds the particles inside of this box
+[[oriented.anchor]]       # fixes the particles inside this box
 box    = { size = [0.05, 1, 0.2] }
 place  = { move = [-0.3, 0, 0] }
 normal = true

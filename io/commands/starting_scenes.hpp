@@ -9,7 +9,7 @@ namespace thaw {
 
 struct StartingScene {
   const char *kind, *about;
-  const char* text;  ///< TOML without its title; a line break comes first
+  const char* text;  ///< TOML without a title; begins with a line break
 };
 
 std::span<const StartingScene> startingScenes();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that a format can write of one frame.
+// Contents of one exported frame.
 #pragma once
 #include <optional>
 #include <string>
@@ -21,7 +21,7 @@ struct ExportObject {
   std::string name;
   ExportKind kind = ExportKind::Surface;
   std::vector<ComponentMesh> parts;
-  std::optional<Pose> pose;  ///< rigid obstacle: the parts are at rest, and the same in all frames
+  std::optional<Pose> pose;  ///< rigid obstacles only: the parts are at rest, and the same in all frames
   bool moves = false;        ///< the pose changes during the run
 };
 

@@ -23,9 +23,9 @@ class OutFile {
   template<class T> void array(const std::vector<T>& values) {
     bytes(values.data(), values.size() * sizeof(T));
   }
-  /// Replaces bytes that are already written.
+  /// Overwrites bytes that are already written.
   void overwrite(std::uint64_t at, const void* data, std::size_t count);
-  /// Bytes so far.
+  /// Returns the number of bytes written so far.
   std::uint64_t size() const { return size_; }
   void finish();
 

@@ -12,7 +12,7 @@ namespace thaw {
 namespace {
 
 enum AttributeType : std::int32_t { floatType = 0, integerType = 1, vectorType = 5 };
-constexpr std::uint16_t longestRun = 30000;  // polygons behind one key
+constexpr std::uint16_t longestRun = 30000;  // most polygons in a run
 
 /// Writes big-endian numbers.
 class BigEndian {

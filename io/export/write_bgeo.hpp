@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry of Houdini, classic binary format (version 5).
+// Houdini geometry, classic binary format (version 5).
 #pragma once
 #include <filesystem>
 
@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Writes all meshes of a scene as closed polygons, and its particles as points behind their vertices. Point
+/// Writes all meshes of a scene as closed polygons, and its particles as points after their vertices. Point
 /// attributes: N, v (m/s), Cd (sRGB, 0 to 1), pscale (m, radius; 0 for vertices), id (the lower 31 bits, -1
 /// without one), temperature (K), liquid, component (index of the mesh, -1 for particles). Big-endian. Throws
 /// IoError if the file cannot be written.

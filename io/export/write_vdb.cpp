@@ -16,7 +16,7 @@ namespace {
 using openvdb::FloatGrid;
 using openvdb::Vec3SGrid;
 
-/// Reach of a particle in voxels.
+/// Support radius of a particle, in voxels.
 constexpr double reach = 1.5;
 
 double weightAt(double squaredVoxels) {

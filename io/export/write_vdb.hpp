@@ -8,10 +8,10 @@
 namespace thaw {
 
 /// Writes grids in metres with voxels of the particle spacing (half of it for the surface):
-/// - surface: level set of the surface, in the scene's place, negative inside
-/// - density: fog of the particles, 1 in their bulk
-/// - temperature (K), liquid (1): means of the particles near each voxel of that fog
-/// - velocity (m/s): the same for vectors, for motion blur
+/// - surface: level set of the surface, in scene coordinates, negative inside
+/// - density: fog volume of the particles, 1 in their bulk
+/// - temperature (K), liquid (1): means over the particles near each voxel of the fog volume
+/// - velocity (m/s): the same, for motion blur
 /// Throws IoError if the file cannot be written; std::invalid_argument if the program is built without
 /// OpenVDB.
 void writeVdb(const std::filesystem::path& file, const ExportScene& scene);

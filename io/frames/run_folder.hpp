@@ -4,7 +4,7 @@
 
 namespace thaw {
 
-/// Returns the run's folder, which may be given by its frames/. Throws IoError if it is none.
+/// Returns the run folder; `given` is the folder or its frames/. Throws IoError if it is not a run folder.
 std::filesystem::path runFolder(const std::filesystem::path& given);
 
 }  // namespace thaw

@@ -14,7 +14,7 @@ struct PointDepths {
   std::vector<float> depth;
 };
 
-/// radius: m, of points that have none of their own.
+/// radius: m, for points without a radius of their own.
 PointDepths pointDepths(const FrameView& points, const View& view, const Image& image, float radius);
 
 struct DrawnLine {

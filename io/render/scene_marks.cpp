@@ -66,8 +66,7 @@ Mark emitterMark(const Emitter& e) {
   return mark;
 }
 
-/// Returns the box of a clamp within its body, a little larger than the particles; no lines where they are
-/// apart.
+/// Returns the box of a clamp within its body, slightly enlarged. It has no lines if the two do not overlap.
 Mark clampMark(const Scene& scene, const Body& body, const Shape& clamp) {
   Mark mark{MarkKind::Clamp, body.name, {}};
   Bounds box = makeSignedDistance(clamp, meshLoader())->bounds();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines for those parts of a scene that have no particles: emitters, clamps, the domain, the camera.
+// Lines for the parts of a scene without particles: emitters, clamps, the domain, the camera.
 #pragma once
 #include <array>
 #include <string>

@@ -24,8 +24,8 @@ struct RunOptions {
   double reportEvery = 2;  ///< s of wall-clock time between progress lines
   std::function<void(const std::string&)> log = {};  ///< receives each line of progress, news and warnings,
                                                      ///< on the first rank; none: the run is silent
-  std::function<void(const std::string&)> status = {};  ///< receives a short line in place of each line of
-                                                        ///< progress, for a terminal
+  std::function<void(const std::string&)> status = {};  ///< receives a short status line in place of
+                                                        ///< each progress line, for terminals
 };
 
 }  // namespace thaw

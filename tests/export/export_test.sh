@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# `thaw export` as USD and OpenVDB, read by programs of others: three.js, tinyusdz and OpenVDB's Python
-# module. Readers that are not installed are named at the end. MODULES=DIR: node_modules with the readers of
-# USD.
+# `thaw export` as USD and OpenVDB, read by three.js, tinyusdz and OpenVDB's Python module. It
+# names readers that are not installed at its end. MODULES=DIR: node_modules with the readers of USD.
 . "$(dirname "$0")/../support/run.sh"
 MODULES=${MODULES:-$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")}
 skipped=()
@@ -23,7 +22,7 @@ export --as usd --what all --threads 1 --out "$work/one.usdc"; expectExit 0 "usd
 cmp -s "$work/run.usdc" "$work/one.usdc" || fail "the layer depends on the number of threads"
 [ -z "$(find "$work" -name '*.part')" ] || fail "left $(find "$work" -name '*.part')"
 
-# complete files are kept, those that are older than a frame or missing are not
+# --resume keeps complete files, and writes missing or outdated ones
 sums() { (cd "$work/run/export" && ls -l --time-style=full-iso ./*.ply); }
 before=$(sums)
 export --as ply --resume; expectExit 0 "resume"

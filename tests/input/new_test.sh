@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# `thaw new`: each kind runs without a warning of the scene, has comments, and nothing is overwritten.
+# `thaw new`: each kind runs without a warning of the scene, has comments, and no file is overwritten.
 . "$(dirname "$0")/../support/run.sh"
 cd "$work" || exit 1
 for kind in melt drop dam sheet oriented; do
@@ -15,7 +15,7 @@ done
 
 sha256sum melt.toml >sum
 "$thaw" new melt >"$work/log" 2>&1; expectExit 3 "a file that exists"
-expectMessage 'melt.toml: exists already; nothing is overwritten' "the file that exists"
+expectMessage 'melt.toml: already exists, and is not overwritten' "the file that exists"
 sha256sum -c --quiet sum || fail "melt.toml is overwritten"
 "$thaw" new other --kind lava >"$work/log" 2>&1; expectExit 2 "an unknown kind"
 expectMessage 'melt' "the known kinds"
@@ -25,7 +25,7 @@ expectMessage 'none/scene.toml: ' "the missing folder"
 
 mkdir schema && cd schema || exit 1
 "$thaw" new one --schema >"$work/log" 2>&1; expectExit 0 "new --schema"
-"$thaw" new two --schema >"$work/log" 2>&1; expectExit 0 "new --schema beside a schema"
-cmp -s scene.schema.json "$scenes/scene.schema.json" || fail "the schema beside the scene"
+"$thaw" new two --schema >"$work/log" 2>&1; expectExit 0 "new --schema next to a schema"
+cmp -s scene.schema.json "$scenes/scene.schema.json" || fail "the schema next to the scene"
 head -n 1 two.toml | grep -qx '#:schema ./scene.schema.json' || fail "the scene does not name the schema"
 finish

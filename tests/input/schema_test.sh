@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The JSON schema of scene files: it is current, accepts every scene of the project, refuses wrong keys and
-# values, and taplo, which editors use, agrees. taplo is that on PATH or of `npm install --prefix build/taplo
+# The JSON schema of scene files: it is current, accepts every scene of the project, and refuses wrong keys
+# and values. taplo, which editors use, agrees. It is on PATH, or comes from `npm install --prefix build/taplo
 # @taplo/cli`.
 . "$(dirname "$0")/../support/run.sh"
 python=$(command -v /usr/bin/python3 || command -v python3)
@@ -32,7 +32,7 @@ wrong range 's/^young .*/young = -1/'
 wrong type 's/^title .*/title = 3/'
 wrong word 's/^conductivity .*/law = "elastic"/'
 wrong count 's/^gravity .*/gravity = [0, -9.81]/'
-# right forms that the scenes do not have
+# valid forms that the scenes do not use
 cat >"$work/forms.toml" <<'SCENE'
 include = ["melt.toml"]
 [domain]

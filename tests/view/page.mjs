@@ -45,7 +45,7 @@ export async function settle(page) {
     await app.show();
     await drawn();
     clearTimeout(app.stage.resting);
-    app.stage.setScale(1); // on any machine, however fast it is
+    app.stage.setScale(1); // independent of the speed of the machine
     app.stage.draw();
     await drawn();
   });

@@ -11,7 +11,7 @@ address=file://$work/dam/export/dam.html
 inBrowser page
 "$thaw" export "$work/dam" --as html --size 780kB --out "$work/small.html" >"$work/log" 2>&1
 expectExit 0 "export within 780 kB"
-grep -q "left out to stay within 780 kB and " "$work/log" || fail "no word of what is left out"
+grep -q "left out to stay within 780 kB and " "$work/log" || fail "no report of what is left out"
 [ "$(stat -c %s "$work/small.html")" -le 780000 ] || fail "the page is larger than its budget"
 address=file://$work/small.html
 inBrowser page "left out of this page"

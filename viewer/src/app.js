@@ -256,7 +256,7 @@ export class App {
     if (reload.some((name) => changed.has(name)) || (changed.has('playing') && settings.playing)) this.show();
   }
 
-  /// Shows what has no points by the choice of layers.
+  /// Shows or hides obstacles, domain and marks by the chosen layers.
   showMarks() {
     const { stage, settings } = this;
     stage.obstacles.group.visible = settings.layers.obstacles;

@@ -27,7 +27,7 @@ export class RunWatch {
         problem instanceof TypeError ? 'thaw view has ended, or the connection is lost' : problem.message,
       );
     }
-    if (pageData) return; // which does not change
+    if (pageData) return; // a page without a server does not change
     this.timer = setTimeout(() => this.look(), wait);
   }
 }

@@ -39,7 +39,7 @@ std::string bodyLine(const CheckedBody& b) {
   return line;
 }
 
-/// Returns a line for each of the first bodies, and one for all others.
+/// Returns a line for each of the first mostBodyLines bodies, and one for all others.
 Lines bodyLines(const std::vector<CheckedBody>& bodies) {
   const std::size_t shown = std::min(bodies.size(), mostBodyLines);
   Lines lines;
@@ -175,7 +175,7 @@ Json jsonCost(const CheckedCost& c) {
   return to;
 }
 
-/// Returns an error line as its place and text. Lines of overrides have no line and column.
+/// Returns the location and text of an error line. Lines of overrides have no line and column.
 Json errorOf(const std::string& path, const std::string& line) {
   const std::string sign = ": error: ";
   const std::size_t at = line.find(sign);
@@ -195,7 +195,7 @@ Json errorOf(const std::string& path, const std::string& line) {
   return to;
 }
 
-constexpr auto replaceInvalid = Json::error_handler_t::replace;  // paths may be no UTF-8
+constexpr auto replaceInvalid = Json::error_handler_t::replace;  // paths may not be valid UTF-8
 
 }  // namespace
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns the time between frames (s), from the first and last one; 0 for fewer than two.
+/// Returns the mean time between frames (s) without the last one; 0 for fewer than three frames.
 double intervalOf(const std::vector<FrameGroup>& groups) {
   if (groups.size() < 3) return 0;  // the last frame may come early, at the end of the run
   const std::size_t last = groups.size() - 2;

@@ -5,7 +5,7 @@
 
 namespace thaw {
 
-/// Frames of an export, and what their threads share.
+/// Frames of an export, and the data that its threads share.
 struct ExportRun {
   std::vector<FrameGroup> groups;
   RunScenes scenes;
@@ -13,7 +13,7 @@ struct ExportRun {
   int threads = 1;  ///< frames at a time
 };
 
-/// Returns export/ in the run folder. The input is that folder, its frames/ or a file in there.
+/// Returns export/ in the run folder. The input is that folder, its frames/, or a file in one of them.
 std::filesystem::path exportFolder(const std::filesystem::path& input);
 
 /// Finds the frames, and prints their number and the expected size unless there is only one. Throws IoError
@@ -23,8 +23,8 @@ void startExport(const ExportOptions& options, const ExportFormat& format, Expor
 /// Prints notes and warnings of a frame.
 void printNotes(const GatherNotes& notes);
 
-/// Returns whether a file is complete: it exists and is newer than the frames that it is made from. Files get
-/// their name when they are complete.
+/// Returns whether a file is complete: it exists and is newer than its frames. Files get their final name
+/// when they are complete.
 bool isComplete(const std::filesystem::path& file, const std::vector<FrameGroup>& groups);
 
 /// Writes one file per frame. Throws IoError and std::invalid_argument.
@@ -33,7 +33,7 @@ void exportFrames(const ExportOptions& options, const ExportFormat& format);
 /// Writes a run as one USD layer. out: file, folder, or empty for export/ in the run's folder.
 void exportUsd(const std::filesystem::path& out, const ExportOptions& options);
 
-/// Writes the frames of a run as one USD layer. name: of the root prim. Prints a summary.
+/// Writes the frames of a run as one USD layer. name: name of the root prim. Prints a summary.
 void writeUsd(const std::filesystem::path& file, const std::string& name, ExportRun& run);
 
 /// A line on a terminal that is redrawn as frames are done.

@@ -8,11 +8,11 @@
 namespace thaw {
 
 struct ExportOptions {
-  std::filesystem::path input;  ///< frame, series index, or run folder
-  std::filesystem::path out;    ///< file for one frame or a sequence, folder for several frames; empty:
-                                ///< export/ in the run's folder
-  std::string what;  ///< kinds of contents, separated by commas; empty: those of the format's default
-  std::string as;    ///< name of a format (formats.hpp)
+  std::filesystem::path input;    ///< frame, series index, or run folder
+  std::filesystem::path out;      ///< file for one frame or a sequence, folder for several frames; empty:
+                                  ///< export/ in the run's folder
+  std::string what;               ///< contents, separated by commas; empty: the default of the format
+  std::string as;                 ///< name of a format (formats.hpp)
   std::string field = "surface";  ///< source of the colours: the surface's own, or a field
   std::string map = "ember";
   std::optional<double> min, max;  ///< range of the colours, SI; empty: the range of the frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `thaw export RUN --as html`: a run as one page, which opens without a server.
+// `thaw export RUN --as html`: a run as one page that needs no server.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace thaw {
 std::uint64_t bytesOfText(const std::string& text);
 
 /// Writes a run as one page. out: file, folder, or empty for export/ in the run's folder. Throws IoError, and
-/// std::invalid_argument for invalid options or a program without the page.
+/// std::invalid_argument for invalid options or a program that is built without the page.
 void exportRunPage(const std::filesystem::path& out, const ExportOptions& options);
 
 }  // namespace thaw

@@ -25,11 +25,11 @@ struct ExportFormat {
   const char* name;
   const char* extension;  ///< with the dot
   const char* help;
-  unsigned holds;          ///< contents that it can write
+  unsigned holds;          ///< contents that the format supports
   bool keepsSurfels;       ///< a surface is written as surfels, not as a closed mesh
   bool keepsTables;        ///< sheets or oriented particles alone are written with all their fields
-  bool holdsAllByDefault;  ///< without --what: all contents, but particles only without a surface; else only
-                           ///< the first content that the run has
+  bool holdsAllByDefault;  ///< default of --what: all contents, with particles only if there is no surface;
+                           ///< else the first content of the run
   double bytesPerSurfel;   ///< expected size per surfel of a frame; particles take a quarter
   /// Writes one frame. Throws IoError.
   void (*writeFrame)(const std::filesystem::path& file, const ExportScene& scene);
@@ -45,10 +45,10 @@ const ExportFormat& exportFormatNamed(const std::string& name);
 /// Returns the contents that a comma-separated list names; 0 if it is empty. Throws std::invalid_argument.
 unsigned contentsNamed(const std::string& list);
 
-/// Returns "surfaces", "sheets", ... of one bit.
+/// Returns the plural name of one content, such as "surfaces".
 const char* contentText(unsigned content);
 
-/// Returns the names of the formats that hold a content: "ply, obj or vtp".
+/// Returns the names of the formats that support a content, such as "ply, obj or vtp".
 std::string formatsHolding(unsigned content);
 
 }  // namespace thaw

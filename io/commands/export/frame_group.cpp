@@ -71,7 +71,7 @@ std::vector<fs::path> firstFrames(const ExportOptions& options, unsigned wanted,
     if (!(wanted & c)) continue;
     std::vector<fs::path> frames = framesOf(options.input, c);
     if (frames.empty()) continue;
-    // without surface, frames of particles may be those of sheets
+    // without a surface, findFrames may return frames of sheets
     content = contentOfFrame(frames.front());
     return frames;
   }
@@ -142,7 +142,7 @@ std::vector<FrameGroup> findFrameGroups(const ExportOptions& options, const Expo
     FrameGroup group;
     fileOf(group, main) = frame;
     for (const unsigned c : frameContents) {
-      // surfels take velocities and other fields from particles, which are read in any case
+      // surfels take fields from particles, so frames of particles are always read
       if (c == main || !((wanted | particleContent) & c)) continue;
       fileOf(group, c) = companionOf(frame, main, c);
     }

@@ -36,7 +36,7 @@ std::vector<Vec3d> clipped(const std::vector<Vec3d>& polygon, const Vec3d& norma
   return kept;
 }
 
-/// Returns the part of a plane in the domain; all of a square around it if it lies outside.
+/// Returns the part of a plane in the domain, or a large square if the plane lies outside.
 TriangleMesh planeMesh(const Vec3d& normal, double height, const Domain& domain) {
   const Vec3d middle = 0.5 * (domain.min + domain.max),
               foot = middle - (dot(normal, middle) - height) * normal;
@@ -58,7 +58,8 @@ TriangleMesh planeMesh(const Vec3d& normal, double height, const Domain& domain)
   return mesh;
 }
 
-/// Returns the surface of an obstacle at rest. Cuts are polygonised, others are exact up to a small sag.
+/// Returns the surface of an obstacle at rest. Differences and intersections are polygonised; other
+/// shapes are exact up to a small sag.
 TriangleMesh meshOf(const Obstacle& obstacle, const Domain& domain) {
   const auto distance = makeSignedDistance(obstacle.shape, meshLoader());
   const Bounds box = distance->bounds();
@@ -115,7 +116,7 @@ std::vector<ExportObject> obstaclesOf(const Scene& scene, std::vector<std::strin
                         !obstacle.motion.empty()};
     try {
       object.parts.push_back(withNormals(meshOf(obstacle, scene.domain)));
-    } catch (const std::exception& error) {  // a mesh that is no longer there, on another machine
+    } catch (const std::exception& error) {  // the mesh file may be missing on this machine
       warnings.push_back(fmt::format("obstacle {} is left out: {}", object.name, error.what()));
     }
     all.push_back(std::move(object));

@@ -43,7 +43,7 @@ RenderStyle styleOf(const FrameJob& picture, const ExportScene& scene) {
   return style;
 }
 
-/// Gives sheets and obstacles names that differ in all formats and frames, also from those of other objects.
+/// Makes the names of sheets and obstacles unique among all objects, in all formats and frames.
 void separateNames(RunScene& run) {
   std::set<std::string> used{"surface", "oriented", "particles", "camera"};
   const auto separate = [&](std::string& name) {

@@ -13,10 +13,10 @@
 
 namespace thaw {
 
-/// A scene that frames store, with what all its frames share.
+/// A scene that frames store, and the data that these frames share.
 struct RunScene {
   Scene scene;
-  std::vector<std::string> sheetNames;  ///< one per sheet, different from all other names
+  std::vector<std::string> sheetNames;  ///< one per sheet, unique
   FrameJob picture;                     ///< camera, size, walls
   std::vector<ExportObject> obstacles;  ///< at rest, one per obstacle of the scene; without parts if it
                                         ///< cannot be shown
@@ -25,8 +25,7 @@ struct RunScene {
 /// Scenes of a run, made once. Thread-safe.
 class RunScenes {
  public:
-  /// Returns the scene that a frame stores, or nothing, with a warning at the first time if its text cannot
-  /// be read.
+  /// Returns the scene that a frame stores, or nothing. Warns once if its text cannot be read.
   std::shared_ptr<const RunScene> of(const std::filesystem::path& frame, std::vector<std::string>& warnings);
   std::mutex hdf5;  ///< HDF5 is not thread-safe
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t neighbours = 4;
 
-/// Weights of the points nearest to a place: inverse squared distances.
+/// Weights of the points nearest to a position: inverse squared distances.
 struct NearWeights {
   std::vector<std::uint32_t> rows;
   std::vector<double> shares;
@@ -34,7 +34,7 @@ struct NearWeights {
   }
 };
 
-/// Adds the fields that surfels lack and particles have, from the nearest particles inside.
+/// Adds fields of particles that surfels lack, from the nearest particles below the surface.
 void addFieldsOfParticles(SurfaceFrame& surfels, const FrameData& particles) {
   std::vector<const FrameColumn*> missing;
   for (const char* name : {"velocity", "temperature", "liquid"})
@@ -81,7 +81,7 @@ struct SurfelFields {
   std::vector<float> temperatures, liquid;
 };
 
-/// Adds the fields of the nearest surfels of its component to a mesh.
+/// Interpolates fields to the vertices of a mesh, from the nearest surfels of its component.
 void addFieldsOfSurfels(ComponentMesh& mesh, const SurfaceFrame& frame, const ComponentRows& component,
                         const SurfelFields& fields, const PeriodicSides& sides) {
   if (fields.velocities.empty() && fields.temperatures.empty() && fields.liquid.empty()) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parallel work whose results are used in order.
+// Parallel work whose results are consumed in order.
 #pragma once
 #include <condition_variable>
 #include <cstddef>

@@ -30,7 +30,7 @@ template<class T> std::span<const char> bytesOf(const std::vector<T>& values) {
 }  // namespace
 
 CrateStructure::CrateStructure() {
-  token(";-)");  // properties have negative numbers in paths, so none may be number 0
+  token(";-)");  // paths store properties by negative token indices, so index 0 is not used
 }
 
 std::uint32_t CrateStructure::token(const std::string& text) {

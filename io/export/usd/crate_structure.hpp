@@ -28,7 +28,7 @@ enum class CrateType : std::uint8_t {
   DoubleVector = 48
 };
 
-/// A rep describes a value in 64 bits: flags, a type, and 48 bits with the value or its place in the file.
+/// A rep describes a value in 64 bits: flags, a type, and 48 bits with the value or its offset in the file.
 constexpr std::uint64_t crateArray = std::uint64_t{1} << 63, crateIsInlined = std::uint64_t{1} << 62,
                         crateIsCompressed = std::uint64_t{1} << 61;
 constexpr std::uint64_t crateRep(CrateType type) { return static_cast<std::uint64_t>(type) << 48; }

@@ -35,7 +35,7 @@ struct UsdBytes {
   bool isInlined = false;  ///< rep holds the value; nothing is stored
 };
 
-/// Place of a stored value, as its file counts.
+/// Position of a stored value, in the units of its file.
 using UsdPlace = std::uint64_t;
 
 struct UsdAttributeType {
@@ -63,7 +63,7 @@ struct UsdLayer {
   double timeCodesPerSecond = 24, start = 0, end = 0;
 };
 
-/// Writes the values of a layer as they come and its structure at the end, so memory holds one frame. All
+/// Writes the values of a layer at once and its structure at the end, so memory holds one frame. All
 /// functions throw IoError if the file cannot be written.
 class UsdFile {
  public:

@@ -48,7 +48,7 @@ std::int32_t differenceAt(std::span<const std::int32_t> values, std::size_t i) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(values[i]) - before);
 }
 
-/// Returns the most common difference of a sample; of several, the largest. Any value gives a valid code.
+/// Returns the most common difference of a sample, the largest one in a tie. Any value gives a valid code.
 std::int32_t commonDifference(std::span<const std::int32_t> values) {
   constexpr std::size_t samples = 4096;
   std::vector<std::int32_t> all;
@@ -78,7 +78,7 @@ void addLz4Block(std::span<const char> data, std::vector<char>& out) {
     const std::size_t candidate = slot;
     slot = static_cast<std::uint32_t>(at + 1);
     if (candidate == 0 || at + 1 - candidate > farthest || wordAt(data.data() + candidate - 1) != word) {
-      at += 1 + (misses++ >> 6);  // data without matches is passed over faster and faster
+      at += 1 + (misses++ >> 6);  // the stride grows in data without matches
       continue;
     }
     misses = 0;

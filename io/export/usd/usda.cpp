@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// USD as text. Values go to a file beside it first, since the text has all samples of an attribute together.
+// USD as text. Values first go to a temporary file, since the text has all samples of an attribute
+// together.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -154,7 +155,7 @@ class Usda : public UsdFile {
   OutFile out_;
   std::filesystem::path valuePath_;
   std::unique_ptr<std::FILE, Close> values_;
-  std::vector<std::int64_t> ends_;  // offset behind each value
+  std::vector<std::int64_t> ends_;  // end offset of each value
 };
 
 }  // namespace

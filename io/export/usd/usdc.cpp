@@ -44,7 +44,7 @@ template<class T> UsdBytes encoded(const std::vector<T>& values) {
   UsdBytes out;
   out.rep = crateRep(typeOf<T>()) | crateArray;
   if (values.empty()) {
-    out.isInlined = true;  // an array without a place is empty
+    out.isInlined = true;  // an array with offset 0 is empty
     return out;
   }
   if constexpr (std::is_same_v<T, UsdToken>) {
@@ -129,7 +129,7 @@ class Usdc : public UsdFile {
   }
 
  private:
-  /// Writes bytes at a multiple of eight and returns their place.
+  /// Writes bytes at a multiple of eight and returns their offset.
   std::uint64_t placed(const std::vector<char>& bytes) {
     static constexpr char zeros[8] = {};
     out_.bytes(zeros, (8 - out_.size() % 8) % 8);
@@ -151,7 +151,7 @@ class Usdc : public UsdFile {
     return crateRep(CrateType::TokenVector) | placedList(tokens);
   }
 
-  /// Returns the rep of samples: times, then the reps of the values, each list behind the distance to it.
+  /// Returns the rep of samples: times, then the reps of the values. An offset precedes each list.
   std::uint64_t samplesRep(const UsdAttribute& a) {
     std::vector<double> times;
     std::vector<char> bytes;

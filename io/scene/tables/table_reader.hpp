@@ -39,7 +39,7 @@ enum class Restart {
 /// The values of a key as data, for the schema of scene files.
 struct KeyForm {
   enum class Type {
-    Other,  ///< described by the text of its range alone
+    Other,  ///< described only by the text of its range
     Quantity,
     Blend,
     Whole,
@@ -57,7 +57,7 @@ struct KeyForm {
   Type type = Type::Other;
   Range range{};                      ///< Quantity, Blend, Whole
   std::vector<std::string> words{};   ///< Words, Choice
-  std::optional<Type> alternative{};  ///< a second form that the reader takes
+  std::optional<Type> alternative{};  ///< a second form that the reader accepts
 };
 
 /// A key as docs/scene.md shows it, or with its value in a scene.

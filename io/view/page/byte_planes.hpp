@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers in a form that compresses well, for pages without a server. viewer/src/data/byte_planes.js reads
-// it.
+// Numbers in a form that compresses well, for pages without a server. viewer/src/data/byte_planes.js
+// decodes it.
 #pragma once
 #include <cstdint>
 #include <span>

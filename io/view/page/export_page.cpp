@@ -32,14 +32,14 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t samples = 5;  // frames that are encoded to estimate the size of all
 constexpr std::size_t logRowsMost = 600;
 
-/// The run as the page needs it.
+/// A run, its frames and its scene, for a page.
 struct Source {
   const PageExport& request;
   FrameList list;
   std::optional<Scene> scene;
 };
 
-/// Encoded frames. left: names of types with the largest thinning level of each.
+/// Encoded frames. levels: the largest thinning level by point type. tensors: names of tensor fields.
 struct Encoded {
   PageData data;
   std::uint64_t bytes = 0;
@@ -53,7 +53,7 @@ std::optional<Scene> sceneOf(const fs::path& run, const FrameList& list) {
   const auto type = std::find(frame.has.begin(), frame.has.end(), true) - frame.has.begin();
   try {
     return sceneOfFrame(framePath(run, list.scene, static_cast<PointType>(type), frame.number));
-  } catch (const std::runtime_error&) { return std::nullopt; }  // a mesh of another machine
+  } catch (const std::runtime_error&) { return std::nullopt; }  // a mesh file may be missing on this machine
 }
 
 void encodeFrame(const Source& from, const ListedFrame& frame, const Thinning& t, Encoded& to) {
@@ -95,7 +95,8 @@ PageData about(const Source& from, const std::vector<ListedFrame>& kept, const s
   const PageExport& q = from.request;
   Json run = {{"folder", q.preview ? std::string() : q.run.filename().string()}};
   run.update(runStatus(q.run));
-  if (run["live"].get<bool>()) run["state"] = "running", run["text"] = "a copy of a run that was running";
+  if (run["live"].get<bool>())
+    run["state"] = "running", run["text"] = "exported while the run was in progress";
   run["live"] = false;
   run["note"] = note;
   run["preview"] = q.preview;
@@ -118,7 +119,7 @@ PageData about(const Source& from, const std::vector<ListedFrame>& kept, const s
   return data;
 }
 
-/// Returns some frames with the same thinning, and the bytes of all that are kept, about.
+/// Encodes a few frames into `sample`. Returns the estimated bytes of all frames that are kept.
 std::uint64_t estimate(const Source& from, const Thinning& t, Encoded& sample) {
   const std::size_t count = from.list.frames.size(), n = std::min(samples, count);
   for (std::size_t k = 0; k < n; k++)
@@ -134,7 +135,7 @@ std::string sizeText(std::uint64_t bytes) {
   return b < 1e6 ? fmt::format("{:.0f} kB", b / 1e3) : fmt::format("{:.3g} MB", b / 1e6);
 }
 
-/// Returns what is left out, "" if nothing is.
+/// Returns a text of what is left out, or "".
 std::string leftOut(const Source& from, const Encoded& all, std::size_t kept, const Thinning& t) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
@@ -149,7 +150,7 @@ std::string leftOut(const Source& from, const Encoded& all, std::size_t kept, co
   return text;
 }
 
-/// Encodes all kept frames, or returns nothing once they exceed the bytes.
+/// Encodes all kept frames. Returns nothing if they exceed `bytes`.
 std::optional<Encoded> encodeAll(const Source& from, const Thinning& t, std::uint64_t bytes,
                                  std::vector<ListedFrame>& kept) {
   Encoded all;
@@ -180,8 +181,8 @@ void exportPage(const PageExport& q) {
   std::uint64_t fixed = 4096;  // bytes of the page without frames
   fixed += pageText("", about(from, from.list.frames, "")).size();
   const auto refuse = [&] {
-    throw IoError(q.file.string(), fmt::format("a size of {} is too small: {} are the page itself; "
-                                               "a larger one: --size",
+    throw IoError(q.file.string(), fmt::format("a size of {} is too small: the page needs {} without frames; "
+                                               "choose a larger --size",
                                                sizeText(q.budget), sizeText(fixed)));
   };
   if (fixed >= q.budget) refuse();

@@ -17,11 +17,11 @@ struct PageExport {
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();  ///< members of the page's Settings
                                                                        ///< (settings.js)
   bool preview = false;                                                ///< a scene that has not run
-  std::function<void(const std::string&)> say = [](const std::string&) {};  ///< receives lines
+  std::function<void(const std::string&)> say = [](const std::string&) {};  ///< receives messages
 };
 
-/// Writes the page. Says first how long it takes, and what is left out to stay within the budget: tensors,
-/// then frames, then points by a hash of their id. Throws IoError, also where the budget is too small.
+/// Writes the page. First reports the expected size and time. To stay within the budget, it leaves out
+/// tensors, then frames, then points by a hash of their id. Throws IoError, also if the budget is too small.
 void exportPage(const PageExport& request);
 
 }  // namespace thaw

@@ -21,7 +21,7 @@ template<class T> std::vector<T> numbersOf(const PacketArray& array) {
   return numbers;
 }
 
-/// Adds whole numbers under a name, and how to read them to the header.
+/// Adds whole numbers under a name, and their decoding parameters to the header.
 void addWhole(Packet& packet, const std::string& name, const WholeRows& rows,
               const Json& more = Json::object()) {
   const std::vector<std::uint8_t> planes = bytePlanes(rows);
@@ -74,7 +74,7 @@ void addField(Packet& packet, const FrameColumn& column, std::size_t rows) {
   addQuantised(packet, name, quantised(values, column.components, 1, coarse));
 }
 
-/// The look of points has these already.
+/// Returns whether the arrays of a packet already contain this field.
 bool isLook(const std::string& name) { return name == "normal" || name == "radius" || name == "cut_sides"; }
 
 }  // namespace

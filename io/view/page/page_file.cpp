@@ -12,7 +12,7 @@
 namespace thaw {
 namespace {
 
-/// Blocks all requests, so the page shows the same with and without a network.
+/// Blocks all requests, so the page is the same with and without a network.
 constexpr const char* policy =
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
     "style-src 'unsafe-inline'; img-src data: blob:\">";
@@ -40,7 +40,7 @@ std::string escaped(std::string text) {
   return text;
 }
 
-/// Returns a script without the texts that end the element around it, or begin a comment in there.
+/// Returns a script without texts that would end its element or begin a comment in it.
 std::string inElement(std::string script) {
   replaceAll(script, "</script", "<\\/script");
   replaceAll(script, "<!--", "<\\!--");

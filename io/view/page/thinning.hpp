@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choice of what a page leaves out.
+// Thinning of the frames and points of a page.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +7,7 @@
 namespace thaw {
 
 struct Thinning {
-  std::size_t every = 1;        ///< one of so many frames, and the last one
+  std::size_t every = 1;        ///< keeps every n-th frame and the last one
   std::uint64_t most = 500000;  ///< points of each type, about: as many as browsers draw
   bool tensors = true;          ///< with fields of six components
 };
@@ -23,8 +23,8 @@ inline bool isKept(std::size_t frame, const PageSizes& sizes, const Thinning& t)
   return frame % t.every == 0 || frame + 1 == sizes.frames;
 }
 
-/// Leaves out more: tensors, frames down to 60, points down to 12,500, frames down to 12, and the rest in
-/// turn. Returns false where nothing is left to leave out.
+/// Increases the thinning: no tensors, frames down to 60, points down to 12,500, frames down to 12, then
+/// points and frames in turn. Returns false if no further thinning is possible.
 bool thinFurther(const PageSizes& sizes, Thinning& t);
 
 }  // namespace thaw

@@ -139,7 +139,7 @@ Packet markLines(const Scene& scene) {
         for (const Vec3d& end : line)
           for (int a = 0; a < 3; a++) ends.push_back(static_cast<float>(end[a]));
     }
-  } catch (const std::exception&) {  // obstacleMeshes reports a mesh that is no longer there
+  } catch (const std::exception&) {  // obstacleMeshes reports a missing mesh
   }
   packet.add("position", std::span<const float>(ends), 3);
   return packet;

@@ -27,7 +27,7 @@ export function wholeOf(planes, { components, rows, width }) {
   return { low, high };
 }
 
-/// Returns the numbers that whole ones stand for; NaN for those that were not finite.
+/// Returns dequantised numbers; NaN for those that were not finite.
 export function numbersOf(planes, column) {
   const { low: codes } = wholeOf(planes, column),
     { components, width, low, step } = column;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers the requests of the page from the data within it: pages of `thaw export --as html` and
+// Answers the requests of the page from data within it: pages of `thaw export --as html` and
 // `thaw preview --html` have no server.
 import { normalsOf, numbersOf, wholeOf } from './byte_planes.js';
 import { decodePacket } from './packet.js';
 import { Problem } from './problem.js';
 
-const MOST_FRAMES = 24; // unpacked ones that are kept
+const MOST_FRAMES = 24; // most unpacked frames that are kept
 
 const elementOf = (name) => document.getElementById(`data-${name}`);
 
@@ -46,7 +46,7 @@ function unpack({ header, arrays }) {
   return { header, shown, fields };
 }
 
-/// Returns a component of a field, or the length of a vector and the norm of a tensor.
+/// Returns a component of a field; part < 0: the length of a vector, the norm of a tensor.
 function valuesOf({ data, components }, rows, part) {
   const values = new Float32Array(rows);
   for (let i = 0; i < rows; i++) {
@@ -117,7 +117,7 @@ function detailsOf(frame, query) {
 
 export class PageData {
   constructor() {
-    this.frames = new Map(); // promises of unpacked ones, the least recently used first
+    this.frames = new Map(); // promises of unpacked frames, the least recently used first
   }
 
   async about() {

@@ -42,7 +42,7 @@ export class ViewPanel {
       onchange: () => this.chooseField(),
     });
     this.part = make('select', { id: 'part', title: 'component', onchange: () => this.chooseField() });
-    this.partRow = row('part', this.part);
+    this.partRow = row('component', this.part);
     this.map = make('select', {
       id: 'map',
       title: 'colour map',
@@ -97,7 +97,7 @@ export class ViewPanel {
       String(settings.most),
     );
     this.mostRow = row('points', this.most);
-    this.mostRow.hidden = pageData !== null; // a page has the points that were chosen for it
+    this.mostRow.hidden = pageData !== null; // a page has a fixed choice of points
     this.look = make('select', {
       id: 'look',
       title: 'look of oriented bodies',

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of parts without particles: emitters, clamps, the camera of the scene.
+// Lines for the parts of a scene without particles: emitters, clamps, camera.
 import * as THREE from 'three';
 
 const COLOURS = { emitters: 0x2f78be, clamps: 0xbe463c, camera: 0xd9822b };

@@ -4,7 +4,7 @@ import * as THREE from 'three';
 import { toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import { fragmentCommon, shared, vertexCommon } from './shading.js';
 
-const CREASE = 0.6; // rad: edges of boxes stay sharp, balls are smooth
+const CREASE = 0.6; // rad: boxes keep sharp edges, balls look smooth
 
 const glassVertex = /* glsl */ `
 ${vertexCommon}

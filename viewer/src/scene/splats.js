@@ -22,7 +22,7 @@ void main() {
   vec4 colour = texture(colours, at), normal = texture(normals, at);
   float depth = texture(depths, at).r;
   if (colour.a < 1e-4) {
-    // A lone pixel between steep discs: it takes the mean of its neighbours.
+    // A gap of one pixel between steep discs takes the mean of its neighbours.
     vec2 pixel = 1.0 / vec2(textureSize(colours, 0));
     int covered = 0;
     depth = 1.0;

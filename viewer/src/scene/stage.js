@@ -12,7 +12,7 @@ import { setPalette, shared } from './shading.js';
 import { Splats } from './splats.js';
 
 const SLOW = 34; // ms between pictures: above it, fewer pixels are drawn while the camera moves
-const PAUSE = 100; // ms between a picture and the request of the next: above it, nothing moves
+const PAUSE = 100; // ms from a picture to the next request: above it, the view is at rest
 const QUICK = 25; // ms for a picture at rest: below it, one with twice as many pixels a side follows
 
 export class Stage {
@@ -97,7 +97,8 @@ export class Stage {
     });
   }
 
-  /// Lowers the scale while pictures follow each other slowly, and raises it again while they are quick. moving: this one follows the last at once.
+  /// Lowers the scale while pictures take long, and raises it again while they are quick. moving: less than
+  /// PAUSE passed since the last picture.
   pace(now, moving) {
     const since = now - (this.before ?? 0);
     this.before = now;

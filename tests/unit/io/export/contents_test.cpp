@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contents of exports: fields of particles on surfaces, obstacles at their place, bgeo read by a reader of
-// this file, and wrong requests.
+// Contents of exports: fields of particles on surfaces, positions of obstacles, bgeo read back by a reader
+// in this file, and invalid requests.
 #include <bit>
 #include <cstring>
 
@@ -19,7 +19,7 @@ constexpr const char* sceneText =
     "[[obstacle]]\nname = \"lid\"\nbox = { size = [1, 1, 0.5] }\nplace = { move = [0, 0, 2] }\n"
     "motion = [{ time = 0 }, { time = 1, move = [0, 0, 1] }]\n";
 
-/// Reads geometry of Houdini as its documentation describes it.
+/// Reads Houdini geometry as its documentation describes it.
 struct Bgeo {
   struct Attribute {
     std::string name;

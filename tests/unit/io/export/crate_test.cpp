@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compression of USD crate files, read back by decoders of this file, and layers with prims that come and go.
+// Compression of USD crate files, read back by decoders in this file, and layers whose prims appear and
+// disappear.
 #include <cstring>
 
 #include "core/math/hash_random.hpp"
