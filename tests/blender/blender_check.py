@@ -67,9 +67,9 @@ def checkSurface():
     # A frame of the run lasts 50 ms, one of the film 1/24 s.
     speed = values(thing.data, 'velocity', 3)
     assert (speed[:, 2].mean() < 0) and 0.1 < abs(speed[:, 2].mean()) < 5
-    # Faster playback lengthens the blur: the picture of the fall has soft edges.
+    # Faster playback lengthens the blur: the upper half of the picture, where the bust falls, has soft edges.
     sharp, soft = render('sharp.png', False), render('blurred.png', True)
-    edge = lambda p: np.abs(np.diff(p.mean(axis=2), axis=0)).max()  # noqa: E731
+    edge = lambda p: np.abs(np.diff(p[60:].mean(axis=2), axis=0)).max()  # noqa: E731
     assert np.abs(sharp - soft).max() > 0.1 and edge(soft) < edge(sharp), (edge(soft), edge(sharp))
     # The handler works after saving and loading.
     bpy.ops.wm.save_as_mainfile(filepath=os.path.join(FOLDER, 'film.blend'))
