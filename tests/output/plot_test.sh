@@ -13,14 +13,18 @@ expectExit 0 "render --latest"
   fail "render --latest: $(ls "$work/melt/pictures")"
 "$thaw" render "$work/melt" --latest --movie >"$work/log" 2>&1; expectExit 2 "a film of one picture"
 
-TERM=xterm script -qec "stty cols 60; '$thaw' run '$scenes/dam_break.toml' --set spacing=0.05 --set end=0.1 \
-  --progress 0 --out '$work/terminal'" /dev/null >"$work/terminal.log" 2>&1
-grep -q $'\r\\[=*>* *\\]  *[0-9]* %  left .*\033\\[K\r' "$work/terminal.log" || fail "no line that is redrawn"
-grep -q '^t 0' "$work/terminal.log" && fail "lines of progress scroll in a terminal"
-grep -aq '^done at' <(tr '\r' '\n' <"$work/terminal.log" | sed 's/\x1b\[K//g') || fail "the end of the run"
-long=$(tr '\r' '\n' <"$work/terminal.log" | sed 's/\x1b\[K//g' | grep '^\[' |
-  awk '{ if (length > most) most = length } END { print most + 0 }')
-[ "$long" -gt 40 ] && [ "$long" -lt 60 ] || fail "a line of $long characters in 60 columns"
+if script -qec true /dev/null >"$work/log" 2>&1 </dev/null; then
+  TERM=xterm script -qec "stty cols 60; '$thaw' run '$scenes/dam_break.toml' --set spacing=0.05 --set end=0.1 \
+    --progress 0 --out '$work/terminal'" /dev/null >"$work/terminal.log" 2>&1
+  grep -q $'\r\\[=*>* *\\]  *[0-9]* %  left .*\033\\[K\r' "$work/terminal.log" || fail "no line that is redrawn"
+  grep -q '^t 0' "$work/terminal.log" && fail "lines of progress scroll in a terminal"
+  grep -aq '^done at' <(tr '\r' '\n' <"$work/terminal.log" | sed 's/\x1b\[K//g') || fail "the end of the run"
+  long=$(tr '\r' '\n' <"$work/terminal.log" | sed 's/\x1b\[K//g' | grep '^\[' |
+    awk '{ if (length > most) most = length } END { print most + 0 }')
+  [ "$long" -gt 40 ] && [ "$long" -lt 60 ] || fail "a line of $long characters in 60 columns"
+else
+  echo "progress in a terminal is not tested: $(cat "$work/log")"
+fi
 "$thaw" run "$scenes/dam_break.toml" --set spacing=0.05 --set end=0.1 --progress 0 --out "$work/file" \
   >"$work/log" 2>&1
 grep -q '^t 0' "$work/log" || fail "no plain lines in a file"
@@ -36,7 +40,7 @@ fi
 export THAW_PYTHON=/usr/bin/python3
 "$thaw" plot "$work/melt" >"$work/log" 2>&1; expectExit 0 "plot"
 expectMessage "^$work/melt/pictures/plot.png$" "the picture's name"
-"$thaw" plot "$work/terminal" --out "$work/new/dam.png" >"$work/log" 2>&1; expectExit 0 "plot --out"
+"$thaw" plot "$work/file" --out "$work/new/dam.png" >"$work/log" 2>&1; expectExit 0 "plot --out"
 /usr/bin/python3 - "$work/melt/pictures/plot.png" "$work/new/dam.png" <<'PYTHON' || fail "the pictures"
 import sys
 import matplotlib.image
