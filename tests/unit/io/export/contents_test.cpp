@@ -194,7 +194,8 @@ TEST_F(ExportContents, WrongRequestsAreReported) {
             std::string::npos)
       << said;
   EXPECT_EQ(write(frame, "ply", "particles", folder / "a.ply"), 2);
-  EXPECT_NE(said.find("particles are exported as usd, usda, bgeo, vdb or html, not as ply"), std::string::npos)
+  EXPECT_NE(said.find("particles are exported as usd, usda, bgeo, vdb or html, not as ply"),
+            std::string::npos)
       << said;
   EXPECT_EQ(write(frame, "usd", "", folder / "a.ply"), 2);
   EXPECT_NE(said.find("--out: expected a folder or a file that ends in .usdc or .usd"), std::string::npos)
