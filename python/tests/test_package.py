@@ -19,7 +19,7 @@ REPORT = 'import thaw; print(thaw.__version__, thaw.__file__)'
 
 
 def importFrom(folder: pathlib.Path) -> str:
-    env = {**os.environ, 'PYTHONPATH': str(folder)}
+    env = {**os.environ, 'PYTHONPATH': str(folder), 'PYTHONDONTWRITEBYTECODE': '1'}
     done = subprocess.run([sys.executable, '-c', REPORT], env=env, cwd='/', capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return done.stdout
