@@ -218,17 +218,18 @@ struct ByEntry {
                                       sizeof(R) / 2 * static_cast<std::size_t>(entry));
   }
 };
-template<class By> THAW_INLINE Lanes4<float> loadBy(const Record<float>* at, const std::uint32_t* rows) {
-  const Vec8f r0 = load2(By::of(at, rows[0]), By::of(at, rows[4])),
-              r1 = load2(By::of(at, rows[1]), By::of(at, rows[5]));
-  const Vec8f r2 = load2(By::of(at, rows[2]), By::of(at, rows[6])),
-              r3 = load2(By::of(at, rows[3]), By::of(at, rows[7]));
+/// Lanes of the four values of rows l (lower half) and l + 4 (upper half) in r_l.
+THAW_INLINE Lanes4<float> fromRows(Vec8f r0, Vec8f r1, Vec8f r2, Vec8f r3) {
   const Vec8f ab01 = unpackLow(r0, r1), cd01 = unpackHigh(r0, r1), ab23 = unpackLow(r2, r3),
               cd23 = unpackHigh(r2, r3);
   return {LanesF(__builtin_shufflevector(ab01, ab23, 0, 1, 8, 9, 4, 5, 12, 13)),
           LanesF(__builtin_shufflevector(ab01, ab23, 2, 3, 10, 11, 6, 7, 14, 15)),
           LanesF(__builtin_shufflevector(cd01, cd23, 0, 1, 8, 9, 4, 5, 12, 13)),
           LanesF(__builtin_shufflevector(cd01, cd23, 2, 3, 10, 11, 6, 7, 14, 15))};
+}
+template<class By> THAW_INLINE Lanes4<float> loadBy(const Record<float>* at, const std::uint32_t* rows) {
+  const auto both = [&](int l) { return load2(By::of(at, rows[l]), By::of(at, rows[l + 4])); };
+  return fromRows(both(0), both(1), both(2), both(3));
 }
 THAW_INLINE Vec4d halves(const double* low, const double* high) {
 #if defined(__AVX__)  // as in load2
@@ -267,24 +268,26 @@ THAW_INLINE Lanes4<Real> loadListed(const Record<Real>* at, const std::uint32_t*
   return loadBy<ByEntry>(at, entries);
 }
 
+/// Inverse of fromRows.
+THAW_INLINE void toRows(const Lanes4<float>& v, Vec8f (&rows)[4]) {
+  const Vec8f ab0 = unpackLow(v.a.v, v.b.v), ab2 = unpackHigh(v.a.v, v.b.v), cd0 = unpackLow(v.c.v, v.d.v),
+              cd2 = unpackHigh(v.c.v, v.d.v);
+  rows[0] = __builtin_shufflevector(ab0, cd0, 0, 1, 8, 9, 4, 5, 12, 13);
+  rows[1] = __builtin_shufflevector(ab0, cd0, 2, 3, 10, 11, 6, 7, 14, 15);
+  rows[2] = __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13);
+  rows[3] = __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+/// The four values of lane l after toRows.
+THAW_INLINE Vec4f rowOf(const Vec8f (&rows)[4], int l) {
+  return l < 4 ? __builtin_shufflevector(rows[l & 3], rows[l & 3], 0, 1, 2, 3)
+               : __builtin_shufflevector(rows[l & 3], rows[l & 3], 4, 5, 6, 7);
+}
 /// Inverse of load: stores four values of lanes [0, n) as records at a distance of `stride` records.
 THAW_INLINE void store(const Lanes4<float>& v, int n, int stride, Record<float>* to) {
-  const Vec8f ab0 = __builtin_shufflevector(v.a.v, v.b.v, 0, 8, 1, 9, 4, 12, 5, 13),
-              ab2 = __builtin_shufflevector(v.a.v, v.b.v, 2, 10, 3, 11, 6, 14, 7, 15);
-  const Vec8f cd0 = __builtin_shufflevector(v.c.v, v.d.v, 0, 8, 1, 9, 4, 12, 5, 13),
-              cd2 = __builtin_shufflevector(v.c.v, v.d.v, 2, 10, 3, 11, 6, 14, 7, 15);
-  // Lanes l and l + 4 in the two halves.
-  const Vec8f rows[4] = {__builtin_shufflevector(ab0, cd0, 0, 1, 8, 9, 4, 5, 12, 13),
-                         __builtin_shufflevector(ab0, cd0, 2, 3, 10, 11, 6, 7, 14, 15),
-                         __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13),
-                         __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15)};
-  for (int l = 0; l < 4; l++) {
-    if (l < n)
-      *reinterpret_cast<Vec4f*>(to + l * stride) = __builtin_shufflevector(rows[l], rows[l], 0, 1, 2, 3);
-    if (l + 4 < n)
-      *reinterpret_cast<Vec4f*>(to + (l + 4) * stride) = __builtin_shufflevector(rows[l], rows[l], 4, 5, 6,
-                                                                                 7);
-  }
+  Vec8f rows[4];
+  toRows(v, rows);
+  for (int l = 0; l < 8; l++)
+    if (l < n) *reinterpret_cast<Vec4f*>(to + l * stride) = rowOf(rows, l);
 }
 THAW_INLINE void store(const Lanes4<double>& v, int n, int stride, Record<double>* to) {
   for (int l = 0; l < n; l++) to[l * stride] = {v.a[l], v.b[l], v.c[l], v.d[l]};

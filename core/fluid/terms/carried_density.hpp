@@ -157,7 +157,7 @@ struct CarriedDensity {
     if constexpr (Carried) {
       std::uint32_t all[8];
       for (int l = 0; l < 8; l++) all[l] = rows[l < lanes ? l : 0];
-      Step step{*in->carry, *in, all, lanes, scaledSums(i, s, total)};
+      Step step{*in->carry, *in, groupRows(all, lanes), scaledSums(i, s, total)};
       step.loadMaterials();
       step.s.diffusion = diffusionOf(s, step);
       if constexpr (Solids) step.s.nearby = nearbyOf(s, step);

@@ -47,49 +47,39 @@ template<class Real> struct CarrySums {
   Tensor<L> strain;  ///< 1/s, minus the rate of strain; sums of both halves off the diagonal
 };
 
-/// Advances eight particles; `rows` of lanes that hold no particle repeat a row. Mixed: several liquids, or
+/// Advances eight particles. Mixed: several liquids, or
 /// solids, which carry the density of adjacent liquid.
 template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLanes {
   using L = Lanes<Real>;
   using Wide = Lanes<double>;
   const CarryStep& x;
   const PairSums& in;
-  const std::uint32_t* rows;
-  int lanes;  ///< number of particles
+  GroupRows at;
   CarrySums<Real> s;
-  GroupRows at = groupRows(rows, lanes);
+  LaneBits awake = 0;  ///< lanes of particles that the step changes
+  LaneBits wet = 0;    ///< lanes of awake particles with liquid around
   L soundSpeed = L(1.0), atSurface = L(0.0), besideSurface = L(0.0);
   Wide stiffness = Wide(1.0), restVolume = Wide(1.0), compression = Wide(0.0);
 
   template<class Column> THAW_INLINE Wide fromRows(Column column) const {
     Wide v;
-    for (int l = 0; l < 8; l++) setLane(v, l, column(rows[l]));
+    for (int l = 0; l < 8; l++) setLane(v, l, column(at.row[l]));
     return v;
   }
-  THAW_INLINE bool isSteady(int l) const { return x.steady && x.steady[rows[l]]; }
-
-  /// Lanes of particles that the step changes.
-  THAW_INLINE LaneBits awakeLanes() const {
-    LaneBits bits = (1u << lanes) - 1;
-    if (x.steady)
-      for (int l = 0; l < lanes; l++)
-        if (x.steady[rows[l]]) bits &= ~(1u << l);
-    return bits;
-  }
-  /// Lanes of particles that the step changes and that have liquid around.
-  THAW_INLINE LaneBits wetLanes() const {
-    LaneBits bits = awakeLanes();
-    if constexpr (Mixed)
-      for (int l = 0; l < lanes; l++)
-        if (!(s.liquidKernelSum[l] > 0)) bits &= ~(1u << l);
-    return bits;
+  THAW_INLINE void findLanes() {
+    for (int l = 0; l < at.count; l++) {
+      const bool isAwake = !x.steady || !x.steady[at.row[l]];
+      awake |= unsigned{isAwake} << l;
+      wet |= unsigned{isAwake && (!Mixed || s.liquidKernelSum[l] > 0)} << l;
+    }
   }
 
   THAW_INLINE void run() {
+    findLanes();
     if constexpr (Surfaces) findFreeSurface();
     if (x.walls.beside) addWalls();
     if (x.summed)
-      for (int l = 0; l < lanes; l++) x.summed[rows[l]] = static_cast<float>(s.relativeDensity[l]);
+      for (int l = 0; l < at.count; l++) x.summed[at.row[l]] = static_cast<float>(s.relativeDensity[l]);
     countCrowded();
     if constexpr (Surfaces) shift();
     Tensor<L> now, next;
@@ -125,8 +115,8 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   }
 
   void addWalls() {
-    for (int l = 0; l < lanes; l++) {
-      if (!x.walls.beside[rows[l]]) continue;
+    for (int l = 0; l < at.count; l++) {
+      if (!x.walls.beside[at.row[l]]) continue;
       const Sym3d moment{static_cast<double>(s.moment.xx[l]), static_cast<double>(s.moment.yy[l]),
                          static_cast<double>(s.moment.zz[l]), static_cast<double>(s.moment.xy[l]),
                          static_cast<double>(s.moment.yz[l]), static_cast<double>(s.moment.xz[l])};
@@ -136,7 +126,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
                  moment,
                  static_cast<double>(s.gradientSize[l]),
                  static_cast<double>(s.liquidFraction[l])};
-      x.walls.add(x.walls.context, rows[l], r);
+      x.walls.add(x.walls.context, at.row[l], r);
       setLane(s.relativeDensity, l, r.relativeDensity), setLane(s.rate, l, r.rate);
       setLane(s.gradient.x, l, r.gradient.x), setLane(s.gradient.y, l, r.gradient.y);
       setLane(s.gradient.z, l, r.gradient.z);
@@ -153,7 +143,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     const typename L::Mask crowded = (s.relativeDensity > L(tooCrowded) * (L(1.0) + carried)) &
                                      (s.liquidFraction > L(0.0)) & (s.liquidKernelSum > L(0.0));
     if (!any(crowded)) return;
-    for (int l = 0; l < lanes; l++) *x.crowded += laneOf(crowded, l) && !isSteady(l);
+    for (int l = 0; l < at.count; l++) *x.crowded += laneOf(crowded, l) && awake >> l & 1;
   }
 
   /// Velocity of shifting (m/s), along -grad C (Lind et al. 2012). The speed is at most CarryStep::shifting
@@ -183,12 +173,11 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
       addScaled(u, select(size2 > L(besideSolid * besideSolid), -across, zero), s.solid.x, s.solid.y,
                 s.solid.z);
     }
-    const LaneBits awake = awakeLanes();
     write(at, awake, u.x, u.y, u.z, x.shiftingVelocity);
     if (!x.walls.beside) return;
-    for (int l = 0; l < lanes; l++)
-      if (awake >> l & 1 && x.walls.beside[rows[l]])
-        x.shiftingVelocity[rows[l]] = x.walls.along(x.walls.context, rows[l], laneAt(u, l));
+    for (int l = 0; l < at.count; l++)
+      if (awake >> l & 1 && x.walls.beside[at.row[l]])
+        x.shiftingVelocity[at.row[l]] = x.walls.along(x.walls.context, at.row[l], laneAt(u, l));
   }
 
   /// Inverse moment minus 1, times the interior weight: 0 up to a summed relative density of 0.9 (truncated
@@ -273,15 +262,14 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     // mean of both ends of the step, as for the pressure work of the flow
     const Wide half = Wide(0.5) * spread;
     const Wide energy = half * restVolume * (pressureTerm(flow + half) + pressureTerm(before + half));
-    write(at, wetLanes(), at.doubles(x.dissipated) - energy, x.dissipated);
+    write(at, wet, at.doubles(x.dissipated) - energy, x.dissipated);
     return flow + spread;
   }
 
   THAW_INLINE void store(const Tensor<L>& now, const Tensor<L>& next, Wide end) {
-    const LaneBits awake = awakeLanes(), wet = wetLanes();
     if constexpr (Surfaces)
-      for (int l = 0; l < lanes; l++)
-        if (awake >> l & 1) x.atSurface[rows[l]] = atSurface[l] > 0;
+      for (int l = 0; l < at.count; l++)
+        if (awake >> l & 1) x.atSurface[at.row[l]] = atSurface[l] > 0;
     write(at, wet, end, x.compression);
     write(at, wet, toFloats(Wide(1.0) + end), in.relativeDensity);
     if constexpr (Corrected) {
@@ -289,15 +277,15 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
       write(at, wet, next, x.correction);
     }
     if constexpr (Mixed)
-      for (int l = 0; l < lanes; l++) {
+      for (int l = 0; l < at.count; l++) {
         if (!(awake >> l & 1)) continue;
-        if (!(wet >> l & 1)) resetCarriedDensity(x, in.relativeDensity, rows[l]);
+        if (!(wet >> l & 1)) resetCarriedDensity(x, in.relativeDensity, at.row[l]);
         else if (Surfaces && x.relief) storeRelief(l, end[l]);
       }
   }
 
   THAW_INLINE void storeRelief(int l, double end) {
-    const std::uint32_t row = rows[l];
+    const std::uint32_t row = at.row[l];
     x.relief[row] = {};
     const bool inside = s.liquidFraction[l] == 1 && !(atSurface[l] > 0) && !(besideSurface[l] > 0);
     if (!inside || !(s.solidShare[l] > 0)) return;

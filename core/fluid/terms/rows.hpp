@@ -27,11 +27,6 @@ struct GroupRows {
   int count;
   bool consecutive;  ///< eight rows in a row, so that columns are read and written as vectors
 
-  template<class T> THAW_INLINE LanesD doubles(const T* column) const {
-    LanesD v;
-    for (int l = 0; l < 8; l++) setLane(v, l, static_cast<double>(column[row[l]]));
-    return v;
-  }
   THAW_INLINE LanesD doubles(const double* column) const {
     LanesD v;
     if (consecutive) {
@@ -53,49 +48,24 @@ THAW_INLINE GroupRows groupRows(const std::uint32_t* rows, int count) {
 /// Lanes that are written, as bits.
 using LaneBits = unsigned;
 
-THAW_INLINE void write(const GroupRows& r, LaneBits lanes, LanesD v, double* column) {
+template<class Real> THAW_INLINE void write(const GroupRows& r, LaneBits lanes, Lanes<Real> v, Real* column) {
   if (r.consecutive && lanes == 0xff) {
-    __builtin_memcpy(column + r.row[0], &v.lo, sizeof v.lo);
-    __builtin_memcpy(column + r.row[0] + 4, &v.hi, sizeof v.hi);
+    __builtin_memcpy(column + r.row[0], &v, sizeof v);
   } else {
     for (int l = 0; l < r.count; l++)
       if (lanes >> l & 1) column[r.row[l]] = v[l];
   }
-}
-THAW_INLINE void write(const GroupRows& r, LaneBits lanes, LanesF v, float* column) {
-  if (r.consecutive && lanes == 0xff) {
-    __builtin_memcpy(column + r.row[0], &v.v, sizeof v.v);
-  } else {
-    for (int l = 0; l < r.count; l++)
-      if (lanes >> l & 1) column[r.row[l]] = v[l];
-  }
-}
-
-typedef float Two __attribute__((vector_size(8)));
-
-/// Four values of each lane, lanes l and l + 4 in the halves of the vector l.
-THAW_INLINE void byLane(LanesF a, LanesF b, LanesF c, LanesF d, Vec8f (&to)[4]) {
-  const Vec8f ab0 = unpackLow(a.v, b.v), ab2 = unpackHigh(a.v, b.v), cd0 = unpackLow(c.v, d.v),
-              cd2 = unpackHigh(c.v, d.v);
-  to[0] = __builtin_shufflevector(ab0, cd0, 0, 1, 8, 9, 4, 5, 12, 13);
-  to[1] = __builtin_shufflevector(ab0, cd0, 2, 3, 10, 11, 6, 7, 14, 15);
-  to[2] = __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13);
-  to[3] = __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15);
-}
-THAW_INLINE Vec4f laneOf(const Vec8f (&byLane)[4], int l) {
-  return l < 4 ? __builtin_shufflevector(byLane[l & 3], byLane[l & 3], 0, 1, 2, 3)
-               : __builtin_shufflevector(byLane[l & 3], byLane[l & 3], 4, 5, 6, 7);
 }
 
 template<class L>
 THAW_INLINE void write(const GroupRows& r, LaneBits lanes, const Tensor<L>& v, Sym3f* column) {
   Vec8f first[4], last[4];
-  byLane(toFloats(v.xx), toFloats(v.yy), toFloats(v.zz), toFloats(v.xy), first);
-  byLane(toFloats(v.yz), toFloats(v.xz), toFloats(v.yz), toFloats(v.xz), last);
+  toRows({toFloats(v.xx), toFloats(v.yy), toFloats(v.zz), toFloats(v.xy)}, first);
+  toRows({toFloats(v.yz), toFloats(v.xz), toFloats(v.yz), toFloats(v.xz)}, last);
   for (int l = 0; l < 8; l++)
     if (lanes >> l & 1) {
       char* const to = reinterpret_cast<char*>(column + r.row[l]);
-      const Vec4f four = laneOf(first, l), two = laneOf(last, l);
+      const Vec4f four = rowOf(first, l), two = rowOf(last, l);
       __builtin_memcpy(to, &four, 16);
       __builtin_memcpy(to + 16, &two, 8);
     }
@@ -110,37 +80,26 @@ template<class L> THAW_INLINE Tensor<L> tensors(const GroupRows& r, const Sym3f*
     __builtin_memcpy(&four[l], from, 16);
     __builtin_memcpy(&two[l], from + 16, 8);
   }
-  const auto pair = [](const Vec4f& a, const Vec4f& b) {
-    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+  const auto both = [](const Vec4f(&v)[8], int l) {
+    return __builtin_shufflevector(v[l], v[l + 4], 0, 1, 2, 3, 4, 5, 6, 7);
   };
-  const Vec8f f0 = pair(four[0], four[4]), f1 = pair(four[1], four[5]), f2 = pair(four[2], four[6]),
-              f3 = pair(four[3], four[7]);
-  const Vec8f ab01 = unpackLow(f0, f1), cd01 = unpackHigh(f0, f1), ab23 = unpackLow(f2, f3),
-              cd23 = unpackHigh(f2, f3);
-  const Vec8f e01 = unpackLow(pair(two[0], two[4]), pair(two[1], two[5])),
-              e23 = unpackLow(pair(two[2], two[6]), pair(two[3], two[7]));
-  const auto even = [](Vec8f a, Vec8f b) {
-    return LanesF(__builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13));
-  };
-  const auto odd = [](Vec8f a, Vec8f b) {
-    return LanesF(__builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15));
-  };
+  const Lanes4<float> first = fromRows(both(four, 0), both(four, 1), both(four, 2), both(four, 3)),
+                      last = fromRows(both(two, 0), both(two, 1), both(two, 2), both(two, 3));
   const auto to = [](LanesF v) {
     if constexpr (sizeof(L) == sizeof(LanesF)) return v;
     else return widen(v);
   };
-  return {to(even(ab01, ab23)), to(odd(ab01, ab23)), to(even(cd01, cd23)),
-          to(odd(cd01, cd23)),  to(even(e01, e23)),  to(odd(e01, e23))};
+  return {to(first.a), to(first.b), to(first.c), to(first.d), to(last.a), to(last.b)};
 }
 
 /// Writes vectors as doubles.
 template<class L> THAW_INLINE void write(const GroupRows& r, LaneBits lanes, L x, L y, L z, Vec3d* column) {
   if constexpr (sizeof(L) == sizeof(LanesF)) {
     Vec8f v[4];
-    byLane(x, y, z, z, v);
+    toRows({x, y, z, z}, v);
     for (int l = 0; l < 8; l++)
       if (lanes >> l & 1) {
-        const Vec4d wide = __builtin_convertvector(laneOf(v, l), Vec4d);
+        const Vec4d wide = __builtin_convertvector(rowOf(v, l), Vec4d);
         __builtin_memcpy(reinterpret_cast<char*>(column + r.row[l]), &wide, sizeof(Vec3d));
       }
   } else {
