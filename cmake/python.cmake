@@ -34,7 +34,7 @@ target_link_libraries(thaw_python PRIVATE thaw_io)
 target_compile_options(thaw_python PRIVATE $<$<CONFIG:Release>:-O1>)
 set_target_properties(thaw_python PROPERTIES OUTPUT_NAME _core
   LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/python/thaw)
-file(GLOB python_files CONFIGURE_DEPENDS python/thaw/*)
+file(GLOB python_files CONFIGURE_DEPENDS python/thaw/*.py python/thaw/*.pyi python/thaw/py.typed)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/python/thaw)
 foreach(file ${python_files})
   get_filename_component(name ${file} NAME)
