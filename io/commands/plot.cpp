@@ -13,18 +13,12 @@
 
 #include "io/commands/plot_script.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/text/shell_word.hpp"
 
 namespace fs = std::filesystem;
 
 namespace thaw {
 namespace {
-
-/// Returns the text as one word of a shell command.
-std::string quoted(std::string text) {
-  for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 4)
-    text.replace(at, 1, "'\\''");
-  return "'" + text + "'";
-}
 
 /// Returns the first interpreter that has matplotlib, which the python3 on PATH may lack. Throws IoError.
 std::string findPython() {
@@ -32,7 +26,7 @@ std::string findPython() {
   if (const char* given = std::getenv("THAW_PYTHON")) candidates = {given};
   std::string names;
   for (const std::string& python : candidates) {
-    if (std::system((quoted(python) + " -c 'import matplotlib, numpy' >/dev/null 2>&1").c_str()) == 0)
+    if (std::system((shellWord(python) + " -c 'import matplotlib, numpy' >/dev/null 2>&1").c_str()) == 0)
       return python;
     names += (names.empty() ? "" : " and ") + python;
   }
@@ -48,8 +42,8 @@ void draw(const PlotOptions& o) {
   const std::string python = findPython();
   if (picture.has_parent_path() && !fs::create_directories(picture.parent_path(), error) && error)
     throw IoError(picture.parent_path().string(), error.message());
-  const std::string command = fmt::format("{} - {} {}", quoted(python), quoted(o.run.string()),
-                                          quoted(picture.string()));
+  const std::string command = fmt::format("{} - {} {}", shellWord(python), shellWord(o.run.string()),
+                                          shellWord(picture.string()));
   auto* const before = std::signal(SIGPIPE, SIG_IGN);
   std::FILE* const pipe = ::popen(command.c_str(), "w");
   if (!pipe) throw IoError(python, "cannot be started");

@@ -17,7 +17,7 @@ gravity = [0, 0, -9.81]
 density         = "900 kg/m^3"
 colour          = "#efe3c8"
 young           = "100 kPa"            # stiffness of the solid
-viscosity       = "2 Pa s"             # of the liquid
+viscosity       = "2 Pa s"             # viscosity of the liquid
 sound_speed     = "20 m/s"             # about ten times the fastest flow
 surface_tension = "0.03 N/m"
 conductivity    = "300 W/(m K)"        # a thousand times that of wax: an hour passes in seconds
@@ -76,7 +76,7 @@ place    = { move = [0, 0, "8.2 mm"] }
 [output]
 every  = "1 ms"           # simulated time between frames
 fields = ["velocity", "pressure", "density"]
-colour = "speed"          # of the particles in pictures
+colour = "speed"          # field that colours the particles in pictures
 camera = { from = [0.02, -0.035, 0.022], at = [0, 0, 0.004], field_of_view = "36 deg" }
 )toml";
 
@@ -109,7 +109,7 @@ slip  = true              # liquid slips along it
 [output]
 every      = "25 ms"      # simulated time between frames
 fields     = ["velocity", "pressure", "density"]
-colour     = "speed"      # of the particles in pictures
+colour     = "speed"      # field that colours the particles in pictures
 colour_min = 0
 colour_max = 3
 camera     = { from = [2.9, -1.9, 1.7], at = [0.8, 0.3, 0.25], field_of_view = "30 deg" }

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "io/hdf5/io_error.hpp"
+#include "io/text/shell_word.hpp"
 
 namespace thaw {
 
@@ -16,20 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns the text as one word of a shell command.
-std::string quoted(std::string text) {
-  for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 4)
-    text.replace(at, 1, "'\\''");
-  return "'" + text + "'";
-}
-
 /// Returns the command that encodes the pictures at its input. Players require even sizes and this pixel
 /// format.
 std::string encoder(const fs::path& file, double rate) {
   return fmt::format(
       "ffmpeg -y -v error -f image2pipe -c:v png -framerate {:g} -i - -c:v libx264 -crf 18 -pix_fmt yuv420p "
       "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -movflags +faststart -f mp4 {}",
-      rate, quoted(file.string()));
+      rate, shellWord(file.string()));
 }
 
 }  // namespace
@@ -37,7 +31,7 @@ std::string encoder(const fs::path& file, double rate) {
 std::string movieCommand(const std::vector<fs::path>& pictures, const fs::path& file, double rate) {
   std::string first = pictures.front().string();
   first.resize(first.find_last_not_of("0123456789", first.rfind(".png") - 1) + 1);
-  return "cat " + quoted(first) + "*.png | " + encoder(file, rate);
+  return "cat " + shellWord(first) + "*.png | " + encoder(file, rate);
 }
 
 bool makeMovie(const std::vector<fs::path>& pictures, const fs::path& file, double rate) {
