@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/halo/exchange.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/oriented/forces/fields.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
@@ -59,8 +60,7 @@ void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool o
 
 /// Computes image = K u of owned rows with u in Oriented::search and searchSpin. Collective.
 void multiply(Oriented& o, OrientedWork& work, Halos halos) {
-  halos.kinds[orientedType]->beginRefresh(o, ColumnList{&o.search, &o.searchSpin});
-  halos.kinds[orientedType]->finishRefresh(o);
+  refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.search, &o.searchSpin}).wait();
   const OrientedLists& l = work.lists;
   for (std::size_t i = 0; i < o.owned; i++) {
     Vec3d force{}, torque{};

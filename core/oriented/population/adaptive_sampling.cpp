@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/halo/exchange.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/interpolation/interpolant.hpp"
@@ -278,8 +279,7 @@ bool adaptSampling(const OrientedView& w, Halos halos, double dt) {
     o.candidate[i] = candidates[i].place - o.position[i];
     o.candidateRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i], step) >> 1);
   }
-  halos.kinds[orientedType]->beginRefresh(o, ColumnList{&o.candidate, &o.candidateRank});
-  halos.kinds[orientedType]->finishRefresh(o);
+  refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.candidate, &o.candidateRank}).wait();
 
   parents.clear();
   for (std::size_t i = 0; i < o.owned; i++) {

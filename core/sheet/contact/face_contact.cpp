@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/halo/exchange.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/neighbours/rows_around.hpp"
 #include "core/sheet/contact/face_depth.hpp"
@@ -269,9 +270,9 @@ void addFaceContact(const SheetView& w, Halos halos, const SheetVelocities& now)
     if (!w.sheets.plans[n].byFaces) continue;
     FaceContact contact(w, now, n);
     contact.touchParticles();
-    halos.cells.beginRefresh(
-        p, ColumnList{&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
-    halos.cells.finishRefresh(p);
+    refresh(halos.cells, p,
+            ColumnList{&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction})
+        .wait();
     contact.addVertexLoads();
   }
 }

@@ -183,19 +183,19 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   const double h = w.grid.support;
   const Numerics& n = w.scene.numerics;
   const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
-  t.perLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
+  t.inverseLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
   const double cellsInSupport = std::pow(h / w.scene.spacing, 3);
-  t.selfExcess = (latticeSum(n) * t.perLatticeSum - 1) * cellsInSupport;
+  t.selfExcess = (latticeSum(n) * t.inverseLatticeSum - 1) * cellsInSupport;
   if (w.modules.incompressible) {
     double sound = 0;  // proportional to the expected speed
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
-    t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.perLatticeSum;
+    t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.inverseLatticeSum;
     if (liquidFillsTheBox(w.scene)) t.pressure.targetRelativeDensity += flowDensityExcess;
     t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
     t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
   }
   if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(w.scene.numerics, w.scene.spacing);
-  t.relativeDensityScale = t.perLatticeSum / (h * h * h);
+  t.relativeDensityScale = t.inverseLatticeSum / (h * h * h);
   activateFields(w, t);
 }
 
@@ -232,7 +232,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   // First partition, by the number of particles; they are still where they were sampled.
   Continuum& p = w.particles;
   const std::vector<std::vector<Vec3d>> oriented = sampleBodyTypes(w, halos, t, load, report.warnings);
-  if (w.modules.kinds())
+  if (w.modules.bodyTypes())
     for (SceneWarning& warning : bodyTypeStartWarnings(w, shapes, oriented, halos.all, problems))
       report.warnings.push_back(std::move(warning));
   problems.raise();
@@ -321,7 +321,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.newPartition = true;
-  if (w.modules.kinds())
+  if (w.modules.bodyTypes())
     redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
   if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
   t.oriented.time = w.clock.time;

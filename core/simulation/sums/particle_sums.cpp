@@ -2,13 +2,13 @@
 #include "core/simulation/sums/particle_sums.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "core/contact/solid_contact.hpp"
 #include "core/fluid/density/carried_density.hpp"
 #include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
+#include "core/halo/exchange.hpp"
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
@@ -228,11 +228,27 @@ void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& wall
 }
 
 void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
-  findPressure(
-      {w.scene,   w.modules,    w.grid,           w.particles,    w.neighbours,     w.walls,    w.clock,
-       w.ledger,  w.counters,   w.lastIterations, halos,          pairSumsOf(w, t), *t.kernels, t.liquids,
-       t.records, t.wallTables, t.perLatticeSum,  t.wallContacts, t.pressure,       t.times},
-      dt);
+  findPressure({w.scene,
+                w.modules,
+                w.grid,
+                w.particles,
+                w.neighbours,
+                w.walls,
+                w.clock,
+                w.ledger,
+                w.counters,
+                w.lastIterations,
+                halos,
+                pairSumsOf(w, t),
+                *t.kernels,
+                t.liquids,
+                t.records,
+                t.wallTables,
+                t.inverseLatticeSum,
+                t.wallContacts,
+                t.pressure,
+                t.times},
+               dt);
 }
 
 namespace {
@@ -280,8 +296,7 @@ void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
   const GroupRange all{0, w.neighbours.groups};
   const PairSums s = packingSums(w, t);
   t.kernels->density(s, all);
-  halo.beginRefresh(p, std::array<AnyColumn*, 1>{&p.relativeDensity});
-  halo.finishRefresh(p);
+  refresh(halo, p, ColumnList{&p.relativeDensity}).wait();
   const Modules modules = packingModules(w);
   setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.records);
   std::fill_n(p.force.data(), p.owned, Vec3d{});
