@@ -171,7 +171,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   PhaseTimes times;
   for (std::size_t k = 0; k < stepPhases; k++)
     times.seconds[k] = sumOver(comm, rig.tools.times.seconds[k]) / ranks;
-  const double messages = sumOver(comm, static_cast<double>(rig.cells->bufferBytes()));
+  const double messages = sumOver(comm, static_cast<double>(rig.tables.cells->bufferBytes()));
   std::vector<MemoryUse> use = memoryOf(rig.w, rig.tools);
   for (MemoryUse& u : use) u.bytes = sumOver(comm, u.bytes);
   const double accounted = messages + totalBytes(use), moved = sumOver(comm, bytesMoved(rig));

@@ -81,7 +81,7 @@ void freeOldBuffers(World& w, StepTools& t) {
 }  // namespace
 
 bool needsOrder(const World& w, const StepTools& t) {
-  return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface;
+  return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.bodyTypes() || w.modules.surface;
 }
 
 bool redistribute(World& w, Halos halos, StepTools& t, double dt) {

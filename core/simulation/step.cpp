@@ -50,7 +50,7 @@ StepOutcome finishKicks(World& w, StepTools& t, double dt) {
     kickSheets(sheetView(w), dt);
     t.times.lap(StepPhase::SheetMotion);
   }
-  if (w.modules.kinds() && !bodyTypesAreFinite(w)) here.finite = false;
+  if (w.modules.bodyTypes() && !bodyTypesAreFinite(w)) here.finite = false;
   t.times.lap(StepPhase::Drift);
   return here;
 }

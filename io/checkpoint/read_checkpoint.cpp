@@ -128,7 +128,7 @@ CheckpointHeader headerOf(const H5File& file) {
   }
   for (std::size_t k = 0; k < bodyTypeCount; k++)
     if (const std::string ids = std::string("/") + bodyTypeNames[k] + "/id"; file.has(ids))
-      h.kinds[k] = file.shape(ids).rows;
+      h.bodyTypeRows[k] = file.shape(ids).rows;
   for (const NamedCount& c : countsOf(h.counters))
     if (file.hasAttribute(at + "/counters", c.name)) *c.count = file.integer(at + "/counters", c.name);
   if (file.has(at + "/watch")) {
@@ -212,9 +212,9 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
     readBonds(in, s, solids);
     if (h.surface.there) readTable(in, "/surfels", s.surfels, share(h.surfels, rank, ranks), h.surfels);
     for (std::size_t k = 0; k < bodyTypeCount; k++)
-      if (h.kinds[k])
-        readTable(in, std::string("/") + bodyTypeNames[k], s.kind(k), share(*h.kinds[k], rank, ranks),
-                  *h.kinds[k]);
+      if (h.bodyTypeRows[k])
+        readTable(in, std::string("/") + bodyTypeNames[k], s.kind(k), share(*h.bodyTypeRows[k], rank, ranks),
+                  *h.bodyTypeRows[k]);
     read = std::move(in.read);
     stored = std::move(in.stored);
     names = std::move(in.names);

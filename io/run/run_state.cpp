@@ -119,12 +119,7 @@ StopMonitor stopMonitorOf(const Run& r) {
 }
 
 void renewHalos(Run& r) {
-  r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
-  r.bonds = std::make_unique<MpiBondHalo>(r.comm);
-  forEachBodyType(r.world, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
-    r.kinds[kind] = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
-  });
-  if (r.world.modules.sheet) r.edges = std::make_unique<MpiBondHalo>(r.comm);
+  r.tables.make(r.world, r.comm);
   if (r.world.modules.surface) r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid);
 }
 
@@ -352,7 +347,7 @@ void begin(Run& r, const MeshLoader& load) {
       r.warn("changed at the restart, without effect, since it sets only how the run begins: " + change);
     // Retries with other settings do not count.
     if (!changes.empty() || !settings.empty()) w.watch.failures = 0;
-    if (w.modules.solid) r.bonds->adopt(std::move(records));
+    if (w.modules.solid) r.tables.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
     if (!changes.empty()) {
       applyNewCoefficients(w, r.halos(), r.tools);

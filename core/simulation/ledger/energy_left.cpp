@@ -82,7 +82,7 @@ std::vector<Lost> lostSums(const World& w, const StepTools& t) {
   const Numerics& n = w.scene.numerics;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
     const SurfaceKernelValue s = surfaceKernelAt(d);
-    const double relativeDensity = t.perLatticeSum * l.volume *
+    const double relativeDensity = t.inverseLatticeSum * l.volume *
                                    withKernel(n.kernel,
                                               [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
     pairs.push_back({j, {s.gradient * l.volume, s.colour * l.volume}, relativeDensity});

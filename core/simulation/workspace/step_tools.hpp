@@ -43,13 +43,13 @@ struct StepTools {
                                                               ///< sampled; meshes are slow to make
   WallTables wallTables;
   ViscousWeight viscousWeight;   ///< for pairwise viscosity
-  double perLatticeSum = 1;      ///< factor that turns sums over V W into relative densities
+  double inverseLatticeSum = 1;  ///< factor that turns sums over V W into relative densities
   SurfaceMeasure surface;        ///< for surface tension as an energy
   double selfExcess = 0;         ///< subtracted from a particle's relative density, per V0 / h^3 of its own
                                  ///< (terms/density.hpp)
   double stableViscousStep = 0;  ///< largest stable dt nu / h^2 on the lattice
   double conductionScale = 1;    ///< for heat conduction, see kernels/lattice.hpp
-  double relativeDensityScale = 1;  ///< perLatticeSum / h^3
+  double relativeDensityScale = 1;  ///< inverseLatticeSum / h^3
   SortBuffers sort;
   SearchBuffers search;
   PairRecords records;
