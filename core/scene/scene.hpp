@@ -113,6 +113,8 @@ struct Emitter {
   double start = 0, end = never;  // s
 };
 
+enum class ObstacleLook { Glass, Solid };
+
 struct Obstacle {
   std::string name;
   SourcePlace where;
@@ -123,7 +125,9 @@ struct Obstacle {
   double restitution = 0.5;           // 1, for solids
   bool slip = false;                  // liquids slip freely; else they stick
   std::vector<Keyframe> motion;
-  double until = never;  // s, the obstacle disappears at this time
+  double until = never;                     // s, the obstacle disappears at this time
+  ObstacleLook look = ObstacleLook::Glass;  // in pictures
+  std::uint32_t colour = 0xc8c1bc;          // red | green << 8 | blue << 16
 };
 
 /// Drives particles to a temperature anywhere in the domain: K05's freezing while pouring.
@@ -278,6 +282,9 @@ struct Output {
   std::string colour;  // field of the pictures; empty: temperature if the scene has heat, sheet colours if
                        // there are only sheets, else speed
   std::optional<double> colourMin, colourMax;  // SI
+  std::optional<std::uint32_t> background;     // pictures; as Material::colour; none: a pale sky
+  std::optional<Vec3d> sun;                    // direction from the scene to the sun of pictures; none: over
+                                               // the camera's left shoulder
   int width = 1280, height = 960;
 };
 

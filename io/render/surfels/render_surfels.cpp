@@ -234,7 +234,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   const float near = stage.empty() ? 0 : static_cast<float>(1e-4 * length(stage.max - stage.min));
   const Casters casting = castersOf(surfels);
   const Discs casters = casting.discs();
-  const SurfelLights lights = makeSurfelLights(casters, view, how.threads);
+  const SurfelLights lights = makeSurfelLights(casters, sunDirection(style, view), how.threads);
   const Backdrop backdrop(style, view, stage, lights.lights, casters);
   const std::vector<std::uint8_t> seen = facingDiscs(discs, view, width, height, near);
   std::vector<std::uint8_t> lit(surfels.positions.size(), 0);

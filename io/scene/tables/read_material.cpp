@@ -16,6 +16,13 @@ bool readColour(const std::string& text, std::uint32_t& colour) {
   return true;
 }
 
+void readColourKey(TableReader& r, std::uint32_t& colour, const char* about) {
+  std::string text;
+  r.as(Restart::Free).text("colour", text, about, "\"#rrggbb\"");
+  if (!text.empty() && !readColour(text, colour))
+    r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+}
+
 namespace {
 
 using Liquid = TableReader::Liquid;
@@ -33,13 +40,8 @@ void readLiquid(TableReader& r, Material& m) {
              "\"50 Pa s\"]]`, interpolated logarithmically"},
             m.viscosity);
   }
-  std::string colour;
-  r.as(Restart::Free)
-      .text("colour", colour,
-            "colour of its surface in pictures and exports, if its mesh has none; default: a pale one",
-            "\"#rrggbb\"");
-  if (!colour.empty() && !readColour(colour, m.colour))
-    r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+  readColourKey(r, m.colour,
+                "colour of its surface in pictures and exports, if its mesh has none; default: a pale one");
   r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "surface tension of the liquid");
   r.number(
       "sound_speed", m.soundSpeed, "m/s", notNegative(),

@@ -43,6 +43,9 @@ void readInTime(TableReader& reader, const char* key, FactorInTime& factor, cons
 void readMotion(TableReader& reader, const char* about, std::vector<Keyframe>& motion, bool turns = true);
 /// Converts "#rrggbb" to red | green << 8 | blue << 16. Returns false for other texts.
 bool readColour(const std::string& text, std::uint32_t& colour);
+
+/// Reads the key "colour", which no restart compares.
+void readColourKey(TableReader& r, std::uint32_t& colour, const char* about);
 void readBody(TableReader& reader, Body& body, SceneReading& reading);
 void readOriented(TableReader& reader, OrientedBody& body, SceneReading& reading);
 void readSheet(TableReader& reader, SheetBody& body, SceneReading& reading);
