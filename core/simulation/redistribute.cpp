@@ -70,6 +70,18 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
   }
 }
 
+/// Records what leaves the domain. Velocities are those of the half step; the kinetic energy is that after the
+/// second half kick, as of the particles that stay.
+void recordLeaving(World& w, const StepTools& t, double dt) {
+  const Continuum& p = w.particles;
+  findStoredEnergy(w, t, t.leaving);
+  addToBalance(w, t.leaving, w.ledger.left);
+  for (const std::uint32_t i : t.leaving) {
+    const Vec3d kick = p.acceleration[i] * (0.5 * dt);
+    w.ledger.left.kinetic.add(p.mass[i] * (dot(p.velocity[i], kick) + 0.5 * dot(kick, kick)));
+  }
+}
+
 /// Frees buffers sized for the old partition.
 void freeOldBuffers(World& w, StepTools& t) {
   w.particles.shrink(1.0 / 64);
@@ -109,8 +121,7 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   t.mayLeave = true;
   findCells(w, t.leaving, moves, open);
   if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
-  findStoredEnergy(w, t, t.leaving);
-  addToBalance(w, t.leaving, w.ledger.left);
+  recordLeaving(w, t, dt);
   if (w.modules.tension && hasOpenSide(w.scene.domain)) t.leavers = leaversOfAll(w, t, halos.all);
   bool leftSlots = false;
   for (std::uint32_t i : t.leaving) {
