@@ -209,10 +209,10 @@ struct FaceContact {
     const double perPush = all.perPush(), steep = all.pushes * perPush, push = t.force.x,
                  dash = t.dissipativeForce.x, slope = t.slope * steep + all.bend() * push / plan.faceReach;
     law.friction = (1 - liquidOf(j)) * std::max(body.friction, w.scene.materials[p.material[j]].friction);
-    const std::array<Vec3d, 4> rubs = faceFriction(j, *nearest, law, push);
+    const std::array<Vec3d, 4> friction = faceFriction(j, *nearest, law, push);
     const double conductance = conduct(j, here.temperature);
-    const Vec3d g = all.slope(), dissipativeForce = rubs[3] - dash * g;
-    p.force[j] += rubs[3] - push * g;
+    const Vec3d g = all.slope(), dissipativeForce = friction[3] - dash * g;
+    p.force[j] += friction[3] - push * g;
     p.interaction[j] += 0.5 * t.energy;
     // as in sheet_contact.cpp
     p.dissipation[j] -= dot(dissipativeForce, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
@@ -221,7 +221,7 @@ struct FaceContact {
     p.sheetNormalForce[j] = {push * perPush, dash * perPush, slope * perPush};
     p.sheetContactData[j] = {t.energy / all.sum, conductance / all.sum,
                              p.temperature.active ? p.temperature[j] : 0};
-    p.sheetFriction[j] = {rubs[0], rubs[1], rubs[2]};
+    p.sheetFriction[j] = {friction[0], friction[1], friction[2]};
   }
 
   void touchParticles() {
@@ -252,8 +252,8 @@ struct FaceContact {
         const std::uint32_t i = f.row[k];
         if (i >= s.owned) continue;
         if (f.number + 1 == p.sheetFace[j]) {
-          const Vec3d rubs = p.sheetFriction[j].row[k] / s.area[i];
-          s.load[i] += rubs, s.dissipativeForce[i] += rubs;
+          const Vec3d friction = p.sheetFriction[j].row[k] / s.area[i];
+          s.load[i] += friction, s.dissipativeForce[i] += friction;
         }
         const double share = part * n.shares[static_cast<int>(k)];
         if (share == 0) continue;

@@ -21,10 +21,10 @@
 namespace thaw {
 namespace {
 
-/// Errors of sample positions on this rank. The first offender of each kind (by body) is kept as a number
-/// that can be reduced: a maximum of negated numbers, -never without offenders.
-struct Offenders {
-  explicit Offenders(std::size_t bodies) : outside(bodies) {}
+/// Samples at wrong positions on this rank. The first one of each kind (by body) is kept as a number
+/// that can be reduced: a maximum of negated numbers, -never for none.
+struct MisplacedSamples {
+  explicit MisplacedSamples(std::size_t bodies) : outside(bodies) {}
   std::vector<Outside> outside;  // by body
   std::int64_t inObstacles = 0, inItself = 0;
   double firstObstacle = -never, firstItself = -never;
@@ -32,7 +32,7 @@ struct Offenders {
 constexpr std::size_t codes = 65536;
 
 /// x: position of a sample, wrapped into the domain.
-void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
+void checkSample(const World& w, std::size_t body, const Vec3d& x, MisplacedSamples& o) {
   if (o.outside[body].look(w.scene.domain, x)) return;  // a wall side is an obstacle as well: report it once
   for (std::size_t k = 0; k < w.walls.list.size(); k++) {
     if (!holdsSample(w.walls.list[k], x, w.scene.spacing)) continue;
@@ -99,7 +99,7 @@ struct SampleCounts {
 /// Results of sampling on this rank.
 struct Sampling {
   Sampling(const Scene& s, const Shapes& ofBodies, const OverlapTest& test)
-      : shapes(ofBodies), overlap(test), overlaps(test.noCounts()), offenders(s.bodies.size()) {
+      : shapes(ofBodies), overlap(test), overlaps(test.noCounts()), misplaced(s.bodies.size()) {
     counts.particles.assign(s.bodies.size(), 0);
     counts.clamped.assign(s.bodies.size(), 0);
     counts.filled.assign(s.bodies.size(), 0);
@@ -108,7 +108,7 @@ struct Sampling {
   const Shapes& shapes;
   const OverlapTest& overlap;
   OverlapCounts overlaps;
-  Offenders offenders;
+  MisplacedSamples misplaced;
   SampleCounts counts;
 };
 
@@ -127,12 +127,12 @@ std::vector<std::int64_t> pointsInside(const World& w, std::size_t b, const Samp
         found.counts.removed++;
         continue;
       }
-      Offenders& o = found.offenders;
+      MisplacedSamples& o = found.misplaced;
       if (found.overlap.meetsItself(b, x))
         o.inItself++, o.firstItself = std::max(o.firstItself, -static_cast<double>(b));
       Vec3d in = x;
       wrapPlace(w.grid, s.domain, in);
-      lookAt(w, b, in, o);
+      checkSample(w, b, in, o);
       points.push_back(row * l.count[0] + k);
     }
   return points;
@@ -164,7 +164,7 @@ void sampleBody(World& w, std::size_t b, const Reducer& all, Sampling& found) {
 /// Adds up all counts over ranks, and normalises initial fills. Collective.
 void reduceCounts(World& w, Sampling& found, Reducer& all) {
   SampleCounts& c = found.counts;
-  Offenders& o = found.offenders;
+  MisplacedSamples& o = found.misplaced;
   const std::size_t n = c.particles.size();
   std::vector<std::int64_t> together = c.particles;
   together.insert(together.end(), {c.removed, o.inObstacles, o.inItself});
@@ -193,8 +193,8 @@ void refuseUnsampled(const Scene& s, const Sampling& found) {
                    "body '" + s.bodies[b].name +
                        "' has no particle: it is too small or too thin for the spacing, or empty" +
                        sizeHint(s, s.bodies[b].shape, found.shapes[b]->bounds()));
-  if (const std::int64_t inItself = found.offenders.inItself; inItself > 0) {
-    const Body& b = s.bodies[static_cast<std::size_t>(-found.offenders.firstItself)];
+  if (const std::int64_t inItself = found.misplaced.inItself; inItself > 0) {
+    const Body& b = s.bodies[static_cast<std::size_t>(-found.misplaced.firstItself)];
     problems.add(b.where, "body '" + b.name +
                               "' overlaps its own image across a periodic side: " + std::to_string(inItself) +
                               " of its particles lie inside the image; make it "
@@ -231,13 +231,13 @@ void warnOfNarrowBodies(const Scene& s, const Shapes& shapes, std::vector<SceneW
 }
 
 /// Sets the first bodies that overlap and that lie in an obstacle.
-void reportOffenders(const World& w, const Sampling& found, SamplingReport& report) {
+void reportMisplaced(const World& w, const Sampling& found, SamplingReport& report) {
   const std::vector<Body>& bodies = w.scene.bodies;
   for (std::size_t k = found.overlaps.count.size(); k-- > 0;)
     if (found.overlaps.count[k] > 0) report.overlapWhere = bodies[found.overlaps.pair[k].first].where;
-  report.inObstacles = found.offenders.inObstacles;
+  report.inObstacles = found.misplaced.inObstacles;
   if (report.inObstacles == 0) return;
-  const std::size_t code = static_cast<std::size_t>(-found.offenders.firstObstacle);
+  const std::size_t code = static_cast<std::size_t>(-found.misplaced.firstObstacle);
   report.obstacleWhere = bodies[code / codes].where;
   report.firstObstacle = "of body '" + bodies[code / codes].name + "' in obstacle '" +
                          w.walls.list[code % codes].properties.name + "'";
@@ -258,12 +258,12 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   SamplingReport report;
   warnOfEmptyClamps(w.scene, found.counts, all, report.warnings);
   warnOfNarrowBodies(w.scene, shapes, report.warnings);
-  reportOffenders(w, found, report);
+  reportMisplaced(w, found, report);
   report.overlaps = describeOverlaps(found.overlaps, w.scene.bodies);
   report.particles = std::move(found.counts.particles);
   report.clamped = std::move(found.counts.clamped);
   report.removed = found.counts.removed;
-  report.outside = std::move(found.offenders.outside);
+  report.outside = std::move(found.misplaced.outside);
   return report;
 }
 

@@ -19,7 +19,7 @@
 namespace thaw {
 namespace {
 
-// Champion: precedes all surfels that are too close to it
+// LocalMaximum: precedes all surfels that are too close to it
 enum ResampleFlag : std::uint8_t { Birth = 1, Crowded = 2, LocalMaximum = 4, Changed = 8 };
 
 /// Returns whether a surfel beside melt still carries its full mesh detail.
@@ -47,7 +47,7 @@ struct Round {
   /// flags of all rows: inspected in this round
   std::vector<std::uint8_t> open{};
 
-  void lookAtOpen() {
+  void flagOpen() {
     open.resize(table->size());
     for (std::size_t i = 0; i < table->size(); i++) open[i] = table->resampleMargin[i] == 0;
   }
@@ -206,7 +206,7 @@ struct Round {
     return true;
   }
 
-  /// Returns whether a surfel dies. A champion stays, and surfels too close to it die.
+  /// Returns whether a surfel dies. A local maximum stays, and surfels too close to it die.
   bool dies(std::size_t i) const {
     const Surfels& s = *table;
     if (!(s.resampleFlags[i] & Crowded)) return false;
@@ -282,7 +282,7 @@ void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, ActiveSet&
       columns.push_back(c);
   addGhosts(halos.surfels, s, cells, columns);
   fillBins(surface.grid, cells, s.position.data(), r.reach, t.relax.surfelBins);
-  r.lookAtOpen();
+  r.flagOpen();
 }
 
 double leastEdge(const CellGrid& grid) { return std::min({grid.edge.x, grid.edge.y, grid.edge.z}); }
@@ -298,7 +298,7 @@ void beginRound(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t, Round
     r.open.assign(all.size(), 1);
     findRows(t.relax.surfelBins, all.position.data(), all.owned, r.open, r.reach, t.surfelsOf);
     adaptDensity(surface, halos.surfels, t.surfelsOf, r.reach, w.scene.surface.adapt * surface.spacing);
-    r.lookAtOpen();
+    r.flagOpen();
     return;
   }
   const double regionRadius = std::min(3 * r.reach, leastEdge(surface.grid));

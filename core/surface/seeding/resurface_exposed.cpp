@@ -301,7 +301,7 @@ std::int64_t resurfaceExposed(const SurfaceView& w, SurfaceHalos halos, SurfaceT
   Surfels& f = s.surfels;
   prepareParticles(w.scene, w.surface, halos, t);
   const bool coloured = coloursMayDiffer(w.scene);
-  const auto look = [&] {
+  const auto placeSurfels = [&] {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
     ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.detail};
     if (f.liquid.active) columns.push_back(&f.liquid);
@@ -313,7 +313,7 @@ std::int64_t resurfaceExposed(const SurfaceView& w, SurfaceHalos halos, SurfaceT
   };
   std::int64_t all = 0;
   for (int round = 0; round < mostRounds; round++) {
-    look();
+    placeSurfels();
     if (round == 0) uncoverBesideLiquid(w.scene, t, s);
     std::vector<std::uint8_t> dead;
     findDetached(w.scene, w.surface, t, dead);
@@ -321,7 +321,7 @@ std::int64_t resurfaceExposed(const SurfaceView& w, SurfaceHalos halos, SurfaceT
     halos.all.sum({count + 1, 1});
     if (count[1] > 0) {
       removeSurfels(s, dead);
-      look();
+      placeSurfels();
     }
     std::vector<SurfelRow> rows;
     // Without deletions, all seeds would be rejected again.
@@ -343,7 +343,7 @@ std::int64_t resurfaceExposed(const SurfaceView& w, SurfaceHalos halos, SurfaceT
     if (count[0] == 0) break;
   }
   if (all > 0) {
-    look();
+    placeSurfels();
     relaxAroundNew(w.scene, f);
     f.resize(f.owned, 0);
   }

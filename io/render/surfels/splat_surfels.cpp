@@ -67,7 +67,7 @@ bool boxOf(const CameraDisc& d, const View& view, int width, int height, float n
   return true;
 }
 
-bool cut(const DiscClip& c, const Vec3f& q) {
+bool isClipped(const DiscClip& c, const Vec3f& q) {
   if (dot(q, c.normal) <= c.reach) return false;
   const Vec3f d = q - c.other;
   return dot(d, d) < c.radius2;
@@ -93,7 +93,7 @@ void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View
       const Vec3f q{t * rx - d.centre.x, t * ry - d.centre.y, t - d.centre.z};
       if (dot(q, q) < r2) {  // false for not-a-number
         bool kept = true;
-        for (const DiscClip& c : clips) kept = kept && !cut(c, q);
+        for (const DiscClip& c : clips) kept = kept && !isClipped(c, q);
         hit(row + x, t, kept);
       } else {
         const float dx = sx - screenX;
@@ -105,13 +105,13 @@ void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View
 
 /// Returns samples without a disc that a clipped one would cover, amid samples with one: gaps between
 /// clips of several discs. A rim that protrudes from an edge is open to at least one side.
-std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>& depthCut) {
+std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>& clippedDepth) {
   constexpr int reach = 3;  // samples: wider gaps belong to the surface
   std::vector<std::size_t> gaps;
   for (int y = 0; y < tile.height; y++)
     for (int x = 0; x < tile.width; x++) {
       const std::size_t s = static_cast<std::size_t>(y) * tile.width + x;
-      if (tile.depth[s] < none || !(depthCut[s] < none)) continue;
+      if (tile.depth[s] < none || !(clippedDepth[s] < none)) continue;
       const auto closed = [&](int dx, int dy) {
         for (int n = 1; n <= reach; n++) {
           const int i = x + n * dx, j = y + n * dy;
@@ -231,15 +231,16 @@ struct TilePainter {
   /// Sets depths and front discs.
   void drawFront(std::span<const std::uint32_t> here) {
     front.assign(tile.depth.size(), 0);
-    std::vector<std::uint32_t> frontCut(tile.depth.size(), 0);
-    std::vector<float> depthCut(tile.depth.size(), none);
+    std::vector<std::uint32_t> clippedFront(tile.depth.size(), 0);
+    std::vector<float> clippedDepth(tile.depth.size(), none);
     for (std::uint32_t k : here)
       forSamples(discs.disc[k], discs.clipsOf(k), view, discs.box[k], tile,
                  [&](int s, float depth, bool drawn) {
-                   float& nearest = drawn ? tile.depth[s] : depthCut[s];
-                   if (depth < nearest) nearest = depth, (drawn ? front : frontCut)[s] = k;
+                   float& nearest = drawn ? tile.depth[s] : clippedDepth[s];
+                   if (depth < nearest) nearest = depth, (drawn ? front : clippedFront)[s] = k;
                  });
-    for (const std::size_t s : gapsOf(tile, depthCut)) tile.depth[s] = depthCut[s], front[s] = frontCut[s];
+    for (const std::size_t s : gapsOf(tile, clippedDepth))
+      tile.depth[s] = clippedDepth[s], front[s] = clippedFront[s];
   }
 
   void drawFacesOf(std::span<const std::uint32_t> faces) {
