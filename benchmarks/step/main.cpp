@@ -141,7 +141,7 @@ struct StepTimes {
   int steps = 0;               ///< in all
   std::vector<double> step;    ///< s, of a whole step
   std::vector<double> scalar;  ///< s, per particle and step of the scalar code on the slowest rank
-  std::vector<double> ratio;   ///< of the scalar code's time per particle and core to that of a step
+  std::vector<double> ratio;   ///< scalar code's time per particle and core over that of a step
 };
 
 /// Returns seconds per step of n steps on the slowest rank. Collective.
@@ -174,7 +174,7 @@ struct CaseMemory {
   std::vector<MemoryUse> uses;
   double messages = 0, resident = 0;
   double moved = 0;            ///< by a step, at least (bytesMoved)
-  double copiedPerSecond = 0;  ///< of the first rank, by a copy
+  double copiedPerSecond = 0;  ///< copy of an array, on the first rank
 };
 
 CaseMemory memoryOfCase(const Rig& rig, const Communicator& comm, double resident) {

@@ -126,7 +126,7 @@ Unrest findUnrest(const OrientedView& view, const RelaxationForces& f, std::int6
 /// Step control of FIRE.
 struct Fire {
   double mixing = 0.1;    ///< fraction of the velocity that turns toward the force
-  double stepFactor = 1;  ///< of half the stable step
+  double stepFactor = 1;  ///< step over half the stable one
   int positive = 0;       ///< iterations since the power was negative
 
   double step(double stiffness) const {  // s

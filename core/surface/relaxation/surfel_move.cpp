@@ -77,11 +77,12 @@ Smooth smoothToSphere(const SurfelSums& s) {
 /// Colour field at a surfel. Its gradient points into the body; sums hold its negative.
 struct ColourHere {
   double colour = 0;
-  double fullness = 0;         ///< smoothed colour over colour
-  double flatLevel = 0;        ///< level of a flat surface of this fullness
-  double level = 0;            ///< level with the rise of the component
-  Vec3d gradient{};            ///< negative, over MoveContext::slope
-  double size = 0, slope = 0;  ///< of the gradient: over MoveContext::slope; 1/m
+  double fullness = 0;   ///< smoothed colour over colour
+  double flatLevel = 0;  ///< level of a flat surface of this fullness
+  double level = 0;      ///< level with the rise of the component
+  Vec3d gradient{};      ///< negative gradient over MoveContext::slope
+  double size = 0;       ///< its length
+  double slope = 0;      ///< 1/m, length of the gradient of colour
 };
 
 /// Requires: colour above 0.
