@@ -28,7 +28,8 @@ struct Blend {
 enum class ElasticLaw {
   Green,
   NeoHookean,
-  Corotated
+  Corotated,
+  Extension
 };  // Green strain with Hooke's law is the law of the papers
 
 struct Material {
@@ -49,6 +50,7 @@ struct Material {
   Blend young;              // Pa; a solid value > 0 allows the material to be solid
   Blend poisson{0.3, 0.3};  // 1
   ElasticLaw law = ElasticLaw::Green;
+  ExtensionSettings extensionLaw;    // ElasticLaw::Extension: the law and the values of its keys
   Blend yieldStrain{never, never};  // 1, gamma_yield: yield stress |dev sigma|/2G (OBH02; plasticity.hpp);
                                     // never: not plastic
   Blend creepRate{never, never};    // 1/s, gamma_creep: decay rate of the stress above yield; never:
@@ -297,12 +299,6 @@ struct ExpectedMotion {
   double lift = 0;                           // m, largest rise of an obstacle point against gravity
   double column = 0;                         // m, highest column of liquid that emitters can fill
   std::string startBy, emittedBy, drivenBy;  // names
-};
-
-/// Values of a table [extension.NAME] (core/domain/extensions.hpp).
-struct ExtensionSettings {
-  std::string name;
-  std::map<std::string, double> values;  // by key, SI
 };
 
 struct Scene {

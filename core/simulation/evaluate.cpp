@@ -80,7 +80,7 @@ void sumDensities(Evaluation& e) {
   if (m.continuity && e.neighbours) finishCarry(carryContext(w, t, e.dt));
   if (m.shifting && !m.continuity) shiftInside(carryContext(w, t, e.dt));
   if (m.surfaceEnergy) findSurfaceEnergy(e.walls, t.surface, t.wallContacts);
-  if (m.tension) recordEnergyLeft(w, t);
+  if (m.tension || !t.pairForces.empty()) recordEnergyLeft(w, t);
 }
 
 /// Columns of ghosts that follow from densities.
@@ -112,6 +112,7 @@ void sumForces(Evaluation& e) {
   if (m.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
   if (w.particles.softening.active && m.fluid)
     beginSoftening(w, t);  // derivative of pair and contact energies with respect to the liquid fraction
+  if (!t.pairForces.empty()) sumPairForces(w, t);
   if (m.solid) addElasticForces(w, t, e.dt, std::move(stress));
 }
 
@@ -159,6 +160,7 @@ void finishForces(Evaluation& e) {
 
 void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   redistributeAll(w, halos, t, dt);
+  t.hooks.after(HookPhase::Redistribute);
   Evaluation e{w, halos, t, dt, wallContextOf(w, t, dt)};
   // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
   findWallContacts(e.walls, t.wallContacts);
@@ -168,12 +170,14 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   e.neighbours = needsNeighbours(w, t);
   const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;
   sumDensities(e);
+  t.hooks.after(HookPhase::Density);
   sumForces(e);
   addContacts(e, justFrozen);
   finishForces(e);
   if (viscosityCorrectionDue(w)) correctViscosity(w, t);  // for the next step
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);
+  t.hooks.after(HookPhase::Forces);
 }
 
 }  // namespace thaw

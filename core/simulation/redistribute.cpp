@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/domain/extensions.hpp"
 #include "core/domain/sides.hpp"
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
@@ -53,6 +54,7 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
       }
     }
   }
+  startFields(p, had, p.owned);
   setPhase(w.scene, w.modules, p, had, p.owned);
   return p.owned - had;
 }
@@ -122,7 +124,8 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   findCells(w, t.leaving, moves, open);
   if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
   recordLeaving(w, t, dt);
-  if (w.modules.tension && hasOpenSide(w.scene.domain)) t.leavers = leaversOfAll(w, t, halos.all);
+  if ((w.modules.tension || !t.pairForces.empty()) && hasOpenSide(w.scene.domain))
+    t.leavers = leaversOfAll(w, t, halos.all);
   bool leftSlots = false;
   for (std::uint32_t i : t.leaving) {
     w.ledger.dissipated.add(p.dissipated[i]);

@@ -72,11 +72,15 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
   predict(w, halos, t, dt, time);
+  t.hooks.after(HookPhase::Predict);
   evaluate(w, halos, t, dt);  // forces at the new positions
 
   if (w.modules.sleep) updateSleep(sleepView(w, t), dt);  // solids at rest are fixed from here on
   const StepOutcome here = finishKicks(w, t, dt);
+  t.hooks.after(HookPhase::Integrate);
   heatAndMelt(w, t, dt);
+  for (const FieldUpdate& update : t.fieldUpdates) update({w.particles, time, dt});
+  t.hooks.after(HookPhase::PhaseChange);
 
   w.clock.time = time;
   w.clock.stepDt = dt;
@@ -86,6 +90,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   if (w.modules.incompressible && all.finite) solvePressure(w, halos, t, dt);
   if (w.modules.solid && t.meltedAnywhere)
     melt(w, halos, t);  // here and not in the next step, so that checkpoints contain it
+  t.hooks.after(HookPhase::Limits);
   return all;
 }
 

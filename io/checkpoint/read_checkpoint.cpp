@@ -4,6 +4,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/domain/extensions.hpp"
 #include "core/simulation/ledger/totals.hpp"
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/checkpoint/surface_record.hpp"
@@ -187,6 +188,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
   auto slice = std::make_unique<CheckpointSlice>();
+  declareAllFields(slice->particles);
   std::vector<std::uint64_t> read, stored;
   std::vector<std::string> names;
   runCollectively(comm, [&] {

@@ -13,7 +13,10 @@ namespace {
 
 constexpr std::int64_t mostRequiredSnapshots = 64, mostHalvings = 60;
 
-bool recovers(const Material& m) { return m.law != ElasticLaw::Green || m.volumeStiffness > 0; }
+bool recovers(const Material& m) {
+  if (m.volumeStiffness > 0) return true;
+  return m.law == ElasticLaw::Extension ? boundLaw(m).law->resistsInversion : m.law != ElasticLaw::Green;
+}
 
 /// Returns the step (s) of the clock without halvings; half of an unlimited step would be unlimited.
 double fullStep(const Clock& c, double factor) {

@@ -25,6 +25,7 @@
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/monitor/monitor.hpp"
 #include "core/simulation/setup/activate_fields.hpp"
+#include "core/simulation/setup/add_extensions.hpp"
 #include "core/simulation/setup/estimates/size_hint.hpp"
 #include "core/simulation/setup/expected_motion.hpp"
 #include "core/simulation/setup/make_grid.hpp"
@@ -116,24 +117,8 @@ void addWallWarnings(const World& w, std::vector<SceneWarning>& warnings) {
 
 }  // namespace
 
-namespace {
-
-/// Adds the loads of the scene's extensions and their step limits.
-void addExtensions(World& w, StepTools& t) {
-  for (const ExtensionSettings& settings : w.scene.extensions) {
-    const Extension* e = findExtension(settings.name);
-    if (!e) throw std::runtime_error("extension '" + settings.name + "' is not registered");
-    w.modules.why.push_back("extension '" + settings.name + "': " + e->about);
-    t.outside.push_back(e->load(settings));
-    if (!e->stepLimit) continue;
-    double& limit = t.fixedLimits[Limit::Extension];
-    limit = std::min(limit, e->stepLimit(settings));
-  }
-}
-
-}  // namespace
-
 void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
+  completeExtensions(w.scene);
   w.modules = modulesOf(w.scene);
   w.grid = makeGrid(w.scene);
   if (w.modules.surface) prepareSurface(w);
@@ -256,6 +241,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   t.newPartition = true;
   relaxPacking(w, halos, t, shapes);
   assignStartFields(w, shapes, halos.all, true);
+  startFields(p, 0, p.owned);
   return report;
 }
 

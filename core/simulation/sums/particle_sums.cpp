@@ -29,6 +29,8 @@ ColumnList ghostColumns(World& w) {
   if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
   if (w.modules.sleep) c.push_back(&p.restTime);
   if (w.modules.sleep) c.push_back(&p.sleep);
+  for (const auto& added : p.added)
+    if (added->active && added->ghosts) c.push_back(added.get());
   return c;
 }
 
@@ -208,6 +210,27 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   if (pass == NeighbourPass::BoundaryForces && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
   t.times.lap(StepPhase::Forces);
+}
+
+void sumPairForces(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  const PairSums sums = pairSumsOf(w, t);
+  for (PairForceWork& work : t.pairForces) {
+    resizePairForce(sums.precision, p.owned + t.ghostRoom, work);
+    packPairForce(w.scene, p, 0, p.size(), work);
+    work.energy.assign(p.owned, 0);
+    const PairForceSums out{work.records.data(), constantsOf(w, work), work.energy.data()};
+    work.force->kernels.sum(sums, out, {0, w.neighbours.groups});
+    for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += work.energy[i];
+    if (!p.softening.active) continue;
+    for (std::size_t i = 0; i < p.owned; i++)  // the energy of a pair is proportional to both fractions
+      if (p.liquid[i] > 0) p.softening[i] += 2 * work.energy[i] / static_cast<double>(p.liquid[i]);
+  }
+  t.times.lap(StepPhase::Forces);
+}
+
+PairConstants constantsOf(const World& w, const PairForceWork& work) {
+  return {work.values.data(), w.grid.support, w.scene.spacing};
 }
 
 bool viscosityCorrectionDue(const World& w) {

@@ -7,11 +7,13 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/emit.hpp"
+#include "core/domain/field_update.hpp"
 #include "core/domain/outside_forces.hpp"
 #include "core/fluid/density/carry_work.hpp"
 #include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
+#include "core/fluid/pair_sums/pair_force.hpp"
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/fluid/pair_sums/records.hpp"
@@ -25,6 +27,7 @@
 #include "core/oriented/data/oriented_work.hpp"
 #include "core/simulation/time/monitor_limits.hpp"
 #include "core/simulation/time/step_limits.hpp"
+#include "core/simulation/workspace/step_hooks.hpp"
 #include "core/sleep/sleep.hpp"
 #include "core/solid/elasticity/elastic.hpp"
 #include "core/time/phase_times.hpp"
@@ -69,6 +72,9 @@ struct StepTools {
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce
+  std::vector<PairForceWork> pairForces;
+  std::vector<FieldUpdate> fieldUpdates;
+  StepHooks hooks;
   std::vector<std::uint32_t> leaving;
   std::vector<Leaver> leavers;  ///< from all ranks; empty without surface tension
   PhaseTimes times;

@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "core/scene/quality.hpp"
+#include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/value_text.hpp"
 
@@ -58,8 +59,7 @@ void readSolid(TableReader& r, Material& m) {
            "liquid has 0"},
           m.young);
   r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
-  r.choice("law", m.law, {"green", "neo-hookean", "corotated"},
-           "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated");
+  readLaw(r, m);
   r.blend({"yield_strain", "", orNever(positive()), Liquid::Same,
            "yield stress as a strain (gamma_yield): the material flows if the norm of the deviatoric stress "
            "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": no plasticity"},

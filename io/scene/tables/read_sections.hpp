@@ -34,7 +34,8 @@ std::vector<KeyDescription> sceneValues(Scene scene);
 void readDomain(TableReader& reader, Domain& domain);
 void readNumerics(TableReader& reader, Numerics& numerics);
 void readSurface(TableReader& reader, SurfaceSettings& surface);
-void readOutput(TableReader& reader, Output& output);
+/// Reads Scene::output. Requires: the extensions are read, since frames may have their fields.
+void readOutput(TableReader& reader, Scene& scene);
 void readMaterial(TableReader& reader, Material& material, SceneReading& reading);
 /// Reads a list of pairs of a time and a factor.
 void readInTime(TableReader& reader, const char* key, FactorInTime& factor, const char* about,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "io/frames/frame_fields.hpp"
+#include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/nearest_word.hpp"
 
@@ -214,8 +214,9 @@ void readNumerics(TableReader& r, Numerics& n) {
               "norm of the plastic strain above which the reference follows the flow");
 }
 
-void readOutput(TableReader& r, Output& o) {
-  const std::vector<std::string> known = knownFrameFields();
+void readOutput(TableReader& r, Scene& s) {
+  Output& o = s.output;
+  const std::vector<std::string> known = outputFields(s);
   r.restart(Restart::Free);
   // Otherwise new frames would have the numbers of existing ones.
   r.as(Restart::State).number("every", o.every, "s", positive(), "simulated time between frames");
