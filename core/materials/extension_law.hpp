@@ -27,6 +27,11 @@ struct LawGroup {
   double* energy;       ///< Pa, out: energy density by lane; null: not needed
 };
 
+/// The function of a law for one instruction set, for THAW_CHOOSE (core/simd/choose.hpp).
+struct LawKernels {
+  void (*lanes)(const LawGroup&) = nullptr;
+};
+
 /// Energy density and first Piola stress of one particle, both Pa.
 struct LawResponse {
   double energy = 0;
