@@ -26,7 +26,7 @@ struct ExtensionKey {
 /// A field of particles: doubles, sorted, migrated, in checkpoints, and in frames that list it in
 /// output.fields.
 struct ExtensionField {
-  std::string name, unit, about;  ///< unit in SI, "1" for none
+  std::string name = {}, unit = {}, about = {};  ///< unit in SI, "1" for none
   int components = 1;
   double start = 0;     ///< of all components, in particles of bodies and emitters
   bool ghosts = false;  ///< forces between particles read it
@@ -39,8 +39,8 @@ struct ExtensionField {
 /// - NAME = { keys } where a shape is expected: its shape.
 /// An extension may have several of these parts, and then uses its keys in each of them.
 struct Extension {
-  std::string name;   ///< letters, digits, _
-  std::string about;  ///< one line
+  std::string name = {};   ///< letters, digits, _
+  std::string about = {};  ///< one line
   std::vector<ExtensionKey> keys = {};
   /// Makes a force or a source of heat for the values of a scene.
   std::function<OutsideSource(const ExtensionSettings&)> load = {};
