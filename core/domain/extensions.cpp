@@ -56,8 +56,7 @@ void check(const Extension& e) {
   if (!isName(e.name))
     throw std::invalid_argument("extension '" + e.name +
                                 "': expected a name of letters, digits and underscores");
-  if (findExtension(e.name))
-    throw std::invalid_argument("extension '" + e.name + "' is registered already");
+  if (findExtension(e.name)) throw std::invalid_argument("extension '" + e.name + "' is registered already");
   if (!e.hasTable() && !e.hasLaw() && !e.shape)
     throw std::invalid_argument("extension '" + e.name +
                                 "' has no part: expected a load, fields, a pair force, a law or a shape");

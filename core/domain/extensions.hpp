@@ -49,8 +49,8 @@ struct Extension {
   std::vector<ExtensionField> fields = {};
   /// Makes the update of the fields; none: only loads and hooks set them.
   std::function<FieldUpdate(const ExtensionSettings&)> update = {};
-  PairForce pairForce = {};   ///< with kernels
-  ExtensionLaw law = {};      ///< with lanes or response
+  PairForce pairForce = {};  ///< with kernels
+  ExtensionLaw law = {};     ///< with lanes or response
   ShapeMaker shape = {};
 
   /// Returns true if it has a part that [extension.NAME] turns on.

@@ -41,8 +41,8 @@ void addExtensionLaw(const std::string& name, ExtensionLaw law, std::vector<std:
   if (!law.lanes && !law.response)
     throw std::invalid_argument("extension '" + name + "': its law needs `lanes` or `response`");
   if (keys.size() > mostLawKeys)
-    throw std::invalid_argument("extension '" + name + "': a law has at most " +
-                                std::to_string(mostLawKeys) + " keys");
+    throw std::invalid_argument("extension '" + name + "': a law has at most " + std::to_string(mostLawKeys) +
+                                " keys");
   KnownLaw& known = knownLaws()[name];
   known.law = std::move(law);
   known.keys = std::move(keys);
@@ -51,8 +51,8 @@ void addExtensionLaw(const std::string& name, ExtensionLaw law, std::vector<std:
 const BoundLaw& boundLaw(const Material& m) {
   const auto at = knownLaws().find(m.extensionLaw.name);
   if (at == knownLaws().end())
-    throw std::invalid_argument("material '" + m.name + "': there is no elastic law '" +
-                                m.extensionLaw.name + "'");
+    throw std::invalid_argument("material '" + m.name + "': there is no elastic law '" + m.extensionLaw.name +
+                                "'");
   LawValues values{};
   for (std::size_t k = 0; k < at->second.keys.size(); k++)
     values[k] = m.extensionLaw.values.at(at->second.keys[k]);

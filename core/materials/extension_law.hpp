@@ -20,8 +20,8 @@ using LawValues = std::array<double, mostLawKeys>;
 /// Input and output of a law for eight particles of one material, or of materials with equal values. Lanes
 /// without a particle have F = 1 and lambda = mu = 0.
 struct LawGroup {
-  const double (*gradient)[8];   ///< F - 1 by [row][column][lane]; with plastic flow its elastic part
-  const double *lambda, *mu;     ///< Pa, Lame's constants by lane, at the particle's liquid fraction
+  const double (*gradient)[8];  ///< F - 1 by [row][column][lane]; with plastic flow its elastic part
+  const double *lambda, *mu;    ///< Pa, Lame's constants by lane, at the particle's liquid fraction
   const LawValues& values;
   double (*stress)[8];  ///< Pa, out: first Piola stress by [row][column][lane]
   double* energy;       ///< Pa, out: energy density by lane; null: not needed

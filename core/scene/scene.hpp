@@ -50,7 +50,7 @@ struct Material {
   Blend young;              // Pa; a solid value > 0 allows the material to be solid
   Blend poisson{0.3, 0.3};  // 1
   ElasticLaw law = ElasticLaw::Green;
-  ExtensionSettings extensionLaw;    // ElasticLaw::Extension: the law and the values of its keys
+  ExtensionSettings extensionLaw;   // ElasticLaw::Extension: the law and the values of its keys
   Blend yieldStrain{never, never};  // 1, gamma_yield: yield stress |dev sigma|/2G (OBH02; plasticity.hpp);
                                     // never: not plastic
   Blend creepRate{never, never};    // 1/s, gamma_creep: decay rate of the stress above yield; never:

@@ -99,7 +99,8 @@ State stateOf(const thaw::Continuum& p) {
 int main(int argc, char** argv) {
   thaw::MpiSession mpi(&argc, &argv);
   thaw::registerExtension(attraction::force());
-  thaw::Simulation sim = thaw::Simulation::fromText(attraction::scene, {.scene = "attraction"}, MPI_COMM_SELF);
+  thaw::Simulation sim = thaw::Simulation::fromText(attraction::scene, {.scene = "attraction"},
+                                                    MPI_COMM_SELF);
   const attraction::State start = attraction::stateOf(sim.particles());
   double fastest = 0;
   sim.run();
@@ -108,7 +109,8 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < p.owned; i++) fastest = std::max(fastest, length(p.velocity[i]));
   const thaw::LedgerReport ledger = sim.ledger();
   const double residual = ledger.energyResidual / ledger.energyScale;
-  std::printf("distance %.5f -> %.5f m, radius %.5f -> %.5f m, fastest %.3g m/s, momentum %.1e, residual %.1e\n",
-              start.distance, end.distance, start.radius, end.radius, fastest, end.momentum, residual);
+  std::printf(
+      "distance %.5f -> %.5f m, radius %.5f -> %.5f m, fastest %.3g m/s, momentum %.1e, residual %.1e\n",
+      start.distance, end.distance, start.radius, end.radius, fastest, end.momentum, residual);
   return end.distance > start.distance && std::abs(end.momentum) < 1e-12 && std::abs(residual) < 0.01 ? 0 : 1;
 }

@@ -68,14 +68,14 @@ class Simulation {
   bool stopped() const;
   const std::string& stopReason() const;
 
-  double time() const;            ///< s
-  double lastStep() const;        ///< s, length of the last step
-  std::int64_t steps() const;     ///< steps since the start of the scene
-  const Scene& scene() const;     ///< with all defaults resolved
-  const World& world() const;     ///< particles, surface, sheets, oriented bodies of this rank
-  World& world();                 ///< changes that a program makes here are in no ledger
+  double time() const;                 ///< s
+  double lastStep() const;             ///< s, length of the last step
+  std::int64_t steps() const;          ///< steps since the start of the scene
+  const Scene& scene() const;          ///< with all defaults resolved
+  const World& world() const;          ///< particles, surface, sheets, oriented bodies of this rank
+  World& world();                      ///< changes that a program makes here are in no ledger
   const Continuum& particles() const;  ///< particles of this rank: columns with name, unit and meaning
-  MPI_Comm communicator() const;  ///< the simulation's own
+  MPI_Comm communicator() const;       ///< the simulation's own
   const std::vector<std::string>& warnings() const;  ///< on the first rank
   int rank() const;
   int ranks() const;

@@ -270,7 +270,8 @@ void PythonSimulation::onPhase(const std::string& phase, const py::function& cal
   const auto at = std::find(hookPhaseNames.begin(), hookPhaseNames.end(), phase);
   if (at == hookPhaseNames.end()) {
     std::string names;
-    for (const std::string_view name : hookPhaseNames) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const std::string_view name : hookPhaseNames)
+      names += (names.empty() ? "" : ", ") + std::string(name);
     throw std::invalid_argument("unknown phase '" + phase + "'; a step has " + names);
   }
   sim_.onPhase(static_cast<HookPhase>(at - hookPhaseNames.begin()), [this, call] {

@@ -77,8 +77,7 @@ Extension springs() {
           .about = "springs between liquid particles",
           .keys = {{"stiffness", "J", 0.01, 0, 1e3, ""}, {"drag", "kg/s", 0, 0, 1e3, ""}},
           .fields = {{"charge", "1", "factor of the springs", 1, 1.0, true}},
-          .pairForce = {.kernels = test::extensionKernels()->spring,
-                        .pack = [](const PairPacking& to) {
+          .pairForce = {.kernels = test::extensionKernels()->spring, .pack = [](const PairPacking& to) {
                           const AddedColumn& charge = *to.particles.addedField("charge");
                           for (std::size_t i = to.begin; i < to.end; i++)
                             to.values[i - to.begin].x = charge.row(i)[0];
@@ -89,8 +88,7 @@ Extension copyOfTension() {
   return {.name = "copy_of_tension",
           .about = "pairwise surface tension",
           .keys = {{"tension", "N/m", 1, 0, 1e3, ""}},
-          .pairForce = {.kernels = test::extensionKernels()->tension,
-                        .pack = [](const PairPacking& to) {
+          .pairForce = {.kernels = test::extensionKernels()->tension, .pack = [](const PairPacking& to) {
                           const double root = std::sqrt(to.settings.values.at("tension"));
                           for (std::size_t i = to.begin; i < to.end; i++)
                             to.values[i - to.begin].x = root * to.particles.mass[i] /
@@ -107,30 +105,35 @@ Extension copyOfNeoHookean() {
 
 /// The same by a function of one particle.
 Extension scalarCopyOfNeoHookean() {
-  return {.name = "scalar_copy",
-          .about = "Neo-Hookean",
-          .law = {.response = [](const Mat3d& gradU, double lambda, double mu, const LawValues&) -> LawResponse {
-            ElasticConstants c;
-            c.lambda = lambda, c.mu = mu, c.law = ElasticLaw::NeoHookean;
-            const ElasticResponse r = elasticResponse(c, gradU);
-            return {r.energy, r.stress};
-          }}};
+  return {
+      .name = "scalar_copy",
+      .about = "Neo-Hookean",
+      .law = {.response = [](const Mat3d& gradU, double lambda, double mu, const LawValues&) -> LawResponse {
+        ElasticConstants c;
+        c.lambda = lambda, c.mu = mu, c.law = ElasticLaw::NeoHookean;
+        const ElasticResponse r = elasticResponse(c, gradU);
+        return {r.energy, r.stress};
+      }}};
 }
 
 Extension copyOfBall() {
   return {.name = "ball",
           .about = "a sphere",
           .keys = {{"size", "m", 0.1, 1e-9, 10, "radius"}},
-          .shape = [](const ExtensionSettings& s) { return std::make_shared<SphereDistance>(s.values.at("size")); }};
+          .shape = [](const ExtensionSettings& s) {
+            return std::make_shared<SphereDistance>(s.values.at("size"));
+          }};
 }
 
 void registerAll() {
   if (findExtension("age")) return;
-  for (Extension e : {age(), springs(), copyOfTension(), copyOfNeoHookean(), scalarCopyOfNeoHookean(), copyOfBall()})
+  for (Extension e :
+       {age(), springs(), copyOfTension(), copyOfNeoHookean(), scalarCopyOfNeoHookean(), copyOfBall()})
     registerExtension(std::move(e));
 }
 
-Simulation simulationOf(const std::string& text, MPI_Comm comm = MPI_COMM_WORLD, const RunOptions& options = {}) {
+Simulation simulationOf(const std::string& text, MPI_Comm comm = MPI_COMM_WORLD,
+                        const RunOptions& options = {}) {
   registerAll();
   RunOptions o = options;
   o.scene = "test";
@@ -192,9 +195,10 @@ TEST(ExtensionFields, AreOnlyWhereTheSceneNamesThem) {
 }
 
 TEST(ExtensionFields, ContinueAfterARestart) {
-  const std::string text = std::string(drop) +
-                           "[extension.age]\n[extension.springs]\ndrag = 0.01\n[output]\nevery = 0.02\nfields = "
-                           "[\"age\", \"tag\", \"charge\"]\n";
+  const std::string text =
+      std::string(drop) +
+      "[extension.age]\n[extension.springs]\ndrag = 0.01\n[output]\nevery = 0.02\nfields = "
+      "[\"age\", \"tag\", \"charge\"]\n";
   std::string out = THAW_BINARY_DIR "/tests/extensions_restart";
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
@@ -240,7 +244,8 @@ TEST(PairForces, HaveTheSameBitsOnAnyNumberOfRanks) {
 
 TEST(PairForces, EqualTheSumOverAllPairs) {
   for (const char* precision : {"single", "double"}) {
-    Simulation with = simulationOf(std::string(drop) + "[extension.springs]\nstiffness = 0.02\ndrag = 0.05\n" +
+    Simulation with = simulationOf(std::string(drop) +
+                                       "[extension.springs]\nstiffness = 0.02\ndrag = 0.05\n" +
                                        "[numerics]\nprecision = \"" + precision + "\"\n",
                                    MPI_COMM_SELF);
     const Continuum& p = with.particles();
@@ -356,22 +361,25 @@ TEST(ExtensionLaws, StressIsTheDerivativeOfTheEnergy) {
     for (int c = 0; c < 3; c++) {
       Mat3d low = g, high = g;
       low.row[r][c] -= 1e-5, high.row[r][c] += 1e-5;
-      const double slope = (responseOf(law, high, 2e5, 1e5).energy - responseOf(law, low, 2e5, 1e5).energy) / 2e-5;
+      const double slope = (responseOf(law, high, 2e5, 1e5).energy - responseOf(law, low, 2e5, 1e5).energy) /
+                           2e-5;
       EXPECT_NEAR(slope, stress.row[r][c], 1e-3);
     }
   ElasticConstants c;
   c.lambda = 2e5, c.mu = 1e5, c.law = ElasticLaw::NeoHookean;
   const Vec3d stretch{1.2, 0.9, 1.1}, built = principalKirchhoff(c, stretch),
-              ours = principalOf(law, stretch, 2e5, 1e5);
+                                      ours = principalOf(law, stretch, 2e5, 1e5);
   EXPECT_LT(length(built - ours), 1e-9 * length(built));
 }
 
 TEST(ExtensionLaws, AreRefusedWithTheirPlace) {
   EXPECT_NE(messageOf(std::string(block) + "law = \"cpoy\"\n").find("\"copy\""), std::string::npos);
-  EXPECT_NE(messageOf(std::string(block) + "law = \"copy\"\ncopy = { used = 1 }\n").find("unknown key 'used'"),
-            std::string::npos);
-  EXPECT_NE(messageOf(std::string(block) + "law = \"green\"\ncopy = { unused = 1 }\n").find("unknown key 'copy'"),
-            std::string::npos);
+  EXPECT_NE(
+      messageOf(std::string(block) + "law = \"copy\"\ncopy = { used = 1 }\n").find("unknown key 'used'"),
+      std::string::npos);
+  EXPECT_NE(
+      messageOf(std::string(block) + "law = \"green\"\ncopy = { unused = 1 }\n").find("unknown key 'copy'"),
+      std::string::npos);
 }
 
 TEST(ExtensionShapes, CopyOfASphereEqualsTheBuiltIn) {
@@ -389,7 +397,8 @@ young = "100 kPa"
 name = "top"
 material = "jelly"
 place = { move = [0, 0, 0.52] }
-)") + body + "[[obstacle]]\nname = \"bottom\"\n" + obstacle;
+)") + body +
+           "[[obstacle]]\nname = \"bottom\"\n" + obstacle;
   };
   Simulation built = simulationOf(scene("sphere = { radius = 0.2 }\n", "sphere = { radius = 0.3 }\n")),
              copy = simulationOf(scene("ball = { size = \"20 cm\" }\n", "ball = { size = 0.3 }\n"));

@@ -55,7 +55,8 @@ struct TensionCopy {
 
 const ExtensionKernels& extensionKernelSet();
 const ExtensionKernels& extensionKernelSet() {
-  static constexpr ExtensionKernels set{lanes::respondLanes<NeoHookeanCopy>, lanes::pairForceKernels<Spring>(),
+  static constexpr ExtensionKernels set{lanes::respondLanes<NeoHookeanCopy>,
+                                        lanes::pairForceKernels<Spring>(),
                                         lanes::pairForceKernels<TensionCopy>()};
   return set;
 }

@@ -22,13 +22,13 @@ struct PairConstants {
 struct PairForceSums {
   const void* records = nullptr;  ///< three values of PairForce::pack, and the liquid fraction
   PairConstants constants;
-  double* energy = nullptr;   ///< J, half of each pair's energy; overwritten
+  double* energy = nullptr;  ///< J, half of each pair's energy; overwritten
 };
 
 /// Data of two particles for a single pair energy.
 struct PairPoint {
-  Vec3d distance{};            ///< m, own - other
-  const double *own, *other;   ///< records
+  Vec3d distance{};           ///< m, own - other
+  const double *own, *other;  ///< records
 };
 
 /// Functions of one pair force, from pairForceKernels<Law>() of each instruction set.
@@ -62,10 +62,10 @@ struct PairForce {
 struct PairForceWork {
   const PairForce* force = nullptr;
   const ExtensionSettings* settings = nullptr;
-  std::vector<double> values;            ///< of the keys, in their order
-  AlignedVector<std::byte> records;      ///< Record of float or double by row, with the dummy row
-  std::vector<Vec3d> packed;             ///< work
-  std::vector<double> energy;            ///< J, by owned row
+  std::vector<double> values;        ///< of the keys, in their order
+  AlignedVector<std::byte> records;  ///< Record of float or double by row, with the dummy row
+  std::vector<Vec3d> packed;         ///< work
+  std::vector<double> energy;        ///< J, by owned row
 };
 
 /// Packs the records of rows [begin, end).

@@ -17,9 +17,9 @@ namespace {
 
 /// Differences are own - other.
 template<class L> struct PairState {
-  L r;              ///< m, distance, less than the support radius and above 0
-  L x, y, z;        ///< m
-  L vx, vy, vz;     ///< m/s; 0 if the law does not read velocities
+  L r;                 ///< m, distance, less than the support radius and above 0
+  L x, y, z;           ///< m
+  L vx, vy, vz;        ///< m/s; 0 if the law does not read velocities
   L own[3], other[3];  ///< values of PairForce::pack
 };
 
@@ -115,9 +115,8 @@ template<class Law> double pairEnergy(const PairConstants& constants, const Pair
   const double r = length(at.distance);
   const double weight = at.own[3] * at.other[3];
   if (!(r < constants.support && r > 0 && weight > 0)) return 0;
-  PairState<L> p{L(r),   L(at.distance.x), L(at.distance.y), L(at.distance.z),
-                 L(0.0), L(0.0),           L(0.0),           {L(0.0), L(0.0), L(0.0)},
-                 {L(0.0), L(0.0), L(0.0)}};
+  PairState<L> p{L(r),   L(at.distance.x), L(at.distance.y),         L(at.distance.z),        L(0.0),
+                 L(0.0), L(0.0),           {L(0.0), L(0.0), L(0.0)}, {L(0.0), L(0.0), L(0.0)}};
   for (int k = 0; k < 3; k++) p.own[k] = L(at.own[k]), p.other[k] = L(at.other[k]);
   return weight * Law(constants)(p).energy[0];
 }

@@ -34,7 +34,8 @@ void lower(StepTools& t, double limit) {
 
 void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSettings& settings) {
   if (!w.modules.fluid)
-    throw std::runtime_error("extension '" + e.name + "' is a force between liquid particles, and the scene has none");
+    throw std::runtime_error("extension '" + e.name +
+                             "' is a force between liquid particles, and the scene has none");
   if (w.modules.emitters)
     throw std::runtime_error("extension '" + e.name +
                              "' is a force between particles: a scene with emitters cannot have it yet");

@@ -17,8 +17,8 @@ namespace THAW_ISA {
 namespace {
 
 template<class T> struct LawPoint {
-  Mat3<T> f;       ///< deformation gradient
-  T lambda, mu;    ///< Pa, Lame's constants
+  Mat3<T> f;     ///< deformation gradient
+  T lambda, mu;  ///< Pa, Lame's constants
   const LawValues& values;
 };
 
@@ -35,7 +35,8 @@ inline double logarithm(double a) { return std::log(a); }
 template<class Law> __attribute__((flatten)) void respondLanes(const LawGroup& g) {
   LawPoint<LanesD> at{{}, loadRow(g.lambda), loadRow(g.mu), g.values};
   for (int r = 0; r < 3; r++)
-    at.f.row[r] = {loadRow(g.gradient[3 * r]), loadRow(g.gradient[3 * r + 1]), loadRow(g.gradient[3 * r + 2])};
+    at.f.row[r] = {loadRow(g.gradient[3 * r]), loadRow(g.gradient[3 * r + 1]),
+                   loadRow(g.gradient[3 * r + 2])};
   at.f.row[0].x += LanesD(1.0), at.f.row[1].y += LanesD(1.0), at.f.row[2].z += LanesD(1.0);
   const Mat3<LanesD> stress = Law::stress(at);
   for (int r = 0; r < 3; r++) {
