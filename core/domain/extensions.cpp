@@ -20,8 +20,10 @@ bool isName(const std::string& s) {
   });
 }
 
-/// Names of other fields of frames, which are computed.
-constexpr const char* computedFields[] = {"density",        "pressure", "stress",    "strain",
+constexpr const char* newborn = "newborn";  // the field of declareNewborn
+
+/// Names that fields cannot have besides those of the model: computed fields of frames.
+constexpr const char* computedFields[] = {newborn, "density",        "pressure", "stress",    "strain",
                                           "plastic_strain", "rank",     "neighbours"};
 
 bool isFieldOfModel(const std::string& name) {
@@ -130,6 +132,17 @@ void declareFields(const Scene& scene, Continuum& particles) {
 
 void declareAllFields(Continuum& particles) {
   for (const auto& [name, extension] : registered()) declare(extension, particles);
+  declareNewborn(particles);
+}
+
+void declareNewborn(Continuum& p) {
+  if (!p.addedField(newborn))
+    p.added.push_back(std::make_unique<AddedColumn>(p, newborn, "1", "1: emitted in this step", 1, 0.0, true));
+}
+
+AddedColumn* newbornOf(const Continuum& p) {
+  AddedColumn* column = p.addedField(newborn);
+  return column && column->active ? column : nullptr;
 }
 
 void startFields(Continuum& p, std::size_t begin, std::size_t end) {

@@ -76,6 +76,11 @@ void completeExtensions(Scene& scene);
 void declareFields(const Scene& scene, Continuum& particles);
 /// Declares the fields of all registered extensions.
 void declareAllFields(Continuum& particles);
+/// Declares the field that marks particles emitted in this step. Pair forces of scenes with emitters need it
+/// to record the energy that they bring.
+void declareNewborn(Continuum& particles);
+/// Returns that field if it is active, else null.
+AddedColumn* newbornOf(const Continuum& particles);
 /// Sets the active fields of extensions in new rows [begin, end) to their start values.
 void startFields(Continuum& particles, std::size_t begin, std::size_t end);
 

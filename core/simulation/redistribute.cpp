@@ -55,6 +55,10 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
     }
   }
   startFields(p, had, p.owned);
+  if (AddedColumn* newborn = newbornOf(p)) {
+    std::fill(newborn->row(0), newborn->row(had), 0.0);
+    std::fill(newborn->row(had), newborn->row(p.owned), 1.0);
+  }
   setPhase(w.scene, w.modules, p, had, p.owned);
   return p.owned - had;
 }

@@ -304,17 +304,29 @@ TEST(PairForces, CopyOfTensionFollowsTheBuiltIn) {
   EXPECT_NEAR(one.ledger().now.potential, two.ledger().now.potential, 1e-4);
 }
 
-TEST(PairForces, AreRefusedWhereTheyDoNotWork) {
-  EXPECT_NE(messageOf(std::string(block) + "[extension.springs]\n").find("between liquid particles"),
-            std::string::npos);
-  EXPECT_NE(messageOf(std::string(drop) + R"([[emitter]]
+TEST(PairForces, RecordWhatEmittersBring) {
+  const std::string text = std::string(drop) + R"([[emitter]]
 name = "tap"
-disc = { radius = 0.1 }
-at = [0, 0, 0.9]
+disc = { radius = 0.12 }
+centre = [0, 0, 0.45]
+speed = 2
 material = "water"
+end = 0.1
 [extension.springs]
-)")
-                .find("force between particles, which scenes with emitters cannot have yet"),
+stiffness = 0.02
+)";
+  Simulation sim = simulationOf(text), alone = simulationOf(text, MPI_COMM_SELF);
+  sim.runUntil(0.15);
+  alone.runUntil(0.15);
+  expectSameBits(sim, alone);
+  const LedgerReport l = sim.ledger();
+  EXPECT_GT(l.particles, 950);
+  EXPECT_GT(l.entered.potential, 0);
+  EXPECT_LT(std::abs(l.energyResidual), 0.01 * l.energyScale);
+}
+
+TEST(PairForces, AreRefusedWithoutLiquid) {
+  EXPECT_NE(messageOf(std::string(block) + "[extension.springs]\n").find("between liquid particles"),
             std::string::npos);
 }
 

@@ -47,6 +47,12 @@ void packPairForce(const Scene& scene, const Continuum& p, std::size_t begin, st
   }
 }
 
+void clearPairRecords(Precision precision, const AddedColumn& mark, std::size_t rows, PairForceWork& w) {
+  const std::size_t each = recordBytes(precision);
+  for (std::size_t i = 0; i < rows; i++)
+    if (mark.row(i)[0] > 0) std::fill_n(w.records.data() + i * each, each, std::byte{});
+}
+
 std::array<double, 4> pairRecordOf(const Scene& scene, const Continuum& p, std::size_t row,
                                    const PairForceWork& w) {
   Vec3d values{};

@@ -73,6 +73,8 @@ void packPairForce(const Scene& scene, const Continuum& particles, std::size_t b
                    PairForceWork& work);
 /// Makes room for `rows` rows and the dummy row behind them.
 void resizePairForce(Precision precision, std::size_t rows, PairForceWork& work);
+/// Clears the records of the first `rows` rows that a field marks, so that they have no pairs.
+void clearPairRecords(Precision precision, const AddedColumn& mark, std::size_t rows, PairForceWork& work);
 /// Returns the record of one row.
 std::array<double, 4> pairRecordOf(const Scene& scene, const Continuum& particles, std::size_t row,
                                    const PairForceWork& work);

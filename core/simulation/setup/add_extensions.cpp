@@ -36,9 +36,7 @@ void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSet
   if (!w.modules.fluid)
     throw std::runtime_error("extension '" + e.name +
                              "' is a force between liquid particles, and the scene has none");
-  if (w.modules.emitters)
-    throw std::runtime_error("extension '" + e.name +
-                             "' is a force between particles: a scene with emitters cannot have it yet");
+  if (w.modules.emitters) declareNewborn(w.particles);
   PairForceWork work;
   work.force = &e.pairForce;
   work.settings = &settings;

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/contact/solid_contact.hpp"
+#include "core/domain/extensions.hpp"
 #include "core/fluid/density/carried_density.hpp"
 #include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
@@ -212,19 +213,43 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   t.times.lap(StepPhase::Forces);
 }
 
+namespace {
+
+/// Records the energy that particles emitted in this step bring: that of pairs with at least one of them.
+void recordEntry(World& w, const PairSums& sums, PairForceWork& work, const AddedColumn& newborn) {
+  const Continuum& p = w.particles;
+  bool any = false;
+  for (std::size_t i = 0; i < p.size(); i++) any = any || newborn.row(i)[0] > 0;
+  if (!any) return;
+  clearPairRecords(w.scene.numerics.precision, newborn, p.size(), work);
+  for (std::size_t i = 0; i < p.owned; i++) w.ledger.entered.potential.add(work.energy[i]);
+  work.energy.assign(p.owned, 0);
+  PairSums others = sums;
+  std::vector<Vec3d> force(p.owned);
+  std::vector<double> dissipation(p.owned);
+  others.force = force.data(), others.dissipation = dissipation.data();
+  work.force->kernels.sum(others, {work.records.data(), constantsOf(w, work), work.energy.data()},
+                          {0, w.neighbours.groups});
+  for (std::size_t i = 0; i < p.owned; i++) w.ledger.entered.potential.add(-work.energy[i]);
+}
+
+}  // namespace
+
 void sumPairForces(World& w, StepTools& t) {
   Continuum& p = w.particles;
   const PairSums sums = pairSumsOf(w, t);
+  const AddedColumn* newborn = newbornOf(p);
   for (PairForceWork& work : t.pairForces) {
     resizePairForce(sums.precision, p.owned + t.ghostRoom, work);
     packPairForce(w.scene, p, 0, p.size(), work);
     work.energy.assign(p.owned, 0);
-    const PairForceSums out{work.records.data(), constantsOf(w, work), work.energy.data()};
-    work.force->kernels.sum(sums, out, {0, w.neighbours.groups});
+    work.force->kernels.sum(sums, {work.records.data(), constantsOf(w, work), work.energy.data()},
+                            {0, w.neighbours.groups});
     for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += work.energy[i];
-    if (!p.softening.active) continue;
-    for (std::size_t i = 0; i < p.owned; i++)  // the energy of a pair is proportional to both fractions
-      if (p.liquid[i] > 0) p.softening[i] += 2 * work.energy[i] / static_cast<double>(p.liquid[i]);
+    for (std::size_t i = 0; p.softening.active && i < p.owned; i++)
+      if (p.liquid[i] > 0)  // the energy of a pair is proportional to both fractions
+        p.softening[i] += 2 * work.energy[i] / static_cast<double>(p.liquid[i]);
+    if (newborn) recordEntry(w, sums, work, *newborn);
   }
   t.times.lap(StepPhase::Forces);
 }

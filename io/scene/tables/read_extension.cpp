@@ -29,17 +29,9 @@ std::string otherUses(const Extension& e) {
   return uses;
 }
 
-/// Refuses a force between particles that the scene excludes.
-void checkPairForce(TableReader& r, const Extension& e, const Scene& scene) {
-  if (!e.pairForce.kernels.sum || scene.emitters.empty()) return;
-  r.fail(r.place(), r.path() +
-                        ": it is a force between particles, which scenes with emitters cannot have yet: "
-                        "remove the emitters, or this table");
-}
-
 }  // namespace
 
-void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading& x) {
+void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
   const Extension* e = findExtension(settings.name);
   if (!e && r.reading()) {
     const std::string known = joined(extensionNames());
@@ -51,7 +43,6 @@ void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading& x)
   readKeys(r, *e, settings);
   if (!r.reading()) return;
   if (!e->hasTable()) r.fail(r.place(), r.path() + ": it has no force, source or field" + otherUses(*e));
-  checkPairForce(r, *e, *x.scene);
 }
 
 void readLaw(TableReader& r, Material& m) {
