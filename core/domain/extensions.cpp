@@ -20,10 +20,10 @@ bool isName(const std::string& s) {
   });
 }
 
-constexpr const char* newborn = "newborn";  // the field of declareNewborn
+constexpr const char* newbornName = "newborn";  // the field of declareNewborn
 
 /// Names that fields cannot have besides those of the model: computed fields of frames.
-constexpr const char* computedFields[] = {newborn, "density",        "pressure", "stress",    "strain",
+constexpr const char* computedFields[] = {newbornName, "density",        "pressure", "stress",    "strain",
                                           "plastic_strain", "rank",     "neighbours"};
 
 bool isFieldOfModel(const std::string& name) {
@@ -136,12 +136,12 @@ void declareAllFields(Continuum& particles) {
 }
 
 void declareNewborn(Continuum& p) {
-  if (!p.addedField(newborn))
-    p.added.push_back(std::make_unique<AddedColumn>(p, newborn, "1", "1: emitted in this step", 1, 0.0, true));
+  if (!p.addedField(newbornName))
+    p.added.push_back(std::make_unique<AddedColumn>(p, newbornName, "1", "1: emitted in this step", 1, 0.0, true));
 }
 
 AddedColumn* newbornOf(const Continuum& p) {
-  AddedColumn* column = p.addedField(newborn);
+  AddedColumn* column = p.addedField(newbornName);
   return column && column->active ? column : nullptr;
 }
 

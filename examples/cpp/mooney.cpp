@@ -45,7 +45,7 @@ mooney = { share = 0.3 }
 name = "block"
 box = { size = [0.4, 0.4, 0.4] }
 material = "rubber"
-velocity_field = { x = "2 * x", y = "-y", z = "-z" }
+velocity = { x = "2 * x", y = "-y", z = "-z" }
 )";
 
 /// Largest difference of the stress from the derivative of the energy, over the largest stress.

@@ -34,7 +34,7 @@ sound_speed = 20
 name = "drop"
 sphere = { radius = 0.3 }
 material = "water"
-velocity_field = { x = "3 * y", y = "1" }
+velocity = { x = "3 * y", y = "1" }
 )";
 
 constexpr const char* block = R"(
@@ -48,7 +48,7 @@ gravity = [0, 0, 0]
 name = "block"
 box = { size = [0.4, 0.3, 0.3] }
 material = "jelly"
-velocity_field = { x = "4 * x", y = "-2 * y + z" }
+velocity = { x = "4 * x", y = "-2 * y + z" }
 [material.jelly]
 density = 1000
 young = "100 kPa"
@@ -291,7 +291,9 @@ TEST(PairForces, RecordWhatLeavesThroughOpenSides) {
 TEST(PairForces, CopyOfTensionFollowsTheBuiltIn) {
   std::string built = drop;
   built.replace(built.find("sound_speed"), 0, "surface_tension = 1\n");
-  const std::string pairs = "[numerics]\ntension = \"pairwise\"\nfixed_step = 5e-4\n";
+  const std::string pairs =
+      "[numerics]\ntension = \"pairwise\"\nfixed_step = 5e-4\ndensity = \"summation\"\nshifting = 0\n"
+      "viscosity_correction = false\n";
   Simulation one = simulationOf(built + pairs, MPI_COMM_SELF),
              two = simulationOf(drop + pairs + "[extension.copy_of_tension]\n", MPI_COMM_SELF);
   one.runSteps(40);
