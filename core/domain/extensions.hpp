@@ -52,6 +52,7 @@ struct Extension {
   PairForce pairForce = {};  ///< with kernels
   ExtensionLaw law = {};     ///< with lanes or response
   ShapeMaker shape = {};
+  bool heats = false;  ///< its load adds heat: scenes without heat are refused
 
   /// Returns true if it has a part that [extension.NAME] turns on.
   bool hasTable() const { return load || !fields.empty() || update || pairForce.kernels.sum; }
