@@ -10,7 +10,10 @@ inline constexpr std::uint32_t noSlot = 0xffffffffu;
 
 enum Phase : std::uint8_t { Solid = 0, Liquid = 1 };
 
-inline constexpr std::uint8_t held = 1, driven = 2;  ///< values of Continuum::clamped
+inline constexpr std::uint8_t held = 1, driven = 2,
+                              heldByPiece = 3;  ///< values of Continuum::clamped
+
+inline constexpr std::uint64_t notRigid = 0;  ///< value of Continuum::piece
 
 struct Continuum : Table {
   Continuum() : Table("continuum") {}
@@ -36,7 +39,8 @@ struct Continuum : Table {
       "key of the current cell, valid from the drift to the sort; shares the memory of "
       "`dissipation`", Rows::Owned};
   Column<u8> clamped{*this, "clamped", "1", Keep::State,
-      "1: fixed in place; 2: driven by its emitter at constant velocity"};
+      "1: fixed in place; 2: driven by its emitter at constant velocity; 3: part of a rigid piece with "
+      "fixed particles"};
   // Fluid.
   Column<float> relativeDensity{*this, "relativeDensity", "1", Keep::Transient,
       "relative density: delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
@@ -119,6 +123,14 @@ struct Continuum : Table {
   // Solid.
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local,
       "row in the table of solids; noSlot for liquids"};
+  // Rigid pieces (core/rigid/).
+  Column<std::uint64_t> piece{*this, "piece", "1", Keep::State,
+      "rigid piece: 1 + smallest id of its particles; 0: none"};
+  Column<Vec3d> bodyPosition{*this, "bodyPosition", "m", Keep::State,
+      "position in the body frame of its piece", Rows::Owned};
+  Column<std::uint32_t> pieceRow{*this, "pieceRow", "1", Keep::Local, "row of its piece on this rank"};
+  Column<std::uint64_t> pieceLabel{*this, "pieceLabel", "1", Keep::Transient,
+      "smallest label found in its piece so far, while pieces are made"};
   // Rest (core/sleep/sleep.hpp).
   Column<float> restTime{*this, "restTime", "s", Keep::State,
       "time since it last moved, accelerated or warmed"};
@@ -154,6 +166,9 @@ struct Continuum : Table {
       "melts", Rows::Owned};
   // clang-format on
 };
+
+/// Returns true if a particle belongs to a rigid piece.
+inline bool isRigid(const Continuum& p, std::size_t i) { return p.piece.active && p.piece[i] != notRigid; }
 
 /// Returns true if a particle takes substeps (core/simulation/solid_substeps.hpp). Particles that melted or
 /// froze at the end of the last step have no bonds and take none.

@@ -28,8 +28,9 @@ struct Blend {
 enum class ElasticLaw {
   Green,
   NeoHookean,
-  Corotated
-};  // Green strain with Hooke's law is the law of the papers
+  Corotated,
+  Rigid
+};  // Green strain with Hooke's law is the law of the papers; Rigid: pieces move as rigid bodies (core/rigid/)
 
 struct Material {
   std::string name;
@@ -76,7 +77,8 @@ struct Material {
   double paperDiffusivity = 0;  // m^2/s, k_heat of K05, for heat model "paper"
   bool liquidAtStart = false;   // only for materials that do not melt: initial phase
   bool melts() const { return solidus < never; }
-  bool canBeSolid() const { return young.solid > 0; }
+  bool isRigid() const { return law == ElasticLaw::Rigid; }
+  bool canBeSolid() const { return young.solid > 0 || isRigid(); }
 };
 
 // ---- bodies -----------------------------------------------------------------------------------------------

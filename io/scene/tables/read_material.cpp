@@ -56,8 +56,10 @@ void readSolid(TableReader& r, Material& m) {
            "liquid has 0"},
           m.young);
   r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
-  r.choice("law", m.law, {"green", "neo-hookean", "corotated"},
-           "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated");
+  r.choice("law", m.law, {"green", "neo-hookean", "corotated", "rigid"},
+           "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated; \"rigid\": "
+           "connected particles move as one rigid body until they melt, and other keys of elastic solids "
+           "are not read");
   r.blend({"yield_strain", "", orNever(positive()), Liquid::Same,
            "yield stress as a strain (gamma_yield): the material flows if the norm of the deviatoric stress "
            "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": no plasticity"},
