@@ -28,14 +28,14 @@ inline Vec3d velocityAt(const PieceMotion& piece, const Vec3d& point) {
 
 /// One point of contact. Exactly one rank holds it.
 struct RigidContact {
-  std::uint32_t a = 0;        ///< row
-  std::uint32_t b = noPiece;  ///< row, or noPiece: an obstacle
-  Vec3d point{};              ///< m
-  Vec3d normal{};             ///< unit vector from b to a
-  double gap = 0;             ///< m, negative if the two overlap
-  double friction = 0;        ///< 1, Coulomb's coefficient
-  double restitution = 0;     ///< 1, Newton's coefficient
-  Vec3d otherVelocity{};      ///< m/s, of the obstacle at the point; zero for a piece
+  std::uint32_t a = 0;               ///< row
+  std::uint32_t b = noPiece;         ///< row, or noPiece: an obstacle
+  Vec3d point{};                     ///< m
+  Vec3d normal{};                    ///< unit vector from b to a
+  double gap = 0;                    ///< m, negative if the two overlap
+  double friction = 0;               ///< 1, Coulomb's coefficient
+  double restitution = 0;            ///< 1, Newton's coefficient
+  Vec3d otherVelocity{};             ///< m/s, of the obstacle at the point; zero for a piece
   std::uint64_t keyA = 0, keyB = 0;  ///< particle of a; particle of b or number of the obstacle
   Vec3d impulse{};  ///< N s, on a; in: first guess, for example that of the last step; out: the result
 };
