@@ -131,6 +131,16 @@ struct Continuum : Table {
   Column<std::uint32_t> pieceRow{*this, "pieceRow", "1", Keep::Local, "row of its piece on this rank"};
   Column<std::uint64_t> pieceLabel{*this, "pieceLabel", "1", Keep::Transient,
       "smallest label found in its piece so far, while pieces are made"};
+  Column<Vec3f> faceNormal{*this, "faceNormal", "1", Keep::State,
+      "outward normal of the surface of its rigid piece in the body frame; 0: none (surface_element.hpp)"};
+  Column<float> faceOffset{*this, "faceOffset", "m", Keep::State,
+      "distance from the surface of its rigid piece; 0: inside, so it has no contacts"};
+  Column<float> faceRadius{*this, "faceRadius", "m", Keep::State,
+      "radius of curvature of the surface of its rigid piece; infinite: plane"};
+  Column<std::uint64_t> contactPartner{*this, "contactPartner", "1", Keep::State,
+      "rigid piece or obstacle that pressed on it most in the last step; 0: none", Rows::Owned};
+  Column<Vec3d> contactImpulse{*this, "contactImpulse", "N s", Keep::State,
+      "impulse of that contact; first guess of the next solve", Rows::Owned};
   // Rest (core/sleep/sleep.hpp).
   Column<float> restTime{*this, "restTime", "s", Keep::State,
       "time since it last moved, accelerated or warmed"};
