@@ -37,7 +37,7 @@ double gradientStep(Iteration& it) {
     const RigidContact& c = it.system.contacts[i];
     const double inertia = it.stepFactor * it.system.inertia[i];
     if (!(inertia > 0)) continue;
-    const Vec3d u = it.conditions.free[i] + relativeChange(c, it.system.pieces, it.extrapolatedRows) -
+    const Vec3d u = it.conditions.free[i] + relativeChange(c, it.extrapolatedRows) -
                     it.conditions.target[i] * c.normal;
     it.next[i] = projected(it.extrapolated[i] - u / inertia, c, it.frictionOf(c));
     largest = std::max(largest, inertia * length(it.next[i] - it.extrapolated[i]));
@@ -55,7 +55,7 @@ ContactSums<sums> sumsOf(const Iteration& it, std::span<const Vec3d> impulses) {
                      it.nextRows[r].spin - it.extrapolatedRows[r].spin};
   for (std::size_t i = 0; i < it.system.contacts.size(); i++) {
     const Vec3d change = it.next[i] - it.extrapolated[i];
-    s.add(Curvature, dot(change, relativeChange(it.system.contacts[i], it.system.pieces, difference)));
+    s.add(Curvature, dot(change, relativeChange(it.system.contacts[i], difference)));
     s.add(Size, it.system.inertia[i] * dot(change, change));
     s.add(Descent, -it.system.inertia[i] * dot(change, it.next[i] - impulses[i]));
   }

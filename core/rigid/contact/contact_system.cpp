@@ -9,9 +9,8 @@
 namespace thaw {
 namespace {
 
-/// Velocity at a point of a row by a unit impulse along each axis at the same point (1/kg).
-Mat3d pointMobility(const PieceMotion& piece, const Vec3d& point) {
-  const Vec3d r = point - piece.centre;
+/// Velocity of the point of a row at an arm by a unit impulse along each axis at the same point (1/kg).
+Mat3d pointMobility(const PieceMotion& piece, const Vec3d& r) {
   Mat3d m;
   for (int k = 0; k < 3; k++) {
     Vec3d e;
@@ -39,8 +38,8 @@ std::vector<std::int64_t> contactsPerRow(const ContactSystem& s) {
 double leverOf(const ContactSystem& s) {
   double lever = 0;
   for (const RigidContact& c : s.contacts) {
-    lever = std::max(lever, length(c.point - s.pieces[c.a].centre));
-    if (c.b != noPiece) lever = std::max(lever, length(c.point - s.pieces[c.b].centre));
+    lever = std::max(lever, length(c.armA));
+    if (c.b != noPiece) lever = std::max(lever, length(c.armB));
   }
   s.all->maximum({&lever, 1});
   return lever > 0 && std::isfinite(lever) ? std::ldexp(1.0, std::ilogb(lever) + 1) : 1;
@@ -52,10 +51,10 @@ FixedUnit angularUnit(const ContactSystem& s, std::size_t row) {
   return {s.unitOf[row] * s.lever, 1 / (s.unitOf[row] * s.lever)};
 }
 
-void addToRow(ContactSystem& s, std::size_t row, const Vec3d& impulse, const Vec3d& point) {
+void addToRow(ContactSystem& s, std::size_t row, const Vec3d& impulse, const Vec3d& arm) {
   std::int64_t* words = &s.words[row * ContactSystem::rowWords];
   const FixedUnit linear = linearUnit(s, row), angular = angularUnit(s, row);
-  const Vec3d turning = cross(point - s.pieces[row].centre, impulse);
+  const Vec3d turning = cross(arm, impulse);
   for (int k = 0; k < 3; k++) {
     addFixed(words + 2 * k, impulse[k], linear);
     addFixed(words + 6 + 2 * k, turning[k], angular);
@@ -70,8 +69,8 @@ ContactSystem contactSystem(std::span<const PieceMotion> pieces, std::span<const
   const std::vector<std::int64_t> count = contactsPerRow(s);
   s.inertia.reserve(contacts.size());
   for (const RigidContact& c : contacts) {
-    Mat3d m = static_cast<double>(count[c.a]) * pointMobility(pieces[c.a], c.point);
-    if (c.b != noPiece) m = m + static_cast<double>(count[c.b]) * pointMobility(pieces[c.b], c.point);
+    Mat3d m = static_cast<double>(count[c.a]) * pointMobility(pieces[c.a], c.armA);
+    if (c.b != noPiece) m = m + static_cast<double>(count[c.b]) * pointMobility(pieces[c.b], c.armB);
     s.inertia.push_back(largestEigenvalue(m));
   }
   s.lever = leverOf(s);
@@ -90,8 +89,8 @@ void sumImpulses(ContactSystem& s, std::span<const Vec3d> impulses) {
   std::fill(s.words.begin(), s.words.end(), 0);
   for (std::size_t i = 0; i < s.contacts.size(); i++) {
     const RigidContact& c = s.contacts[i];
-    addToRow(s, c.a, impulses[i], c.point);
-    if (c.b != noPiece) addToRow(s, c.b, -impulses[i], c.point);
+    addToRow(s, c.a, impulses[i], c.armA);
+    if (c.b != noPiece) addToRow(s, c.b, -impulses[i], c.armB);
   }
   s.exchange->sum(s.words, ContactSystem::rowWords);
 }

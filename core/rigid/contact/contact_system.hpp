@@ -27,7 +27,7 @@ struct ContactSystem {
   std::vector<double> inertia;  ///< 1/kg, for each contact: bound of the velocity by a unit of impulse when
                                 ///< the contacts of a piece share its mass [TBV12]; 0: both sides are
                                 ///< prescribed
-  double lever = 1;                 ///< m, power of two above the largest distance of a contact from a centre
+  double lever = 1;             ///< m, power of two above the largest distance of a contact from a centre
   std::vector<std::int64_t> words;  ///< scratch, rowWords for each row
   std::vector<double> unitOf;       ///< kg m/s, unit of the linear sums of each row
 
@@ -43,10 +43,9 @@ ContactSystem contactSystem(std::span<const PieceMotion> pieces, std::span<const
 void setSpeed(ContactSystem& system, double speed);
 
 /// Relative velocity (m/s) of a contact that the changes of the rows add.
-inline Vec3d relativeChange(const RigidContact& c, std::span<const PieceMotion> pieces,
-                            std::span<const RowChange> rows) {
-  Vec3d u = rows[c.a].velocity + cross(rows[c.a].spin, c.point - pieces[c.a].centre);
-  if (c.b != noPiece) u = u - (rows[c.b].velocity + cross(rows[c.b].spin, c.point - pieces[c.b].centre));
+inline Vec3d relativeChange(const RigidContact& c, std::span<const RowChange> rows) {
+  Vec3d u = rows[c.a].velocity + cross(rows[c.a].spin, c.armA);
+  if (c.b != noPiece) u = u - (rows[c.b].velocity + cross(rows[c.b].spin, c.armB));
   return u;
 }
 

@@ -21,16 +21,16 @@ struct PieceMotion {
   Vec3d spin{};            ///< rad/s, world frame
 };
 
-/// Velocity (m/s) of a material point of a row.
-inline Vec3d velocityAt(const PieceMotion& piece, const Vec3d& point) {
-  return piece.velocity + cross(piece.spin, point - piece.centre);
+/// Velocity (m/s) of the point of a row at `arm` (m) from its centre.
+inline Vec3d velocityAtArm(const PieceMotion& piece, const Vec3d& arm) {
+  return piece.velocity + cross(piece.spin, arm);
 }
 
 /// One point of contact. Exactly one rank holds it.
 struct RigidContact {
   std::uint32_t a = 0;               ///< row
   std::uint32_t b = noPiece;         ///< row, or noPiece: an obstacle
-  Vec3d point{};                     ///< m
+  Vec3d armA{}, armB{};              ///< m, from the centres of a and b to the point of contact
   Vec3d normal{};                    ///< unit vector from b to a
   double gap = 0;                    ///< m, negative if the two overlap
   double friction = 0;               ///< 1, Coulomb's coefficient

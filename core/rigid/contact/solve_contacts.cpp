@@ -10,8 +10,8 @@ namespace thaw {
 namespace {
 
 Vec3d relativeVelocity(const RigidContact& c, std::span<const PieceMotion> pieces) {
-  const Vec3d u = velocityAt(pieces[c.a], c.point);
-  return u - (c.b == noPiece ? c.otherVelocity : velocityAt(pieces[c.b], c.point));
+  const Vec3d u = velocityAtArm(pieces[c.a], c.armA);
+  return u - (c.b == noPiece ? c.otherVelocity : velocityAtArm(pieces[c.b], c.armB));
 }
 
 /// Least relative normal velocity of a contact after the step: it may close its gap, and rebounds if it
@@ -61,7 +61,7 @@ void recordBalance(const ContactSystem& system, const VelocityProblem& problem,
   ContactSums<balances> sums{FixedUnit::forScale(scale), {}};
   for (std::size_t i = 0; i < problem.free.size(); i++) {
     const RigidContact& c = system.contacts[i];
-    const Vec3d mean = problem.free[i] + 0.5 * relativeChange(c, system.pieces, rows);
+    const Vec3d mean = problem.free[i] + 0.5 * relativeChange(c, rows);
     sums.add(Lost, -dot(problem.impulses[i], mean));
     if (c.b != noPiece) continue;
     sums.add(Work, dot(problem.impulses[i], c.otherVelocity));
@@ -82,7 +82,7 @@ int correctOverlap(ContactSystem& system, const ContactSettings& settings, const
   std::vector<double> target(n);
   for (std::size_t i = 0; i < n; i++) {
     const RigidContact& c = system.contacts[i];
-    const double un = dot(velocity.free[i] + relativeChange(c, system.pieces, rows), c.normal);
+    const double un = dot(velocity.free[i] + relativeChange(c, rows), c.normal);
     const double gap = c.gap + un * settings.step, overlap = -gap - settings.slop;
     target[i] = overlap > 0 ? std::min(settings.correction * overlap, settings.mostCorrection) / settings.step
                             : -std::max(0.0, gap) / settings.step;
