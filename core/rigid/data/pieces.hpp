@@ -34,9 +34,14 @@ struct Pieces : Table {
       "impulse of contacts, added at the start of the next step"};
   Column<Vec3d> contactTwist{*this, "contactTwist", "N m s", Keep::State,
       "angular impulse of contacts about the centre, added at the start of the next step"};
+  Column<Vec3d> contactShift{*this, "contactShift", "m", Keep::State,
+      "displacement out of overlaps, added to the next drift"};
+  Column<Vec3d> contactTurn{*this, "contactTurn", "rad", Keep::State,
+      "rotation out of overlaps, added to the next drift"};
   Column<std::uint64_t> count{*this, "count", "1", Keep::State, "number of its particles on all ranks"};
   Column<std::uint8_t> fixed{*this, "fixed", "1", Keep::State, "1: some of its particles are clamped"};
   Column<std::uint32_t> here{*this, "here", "1", Keep::Local, "number of its particles on this rank"};
+  Column<std::uint8_t> shared{*this, "shared", "1", Keep::Local, "1: further ranks have this row"};
   Column<std::uint8_t> leads{*this, "leads", "1", Keep::Local,
       "1: its particle of the smallest id is on this rank, which records its energies"};
   // clang-format on
@@ -48,6 +53,10 @@ struct Pieces : Table {
     return at != first + owned && *at == piece ? static_cast<std::uint32_t>(at - first) : noPieceRow;
   }
 };
+
+inline void activatePieces(Pieces& p) {
+  for (AnyColumn* c : p.columns) p.activate(*c);
+}
 
 /// Moment of inertia (kg m^2) of a particle of mass m about its own centre: that of a cube with the edge of the
 /// spacing (m). It makes the inertia of a cube of particles that of the cube, and that of one particle positive.

@@ -12,10 +12,9 @@ namespace thaw {
 struct RigidContactWork;
 
 struct RigidWork {
-  std::vector<ExactSum> sums;            ///< of the particles of this rank, by piece
-  std::vector<double> totals;            ///< of all ranks
-  std::vector<std::uint64_t> departed;   ///< pieces with particles that left this rank in the last migration
-  std::vector<std::uint8_t> nearBorder;  ///< by row: another rank may have a ghost of the piece
+  std::vector<ExactSum> sums;           ///< of the particles of this rank, by row
+  std::vector<std::int64_t> words;      ///< of the sums, for their exchange
+  std::vector<std::uint64_t> departed;  ///< pieces with particles that left this rank in the last migration
   bool atStart = false;      ///< the next evaluation makes the pieces of the start
   bool changedHere = false;  ///< particles left the domain with their pieces
   std::shared_ptr<RigidContactWork> contact;
