@@ -50,10 +50,10 @@ void addWallContacts(const RigidView& v, std::vector<RigidContact>& contacts) {
     c.a = p.pieceRow[i];
     c.normal = w.normal;
     c.gap = w.distance - 0.5 * spacing;
-    c.point = p.position[i] - w.normal * (0.5 * spacing);
+    c.armA = rotated(v.pieces.orientation[c.a], p.bodyPosition[i]) - w.normal * (0.5 * spacing);
     c.friction = o.friction;
     c.restitution = std::min(o.restitution, m.restitution);
-    c.otherVelocity = wallVelocity(v.walls.list[w.wall], c.point);
+    c.otherVelocity = wallVelocity(v.walls.list[w.wall], p.position[i] - w.normal * (0.5 * spacing));
     c.keyA = p.id[i];
     c.keyB = w.wall;
     contacts.push_back(c);

@@ -56,10 +56,12 @@ void readSolid(TableReader& r, Material& m) {
            "liquid has 0"},
           m.young);
   r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
-  r.choice("law", m.law, {"green", "neo-hookean", "corotated", "rigid"},
+  // Pieces are part of the state, so a run cannot change to or from them.
+  r.as(m.isRigid() ? Restart::State : Restart::Coefficient)
+      .choice("law", m.law, {"green", "neo-hookean", "corotated", "rigid"},
            "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated; \"rigid\": "
-           "connected particles move as one rigid body until they melt, and other keys of elastic solids "
-           "are not read");
+           "connected particles move as one rigid body until they melt; young, poisson, "
+           "volume_stiffness, hourglass and damping are then not used");
   r.blend({"yield_strain", "", orNever(positive()), Liquid::Same,
            "yield stress as a strain (gamma_yield): the material flows if the norm of the deviatoric stress "
            "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": no plasticity"},
@@ -131,14 +133,15 @@ void checkMaterial(TableReader& r, const Material& m) {
   if (r.has("melts") && !m.canBeSolid())
     r.fail(
         "melts",
-        "a material that melts is a solid below its melting temperature: give it a Young's modulus (young)",
+        "a material that melts is a solid below its melting temperature: give it a Young's modulus (young), or law "
+        "= \"rigid\"",
         {"young"});
   if (r.has("melts") && !r.has("heat_capacity"))
     r.fail("heat_capacity", "is missing: a material that melts needs one");
   if (r.has("phase") && r.has("melts"))
     r.fail("phase", "the temperature decides the phase of a material that melts; leave phase out");
   if (r.textOf("phase") == "solid" && !m.canBeSolid())
-    r.fail("phase", "a solid needs a Young's modulus (young)", {"young"});
+    r.fail("phase", "a solid needs a Young's modulus (young), or law = \"rigid\"", {"young"});
   if (m.latentHeat > 0 && !r.has("melts"))
     r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");
   if (r.has("hysteresis") && !r.has("melts"))
@@ -147,6 +150,10 @@ void checkMaterial(TableReader& r, const Material& m) {
     r.fail("yield_strain", "requires a solid: set young, or remove yield_strain", {"young"});
   if (r.has("creep_rate") && !r.has("yield_strain"))
     r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
+  if (m.isRigid())
+    for (const char* key : {"yield_strain", "creep_rate", "hardening", "max_plastic_strain", "break_stretch",
+                            "weld"})
+      if (r.has(key)) r.fail(key, "a rigid solid (law = \"rigid\") has none: remove it, or choose another law");
   if (m.hardening > 0 && !r.has("yield_strain"))
     r.fail("hardening", "only a material that yields hardens: give yield_strain, too");
 }
@@ -166,6 +173,10 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
   readHeat(r, m);
   if (!r.reading()) return;
   checkMaterial(r, m);
+  if (m.isRigid()) {
+    m.young = m.poisson = {};
+    m.volumeStiffness = m.hourglass = m.damping = 0;
+  }
   if (x.scene->numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
     r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
   x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));
