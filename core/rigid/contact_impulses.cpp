@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rigid/contact/find_contacts.hpp"
 #include "core/rigid/contact/solve_contacts.hpp"
 #include "core/rigid/piece_sums.hpp"
 
@@ -37,29 +38,6 @@ std::vector<PieceMotion> nextMotions(const Pieces& p, double dt) {
   return motions;
 }
 
-/// Contacts of particles with obstacles: cubes of the spacing against the tangent plane.
-void addWallContacts(const RigidView& v, std::vector<RigidContact>& contacts) {
-  const Continuum& p = v.particles;
-  const double spacing = v.scene.spacing;
-  for (const WallContact& w : v.wallContacts.list) {
-    const std::size_t i = w.row;
-    if (p.piece[i] == notRigid || w.distance > 1.5 * spacing) continue;
-    const Obstacle& o = v.walls.list[w.wall].properties;
-    const Material& m = v.scene.materials[p.material[i]];
-    RigidContact c;
-    c.a = p.pieceRow[i];
-    c.normal = w.normal;
-    c.gap = w.distance - 0.5 * spacing;
-    c.armA = rotated(v.pieces.orientation[c.a], p.bodyPosition[i]) - w.normal * (0.5 * spacing);
-    c.friction = o.friction;
-    c.restitution = std::min(o.restitution, m.restitution);
-    c.otherVelocity = wallVelocity(v.walls.list[w.wall], p.position[i] - w.normal * (0.5 * spacing));
-    c.keyA = p.id[i];
-    c.keyB = w.wall;
-    contacts.push_back(c);
-  }
-}
-
 ContactSettings settingsOf(const RigidView& v, double dt) {
   ContactSettings s;
   const double spacing = v.scene.spacing;
@@ -76,12 +54,16 @@ ContactSettings settingsOf(const RigidView& v, double dt) {
 void findContactImpulses(const RigidView& v, const Halos& halos, double dt) {
   Pieces& p = v.pieces;
   std::vector<PieceMotion> motions = nextMotions(p, dt);
+  std::vector<FoundContact> found = findContacts({v.scene, v.grid, v.particles, v.cells, p, v.walls, dt}, motions,
+                                                 halos.all);
   std::vector<RigidContact> contacts;
-  addWallContacts(v, contacts);
+  for (const FoundContact& f : found) contacts.push_back(f.contact);
   std::vector<PieceChange> changes(motions.size());
   RankPieceExchange exchange = exchangeOf(p, halos.all);
   const ContactResult result = solveContacts(motions, contacts, settingsOf(v, dt), exchange, halos.all,
                                              changes);
+  for (std::size_t k = 0; k < found.size(); k++) found[k].contact.impulse = contacts[k].impulse;
+  keepImpulses(found, v.particles);
   for (std::size_t k = 0; k < p.owned; k++) {
     p.contactImpulse[k] = changes[k].impulse;
     p.contactTwist[k] = changes[k].angularImpulse;

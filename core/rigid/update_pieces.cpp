@@ -2,6 +2,7 @@
 #include "core/rigid/update_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "core/math/hash_random.hpp"
@@ -11,6 +12,7 @@
 #include "core/rigid/motion.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/rotation.hpp"
+#include "core/rigid/surface_elements.hpp"
 #include "core/solid/data/weight.hpp"
 
 namespace thaw {
@@ -191,6 +193,15 @@ void recordMelted(const RigidView& v) {
   }
 }
 
+/// Turns the surface elements of changed pieces from their former body frames to the axes of the domain.
+void unturnElements(const RigidView& v, const NewPieces& n) {
+  Continuum& p = v.particles;
+  eachChanged(v, n, [&](std::size_t i, std::size_t) {
+    const std::uint32_t row = p.piece[i] == notRigid ? noPieceRow : v.pieces.rowOf(p.piece[i]);
+    if (row != noPieceRow) turnElement(p, i, v.pieces.orientation[row]);
+  });
+}
+
 /// Sets place, velocity and constraint of the particles of new pieces.
 void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std::uint32_t> rows) {
   Continuum& p = v.particles;
@@ -198,7 +209,9 @@ void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std:
     const std::uint32_t row = rows[k];
     const Quat q = v.pieces.orientation[row];
     const Vec3d lever = placeIn(v, n, i, k) - n.centre[k];
-    p.bodyPosition[i] = rotated(Quat{q.w, -q.x, -q.y, -q.z}, lever);
+    const Quat toBody{q.w, -q.x, -q.y, -q.z};
+    p.bodyPosition[i] = rotated(toBody, lever);
+    turnElement(p, i, toBody);
     p.velocity[i] = velocityOf(v.pieces, row) +
                     cross(spinOf(v.pieces, row, v.pieces.angularMomentum[row]), lever);
     if (!p.clamped.active) return;
@@ -234,7 +247,11 @@ void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
     addMotion(v, i, placeIn(v, n, i, k) - n.centre[k], atStart, sums.data() + motionSums * k);
   });
   sumOverRanks(exchange, sums, motionSums, v.work.words);
-  if (!atStart) recordMelted(v);
+  if (!atStart) {
+    recordMelted(v);
+    unturnElements(v, n);
+    renewElements(v);
+  }
   // New rows replace former ones of the same id, which the motion of particles no longer needs.
   Pieces& p = v.pieces;
   std::vector<std::uint32_t> rows(n.ids.size());
@@ -247,6 +264,10 @@ void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
   for (std::size_t k = 0; k < n.ids.size(); k++) setRow(p, rows[k], n, k, sums.data() + motionSums * k);
   placeParticles(v, n, rows);
   adoptLabels(v.particles);
+  const std::array<AnyColumn*, 5> ofGhosts{&v.particles.piece, &v.particles.phase, &v.particles.faceNormal,
+                                           &v.particles.faceOffset, &v.particles.faceRadius};
+  halos.cells.beginRefresh(v.particles, ofGhosts);
+  halos.cells.finishRefresh(v.particles);
   linkPieces(v, halos, PieceUsers::Owned);
   for (std::size_t k = 0; k < n.ids.size() && !atStart; k++)
     if (const std::uint32_t row = p.rowOf(n.ids[k]); row != noPieceRow && p.leads[row])

@@ -15,6 +15,7 @@
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/link_pieces.hpp"
+#include "core/rigid/surface_elements.hpp"
 #include "core/rigid/update_pieces.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/sheet/contact/face_contact.hpp"
@@ -258,6 +259,10 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   t.newPartition = true;
   relaxPacking(w, halos, t, shapes);
   assignStartFields(w, shapes, halos.all, true);
+  if (w.modules.rigid) {
+    markRigidParticles(w.scene, p);
+    elementsOfShapes(w.scene, shapes, p);
+  }
   return report;
 }
 
@@ -293,7 +298,6 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
   t.rigid.atStart = w.modules.rigid;
-  if (w.modules.rigid) markRigidParticles(w.scene, w.particles);
   t.emitFirst = true;
   initializeForces(w, halos, t);
   for (SceneWarning& warning : compressedLiquids(w, t, halos.all))
