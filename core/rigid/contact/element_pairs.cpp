@@ -36,11 +36,12 @@ std::optional<Vec3d> commonNormal(const PlacedElement& a, const PlacedElement& b
   return line / size;
 }
 
-/// Distance along the surface of a plane element from the point of contact.
-bool onPlane(const PlacedElement& plane, const Vec3d& point, double spacing) {
+/// Returns true if a point of contact with another element lies on a plane element, or if there is no plane.
+bool onPlane(const PlacedElement& plane, const PlacedElement& other, const Vec3d& point, double spacing) {
   if (!plane.plane()) return true;
   const Vec3d to = point - plane.position;
-  return length(to - dot(to, plane.normal) * plane.normal) <= elementReach * spacing;
+  const double reach = other.round() ? planeReach : elementReach;
+  return length(to - dot(to, plane.normal) * plane.normal) <= reach * spacing;
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElem
   const Vec3d to = a.position - b.position;
   const double height = dot(to, *n), sa = extentAlong(a, -*n), sb = extentAlong(b, *n);
   if (!(height > -spacing)) return {};  // the two are back to back
-  ElementContact c{{}, *n, height - sa - sb, length(to - height * *n)};
+  ElementContact c{{}, *n, height - sa - sb, length(to - height * *n), a.round() && b.round()};
   // surface points of spheres; on planes the point opposite
   const Vec3d pa = a.plane() ? a.position - sa * *n : a.centre() - a.radius * *n;
   const Vec3d pb = b.plane() ? b.position + sb * *n : b.centre() + b.radius * *n;
@@ -59,7 +60,7 @@ std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElem
   const double between = a.plane() == b.plane() ? 0 : (a.plane() ? 0.5 : -0.5) * c.gap;
   c.point = middle + between * *n;
   if (a.plane() && b.plane()) return c.aside <= elementReach * spacing ? std::optional(c) : std::nullopt;
-  return onPlane(a, c.point, spacing) && onPlane(b, c.point, spacing) ? std::optional(c) : std::nullopt;
+  return onPlane(a, b, c.point, spacing) && onPlane(b, a, c.point, spacing) ? std::optional(c) : std::nullopt;
 }
 
 std::optional<Vec3d> outermost(const PlacedElement& e, const Vec3d& direction, double spacing) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/neighbours/rows_around.hpp"
 #include "core/rigid/contact/element_pairs.hpp"
@@ -12,7 +13,7 @@
 namespace thaw {
 namespace {
 
-constexpr double nearGap = 0.1;    // spacings; smaller gaps are contacts at any velocity
+constexpr double nearGap = 0.03;   // spacings; smaller gaps are contacts at any velocity
 constexpr double lookAhead = 1.5;  // steps; motions change within the step
 
 bool hasSurface(const Continuum& p, std::size_t i) { return p.piece[i] != notRigid && p.faceOffset[i] > 0; }
@@ -65,7 +66,7 @@ struct Search {
   const ContactSearch& in;
   std::span<const PieceMotion> motion;
   std::vector<FoundContact> found;
-  std::vector<double> aside;  ///< m, of found contacts of the current particle
+  std::vector<ElementContact> elements;  ///< of found contacts of the current particle
 };
 
 /// Fills in rows, arms and coefficients that all contacts of a particle share.
@@ -85,19 +86,33 @@ FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) 
 }
 
 /// Adds a contact unless the particle has one with the same partner and direction that is more opposite.
-void addPair(Search& s, std::size_t first, const FoundContact& f, double aside) {
+void addPair(Search& s, std::size_t first, const FoundContact& f, const ElementContact& e) {
   for (std::size_t k = first; k < s.found.size(); k++) {
     FoundContact& o = s.found[k];
     if (o.partner != f.partner || o.direction != f.direction) continue;
-    double& best = s.aside[k - first];
-    if (aside < best || (aside == best && f.contact.keyB < o.contact.keyB)) {
-      best = aside;
+    ElementContact& best = s.elements[k - first];
+    if (std::tuple(e.round, e.aside, f.contact.keyB) < std::tuple(best.round, best.aside, o.contact.keyB)) {
+      best = e;
       o = f;
     }
     return;
   }
   s.found.push_back(f);
-  s.aside.push_back(aside);
+  s.elements.push_back(e);
+}
+
+/// Removes contacts of two edges where the particle also touches a face of the same piece.
+void removeEdges(Search& s, std::size_t first) {
+  const auto hasFace = [&](std::uint64_t partner) {
+    for (std::size_t k = first; k < s.found.size(); k++)
+      if (s.found[k].partner == partner && !s.elements[k - first].round) return true;
+    return false;
+  };
+  std::vector<FoundContact> kept;
+  for (std::size_t k = first; k < s.found.size(); k++)
+    if (!s.elements[k - first].round || !hasFace(s.found[k].partner)) kept.push_back(s.found[k]);
+  s.found.resize(first);
+  s.found.insert(s.found.end(), kept.begin(), kept.end());
 }
 
 void pairContact(Search& s, std::uint32_t i, std::uint32_t j, const PlacedElement& a, std::size_t first) {
@@ -114,7 +129,7 @@ void pairContact(Search& s, std::uint32_t i, std::uint32_t j, const PlacedElemen
   c.restitution = std::min(m.restitution, o.restitution);
   c.keyB = p.id[j];
   f.partner = p.piece[j];
-  if (mayClose(s.in, s.motion, c)) addPair(s, first, f, e->aside);
+  if (mayClose(s.in, s.motion, c)) addPair(s, first, f, *e);
 }
 
 /// Contacts of pieces: on the rank of the particle whose piece has the smaller id.
@@ -129,15 +144,17 @@ void findPairs(Search& s) {
       const std::uint32_t i = t.rows[k];
       const PlacedElement a = placed(s.in, i);
       const std::size_t first = s.found.size();
-      s.aside.clear();
+      s.elements.clear();
       for (const RowSpan& r : ranges)
         for (std::uint32_t m = r.begin; m < r.end; m++) {
           const std::uint32_t j = t.rows[m];
           if (p.piece[j] <= p.piece[i]) continue;
           const Vec3d to = p.position[j] - a.position;
-          const double near = a.offset + static_cast<double>(p.faceOffset[j]) + s.in.scene.spacing;
+          const double near = a.offset + static_cast<double>(p.faceOffset[j]) +
+                              planeReach * s.in.scene.spacing;
           if (dot(to, to) < near * near) pairContact(s, i, j, a, first);
         }
+      if (s.found.size() > first + 1) removeEdges(s, first);
     }
   }
 }
@@ -196,7 +213,7 @@ void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
       gap = wall.shape->distance(toRest(wall.pose, *point), &gradient);
       n = directionFromRest(wall.pose, gradient);
     }
-    addWallContact(s, i, k, {*point - 0.5 * gap * n, n, gap, 0});
+    addWallContact(s, i, k, {*point - 0.5 * gap * n, n, gap, 0, false});
   }
 }
 

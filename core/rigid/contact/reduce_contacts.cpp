@@ -12,7 +12,7 @@ namespace thaw {
 namespace {
 
 constexpr std::size_t outward = 8, criteria = outward + 1;
-constexpr double gapWeight = 4;     // length along the surface that outweighs an open gap, over the gap
+constexpr double gapWeight = 10;    // length along the surface that outweighs an open gap, over the gap
 constexpr double firstAngle = 0.3;  // rad; edges of boxes along the axes are not at right angles to a
                                     // direction
 

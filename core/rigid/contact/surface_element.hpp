@@ -19,8 +19,12 @@ struct SurfaceElement {
 inline constexpr float planeRadius = std::numeric_limits<float>::infinity();
 
 /// Largest distance (spacings) along the surface between a particle and a point that its element describes.
-/// Elements of a lattice with this reach have no holes.
-inline constexpr double elementReach = 0.75;
+/// Elements have no holes then, also on spheres of a few spacings.
+inline constexpr double elementReach = 1.0;
+
+/// The same for a plane that an edge or a corner touches. Planes end at a spacing from the edges of their
+/// body, where particles are round.
+inline constexpr double planeReach = 1.6;
 
 /// Returns the element of a particle at x (m, in the frame of the shape) in a piece that fills the shape.
 SurfaceElement elementOfShape(const SignedDistance& shape, const Vec3d& x, double spacing);
