@@ -52,7 +52,7 @@ std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElem
   const Vec3d to = a.position - b.position;
   const double height = dot(to, *n), sa = extentAlong(a, -*n), sb = extentAlong(b, *n);
   if (!(height > -spacing)) return {};  // the two are back to back
-  ElementContact c{{}, *n, height - sa - sb, length(to - height * *n), a.round() && b.round()};
+  ElementContact c{{}, *n, height - sa - sb, length(to - height * *n)};
   // surface points of spheres; on planes the point opposite
   const Vec3d pa = a.plane() ? a.position - sa * *n : a.centre() - a.radius * *n;
   const Vec3d pb = b.plane() ? b.position + sb * *n : b.centre() + b.radius * *n;

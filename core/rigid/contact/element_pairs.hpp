@@ -21,11 +21,10 @@ struct PlacedElement {
 };
 
 struct ElementContact {
-  Vec3d point{};       ///< m
-  Vec3d normal{};      ///< unit vector towards the first element
-  double gap = 0;      ///< m
-  double aside = 0;    ///< m, distance of the two particles along the surface
-  bool round = false;  ///< of two round elements
+  Vec3d point{};     ///< m
+  Vec3d normal{};    ///< unit vector towards the first element
+  double gap = 0;    ///< m
+  double aside = 0;  ///< m, distance of the two particles along the surface
 };
 
 /// Returns the contact of two elements whose surfaces face each other, if it lies on both. A plane gives the

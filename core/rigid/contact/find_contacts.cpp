@@ -14,6 +14,7 @@ namespace thaw {
 namespace {
 
 constexpr double nearGap = 0.03;   // spacings; smaller gaps are contacts at any velocity
+constexpr double faceGap = 0.03;   // spacings; faces count before edges that are not this much closer
 constexpr double lookAhead = 1.5;  // steps; motions change within the step
 
 bool hasSurface(const Continuum& p, std::size_t i) { return p.piece[i] != notRigid && p.faceOffset[i] > 0; }
@@ -37,39 +38,54 @@ bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const
   return c.gap < nearGap * s.scene.spacing + lookAhead * s.step * std::max(0.0, approach);
 }
 
-/// Surface particles of each cell, and whether they all belong to one piece.
+/// Surface particles of each cell.
 struct SurfaceCells {
   std::vector<std::uint32_t> rows;
   CellTable cells;                       ///< those with rows; first and count refer to `rows`
-  std::vector<std::uint64_t> onlyPiece;  ///< notRigid: several
+  std::vector<std::uint64_t> low, high;  ///< smallest and largest piece of each cell
 };
 
 SurfaceCells surfaceCells(const ContactSearch& s) {
   SurfaceCells t;
   for (std::size_t c = 0; c < s.cells.key.size(); c++) {
     const auto first = static_cast<std::uint32_t>(t.rows.size());
-    for (std::uint32_t i = s.cells.first[c]; i < s.cells.first[c] + s.cells.count[c]; i++)
-      if (hasSurface(s.particles, i)) t.rows.push_back(i);
+    std::uint64_t low = ~std::uint64_t{0}, high = 0;
+    for (std::uint32_t i = s.cells.first[c]; i < s.cells.first[c] + s.cells.count[c]; i++) {
+      if (!hasSurface(s.particles, i)) continue;
+      t.rows.push_back(i);
+      low = std::min(low, s.particles.piece[i]);
+      high = std::max(high, s.particles.piece[i]);
+    }
     if (t.rows.size() == first) continue;
     t.cells.key.push_back(s.cells.key[c]);
     t.cells.first.push_back(first);
     t.cells.count.push_back(static_cast<std::uint32_t>(t.rows.size()) - first);
-    const auto pieceOf = [&](std::size_t k) { return s.particles.piece[t.rows[k]]; };
-    bool one = true;
-    for (std::size_t k = first; k < t.rows.size(); k++) one = one && pieceOf(k) == pieceOf(first);
-    t.onlyPiece.push_back(one ? pieceOf(first) : notRigid);
+    t.low.push_back(low);
+    t.high.push_back(high);
   }
   return t;
+}
+
+/// Lists the rows around a cell; returns true if they all belong to one piece.
+bool onePieceAround(const SurfaceCells& t, std::size_t c, std::vector<RowSpan>& ranges) {
+  rowsAround(t.cells, t.cells.key[c], ranges);
+  std::uint64_t low = t.low[c], high = t.high[c];
+  for (const RowSpan& r : ranges) {
+    const auto at = std::lower_bound(t.cells.first.begin(), t.cells.first.end(), r.begin) -
+                    t.cells.first.begin();
+    low = std::min(low, t.low[static_cast<std::size_t>(at)]);
+    high = std::max(high, t.high[static_cast<std::size_t>(at)]);
+  }
+  return low == high;
 }
 
 struct Search {
   const ContactSearch& in;
   std::span<const PieceMotion> motion;
   std::vector<FoundContact> found;
-  std::vector<ElementContact> elements;  ///< of found contacts of the current particle
 };
 
-/// Fills in rows, arms and coefficients that all contacts of a particle share.
+/// Fills in what all contacts of a particle share.
 FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) {
   const Continuum& p = s.in.particles;
   FoundContact f;
@@ -81,81 +97,122 @@ FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) 
   c.keyA = p.id[i];
   f.pieceA = p.piece[i];
   f.particle = i;
-  f.direction = directionBin(e.normal);
   return f;
 }
 
-/// Adds a contact unless the particle has one with the same partner and direction that is more opposite.
-void addPair(Search& s, std::size_t first, const FoundContact& f, const ElementContact& e) {
-  for (std::size_t k = first; k < s.found.size(); k++) {
-    FoundContact& o = s.found[k];
-    if (o.partner != f.partner || o.direction != f.direction) continue;
-    ElementContact& best = s.elements[k - first];
-    if (std::tuple(e.round, e.aside, f.contact.keyB) < std::tuple(best.round, best.aside, o.contact.keyB)) {
-      best = e;
-      o = f;
-    }
-    return;
-  }
-  s.found.push_back(f);
-  s.elements.push_back(e);
-}
+/// A particle that another one may touch.
+struct Candidate {
+  std::uint32_t row;
+  PlacedElement element;
+  std::optional<ElementContact> contact;
+  double beyond = 0;  ///< m, distance of the point of contact from the face that the element belongs to
+};
 
-/// Removes contacts of two edges where the particle also touches a face of the same piece.
-void removeEdges(Search& s, std::size_t first) {
-  const auto hasFace = [&](std::uint64_t partner) {
-    for (std::size_t k = first; k < s.found.size(); k++)
-      if (s.found[k].partner == partner && !s.elements[k - first].round) return true;
-    return false;
-  };
-  std::vector<FoundContact> kept;
-  for (std::size_t k = first; k < s.found.size(); k++)
-    if (!s.elements[k - first].round || !hasFace(s.found[k].partner)) kept.push_back(s.found[k]);
-  s.found.resize(first);
-  s.found.insert(s.found.end(), kept.begin(), kept.end());
-}
-
-void pairContact(Search& s, std::uint32_t i, std::uint32_t j, const PlacedElement& a, std::size_t first) {
+void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
   const Continuum& p = s.in.particles;
-  const PlacedElement b = placed(s.in, j);
-  const std::optional<ElementContact> e = contactOf(a, b, s.in.scene.spacing);
-  if (!e) return;
-  FoundContact f = startOf(s, i, *e);
+  FoundContact f = startOf(s, i, *to.contact);
   RigidContact& c = f.contact;
-  const Material &m = s.in.scene.materials[p.material[i]], &o = s.in.scene.materials[p.material[j]];
-  c.b = p.pieceRow[j];
-  c.armB = shortest(s.in.grid, e->point - s.motion[c.b].centre);
+  const Material &m = s.in.scene.materials[p.material[i]], &o = s.in.scene.materials[p.material[to.row]];
+  c.b = p.pieceRow[to.row];
+  c.armB = shortest(s.in.grid, to.contact->point - s.motion[c.b].centre);
   c.friction = std::min(m.friction, o.friction);
   c.restitution = std::min(m.restitution, o.restitution);
-  c.keyB = p.id[j];
-  f.partner = p.piece[j];
-  if (mayClose(s.in, s.motion, c)) addPair(s, first, f, *e);
+  c.keyB = p.id[to.row];
+  f.partner = p.piece[to.row];
+  if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
 }
 
-/// Contacts of pieces: on the rank of the particle whose piece has the smaller id.
+/// Distance (m) of a point of contact beyond the particles of a face, whose outermost ones are round.
+double beyondFace(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
+  double beyond = std::max(0.0, plane.contact->aside - elementReach * s.in.scene.spacing);
+  const Continuum& p = s.in.particles;
+  for (const Candidate& c : candidates) {
+    if (!c.element.round() || p.piece[c.row] != p.piece[plane.row]) continue;
+    const Vec3d to = plane.contact->point - c.element.position, n = plane.contact->normal;
+    beyond = std::min(beyond, length(to - dot(to, n) * n));
+  }
+  return beyond;
+}
+
+/// Edges of a face are rounded: lifts the gap of a particle beyond the face to that of two spheres one above
+/// the other. Drops the contact where their normal would differ much.
+void roundEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
+  for (Candidate& c : candidates) {
+    if (!c.element.plane() || !c.contact) continue;
+    c.beyond = beyondFace(s, c, candidates);
+    if (!(c.beyond > 0)) continue;
+    const double both = a.radius + c.element.offset, height = c.contact->gap + both;
+    if (c.beyond > std::min(0.5 * both, 0.6 * s.in.scene.spacing) || height < 0.5 * both) c.contact.reset();
+    else c.contact->gap += both - std::sqrt(both * both - c.beyond * c.beyond);
+  }
+}
+
+/// Returns true if a particle touches the piece at o rather than at c.
+bool replaces(const Search& s, const PlacedElement& a, const Candidate& o, const Candidate& c) {
+  const Continuum& p = s.in.particles;
+  if (&o == &c || !o.contact || p.piece[o.row] != p.piece[c.row]) return false;
+  const double gap = o.contact->gap, other = c.contact->gap, even = faceGap * s.in.scene.spacing;
+  const bool edge = a.round() && c.element.round();
+  if (edge != (a.round() && o.element.round())) return edge ? gap < other + even : other >= gap + even;
+  if (directionBin(o.contact->normal) != directionBin(c.contact->normal)) return false;
+  if (o.element.plane() && c.element.plane())
+    return std::tuple(o.beyond, o.contact->aside, p.id[o.row]) <
+           std::tuple(c.beyond, c.contact->aside, p.id[c.row]);
+  return std::tuple(gap, p.id[o.row]) < std::tuple(other, p.id[c.row]);
+}
+
+/// 2: edges and corners, 1: curved surfaces, 0: planes.
+int bend(const PlacedElement& e) { return e.round() ? 2 : e.plane() ? 0 : 1; }
+
+/// Returns true if the search from particle i lists its contact with j. The particle that is more bent sees
+/// the faces and edges around the other one.
+bool lists(const PlacedElement& a, const PlacedElement& b, bool smaller) {
+  return bend(a) != bend(b) ? bend(a) > bend(b) : smaller;
+}
+
+/// Adds the contacts of a particle, one for each piece and direction.
+void addPairContacts(Search& s, std::uint32_t i, const PlacedElement& a, std::vector<Candidate>& candidates) {
+  const Continuum& p = s.in.particles;
+  if (!a.plane()) roundEdges(s, a, candidates);
+  for (const Candidate& c : candidates)
+    if (c.contact && lists(a, c.element, p.piece[i] < p.piece[c.row]) &&
+        std::none_of(candidates.begin(), candidates.end(),
+                     [&](const Candidate& o) { return replaces(s, a, o, c); }))
+      addPairContact(s, i, c);
+}
+
+void findPairsOf(Search& s, std::uint32_t i, const SurfaceCells& t, std::span<const RowSpan> ranges,
+                 std::vector<Candidate>& candidates) {
+  const Continuum& p = s.in.particles;
+  const PlacedElement a = placed(s.in, i);
+  const double spacing = s.in.scene.spacing;
+  candidates.clear();
+  bool any = false;
+  for (const RowSpan& r : ranges)
+    for (std::uint32_t m = r.begin; m < r.end; m++) {
+      const std::uint32_t j = t.rows[m];
+      if (p.piece[j] == p.piece[i]) continue;
+      const Vec3d to = p.position[j] - a.position;
+      const double near = a.offset + static_cast<double>(p.faceOffset[j]) + planeReach * spacing;
+      if (!(dot(to, to) < near * near)) continue;
+      Candidate c{j, placed(s.in, j), {}};
+      if (bend(a) >= bend(c.element)) c.contact = contactOf(a, c.element, spacing);
+      any = any || c.contact;
+      if (c.contact || c.element.round()) candidates.push_back(c);
+    }
+  if (any) addPairContacts(s, i, a, candidates);
+}
+
+/// Contacts of pieces.
 void findPairs(Search& s) {
   const SurfaceCells t = surfaceCells(s.in);
-  const Continuum& p = s.in.particles;
   std::vector<RowSpan> ranges;
+  std::vector<Candidate> candidates;
   for (std::size_t c = 0; c < t.cells.key.size(); c++) {
-    if (t.rows[t.cells.first[c]] >= p.owned) continue;
-    rowsAround(t.cells, t.cells.key[c], ranges);
-    for (std::uint32_t k = t.cells.first[c]; k < t.cells.first[c] + t.cells.count[c]; k++) {
-      const std::uint32_t i = t.rows[k];
-      const PlacedElement a = placed(s.in, i);
-      const std::size_t first = s.found.size();
-      s.elements.clear();
-      for (const RowSpan& r : ranges)
-        for (std::uint32_t m = r.begin; m < r.end; m++) {
-          const std::uint32_t j = t.rows[m];
-          if (p.piece[j] <= p.piece[i]) continue;
-          const Vec3d to = p.position[j] - a.position;
-          const double near = a.offset + static_cast<double>(p.faceOffset[j]) +
-                              planeReach * s.in.scene.spacing;
-          if (dot(to, to) < near * near) pairContact(s, i, j, a, first);
-        }
-      if (s.found.size() > first + 1) removeEdges(s, first);
-    }
+    if (t.rows[t.cells.first[c]] >= s.in.particles.owned) continue;
+    if (onePieceAround(t, c, ranges)) continue;
+    for (std::uint32_t k = t.cells.first[c]; k < t.cells.first[c] + t.cells.count[c]; k++)
+      findPairsOf(s, t.rows[k], t, ranges, candidates);
   }
 }
 
@@ -213,7 +270,7 @@ void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
       gap = wall.shape->distance(toRest(wall.pose, *point), &gradient);
       n = directionFromRest(wall.pose, gradient);
     }
-    addWallContact(s, i, k, {*point - 0.5 * gap * n, n, gap, 0, false});
+    addWallContact(s, i, k, {*point - 0.5 * gap * n, n, gap, 0});
   }
 }
 
@@ -237,7 +294,7 @@ void findObstacles(Search& s) {
 
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
                                        Reducer& all) {
-  Search s{search, motion, {}, {}};
+  Search s{search, motion, {}};
   findPairs(s);
   findObstacles(s);
   reduceContacts(s.found, search.pieces, all);

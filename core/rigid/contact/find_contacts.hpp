@@ -28,15 +28,14 @@ struct ContactSearch {
 /// A contact and what it belongs to.
 struct FoundContact {
   RigidContact contact;
-  std::uint64_t pieceA = 0;     ///< piece of a
-  std::uint64_t partner = 0;    ///< piece of b, or obstacleBit | index of the wall
-  std::uint32_t particle = 0;   ///< owned row of the particle of a
-  std::uint32_t direction = 0;  ///< bin of the normal
+  std::uint64_t pieceA = 0;    ///< piece of a
+  std::uint64_t partner = 0;   ///< piece of b, or obstacleBit | index of the wall
+  std::uint32_t particle = 0;  ///< owned row of the particle of a
 };
 
 inline constexpr std::uint64_t obstacleBit = std::uint64_t{1} << 63;
 
-/// Returns the contacts that may close within the step, each on the rank that owns its particle of a. motion:
+/// Returns the contacts that may close within the step, each on the rank that owns `particle`. motion:
 /// velocities of all rows of pieces, as the solver gets them. Patches of contact between two pieces are
 /// reduced to their outline, which supports the same forces and torques. The first guesses are those of
 /// keepImpulses. Collective.

@@ -16,13 +16,28 @@ constexpr double gapWeight = 10;    // length along the surface that outweighs a
 constexpr double firstAngle = 0.3;  // rad; edges of boxes along the axes are not at right angles to a
                                     // direction
 
+/// The side of the contact that a patch counts from: the piece with the smaller id.
+struct Side {
+  std::uint64_t piece, partner;
+  Vec3d normal, arm;
+};
+
+Side sideOf(const FoundContact& f) {
+  const RigidContact& c = f.contact;
+  if (f.pieceA < f.partner) return {f.pieceA, f.partner, c.normal, c.armA};
+  return {f.partner, f.pieceA, -c.normal, c.armB};
+}
+
 struct Patch {
   std::uint64_t piece, partner;
   std::uint32_t direction;
   auto operator<=>(const Patch&) const = default;
 };
 
-Patch patchOf(const FoundContact& c) { return {c.pieceA, c.partner, c.direction}; }
+Patch patchOf(const FoundContact& c) {
+  const Side s = sideOf(c);
+  return {s.piece, s.partner, directionBin(s.normal)};
+}
 
 /// How far a contact is at the margin by one of the criteria. Ties are decided by the keys.
 struct Rank {
@@ -52,9 +67,10 @@ std::array<Vec3d, outward> directionsOf(const Vec3d& normal) {
 std::array<Rank, criteria> ranksOf(const FoundContact& f) {
   const RigidContact& c = f.contact;
   std::array<Rank, criteria> r;
-  const auto directions = directionsOf(c.normal);
+  const Side side = sideOf(f);
+  const auto directions = directionsOf(side.normal);
   for (std::size_t k = 0; k < outward; k++)
-    r[k] = {dot(c.armA, directions[k]) - gapWeight * std::max(0.0, c.gap), c.keyA, c.keyB};
+    r[k] = {dot(side.arm, directions[k]) - gapWeight * std::max(0.0, c.gap), c.keyA, c.keyB};
   r[outward] = {-c.gap, c.keyA, c.keyB};
   return r;
 }
@@ -124,7 +140,8 @@ void reduceContacts(std::vector<FoundContact>& contacts, const Pieces& pieces, R
   for (const auto& [patch, winners] : winnersOf(contacts, ranks))
     for (std::size_t k = 0; k < criteria; k++) {
       const std::size_t i = winners[k];
-      if (!pieces.shared[contacts[i].contact.a]) {
+      const RigidContact& c = contacts[i].contact;
+      if (!pieces.shared[c.a] && (c.b == noPiece || !pieces.shared[c.b])) {
         keep[i] = 1;
         continue;
       }
