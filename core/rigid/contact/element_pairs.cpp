@@ -36,12 +36,10 @@ std::optional<Vec3d> commonNormal(const PlacedElement& a, const PlacedElement& b
   return line / size;
 }
 
-/// Returns true if a point of contact with another element lies on a plane element, or if there is no plane.
-bool onPlane(const PlacedElement& plane, const PlacedElement& other, const Vec3d& point, double spacing) {
-  if (!plane.plane()) return true;
+/// Distance (m) along a plane element from its particle to a point.
+double asideOf(const PlacedElement& plane, const Vec3d& point) {
   const Vec3d to = point - plane.position;
-  const double reach = other.round() ? planeReach : elementReach;
-  return length(to - dot(to, plane.normal) * plane.normal) <= reach * spacing;
+  return length(to - dot(to, plane.normal) * plane.normal);
 }
 
 }  // namespace
@@ -60,7 +58,9 @@ std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElem
   const double between = a.plane() == b.plane() ? 0 : (a.plane() ? 0.5 : -0.5) * c.gap;
   c.point = middle + between * *n;
   if (a.plane() && b.plane()) return c.aside <= elementReach * spacing ? std::optional(c) : std::nullopt;
-  return onPlane(a, b, c.point, spacing) && onPlane(b, a, c.point, spacing) ? std::optional(c) : std::nullopt;
+  if (!a.plane() && !b.plane()) return c;
+  c.aside = asideOf(a.plane() ? a : b, c.point);
+  return c.aside <= planeReach * spacing ? std::optional(c) : std::nullopt;
 }
 
 std::optional<Vec3d> outermost(const PlacedElement& e, const Vec3d& direction, double spacing) {

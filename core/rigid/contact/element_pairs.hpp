@@ -24,7 +24,8 @@ struct ElementContact {
   Vec3d point{};     ///< m
   Vec3d normal{};    ///< unit vector towards the first element
   double gap = 0;    ///< m
-  double aside = 0;  ///< m, distance of the two particles along the surface
+  double aside = 0;  ///< m, distance along the surface: of the two particles, or of the point from the
+                     ///< particle of a plane
 };
 
 /// Returns the contact of two elements whose surfaces face each other, if it lies on both. A plane gives the

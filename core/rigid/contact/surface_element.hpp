@@ -22,8 +22,8 @@ inline constexpr float planeRadius = std::numeric_limits<float>::infinity();
 /// Elements have no holes then, also on spheres of a few spacings.
 inline constexpr double elementReach = 1.0;
 
-/// The same for a plane that an edge or a corner touches. Planes end at a spacing from the edges of their
-/// body, where particles are round.
+/// The same for a plane that a sphere, an edge or a corner touches. Planes end at a spacing from the edges of
+/// their body, where particles are round.
 inline constexpr double planeReach = 1.6;
 
 /// Returns the element of a particle at x (m, in the frame of the shape) in a piece that fills the shape.
