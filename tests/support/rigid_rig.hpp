@@ -33,8 +33,7 @@ struct RigPiece {
       Vec3d axis{};
       axis[a] = 1;
       const Vec3d n = rotated(orientation, axis);
-      sum = sum +
-            (1 / inertia[a]) * Sym3d{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
+      sum = sum + (1 / inertia[a]) * Sym3d{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
     }
     return sum;
   }
@@ -154,10 +153,9 @@ struct RigidRig {
     particles = std::make_unique<Continuum>();
     table = std::make_unique<Pieces>();
     Continuum& c = *particles;
-    for (AnyColumn* column :
-         std::initializer_list<AnyColumn*>{&c.id, &c.position, &c.material, &c.piece, &c.pieceRow,
-                                           &c.faceNormal, &c.faceOffset, &c.faceRadius, &c.contactPartner,
-                                           &c.contactImpulse})
+    for (AnyColumn* column : std::initializer_list<AnyColumn*>{
+             &c.id, &c.position, &c.material, &c.piece, &c.pieceRow, &c.faceNormal, &c.faceOffset,
+             &c.faceRadius, &c.contactPartner, &c.contactImpulse})
       c.activate(*column);
     activatePieces(*table);
     struct Row {

@@ -22,6 +22,8 @@ double targetOf(const RigidContact& c, const ContactSettings& s, const Vec3d& u)
   return impact ? c.restitution * approach : -room;
 }
 
+double finiteOr(double x, double other) { return std::isfinite(x) ? x : other; }
+
 struct VelocityProblem {
   std::vector<Vec3d> free, impulses;
   std::vector<double> target;
@@ -37,8 +39,8 @@ VelocityProblem velocityProblem(const ContactSystem& system, const ContactSettin
     p.free.push_back(u);
     p.target.push_back(targetOf(c, settings, u));
     p.impulses.push_back(c.impulse);
-    p.speed = std::max(p.speed, length(u) + system.inertia[i] * length(c.impulse));
-    p.deepest = std::max(p.deepest, -c.gap);
+    p.speed = std::max(p.speed, finiteOr(length(u) + system.inertia[i] * length(c.impulse), HUGE_VAL));
+    p.deepest = std::max(p.deepest, finiteOr(-c.gap, HUGE_VAL));
   }
   double most[2] = {p.speed, p.deepest};
   system.all->maximum(most);
