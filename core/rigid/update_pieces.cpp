@@ -37,6 +37,17 @@ struct FormerMotion {
   Vec3d spin{}, turning{};  ///< rad/s, rad/s^2
 };
 
+/// Angular momentum of particles that left their pieces, about their own centres. Their pieces keep it.
+struct LeftSpins {
+  std::vector<std::uint64_t> ids;  ///< former pieces, ascending
+  std::vector<Vec3d> share;        ///< kg m^2/s, for each particle that remains
+
+  Vec3d of(std::uint64_t piece) const {
+    const auto at = std::lower_bound(ids.begin(), ids.end(), piece);
+    return at != ids.end() && *at == piece ? share[static_cast<std::size_t>(at - ids.begin())] : Vec3d{};
+  }
+};
+
 FormerMotion formerMotion(const RigidView& v, std::size_t i) {
   const Continuum& p = v.particles;
   const std::uint32_t row = p.piece[i] == notRigid ? noPieceRow : v.pieces.rowOf(p.piece[i]);
@@ -77,6 +88,34 @@ NewPieces findChanged(const RigidView& v, Reducer& all) {
     changed.count.push_back(static_cast<std::uint64_t>(w[2]));
   }
   return changed;
+}
+
+LeftSpins leftSpins(const RigidView& v, Reducer& all) {
+  const Continuum& p = v.particles;
+  LeftSpins left;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.piece[i] != notRigid) left.ids.push_back(p.piece[i]);
+  std::sort(left.ids.begin(), left.ids.end());
+  left.ids.erase(std::unique(left.ids.begin(), left.ids.end()), left.ids.end());
+  constexpr std::size_t perPiece = 2;  // moments of particles that left, number of those that remain
+  std::vector<ExactSum> sums(perPiece * left.ids.size());
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.piece[i] == notRigid) continue;
+    const auto at = std::lower_bound(left.ids.begin(), left.ids.end(), p.piece[i]);
+    ExactSum* const s = sums.data() + perPiece * static_cast<std::size_t>(at - left.ids.begin());
+    if (p.pieceLabel[i] == notRigid) s[0].add(ownInertia(p.mass[i], v.scene.spacing));
+    else s[1].add(1);
+  }
+  RankPieceExchange exchange(all, left.ids, {});
+  sumOverRanks(exchange, sums, perPiece, v.work.words);
+  for (std::size_t k = 0; k < left.ids.size(); k++) {
+    const std::uint32_t row = v.pieces.rowOf(left.ids[k]);
+    const double moment = sums[perPiece * k].value(), remain = sums[perPiece * k + 1].value();
+    left.share.push_back(moment > 0 && remain > 0 && row != noPieceRow
+                             ? spinOf(v.pieces, row, v.pieces.angularMomentum[row]) * (moment / remain)
+                             : Vec3d{});
+  }
+  return left;
 }
 
 /// Calls use(row of the particle, row of its new piece) for owned particles of changed pieces.
@@ -128,16 +167,22 @@ void findCentres(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
 constexpr std::size_t motionSums = 20;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3, kinetic
                                         // energy, clamped particles
 
-/// Adds a particle to the sums of its piece.
-void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, bool atStart, ExactSum* sums) {
+/// Motion of a particle about its own centre: that of its former piece, or of its body at the start.
+FormerMotion ownMotion(const RigidView& v, std::size_t i, bool atStart) {
+  if (!atStart) return formerMotion(v, i);
+  const std::size_t body = v.particles.body[i];
+  return body < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[body].spin, {}} : FormerMotion{};
+}
+
+/// Adds a particle to the sums of its piece. extra: angular momentum (kg m^2/s) that it brings along.
+void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, const FormerMotion& former,
+               const Vec3d& extra, ExactSum* sums) {
   const Continuum& p = v.particles;
   const double m = p.mass[i], own = ownInertia(m, v.scene.spacing);
-  const FormerMotion former = !atStart                              ? formerMotion(v, i)
-                              : p.body[i] < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[p.body[i]].spin}
-                                                                    : FormerMotion{};
   const Vec3d& r = lever;
   const Vec3d momentum = p.velocity[i] * m, force = p.acceleration[i] * m;
-  const Vec3d angular = cross(r, momentum) + former.spin * own, torque = cross(r, force) + former.turning * own;
+  const Vec3d angular = cross(r, momentum) + former.spin * own + extra,
+              torque = cross(r, force) + former.turning * own;
   const double inertia[6] = {m * (r.y * r.y + r.z * r.z) + own, m * (r.x * r.x + r.z * r.z) + own,
                              m * (r.x * r.x + r.y * r.y) + own, -m * r.x * r.y, -m * r.y * r.z,
                              -m * r.x * r.z};
@@ -242,9 +287,11 @@ void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
   RankPieceExchange exchange(halos.all, n.ids, {});
   findReferences(v, n, exchange);
   findCentres(v, n, exchange);
+  const LeftSpins left = leftSpins(v, halos.all);
   std::vector<ExactSum> sums(motionSums * n.ids.size());
   eachChanged(v, n, [&](std::size_t i, std::size_t k) {
-    addMotion(v, i, placeIn(v, n, i, k) - n.centre[k], atStart, sums.data() + motionSums * k);
+    addMotion(v, i, placeIn(v, n, i, k) - n.centre[k], ownMotion(v, i, atStart),
+              left.of(v.particles.piece[i]), sums.data() + motionSums * k);
   });
   sumOverRanks(exchange, sums, motionSums, v.work.words);
   if (!atStart) {
