@@ -59,7 +59,7 @@ void findContactImpulses(const RigidView& v, const Halos& halos, double dt) {
   std::vector<RigidContact> contacts;
   for (const FoundContact& f : found) contacts.push_back(f.contact);
   std::vector<PieceChange> changes(motions.size());
-  RankPieceExchange exchange = exchangeOf(p, halos.all);
+  RankPieceExchange exchange = exchangeOf(p, v.work, halos.all);
   const ContactResult result = solveContacts(motions, contacts, settingsOf(v, dt), exchange, halos.all,
                                              changes);
   for (std::size_t k = 0; k < found.size(); k++) found[k].contact.impulse = contacts[k].impulse;

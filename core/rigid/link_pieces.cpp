@@ -63,11 +63,13 @@ void appendRow(const Pieces& p, std::uint32_t row, std::vector<std::uint64_t>& w
 
 /// What a rank says of a piece to its home rank, in one word behind the id.
 constexpr std::uint64_t holds = 1, wants = 2, gives = 4;
+constexpr int numberShift = 8;  ///< bits of an answer below the number of a shared piece
 
 /// A piece at its home rank.
 struct Entry {
   const std::uint64_t* row = nullptr;
   std::vector<int> holders;
+  std::uint64_t number = 0;  ///< of a shared piece
 };
 
 void announce(const RigidView& v, const std::vector<Need>& needs, int ranks, WordStreams& out) {
@@ -112,7 +114,26 @@ std::unordered_map<std::uint64_t, Entry> readAnnounced(const std::vector<WordStr
   return home;
 }
 
-/// Answers each holder: whether others hold the piece, and its row where it was wanted.
+/// Numbers the shared pieces of all ranks: those of the home ranks one after the other, each ascending by id.
+/// Returns their total. Collective.
+std::size_t numberShared(std::unordered_map<std::uint64_t, Entry>& home, Reducer& all) {
+  std::vector<std::uint64_t> mine;
+  for (const auto& [id, e] : home)
+    if (e.holders.size() > 1) mine.push_back(id);
+  std::sort(mine.begin(), mine.end());
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(all.size()), 0);
+  counts[static_cast<std::size_t>(all.rank())] = static_cast<std::int64_t>(mine.size());
+  all.sum(counts);
+  std::int64_t first = 0, total = 0;
+  for (std::size_t r = 0; r < counts.size(); r++) {
+    if (static_cast<int>(r) < all.rank()) first += counts[r];
+    total += counts[r];
+  }
+  for (std::size_t k = 0; k < mine.size(); k++) home.at(mine[k]).number = static_cast<std::uint64_t>(first) + k;
+  return static_cast<std::size_t>(total);
+}
+
+/// Answers each holder: the number of the piece if others hold it, and its row where it was wanted.
 WordStreams answers(const std::vector<WordStream>& in, const std::unordered_map<std::uint64_t, Entry>& home,
                     std::size_t width, int ranks) {
   WordStreams out(ranks);
@@ -124,7 +145,7 @@ WordStreams answers(const std::vector<WordStream>& in, const std::unordered_map<
       const Entry& e = home.at(id);
       std::vector<std::uint64_t>& to = out.to(s.rank);
       to.push_back(id);
-      to.push_back((e.holders.size() > 1 ? holds : 0) | (flags & wants));
+      to.push_back((e.holders.size() > 1 ? holds | e.number << numberShift : 0) | (flags & wants));
       if (!(flags & wants)) continue;
       if (!e.row) throw std::logic_error("no rank has the row of a rigid piece");
       to.insert(to.end(), e.row, e.row + width);
@@ -132,20 +153,21 @@ WordStreams answers(const std::vector<WordStream>& in, const std::unordered_map<
   return out;
 }
 
-/// Adds received rows; shared: set for each needed piece that others hold.
-void takeAnswers(const std::vector<WordStream>& in, Pieces& p, std::vector<std::uint64_t>& shared) {
+using SharedNumbers = std::unordered_map<std::uint64_t, std::uint32_t>;
+
+/// Adds received rows, and the numbers of needed pieces that others hold.
+void takeAnswers(const std::vector<WordStream>& in, Pieces& p, SharedNumbers& shared) {
   const std::size_t width = rowWords(p);
   for (const WordStream& s : in)
     for (std::size_t k = 0; k < s.words.size();) {
       const std::uint64_t id = s.words[k], flags = s.words[k + 1];
       k += 2;
-      if (flags & holds) shared.push_back(id);
+      if (flags & holds) shared[id] = static_cast<std::uint32_t>(flags >> numberShift);
       if (!(flags & wants)) continue;
       p.resize(p.owned + 1, 0);
       p.unpackState(p.owned - 1, reinterpret_cast<const std::byte*>(s.words.data() + k));
       k += width;
     }
-  std::sort(shared.begin(), shared.end());
 }
 
 void setRows(Continuum& p, const Pieces& pieces, PieceUsers users) {
@@ -169,13 +191,17 @@ void linkPieces(const RigidView& v, const Halos& halos, PieceUsers users) {
   Reducer& all = halos.all;
   sortRows(p);
   const std::vector<Need> needs = findNeeds(v, halos.cells, users, all.size() == 1);
-  std::vector<std::uint64_t> shared;
+  SharedNumbers shared;
+  if (!v.work.contact) v.work.contact = std::make_shared<RigidContactWork>();
+  RigidContactWork& numbers = *v.work.contact;
+  numbers.total = 0;
   if (all.size() > 1) {
     WordStreams out(all.size());
     announce(v, needs, all.size(), out);
     const std::vector<WordStream> in = all.sparseAllToAll(std::move(out.lists));
     const std::size_t width = rowWords(p);
-    const std::unordered_map<std::uint64_t, Entry> home = readAnnounced(in, width);
+    std::unordered_map<std::uint64_t, Entry> home = readAnnounced(in, width);
+    numbers.total = numberShared(home, all);
     WordStreams back = answers(in, home, width, all.size());
     takeAnswers(all.sparseAllToAll(std::move(back.lists)), p, shared);
     sortRows(p);
@@ -188,9 +214,12 @@ void linkPieces(const RigidView& v, const Halos& halos, PieceUsers users) {
     kept.push_back(row);
   }
   p.reorder(kept);
+  numbers.number.assign(needs.size(), RigidContactWork::notShared);
   for (std::size_t k = 0; k < needs.size(); k++) {
     p.here[k] = needs[k].here;
-    p.shared[k] = std::binary_search(shared.begin(), shared.end(), needs[k].id);
+    const auto at = shared.find(needs[k].id);
+    p.shared[k] = at != shared.end();
+    if (at != shared.end()) numbers.number[k] = at->second;
     p.leads[k] = 0;
   }
   setRows(c, p, users);

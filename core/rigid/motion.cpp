@@ -104,7 +104,7 @@ void sumPieceForces(const RigidView& v, Reducer& all) {
       sums[3 + a].add(torque[a]);
     }
   });
-  RankPieceExchange exchange = exchangeOf(s, all);
+  RankPieceExchange exchange = exchangeOf(s, v.work, all);
   sumOverRanks(exchange, v.work.sums, perPiece, v.work.words);
   std::vector<Vec3d> turning(s.owned);
   for (std::size_t k = 0; k < s.owned; k++) {

@@ -30,8 +30,27 @@ std::unordered_map<std::uint64_t, HomeSum> addReceived(const std::vector<WordStr
 }  // namespace
 
 void RankPieceExchange::sum(std::span<std::int64_t> words, std::size_t perPiece) {
+  constexpr std::size_t mostDense = 16384;  // words
+  if (all_.size() == 1 || (shared_ && shared_->total == 0)) return;
+  if (shared_ && shared_->total * perPiece <= mostDense) sumDense(words, perPiece);
+  else sumAtHomes(words, perPiece);
+}
+
+void RankPieceExchange::sumDense(std::span<std::int64_t> words, std::size_t perPiece) {
+  dense_.assign(shared_->total * perPiece, 0);
+  const auto eachShared = [&](auto&& use) {
+    for (std::size_t row = 0; row < ids_.size(); row++)
+      if (isShared(row))
+        for (std::size_t n = 0; n < perPiece; n++)
+          use(words[row * perPiece + n], dense_[shared_->number[row] * perPiece + n]);
+  };
+  eachShared([](std::int64_t word, std::int64_t& sum) { sum = word; });
+  all_.sum(dense_);
+  eachShared([](std::int64_t& word, std::int64_t sum) { word = sum; });
+}
+
+void RankPieceExchange::sumAtHomes(std::span<std::int64_t> words, std::size_t perPiece) {
   const int ranks = all_.size();
-  if (ranks == 1) return;
   WordStreams out(ranks);
   std::vector<std::vector<std::uint32_t>> rowsTo(static_cast<std::size_t>(ranks));
   for (std::size_t row = 0; row < ids_.size(); row++) {

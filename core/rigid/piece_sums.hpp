@@ -9,6 +9,8 @@
 #include "core/math/exact_sum.hpp"
 #include "core/rigid/contact/piece_exchange.hpp"
 #include "core/rigid/data/pieces.hpp"
+#include "core/rigid/data/rigid_work.hpp"
+#include "core/rigid/shared_pieces.hpp"
 
 namespace thaw {
 
@@ -19,23 +21,29 @@ inline int homeRank(std::uint64_t piece, int ranks) {
   return static_cast<int>(h % static_cast<std::uint64_t>(ranks));
 }
 
-/// Adds words at the home rank of each piece and returns the sums to its holders.
+/// Adds words of pieces over all ranks that have them. Few words of shared pieces are added by one reduction over
+/// all ranks, many at the home rank of each piece: the sums are the same.
 class RankPieceExchange : public PieceExchange {
  public:
-  /// ids: piece of each row. shared: rows that further ranks have; empty: any row may be.
-  RankPieceExchange(Reducer& all, std::span<const std::uint64_t> ids, std::span<const std::uint8_t> shared)
+  /// ids: piece of each row. shared: null if any row may be shared.
+  RankPieceExchange(Reducer& all, std::span<const std::uint64_t> ids, const RigidContactWork* shared)
       : all_(all), ids_(ids), shared_(shared) {}
   void sum(std::span<std::int64_t> words, std::size_t perPiece) override;
 
  private:
-  bool isShared(std::size_t row) const { return shared_.empty() || shared_[row] != 0; }
+  bool isShared(std::size_t row) const {
+    return !shared_ || shared_->number[row] != RigidContactWork::notShared;
+  }
+  void sumDense(std::span<std::int64_t> words, std::size_t perPiece);
+  void sumAtHomes(std::span<std::int64_t> words, std::size_t perPiece);
   Reducer& all_;
   std::span<const std::uint64_t> ids_;
-  std::span<const std::uint8_t> shared_;
+  const RigidContactWork* shared_;
+  std::vector<std::int64_t> dense_;
 };
 
-inline RankPieceExchange exchangeOf(const Pieces& p, Reducer& all) {
-  return {all, {p.id.data(), p.owned}, {p.shared.data(), p.owned}};
+inline RankPieceExchange exchangeOf(const Pieces& p, const RigidWork& work, Reducer& all) {
+  return {all, {p.id.data(), p.owned}, work.contact.get()};
 }
 
 /// Replaces exact sums, perPiece for each row, by those of all ranks. words: scratch. Collective.

@@ -78,7 +78,7 @@ NewPieces findChanged(const RigidView& v, Reducer& all) {
     add(p.piece[i], p.id[i], -1);
     add(p.pieceLabel[i], p.id[i], 1);
   }
-  RankPieceExchange exchange(all, ids, {});
+  RankPieceExchange exchange(all, ids, nullptr);
   exchange.sum(words, perPiece);
   NewPieces changed;
   for (std::size_t k = 0; k < ids.size(); k++) {
@@ -106,7 +106,7 @@ LeftSpins leftSpins(const RigidView& v, Reducer& all) {
     if (p.pieceLabel[i] == notRigid) s[0].add(ownInertia(p.mass[i], v.scene.spacing));
     else s[1].add(1);
   }
-  RankPieceExchange exchange(all, left.ids, {});
+  RankPieceExchange exchange(all, left.ids, nullptr);
   sumOverRanks(exchange, sums, perPiece, v.work.words);
   for (std::size_t k = 0; k < left.ids.size(); k++) {
     const std::uint32_t row = v.pieces.rowOf(left.ids[k]);
@@ -284,7 +284,7 @@ void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
   labelPieces(v, halos, atStart);
   if (atStart) std::fill_n(v.particles.piece.data(), v.particles.owned, notRigid);
   NewPieces n = findChanged(v, halos.all);
-  RankPieceExchange exchange(halos.all, n.ids, {});
+  RankPieceExchange exchange(halos.all, n.ids, nullptr);
   findReferences(v, n, exchange);
   findCentres(v, n, exchange);
   const LeftSpins left = leftSpins(v, halos.all);

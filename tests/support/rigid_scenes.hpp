@@ -32,7 +32,7 @@ inline Scene freeBox(const Material& material, double spacing, const Vec3d& size
   return s;
 }
 
-/// Hot wax on a floor, with boxes of cold wax that fall into it: pieces melt, fall apart, freeze and touch.
+/// Hot wax on a floor, with boxes of cold wax that fall into it: pieces melt and touch. After 0.03 s all freezes.
 inline Scene waxPieces() {
   Scene s = emptyScene(0.05, {-0.5, -0.5, -0.2}, {0.5, 0.5, 1});
   s.domain.gravity = {0, 0, -9.81};
@@ -42,11 +42,15 @@ inline Scene waxPieces() {
   s.materials[0].viscosity = {5, 5};
   s.materials[0].soundSpeed = 40;
   addBox(s, {-0.5, -0.5, -0.2}, {0.5, 0.5, -0.05}).temperature = 420;
-  addBox(s, {-0.35, -0.15, -0.05}, {0.35, 0.15, 0.05}).temperature = 300;
+  addBox(s, {-0.35, -0.15, -0.05}, {0.35, 0.15, 0.05}).temperature = 327;
   addBox(s, {-0.1, -0.35, 0.05}, {0.1, 0.35, 0.2}).temperature = 305;
   Body& top = addBox(s, {0.15, 0.05, 0.1}, {0.35, 0.25, 0.25});
   top.temperature = 290;
   top.spin = {3, 1, 2};
+  s.thermostats.emplace_back();
+  s.thermostats[0].start = 0.03;
+  s.thermostats[0].over = 0.01;
+  s.thermostats[0].temperature = 300;
   return s;
 }
 
