@@ -89,10 +89,12 @@ int correctOverlap(ContactSystem& system, const ContactSettings& settings, const
     target[i] = overlap > 0 ? std::min(settings.correction * overlap, settings.mostCorrection) / settings.step
                             : -std::max(0.0, gap) / settings.step;
   }
-  const double tolerance = std::max(settings.tolerance, 1e-3 * velocity.deepest / settings.step);
+  // Later steps correct what is left. Between obstacles that leave no room, no displacement removes all.
+  constexpr int mostIterations = 50;
+  const double tolerance = std::max(settings.tolerance, 1e-2 * velocity.deepest / settings.step);
   std::vector<RowChange> moves;
   setSpeed(system, std::max(velocity.deepest / settings.step, settings.tolerance));
-  const SolveCount count = solveAccelerated(system, {free, target, false, tolerance, settings.mostIterations},
+  const SolveCount count = solveAccelerated(system, {free, target, false, tolerance, std::min(mostIterations, settings.mostIterations)},
                                             impulses, moves);
   for (std::size_t r = 0; r < changes.size(); r++) {
     changes[r].shift = settings.step * moves[r].velocity;
