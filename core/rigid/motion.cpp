@@ -85,6 +85,7 @@ void driftPieces(const RigidView& v, double dt) {
   for (std::size_t k = 0; k < v.pieces.owned; k++) drift(v, k, dt);
   Continuum& p = v.particles;
   eachParticle(v, [&](std::size_t i, const Rigid& r, const Vec3d& lever) {
+    if (v.pieces.fixed[p.pieceRow[i]]) return;
     p.position[i] = imageNear(v.grid, r.centre + lever, p.position[i]);
     p.velocity[i] = r.velocity + cross(r.spin, lever);
   });

@@ -56,7 +56,7 @@ FormerMotion formerMotion(const RigidView& v, std::size_t i) {
 }
 
 /// Returns the pieces whose sets of particles changed: those whose number of particles, or sum of hashes of
-/// their ids, differs from that of the former piece of the same id.
+/// their ids, differs from that of the former piece of the same id, and those that particles left.
 NewPieces findChanged(const RigidView& v, Reducer& all) {
   const Continuum& p = v.particles;
   std::vector<std::uint64_t> ids;
@@ -83,7 +83,10 @@ NewPieces findChanged(const RigidView& v, Reducer& all) {
   NewPieces changed;
   for (std::size_t k = 0; k < ids.size(); k++) {
     const std::int64_t* const w = words.data() + perPiece * k;
-    if (w[2] == 0 || (w[0] == 0 && w[1] == 0)) continue;
+    if (w[2] == 0) continue;
+    const std::uint32_t row = v.pieces.rowOf(ids[k]);
+    const bool left = row != noPieceRow && v.pieces.count[row] != static_cast<std::uint64_t>(w[2]);
+    if (w[0] == 0 && w[1] == 0 && !left) continue;
     changed.ids.push_back(ids[k]);
     changed.count.push_back(static_cast<std::uint64_t>(w[2]));
   }
