@@ -297,7 +297,7 @@ std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<co
   Search s{search, motion, {}};
   findPairs(s);
   findObstacles(s);
-  reduceContacts(s.found, search.pieces, all);
+  reduceContacts(s.found, search.pieces, search.scene.spacing, all);
   const Continuum& p = search.particles;
   for (FoundContact& f : s.found)
     if (p.contactPartner[f.particle] == f.partner) f.contact.impulse = p.contactImpulse[f.particle];

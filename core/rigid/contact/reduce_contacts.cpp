@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::size_t outward = 8, criteria = outward + 1;
 constexpr double gapWeight = 10;    // length along the surface that outweighs an open gap, over the gap
+constexpr double evenDepth = 0.02;  // spacings; smaller differences of depth do not count, so that the same
+                                    // contacts stay from step to step
+constexpr double closedGap = 0.01;  // spacings; contacts with larger gaps support nothing yet
 constexpr double firstAngle = 0.3;  // rad; edges of boxes along the axes are not at right angles to a
                                     // direction
 
@@ -30,13 +33,14 @@ Side sideOf(const FoundContact& f) {
 
 struct Patch {
   std::uint64_t piece, partner;
-  std::uint32_t direction;
+  std::uint32_t direction;  ///< bin of normals, doubled; odd: open gaps
   auto operator<=>(const Patch&) const = default;
 };
 
-Patch patchOf(const FoundContact& c) {
+Patch patchOf(const FoundContact& c, double spacing) {
   const Side s = sideOf(c);
-  return {s.piece, s.partner, directionBin(s.normal)};
+  const bool open = c.contact.gap > closedGap * spacing;
+  return {s.piece, s.partner, 2 * directionBin(s.normal) + (open ? 1 : 0)};
 }
 
 /// How far a contact is at the margin by one of the criteria. Ties are decided by the keys.
@@ -64,26 +68,26 @@ std::array<Vec3d, outward> directionsOf(const Vec3d& normal) {
   return d;
 }
 
-std::array<Rank, criteria> ranksOf(const FoundContact& f) {
+std::array<Rank, criteria> ranksOf(const FoundContact& f, double depthStep) {
   const RigidContact& c = f.contact;
   std::array<Rank, criteria> r;
   const Side side = sideOf(f);
   const auto directions = directionsOf(side.normal);
   for (std::size_t k = 0; k < outward; k++)
     r[k] = {dot(side.arm, directions[k]) - gapWeight * std::max(0.0, c.gap), c.keyA, c.keyB};
-  r[outward] = {-c.gap, c.keyA, c.keyB};
+  r[outward] = {-std::floor(c.gap / depthStep), c.keyA, c.keyB};
   return r;
 }
 
 using Winners = std::map<Patch, std::array<std::size_t, criteria>>;
 
 Winners winnersOf(const std::vector<FoundContact>& contacts,
-                  const std::vector<std::array<Rank, criteria>>& ranks) {
+                  const std::vector<std::array<Rank, criteria>>& ranks, double spacing) {
   Winners best;
   for (std::size_t i = 0; i < contacts.size(); i++) {
     std::array<std::size_t, criteria> first;
     first.fill(i);
-    const auto [at, made] = best.try_emplace(patchOf(contacts[i]), first);
+    const auto [at, made] = best.try_emplace(patchOf(contacts[i], spacing), first);
     for (std::size_t k = 0; !made && k < criteria; k++)
       if (ranks[i][k] > ranks[at->second[k]][k]) at->second[k] = i;
   }
@@ -131,13 +135,14 @@ std::uint32_t directionBin(const Vec3d& n) {
   return 9 * face + 3 * third(n[(side + 1) % 3] / size) + third(n[(side + 2) % 3] / size);
 }
 
-void reduceContacts(std::vector<FoundContact>& contacts, const Pieces& pieces, Reducer& all) {
+void reduceContacts(std::vector<FoundContact>& contacts, const Pieces& pieces, double spacing, Reducer& all) {
+  const double depthStep = evenDepth * spacing;
   std::vector<std::array<Rank, criteria>> ranks;
   ranks.reserve(contacts.size());
-  for (const FoundContact& c : contacts) ranks.push_back(ranksOf(c));
+  for (const FoundContact& c : contacts) ranks.push_back(ranksOf(c, depthStep));
   std::vector<std::uint8_t> keep(contacts.size(), 0);
   std::vector<std::vector<std::uint64_t>> entries;
-  for (const auto& [patch, winners] : winnersOf(contacts, ranks))
+  for (const auto& [patch, winners] : winnersOf(contacts, ranks, spacing))
     for (std::size_t k = 0; k < criteria; k++) {
       const std::size_t i = winners[k];
       const RigidContact& c = contacts[i].contact;

@@ -13,9 +13,9 @@ namespace thaw {
 std::uint32_t directionBin(const Vec3d& normal);
 
 /// Keeps for each pair of pieces and bin of normals the contacts that are outermost in eight directions along
-/// the surface, where open gaps count less, and the deepest one. Forces along a common normal have the same
-/// torques from the outline as from the whole patch. Patches of a piece that lies on several ranks are
-/// compared over these. Collective.
-void reduceContacts(std::vector<FoundContact>& contacts, const Pieces& pieces, Reducer& all);
+/// the surface, and the deepest one; of closed and of open gaps separately. Forces along a common normal have
+/// the same torques from the outline as from the whole patch. Patches of a piece that lies on several ranks
+/// are compared over these. spacing: m. Collective.
+void reduceContacts(std::vector<FoundContact>& contacts, const Pieces& pieces, double spacing, Reducer& all);
 
 }  // namespace thaw

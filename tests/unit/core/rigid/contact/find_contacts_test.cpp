@@ -159,7 +159,7 @@ TEST(ReduceContacts, theOutlineIsTheSameOnAnyRanks) {
   pieces.shared[0] = 1;
   SerialReducer alone;
   std::vector<FoundContact> serial = patch;
-  reduceContacts(serial, pieces, alone);
+  reduceContacts(serial, pieces, spacing, alone);
   const auto expected = keysOf(serial);
   EXPECT_EQ(expected.size(), 2 * 5u);  // four corners and the deepest point, for each partner
   for (const int count : {2, 3}) {
@@ -168,7 +168,7 @@ TEST(ReduceContacts, theOutlineIsTheSameOnAnyRanks) {
     for (std::size_t k = 0; k < patch.size(); k++) parts[k * k % parts.size()].push_back(patch[k]);
     ranks.run([&](int rank) {
       ThreadReducer all(ranks, rank);
-      reduceContacts(parts[static_cast<std::size_t>(rank)], pieces, all);
+      reduceContacts(parts[static_cast<std::size_t>(rank)], pieces, spacing, all);
     });
     std::vector<FoundContact> together;
     for (const auto& part : parts) together.insert(together.end(), part.begin(), part.end());
