@@ -15,6 +15,7 @@ namespace {
 
 constexpr double nearGap = 0.03;   // spacings; smaller gaps are contacts at any velocity
 constexpr double faceGap = 0.03;   // spacings; faces count before edges that are not this much closer
+constexpr double flatEdge = 0.3;   // spacings; faces are plane so far beyond their outermost particles
 constexpr double lookAhead = 1.5;  // steps; motions change within the step
 
 bool hasSurface(const Continuum& p, std::size_t i) { return p.piece[i] != notRigid && p.faceOffset[i] > 0; }
@@ -122,14 +123,15 @@ void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
   if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
 }
 
-/// Distance (m) of a point of contact beyond the particles of a face, whose outermost ones are round.
+/// Distance (m) of a point of contact beyond the plane part of a face. Its outermost particles are round.
 double beyondFace(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
-  double beyond = std::max(0.0, plane.contact->aside - elementReach * s.in.scene.spacing);
+  const double flat = flatEdge * s.in.scene.spacing;
+  double beyond = std::max(0.0, plane.contact->aside - elementReach * s.in.scene.spacing - flat);
   const Continuum& p = s.in.particles;
   for (const Candidate& c : candidates) {
     if (!c.element.round() || p.piece[c.row] != p.piece[plane.row]) continue;
     const Vec3d to = plane.contact->point - c.element.position, n = plane.contact->normal;
-    beyond = std::min(beyond, length(to - dot(to, n) * n));
+    beyond = std::min(beyond, std::max(0.0, length(to - dot(to, n) * n) - flat));
   }
   return beyond;
 }

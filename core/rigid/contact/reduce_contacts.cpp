@@ -12,12 +12,12 @@ namespace thaw {
 namespace {
 
 constexpr std::size_t outward = 8, criteria = outward + 1;
-constexpr double gapWeight = 10;    // length along the surface that outweighs an open gap, over the gap
-constexpr double evenDepth = 0.02;  // spacings; smaller differences of depth do not count, so that the same
-                                    // contacts stay from step to step
-constexpr double closedGap = 0.01;  // spacings; contacts with larger gaps support nothing yet
-constexpr double firstAngle = 0.3;  // rad; edges of boxes along the axes are not at right angles to a
-                                    // direction
+constexpr double gapWeight = 10;     // length along the surface that outweighs an open gap, over the gap
+constexpr double evenDepth = 0.02;   // spacings; smaller differences of depth do not count, so that the same
+                                     // contacts stay from step to step
+constexpr double closedGap = 0.002;  // spacings; contacts with larger gaps support nothing yet
+constexpr double firstAngle = 0.3;   // rad; edges of boxes along the axes are not at right angles to a
+                                     // direction
 
 /// The side of the contact that a patch counts from: the piece with the smaller id.
 struct Side {
