@@ -75,7 +75,7 @@ struct RigidRig {
   RigidRig(double spacing, double extent, double step) {
     scene.spacing = spacing;
     scene.materials.resize(1);
-    grid.support = 2.4 * spacing;
+    grid.support = 2 * spacing;
     for (int a = 0; a < 3; a++) {
       grid.origin[a] = -extent;
       grid.cells[a] = static_cast<int>(2 * extent / grid.support);
