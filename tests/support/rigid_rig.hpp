@@ -70,6 +70,7 @@ struct RigidRig {
   ContactResult last;
   std::vector<FoundContact> contacts;
   long iterations = 0;
+  double lifted = 0;  ///< J, potential energy by displacements out of overlap
 
   /// A cube of edge 2 extent around the origin, with a floor at z = 0.
   RigidRig(double spacing, double extent, double step) {
@@ -132,7 +133,10 @@ struct RigidRig {
       pieces[k].partner[at] = particles->contactPartner[i];
       pieces[k].guess[at] = particles->contactImpulse[i];
     }
-    for (std::size_t k = 0; k < pieces.size(); k++) move(pieces[k], changes[k]);
+    for (std::size_t k = 0; k < pieces.size(); k++) {
+      move(pieces[k], changes[k]);
+      lifted -= pieces[k].mass * dot(gravity, changes[k].shift);
+    }
   }
 
  private:

@@ -32,7 +32,8 @@ inline Scene freeBox(const Material& material, double spacing, const Vec3d& size
   return s;
 }
 
-/// Hot wax on a floor, with boxes of cold wax that fall into it: pieces melt and touch. After 0.03 s all freezes.
+/// Hot wax on a floor, with boxes of cold wax that fall into it: pieces melt and touch. After 0.03 s all
+/// freezes.
 inline Scene waxPieces() {
   Scene s = emptyScene(0.05, {-0.5, -0.5, -0.2}, {0.5, 0.5, 1});
   s.domain.gravity = {0, 0, -9.81};

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double nearGap = 0.03;   // spacings; smaller gaps are contacts at any velocity
 constexpr double faceGap = 0.03;   // spacings; faces count before edges that are not this much closer
-constexpr double flatEdge = 0.3;   // spacings; faces are plane so far beyond their outermost particles
+constexpr double flatEdge = 0.3;   // spacings; faces are plane so far beyond their outermost particles, and
+constexpr double roundEdge = 0.5;  // round from here on, as their edges are
 constexpr double lookAhead = 1.5;  // steps; motions change within the step
 
 bool hasSurface(const Continuum& p, std::size_t i) { return p.piece[i] != notRigid && p.faceOffset[i] > 0; }
@@ -123,29 +124,30 @@ void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
   if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
 }
 
-/// Distance (m) of a point of contact beyond the plane part of a face. Its outermost particles are round.
+/// Distance (m) of a point of contact beyond the particles of a face, whose outermost ones are round.
 double beyondFace(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
-  const double flat = flatEdge * s.in.scene.spacing;
-  double beyond = std::max(0.0, plane.contact->aside - elementReach * s.in.scene.spacing - flat);
+  double beyond = std::max(0.0, plane.contact->aside - elementReach * s.in.scene.spacing);
   const Continuum& p = s.in.particles;
   for (const Candidate& c : candidates) {
     if (!c.element.round() || p.piece[c.row] != p.piece[plane.row]) continue;
     const Vec3d to = plane.contact->point - c.element.position, n = plane.contact->normal;
-    beyond = std::min(beyond, std::max(0.0, length(to - dot(to, n) * n) - flat));
+    beyond = std::min(beyond, length(to - dot(to, n) * n));
   }
   return beyond;
 }
 
-/// Edges of a face are rounded: lifts the gap of a particle beyond the face to that of two spheres one above
-/// the other. Drops the contact where their normal would differ much.
+/// Edges of a face are rounded: from flatEdge on, lifts the gap of a particle beyond the face towards that of
+/// two spheres one above the other, and drops the contact from roundEdge on, where edges touch instead.
 void roundEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
+  const double flat = flatEdge * s.in.scene.spacing, round = roundEdge * s.in.scene.spacing;
   for (Candidate& c : candidates) {
     if (!c.element.plane() || !c.contact) continue;
     c.beyond = beyondFace(s, c, candidates);
-    if (!(c.beyond > 0)) continue;
+    if (!(c.beyond > flat)) continue;
     const double both = a.radius + c.element.offset, height = c.contact->gap + both;
-    if (c.beyond > std::min(0.5 * both, 0.6 * s.in.scene.spacing) || height < 0.5 * both) c.contact.reset();
-    else c.contact->gap += both - std::sqrt(both * both - c.beyond * c.beyond);
+    const double lifted = c.beyond * (c.beyond - flat) / (round - flat);
+    if (c.beyond > std::min(round, both) || height < 0.5 * both) c.contact.reset();
+    else c.contact->gap += both - std::sqrt(both * both - lifted * lifted);
   }
 }
 

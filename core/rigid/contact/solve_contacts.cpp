@@ -94,8 +94,9 @@ int correctOverlap(ContactSystem& system, const ContactSettings& settings, const
   const double tolerance = std::max(settings.tolerance, 1e-2 * velocity.deepest / settings.step);
   std::vector<RowChange> moves;
   setSpeed(system, std::max(velocity.deepest / settings.step, settings.tolerance));
-  const SolveCount count = solveAccelerated(system, {free, target, false, tolerance, std::min(mostIterations, settings.mostIterations)},
-                                            impulses, moves);
+  const SolveCount count = solveAccelerated(
+      system, {free, target, false, tolerance, std::min(mostIterations, settings.mostIterations)}, impulses,
+      moves);
   for (std::size_t r = 0; r < changes.size(); r++) {
     changes[r].shift = settings.step * moves[r].velocity;
     changes[r].turn = settings.step * moves[r].spin;
