@@ -131,6 +131,8 @@ struct Continuum : Table {
   Column<std::uint32_t> pieceRow{*this, "pieceRow", "1", Keep::Local, "row of its piece on this rank"};
   Column<std::uint64_t> pieceLabel{*this, "pieceLabel", "1", Keep::Transient,
       "smallest label found in its piece so far, while pieces are made"};
+  Column<u8> exposed{*this, "exposed", "1", Keep::State,
+      "1: rigid particle that the initial surface may no longer cover; only with a surface", Rows::Owned};
   Column<Vec3f> faceNormal{*this, "faceNormal", "1", Keep::State,
       "outward normal of the surface of its rigid piece in the body frame; 0: none (surface_element.hpp)"};
   Column<float> faceOffset{*this, "faceOffset", "m", Keep::State,

@@ -18,7 +18,8 @@ Sym3d inverseInertia(const Pieces& p, std::size_t k) {
     Vec3d axis{};
     axis[a] = 1;
     const Vec3d n = rotated(p.orientation[k], axis);
-    sum = sum + (1 / p.inertia[k][a]) * Sym3d{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
+    sum = sum +
+          (1 / p.inertia[k][a]) * Sym3d{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
   }
   return sum;
 }
@@ -55,8 +56,8 @@ ContactSettings settingsOf(const RigidView& v, double dt) {
 void findContactImpulses(const RigidView& v, const Halos& halos, double dt) {
   Pieces& p = v.pieces;
   std::vector<PieceMotion> motions = nextMotions(p, dt);
-  std::vector<FoundContact> found = findContacts({v.scene, v.grid, v.particles, v.cells, p, v.walls, dt}, motions,
-                                                 halos.all);
+  std::vector<FoundContact> found = findContacts({v.scene, v.grid, v.particles, v.cells, p, v.walls, dt},
+                                                 motions, halos.all);
   std::vector<RigidContact> contacts;
   for (const FoundContact& f : found) contacts.push_back(f.contact);
   std::vector<PieceChange> changes(motions.size());

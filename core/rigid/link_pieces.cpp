@@ -23,8 +23,7 @@ void sortRows(Pieces& p) {
   if (std::is_sorted(p.id.data(), p.id.data() + p.owned)) return;
   std::vector<std::uint32_t> order(p.owned);
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
   p.reorder(order);
 }
 
@@ -61,7 +60,7 @@ void appendRow(const Pieces& p, std::uint32_t row, std::vector<std::uint64_t>& w
   p.packState(row, reinterpret_cast<std::byte*>(words.data() + at));
 }
 
-/// What a rank says of a piece to its home rank, in one word behind the id.
+/// Flags of a message about a piece to its home rank, in one word behind the id.
 constexpr std::uint64_t holds = 1, wants = 2, gives = 4;
 constexpr int numberShift = 8;  ///< bits of an answer below the number of a shared piece
 
@@ -69,7 +68,7 @@ constexpr int numberShift = 8;  ///< bits of an answer below the number of a sha
 struct Entry {
   const std::uint64_t* row = nullptr;
   std::vector<int> holders;
-  std::uint64_t number = 0;  ///< of a shared piece
+  std::uint64_t number = 0;  ///< number of a shared piece
 };
 
 void announce(const RigidView& v, const std::vector<Need>& needs, int ranks, WordStreams& out) {
@@ -129,7 +128,8 @@ std::size_t numberShared(std::unordered_map<std::uint64_t, Entry>& home, Reducer
     if (static_cast<int>(r) < all.rank()) first += counts[r];
     total += counts[r];
   }
-  for (std::size_t k = 0; k < mine.size(); k++) home.at(mine[k]).number = static_cast<std::uint64_t>(first) + k;
+  for (std::size_t k = 0; k < mine.size(); k++)
+    home.at(mine[k]).number = static_cast<std::uint64_t>(first) + k;
   return static_cast<std::size_t>(total);
 }
 
@@ -192,8 +192,7 @@ void linkPieces(const RigidView& v, const Halos& halos, PieceUsers users) {
   sortRows(p);
   const std::vector<Need> needs = findNeeds(v, halos.cells, users, all.size() == 1);
   SharedNumbers shared;
-  if (!v.work.contact) v.work.contact = std::make_shared<RigidContactWork>();
-  RigidContactWork& numbers = *v.work.contact;
+  SharedPieces& numbers = v.work.shared;
   numbers.total = 0;
   if (all.size() > 1) {
     WordStreams out(all.size());
@@ -214,7 +213,7 @@ void linkPieces(const RigidView& v, const Halos& halos, PieceUsers users) {
     kept.push_back(row);
   }
   p.reorder(kept);
-  numbers.number.assign(needs.size(), RigidContactWork::notShared);
+  numbers.number.assign(needs.size(), SharedPieces::notShared);
   for (std::size_t k = 0; k < needs.size(); k++) {
     p.here[k] = needs[k].here;
     const auto at = shared.find(needs[k].id);

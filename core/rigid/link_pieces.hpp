@@ -8,12 +8,12 @@ namespace thaw {
 
 /// Rows whose pieces this rank needs.
 enum class PieceUsers {
-  Owned,     ///< those of owned particles
-  AndGhosts  ///< and those of ghosts, whose Continuum::piece is up to date
+  Owned,     ///< owned particles
+  AndGhosts  ///< owned particles and ghosts, whose Continuum::piece is up to date
 };
 
-/// Makes the rows of pieces match the particles of this rank, and sets Continuum::pieceRow. Requires: for each
-/// piece with particles on some rank, a rank has its row. It has particles of the piece, listed it in
+/// Makes the rows of pieces match the particles of this rank, and sets Continuum::pieceRow. Requires: for
+/// each piece with particles on some rank, a rank has its row. It has particles of the piece, listed it in
 /// RigidWork::departed, or has all rows of RigidWork::adopted. Collective.
 void linkPieces(const RigidView& view, const Halos& halos, PieceUsers users);
 

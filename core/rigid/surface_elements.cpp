@@ -63,7 +63,9 @@ void renewElements(const RigidView& v) {
     for (std::uint32_t i = v.cells.first[c]; i < v.cells.first[c] + v.cells.count[c]; i++) {
       if (p.pieceLabel[i] == notRigid) continue;
       look(v, i, ranges, around);
-      if (around.changed) setElement(p, i, elementOfNeighbours(around.now, v.scene.spacing));
+      if (!around.changed) continue;
+      setElement(p, i, elementOfNeighbours(around.now, v.scene.spacing));
+      if (p.exposed.active) p.exposed[i] = 1;
     }
   }
 }

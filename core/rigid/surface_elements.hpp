@@ -9,12 +9,13 @@
 
 namespace thaw {
 
-/// Sets the elements of particles of rigid bodies from the shapes of the bodies, along the axes of the domain.
-/// bodyShapes: one for each body of the scene. Requires: Continuum::piece.
+/// Sets the elements of particles of rigid bodies from the shapes of the bodies, along the axes of the
+/// domain. bodyShapes: one for each body of the scene. Requires: Continuum::piece.
 void elementsOfShapes(const Scene& scene, std::span<const std::shared_ptr<const SignedDistance>> bodyShapes,
                       Continuum& particles);
 
-/// Turns a normal to the axes of the domain (former piece) or of the body frame (orientation of the new piece).
+/// Turns a normal to the axes of the domain (former piece) or of the body frame (orientation of the new
+/// piece).
 void turnElement(Continuum& particles, std::size_t row, const Quat& rotation);
 
 /// Sets the elements of owned particles beside which particles of their piece appeared or vanished, from the

@@ -145,8 +145,7 @@ void findReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
 
 /// Position (m) of a particle together with its piece.
 Vec3d placeIn(const RigidView& v, const NewPieces& n, std::size_t i, std::size_t k) {
-  return n.reference[k] +
-         minimumImage(v.particles.position[i] - n.reference[k], periodsOf(v.grid));
+  return n.reference[k] + minimumImage(v.particles.position[i] - n.reference[k], periodsOf(v.grid));
 }
 
 void findCentres(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
@@ -167,8 +166,8 @@ void findCentres(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
   }
 }
 
-constexpr std::size_t motionSums = 20;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3, kinetic
-                                        // energy, clamped particles
+constexpr std::size_t motionSums = 20;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3,
+                                        // kinetic energy, clamped particles
 
 /// Motion of a particle about its own centre: that of its former piece, or of its body at the start.
 FormerMotion ownMotion(const RigidView& v, std::size_t i, bool atStart) {
@@ -186,8 +185,11 @@ void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, const Form
   const Vec3d momentum = p.velocity[i] * m, force = p.acceleration[i] * m;
   const Vec3d angular = cross(r, momentum) + former.spin * own + extra,
               torque = cross(r, force) + former.turning * own;
-  const double inertia[6] = {m * (r.y * r.y + r.z * r.z) + own, m * (r.x * r.x + r.z * r.z) + own,
-                             m * (r.x * r.x + r.y * r.y) + own, -m * r.x * r.y, -m * r.y * r.z,
+  const double inertia[6] = {m * (r.y * r.y + r.z * r.z) + own,
+                             m * (r.x * r.x + r.z * r.z) + own,
+                             m * (r.x * r.x + r.y * r.y) + own,
+                             -m * r.x * r.y,
+                             -m * r.y * r.z,
                              -m * r.x * r.z};
   for (std::size_t c = 0; c < 6; c++) sums[c].add(inertia[c]);
   for (int a = 0; a < 3; a++) {
@@ -209,8 +211,8 @@ void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const
   p.mass[row] = n.mass[k];
   p.centre[row] = n.centre[k];
   p.fixed[row] = sums[19].value() > 0;
-  const SymEigen e = eigenOf({sums[0].value(), sums[1].value(), sums[2].value(), sums[3].value(),
-                              sums[4].value(), sums[5].value()});
+  const SymEigen e = eigenOf(
+      {sums[0].value(), sums[1].value(), sums[2].value(), sums[3].value(), sums[4].value(), sums[5].value()});
   const Vec3d x = normalized(e.vector[0]), y = normalized(e.vector[1] - x * dot(x, e.vector[1]));
   p.orientation[row] = quatOf(x, y, cross(x, y));
   p.inertia[row] = {e.value[0], e.value[1], e.value[2]};
@@ -279,8 +281,7 @@ void adoptLabels(Continuum& p) {
 }  // namespace
 
 void markRigidParticles(const Scene& scene, Continuum& p) {
-  for (std::size_t i = 0; i < p.owned; i++)
-    p.piece[i] = belongsToPiece(scene, p, i) ? p.id[i] + 1 : notRigid;
+  for (std::size_t i = 0; i < p.owned; i++) p.piece[i] = belongsToPiece(scene, p, i) ? p.id[i] + 1 : notRigid;
 }
 
 void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {

@@ -11,8 +11,8 @@ namespace thaw {
 void markRigidParticles(const Scene& scene, Continuum& particles);
 
 /// Makes the pieces of the particles as they are now. Pieces whose particles changed get new mass properties,
-/// with the momentum and angular momentum of their particles. Energy that joining takes goes to the ledger, but
-/// not at the start, where pieces take the mean motion of their particles. Requires: ghosts of the last
+/// with the momentum and angular momentum of their particles. Energy that joining takes goes to the ledger,
+/// but not at the start, where pieces take the mean motion of their particles. Requires: ghosts of the last
 /// evaluation. Ensures: rows of the pieces of owned particles. Collective.
 void updatePieces(const RigidView& view, const Halos& halos, bool atStart);
 

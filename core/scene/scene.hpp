@@ -30,7 +30,7 @@ enum class ElasticLaw {
   NeoHookean,
   Corotated,
   Rigid
-};  // Green strain with Hooke's law is the law of the papers; Rigid: pieces move as rigid bodies (core/rigid/)
+};  // Green strain with Hooke's law is the law of the papers; Rigid: bodies of core/rigid/
 
 struct Material {
   std::string name;

@@ -8,7 +8,7 @@
 #include "core/simulation/body_types/cell_costs.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
-#include "tests/support/rigid_scenes.hpp"
+#include "tests/support/rigid/scenes.hpp"
 
 using namespace thaw;
 using namespace thaw::test;

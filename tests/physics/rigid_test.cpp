@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/simulation/monitor/snapshot.hpp"
-#include "tests/support/rigid_scenes.hpp"
+#include "tests/support/rigid/scenes.hpp"
 
 using namespace thaw;
 using namespace thaw::test;
@@ -190,7 +190,8 @@ TEST(Rigid, snapshotsContinueWithTheSameBits) {
     ASSERT_EQ(a.id[i], b.id[i]);
     ASSERT_EQ(a.piece[i], b.piece[i]);
     for (int c = 0; c < 3; c++)
-      ASSERT_EQ(std::bit_cast<std::uint64_t>(a.position[i][c]), std::bit_cast<std::uint64_t>(b.position[i][c]));
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(a.position[i][c]),
+                std::bit_cast<std::uint64_t>(b.position[i][c]));
   }
 }
 

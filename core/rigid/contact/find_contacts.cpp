@@ -43,7 +43,7 @@ bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const
 /// Surface particles of each cell.
 struct SurfaceCells {
   std::vector<std::uint32_t> rows;
-  CellTable cells;                       ///< those with rows; first and count refer to `rows`
+  CellTable cells;                       ///< cells with rows; first and count refer to `rows`
   std::vector<std::uint64_t> low, high;  ///< smallest and largest piece of each cell
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid pieces: connected particles of materials with law "rigid" that move as one body. A rank has the rows of
-// all pieces with particles here, and of those that its ghosts belong to. All ranks with a piece have the same
+// Rigid pieces: connected particles of materials with law "rigid" that move as one body. A rank has the rows
+// of all pieces with particles here, and of the pieces of its ghosts. All ranks with a piece have the same
 // bits in its row.
 #pragma once
 #include <algorithm>
@@ -38,6 +38,10 @@ struct Pieces : Table {
       "displacement out of overlaps, added to the next drift"};
   Column<Vec3d> contactTurn{*this, "contactTurn", "rad", Keep::State,
       "rotation out of overlaps, added to the next drift"};
+  Column<Vec3d> pressureImpulse{*this, "pressureImpulse", "N s", Keep::State,
+      "impulse of incompressible liquid, added at the start of the next step"};
+  Column<Vec3d> pressureTwist{*this, "pressureTwist", "N m s", Keep::State,
+      "angular impulse of incompressible liquid about the centre, added at the start of the next step"};
   Column<std::uint64_t> count{*this, "count", "1", Keep::State, "number of its particles on all ranks"};
   Column<std::uint8_t> fixed{*this, "fixed", "1", Keep::State, "1: some of its particles are clamped"};
   Column<std::uint32_t> here{*this, "here", "1", Keep::Local, "number of its particles on this rank"};
@@ -58,8 +62,9 @@ inline void activatePieces(Pieces& p) {
   for (AnyColumn* c : p.columns) p.activate(*c);
 }
 
-/// Moment of inertia (kg m^2) of a particle of mass m about its own centre: that of a cube with the edge of the
-/// spacing (m). It makes the inertia of a cube of particles that of the cube, and that of one particle positive.
+/// Moment of inertia (kg m^2) of a particle of mass m about its own centre: that of a cube with the edge of
+/// the spacing (m). It makes the inertia of a cube of particles that of the cube, and of one particle
+/// positive.
 inline double ownInertia(double mass, double spacing) { return mass * spacing * spacing / 6; }
 
 /// Angular velocity (rad/s) of a piece with this angular momentum.

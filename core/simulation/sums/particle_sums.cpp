@@ -21,7 +21,8 @@ ColumnList ghostColumns(World& w) {
   if (w.modules.solid) c.push_back(&p.id);
   if (w.modules.solid) c.push_back(&p.body);
   if (w.modules.rigid)
-    for (AnyColumn* column : std::initializer_list<AnyColumn*>{&p.piece, &p.faceNormal, &p.faceOffset, &p.faceRadius})
+    for (AnyColumn* column :
+         std::initializer_list<AnyColumn*>{&p.piece, &p.faceNormal, &p.faceOffset, &p.faceRadius})
       c.push_back(column);
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);

@@ -112,7 +112,8 @@ std::vector<std::string> ofScene(const std::string& setting, const Scene& s) {
   if (star == std::string::npos) return {setting};
   std::vector<std::string> all;
   for (const Material& m : s.materials)
-    if (m.canBeSolid() && !m.isRigid()) all.push_back(setting.substr(0, star) + m.name + setting.substr(star + 1));
+    if (m.canBeSolid() && !m.isRigid())
+      all.push_back(setting.substr(0, star) + m.name + setting.substr(star + 1));
   return all;
 }
 
