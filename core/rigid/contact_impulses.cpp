@@ -33,8 +33,8 @@ std::vector<PieceMotion> nextMotions(const Pieces& p, double dt) {
     if (p.fixed[k]) continue;
     m.inverseMass = 1 / p.mass[k];
     m.inverseInertia = inverseInertia(p, k);
-    m.velocity = (p.momentum[k] + p.force[k] * (0.5 * dt)) / p.mass[k];
-    m.spin = spinOf(p, k, p.angularMomentum[k] + p.torque[k] * (0.5 * dt));
+    m.velocity = (p.momentum[k] + p.pressureImpulse[k] + p.force[k] * (0.5 * dt)) / p.mass[k];
+    m.spin = spinOf(p, k, p.angularMomentum[k] + p.pressureTwist[k] + p.torque[k] * (0.5 * dt));
   }
   return motions;
 }

@@ -62,6 +62,7 @@ void addContactImpulses(const RigidView& v, std::size_t k, double dt) {
 void drift(const RigidView& v, std::size_t k, double dt) {
   Pieces& s = v.pieces;
   if (!s.fixed[k]) {
+    addImpulse(v, k, s.pressureImpulse[k], s.pressureTwist[k]);
     s.momentum[k] += s.force[k] * (0.5 * dt);
     s.angularMomentum[k] += s.torque[k] * (0.5 * dt);
     addContactImpulses(v, k, dt);
@@ -71,10 +72,20 @@ void drift(const RigidView& v, std::size_t k, double dt) {
       s.orientation[k] = unitQuat(rotationBy(s.contactTurn[k]) * s.orientation[k]);
     wrapPlace(v.grid, v.scene.domain, s.centre[k]);
   }
+  s.pressureImpulse[k] = s.pressureTwist[k] = {};
   s.contactImpulse[k] = s.contactTwist[k] = s.contactShift[k] = s.contactTurn[k] = {};
 }
 
 }  // namespace
+
+void addImpulse(const RigidView& v, std::size_t k, const Vec3d& impulse, const Vec3d& twist) {
+  Pieces& s = v.pieces;
+  if (s.fixed[k] || (impulse == Vec3d{} && twist == Vec3d{})) return;
+  const double before = kineticEnergy(s, k);
+  s.momentum[k] += impulse;
+  s.angularMomentum[k] += twist;
+  if (s.leads[k]) v.ledger.dissipated.add(before - kineticEnergy(s, k));
+}
 
 Vec3d angularAcceleration(const Pieces& p, std::size_t k) {
   if (p.fixed[k]) return {};

@@ -35,6 +35,7 @@ struct NewPieces {
 /// Motion of the former piece of a particle.
 struct FormerMotion {
   Vec3d spin{}, turning{};  ///< rad/s, rad/s^2
+  Vec3d spinChange{};       ///< rad/s, by the pressure at the start of the next step
 };
 
 /// Angular momentum of particles that left their pieces, about their own centres. Their pieces keep it.
@@ -52,7 +53,8 @@ FormerMotion formerMotion(const RigidView& v, std::size_t i) {
   const Continuum& p = v.particles;
   const std::uint32_t row = p.piece[i] == notRigid ? noPieceRow : v.pieces.rowOf(p.piece[i]);
   if (row == noPieceRow) return {};
-  return {spinOf(v.pieces, row, v.pieces.angularMomentum[row]), angularAcceleration(v.pieces, row)};
+  return {spinOf(v.pieces, row, v.pieces.angularMomentum[row]), angularAcceleration(v.pieces, row),
+          spinOf(v.pieces, row, v.pieces.pressureTwist[row])};
 }
 
 /// Returns the pieces whose sets of particles changed: those whose number of particles, or sum of hashes of
@@ -166,14 +168,14 @@ void findCentres(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
   }
 }
 
-constexpr std::size_t motionSums = 20;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3,
+constexpr std::size_t motionSums = 26;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3,
                                         // kinetic energy, clamped particles
 
 /// Motion of a particle about its own centre: that of its former piece, or of its body at the start.
 FormerMotion ownMotion(const RigidView& v, std::size_t i, bool atStart) {
   if (!atStart) return formerMotion(v, i);
   const std::size_t body = v.particles.body[i];
-  return body < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[body].spin, {}} : FormerMotion{};
+  return body < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[body].spin, {}, {}} : FormerMotion{};
 }
 
 /// Adds a particle to the sums of its piece. extra: angular momentum (kg m^2/s) that it brings along.
@@ -200,6 +202,12 @@ void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, const Form
   }
   sums[18].add(0.5 * (m * dot(p.velocity[i], p.velocity[i]) + own * dot(former.spin, former.spin)));
   if (p.clamped.active && (p.clamped[i] == held || p.clamped[i] == driven)) sums[19].add(1);
+  if (!p.pressureImpulse.active) return;
+  const Vec3d pressure = p.pressureImpulse[i] * m, twist = cross(r, pressure) + former.spinChange * own;
+  for (int a = 0; a < 3; a++) {
+    sums[20 + a].add(pressure[a]);
+    sums[23 + a].add(twist[a]);
+  }
 }
 
 Vec3d vectorOf(const ExactSum* sums) { return {sums[0].value(), sums[1].value(), sums[2].value()}; }
@@ -220,6 +228,8 @@ void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const
   p.angularMomentum[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 9);
   p.force[row] = vectorOf(sums + 12);
   p.torque[row] = vectorOf(sums + 15);
+  p.pressureImpulse[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 20);
+  p.pressureTwist[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 23);
 }
 
 /// Records the kinetic energy that a piece lost as it was made, and the impulse of its clamps.

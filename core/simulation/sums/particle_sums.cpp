@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 
 #include "core/contact/solid_contact.hpp"
 #include "core/fluid/density/carried_density.hpp"
@@ -12,6 +13,7 @@
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
+#include "core/rigid/piece_joint.hpp"
 #include "core/simulation/world/views.hpp"
 
 namespace thaw {
@@ -226,16 +228,30 @@ void correctViscosity(World& w, StepTools& t) {
   t.kernels->viscosityCorrection(s, {0, w.neighbours.groups});
 }
 
+namespace {
+
+std::optional<PieceJoint> jointOf(World& w, Halos& halos, StepTools& t) {
+  std::optional<PieceJoint> joint;
+  if (w.modules.rigid) joint.emplace(rigidView(w, t), halos.all);
+  return joint;
+}
+
+}  // namespace
+
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
-  addImplicitViscosity({w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times}, halos,
-                       pairSumsOf(w, t), walls);
+  std::optional<PieceJoint> joint = jointOf(w, halos, t);
+  addImplicitViscosity({w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times,
+                        joint ? &*joint : nullptr},
+                       halos, pairSumsOf(w, t), walls);
 }
 
 void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
+  std::optional<PieceJoint> joint = jointOf(w, halos, t);
   findPressure(
       {w.scene,   w.modules,    w.grid,           w.particles,    w.neighbours,     w.walls,    w.clock,
        w.ledger,  w.counters,   w.lastIterations, halos,          pairSumsOf(w, t), *t.kernels, t.liquids,
-       t.records, t.wallTables, t.perLatticeSum,  t.wallContacts, t.pressure,       t.times},
+       t.records, t.wallTables, t.perLatticeSum,  t.wallContacts, t.pressure,       t.times,
+       joint ? &*joint : nullptr},
       dt);
 }
 

@@ -20,8 +20,6 @@ void checkRigid(const SceneReading& x, std::vector<SceneError>& errors) {
                                                   "choose another law, or leave it out",
                                                   rigid->name, what)});
   };
-  refuse(n.solver == PressureSolver::Incompressible, "numerics.pressure_solver = \"incompressible\"");
-  refuse(n.viscositySolver == ViscositySolver::Implicit, "numerics.viscosity_solver = \"implicit\"");
   refuse(n.viscosity == ViscosityForm::Laplacian, "numerics.viscosity = \"laplacian\"");
   refuse(n.sleepSpeed > 0, "numerics.sleep_speed");
   for (const Emitter& e : s.emitters) {
