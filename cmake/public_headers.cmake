@@ -3,7 +3,10 @@
 # Runs at installation, with THAW_SOURCE and THAW_HEADERS (folder below the prefix).
 cmake_policy(VERSION 3.22)  # the oldest that CMakeLists.txt accepts
 set(public
-  core/domain/extensions.hpp          # forces and heat sources with keys in scenes
+  core/domain/extensions.hpp          # forces, fields, laws and shapes with keys in scenes
+  core/fluid/terms/pair_force_term.hpp
+  core/simd/choose.hpp
+  core/solid/laws/extension_law_lanes.hpp
   core/halo/serial.hpp                # halos of one process
   core/simulation/world/body_types.hpp
   core/simulation/ledger/report.hpp   # energy, momentum and mass

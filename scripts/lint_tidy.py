@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs clang-tidy for scripts/lint, two files at a time.
+"""Runs clang-tidy for scripts/lint, two at a time.
 
     lint_tidy.py BUILD ALL|COMMIT     checks all sources, or those that differ from COMMIT, committed or not
 
 A changed header is checked through the source of the same name, or a near one that includes it.
+ALL checks the sources of a folder as one, since most of the time goes into headers that they share. Where
+their names collide, each is checked alone.
 """
 import concurrent.futures
 import json
@@ -17,6 +19,7 @@ import tempfile
 from lint_files import ROOT, isCpp, readLines, trackedFiles
 
 AT_ONCE = 2
+MOST_TOGETHER = 12  # sources of a group
 MOST_CHANGED = 16  # limit of changed sources: three minutes on two cores
 CLANG_TIDY = os.environ.get('CLANG_TIDY', 'clang-tidy-14')
 # Options of g++ only, and headers that only g++ reads.
@@ -95,13 +98,53 @@ def sourcesOf(files, sources):
     return sorted(seen)
 
 
-def tidy(folder, source):
+def tidy(folder, source, *options):
     done = subprocess.run(
-        [CLANG_TIDY, '-p', folder, '--quiet', '--warnings-as-errors=*', str(ROOT / source)],
+        [CLANG_TIDY, '-p', folder, '--quiet', '--warnings-as-errors=*', *options, str(ROOT / source)],
         capture_output=True,
         text=True,
     )
     return done.returncode, done.stdout + (done.stderr if done.returncode and not done.stdout else '')
+
+
+def tidyGroup(folder, group):
+    """Checks a source, or a source that includes all of several."""
+    if len(group) == 1:
+        return tidy(folder, group[0])
+    code, text = tidy(folder, unityFile(folder, group), '--checks=-bugprone-suspicious-include')
+    if 'clang-diagnostic' not in text:
+        return code, text
+    alone = [tidy(folder, source) for source in group]
+    return max(code for code, _ in alone), '\n'.join(text.strip() for _, text in alone if text.strip())
+
+
+def unityFile(folder, group):
+    return os.path.join(folder, group[0].replace('/', '_'))
+
+
+def groupsOf(sources, together):
+    """Groups of sources: those of a folder with the same compile command, or each alone."""
+    groups = {}
+    for source, entry in sorted(sources.items()):
+        options = [word for word in shlex.split(entry['command']) if not word.endswith(('.cpp', '.o'))]
+        key = (os.path.dirname(source), *options) if together else source
+        groups.setdefault(key, []).append(source)
+    return [
+        group[i : i + MOST_TOGETHER] for group in groups.values() for i in range(0, len(group), MOST_TOGETHER)
+    ]
+
+
+def writeDatabase(folder, sources, groups):
+    """Writes the compile commands, and a source for each group of several."""
+    entries = list(sources.values())
+    for group in (group for group in groups if len(group) > 1):
+        path, entry = unityFile(folder, group), sources[group[0]]
+        with open(path, 'w', encoding='utf-8') as stream:
+            stream.writelines(f'#include "{ROOT / source}"\n' for source in group)
+        first = os.path.join(entry['directory'], entry['file'])
+        entries.append({**entry, 'file': path, 'command': entry['command'].replace(first, path)})
+    with open(os.path.join(folder, 'compile_commands.json'), 'w', encoding='utf-8') as stream:
+        json.dump(entries, stream)
 
 
 def main():
@@ -114,11 +157,11 @@ def main():
             file=sys.stderr,
         )
         chosen = [chosen[i * len(chosen) // MOST_CHANGED] for i in range(MOST_CHANGED)]
+    groups = groupsOf({source: sources[source] for source in chosen}, since == 'ALL')
     failed, shown = False, set()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
-        with open(os.path.join(folder, 'compile_commands.json'), 'w', encoding='utf-8') as stream:
-            json.dump(list(sources.values()), stream)
-        for code, text in pool.map(lambda source: tidy(folder, source), chosen):
+        writeDatabase(folder, sources, groups)
+        for code, text in pool.map(lambda group: tidyGroup(folder, group), groups):
             failed |= code != 0
             for finding in re.split(r'\n(?=\S+:\d+:\d+: (?:warning|error))', text.strip()):
                 if finding and finding not in shown:  # several sources report the same finding of a header

@@ -66,8 +66,7 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
   w.scene = sceneForAll(r.comm, file, overrides);
   if (c.adapt) c.adapt(w.scene);
   prepareWorld(w, r.tools, suiteMeshes());
-  r.cells = std::make_unique<MpiCellHalo>(r.comm, w.grid);
-  r.bonds = std::make_unique<MpiBondHalo>(r.comm);
+  r.tables.make(w, r.comm);
   sampleWorld(w, r.halos(), r.tools, suiteMeshes());
   if (c.place) c.place(r);
   r.tools.bondsAtStart = w.modules.solid;
@@ -86,7 +85,7 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
     r.finite = o.finite;
     if (r.finite && w.modules.surface) surfaceAfterStep(r, o.surfaceMove2);
     if (c.watch) c.watch(r);
-    if (w.clock.step % 25 == 0) balance(w, *r.cells, r.tools, meter);
+    if (w.clock.step % 25 == 0) balance(w, *r.tables.cells, r.tools, meter);
   }
   r.coreSeconds = overRanks(r, processorSeconds() - begin);
   r.updateSeconds = overRanks(r, r.updateSeconds);

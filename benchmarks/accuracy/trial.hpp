@@ -10,8 +10,7 @@
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/setup/setup.hpp"
 #include "core/surface/update_surface.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
+#include "io/run/mpi_halos.hpp"
 #include "parallel/row_scatter.hpp"
 
 namespace thaw::accuracy {
@@ -31,15 +30,14 @@ struct Sample {
 
 struct Trial {
   explicit Trial(const Communicator& c) : comm(c), all(c) {}
-  Halos halos() { return {all, *cells, *bonds}; }
+  Halos halos() { return tables.with(all); }
   double spacing() const { return world.scene.spacing; }
 
   const Communicator& comm;
   World world;
   StepTools tools;
   MpiReducer all;
-  std::unique_ptr<MpiCellHalo> cells;
-  std::unique_ptr<MpiBondHalo> bonds;
+  MpiHalos tables;
   std::unique_ptr<SurfaceRanks> surface;  ///< null without a surface
   SurfaceTools surfaceTools;
   std::vector<Sample> series;           ///< values recorded by `watch`

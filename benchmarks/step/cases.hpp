@@ -34,7 +34,7 @@ Scene sceneOf(const Case& c, const std::string& ball);
 /// particle-steps/s on one core there. Rates without AVX-512 exist for liquids in single precision with 33
 /// neighbours only; other cases keep those with AVX-512.
 struct Targets {
-  double excellent = 0, limit = 0;
+  double target = 0, limit = 0;
 };
 Targets targetsOf(const Case& c, bool avx512);
 

@@ -62,8 +62,8 @@ def table(rows, path):
         ] = r
 
     def times(r):
-        ratio, excellent = number(r["ratio"]), number(r["target_ratio"])
-        return f"**{ratio:.2f}**" if excellent and ratio >= excellent else f"{ratio:.2f}"
+        ratio, target = number(r["ratio"]), number(r["target_ratio"])
+        return f"**{ratio:.2f}**" if target and ratio >= target else f"{ratio:.2f}"
 
     def over(row, shown):
         return " / ".join(shown(row[p]) if p in row else "-" for p in ranks)

@@ -136,93 +136,156 @@ std::string limitingPhase(const Case& c, const PhaseTimes& t, double perNs, doub
   return most;
 }
 
-void measure(const Communicator& comm, const Case& c, const Options& o, const std::string& ball, FILE* out) {
+/// Measured times of the blocks of steps, each followed by a step of the scalar code.
+struct StepTimes {
+  int steps = 0;               ///< in all
+  std::vector<double> step;    ///< s, of a whole step
+  std::vector<double> scalar;  ///< s, per particle and step of the scalar code on the slowest rank
+  std::vector<double> ratio;   ///< scalar code's time per particle and core over that of a step
+};
+
+/// Returns seconds per step of n steps on the slowest rank. Collective.
+double timeSteps(Rig& rig, const Communicator& comm, int n) {
+  MPI_Barrier(comm.handle());
+  const auto t = Watch::now();
+  for (int k = 0; k < n; k++) thaw::step(rig.w, rig.halos(), rig.tools, {});
+  return mostOf(comm, secondsSince(t)) / n;
+}
+
+/// steps: number in a block. Collective.
+StepTimes timeBlocks(Rig& rig, const Communicator& comm, const Options& o, double support, int steps) {
+  const double ranks = comm.size(), N = sumOver(comm, static_cast<double>(rig.w.particles.owned));
+  Yardstick yardstick;
+  test::Block block(46, 0.1, support, Precision::Single);  // 97,336 on every rank
+  StepTimes t;
+  for (int r = 0; r < o.repeat; r++, t.steps += steps) {
+    t.step.push_back(timeSteps(rig, comm, steps));
+    MPI_Barrier(comm.handle());
+    yardstickStep(block, yardstick);  // fills the caches, as the measured steps do
+    t.scalar.push_back(mostOf(comm, yardstickStep(block, yardstick)) /
+                       static_cast<double>(block.particles.owned));
+    t.ratio.push_back(t.scalar.back() / (t.step.back() * ranks / N));
+  }
+  return t;
+}
+
+/// Bytes on all ranks.
+struct CaseMemory {
+  std::vector<MemoryUse> uses;
+  double messages = 0, resident = 0;
+  double moved = 0;            ///< by a step, at least (bytesMoved)
+  double copiedPerSecond = 0;  ///< copy of an array, on the first rank
+};
+
+CaseMemory memoryOfCase(const Rig& rig, const Communicator& comm, double resident) {
+  CaseMemory m;
+  m.resident = resident;
+  m.messages = sumOver(comm, static_cast<double>(rig.tables.cells->bufferBytes()));
+  m.uses = memoryOf(rig.w, rig.tools);
+  for (MemoryUse& u : m.uses) u.bytes = sumOver(comm, u.bytes);
+  m.moved = sumOver(comm, bytesMoved(rig));
+  m.copiedPerSecond = copySpeed(comm);
+  return m;
+}
+
+/// Mean number of neighbours of a particle, or of bonds in elastic cases. Collective.
+double meanNeighbours(const Rig& rig, const Communicator& comm, Kind kind, double N) {
+  double neighbours = 0;
+  for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && !isElastic(kind); i++)
+    neighbours += rig.w.neighbours.neighbours[i];
+  for (std::size_t s = 0; s < rig.w.solids.owned && isElastic(kind); s++)
+    for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.hasBond(s, k);
+  return sumOver(comm, neighbours) / N;
+}
+
+/// Results of a case, over all ranks.
+struct Measurement {
+  int ranks = 1;
+  double particles = 0, neighbours = 0;
+  double ghosts = 0, mostOwned = 0;  ///< ghosts on all ranks; particles of the fullest rank
+  const char* instructions = "";
+  double setUp = 0;  ///< s
+  StepTimes times;
+  PhaseTimes phases;  ///< s, mean over ranks
+  CaseMemory memory;
+  double perNs() const { return 1e9 * ranks / (particles * times.steps); }  ///< ns per particle-step and s
+};
+
+/// Sets up a case and measures it. Collective.
+Measurement measured(const Communicator& comm, const Case& c, const Options& o, const std::string& ball) {
   malloc_trim(0);  // frees the memory of the case before
   const double before = residentBytes();
   const auto setUp = Watch::now();
   const Scene scene = sceneOf(c, ball);
   Rig rig(
       comm, scene, [&](Continuum& p) { jitter(p, scene); }, meshLoader());
-  const double setUpSeconds = mostOf(comm, secondsSince(setUp));
-  const double ranks = comm.size(), N = sumOver(comm, static_cast<double>(rig.w.particles.owned));
-  const auto steps = [&](int n) {
-    MPI_Barrier(comm.handle());
-    const auto t = Watch::now();
-    for (int k = 0; k < n; k++) thaw::step(rig.w, rig.halos(), rig.tools, {});
-    return mostOf(comm, secondsSince(t)) / n;
-  };
+  Measurement m;
+  m.setUp = mostOf(comm, secondsSince(setUp));
+  m.ranks = comm.size();
+  m.particles = sumOver(comm, static_cast<double>(rig.w.particles.owned));
+  m.instructions = rig.tools.kernels->name;
   rig.settle();
-  const double warm = steps(3);
-  const int some = std::max(1, static_cast<int>(std::lround(o.seconds / warm)));
+  const double warm = timeSteps(rig, comm, 3);
+  const int steps = std::max(1, static_cast<int>(std::lround(o.seconds / warm)));
   rig.tools.times = {};
   const double resident = sumOver(comm, residentBytes() - before);
-  Yardstick yardstick;
-  test::Block block(46, 0.1, c.support, Precision::Single);  // 97,336 on every rank
-  std::vector<double> total, yard, ratio;
-  int done = 0;
-  for (int r = 0; r < o.repeat; r++, done += some) {
-    total.push_back(steps(some));
-    MPI_Barrier(comm.handle());
-    yardstickStep(block, yardstick);  // fills the caches, as the measured steps do
-    yard.push_back(mostOf(comm, yardstickStep(block, yardstick)) /
-                   static_cast<double>(block.particles.owned));
-    ratio.push_back(yard.back() / (total.back() * ranks / N));
-  }
-  PhaseTimes times;
+  m.times = timeBlocks(rig, comm, o, c.support, steps);
   for (std::size_t k = 0; k < stepPhases; k++)
-    times.seconds[k] = sumOver(comm, rig.tools.times.seconds[k]) / ranks;
-  const double messages = sumOver(comm, static_cast<double>(rig.cells->bufferBytes()));
-  std::vector<MemoryUse> use = memoryOf(rig.w, rig.tools);
-  for (MemoryUse& u : use) u.bytes = sumOver(comm, u.bytes);
-  const double accounted = messages + totalBytes(use), moved = sumOver(comm, bytesMoved(rig));
-  const double copied = copySpeed(comm);  // bytes/s of the first rank
-  double neighbours = 0;
-  for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && !isElastic(c.kind); i++)
-    neighbours += rig.w.neighbours.neighbours[i];
-  for (std::size_t s = 0; s < rig.w.solids.owned && isElastic(c.kind); s++)
-    for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.hasBond(s, k);
-  neighbours = sumOver(comm, neighbours) / N;
-  const double ghosts = sumOver(comm, static_cast<double>(rig.w.particles.ghosts)),
-               most = mostOf(comm, static_cast<double>(rig.w.particles.owned));
-  if (comm.rank() != 0) return;
-  if (o.memory) {
-    std::fprintf(stderr, "  %.3f ghosts per particle, the fullest rank has %.3f of the mean\n", ghosts / N,
-                 most * ranks / N);
-    for (const MemoryUse& u : use)
-      if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes per particle\n", u.what, u.bytes / N);
-    std::fprintf(stderr, "  %-20s %6.0f bytes per particle\n", "messages", messages / N);
-  }
-  const Targets goal = targetsOf(c, std::strcmp(rig.tools.kernels->name, "avx512") == 0);
-  const double perNs = 1e9 * ranks / (N * done), rate = N / (median(total) * ranks) / 1e6;
+    m.phases.seconds[k] = sumOver(comm, rig.tools.times.seconds[k]) / comm.size();
+  m.memory = memoryOfCase(rig, comm, resident);
+  m.neighbours = meanNeighbours(rig, comm, c.kind, m.particles);
+  m.ghosts = sumOver(comm, static_cast<double>(rig.w.particles.ghosts));
+  m.mostOwned = mostOf(comm, static_cast<double>(rig.w.particles.owned));
+  return m;
+}
+
+void printMemory(const Measurement& m) {
+  const double N = m.particles;
+  std::fprintf(stderr, "  %.3f ghosts per particle, the fullest rank has %.3f of the mean\n", m.ghosts / N,
+               m.mostOwned * m.ranks / N);
+  for (const MemoryUse& u : m.memory.uses)
+    if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes per particle\n", u.what, u.bytes / N);
+  std::fprintf(stderr, "  %-20s %6.0f bytes per particle\n", "messages", m.memory.messages / N);
+}
+
+void printPhases(const Measurement& m, FILE* out) {
   const auto ns = [&](std::initializer_list<StepPhase> phases) {
     double sum = 0;
-    for (const StepPhase p : phases) sum += times[p] * perNs;
+    for (const StepPhase p : phases) sum += m.phases[p] * m.perNs();
     return sum;
   };
   using P = StepPhase;
-  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", caseNames[static_cast<int>(c.kind)],
-               c.precision == Precision::Double ? "double"
-               : c.elastic == Precision::Double ? "default"
-                                                : "single",
-               comm.size(), N, neighbours, rig.tools.kernels->name, rate, 1e-6 / median(yard), median(ratio));
-  goal.excellent > 0 ? std::fprintf(out, "%.2f,%.2f,", goal.excellent, goal.limit) : std::fprintf(out, ",,");
   std::fprintf(out, "%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,", ns({P::Sort}), ns({P::Search}),
                ns({P::Density}), ns({P::Forces}), ns({P::Elastic, P::Bonds}), ns({P::Walls, P::Contact}),
                ns({P::Heat}), ns({P::Drift, P::Domain, P::Kick, P::Phase}),
                ns({P::Migrate, P::Exchange, P::Reduce}));
-  const double goalBytes = isElastic(c.kind) ? 800
-                           : c.kind == Kind::Fluid && c.support < support33 + 0.1 &&
-                                   c.precision == Precision::Single
-                               ? 350
-                               : 0;
-  std::fprintf(out, "%.0f,%.0f,", accounted / N, resident / N);
+}
+
+/// Target of the bytes per particle; 0: none.
+double targetBytes(const Case& c) {
+  if (isElastic(c.kind)) return 800;
+  return c.kind == Kind::Fluid && c.support < support33 + 0.1 && c.precision == Precision::Single ? 350 : 0;
+}
+
+void printRow(const Measurement& m, const Case& c, const Options& o, FILE* out) {
+  const double N = m.particles, rate = N / (median(m.times.step) * m.ranks) / 1e6,
+               ratio = median(m.times.ratio), scalar = median(m.times.scalar);
+  const Targets goal = targetsOf(c, std::strcmp(m.instructions, "avx512") == 0);
+  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", caseNames[static_cast<int>(c.kind)],
+               c.precision == Precision::Double ? "double"
+               : c.elastic == Precision::Double ? "default"
+                                                : "single",
+               m.ranks, N, m.neighbours, m.instructions, rate, 1e-6 / scalar, ratio);
+  goal.target > 0 ? std::fprintf(out, "%.2f,%.2f,", goal.target, goal.limit) : std::fprintf(out, ",,");
+  printPhases(m, out);
+  const double accounted = m.memory.messages + totalBytes(m.memory.uses), goalBytes = targetBytes(c);
+  std::fprintf(out, "%.0f,%.0f,", accounted / N, m.memory.resident / N);
   goalBytes > 0 ? std::fprintf(out, "%.0f,", goalBytes) : std::fprintf(out, ",");
-  std::fprintf(
-      out, "%.0f,%.2f,%.2f,%.2f,%s,%d\n", moved / N, 1e-9 * moved / (N / (rate * 1e6 * ranks)) / ranks / 1.0,
-      1e-9 * copied, setUpSeconds / median(total),
-      limitingPhase(c, times, perNs, 1e9 * median(yard), goal.limit > 0 && median(ratio) >= goal.limit)
-          .c_str(),
-      o.repeat);
+  const std::string slowest = limitingPhase(c, m.phases, m.perNs(), 1e9 * scalar,
+                                            goal.limit > 0 && ratio >= goal.limit);
+  std::fprintf(out, "%.0f,%.2f,%.2f,%.2f,%s,%d\n", m.memory.moved / N,
+               1e-9 * m.memory.moved / (N / (rate * 1e6 * m.ranks)) / m.ranks,
+               1e-9 * m.memory.copiedPerSecond, m.setUp / median(m.times.step), slowest.c_str(), o.repeat);
   std::fflush(out);
 }
 
@@ -296,11 +359,15 @@ int main(int argc, char** argv) {
                  "ns_walls,ns_heat,ns_move,ns_ranks,bytes_per_particle,resident_per_particle,target_bytes_"
                  "per_particle,bytes_moved,moved_gb_per_s,copy_gb_per_s,setup_steps,held_back_by,repeats\n");
   const BallFile ball(comm);
+  const auto measure = [&](const Case& c) {
+    const Measurement m = measured(comm, c, o, ball.path());
+    if (out && o.memory) printMemory(m);
+    if (out) printRow(m, c, o, out);
+  };
   for (const std::size_t size : o.sizes)
     for (const double support : o.supports)
       for (const auto& [sums, bonds] : o.precisions)
-        for (const Kind kind : o.kinds)
-          measure(comm, {kind, sums, bonds, support, size}, o, ball.path(), out);
+        for (const Kind kind : o.kinds) measure({kind, sums, bonds, support, size});
   if (out && o.csv) std::fclose(out);
   return 0;
 }

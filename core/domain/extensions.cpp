@@ -20,20 +20,82 @@ bool isName(const std::string& s) {
   });
 }
 
-}  // namespace
+constexpr const char* newbornName = "newborn";  // the field of declareNewborn
 
-void registerExtension(Extension e) {
+/// Names that fields cannot have besides those of the model: computed fields of frames.
+constexpr const char* computedFields[] = {newbornName, "density",        "pressure", "stress",    "strain",
+                                          "plastic_strain", "rank",     "neighbours"};
+
+bool isFieldOfModel(const std::string& name) {
+  Continuum particles;
+  return particles.find(name.c_str()) ||
+         std::find(std::begin(computedFields), std::end(computedFields), name) != std::end(computedFields);
+}
+
+/// Returns the extension that has a field of that name, or null.
+const Extension* ownerOf(const std::string& field) {
+  for (const auto& [name, e] : registered())
+    for (const ExtensionField& f : e.fields)
+      if (f.name == field) return &e;
+  return nullptr;
+}
+
+void checkField(const Extension& e, const ExtensionField& f) {
+  const std::string field = "extension '" + e.name + "': field '" + f.name + "' ";
+  if (!isName(f.name)) throw std::invalid_argument(field + "needs a name of letters, digits, underscores");
+  if (f.components < 1 || f.components > 9)
+    throw std::invalid_argument(field + "has " + std::to_string(f.components) +
+                                " components; expected 1 to 9");
+  if (isFieldOfModel(f.name)) throw std::invalid_argument(field + "is a field of the model");
+  if (const Extension* other = ownerOf(f.name))
+    throw std::invalid_argument(field + "is a field of extension '" + other->name + "'");
+  if (std::count_if(e.fields.begin(), e.fields.end(),
+                    [&](const ExtensionField& other) { return other.name == f.name; }) > 1)
+    throw std::invalid_argument(field + "is declared twice");
+}
+
+void check(const Extension& e) {
   if (!isName(e.name))
     throw std::invalid_argument("extension '" + e.name +
                                 "': expected a name of letters, digits and underscores");
-  if (!e.load) throw std::invalid_argument("extension '" + e.name + "' has no load");
+  if (findExtension(e.name)) throw std::invalid_argument("extension '" + e.name + "' is registered already");
+  if (!e.hasTable() && !e.hasLaw() && !e.shape)
+    throw std::invalid_argument("extension '" + e.name +
+                                "' has no part: expected a load, fields, a pair force, a law or a shape");
   for (const ExtensionKey& key : e.keys)
     if (!isName(key.name) || !(key.least <= key.standard && key.standard <= key.most))
       throw std::invalid_argument("extension '" + e.name + "': key '" + key.name +
                                   "' needs a name, and a default within its range");
+  for (const ExtensionField& f : e.fields) checkField(e, f);
+}
+
+void declare(const Extension& e, Continuum& p) {
+  for (const ExtensionField& f : e.fields)
+    if (!p.addedField(f.name))
+      p.added.push_back(std::make_unique<AddedColumn>(p, f.name.c_str(), f.unit.c_str(), f.about.c_str(),
+                                                      f.components, f.start, f.ghosts));
+}
+
+void complete(ExtensionSettings& settings) {
+  if (const Extension* e = findExtension(settings.name))
+    for (const ExtensionKey& key : e->keys) settings.values.try_emplace(key.name, key.standard);
+}
+
+void completeShape(Shape& s) {
+  if (s.kind == ShapeKind::Extension) complete(s.extension);
+  for (Shape& part : s.parts) completeShape(part);
+}
+
+}  // namespace
+
+void registerExtension(Extension e) {
+  check(e);
+  std::vector<std::string> keys;
+  for (const ExtensionKey& key : e.keys) keys.push_back(key.name);
+  if (e.hasLaw()) addExtensionLaw(e.name, e.law, keys);
+  if (e.shape) addExtensionShape(e.name, e.shape);
   const std::string name = e.name;
-  if (!registered().emplace(name, std::move(e)).second)
-    throw std::invalid_argument("extension '" + name + "' is registered already");
+  registered().emplace(name, std::move(e));
 }
 
 const Extension* findExtension(const std::string& name) {
@@ -42,9 +104,50 @@ const Extension* findExtension(const std::string& name) {
 }
 
 std::vector<std::string> extensionNames() {
+  return extensionNames([](const Extension&) { return true; });
+}
+
+std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has) {
   std::vector<std::string> names;
-  for (const auto& [name, extension] : registered()) names.push_back(name);
+  for (const auto& [name, extension] : registered())
+    if (has(extension)) names.push_back(name);
   return names;
+}
+
+void completeExtensions(Scene& scene) {
+  for (ExtensionSettings& s : scene.extensions) complete(s);
+  for (Material& m : scene.materials) complete(m.extensionLaw);
+  for (Body& b : scene.bodies) {
+    completeShape(b.shape);
+    for (Shape& clamp : b.clamp) completeShape(clamp);
+  }
+  for (Obstacle& o : scene.obstacles) completeShape(o.shape);
+  for (OrientedBody& b : scene.oriented) completeShape(b.shape);
+}
+
+void declareFields(const Scene& scene, Continuum& particles) {
+  for (const ExtensionSettings& s : scene.extensions)
+    if (const Extension* e = findExtension(s.name)) declare(*e, particles);
+}
+
+void declareAllFields(Continuum& particles) {
+  for (const auto& [name, extension] : registered()) declare(extension, particles);
+  declareNewborn(particles);
+}
+
+void declareNewborn(Continuum& p) {
+  if (!p.addedField(newbornName))
+    p.added.push_back(std::make_unique<AddedColumn>(p, newbornName, "1", "1: emitted in this step", 1, 0.0, true));
+}
+
+AddedColumn* newbornOf(const Continuum& p) {
+  AddedColumn* column = p.addedField(newbornName);
+  return column && column->active ? column : nullptr;
+}
+
+void startFields(Continuum& p, std::size_t begin, std::size_t end) {
+  for (const auto& c : p.added)
+    if (c->active) std::fill(c->row(begin), c->row(end), c->start);
 }
 
 }  // namespace thaw

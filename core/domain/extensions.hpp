@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces and heat sources that a program registers and scenes name: [extension.NAME] with declared keys.
+// Parts that a program adds to the model and scenes name: forces, sources of heat, fields, forces between
+// particles, elastic laws and shapes, with declared keys.
 #pragma once
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "core/domain/field_update.hpp"
 #include "core/domain/outside_forces.hpp"
+#include "core/fluid/pair_sums/pair_force.hpp"
+#include "core/geometry/basic/extension_shape.hpp"
+#include "core/materials/extension_law.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
@@ -15,28 +20,68 @@ struct ExtensionKey {
   std::string name, unit;  ///< unit in SI, "" for none
   double standard = 0;     ///< value where the scene does not give the key
   double least = -never, most = never;
-  std::string about;  ///< one line
+  std::string about = {};  ///< one line
 };
 
-/// A force or a source of heat with keys in scenes. Scenes that name it are refused by programs that have not
-/// registered it, also at a restart.
+/// A field of particles: doubles, sorted, migrated, in checkpoints, and in frames that list it in
+/// output.fields.
+struct ExtensionField {
+  std::string name = {}, unit = {}, about = {};  ///< unit in SI, "1" for none
+  int components = 1;
+  double start = 0;     ///< of all components, in particles of bodies and emitters
+  bool ghosts = false;  ///< forces between particles read it
+};
+
+/// A named extension with keys. Scenes that name it are refused by programs that have not registered it, also
+/// at a restart. A scene names it by
+/// - [extension.NAME]: its load, fields, pair force;
+/// - material.LABEL.law = "NAME": its law, whose keys are in [material.LABEL.NAME];
+/// - NAME = { keys } where a shape is expected: its shape.
+/// An extension may have several of these parts, and then uses its keys in each of them.
 struct Extension {
-  std::string name;   ///< name of its table: letters, digits, _
-  std::string about;  ///< one line
-  std::vector<ExtensionKey> keys;
-  /// Makes the source for the values of a scene.
-  std::function<OutsideSource(const ExtensionSettings&)> load;
+  std::string name = {};   ///< letters, digits, _
+  std::string about = {};  ///< one line
+  std::vector<ExtensionKey> keys = {};
+  /// Makes a force or a source of heat for the values of a scene.
+  std::function<OutsideSource(const ExtensionSettings&)> load = {};
   /// Longest stable step (s) for these values; none: no limit.
   std::function<double(const ExtensionSettings&)> stepLimit = {};
+  std::vector<ExtensionField> fields = {};
+  /// Makes the update of the fields; none: only loads and hooks set them.
+  std::function<FieldUpdate(const ExtensionSettings&)> update = {};
+  PairForce pairForce = {};  ///< with kernels
+  ExtensionLaw law = {};     ///< with lanes or response
+  ShapeMaker shape = {};
+
+  /// Returns true if it has a part that [extension.NAME] turns on.
+  bool hasTable() const { return load || !fields.empty() || update || pairForce.kernels.sum; }
+  bool hasLaw() const { return law.lanes || law.response; }
 };
 
 /// Makes an extension known to all scenes that are read afterwards. Throws std::invalid_argument for a name
-/// that is taken or malformed, and for an extension without a load.
+/// that is taken or malformed, and for an extension without parts.
 void registerExtension(Extension extension);
 
 /// Returns the extension of that name, or null.
 const Extension* findExtension(const std::string& name);
 /// Returns the names of all extensions.
 std::vector<std::string> extensionNames();
+/// Returns the names of those extensions for which `has` is true, in order.
+std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has);
+
+/// Adds the defaults of keys that a scene made in code leaves out.
+void completeExtensions(Scene& scene);
+
+/// Declares the fields of the scene's extensions in the particles, inactive.
+void declareFields(const Scene& scene, Continuum& particles);
+/// Declares the fields of all registered extensions.
+void declareAllFields(Continuum& particles);
+/// Declares the field that marks particles emitted in this step. Pair forces of scenes with emitters need it
+/// to record the energy that they bring.
+void declareNewborn(Continuum& particles);
+/// Returns that field if it is active, else null.
+AddedColumn* newbornOf(const Continuum& particles);
+/// Sets the active fields of extensions in new rows [begin, end) to their start values.
+void startFields(Continuum& particles, std::size_t begin, std::size_t end);
 
 }  // namespace thaw

@@ -11,9 +11,8 @@ struct Halos {
   Reducer& all;
   CellHalo& cells;
   BondHalo& bonds;
-  CellHalo* kinds[bodyTypeCount] = {nullptr, nullptr};  ///< for further body types, over the same grid; null
-                                                        ///< for absent types
-  BondHalo* edges = nullptr;                            ///< for sheets
+  CellHalo* bodyTypes[bodyTypeCount] = {};  ///< over the same grid; null for absent types
+  BondHalo* edges = nullptr;                ///< for sheets
 };
 
 }  // namespace thaw

@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 
+#include "core/materials/extension_law.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
@@ -17,6 +18,7 @@ struct ElasticConstants {
   double maxPlastic = never;  ///< 1
   double dragDensity = 0;     ///< kg/(m^3 s), damping * density
   ElasticLaw law = ElasticLaw::Green;
+  const BoundLaw* bound = nullptr;  ///< ElasticLaw::Extension
 };
 
 /// Returns the constants of a material at this liquid fraction (K05 3.3).
@@ -37,6 +39,7 @@ inline ElasticConstants elasticConstants(const Material& m, double liquidFractio
   c.maxPlastic = m.maxPlasticStrain;
   c.dragDensity = m.damping * m.density;
   c.law = m.law;
+  if (c.law == ElasticLaw::Extension) c.bound = &boundLaw(m);
   return c;
 }
 

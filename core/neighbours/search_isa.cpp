@@ -249,7 +249,7 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
                                                 static_cast<std::int64_t>(k % 3 - 1) * (1ll << 21));
   const std::size_t n = cells.key.size();
   b.filled = 0;
-  if (b.rounds.size() == 0) growRounds(b);
+  if (b.rounds.empty()) growRounds(b);
   const bool canPickDirect = hasPickDirect();
   for (std::size_t c = 0; c < n; c++) {
     if (cells.first[c] >= in.owned || in.inner[c] == skippedCell ||

@@ -92,91 +92,151 @@ void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
   }
 }
 
+namespace {
+
+/// Samples a body on all ranks alike. Returns false, and adds the problem, where that fails.
+bool tryToSample(const Scene& scene, std::size_t b, const MeshLoader& load, SampledPoints& sampled,
+                 SceneProblems& problems) {
+  const OrientedBody& body = scene.oriented[b];
+  const std::string name = "oriented body '" + body.name + "': ";
+  try {
+    sampled = samplePoints(body, spacingOf(scene, body), scene.seed + b, load);
+  } catch (const std::invalid_argument& e) {
+    problems.add(body.where, name + e.what());
+    return false;
+  } catch (const ShapeError& e) {
+    problems.add(e.where.line > 0 ? e.where : body.where, name + e.what());
+    return false;
+  } catch (const std::runtime_error& e) {  // mesh that cannot be read
+    problems.add(body.where, name + e.what());
+    return false;
+  }
+  if (body.growth != OrientedGrowth::None && sampled.places.size() > static_cast<std::size_t>(body.most))
+    problems.add(body.where, name + "it starts with " + std::to_string(sampled.places.size()) +
+                                 " particles and `most` is " + std::to_string(body.most) +
+                                 "; expected `most` to be at least the initial number");
+  return true;
+}
+
+void warnOfNotes(const SourcePlace& where, const std::string& whose, const std::vector<std::string>& notes,
+                 std::vector<SceneWarning>& warnings) {
+  for (const std::string& note : notes) warnings.push_back({where, whose + ": " + note});
+}
+
+/// Anchors of a body. The first one that contains a particle holds it.
+struct AnchorRegions {
+  const OrientedBody& body;
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< null where the shape has a problem
+  std::vector<std::size_t> count;                             ///< particles inside, on all ranks
+
+  AnchorRegions(const OrientedBody& b, const MeshLoader& load, SceneProblems& problems,
+                std::vector<SceneWarning>& warnings)
+      : body(b), count(b.anchors.size(), 0) {
+    for (const OrientedAnchor& a : body.anchors) {
+      const std::string whose = "oriented body '" + body.name + "': an anchor";
+      shapes.push_back(makeSignedDistance(a.region, load, whose, problems));
+      std::vector<std::string> notes;
+      if (shapes.back()) shapes.back()->addNotes(notes);
+      warnOfNotes(a.where, whose, notes, warnings);
+    }
+  }
+
+  /// Returns the number of the anchor at x, or noAnchor. Counts x for each anchor that contains it.
+  std::uint16_t at(const Vec3d& x) {
+    std::uint16_t anchor = noAnchor;
+    for (std::size_t a = shapes.size(); a-- > 0;)
+      if (shapes[a] && shapes[a]->inside(x)) {
+        count[a]++;
+        anchor = static_cast<std::uint16_t>(a);
+      }
+    return anchor;
+  }
+
+  void refuseEmpty(SceneProblems& problems) const {
+    for (std::size_t a = 0; a < count.size(); a++)
+      if (shapes[a] && count[a] == 0)
+        problems.add(body.anchors[a].where, "oriented body '" + body.name +
+                                                "': no particle lies in this anchor; expected at least one");
+  }
+};
+
+/// Initial state of a particle.
+struct SampledParticle {
+  std::size_t number;  ///< in its body
+  Vec3d position, normal;
+  std::uint8_t flags;
+  std::uint16_t anchor;
+};
+
+/// Appends a row for a particle of body b. Particles without constraints are jittered.
+void addSampledRow(Oriented& o, const Scene& scene, std::size_t b, const SampledParticle& p) {
+  const OrientedBody& body = scene.oriented[b];
+  const double s = spacingOf(scene, body);
+  const Vec3d x = p.position;
+  const bool jitters = body.jitter > 0 && !p.flags;
+  const std::size_t i = o.owned;
+  o.resize(i + 1, 0);
+  o.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(p.number);
+  o.position[i] = o.restPosition[i] = jitters ? jittered(x, body.jitter, s, scene.seed, o.id[i]) : x;
+  o.velocity[i] = body.velocity;
+  o.orientation[i] = o.restOrientation[i] = towards(p.normal);
+  if (jitters) {
+    const Vec3d turn = jittered({}, body.jitter, 1, scene.seed + 1, o.id[i]);
+    o.orientation[i] = unitQuat(rotationBy(body.planar ? Vec3d{0, turn.y, 0} : turn) * o.orientation[i]);
+    if (body.planar) o.position[i].y = x.y;
+  }
+  o.mass[i] = orientedMass(body, s);
+  o.inertia[i] = body.inertia * o.mass[i] * s * s;
+  o.body[i] = static_cast<std::uint16_t>(b);
+  o.group[i] = static_cast<std::uint32_t>(b);
+  o.flags[i] = p.flags;
+  o.anchor[i] = p.anchor;
+}
+
+/// Returns all particles of a body, with the constraints of its points and anchors.
+std::vector<SampledParticle> particlesOf(const SampledPoints& sampled, AnchorRegions& anchors) {
+  std::vector<SampledParticle> particles;
+  for (std::size_t k = 0; k < sampled.places.size(); k++) {
+    const Vec3d x = sampled.places[k];
+    const std::uint16_t anchor = anchors.at(x);
+    std::uint8_t flags = sampled.held[k];
+    if (anchor != noAnchor)
+      flags = static_cast<std::uint8_t>((anchors.body.anchors[anchor].position ? fixedPosition : 0) |
+                                        (anchors.body.anchors[anchor].normal ? fixedOrientation : 0));
+    particles.push_back({k, x, sampled.normals[k], flags, anchor});
+  }
+  return particles;
+}
+
+void refuseOutside(const Domain& domain, const OrientedBody& body, const std::vector<Vec3d>& places,
+                   SceneProblems& problems) {
+  Outside outside;
+  for (const Vec3d& x : places) outside.look(domain, x);
+  if (outside.count > 0)
+    problems.add(body.where, "oriented body '" + body.name + "': " +
+                                 outsideText(outside, domain, static_cast<std::int64_t>(places.size()),
+                                             "particles", "body"));
+}
+
+}  // namespace
+
 std::vector<std::vector<Vec3d>> sampleOriented(Oriented& o, const Scene& scene, Halos halos,
                                                const MeshLoader& load, std::vector<SceneWarning>& warnings) {
-  SceneProblems problems;
   const auto ranks = static_cast<std::size_t>(halos.all.size()),
              rank = static_cast<std::size_t>(halos.all.rank());
+  SceneProblems problems;
   std::vector<std::vector<Vec3d>> places(scene.oriented.size());
   for (std::size_t b = 0; b < scene.oriented.size(); b++) {
     const OrientedBody& body = scene.oriented[b];
-    const double s = spacingOf(scene, body);
-    SampledPoints made;
-    try {
-      made = samplePoints(body, s, scene.seed + b, load);
-    } catch (const std::invalid_argument& e) {
-      problems.add(body.where, "oriented body '" + body.name + "': " + e.what());
-      continue;
-    } catch (const ShapeError& e) {
-      problems.add(e.where.line > 0 ? e.where : body.where, "oriented body '" + body.name + "': " + e.what());
-      continue;
-    } catch (const std::runtime_error& e) {  // mesh that cannot be read
-      problems.add(body.where, "oriented body '" + body.name + "': " + e.what());
-      continue;
-    }
-    places[b] = made.places;
-    const auto warn = [&](const SourcePlace& where, const std::string& whose,
-                          const std::vector<std::string>& notes) {
-      for (const std::string& note : notes) warnings.push_back({where, whose + ": " + note});
-    };
-    warn(body.where, "oriented body '" + body.name + "'", made.notes);
-    if (body.growth != OrientedGrowth::None && made.places.size() > static_cast<std::size_t>(body.most))
-      problems.add(body.where, "oriented body '" + body.name + "': it starts with " +
-                                   std::to_string(made.places.size()) + " particles and `most` is " +
-                                   std::to_string(body.most) +
-                                   "; expected `most` to be at least the initial number");
-    std::vector<std::shared_ptr<const SignedDistance>> regions;
-    for (const OrientedAnchor& a : body.anchors) {
-      const std::string whose = "oriented body '" + body.name + "': an anchor";
-      regions.push_back(makeSignedDistance(a.region, load, whose, problems));
-      std::vector<std::string> notes;
-      if (regions.back()) regions.back()->addNotes(notes);
-      warn(a.where, whose, notes);
-    }
-    std::vector<std::size_t> holds(body.anchors.size(), 0);
-    Outside outside;
-    for (std::size_t k = 0; k < made.places.size(); k++) {
-      const Vec3d x = made.places[k];
-      outside.look(scene.domain, x);
-      std::uint8_t flags = made.held[k];
-      std::uint16_t anchor = noAnchor;
-      for (std::size_t a = regions.size(); a-- > 0;)  // the first anchor that contains it
-        if (regions[a] && regions[a]->inside(x)) {
-          holds[a]++;
-          anchor = static_cast<std::uint16_t>(a);
-          flags = static_cast<std::uint8_t>((body.anchors[a].position ? fixedPosition : 0) |
-                                            (body.anchors[a].normal ? fixedOrientation : 0));
-        }
-      if (k % ranks != rank) continue;
-      const std::size_t i = o.owned;
-      o.resize(i + 1, 0);
-      o.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(k);
-      o.position[i] = o.restPosition[i] = body.jitter > 0 && !flags
-                                              ? jittered(x, body.jitter, s, scene.seed, o.id[i])
-                                              : x;
-      o.velocity[i] = body.velocity;
-      o.orientation[i] = o.restOrientation[i] = towards(made.normals[k]);
-      if (body.jitter > 0 && !flags) {
-        const Vec3d off = jittered({}, body.jitter, 1, scene.seed + 1, o.id[i]);
-        o.orientation[i] = unitQuat(rotationBy(body.planar ? Vec3d{0, off.y, 0} : off) * o.orientation[i]);
-        if (body.planar) o.position[i].y = x.y;
-      }
-      o.mass[i] = orientedMass(body, s);
-      o.inertia[i] = body.inertia * o.mass[i] * s * s;
-      o.body[i] = static_cast<std::uint16_t>(b);
-      o.group[i] = static_cast<std::uint32_t>(b);
-      o.flags[i] = flags;
-      o.anchor[i] = anchor;
-    }
-    for (std::size_t a = 0; a < holds.size(); a++)
-      if (regions[a] && holds[a] == 0)
-        problems.add(body.anchors[a].where, "oriented body '" + body.name +
-                                                "': no particle lies in this anchor; expected at least one");
-    if (outside.count > 0)
-      problems.add(body.where,
-                   "oriented body '" + body.name + "': " +
-                       outsideText(outside, scene.domain, static_cast<std::int64_t>(made.places.size()),
-                                   "particles", "body"));
+    SampledPoints sampled;
+    if (!tryToSample(scene, b, load, sampled, problems)) continue;
+    places[b] = sampled.places;
+    warnOfNotes(body.where, "oriented body '" + body.name + "'", sampled.notes, warnings);
+    AnchorRegions anchors(body, load, problems, warnings);
+    for (const SampledParticle& p : particlesOf(sampled, anchors))
+      if (p.number % ranks == rank) addSampledRow(o, scene, b, p);
+    anchors.refuseEmpty(problems);
+    refuseOutside(scene.domain, body, places[b], problems);
   }
   if (scene.numerics.overlap != OverlapRule::Keep) refuseSharedPositions(scene, places, problems);
   problems.raise();

@@ -218,7 +218,7 @@ class ColumnList {
   operator std::span<AnyColumn* const>() const { return {column_.data(), count_}; }
 
  private:
-  std::array<AnyColumn*, 20> column_{};
+  std::array<AnyColumn*, 40> column_{};
   std::size_t count_ = 0;
 };
 

@@ -2,6 +2,11 @@
 // The fields of continuum particles (K05), one declaration each. A scene activates the fields of the modules
 // that it uses.
 #pragma once
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/particles/added_column.hpp"
 #include "core/particles/column.hpp"
 
 namespace thaw {
@@ -177,6 +182,20 @@ struct Continuum : Table {
       "d(total interaction)/d(liquid fraction of this particle) at fixed positions; only where a material "
       "melts", Rows::Owned};
   // clang-format on
+
+  /// Fields of extensions, the last of `columns`.
+  std::vector<std::unique_ptr<AddedColumn>> added;
+  /// Declares the added fields of another table that this one lacks.
+  void declareLike(const Continuum& other) {
+    for (std::size_t k = added.size(); k < other.added.size(); k++)
+      added.push_back(std::make_unique<AddedColumn>(*this, *other.added[k]));
+  }
+  /// Returns the added field of that name, or null.
+  AddedColumn* addedField(std::string_view name) const {
+    for (const auto& c : added)
+      if (name == c->name) return c.get();
+    return nullptr;
+  }
 };
 
 /// Returns true if a particle belongs to a rigid piece.

@@ -81,7 +81,7 @@ void findHeat(Finder& f) {
 /// (terms/uniform_forces.hpp).
 bool isUniform(const Scene& s, const Modules& m) {
   const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity ||
-                     m.viscosityCorrection || m.tension || m.kinds();
+                     m.viscosityCorrection || m.tension || m.bodyTypes();
   const bool volumes = m.heat && (m.xsph || m.surfaceHeat || s.numerics.pressure != PairForm::Consistent);
   const bool otherCarried = m.continuity &&
                             (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);

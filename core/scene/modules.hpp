@@ -44,7 +44,7 @@ struct Modules {
   bool uniform = false;  ///< all particles are liquid of one material with constant parameters, so pair sums
                          ///< read less (terms/uniform_forces.hpp)
   bool sheetContact = false;  ///< sheets and oriented particles can touch
-  bool kinds() const { return oriented || sheet; }
+  bool bodyTypes() const { return oriented || sheet; }
   std::vector<std::string> why;  ///< one line per active module: "heat: obstacle 'plate' has a temperature"
 };
 

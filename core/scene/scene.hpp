@@ -29,7 +29,8 @@ enum class ElasticLaw {
   Green,
   NeoHookean,
   Corotated,
-  Rigid
+  Rigid,
+  Extension
 };  // Green strain with Hooke's law is the law of the papers; Rigid: bodies of core/rigid/
 
 struct Material {
@@ -50,6 +51,7 @@ struct Material {
   Blend young;              // Pa; a solid value > 0 allows the material to be solid
   Blend poisson{0.3, 0.3};  // 1
   ElasticLaw law = ElasticLaw::Green;
+  ExtensionSettings extensionLaw;   // ElasticLaw::Extension: the law and the values of its keys
   Blend yieldStrain{never, never};  // 1, gamma_yield: yield stress |dev sigma|/2G (OBH02; plasticity.hpp);
                                     // never: not plastic
   Blend creepRate{never, never};    // 1/s, gamma_creep: decay rate of the stress above yield; never:
@@ -115,6 +117,8 @@ struct Emitter {
   double start = 0, end = never;  // s
 };
 
+enum class ObstacleLook { Glass, Solid };
+
 struct Obstacle {
   std::string name;
   SourcePlace where;
@@ -125,7 +129,9 @@ struct Obstacle {
   double restitution = 0.5;           // 1, for solids
   bool slip = false;                  // liquids slip freely; else they stick
   std::vector<Keyframe> motion;
-  double until = never;  // s, the obstacle disappears at this time
+  double until = never;                     // s, the obstacle disappears at this time
+  ObstacleLook look = ObstacleLook::Glass;  // in pictures
+  std::uint32_t colour = 0xc8c1bc;          // red | green << 8 | blue << 16
 };
 
 /// Drives particles to a temperature anywhere in the domain: K05's freezing while pouring.
@@ -280,6 +286,9 @@ struct Output {
   std::string colour;  // field of the pictures; empty: temperature if the scene has heat, sheet colours if
                        // there are only sheets, else speed
   std::optional<double> colourMin, colourMax;  // SI
+  std::optional<std::uint32_t> background;     // pictures; as Material::colour; none: a pale sky
+  std::optional<Vec3d> sun;                    // direction from the scene to the sun of pictures; none: over
+                                               // the camera's left shoulder
   int width = 1280, height = 960;
 };
 
@@ -292,12 +301,6 @@ struct ExpectedMotion {
   double lift = 0;                           // m, largest rise of an obstacle point against gravity
   double column = 0;                         // m, highest column of liquid that emitters can fill
   std::string startBy, emittedBy, drivenBy;  // names
-};
-
-/// Values of a table [extension.NAME] (core/domain/extensions.hpp).
-struct ExtensionSettings {
-  std::string name;
-  std::map<std::string, double> values;  // by key, SI
 };
 
 struct Scene {

@@ -2,6 +2,7 @@
 // Shapes of a scene in SI units, and types that all parts of a scene use.
 #pragma once
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,7 +36,14 @@ enum class ShapeKind {
   Mesh,
   Union,
   Difference,
-  Intersection
+  Intersection,
+  Extension
+};
+
+/// The name of an extension and the values of its keys (core/domain/extensions.hpp).
+struct ExtensionSettings {
+  std::string name;
+  std::map<std::string, double> values;  // by key, SI
 };
 
 /// Shape in its own frame, then scaled, rotated and moved. The signed distance is negative inside.
@@ -51,6 +59,7 @@ struct Shape {
   Vec3d point{}, normal{0, 0, 1};   // HalfSpace: solid on the side against the normal
   std::string mesh;                 // Mesh: absolute path
   MeshFingerprint meshFingerprint;  // Mesh: set when a run begins
+  ExtensionSettings extension;      // Extension: its name, and the values of its keys
   std::vector<Shape> parts;         // Union: all; Difference: first minus the others; Intersection
   // placement: x = move + R(axis, angle) * (scale * x_shape); rotations about x, then y, then z
   double scale = 1;

@@ -233,94 +233,137 @@ TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& loa
   return m;
 }
 
+namespace {
+
+void refusePeriodicSides(const Scene& s, SceneProblems& problems) {
+  if (s.sheets.empty()) return;
+  for (const auto& axis : s.domain.side)
+    if (axis[0] == Side::Periodic)
+      problems.add(s.sheets[0].where,
+                   "sheets with periodic sides are not supported; expected open sides or walls");
+}
+
+/// Appends the laws of a sheet and its regions, and sets the law of each vertex: that of the last region
+/// around it. Throws ShapeError.
+void planLaws(const Scene& s, std::size_t n, const MeshLoader& load, SheetPlan& plan,
+              std::vector<SheetLaw>& laws) {
+  const SheetBody& b = s.sheets[n];
+  const std::size_t base = laws.size();
+  laws.push_back(lawOf(n, b, {}));
+  checkLaw(laws.back(), b.where);
+  plan.law.assign(plan.mesh.vertices.size(), static_cast<std::uint16_t>(base));
+  for (const SheetRegion& r : b.regions) {
+    const SheetLaw law = lawOf(n, b, r);
+    checkLaw(law, r.where);
+    const auto shape = makeSignedDistance(r.shape, load);
+    bool has = false;
+    for (std::size_t v = 0; v < plan.law.size(); v++)
+      if (shape->inside(plan.mesh.vertices[v]))
+        plan.law[v] = static_cast<std::uint16_t>(laws.size()), has = true;
+    if (!has) throw ShapeError("no vertex lies in this region at the start; expected at least one", r.where);
+    laws.push_back(law);
+  }
+}
+
+/// Sets the springs along edges, and the mean and longest edge.
+void planEdges(const SheetBody& b, const SpringFactors& factor, SheetPlan& plan) {
+  const SheetTopology& t = plan.topology;
+  double edges = 0;
+  for (std::uint32_t v = 0; v + 1 < t.first.size(); v++)
+    for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) {
+      // both ends compute the same bits
+      const std::uint32_t a = std::min(v, t.ring[k].to), c = std::max(v, t.ring[k].to);
+      const Vec3d d = plan.mesh.vertices[c] - plan.mesh.vertices[a];
+      edges += length(d);
+      plan.longestEdge = std::max(plan.longestEdge, std::max(1.0, b.restLength) * length(d));
+      plan.edgeLength.push_back(b.restLength * length(d));
+      plan.edgeKind.push_back(edgeKind(b, d));
+      plan.edgeStiffness.push_back(edgeStiffness(b, d, t.ring[k].area) * factor(plan.edgeKind.back(), a, c));
+    }
+  plan.spacing = edges / static_cast<double>(t.ring.size());
+  plan.edgeForces = b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0;
+}
+
+/// Returns whether the scene has something that a sheet can touch.
+bool canTouch(const Scene& s, const SheetBody& b) {
+  bool touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() ||
+                 !s.emitters.empty() || !s.oriented.empty() || b.push > 0 || b.pull > 0;
+  for (const auto& axis : s.domain.side)
+    for (const Side side : axis) touches = touches || side == Side::Wall;
+  return touches;
+}
+
+/// Sets contact distances, rates and masses. Requires: edges. laws: of this sheet.
+void planContact(const Scene& s, std::size_t n, SheetPlan& plan, std::span<SheetLaw> laws) {
+  const SheetBody& b = s.sheets[n];
+  plan.thickness = sheetThickness(s, b);
+  plan.contactRate = b.contactRate > 0 ? b.contactRate : contactRateOf(s, b, plan.thickness);
+  for (SheetLaw& l : laws) l.contactMass = contactMassOf(l.law, plan.contactRate);
+  plan.byFaces = coarserThanParticles(s, plan);
+  if (plan.byFaces) planFaces(s, b, plan);
+  if (plan.byFaces || meshTouches(s, n)) listFaces(plan);
+  plan.touches = canTouch(s, b);
+}
+
+/// Appends the components of sheet n, with the volume stiffness of their regions. Throws ShapeError for a
+/// volume stiffness without a closed mesh.
+void planParts(const SheetBody& b, std::size_t n, SheetPlan& plan, const std::vector<SheetLaw>& laws,
+               std::vector<SheetPart>& parts) {
+  const SheetTopology& t = plan.topology;
+  plan.firstPart = static_cast<std::uint32_t>(parts.size());
+  for (std::size_t c = 0; c < t.closed.size(); c++) {
+    SheetPart part;
+    part.sheet = static_cast<std::uint16_t>(n);
+    part.closed = t.closed[c];
+    part.volume = t.volume[c];
+    parts.push_back(part);
+  }
+  std::vector<std::uint8_t> seen(t.closed.size(), 0);
+  for (std::size_t v = 0; v < plan.mesh.vertices.size(); v++) {
+    SheetPart& part = parts[plan.firstPart + t.component[v]];
+    if (!seen[t.component[v]]) part.origin = plan.mesh.vertices[v];
+    seen[t.component[v]] = 1;
+    part.area += t.area[v];
+    part.stiffness += b.volumeStiffness * laws[plan.law[v]].factor[placeOf(SheetFactor::Volume)] * t.area[v];
+    part.vertices++;
+  }
+  for (std::size_t p = plan.firstPart; p < parts.size(); p++) parts[p].stiffness /= parts[p].area;
+  if (!(b.volumeStiffness > 0)) return;
+  for (std::size_t c = 0; c < t.closed.size(); c++)
+    if (!(t.volume[c] > 0))
+      throw ShapeError(t.closed[c] ? "volume_stiffness: the mesh's triangles face inward; expected outward"
+                                   : "volume_stiffness: the mesh has a border; expected a closed mesh",
+                       b.where);
+}
+
+/// Appends the plan of sheet n with its laws and components. Throws ShapeError, std::runtime_error.
+void addPlan(const Scene& s, std::size_t n, const MeshLoader& load, SheetPlans& all) {
+  const SheetBody& b = s.sheets[n];
+  SheetPlan plan;
+  plan.mesh = sheetMesh(s, b, load, &plan.droppedElements);
+  plan.topology = sheetTopology(plan.mesh);
+  const std::size_t firstLaw = all.laws.size();
+  planLaws(s, n, load, plan, all.laws);
+  const SpringFactors factor{all.laws, plan.law};
+  planEdges(b, factor, plan);
+  planContact(s, n, plan, std::span(all.laws).subspan(firstLaw));
+  plan.normals = b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()) || b.windDensity > 0;
+  if (b.wrap != 0) plan.wrapTarget = wrapTarget(s, n);
+  planParts(b, n, plan, all.laws, all.parts);
+  plan.hinges = hingesOf(b, plan, factor);
+  all.plans.push_back(std::move(plan));
+}
+
+}  // namespace
+
 SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
   SheetPlans all;
   SceneProblems problems;
-  for (const auto& axis : s.domain.side)
-    if (axis[0] == Side::Periodic && !s.sheets.empty())
-      problems.add(s.sheets[0].where,
-                   "sheets with periodic sides are not supported; expected open sides or walls");
+  refusePeriodicSides(s, problems);
   for (std::size_t n = 0; n < s.sheets.size(); n++) {
     const SheetBody& b = s.sheets[n];
     try {
-      SheetPlan plan;
-      plan.mesh = sheetMesh(s, b, load, &plan.droppedElements);
-      plan.topology = sheetTopology(plan.mesh);
-      const SheetTopology& t = plan.topology;
-      const auto base = static_cast<std::uint16_t>(all.laws.size());
-      all.laws.push_back(lawOf(n, b, {}));
-      checkLaw(all.laws.back(), b.where);
-      plan.law.assign(plan.mesh.vertices.size(), base);
-      for (const SheetRegion& r : b.regions) {
-        const SheetLaw law = lawOf(n, b, r);
-        checkLaw(law, r.where);
-        const auto shape = makeSignedDistance(r.shape, load);
-        bool has = false;
-        for (std::size_t v = 0; v < plan.law.size(); v++)
-          if (shape->inside(plan.mesh.vertices[v]))
-            plan.law[v] = static_cast<std::uint16_t>(all.laws.size()), has = true;
-        if (!has)
-          throw ShapeError("no vertex lies in this region at the start; expected at least one", r.where);
-        all.laws.push_back(law);
-      }
-      const SpringFactors factor{all.laws, plan.law};
-      double edges = 0;
-      for (std::uint32_t v = 0; v + 1 < t.first.size(); v++)
-        for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) {
-          // both ends compute the same bits
-          const std::uint32_t a = std::min(v, t.ring[k].to), c = std::max(v, t.ring[k].to);
-          const Vec3d d = plan.mesh.vertices[c] - plan.mesh.vertices[a];
-          edges += length(d);
-          plan.longestEdge = std::max(plan.longestEdge, std::max(1.0, b.restLength) * length(d));
-          plan.edgeLength.push_back(b.restLength * length(d));
-          plan.edgeKind.push_back(edgeKind(b, d));
-          plan.edgeStiffness.push_back(edgeStiffness(b, d, t.ring[k].area) *
-                                       factor(plan.edgeKind.back(), a, c));
-        }
-      plan.spacing = edges / static_cast<double>(t.ring.size());
-      plan.thickness = sheetThickness(s, b);
-      plan.contactRate = b.contactRate > 0 ? b.contactRate : contactRateOf(s, b, plan.thickness);
-      for (std::size_t l = base; l < all.laws.size(); l++)
-        all.laws[l].contactMass = contactMassOf(all.laws[l].law, plan.contactRate);
-      plan.byFaces = coarserThanParticles(s, plan);
-      if (plan.byFaces) planFaces(s, b, plan);
-      if (plan.byFaces || meshTouches(s, n)) listFaces(plan);
-      plan.edgeForces = b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0;
-      plan.normals = b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()) || b.windDensity > 0;
-      if (b.wrap != 0) plan.wrapTarget = wrapTarget(s, n);
-      plan.firstPart = static_cast<std::uint32_t>(all.parts.size());
-      for (std::size_t c = 0; c < t.closed.size(); c++) {
-        SheetPart part;
-        part.sheet = static_cast<std::uint16_t>(n);
-        part.closed = t.closed[c];
-        part.volume = t.volume[c];
-        all.parts.push_back(part);
-      }
-      std::vector<std::uint8_t> seen(t.closed.size(), 0);
-      for (std::size_t v = 0; v < plan.mesh.vertices.size(); v++) {
-        SheetPart& part = all.parts[plan.firstPart + t.component[v]];
-        if (!seen[t.component[v]]) part.origin = plan.mesh.vertices[v];
-        seen[t.component[v]] = 1;
-        part.area += t.area[v];
-        part.stiffness += b.volumeStiffness * all.laws[plan.law[v]].factor[placeOf(SheetFactor::Volume)] *
-                          t.area[v];
-        part.vertices++;
-      }
-      for (std::size_t p = plan.firstPart; p < all.parts.size(); p++)
-        all.parts[p].stiffness /= all.parts[p].area;
-      if (b.volumeStiffness > 0)
-        for (std::size_t c = 0; c < t.closed.size(); c++)
-          if (!(t.volume[c] > 0))
-            throw ShapeError(t.closed[c]
-                                 ? "volume_stiffness: the mesh's triangles face inward; expected outward"
-                                 : "volume_stiffness: the mesh has a border; expected a closed mesh",
-                             b.where);
-      plan.hinges = hingesOf(b, plan, factor);
-      plan.touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() ||
-                     !s.emitters.empty() || !s.oriented.empty() || b.push > 0 || b.pull > 0;
-      for (const auto& axis : s.domain.side)
-        for (const Side side : axis) plan.touches = plan.touches || side == Side::Wall;
-      all.plans.push_back(std::move(plan));
+      addPlan(s, n, load, all);
     } catch (const ShapeError& e) {
       problems.add(e.where.line > 0 ? e.where : b.where, "sheet '" + b.name + "': " + e.what());
     } catch (const std::runtime_error& e) {  // mesh that cannot be read

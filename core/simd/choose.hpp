@@ -35,13 +35,13 @@ template<class Kernels> const Kernels* chooseKernels(const KernelSets<Kernels>& 
   namespace isa_avx2 { const Kernels& give(); }            \
   namespace isa_avx512 { const Kernels& give(); }          \
   const Kernels* choose(const char* name) {                \
-    return chooseKernels<Kernels>({isa_base::give, isa_avx2::give, isa_avx512::give}, name); \
+    return ::thaw::chooseKernels<Kernels>({isa_base::give, isa_avx2::give, isa_avx512::give}, name); \
   }
 #else
 #define THAW_CHOOSE(Kernels, give, choose)      \
   namespace isa_base { const Kernels& give(); } \
   const Kernels* choose(const char* name) {     \
-    return chooseKernels<Kernels>({isa_base::give, nullptr, nullptr}, name); \
+    return ::thaw::chooseKernels<Kernels>({isa_base::give, nullptr, nullptr}, name); \
   }
 #endif
 // clang-format on

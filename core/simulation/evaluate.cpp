@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The phases of an evaluation of all forces, in their order.
+#include <utility>
+
 #include "core/contact/solid_contact.hpp"
 #include "core/fluid/density/carried_density.hpp"
 #include "core/heat/heat.hpp"
+#include "core/oriented/forces/continuum_contact.hpp"
+#include "core/oriented/step_oriented.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/motion.hpp"
 #include "core/rigid/update_pieces.hpp"
-#include "core/oriented/forces/continuum_contact.hpp"
-#include "core/oriented/step_oriented.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/ledger/energy_left.hpp"
@@ -30,6 +32,7 @@ struct Evaluation {
   double dt;  ///< s, last step, 0 at the start
   WallContext walls;
   bool neighbours = false;  ///< some sum over neighbours is needed
+  Exchange solidPositions = {};
 };
 
 WallContext wallContextOf(World& w, StepTools& t, double dt) {
@@ -48,7 +51,7 @@ void redistributeAll(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.solid)
     rebuildSolidBonds(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
-  if (w.modules.kinds()) redistributeBodyTypes(w, halos, t, dt);
+  if (w.modules.bodyTypes()) redistributeBodyTypes(w, halos, t, dt);
   if (w.modules.sheet) linkSheets(w.sheets, halos, t.times);
   if (w.modules.oriented) evaluateOriented(orientedView(w, t), halos, dt);
 }
@@ -58,8 +61,9 @@ void sumDensities(Evaluation& e) {
   World& w = e.w;
   StepTools& t = e.t;
   const Modules& m = w.modules;
-  if (e.neighbours) e.halos.cells.beginGhosts(w.particles, w.cells, ghostColumns(w));
-  if (m.solid) beginDeformation(w, e.halos, t);
+  Exchange ghosts;
+  if (e.neighbours) ghosts = sendGhosts(e.halos.cells, w.particles, w.cells, ghostColumns(w));
+  if (m.solid) e.solidPositions = sendPositions(w, e.halos, t);
   t.times.lap(StepPhase::Exchange);
   clearRates(w, m.uniform);
   if (e.neighbours) {
@@ -67,19 +71,19 @@ void sumDensities(Evaluation& e) {
     markInner(w, e.halos.cells, t);
     if (m.sleep) markSleepingInner(sleepView(w, t));
     sumOverNeighbours(w, t, NeighbourPass::InnerDensity, e.dt);
-    e.halos.cells.finishGhosts(w.particles, w.cells);
+    ghosts.wait();
     t.times.lap(StepPhase::Exchange);
     markInner(w, e.halos.cells, t);
     if (m.sleep) markSleeping(sleepView(w, t));
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, e.dt);
   }
   if (m.sleep) dropSkippedContacts(t.sleep, t.wallContacts);
-  if (m.fluid && !m.continuity) addWallRelativeDensity(e.walls, t.perLatticeSum, t.wallContacts);
+  if (m.fluid && !m.continuity) addWallRelativeDensity(e.walls, t.inverseLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (m.continuity && e.neighbours) finishCarry(carryContext(w, t, e.dt));
   if (m.shifting && !m.continuity) shiftInside(carryContext(w, t, e.dt));
   if (m.surfaceEnergy) findSurfaceEnergy(e.walls, t.surface, t.wallContacts);
-  if (m.tension) recordEnergyLeft(w, t);
+  if (m.tension || !t.pairForces.empty()) recordEnergyLeft(w, t);
 }
 
 /// Columns of ghosts that follow from densities.
@@ -100,16 +104,19 @@ void sumForces(Evaluation& e) {
   World& w = e.w;
   StepTools& t = e.t;
   const Modules& m = w.modules;
-  if (m.fluid) e.halos.cells.beginRefresh(w.particles, densityColumns(w));
+  Exchange densities, stress;
+  if (m.fluid) densities = refresh(e.halos.cells, w.particles, densityColumns(w));
   t.times.lap(StepPhase::Exchange);
-  if (m.solid) deform(w, e.halos, t, e.dt);  // F, stress; bonds break, form, take new references
+  if (m.solid)  // F, stress; bonds break, form, take new references
+    stress = deform(w, e.halos, t, e.dt, {std::move(e.solidPositions), densities});
   if (m.neighbours) sumOverNeighbours(w, t, NeighbourPass::InnerForces);
-  if (m.fluid) e.halos.cells.finishRefresh(w.particles);
+  densities.wait();
   t.times.lap(StepPhase::Exchange);
   if (m.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
   if (w.particles.softening.active && m.fluid)
     beginSoftening(w, t);  // derivative of pair and contact energies with respect to the liquid fraction
-  if (m.solid) addElasticForces(w, e.halos, t, e.dt);
+  if (!t.pairForces.empty()) sumPairForces(w, t);
+  if (m.solid) addElasticForces(w, t, e.dt, std::move(stress));
 }
 
 /// Contact of solids, walls, sheets and oriented particles. justFrozen: records the jump of all contacts, as
@@ -125,7 +132,7 @@ void addContacts(Evaluation& e, bool justFrozen) {
         t.closePairs, w.particles);
   t.times.lap(StepPhase::Contact);
   if (m.sleep) recordConstraintForces(w.particles, w.scene, t.sleep);
-  addWallForces(e.walls, t.perLatticeSum, t.wallContacts);
+  addWallForces(e.walls, t.inverseLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (m.sheet)
     loadSheets(sheetView(w), e.halos, t.times, e.dt);  // forces on vertices, and of vertices on particles
@@ -156,6 +163,7 @@ void finishForces(Evaluation& e) {
 
 void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   redistributeAll(w, halos, t, dt);
+  t.hooks.after(HookPhase::Redistribute);
   Evaluation e{w, halos, t, dt, wallContextOf(w, t, dt)};
   // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
   findWallContacts(e.walls, t.wallContacts);
@@ -169,6 +177,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.rigid.atStart = false;
   if (w.modules.rigid) linkPieces(rigidView(w, t), halos, PieceUsers::AndGhosts);
   t.times.lap(StepPhase::Contact);
+  t.hooks.after(HookPhase::Density);
   sumForces(e);
   addContacts(e, justFrozen);
   finishForces(e);
@@ -176,6 +185,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (viscosityCorrectionDue(w)) correctViscosity(w, t);  // for the next step
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);
+  t.hooks.after(HookPhase::Forces);
 }
 
 }  // namespace thaw

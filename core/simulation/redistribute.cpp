@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/domain/extensions.hpp"
 #include "core/domain/sides.hpp"
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
@@ -53,6 +54,11 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
       }
     }
   }
+  startFields(p, had, p.owned);
+  if (AddedColumn* newborn = newbornOf(p)) {
+    std::fill(newborn->row(0), newborn->row(had), 0.0);
+    std::fill(newborn->row(had), newborn->row(p.owned), 1.0);
+  }
   setPhase(w.scene, w.modules, p, had, p.owned);
   return p.owned - had;
 }
@@ -70,6 +76,18 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
   }
 }
 
+/// Records what leaves the domain. Velocities are those of the half step; the kinetic energy is that after the
+/// second half kick, as of the particles that stay.
+void recordLeaving(World& w, const StepTools& t, double dt) {
+  const Continuum& p = w.particles;
+  findStoredEnergy(w, t, t.leaving);
+  addToBalance(w, t.leaving, w.ledger.left);
+  for (const std::uint32_t i : t.leaving) {
+    const Vec3d kick = p.acceleration[i] * (0.5 * dt);
+    w.ledger.left.kinetic.add(p.mass[i] * (dot(p.velocity[i], kick) + 0.5 * dot(kick, kick)));
+  }
+}
+
 /// Frees buffers sized for the old partition.
 void freeOldBuffers(World& w, StepTools& t) {
   w.particles.shrink(1.0 / 64);
@@ -81,7 +99,7 @@ void freeOldBuffers(World& w, StepTools& t) {
 }  // namespace
 
 bool needsOrder(const World& w, const StepTools& t) {
-  return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface;
+  return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.bodyTypes() || w.modules.surface;
 }
 
 bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
@@ -109,9 +127,9 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   t.mayLeave = true;
   findCells(w, t.leaving, moves, open);
   if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
-  findStoredEnergy(w, t, t.leaving);
-  addToBalance(w, t.leaving, w.ledger.left);
-  if (w.modules.tension && hasOpenSide(w.scene.domain)) t.leavers = leaversOfAll(w, t, halos.all);
+  recordLeaving(w, t, dt);
+  if ((w.modules.tension || !t.pairForces.empty()) && hasOpenSide(w.scene.domain))
+    t.leavers = leaversOfAll(w, t, halos.all);
   bool leftSlots = false;
   for (std::uint32_t i : t.leaving) {
     w.ledger.dissipated.add(p.dissipated[i]);

@@ -27,7 +27,7 @@ StepReduction reductionHere(World& w, StepTools& t, const StepOutcome& here, Req
   StepReduction reduction;
   for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
     reduction.negatedLimits[k] = -std::min(t.fixedLimits.value[k], own.value[k]);
-  if (w.modules.kinds())
+  if (w.modules.bodyTypes())
     reduction.negatedBodyTypeLimits = {
         w.modules.oriented ? -orientedStepLimit(w.oriented.rows, w.scene, t.oriented) : -never,
         w.modules.sheet ? -sheetStepLimit(w.sheets, w.scene, w.clock) : -never};
@@ -50,7 +50,7 @@ StepLimits limitsOfAll(const World& w, const StepTools& t, const StepReduction& 
   StepLimits limits = t.fixedLimits;
   for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
     limits.value[k] = -reduction.negatedLimits[k];
-  for (std::size_t k = 0; k < bodyTypeLimits && w.modules.kinds(); k++)
+  for (std::size_t k = 0; k < bodyTypeLimits && w.modules.bodyTypes(); k++)
     limits.value[reduction.negatedLimits.size() + k] = -reduction.negatedBodyTypeLimits[k];
   // From the largest values of all ranks: the minimum of their limits would depend on the partition.
   if (w.modules.solid)

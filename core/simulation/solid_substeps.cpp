@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/domain/sides.hpp"
+#include "core/halo/exchange.hpp"
 #include "core/simulation/world/views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_forces.hpp"
@@ -36,20 +37,20 @@ void drift(World& w, double span, double far2) {
 void addFastForces(World& w, Halos& halos, StepTools& t, double span) {
   const ElasticStep now{span, false, false};
   copyToSolids(w.particles, w.solids);
-  halos.bonds.begin(w.solids, remoteColumnsBeforeDeformation(w.solids));
+  Exchange ends = refresh(halos.bonds, w.solids, remoteColumnsBeforeDeformation(w.solids));
   ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
-  halos.bonds.finish(w.solids);
+  ends.wait();
   t.times.lap(StepPhase::Bonds);
   r += computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   w.counters.inverted += r.inverted;
   w.counters.squeezed += r.squeezed;
   t.times.lap(StepPhase::Elastic);
-  halos.bonds.begin(w.solids, remoteColumnsBeforeForces(w.solids));
+  ends = refresh(halos.bonds, w.solids, remoteColumnsBeforeForces(w.solids));
   t.times.lap(StepPhase::Bonds);
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
-  halos.bonds.finish(w.solids);
+  ends.wait();
   t.times.lap(StepPhase::Bonds);
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   t.times.lap(StepPhase::Elastic);

@@ -59,7 +59,7 @@ StepOutcome finishKicks(World& w, StepTools& t, double dt) {
     kickSheets(sheetView(w), dt);
     t.times.lap(StepPhase::SheetMotion);
   }
-  if (w.modules.kinds() && !bodyTypesAreFinite(w)) here.finite = false;
+  if (w.modules.bodyTypes() && !bodyTypesAreFinite(w)) here.finite = false;
   t.times.lap(StepPhase::Drift);
   return here;
 }
@@ -92,11 +92,15 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
   predict(w, halos, t, dt, time);
+  t.hooks.after(HookPhase::Predict);
   evaluate(w, halos, t, dt);  // forces at the new positions
 
   if (w.modules.sleep) updateSleep(sleepView(w, t), dt);  // solids at rest are fixed from here on
   const StepOutcome here = finishKicks(w, t, dt);
+  t.hooks.after(HookPhase::Integrate);
   heatAndMelt(w, t, dt);
+  for (const FieldUpdate& update : t.fieldUpdates) update({w.particles, time, dt});
+  t.hooks.after(HookPhase::PhaseChange);
 
   w.clock.time = time;
   w.clock.stepDt = dt;
@@ -107,6 +111,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   if (w.modules.solid && t.meltedAnywhere)
     melt(w, halos, t);  // here and not in the next step, so that checkpoints contain it
   if (w.modules.rigid && all.finite) finishPieces(w, halos, t);
+  t.hooks.after(HookPhase::Limits);
   return all;
 }
 

@@ -208,7 +208,7 @@ double wallRelativeDensity(const WallSupport& x, std::span<const WallContact> co
   return relativeDensity;
 }
 
-void addWallRelativeDensity(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
+void addWallRelativeDensity(const WallContext& x, double inverseLatticeSum, WallContacts& contacts) {
   Continuum& p = x.world.particles;
   const auto& list = contacts.list;
   for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
@@ -217,7 +217,7 @@ void addWallRelativeDensity(const WallContext& x, double perLatticeSum, WallCont
     const double own = wallRelativeDensity({x.tables, x.world.grid.support},
                                            std::span(list).subspan(begin, end - begin), contacts.added);
     p.relativeDensity[i] = static_cast<float>(static_cast<double>(p.relativeDensity[i]) +
-                                              perLatticeSum * own);
+                                              inverseLatticeSum * own);
   }
 }
 

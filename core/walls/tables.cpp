@@ -94,13 +94,13 @@ WallIntegrals wallIntegrals(const Numerics& n, double d) {
   return scaled(rawIntegrals(n, d), perShearStress(n), perConduction(n));
 }
 
-WallIntegrals forLiquids(const WallIntegrals& w, double filling0) {
-  WallIntegrals felt = w;
-  felt.space = w.relativeDensity;
-  if (filling0 > 0)
-    felt.relativeDensity = w.relativeDensity * w.relativeDensity / filling0,
-    felt.push = w.push * 2 * w.relativeDensity / filling0;
-  return felt;
+WallIntegrals forLiquids(const WallIntegrals& w, double onLattice) {
+  WallIntegrals liquid = w;
+  liquid.space = w.relativeDensity;
+  if (onLattice > 0)
+    liquid.relativeDensity = w.relativeDensity * w.relativeDensity / onLattice,
+    liquid.push = w.push * 2 * w.relativeDensity / onLattice;
+  return liquid;
 }
 
 WallTables makeWallTables(const Numerics& n) {
@@ -108,11 +108,11 @@ WallTables makeWallTables(const Numerics& n) {
   WallTables t;
   t.lowest = -0.5 * spacing;
   t.nearest = 0.25 * spacing;
-  const double filling0 = rawIntegrals(n, 0.5 * spacing).relativeDensity, softFrom = softBelow * spacing;
-  const WallIntegrals soft = forLiquids(rawIntegrals(n, softFrom), filling0);
+  const double onLattice = rawIntegrals(n, 0.5 * spacing).relativeDensity, softFrom = softBelow * spacing;
+  const WallIntegrals soft = forLiquids(rawIntegrals(n, softFrom), onLattice);
   for (int k = 0; k <= WallTables::points; k++) {
     const double d = t.lowest + (1 - t.lowest) * k / WallTables::points;
-    t.at.push_back(forLiquids(scaled(rawIntegrals(n, d), drag, conduct), filling0));
+    t.at.push_back(forLiquids(scaled(rawIntegrals(n, d), drag, conduct), onLattice));
     if (d < softFrom)
       t.at.back().relativeDensity = soft.relativeDensity + soft.push * (softFrom - d),
       t.at.back().push = soft.push;

@@ -53,7 +53,7 @@ WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 /// density is unchanged and the push is twice the wall's own, as if the wall had the liquid's pressure. This
 /// balances a uniform pressure, which the plain push does not. The push remains the derivative of the
 /// relative density, so static walls do no work. Doubling the push alone would make water at rest unstable.
-WallIntegrals forLiquids(const WallIntegrals& wall, double filling0);
+WallIntegrals forLiquids(const WallIntegrals& wall, double onLattice);
 
 /// Distance in spacings below which the contribution for liquids continues along its tangent. The unlimited
 /// form is twice as steep a quarter of a spacing from the wall and four times on it, so that few particles in

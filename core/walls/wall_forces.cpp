@@ -57,8 +57,8 @@ double hydrostaticWallForce(const Scene& scene, const ParticleAtWall& at, double
 }
 
 /// Adds the pressure of a liquid, the gradient of its compression energy (tables.hpp), and drag.
-void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double perLatticeSum, WallAction& act,
-                     double& stiffest) {
+void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inverseLatticeSum,
+                     WallAction& act, double& stiffest) {
   const WallView& w = x.world;
   const Continuum& p = w.particles;
   const double h = w.grid.support;
@@ -71,14 +71,15 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double perL
   if (pressure != 0 && relativeDensity > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed
                             ? 0.5 * pressure / relativeDensity
-                            : perLatticeSum * pressure / (relativeDensity * relativeDensity);
+                            : inverseLatticeSum * pressure / (relativeDensity * relativeDensity);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
     // This force has no potential: its work is dissipation.
     if (w.modules.continuity)
-      act.resist(n * hydrostaticWallForce(w.scene, at, pressure, perLatticeSum * t.momentShare), at.velocity);
+      act.resist(n * hydrostaticWallForce(w.scene, at, pressure, inverseLatticeSum * t.momentShare),
+                 at.velocity);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed *
                                       soundSpeedFactor(w.scene.numerics.eos, relativeDensity) *
-                                      perLatticeSum * t.push / h);
+                                      inverseLatticeSum * t.push / h);
   }
   if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w.scene, w.grid, p, at.contact);
   if (at.wall.slip || w.modules.implicitViscosity) return;
@@ -155,7 +156,7 @@ double wallDrag(const WallContext& x, const WallContact& contact) {
   return f * mu * (p.mass[i] / m.density) * x.tables(contact.distance / h).drag * contact.share / (h * h);
 }
 
-void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
+void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts& contacts) {
   const WallView& w = x.world;
   Continuum& p = w.particles;
   const auto& list = contacts.list;
@@ -177,7 +178,7 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
       const ParticleAtWall at{
           list[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v};
-      if (at.liquid > 0) addLiquidForces(x, at, perLatticeSum, act, contacts.stiffest);
+      if (at.liquid > 0) addLiquidForces(x, at, inverseLatticeSum, act, contacts.stiffest);
       const WallAction slow = act;
       addContactForces(substeps ? shorter : x, at, p, act);
       if (substeps) {

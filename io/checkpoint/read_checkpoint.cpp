@@ -4,6 +4,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/domain/extensions.hpp"
 #include "core/simulation/ledger/totals.hpp"
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/checkpoint/surface_record.hpp"
@@ -129,7 +130,7 @@ CheckpointHeader headerOf(const H5File& file) {
   }
   for (std::size_t k = 0; k < bodyTypeCount; k++)
     if (const std::string ids = std::string("/") + bodyTypeNames[k] + "/id"; file.has(ids))
-      h.kinds[k] = file.shape(ids).rows;
+      h.bodyTypeRows[k] = file.shape(ids).rows;
   for (const NamedCount& c : countsOf(h.counters))
     if (file.hasAttribute(at + "/counters", c.name)) *c.count = file.integer(at + "/counters", c.name);
   if (file.has(at + "/watch")) {
@@ -188,6 +189,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
   auto slice = std::make_unique<CheckpointSlice>();
+  declareAllFields(slice->particles);
   std::vector<std::uint64_t> read, stored;
   std::vector<std::string> names;
   runCollectively(comm, [&] {
@@ -214,9 +216,9 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
     if (h.pieces > 0) readTable(in, "/pieces", s.pieces, share(h.pieces, rank, ranks), h.pieces);
     if (h.surface.there) readTable(in, "/surfels", s.surfels, share(h.surfels, rank, ranks), h.surfels);
     for (std::size_t k = 0; k < bodyTypeCount; k++)
-      if (h.kinds[k])
-        readTable(in, std::string("/") + bodyTypeNames[k], s.kind(k), share(*h.kinds[k], rank, ranks),
-                  *h.kinds[k]);
+      if (h.bodyTypeRows[k])
+        readTable(in, std::string("/") + bodyTypeNames[k], s.kind(k), share(*h.bodyTypeRows[k], rank, ranks),
+                  *h.bodyTypeRows[k]);
     read = std::move(in.read);
     stored = std::move(in.stored);
     names = std::move(in.names);

@@ -22,6 +22,7 @@
 #include "io/commands/check/frontier.hpp"
 #include "io/commands/check/setting_trials.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/run/mpi_halos.hpp"
 #include "io/run/reports/surface_summary.hpp"
 #include "io/run/require_memory.hpp"
 #include "io/scene/read_scene.hpp"
@@ -225,13 +226,9 @@ CheckReport makeReport(const Communicator& comm, const CheckOptions& o) {
     for (const std::string& line : large) std::printf("%s\n", line.c_str()), std::fflush(stdout);
   prepareWorld(w, t, meshLoader());
   requireMemory(comm, w, t.shapes);
-  MpiCellHalo cells(comm, w.grid);
-  MpiBondHalo bonds(comm), edges(comm);
-  std::unique_ptr<MpiCellHalo> kinds[bodyTypeCount];
-  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
-    kinds[kind] = std::make_unique<MpiCellHalo>(comm, w.grid);
-  });
-  const Halos halos{all, cells, bonds, {kinds[orientedType].get(), kinds[sheetType].get()}, &edges};
+  MpiHalos tables;
+  tables.make(w, comm);
+  const Halos halos = tables.with(all);
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // at the start
   const std::vector<OrientedWork::Field> unusedFields = t.oriented.unusedFields;

@@ -98,7 +98,7 @@ Json checkpointInfo(const CheckpointHeader& header, bool fields) {
     for (const NamedCount& c : countsOf(h.surface.counters)) j["surface"][c.name] = *c.count;
   }
   for (std::size_t k = 0; k < bodyTypeCount; k++)
-    if (h.kinds[k]) j[bodyTypeNames[k]] = *h.kinds[k];
+    if (h.bodyTypeRows[k]) j[bodyTypeNames[k]] = *h.bodyTypeRows[k];
   for (const NamedCount& c : countsOf(h.counters)) j["counters"][c.name] = *c.count;
   for (const NamedSum& s : sumsOf(h.ledger)) j["ledger"][s.name] = s.sum->value();
   if (!fields) return j;

@@ -297,7 +297,7 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
       result.rows = both.size(), result.title = ta.title;
     else if (ta.title == "surfels" || ta.title == bodyTypeNames[orientedType] ||
              ta.title == bodyTypeNames[sheetType])
-      result.kinds.push_back({ta.title, both.size()});
+      result.compared.push_back({ta.title, both.size()});
     if (ta.ids.empty() && tb->ids.empty()) continue;
     eachColumn(ta.title, ta.columns, tb->columns, result,
                [&](const SnapshotColumn& x, const SnapshotColumn& y) {
@@ -319,7 +319,7 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
 
 std::vector<std::string> describe(const Comparison& c, bool all) {
   std::string compared = fmt::format("{} {}", c.rows, c.title);
-  for (const auto& [title, rows] : c.kinds) compared += fmt::format(", {} {}", rows, title);
+  for (const auto& [title, rows] : c.compared) compared += fmt::format(", {} {}", rows, title);
   compared += fmt::format(", {} fields", c.columns);
   if (c.equal()) return {"equal: " + compared};
   std::vector<std::string> lines{"different"};

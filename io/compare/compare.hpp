@@ -30,8 +30,9 @@ struct Comparison {
   std::vector<FieldDifference> fields;  ///< fields with differences
   std::uint64_t rows = 0, columns = 0;  ///< ids in both files (first table), fields compared
   std::string title = "particles";      ///< title of the first table
-  std::vector<std::pair<std::string, std::uint64_t>> kinds;  ///< title and common ids of surfels, oriented
-                                                             ///< particles and sheets, if not the first table
+  std::vector<std::pair<std::string, std::uint64_t>> compared;  ///< title and common ids of surfels, oriented
+                                                                ///< particles and sheets, if not the first
+                                                                ///< table
   bool equal() const { return general.empty() && fields.empty(); }
 };
 

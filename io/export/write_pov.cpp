@@ -32,7 +32,7 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
   const auto placed = [&](const Vec3d& x) { return scale * (x - middle); };
   const View view = viewOf(style.camera, style.width, style.height);
   const double tall = 2 * std::tan(0.5 * style.camera.fieldOfView), wide = tall * style.width / style.height;
-  const Vec3d sun = toDouble(sunDirection(view));
+  const Vec3d sun = toDouble(sunDirection(style, view));
 
   OutFile out(file);
   out.text(
@@ -43,7 +43,9 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
   out.text(fmt::format("camera {{ perspective location {} right {} up {} direction {} }}\n",
                        vector(placed(style.camera.from)), vector(wide * toDouble(view.right)),
                        vector(tall * toDouble(view.up)), vector(toDouble(view.forward))));
-  out.text("background { srgb <0.82,0.85,0.88> }\n");
+  const Rgb sky = style.background.value_or(Rgb{209, 217, 224});
+  out.text(fmt::format("background {{ srgb <{:.2f},{:.2f},{:.2f}> }}\n", sky.r / 255.0, sky.g / 255.0,
+                       sky.b / 255.0));
   out.text(fmt::format(
       "light_source {{ {} rgb 0.95 area_light {} {} 5, 5 adaptive 1 circular orient jitter parallel point_at "
       "<0,0,0> }}\n",

@@ -111,6 +111,10 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
                                                                               : std::uint16_t(0))
                 : bondsOf(w.bonds, slot);
     });
+  } else if (const AddedColumn* added = p.addedField(name)) {
+    addRows<float>(f, name, added->unit, added->components, [added](std::size_t i, float* to) {
+      for (int k = 0; k < added->components; k++) to[k] = static_cast<float>(added->row(i)[k]);
+    });
   } else if (name != "id") {
     throw std::invalid_argument("unknown field '" + name + "' of frames");
   }

@@ -12,6 +12,7 @@
 #include "io/render/image/annotate.hpp"
 #include "io/render/image/parallel_for.hpp"
 #include "io/render/light/surface_normals.hpp"
+#include "io/render/obstacle_faces.hpp"
 
 namespace thaw {
 
@@ -124,7 +125,7 @@ void addWalls(const Walls& walls, double time, RenderStyle& style) {
     if (!wall.present) continue;
     if (const auto plane = planeOf(wall); plane && plane->normal.z > 0.34) style.floors.push_back(*plane);
     const Bounds box = wall.shape->bounds();
-    if (std::isfinite(length(box.max - box.min)))
+    if (std::isfinite(length(box.max - box.min)) && wall.properties.look == ObstacleLook::Glass)
       style.glasses.push_back({wall.shape, wall.pose.rotation, wall.pose.move});
   }
 }
@@ -154,6 +155,8 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
   style.width = job.width;
   style.height = job.height;
   style.samples = job.samples;
+  style.background = job.background;
+  style.sun = job.sun;
   style.stage = common.box;
   style.camera = job.camera ? *job.camera
                             : fittedCamera(common.box, static_cast<double>(job.width) / job.height);
@@ -177,6 +180,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
       const std::lock_guard lock(reading);
       frame = read(job.frames[f], job.field);
     }
+    if (!job.solids.empty()) addObstacles(job.solids, 0.6f * style.spacing, frame);
     RenderStyle now = style;
     addWalls(job.walls, frame.time, now);
     Image picture = pictureOf(frame, job, now, job.frames.size() == 1 ? threads : 1);

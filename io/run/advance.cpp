@@ -58,7 +58,7 @@ Advance advance(Run& r, StepLoop& loop) {
   if (o.wanted.checkpoint && atSnapshot(r)) writeCheckpointOf(r);
   if (w.clock.step % 25 == 0) {
     r.tools.times.start();
-    balance(w, *r.cells, r.tools, loop.meter);
+    balance(w, *r.tables.cells, r.tools, loop.meter);
     r.tools.times.lap(StepPhase::Balance);
   }
   return Advance::Stepped;

@@ -18,7 +18,7 @@ std::string text(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})"
 std::string bodyTypeSuspect(const World& w, const StepTools& t, const StepOutcome& failed, Reducer& all) {
   const Failure failure = failed.failure;
   const Limit limitedBy = failed.limitedBy;
-  if (!w.modules.kinds()) return {};
+  if (!w.modules.bodyTypes()) return {};
   double continuum = static_cast<double>(w.particles.owned);
   all.maximum({&continuum, 1});
   double exceededReach = w.oriented.exceededReach ? 1 : 0;

@@ -35,7 +35,7 @@ void restoreLastSnapshot(Run& r) {
   emptyWorld(w, r.tools);
   renewHalos(r);
   std::vector<std::byte> records = slice ? restoreWorld(w, *slice, r.first()) : restoreSnapshot(r.good, w);
-  if (w.modules.solid) r.bonds->adopt(std::move(records));
+  if (w.modules.solid) r.tables.bonds->adopt(std::move(records));
   resumeWorld(w, r.halos(), r.tools);
   if (w.modules.surface) resumeSurface(w.surface, r.surface->halos(), r.surfaceTools);
   if (slice) w.clock.limitedBy = limitedBy;
@@ -145,9 +145,9 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
   findStoredEnergy(w, r.tools);
   const FailingParticle s = findFailingParticle(w, failed.failure, failed.limitedBy, r.all);
   const std::string ofKinds = bodyTypeSuspect(w, r.tools, failed, r.all);  // on at most one rank
-  double kinds = ofKinds.empty() ? 0 : 1;
-  r.all.maximum({&kinds, 1});
-  std::string what = broadcastFromOwner(r.comm, kinds > 0 ? ofKinds
+  double found = ofKinds.empty() ? 0 : 1;
+  r.all.maximum({&found, 1});
+  std::string what = broadcastFromOwner(r.comm, found > 0 ? ofKinds
                                                 : s.here  ? failureText(w, r.tools, failed, s)
                                                           : std::string());
   if (what.empty()) what = failedCheck(w, r.tools, failed) + "; no single particle is responsible";

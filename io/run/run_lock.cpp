@@ -82,7 +82,7 @@ bool createWith(const std::string& path, const std::string& text) {
 /// Writes the text to a file of this process beside the lock. Returns its path.
 std::string prepare(const std::string& path, const std::string& text) {
   const ProcessIdentity own = ownProcess();
-  const std::string aside = fmt::format("{}.{}.{}", path, own.host, own.pid);
+  std::string aside = fmt::format("{}.{}.{}", path, own.host, own.pid);
   ::unlink(aside.c_str());  // left by a process with this number
   createWith(aside, text);
   return aside;

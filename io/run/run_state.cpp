@@ -119,12 +119,7 @@ StopMonitor stopMonitorOf(const Run& r) {
 }
 
 void renewHalos(Run& r) {
-  r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
-  r.bonds = std::make_unique<MpiBondHalo>(r.comm);
-  forEachBodyType(r.world, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
-    r.kinds[kind] = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
-  });
-  if (r.world.modules.sheet) r.edges = std::make_unique<MpiBondHalo>(r.comm);
+  r.tables.make(r.world, r.comm);
   if (r.world.modules.surface) r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid);
 }
 
@@ -312,104 +307,152 @@ namespace {
   throw SceneErrors(lines);
 }
 
-}  // namespace
-
-void begin(Run& r, const MeshLoader& load) {
-  World& w = r.world;
-  const auto slice = r.options.restart || r.options.resume
-                         ? readNewestCheckpoint(r.options.out, r.comm.handle())
-                         : nullptr;
+/// Returns the newest checkpoint if the run continues one, else null. Collective.
+std::unique_ptr<CheckpointSlice> checkpointToContinue(Run& r) {
+  if (!r.options.restart && !r.options.resume) return nullptr;
+  auto slice = readNewestCheckpoint(r.options.out, r.comm.handle());
   if (r.options.restart && !slice)
     throw SceneErrors({r.options.out +
                        ": error: --restart needs a checkpoint in its folder checkpoint/, and there is none"});
-  if (slice) {
-    for (const std::string& warning : slice->warnings) {
-      r.say("warning: " + warning);
-      r.summary.warnings.push_back(warning);
-    }
-    fingerprintMeshes(w.scene, load);
-    const CheckpointValues& then = slice->header.values;
-    if (const std::vector<std::string> differences = restartConflicts(then, w.scene); !differences.empty())
-      refuseScene(r, "it began with a different one", differences);
-    const std::vector<std::string> changes = coefficientChanges(then, w.scene),
-                                   settings = settingChanges(then, w.scene, slice->header.clock.time);
-    std::vector<std::byte> records;
-    try {
-      records = restoreWorld(w, *slice, r.first());
-    } catch (const IoError& e) {  // on all ranks alike; without a change the file is damaged
-      if (changes.empty() && settings.empty()) throw;
-      std::vector<std::string> lines = changes;
-      lines.insert(lines.end(), settings.begin(), settings.end());
-      refuseScene(r, std::string("a change needs data that the run has not stored: ") + e.what(), lines);
-    }
-    if (const std::vector<std::string> strange = checkpointMismatches(w, r.all); !strange.empty())
-      refuseScene(r, "the checkpoint does not match it", strange);
-    for (const auto& changeList : {changes, settings})
-      for (const std::string& change : changeList) r.warn("changed at the restart: " + change);
-    for (const std::string& change : pastEventChanges(then, w.scene, slice->header.clock.time))
-      r.warn("changed at the restart, without effect, since its time has passed: " + change);
-    for (const std::string& change : initialStateChanges(then, w.scene))
-      r.warn("changed at the restart, without effect, since it sets only how the run begins: " + change);
-    // Retries with other settings do not count.
-    if (!changes.empty() || !settings.empty()) w.watch.failures = 0;
-    if (w.modules.solid) r.bonds->adopt(std::move(records));
-    resumeWorld(w, r.halos(), r.tools);
-    if (!changes.empty()) {
-      applyNewCoefficients(w, r.halos(), r.tools);
-      w.watch.snapshotStep = -1;  // earlier snapshots have the energies of the old coefficients
-    }
-    if (w.modules.surface) resumeSurface(w.surface, r.surface->halos(), r.surfaceTools);
-    w.clock.limitedBy = "the last run";
-    r.resumed = true;
-    if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
-    if (w.modules.surface) resumeSurfaceOutput(r);
-    resumeBodyTypeFrames(r);
-    r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step,
-                      slice->header.path));
-  } else {
-    if (r.options.resume)
-      r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
-    watchRelaxation(r);
-    const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
-    fingerprintMeshes(w.scene, load);  // Unreadable files were reported before, with their body.
-    reportBodies(r, sampled);
-    forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& rows, const CellTable&) {
-      std::int64_t n = static_cast<std::int64_t>(rows.owned);
-      r.all.sum({&n, 1});
-      r.say(fmt::format("{}: {} {}", bodyTypeNames[kind], n, kind == sheetType ? "vertices" : "particles"));
-    });
-    for (const SceneWarning& line : sampled.warnings) r.warn(warningLine(line.where, line.text));
-    warnOfUnused(r);
-    reportRelaxation(r);
-    if (r.tools.oriented.relaxStopped && r.options.relax == 0) {  // the run would differ from that of the
-                                                                  // scene
-      r.stoppedInRelaxation = true;
-      return;
-    }
-    for (const std::string& pair : sampled.overlaps) {
-      const std::string line = fmt::format("{}; {} particles left out in all", pair, sampled.removed);
-      r.say("warning: " + line);
-      r.summary.warnings.push_back(line);
-    }
-    // Only now is the new run sure to start. An error in the scene leaves the earlier run as it is.
-    onDisk(r, [&] {
-      if (moveEarlierRunAside(r.options.out))
-        r.say(fmt::format("note: the earlier run in {0} is now in {0}/{1}", r.options.out, earlierRunFolder));
-      makeOutputFolders(r.options.out);
-    });
-    r.begun = true;
-    if (w.modules.surface) beginSurface(r, load);
-    writeFrameOf(r);
+  return slice;
+}
+
+/// Differences between a checkpoint's scene and this one, a line each.
+struct SceneChanges {
+  std::vector<std::string> coefficients, settings;
+  bool any() const { return !coefficients.empty() || !settings.empty(); }
+};
+
+/// Restores the state of the world and its bonds. Throws SceneErrors where the scene does not fit the
+/// checkpoint. Collective.
+void restoreState(Run& r, const CheckpointSlice& slice, const SceneChanges& changes) {
+  World& w = r.world;
+  std::vector<std::byte> records;
+  try {
+    records = restoreWorld(w, slice, r.first());
+  } catch (const IoError& e) {  // on all ranks alike; without a change the file is damaged
+    if (!changes.any()) throw;
+    std::vector<std::string> lines = changes.coefficients;
+    lines.insert(lines.end(), changes.settings.begin(), changes.settings.end());
+    refuseScene(r, std::string("a change needs data that the run has not stored: ") + e.what(), lines);
   }
-  r.begun = true;
+  if (const std::vector<std::string> strange = checkpointMismatches(w, r.all); !strange.empty())
+    refuseScene(r, "the checkpoint does not match it", strange);
+  if (w.modules.solid) r.tables.bonds->adopt(std::move(records));
+}
+
+void warnOfChanges(Run& r, const CheckpointHeader& then, const SceneChanges& changes) {
+  const Scene& scene = r.world.scene;
+  for (const auto& list : {changes.coefficients, changes.settings})
+    for (const std::string& change : list) r.warn("changed at the restart: " + change);
+  for (const std::string& change : pastEventChanges(then.values, scene, then.clock.time))
+    r.warn("changed at the restart, without effect, since its time has passed: " + change);
+  for (const std::string& change : initialStateChanges(then.values, scene))
+    r.warn("changed at the restart, without effect, since it sets only how the run begins: " + change);
+}
+
+/// Continues the run of a checkpoint. Collective.
+void continueRun(Run& r, const CheckpointSlice& slice, const MeshLoader& load) {
+  World& w = r.world;
+  const CheckpointHeader& then = slice.header;
+  for (const std::string& warning : slice.warnings) {
+    r.say("warning: " + warning);
+    r.summary.warnings.push_back(warning);
+  }
+  fingerprintMeshes(w.scene, load);
+  if (const std::vector<std::string> differences = restartConflicts(then.values, w.scene);
+      !differences.empty())
+    refuseScene(r, "it began with a different one", differences);
+  const SceneChanges changes{coefficientChanges(then.values, w.scene),
+                             settingChanges(then.values, w.scene, then.clock.time)};
+  restoreState(r, slice, changes);
+  warnOfChanges(r, then, changes);
+  // Retries with other settings do not count.
+  if (changes.any()) w.watch.failures = 0;
+  resumeWorld(w, r.halos(), r.tools);
+  if (!changes.coefficients.empty()) {
+    applyNewCoefficients(w, r.halos(), r.tools);
+    w.watch.snapshotStep = -1;  // earlier snapshots have the energies of the old coefficients
+  }
+  if (w.modules.surface) resumeSurface(w.surface, r.surface->halos(), r.surfaceTools);
+  w.clock.limitedBy = "the last run";
+  r.resumed = true;
+  if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
+  if (w.modules.surface) resumeSurfaceOutput(r);
+  resumeBodyTypeFrames(r);
+  r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step, then.path));
+}
+
+/// Prints the number of rows of each further body type. Collective.
+void reportBodyTypes(Run& r) {
+  forEachBodyType(r.world, [&](std::size_t kind, const BodyTypeRows& rows, const CellTable&) {
+    std::int64_t n = static_cast<std::int64_t>(rows.owned);
+    r.all.sum({&n, 1});
+    r.say(fmt::format("{}: {} {}", bodyTypeNames[kind], n, kind == sheetType ? "vertices" : "particles"));
+  });
+}
+
+void warnOfOverlaps(Run& r, const SamplingReport& sampled) {
+  for (const std::string& pair : sampled.overlaps) {
+    const std::string line = fmt::format("{}; {} particles left out in all", pair, sampled.removed);
+    r.say("warning: " + line);
+    r.summary.warnings.push_back(line);
+  }
+}
+
+/// Makes the output folders, and moves an earlier run in them aside.
+void takeFolder(Run& r) {
   onDisk(r, [&] {
-    r.resumed ? truncateProgressLog(r.options.out, w.clock.step) : beginProgressLog(r.options.out);
-    r.resumed ? truncateLedgerLog(r.options.out, w.clock.step) : beginLedgerLog(r.options.out);
+    if (moveEarlierRunAside(r.options.out))
+      r.say(fmt::format("note: the earlier run in {0} is now in {0}/{1}", r.options.out, earlierRunFolder));
+    makeOutputFolders(r.options.out);
+  });
+}
+
+/// Begins a new run and writes its first frame. Sets stoppedInRelaxation, and leaves the folder as it is, if
+/// a stop request ended relaxation: the run would differ from that of the scene. Collective.
+void beginAnew(Run& r, const MeshLoader& load) {
+  World& w = r.world;
+  if (r.options.resume)
+    r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
+  watchRelaxation(r);
+  const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
+  fingerprintMeshes(w.scene, load);  // Unreadable files were reported before, with their body.
+  reportBodies(r, sampled);
+  reportBodyTypes(r);
+  for (const SceneWarning& line : sampled.warnings) r.warn(warningLine(line.where, line.text));
+  warnOfUnused(r);
+  reportRelaxation(r);
+  r.stoppedInRelaxation = r.tools.oriented.relaxStopped && r.options.relax == 0;
+  if (r.stoppedInRelaxation) return;
+  warnOfOverlaps(r, sampled);
+  // Only now is the new run sure to start. An error in the scene leaves the earlier run as it is.
+  takeFolder(r);
+  r.begun = true;
+  if (w.modules.surface) beginSurface(r, load);
+  writeFrameOf(r);
+}
+
+void beginLogs(Run& r) {
+  onDisk(r, [&] {
+    const std::string& out = r.options.out;
+    r.resumed ? truncateProgressLog(out, r.world.clock.step) : beginProgressLog(out);
+    r.resumed ? truncateLedgerLog(out, r.world.clock.step) : beginLedgerLog(out);
     std::error_code code;
-    std::filesystem::remove(r.options.out + "/" + refusedName, code);  // the refusal is obsolete
+    std::filesystem::remove(out + "/" + refusedName, code);  // the refusal is obsolete
   });
   if (!r.resumed) writeLedgerRow(r);
-  r.firstStep = r.stepAtReport = w.clock.step;
+}
+
+}  // namespace
+
+void begin(Run& r, const MeshLoader& load) {
+  if (const auto slice = checkpointToContinue(r)) continueRun(r, *slice, load);
+  else beginAnew(r, load);
+  if (r.stoppedInRelaxation) return;
+  r.begun = true;
+  beginLogs(r);
+  r.firstStep = r.stepAtReport = r.world.clock.step;
 }
 
 }  // namespace thaw

@@ -12,16 +12,14 @@
 
 #include "core/simulation/monitor/snapshot.hpp"
 #include "core/simulation/setup/setup.hpp"
-#include "core/simulation/world/body_types.hpp"
 #include "core/surface/update_surface.hpp"
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/frames/series.hpp"
+#include "io/run/mpi_halos.hpp"
 #include "io/run/reports/profile.hpp"
 #include "io/run/reports/summary.hpp"
 #include "io/run/run_options.hpp"
 #include "io/run/signals.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
 #include "parallel/row_scatter.hpp"
 
 namespace thaw {
@@ -38,11 +36,8 @@ struct Run {
   World world;
   StepTools tools;
   MpiReducer all;
-  std::unique_ptr<MpiCellHalo> cells;
-  std::unique_ptr<MpiBondHalo> bonds;
-  std::unique_ptr<SurfaceRanks> surface;  // only if the scene has one; as are the next two
-  std::array<std::unique_ptr<MpiCellHalo>, bodyTypeCount> kinds;       // oriented bodies and sheets
-  std::unique_ptr<MpiBondHalo> edges;                                  // for sheets
+  MpiHalos tables;
+  std::unique_ptr<SurfaceRanks> surface;                               // only if the scene has one
   std::array<std::vector<SeriesEntry>, bodyTypeCount> bodyTypeSeries;  // rank 0
   SurfaceTools surfaceTools;
   std::vector<SeriesEntry> surfaceSeries;  // rank 0
@@ -69,9 +64,7 @@ struct Run {
   bool stepping = false;                               // in the step loop, whose calls are collective
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
-  Halos halos() {
-    return {all, *cells, *bonds, {kinds[orientedType].get(), kinds[sheetType].get()}, edges.get()};
-  }
+  Halos halos() { return tables.with(all); }
   bool first() const { return comm.rank() == 0; }
   /// Prints a warning and adds it to the summary, once.
   void warn(const std::string& line) {

@@ -55,6 +55,8 @@ struct Simulation::Parts {
   RunLock lock;
   Run run;
   StepLoop loop;
+  std::vector<std::function<void()>> onEnd;
+  bool inPhase = false;  // a function of onPhase runs
   Opened opened = Opened::Ready;
   bool stopped = false, blewUp = false, finished = false;
   bool restoredLoads = false;       // the checkpoint's accelerations contain the loads that are added next
@@ -159,6 +161,8 @@ void Simulation::runSteps(std::int64_t count) {
 int Simulation::finish() {
   Parts& p = *parts_;
   int code = p.blewUp ? exitBlewUp : p.stopped ? exitStopped : exitDone;
+  if (!p.finished)
+    for (const auto& call : p.onEnd) call();
   if (p.opened == Opened::Ready && !p.finished)
     code = p.guarded([&] { return finishRun(p.run, code, p.loop.why); });
   p.finished = true;
@@ -173,6 +177,7 @@ double Simulation::lastStep() const { return parts_->run.world.clock.stepDt; }
 std::int64_t Simulation::steps() const { return parts_->run.world.clock.step; }
 const Scene& Simulation::scene() const { return parts_->run.world.scene; }
 const World& Simulation::world() const { return parts_->run.world; }
+const Continuum& Simulation::particles() const { return parts_->run.world.particles; }
 World& Simulation::world() { return parts_->run.world; }
 MPI_Comm Simulation::communicator() const { return parts_->comm.handle(); }
 const std::vector<std::string>& Simulation::warnings() const { return parts_->run.summary.warnings; }
@@ -198,6 +203,20 @@ void Simulation::writeCheckpoint() {
 
 void Simulation::onStep(std::function<void()> call) { parts_->run.onStep.push_back(std::move(call)); }
 void Simulation::onFrame(std::function<void()> call) { parts_->run.onFrame.push_back(std::move(call)); }
+void Simulation::onPhase(HookPhase phase, std::function<void()> call) {
+  const auto during = [parts = parts_.get(), call = std::move(call)] {
+    parts->inPhase = true;
+    try {
+      call();
+    } catch (...) {
+      parts->inPhase = false;
+      throw;
+    }
+    parts->inPhase = false;
+  };
+  parts_->run.tools.hooks.calls.at(static_cast<std::size_t>(phase)).push_back(during);
+}
+void Simulation::onEnd(std::function<void()> call) { parts_->onEnd.push_back(std::move(call)); }
 
 void Simulation::addForce(OutsideSource source) {
   Run& r = parts_->run;
@@ -208,6 +227,8 @@ void Simulation::addForce(OutsideSource source) {
 }
 
 Continuum& Simulation::beginEdit() {
+  if (parts_->inPhase)
+    throw std::logic_error("velocities and temperatures cannot be changed within a step: do it after a step");
   const World& w = parts_->run.world;
   const Continuum& p = w.particles;
   parts_->velocity.assign(p.velocity.data(), p.velocity.data() + p.owned);

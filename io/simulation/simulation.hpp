@@ -18,6 +18,7 @@
 
 #include "core/domain/outside_forces.hpp"
 #include "core/simulation/ledger/report.hpp"
+#include "core/simulation/workspace/step_hooks.hpp"
 #include "core/simulation/world/world.hpp"
 #include "io/run/run_options.hpp"
 
@@ -67,13 +68,14 @@ class Simulation {
   bool stopped() const;
   const std::string& stopReason() const;
 
-  double time() const;            ///< s
-  double lastStep() const;        ///< s, length of the last step
-  std::int64_t steps() const;     ///< steps since the start of the scene
-  const Scene& scene() const;     ///< with all defaults resolved
-  const World& world() const;     ///< particles, surface, sheets, oriented bodies of this rank
-  World& world();                 ///< changes that a program makes here are in no ledger
-  MPI_Comm communicator() const;  ///< the simulation's own
+  double time() const;                 ///< s
+  double lastStep() const;             ///< s, length of the last step
+  std::int64_t steps() const;          ///< steps since the start of the scene
+  const Scene& scene() const;          ///< with all defaults resolved
+  const World& world() const;          ///< particles, surface, sheets, oriented bodies of this rank
+  World& world();                      ///< changes that a program makes here are in no ledger
+  const Continuum& particles() const;  ///< particles of this rank: columns with name, unit and meaning
+  MPI_Comm communicator() const;       ///< the simulation's own
   const std::vector<std::string>& warnings() const;  ///< on the first rank
   int rank() const;
   int ranks() const;
@@ -90,6 +92,12 @@ class Simulation {
   /// a retry repeats.
   void onStep(std::function<void()> call);
   void onFrame(std::function<void()> call);
+  /// Adds a function that is called after a phase of every step, on all ranks; also at the evaluation of the
+  /// start and after edits, for the phases that they run. It reads all fields that the phase has set, and may
+  /// write fields of extensions, from a row's own fields. Rows move in HookPhase::Redistribute.
+  void onPhase(HookPhase phase, std::function<void()> call);
+  /// Adds a function that finish() calls before the last checkpoint.
+  void onEnd(std::function<void()> call);
   /// Adds a force or a source of heat from now on. After a restart, add those of the earlier run before the
   /// first step. Its work, impulse and heat are in the ledger.
   /// The automatic sound speed of liquids does not know of it: give material.sound_speed, ten times the

@@ -3,6 +3,7 @@
 
 #include <pybind11/stl.h>
 
+#include <cstring>
 #include <stdexcept>
 
 namespace py = pybind11;
@@ -22,6 +23,11 @@ AnyColumn& columnOf(Table& table, const std::string& field) {
   throw py::key_error(field);
 }
 
+bool isAdded(const Table& table, const AnyColumn& column) {
+  return std::strcmp(table.kind, "continuum") == 0 &&
+         static_cast<const Continuum&>(table).addedField(column.name) == &column;
+}
+
 void callLoad(const py::function& call, const OutsideLoad& load, const ArrayCount& count) {
   const std::size_t n = load.particles.owned;
   const int before = *count;
@@ -33,25 +39,42 @@ void callLoad(const py::function& call, const OutsideLoad& load, const ArrayCoun
     throw std::runtime_error("a force or heat source keeps an array of the simulation; copy its values");
 }
 
-void registerFunction(const std::string& name, const std::string& about, const std::vector<KeyNote>& keys,
-                      const py::function& load, const py::object& stepLimit) {
+namespace {
+
+/// Keeps a function for ever: the registry outlives the interpreter.
+const py::function* keep(const py::object& function) { return new py::function(function); }
+
+}  // namespace
+
+void registerFunctions(const std::string& name, const std::string& about, const std::vector<KeyNote>& keys,
+                       const std::vector<AddedField>& fields, const ExtensionFunctions& functions) {
   Extension e;
   e.name = name;
   e.about = about;
   for (const auto& [key, unit, standard, least, most, meaning] : keys)
     e.keys.push_back({key, unit, standard, least, most, meaning});
-  // The registry outlives the interpreter, so its functions are never freed.
-  const auto* const make = new py::function(load);
-  e.load = [make](const ExtensionSettings& settings) -> OutsideSource {
-    const py::gil_scoped_acquire python;
-    return [call = py::function((*make)(settings.values)),
-            count = std::make_shared<int>(0)](const OutsideLoad& on) {
-      const py::gil_scoped_acquire held;
-      callLoad(call, on, count);
+  for (const auto& [field, unit, meaning, components, start] : fields)
+    e.fields.push_back({field, unit, meaning, components, start});
+  if (!functions.load.is_none())
+    e.load = [make = keep(functions.load)](const ExtensionSettings& settings) -> OutsideSource {
+      const py::gil_scoped_acquire python;
+      return [call = py::function((*make)(settings.values)),
+              count = std::make_shared<int>(0)](const OutsideLoad& on) {
+        const py::gil_scoped_acquire held;
+        callLoad(call, on, count);
+      };
     };
-  };
-  if (!stepLimit.is_none())
-    e.stepLimit = [limit = new py::function(stepLimit)](const ExtensionSettings& settings) {
+  if (!functions.update.is_none())
+    e.update = [make = keep(functions.update)](const ExtensionSettings& settings) -> FieldUpdate {
+      const py::gil_scoped_acquire python;
+      return [call = py::function((*make)(settings.values)),
+              count = std::make_shared<int>(0)](const FieldStep& on) {
+        const py::gil_scoped_acquire held;
+        callWithRows(call, on.particles, count, on.time, on.dt);
+      };
+    };
+  if (!functions.stepLimit.is_none())
+    e.stepLimit = [limit = keep(functions.stepLimit)](const ExtensionSettings& settings) {
       const py::gil_scoped_acquire python;
       return (*limit)(settings.values).cast<double>();
     };

@@ -80,6 +80,8 @@ void defineSimulation(py::module_& m) {
       .def("write_checkpoint", &PythonSimulation::writeCheckpoint)
       .def("on_step", &PythonSimulation::onStep)
       .def("on_frame", &PythonSimulation::onFrame)
+      .def("on_phase", &PythonSimulation::onPhase, py::arg("phase"), py::arg("call"))
+      .def("on_end", &PythonSimulation::onEnd)
       .def("add_load", &PythonSimulation::addLoad);
 }
 
@@ -98,8 +100,15 @@ PYBIND11_MODULE(_core, m) {
     }
   });
   defineSimulation(m);
-  m.def("register_extension", &registerFunction, py::arg("name"), py::arg("about"), py::arg("keys"),
-        py::arg("load"), py::arg("step_limit"));
+  m.def(
+      "register_extension",
+      [](const std::string& name, const std::string& about, const std::vector<KeyNote>& keys,
+         const std::vector<AddedField>& fields, const py::object& load, const py::object& update,
+         const py::object& stepLimit) {
+        registerFunctions(name, about, keys, fields, {load, update, stepLimit});
+      },
+      py::arg("name"), py::arg("about"), py::arg("keys"), py::arg("fields"), py::arg("load"),
+      py::arg("update"), py::arg("step_limit"));
   m.def("documentation", &sceneDocumentation, "The key table of scene files, as Markdown.");
   m.def("schema", &sceneSchema, "The JSON schema of scene files.");
   m.def("example", &exampleScene, "A small complete scene, as TOML.");

@@ -135,8 +135,17 @@ void PythonSimulation::run(std::optional<double> until, std::optional<std::int64
 
 int PythonSimulation::finish() {
   refuseArrays("finish");
-  const py::gil_scoped_release others;
-  return sim_.finish();
+  int code = 0;
+  {
+    const py::gil_scoped_release others;
+    code = sim_.finish();
+  }
+  if (failed_) {  // of a function of on_end
+    py::error_already_set error = std::move(*failed_);
+    failed_.reset();
+    throw error;
+  }
+  return code;
 }
 
 std::map<std::string, double> PythonSimulation::ledger() {
@@ -187,7 +196,9 @@ std::size_t PythonSimulation::rows(const std::string& table) { return tableOf(ta
 std::vector<FieldNote> PythonSimulation::fields(const std::string& table) { return notesOf(tableOf(table)); }
 
 py::array PythonSimulation::view(const std::string& table, const std::string& field, bool writable) {
-  return arrayOf(columnOf(tableOf(table), field), tableOf(table).owned, writable, count_);
+  Table& rows = tableOf(table);
+  AnyColumn& column = columnOf(rows, field);
+  return arrayOf(column, rows.owned, writable || isAdded(rows, column), count_);
 }
 
 py::array PythonSimulation::gather(const std::string& table, const std::string& field) {
@@ -253,6 +264,23 @@ void PythonSimulation::onStep(const py::function& call) {
 
 void PythonSimulation::onFrame(const py::function& call) {
   sim_.onFrame([this, call] { guarded(failed_, sim_, [&] { call(); }); });
+}
+
+void PythonSimulation::onPhase(const std::string& phase, const py::function& call) {
+  const auto at = std::find(hookPhaseNames.begin(), hookPhaseNames.end(), phase);
+  if (at == hookPhaseNames.end()) {
+    std::string names;
+    for (const std::string_view name : hookPhaseNames)
+      names += (names.empty() ? "" : ", ") + std::string(name);
+    throw std::invalid_argument("unknown phase '" + phase + "'; a step has " + names);
+  }
+  sim_.onPhase(static_cast<HookPhase>(at - hookPhaseNames.begin()), [this, call] {
+    guarded(failed_, sim_, [&] { callWithRows(call, sim_.world().particles, count_, sim_.time()); });
+  });
+}
+
+void PythonSimulation::onEnd(const py::function& call) {
+  sim_.onEnd([this, call] { guarded(failed_, sim_, [&] { call(); }); });
 }
 
 void PythonSimulation::addLoad(const py::function& call) {

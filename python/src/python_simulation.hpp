@@ -57,6 +57,9 @@ class PythonSimulation {
 
   void onStep(const pybind11::function& call);
   void onFrame(const pybind11::function& call);
+  /// Calls call(rows, time) after a phase of each step. Throws std::invalid_argument for an unknown phase.
+  void onPhase(const std::string& phase, const pybind11::function& call);
+  void onEnd(const pybind11::function& call);
   /// See callLoad.
   void addLoad(const pybind11::function& call);
 

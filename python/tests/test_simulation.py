@@ -314,3 +314,61 @@ def test_extensions_have_keys_in_scenes():
         thaw.Simulation(drop(extension={'trap': {'omegas': 1}}))
     with pytest.raises(thaw.SceneError, match='no such extension; it has trap'):
         thaw.Simulation(drop(extension={'tarp': {}}))
+
+
+def test_extensions_have_fields():
+    def update(p, t, dt, values):
+        p.dose[:] += values['power'] * dt
+        p['trace'][:, 1] = p.id
+
+    thaw.register_extension(
+        'lamp',
+        {'power': (100, 'W/kg')},
+        heat=lambda p, t, values: values['power'] * p.mass,
+        fields={'dose': ('J/kg', 'heat absorbed'), 'trace': ('1', '', 2, 0.5)},
+        update=update,
+    )
+    scene = plate()
+    scene['extension'] = {'lamp': {'power': 5}}
+    sim = thaw.Simulation(scene)
+    sim.run(until=0.01)
+    assert sim.fields()['dose'] == ('J/kg', 'heat absorbed', 1)
+    np.testing.assert_allclose(sim.gather('dose'), 5 * 0.01, rtol=1e-12)
+    trace = sim.gather('trace')
+    assert (trace[:, 0] == 0.5).all() and (trace[:, 1] == sim.gather('id')).all()
+    with pytest.raises(RuntimeError, match='local'):
+        sim.particles
+    with sim.local() as p:
+        assert sim.particles is p
+        assert (sim.particles['dose'] > 0).all()
+    assert abs(sim.ledger['heat_residual']) < 1e-9 * sim.ledger['heat_scale']
+    assert 'dose' not in thaw.Simulation(plate()).fields()
+    with pytest.raises(ValueError, match='field of the model'):
+        thaw.register_extension('other', fields={'velocity': 'm/s'})
+
+
+def test_on_phase_and_on_end():
+    sim = thaw.Simulation(drop())
+    order = []
+    phases = ['predict', 'redistribute', 'density', 'forces', 'integrate', 'phase_change', 'limits']
+    for phase in phases:
+        sim.on_phase(phase, lambda p, t, phase=phase: order.append((phase, t)))
+    sim.on_end(lambda s: order.append('end'))
+    sim.run(steps=2)
+    assert [phase for phase, _ in order] == phases * 2
+    assert order[0][1] == 0 and order[6][1] == order[7][1] > 0
+    sim.finish()
+    assert order[-1] == 'end'
+    with pytest.raises(ValueError, match='unknown phase'):
+        sim.on_phase('frces', print)
+
+
+def test_errors_of_phases_end_the_step():
+    sim = thaw.Simulation(drop())
+
+    def fail(p, t):
+        p.velocity[:] = 0
+
+    sim.on_phase('forces', fail)
+    with pytest.raises(ValueError, match='read-only'):
+        sim.run(steps=3)

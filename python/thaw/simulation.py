@@ -113,7 +113,10 @@ class Simulation:
         self._on_step: list[Callable[[Simulation], Any]] = []
         self._on_frame: list[Callable[[Simulation], Any]] = []
         self._loads: list[Load] = []
+        self._on_end: list[Callable[[Simulation], Any]] = []
+        self._local: list[Rows] = []
         me = weakref.ref(self)
+        self._core.on_end(lambda: [call(me()) for call in me()._on_end])
         self._core.on_step(lambda: [call(me()) for call in me()._on_step])
         self._core.on_frame(lambda: [call(me()) for call in me()._on_frame])
 
@@ -222,6 +225,13 @@ class Simulation:
         """Fields of a table: name -> (unit, meaning, number of components)."""
         return {name: (unit, about, n) for name, unit, about, n in self._core.fields(table)}
 
+    @property
+    def particles(self) -> Rows:
+        """The particles of this rank, inside of a block `with sim.local()`: sim.particles["temperature"]."""
+        if not self._local:
+            raise RuntimeError("sim.particles: use it in a block `with sim.local()`, or sim.gather()")
+        return self._local[-1]
+
     @contextlib.contextmanager
     def local(self, table: str = "particles") -> Iterator[Rows]:
         """The rows of this rank, as arrays without a copy. See Rows.
@@ -233,9 +243,13 @@ class Simulation:
         if changes:
             self._core.begin_edit()
         rows = Rows(self._core, table, changes)
+        if changes:
+            self._local.append(rows)
         try:
             yield rows
         finally:
+            if changes:
+                self._local.pop()
             rows.__dict__["_open"] = False
             if changes:
                 self._core.end_edit()
@@ -307,6 +321,28 @@ class Simulation:
         """Calls call(sim) after each frame."""
         self._on_frame.append(call)
 
+    def on_phase(self, phase: str, call: Callable[[Rows, float], Any]) -> None:
+        """Calls call(p, t) after a phase of each step, with the particles p of this rank.
+
+        phase: "predict" (half kick, drift), "redistribute" (emission, migration, sort), "density", "forces",
+        "integrate" (second half kick), "phase_change" (heat, melting) or "limits" (the next step is known).
+        t is the time of the last complete step, s; after "limits" that of this one. Arrays are read-only,
+        except for fields of extensions. Raises ValueError for an unknown phase.
+        """
+
+        def after(source: Any, time: float) -> None:
+            rows = Rows(source, "particles", False)
+            try:
+                call(rows, time)
+            finally:
+                rows.__dict__["_open"] = False
+
+        self._core.on_phase(phase, after)
+
+    def on_end(self, call: Callable[["Simulation"], Any]) -> None:
+        """Calls call(sim) in finish(), before the last checkpoint."""
+        self._on_end.append(call)
+
     def add_force(self, force: Callable[[Rows, float], Any]) -> None:
         """Adds a force: force(p, t) returns newtons of shape (n, 3) for the n particles p of this rank.
 
@@ -356,13 +392,18 @@ def register_extension(
     force: Optional[Callable[[Rows, float, Mapping[str, float]], Any]] = None,
     heat: Optional[Callable[[Rows, float, Mapping[str, float]], Any]] = None,
     step_limit: Optional[Callable[[Mapping[str, float]], float]] = None,
+    fields: Optional[Mapping[str, Any]] = None,
+    update: Optional[Callable[[Rows, float, float, Mapping[str, float]], Any]] = None,
     about: str = "",
 ) -> None:
-    """Registers a force or a source of heat that scenes name as [extension.NAME].
+    """Registers a force, a source of heat, or fields that scenes name as [extension.NAME].
 
     keys: name -> default, or (default, unit), or (default, unit, least, most, meaning).
     force(p, t, values) returns newtons of shape (n, 3), heat(p, t, values) watts of shape (n,), for the n
     particles p of this rank at time t (s). step_limit(values) returns the longest stable step, s.
+    fields: name -> unit, or (unit, meaning, components, start value). They are arrays of doubles that move
+    with their particles, are in checkpoints, and in frames that list them in output.fields.
+    update(p, t, dt, values) sets them at the end of each step of dt seconds, by p.name[...] = values.
     Scenes that name an unregistered extension are refused, also at a restart.
     """
 
@@ -380,5 +421,27 @@ def register_extension(
 
         return lambda *given: _call([add], *given)
 
-    notes = [note(key, given) for key, given in (keys or {}).items()]
-    core().register_extension(name, about, notes, load, step_limit)
+    def field_note(field: str, given: Any) -> tuple[str, str, str, int, float]:
+        given = (given,) if isinstance(given, str) else tuple(given)
+        unit, meaning, components, start = (*given, *("", 1, 0.0)[len(given) - 1 :])
+        return field, unit, meaning, int(components), float(start)
+
+    def make_update(values: Mapping[str, float]) -> Callable[..., None]:
+        def advance(source: Any, time: float, dt: float) -> None:
+            rows = Rows(source, "particles", False)
+            try:
+                update(rows, time, dt, values)
+            finally:
+                rows.__dict__["_open"] = False
+
+        return advance
+
+    core().register_extension(
+        name,
+        about,
+        [note(key, given) for key, given in (keys or {}).items()],
+        [field_note(field, given) for field, given in (fields or {}).items()],
+        load if force is not None or heat is not None else None,
+        make_update if update is not None else None,
+        step_limit,
+    )

@@ -30,6 +30,27 @@ flags=$(sed -n 's/^THAW_SANITIZE:STRING=\(.\+\)/-fsanitize=\1/p' "$build/CMakeCa
   { cat "$consumer/log"; exit 1; }
 "$consumer/build/falling_cube"
 "$consumer/build/trap"
+for example in capsule mooney attraction phases; do "$consumer/build/$example"; done
+
+# A field is in frames, and continues after a restart.
+"$consumer/build/lamp"
+mpirun -n 2 "$consumer/build/lamp" "$dir/lamp"
+python3 - "$prefix" "$dir/lamp" <<'END'
+import glob, sys
+sys.path.insert(0, glob.glob(sys.argv[1] + '/lib*/python3*/dist-packages')[0])
+import thaw
+run = thaw.open(sys.argv[2])
+dose = run.frames[-1]['dose']
+assert abs(dose.max() - 500 * 0.2) < 1e-3 and dose.min() == 0, (dose.min(), dose.max())
+assert any('lamp' in line for line in run.summary.modules), run.summary.modules
+END
+# A program without the extension refuses its scenes.
+cp "$prefix/share/thaw/scenes/dam_break.toml" "$dir/lamp.toml"
+printf '[extension.lamp]\npower = "1 W/kg"\n' >>"$dir/lamp.toml"
+if "$prefix/bin/thaw" run "$dir/lamp.toml" --out "$dir/refused" >"$dir/log" 2>&1; then
+  fail "a program without the extension runs its scene"
+fi
+grep -q "extension.lamp: this program has no such extension" "$dir/log" || { cat "$dir/log"; exit 1; }
 
 # The same steps by the program.
 scene=$prefix/share/thaw/scenes/dam_break.toml steps=73

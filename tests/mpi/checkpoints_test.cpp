@@ -27,83 +27,112 @@ void addRows(std::map<std::uint64_t, std::string>& to, const Table& table, std::
   to[id] = bytes;
 }
 
+constexpr std::uint64_t sampleParticles = 300;
+
+/// Writes the sample from the first ranks.
+void writeSample(const std::string& out, int writers, bool twoFrames) {
+  if (rankOf() == 0) makeOutputFolders(out);
+  MPI_Barrier(MPI_COMM_WORLD);
+  const Some some(writers);
+  if (some.in()) {
+    const Sample sample(some.comm, sampleParticles, twoFrames);
+    EXPECT_EQ(writeCheckpoint(out, some.comm, sample.w, stamp, {{"fall height", "1.25"}}),
+              out + "/checkpoint/a.hdf");
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+void expectHeader(const CheckpointHeader& h, int writers) {
+  EXPECT_EQ(h.particles, sampleParticles);
+  EXPECT_EQ(h.clock.time, 0.1 + 0.2);
+  EXPECT_EQ(h.clock.dt, 1e-5 / 3);
+  EXPECT_EQ(h.limitedBy, "sound");
+  EXPECT_EQ(h.values.at("fall height"), "1.25");
+  EXPECT_EQ(h.sceneText, stamp.sceneText);
+  EXPECT_EQ(h.ranks, writers);
+}
+
+void expectEvenShares(const CheckpointSlice& slice) {
+  const auto ranks = static_cast<std::uint64_t>(sizeOf());
+  EXPECT_LE(slice.particles.owned, (sampleParticles + ranks - 1) / ranks);
+  std::int64_t found[2] = {static_cast<std::int64_t>(slice.particles.owned),
+                           static_cast<std::int64_t>(slice.bonds.size())};
+  MPI_Allreduce(MPI_IN_PLACE, found, 2, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+  EXPECT_EQ(found[0], static_cast<std::int64_t>(sampleParticles));
+  EXPECT_EQ(found[1], static_cast<std::int64_t>(slice.header.bonds));
+}
+
+/// Returns the content of the complete sample.
+Content contentOf(const World& whole) {
+  Content all;
+  for (std::size_t i = 0; i < whole.particles.owned; i++) {
+    addRows(all.particles, whole.particles, i, whole.particles.id[i]);
+    if (const std::uint32_t slot = whole.particles.slot[i]; slot != noSlot) {
+      SolidRecords r;
+      appendRecord(whole.solids, whole.bonds, slot, r);
+      all.solids[whole.solids.id[slot]] = {reinterpret_cast<const char*>(r.bytes.data()), r.bytes.size()};
+    }
+  }
+  return all;
+}
+
+/// A world with all columns, ready to be restored.
+void prepareToRestore(World& w, bool twoFrames) {
+  for (AnyColumn* c : w.particles.columns) w.particles.activate(*c);
+  for (AnyColumn* c : w.solids.columns) w.solids.activate(*c);
+  w.bonds.choose(twoFrames, twoFrames, false);
+  w.clock.every = 0.04;
+  w.clock.end = 9;
+}
+
+void expectContent(const World& restored, const std::vector<std::byte>& records, const Content& expected) {
+  Content got;
+  for (std::size_t i = 0; i < restored.particles.owned; i++) {
+    addRows(got.particles, restored.particles, i, restored.particles.id[i]);
+    EXPECT_EQ(restored.particles.slot[i], noSlot);
+  }
+  for (const auto& [id, bytes] : got.particles) EXPECT_EQ(bytes, expected.particles.at(id)) << id;
+  for (std::size_t at = 0; at < records.size();) {
+    SolidRecordView view;
+    const std::size_t next = readRecord(restored.solids, records, at, view);
+    EXPECT_TRUE(got.particles.count(view.id)) << "a solid is read by the rank that reads its particle";
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(records.data() + at), next - at),
+              expected.solids.at(view.id))
+        << view.id;
+    at = next;
+  }
+}
+
+void expectTotals(const World& restored, const Ledger& expected) {
+  const Communicator comm;
+  MpiReducer all(comm);
+  Ledger ledger = globalLedger(restored.ledger, all), ledgerExpected = expected;
+  EXPECT_EQ(ledger.heatIn.value(), ledgerExpected.heatIn.value());
+  EXPECT_EQ(ledger.left.momentum[1].value(), ledgerExpected.left.momentum[1].value());
+  EXPECT_EQ(ledger.initial.mass, 42.5);
+  EXPECT_EQ(globalCounters(restored.counters, all).melted,
+            static_cast<std::int64_t>(sampleParticles * (sampleParticles - 1) / 2));
+}
+
 }  // namespace
 
 TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
-  const std::uint64_t N = 300;
   for (const bool twoFrames : {true, false})
     for (int writers : {1, sizeOf()}) {
       const Folder folder;
-      if (rankOf() == 0) makeOutputFolders(folder.path);
-      MPI_Barrier(MPI_COMM_WORLD);
-      const Some some(writers);
-      if (some.in()) {
-        const Sample sample(some.comm, N, twoFrames);
-        EXPECT_EQ(writeCheckpoint(folder.path, some.comm, sample.w, stamp, {{"fall height", "1.25"}}),
-                  folder.path + "/checkpoint/a.hdf");
-      }
-      MPI_Barrier(MPI_COMM_WORLD);
+      writeSample(folder.path, writers, twoFrames);
       const auto slice = readNewestCheckpoint(folder.path, MPI_COMM_WORLD);
       ASSERT_NE(slice, nullptr);
-      const CheckpointHeader& h = slice->header;
-      EXPECT_EQ(h.particles, N);
-      EXPECT_EQ(h.clock.time, 0.1 + 0.2);
-      EXPECT_EQ(h.clock.dt, 1e-5 / 3);
-      EXPECT_EQ(h.limitedBy, "sound");
-      EXPECT_EQ(h.values.at("fall height"), "1.25");
-      EXPECT_EQ(h.sceneText, stamp.sceneText);
-      EXPECT_EQ(h.ranks, writers);
-      // even shares
-      EXPECT_LE(slice->particles.owned,
-                (N + static_cast<std::uint64_t>(sizeOf()) - 1) / static_cast<std::uint64_t>(sizeOf()));
-      std::int64_t found[2] = {static_cast<std::int64_t>(slice->particles.owned),
-                               static_cast<std::int64_t>(slice->bonds.size())};
-      MPI_Allreduce(MPI_IN_PLACE, found, 2, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
-      EXPECT_EQ(found[0], static_cast<std::int64_t>(N));
-      EXPECT_EQ(found[1], static_cast<std::int64_t>(h.bonds));
-
-      // the complete checkpoint, read on one rank
-      Sample whole(MPI_COMM_SELF, N, twoFrames);
-      Content expected, got;
-      for (std::size_t i = 0; i < N; i++) {
-        addRows(expected.particles, whole.w.particles, i, whole.w.particles.id[i]);
-        if (const std::uint32_t slot = whole.w.particles.slot[i]; slot != noSlot) {
-          SolidRecords r;
-          appendRecord(whole.w.solids, whole.w.bonds, slot, r);
-          expected.solids[whole.w.solids.id[slot]] = {reinterpret_cast<const char*>(r.bytes.data()),
-                                                      r.bytes.size()};
-        }
-      }
+      expectHeader(slice->header, writers);
+      expectEvenShares(*slice);
+      const Sample whole(MPI_COMM_SELF, sampleParticles, twoFrames);
       World restored;
-      for (AnyColumn* c : restored.particles.columns) restored.particles.activate(*c);
-      for (AnyColumn* c : restored.solids.columns) restored.solids.activate(*c);
-      restored.bonds.choose(twoFrames, twoFrames, false);
-      restored.clock.every = 0.04;
-      restored.clock.end = 9;
+      prepareToRestore(restored, twoFrames);
       const std::vector<std::byte> records = restoreWorld(restored, *slice, rankOf() == 0);
-      for (std::size_t i = 0; i < restored.particles.owned; i++) {
-        addRows(got.particles, restored.particles, i, restored.particles.id[i]);
-        EXPECT_EQ(restored.particles.slot[i], noSlot);
-      }
-      for (const auto& [id, bytes] : got.particles) EXPECT_EQ(bytes, expected.particles.at(id)) << id;
-      for (std::size_t at = 0; at < records.size();) {
-        SolidRecordView view;
-        const std::size_t next = readRecord(restored.solids, records, at, view);
-        EXPECT_TRUE(got.particles.count(view.id)) << "a solid is read by the rank that reads its particle";
-        EXPECT_EQ(std::string(reinterpret_cast<const char*>(records.data() + at), next - at),
-                  expected.solids.at(view.id))
-            << view.id;
-        at = next;
-      }
+      expectContent(restored, records, contentOf(whole.w));
       EXPECT_EQ(restored.clock.frame, 7);
       EXPECT_EQ(restored.clock.end, 9);
-      const Communicator comm;
-      MpiReducer all(comm);
-      Ledger ledger = globalLedger(restored.ledger, all), ledgerExpected = whole.w.ledger;
-      EXPECT_EQ(ledger.heatIn.value(), ledgerExpected.heatIn.value());
-      EXPECT_EQ(ledger.left.momentum[1].value(), ledgerExpected.left.momentum[1].value());
-      EXPECT_EQ(ledger.initial.mass, 42.5);
-      EXPECT_EQ(globalCounters(restored.counters, all).melted, static_cast<std::int64_t>(N * (N - 1) / 2));
+      expectTotals(restored, whole.w.ledger);
     }
 }
 

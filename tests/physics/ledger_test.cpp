@@ -91,6 +91,20 @@ TEST(Ledger, EmittersAndOpenSidesCountExactly) {
   EXPECT_LT(length(r.momentumResidual), 1e-5 * length(r.left.momentum));
 }
 
+TEST(Ledger, ClosesWhereParticlesFallThroughAnOpenSide) {
+  Scene s = emptyScene(dx, {-0.5, -0.5, -0.4}, {0.5, 0.5, 0.5});
+  s.domain.gravity = {0, 0, -10};
+  s.materials.emplace_back();
+  addBox(s, {0, 0, 0}, {2 * dx, dx, dx});  // solid: no force but its weight
+  s.materials[0].young = {1e4, 1e4};
+  s.end = 0.5;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const LedgerReport r = run.ledgerReport();
+  EXPECT_EQ(run.w.counters.left, 2);
+  EXPECT_LT(std::abs(r.energyResidual), 1e-9 * r.left.kinetic);
+}
+
 /// A drop with surface tension leaves through an open side, across a periodic side.
 Scene leavingDrop(TensionForm tension) {
   Scene s = emptyScene(dx, {-0.5, -0.3, -0.3}, {0.5, 0.3, 0.3});

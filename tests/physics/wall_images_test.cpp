@@ -112,8 +112,8 @@ TEST(WallImages, SceneMovedByHalfAPeriodIsTheSame) {
                                         s.obstacles.clear();
                                         return s;
                                       }())};
-  const Difference felt = between(none, post, {});
-  EXPECT_GT(felt.speed, 0.01);  // the obstacles have an effect
+  const Difference effect = between(none, post, {});
+  EXPECT_GT(effect.speed, 0.01);  // the obstacles have an effect
 }
 
 TEST(WallImages, ObstacleAPeriodAwayIsTheSame) {

@@ -54,7 +54,7 @@ struct Poly6 {
 
 /// Damped motion of particles in a periodic cube under p = c^2 (relative density - 1) >= 0, by brute force.
 template<class Kernel>
-std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double filling0, int steps) {
+std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double onLattice, int steps) {
   const double h = 2 * dx, dt = 0.1 * h, n3 = dx * dx * dx / (h * h * h);
   std::vector<Vec3d> v(x.size());
   std::vector<double> term(x.size());
@@ -72,7 +72,7 @@ std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double filling0, i
     };
     std::fill(term.begin(), term.end(), 0.0);
     pairs([&](std::size_t i, std::size_t, const Vec3d&, double q2) { term[i] += n3 * Kernel::w(q2); });
-    for (double& t : term) t = std::max(0.0, t / filling0 - 1) * filling0 * filling0 / (t * t);
+    for (double& t : term) t = std::max(0.0, t / onLattice - 1) * onLattice * onLattice / (t * t);
     for (Vec3d& u : v) u = 0.9 * u;
     pairs([&](std::size_t i, std::size_t j, const Vec3d& d, double q2) {
       if (i != j) v[i] -= dt * n3 / h * (term[i] + term[j]) * Kernel::slope(q2) * d;

@@ -70,78 +70,100 @@ inline Mat3d plasticInverseOf(std::uint64_t id) {
   return {{{0.1 * hashed(id), 0.02, 0.03}, {0.04, 0.05, 0.06}, {0.07, 0.08, 0.09}}};
 }
 
+/// Ids of a rank's particles and solids. Solids are in another order than particles.
+struct SampleIds {
+  std::uint64_t all;  ///< number of particles on all ranks
+  std::vector<std::uint64_t> particles, solids;
+  std::map<std::uint64_t, std::uint32_t> slotOf;
+  SampleIds(MPI_Comm comm, std::uint64_t N) : all(N) {
+    for (std::uint64_t id = 0; id < N; id++)
+      if (ownerOf(id, sizeOf(comm)) == rankOf(comm)) particles.push_back(id);
+    for (std::uint64_t id : particles)
+      if (solidAt(id)) solids.push_back(id);
+    std::reverse(solids.begin(), solids.end());
+    for (std::size_t k = 0; k < solids.size(); k++) slotOf[solids[k]] = static_cast<std::uint32_t>(k);
+  }
+};
+
+inline void fillParticles(const SampleIds& ids, Continuum& p) {
+  for (AnyColumn* c : p.columns) p.activate(*c);
+  p.resize(ids.particles.size(), 0);
+  for (std::size_t i = 0; i < ids.particles.size(); i++) {
+    const std::uint64_t id = ids.particles[i];
+    for (AnyColumn* c : p.columns)
+      if (c->keep == Keep::State)
+        for (std::size_t b = 0; b < c->elementBytes; b++)
+          c->bytes[i * c->elementBytes + b] = std::byte(std::uint8_t(37 * id + 11 * b));
+    p.id[i] = id;
+    p.position[i] = {hashed(id), hashed(id + 1000), hashed(id + 2000)};
+    p.velocity[i] = 2.0 * p.position[i];
+    p.temperature[i] = 300 + hashed(id);
+    p.material[i] = p.body[i] = 0;
+    p.phase[i] = solidAt(id) ? Solid : Liquid;
+    p.slot[i] = solidAt(id) ? ids.slotOf.at(id) : noSlot;
+  }
+}
+
+inline void fillSolids(const SampleIds& ids, Solids& s) {
+  for (AnyColumn* c : s.columns) s.activate(*c);
+  s.resize(ids.solids.size(), 0);
+  for (std::size_t k = 0; k < ids.solids.size(); k++) {
+    const std::uint64_t id = ids.solids[k];
+    s.id[k] = id;
+    s.volume[k] = 1 + hashed(id);
+    s.plasticInverse[k] = plasticInverseOf(id);
+    s.deformation[k] = identity3<double>();
+    s.stress[k] = {1, 2, 3, 4, 5, double(id)};
+  }
+}
+
+/// Bonds each solid to up to three others, and appends remote rows for those of other ranks.
+inline void fillBonds(const SampleIds& ids, bool twoFrames, Bonds& bonds, Solids& s) {
+  constexpr int most = 5;
+  bonds.choose(twoFrames, twoFrames, false);
+  resizeBonds(bonds, ids.solids.size(), most);
+  std::vector<std::uint64_t> remote;
+  for (std::size_t k = 0; k < ids.solids.size(); k++) {
+    const std::uint64_t id = ids.solids[k];
+    for (int n = 0; n < most; n++) {
+      const std::size_t at = bonds.at(k, n);
+      const std::uint64_t other = (id * 13 + std::uint64_t(n) * 29 + 1) % ids.all;
+      bonds.neighbour[at] = static_cast<std::uint32_t>(k);
+      if (!solidAt(other) || other == id || n == 2) continue;  // also a broken bond between other particles
+      if (const auto f = ids.slotOf.find(other); f != ids.slotOf.end()) bonds.neighbour[at] = f->second;
+      else {
+        bonds.neighbour[at] = static_cast<std::uint32_t>(ids.solids.size() + remote.size());
+        remote.push_back(other);
+      }
+      if (!twoFrames) continue;
+      bonds.x.set(at, hashed(other + id * 5)), bonds.y.set(at, n), bonds.z.set(at, 2);
+      bonds.rx.set(at, 7 + double(id)), bonds.ry.set(at, 8), bonds.rz.set(at, 9);
+      bonds.weight.set(at, 1 + hashed(id + other));
+    }
+  }
+  s.resize(s.owned, remote.size());
+  for (std::size_t k = 0; k < remote.size(); k++) s.id[s.owned + k] = remote[k];
+}
+
 /// A world whose values depend on ids only: N particles, two thirds of them solid, bonded to up to three
 /// others on any rank.
 struct Sample {
   World w;
   Sample(MPI_Comm comm, std::uint64_t N, bool twoFrames = true) {
-    const int rank = rankOf(comm), ranks = sizeOf(comm);
     Material m;
     m.name = "wax";
     m.young = {1e5, 0};
     w.scene.materials.push_back(m);
     w.scene.output.fields = knownFrameFields();
     w.scene.bodies.emplace_back();
-    Continuum& p = w.particles;
-    for (AnyColumn* c : p.columns) p.activate(*c);
-    Solids& s = w.solids;
-    for (AnyColumn* c : s.columns) s.activate(*c);
-    w.bonds.choose(twoFrames, twoFrames, false);
-    std::vector<std::uint64_t> mine;
-    for (std::uint64_t id = 0; id < N; id++)
-      if (ownerOf(id, ranks) == rank) mine.push_back(id);
-    std::vector<std::uint64_t> solids;
-    for (std::uint64_t id : mine)
-      if (solidAt(id)) solids.push_back(id);
-    std::reverse(solids.begin(), solids.end());  // solids are in another order than particles
-    p.resize(mine.size(), 0);
-    s.resize(solids.size(), 0);
-    resizeBonds(w.bonds, solids.size(), 5);
-    std::map<std::uint64_t, std::uint32_t> slotOf;
-    for (std::size_t k = 0; k < solids.size(); k++) slotOf[solids[k]] = static_cast<std::uint32_t>(k);
-    std::vector<std::uint64_t> remote;
-    for (std::size_t i = 0; i < mine.size(); i++) {
-      for (AnyColumn* c : p.columns)
-        if (c->keep == Keep::State)
-          for (std::size_t b = 0; b < c->elementBytes; b++)
-            c->bytes[i * c->elementBytes + b] = std::byte(std::uint8_t(37 * mine[i] + 11 * b));
-      p.id[i] = mine[i];
-      p.position[i] = {hashed(mine[i]), hashed(mine[i] + 1000), hashed(mine[i] + 2000)};
-      p.velocity[i] = 2.0 * p.position[i];
-      p.temperature[i] = 300 + hashed(mine[i]);
-      p.material[i] = p.body[i] = 0;
-      p.phase[i] = solidAt(mine[i]) ? Solid : Liquid;
-      p.slot[i] = solidAt(mine[i]) ? slotOf[mine[i]] : noSlot;
-    }
-    for (std::size_t k = 0; k < solids.size(); k++) {
-      const std::uint64_t id = solids[k];
-      s.id[k] = id;
-      s.volume[k] = 1 + hashed(id);
-      s.plasticInverse[k] = plasticInverseOf(id);
-      s.deformation[k] = identity3<double>();
-      s.stress[k] = {1, 2, 3, 4, 5, double(id)};
-      for (int n = 0; n < 5; n++) {
-        const std::size_t at = w.bonds.at(k, n);
-        const std::uint64_t other = (id * 13 + std::uint64_t(n) * 29 + 1) % N;
-        w.bonds.neighbour[at] = static_cast<std::uint32_t>(k);
-        if (!solidAt(other) || other == id || n == 2) continue;  // also a broken bond between other particles
-        if (const auto f = slotOf.find(other); f != slotOf.end()) w.bonds.neighbour[at] = f->second;
-        else {
-          w.bonds.neighbour[at] = static_cast<std::uint32_t>(solids.size() + remote.size());
-          remote.push_back(other);
-        }
-        if (!twoFrames) continue;
-        w.bonds.x.set(at, hashed(other + id * 5)), w.bonds.y.set(at, n), w.bonds.z.set(at, 2);
-        w.bonds.rx.set(at, 7 + double(id)), w.bonds.ry.set(at, 8), w.bonds.rz.set(at, 9);
-        w.bonds.weight.set(at, 1 + hashed(id + other));
-      }
-    }
-    s.resize(s.owned, remote.size());
-    for (std::size_t k = 0; k < remote.size(); k++) s.id[s.owned + k] = remote[k];
-    for (std::size_t i = 0; i < mine.size(); i++) {
-      w.ledger.heatIn.add(hashed(mine[i]) * 1e-7);
-      w.ledger.left.momentum[1].add(-std::abs(hashed(mine[i])));
-      w.counters.melted += static_cast<std::int64_t>(mine[i]);
+    const SampleIds ids(comm, N);
+    fillParticles(ids, w.particles);
+    fillSolids(ids, w.solids);
+    fillBonds(ids, twoFrames, w.bonds, w.solids);
+    for (const std::uint64_t id : ids.particles) {
+      w.ledger.heatIn.add(hashed(id) * 1e-7);
+      w.ledger.left.momentum[1].add(-std::abs(hashed(id)));
+      w.counters.melted += static_cast<std::int64_t>(id);
     }
     w.ledger.initial.mass = 42.5;
     w.clock.time = 0.1 + 0.2;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A whole scene on one rank, stepped as in a run, for tests of exact solutions and the ledger.
 #pragma once
-#include <memory>
-
 #include "core/halo/serial.hpp"
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/setup/setup.hpp"
-#include "core/simulation/world/body_types.hpp"
+#include "core/simulation/world/world_halos.hpp"
 #include "core/solid/bonds/serial_bond_halo.hpp"
 
 namespace thaw::test {
@@ -15,9 +13,7 @@ struct Simulation {
   World w;
   StepTools tools;
   SerialReducer all;
-  std::unique_ptr<SerialCellHalo> cells;
-  std::unique_ptr<SerialCellHalo> kinds[bodyTypeCount];
-  SerialBondHalo bonds, edges;
+  WorldHalos<SerialCellHalo, SerialBondHalo> tables;
   Limit limitedBy = Limit::Scene;
   double shortest = never;  ///< s, smallest dt so far
 
@@ -26,13 +22,10 @@ struct Simulation {
   explicit Simulation(const Scene& scene, const MeshLoader& load = {}) {
     w.scene = scene;
     prepareWorld(w, tools, load);
-    cells = std::make_unique<SerialCellHalo>(w.grid);
-    forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
-      kinds[kind] = std::make_unique<SerialCellHalo>(w.grid);
-    });
+    tables.make(w);
     report = startWorld(w, halos(), tools, load);
   }
-  Halos halos() { return {all, *cells, bonds, {kinds[orientedType].get(), kinds[sheetType].get()}, &edges}; }
+  Halos halos() { return tables.with(all); }
   Continuum& particles() { return w.particles; }
 
   /// Takes one step. Returns false if a value is not finite.

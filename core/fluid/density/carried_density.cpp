@@ -32,14 +32,17 @@ Vec3d alongWalls(Vec3d v, std::span<const WallContact> contacts, double spacing)
 }
 
 std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint32_t row) {
-  const auto [begin, end] = std::ranges::equal_range(contacts.list, row, {}, &WallContact::row);
+  const auto before = [](const WallContact& c, std::uint32_t r) { return c.row < r; };
+  const auto begin = std::lower_bound(contacts.list.begin(), contacts.list.end(), row, before);
+  auto end = begin;
+  while (end != contacts.list.end() && end->row == row) ++end;
   return {begin, end};
 }
 
 /// Slope of the wall's part of the relative density, times h. The wall's pressure force (wall_forces.cpp) has
 /// the same slope, so force and density rate are adjoint.
 double wallSlope(const CarryContext& x, const WallContact& c) {
-  return x.perLatticeSum * x.wallTables(c.distance / x.grid.support).push * c.share;
+  return x.inverseLatticeSum * x.wallTables(c.distance / x.grid.support).push * c.share;
 }
 
 /// Gradient of the wall's own relative density, times h: half of the slope.
@@ -70,7 +73,7 @@ void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   WallContacts& contacts = x.wallContacts;
   const std::span<const WallContact> mine = contactsOf(contacts, row);
   const double h = x.grid.support;
-  r.relativeDensity += x.perLatticeSum * wallRelativeDensity({x.wallTables, h}, mine, contacts.added);
+  r.relativeDensity += x.inverseLatticeSum * wallRelativeDensity({x.wallTables, h}, mine, contacts.added);
   for (const WallContact& c : mine) r.gradient += ownGradient(x, c);
   for (const WallContact& c : atMidStep(x, mine))
     r.rate -= r.liquidFraction * wallSlope(x, c) / h * speedOff(x, c);

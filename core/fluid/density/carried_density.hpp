@@ -33,7 +33,7 @@ struct CarryContext {
   Counters& counters;
   const std::vector<LiquidMaterial>& liquids;
   const WallTables& wallTables;
-  double perLatticeSum;  ///< factor that turns sums over V W into relative densities
+  double inverseLatticeSum;  ///< factor that turns sums over V W into relative densities
   CarryWork& carry;
   WallContacts& wallContacts;
   const std::vector<std::uint8_t>& steady;  ///< SleepWork::steady

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/halo/exchange.hpp"
+
 namespace thaw {
 namespace {
 
@@ -73,7 +75,7 @@ void applyPairs(Solver& s, ViscousPass pass) {
   out.block = k.block.data();
   out.lost = p.dissipation.data();
   s.view.times.lap(StepPhase::Viscosity);
-  s.halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.viscousSearch});
+  Exchange ghosts = refresh(s.halos.cells, p, ColumnList{&p.viscousSearch});
   s.view.times.lap(StepPhase::Exchange);
   packVelocities(s, 0, p.owned);
   std::fill_n(k.product.begin(), p.owned, Vec3d{});
@@ -89,7 +91,7 @@ void applyPairs(Solver& s, ViscousPass pass) {
   packMiddle(0, p.owned);
   s.view.kernels.viscous(s.sums, out, {0, lists.innerGroups});
   s.view.times.lap(StepPhase::Viscosity);
-  s.halos.cells.finishRefresh(p);
+  ghosts.wait();
   s.view.times.lap(StepPhase::Exchange);
   packVelocities(s, p.owned, p.size());
   packMiddle(p.owned, p.size());

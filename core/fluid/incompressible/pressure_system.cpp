@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/fluid/incompressible/pressure_system.hpp"
 
-#include <array>
-
 #include "core/fluid/incompressible/pressure_records.hpp"
+#include "core/halo/exchange.hpp"
 
 namespace thaw {
 namespace {
@@ -23,11 +22,11 @@ void sumWith(const PressureSystem& x, AnyColumn& column, Pack pack, Sweep sweep)
   Continuum& p = x.particles;
   const RecordContext records{x.scene, x.modules, x.grid, x.liquids};
   const PairSums s = sumsOf(x);
-  x.halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&column});
+  Exchange ghosts = refresh(x.halos.cells, p, ColumnList{&column});
   pack(records, p, 0, p.owned, x.records);
   sweep(s, {0, x.neighbours.innerGroups});
   x.times.lap(StepPhase::Pressure);
-  x.halos.cells.finishRefresh(p);
+  ghosts.wait();
   x.times.lap(StepPhase::Exchange);
   pack(records, p, p.owned, p.size(), x.records);
   sweep(s, {x.neighbours.innerGroups, x.neighbours.groups});
@@ -44,7 +43,7 @@ void findWallSlopes(const PressureSystem& x) {
   for (const WallContact& c : x.wallContacts.list) {
     if (work.fraction[c.row] == 0) continue;
     const double push = x.wallTables(c.distance / x.grid.support).push;
-    work.walls.push_back({c.row, c.normal * (-x.perLatticeSum * push * c.share / x.grid.support),
+    work.walls.push_back({c.row, c.normal * (-x.inverseLatticeSum * push * c.share / x.grid.support),
                           wallVelocity(x.walls.list[c.wall], x.particles.position[c.row])});
   }
 }

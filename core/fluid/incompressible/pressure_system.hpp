@@ -43,7 +43,7 @@ struct PressureSystem {
   const std::vector<LiquidMaterial>& liquids;
   PairRecords& records;
   const WallTables& wallTables;
-  double perLatticeSum;  ///< factor that turns sums over V W into relative densities
+  double inverseLatticeSum;  ///< factor that turns sums over V W into relative densities
   const WallContacts& wallContacts;
   PressureWork& pressure;
   PhaseTimes& times;

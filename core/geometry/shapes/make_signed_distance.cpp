@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/basic/extension_shape.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/builtin/builtin_meshes.hpp"
 #include "core/geometry/shapes/combined.hpp"
@@ -39,6 +40,21 @@ ShapePart makeCombined(const Shape& s, CombinedDistance::Kind kind, const MeshLo
   return std::make_shared<CombinedDistance>(kind, std::move(parts));
 }
 
+ShapePart makeExtension(const Shape& s) {
+  const ShapeMaker* make = findExtensionShape(s.extension.name);
+  if (!make) throw ShapeError("this program has no shape '" + s.extension.name + "'", s.where);
+  try {
+    const ShapePart part = (*make)(s.extension);
+    if (!part) throw std::invalid_argument("it made no shape");
+    return part;
+  } catch (const ShapeError& e) {
+    if (e.where.line > 0) throw;
+    throw ShapeError(e.what(), s.where);
+  } catch (const std::exception& e) {
+    throw ShapeError("the shape '" + s.extension.name + "': " + e.what(), s.where);
+  }
+}
+
 ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
   switch (s.kind) {
     case ShapeKind::Box:
@@ -73,6 +89,7 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
     case ShapeKind::Union: return makeCombined(s, CombinedDistance::Kind::Union, load);
     case ShapeKind::Difference: return makeCombined(s, CombinedDistance::Kind::Difference, load);
     case ShapeKind::Intersection: return makeCombined(s, CombinedDistance::Kind::Intersection, load);
+    case ShapeKind::Extension: return makeExtension(s);
   }
   throw ShapeError("unknown kind of shape", s.where);
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/geometry/builtin/polygonise.hpp"
 #include "core/geometry/shapes/combined.hpp"
 #include "core/geometry/shapes/placed_mesh.hpp"
 
@@ -66,6 +67,20 @@ TriangleMesh squareOf(const Shape& s, const Ball& seen) {
   return {{middle - u - v, middle + u - v, middle + u + v, middle - u + v}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
+/// Returns triangles of an extension's shape. A chord of the length of a cube's edge on the smallest radius
+/// that is resolved, twice that length, is `sag` or less off the surface.
+TriangleMesh extensionMesh(const Shape& s, double sag) {
+  constexpr double most = 160;  // cubes along the longest edge
+  const std::shared_ptr<const SignedDistance> shape = makeSignedDistance(s);
+  Bounds b = shape->bounds();
+  const Vec3d size = b.max - b.min;
+  if (!std::isfinite(size.x + size.y + size.z))
+    throw std::invalid_argument("the shape '" + s.extension.name + "' is infinite: it has no mesh");
+  const double edge = std::max({16 * sag, size.x / most, size.y / most, size.z / most});
+  b.min -= Vec3d{edge, edge, edge}, b.max += Vec3d{edge, edge, edge};
+  return polygonise([&](const Vec3d& x) { return shape->distance(x); }, b, edge);
+}
+
 TriangleMesh placedParts(const Shape& s, double sag, const Ball& seen, const MeshLoader& load);
 
 TriangleMesh unplaced(const Shape& s, double sag, const Ball& seen, const MeshLoader& load) {
@@ -89,6 +104,7 @@ TriangleMesh unplaced(const Shape& s, double sag, const Ball& seen, const MeshLo
       return revolvedMesh(glassOutline(s.radius, s.height, s.thickness), false, stepsAround(s.radius, sag));
     case ShapeKind::HalfSpace: return squareOf(s, seen);
     case ShapeKind::Mesh: return makePlacedMesh(s, load).mesh;
+    case ShapeKind::Extension: return extensionMesh(s, sag);
     case ShapeKind::Union:
     case ShapeKind::Difference:
     case ShapeKind::Intersection: break;

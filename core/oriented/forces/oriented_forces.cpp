@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/halo/exchange.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/oriented/forces/fields.hpp"
 #include "core/oriented/laws/crease_pair.hpp"
@@ -77,11 +78,9 @@ void findNormals(Oriented& o) {
 void updateNeighbours(OrientedBodies& b, const Scene& scene, Halos halos, OrientedLists& l) {
   Oriented& o = b.rows;
   findNormals(o);
-  CellHalo& halo = *halos.kinds[orientedType];
-  halo.beginGhosts(
-      o, b.cells,
-      ColumnList{&o.id, &o.position, &o.velocity, &o.normal, &o.group, &o.cutSides, &o.flags, &o.body});
-  halo.finishGhosts(o, b.cells);
+  sendGhosts(*halos.bodyTypes[orientedType], o, b.cells,
+             ColumnList{&o.id, &o.position, &o.velocity, &o.normal, &o.group, &o.cutSides, &o.flags, &o.body})
+      .wait();
 
   l.first.clear();
   l.list.clear();
@@ -114,8 +113,7 @@ void updateNeighbours(OrientedBodies& b, const Scene& scene, Halos halos, Orient
 }
 
 void refreshGhostPoses(Oriented& o, Halos halos) {
-  halos.kinds[orientedType]->beginRefresh(o, ColumnList{&o.position, &o.normal});
-  halos.kinds[orientedType]->finishRefresh(o);
+  refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.position, &o.normal}).wait();
 }
 
 void sumOrientedForces(const OrientedView& w) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/halo/exchange.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/oriented/forces/fields.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
@@ -59,8 +60,7 @@ void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool o
 
 /// Computes image = K u of owned rows with u in Oriented::search and searchSpin. Collective.
 void multiply(Oriented& o, OrientedWork& work, Halos halos) {
-  halos.kinds[orientedType]->beginRefresh(o, ColumnList{&o.search, &o.searchSpin});
-  halos.kinds[orientedType]->finishRefresh(o);
+  refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.search, &o.searchSpin}).wait();
   const OrientedLists& l = work.lists;
   for (std::size_t i = 0; i < o.owned; i++) {
     Vec3d force{}, torque{};
@@ -77,62 +77,75 @@ void multiply(Oriented& o, OrientedWork& work, Halos halos) {
   }
 }
 
-}  // namespace
+const OrientedBody& bodyOfRow(const OrientedView& w, std::size_t i) {
+  return w.scene.oriented[w.oriented.rows.body[i]];
+}
 
-void stepSemiImplicit(const OrientedView& w, Halos halos, double dt) {
+/// Computes image = A u of owned rows with A = M (1 + c dt) + dt^2 K and u in Oriented::search and
+/// searchSpin. Constrained components are 0. Collective.
+void multiplySystem(const OrientedView& w, Halos halos, double dt) {
   Oriented& o = w.oriented.rows;
   OrientedWork& work = w.work;
-  const std::size_t n = o.owned;
-  const Vec3d g = w.scene.domain.gravity;
-  recordObstacleWork(w, dt);
-  work.acting.assign(n, {});
-  work.actingTorque.assign(n, {});
-  for (auto* v : {&work.rest, &work.restSpin, &work.along, &work.alongSpin, &work.image, &work.imageSpin,
-                  &work.velocity, &work.spin})
-    v->assign(n, {});
-  const auto free = [&](std::size_t i, std::uint8_t flag) { return (o.flags[i] & flag) == 0; };
-  const auto bodyOf = [&](std::size_t i) -> const OrientedBody& { return w.scene.oriented[o.body[i]]; };
-  // A u of the search vector, from its image K u
-  const auto finish = [&](std::size_t i) {
-    work.image[i] = free(i, fixedPosition)
-                        ? (o.mass[i] * (1 + bodyOf(i).damping * dt)) * o.search[i] + (dt * dt) * work.image[i]
-                        : Vec3d{};
-    work.imageSpin[i] = free(i, fixedOrientation)
-                            ? (o.inertia[i] * (1 + bodyOf(i).spinDamping * dt)) * o.searchSpin[i] +
-                                  (dt * dt) * work.imageSpin[i]
-                            : Vec3d{};
-    if (bodyOf(i).planar) {
+  multiply(o, work, halos);
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const OrientedBody& body = bodyOfRow(w, i);
+    work.image[i] = o.flags[i] & fixedPosition
+                        ? Vec3d{}
+                        : (o.mass[i] * (1 + body.damping * dt)) * o.search[i] + (dt * dt) * work.image[i];
+    work.imageSpin[i] = o.flags[i] & fixedOrientation
+                            ? Vec3d{}
+                            : (o.inertia[i] * (1 + body.spinDamping * dt)) * o.searchSpin[i] +
+                                  (dt * dt) * work.imageSpin[i];
+    if (body.planar) {
       work.image[i].y = 0;
       work.imageSpin[i].x = work.imageSpin[i].z = 0;
     }
-  };
-  for (std::size_t i = 0; i < n; i++) {
+  }
+}
+
+/// Sets the first solution, which is the current velocities, its residual and the first search direction.
+/// Collective.
+void beginSolve(const OrientedView& w, Halos halos, double dt) {
+  Oriented& o = w.oriented.rows;
+  OrientedWork& work = w.work;
+  const Vec3d g = w.scene.domain.gravity;
+  for (auto* v : {&work.rest, &work.restSpin, &work.along, &work.alongSpin, &work.image, &work.imageSpin,
+                  &work.velocity, &work.spin})
+    v->assign(o.owned, {});
+  for (std::size_t i = 0; i < o.owned; i++) {
     work.velocity[i] = o.search[i] = o.velocity[i];
     work.spin[i] = o.searchSpin[i] = o.spin[i];
   }
-  multiply(o, work, halos);
-  for (std::size_t i = 0; i < n; i++) {
-    finish(i);
-    if (free(i, fixedPosition))
+  multiplySystem(w, halos, dt);
+  for (std::size_t i = 0; i < o.owned; i++) {
+    if (!(o.flags[i] & fixedPosition))
       work.rest[i] = o.mass[i] * o.velocity[i] + dt * (o.force[i] + o.mass[i] * g) - work.image[i];
-    if (free(i, fixedOrientation))
+    if (!(o.flags[i] & fixedOrientation))
       work.restSpin[i] = o.inertia[i] * o.spin[i] + dt * o.torque[i] - work.imageSpin[i];
     work.along[i] = work.rest[i];
     work.alongSpin[i] = work.restSpin[i];
   }
-  // no preconditioner: masses are similar, and inertia is mass times spacing^2
-  double rest2 = product(halos.all, work.rest, work.rest, work.restSpin, work.restSpin);
-  const double enough = tolerance * tolerance * rest2;
+}
+
+/// Solves A u = M v + dt f by conjugate gradients, into OrientedWork::velocity and spin. There is no
+/// preconditioner: masses are similar, and inertia is mass times spacing^2. Collective.
+void solveVelocities(const OrientedView& w, Halos halos, double dt) {
+  Oriented& o = w.oriented.rows;
+  OrientedWork& work = w.work;
+  const std::size_t n = o.owned;
+  beginSolve(w, halos, dt);
+  double residual2 = product(halos.all, work.rest, work.rest, work.restSpin, work.restSpin);
+  const double target2 = tolerance * tolerance * residual2;
   work.solves++;
-  for (int k = 0; k < mostIterations && rest2 > enough && rest2 > 0; k++) {
+  for (int k = 0; k < mostIterations && residual2 > target2 && residual2 > 0; k++) {
     work.iterations++;
     for (std::size_t i = 0; i < n; i++) {
       o.search[i] = work.along[i];
       o.searchSpin[i] = work.alongSpin[i];
     }
-    multiply(o, work, halos);
-    for (std::size_t i = 0; i < n; i++) finish(i);
-    const double step = rest2 / product(halos.all, work.along, work.image, work.alongSpin, work.imageSpin);
+    multiplySystem(w, halos, dt);
+    const double step = residual2 /
+                        product(halos.all, work.along, work.image, work.alongSpin, work.imageSpin);
     for (std::size_t i = 0; i < n; i++) {
       work.velocity[i] += step * work.along[i];
       work.spin[i] += step * work.alongSpin[i];
@@ -141,45 +154,65 @@ void stepSemiImplicit(const OrientedView& w, Halos halos, double dt) {
     }
     const double now = product(halos.all, work.rest, work.rest, work.restSpin, work.restSpin);
     for (std::size_t i = 0; i < n; i++) {
-      work.along[i] = work.rest[i] + (now / rest2) * work.along[i];
-      work.alongSpin[i] = work.restSpin[i] + (now / rest2) * work.alongSpin[i];
+      work.along[i] = work.rest[i] + (now / residual2) * work.along[i];
+      work.alongSpin[i] = work.restSpin[i] + (now / residual2) * work.alongSpin[i];
     }
-    rest2 = now;
+    residual2 = now;
   }
-  // dissipation by damping and by the scheme: (dv M dv + dt^2 v K v) / 2
-  for (std::size_t i = 0; i < n; i++) {
+}
+
+/// Moves a row by the solved velocity, and records dissipation by damping and by the scheme, (dv M dv + dt^2
+/// v K v) / 2. Requires: OrientedWork::acting, and K v in image.
+void translateRow(const OrientedView& w, std::size_t i, double dt) {
+  Oriented& o = w.oriented.rows;
+  const OrientedBody& body = bodyOfRow(w, i);
+  // uses the pair forces of the solution, which conserve momentum; the residual of the solver does not
+  const Vec3d solved = w.work.velocity[i],
+              v = o.velocity[i] +
+                  dt * (w.work.acting[i] / o.mass[i] + w.scene.domain.gravity - body.damping * solved),
+              dv = v - o.velocity[i];
+  o.dissipated[i] += o.mass[i] * (body.damping * dt * dot(v, solved) + 0.5 * dot(dv, dv)) +
+                     0.5 * dt * dt * dot(v, w.work.image[i]);
+  for (int a = 0; a < 3; a++)
+    if (const double lost = -dt * body.damping * o.mass[i] * solved[a]; lost != 0)
+      w.ledger.wallImpulse[a].add(lost);
+  // at the old positions, before they move
+  if (const double given = dt * dot(fieldForce(w, i).force, v); given != 0) w.ledger.wallWork.add(given);
+  o.velocity[i] = v;
+  o.position[i] += dt * v;
+}
+
+/// Rotates a row by the solved angular velocity, and records dissipation as translateRow.
+void rotateRow(const OrientedView& w, std::size_t i, double dt) {
+  Oriented& o = w.oriented.rows;
+  const Vec3d spin = w.work.spin[i], change = spin - o.spin[i];
+  o.dissipated[i] += o.inertia[i] *
+                         (bodyOfRow(w, i).spinDamping * dt * dot(spin, spin) + 0.5 * dot(change, change)) +
+                     0.5 * dt * dt * dot(spin, w.work.imageSpin[i]);
+  o.spin[i] = spin;
+  o.orientation[i] = unitQuat(rotationBy(dt * spin) * o.orientation[i]);
+}
+
+}  // namespace
+
+void stepSemiImplicit(const OrientedView& w, Halos halos, double dt) {
+  Oriented& o = w.oriented.rows;
+  OrientedWork& work = w.work;
+  recordObstacleWork(w, dt);
+  work.acting.assign(o.owned, {});
+  work.actingTorque.assign(o.owned, {});
+  solveVelocities(w, halos, dt);
+  for (std::size_t i = 0; i < o.owned; i++) {
     o.search[i] = work.velocity[i];
     o.searchSpin[i] = work.spin[i];
   }
   multiply(o, work, halos);
-  for (std::size_t i = 0; i < n; i++) {
-    const OrientedBody& body = bodyOf(i);
-    if (body.planar) work.image[i].y = 0;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    if (bodyOfRow(w, i).planar) work.image[i].y = 0;
     work.acting[i] = o.force[i] - dt * work.image[i];
     work.actingTorque[i] = o.torque[i] - dt * work.imageSpin[i];
-    if (free(i, fixedPosition)) {
-      // uses the pair forces of the solution, which conserve momentum; the residual of the solver does not
-      const Vec3d solved = work.velocity[i],
-                  v = o.velocity[i] + dt * (work.acting[i] / o.mass[i] + g - body.damping * solved),
-                  dv = v - o.velocity[i];
-      o.dissipated[i] += o.mass[i] * (body.damping * dt * dot(v, solved) + 0.5 * dot(dv, dv)) +
-                         0.5 * dt * dt * dot(v, work.image[i]);
-      for (int a = 0; a < 3; a++)
-        if (const double lost = -dt * body.damping * o.mass[i] * solved[a]; lost != 0)
-          w.ledger.wallImpulse[a].add(lost);
-      // at the old positions, before they move
-      if (const double given = dt * dot(fieldForce(w, i).force, v); given != 0) w.ledger.wallWork.add(given);
-      o.velocity[i] = v;
-      o.position[i] += dt * v;
-    }
-    if (free(i, fixedOrientation)) {
-      const Vec3d spin = work.spin[i], change = spin - o.spin[i];
-      o.dissipated[i] += o.inertia[i] *
-                             (body.spinDamping * dt * dot(spin, spin) + 0.5 * dot(change, change)) +
-                         0.5 * dt * dt * dot(spin, work.imageSpin[i]);
-      o.spin[i] = spin;
-      o.orientation[i] = unitQuat(rotationBy(dt * spin) * o.orientation[i]);
-    }
+    if (!(o.flags[i] & fixedPosition)) translateRow(w, i, dt);
+    if (!(o.flags[i] & fixedOrientation)) rotateRow(w, i, dt);
   }
 }
 

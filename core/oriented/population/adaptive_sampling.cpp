@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/halo/exchange.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/interpolation/interpolant.hpp"
@@ -45,6 +46,7 @@ constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
 struct BirthCandidate {
   bool there = false;
   Vec3d place{}, normal{};
+  double apart = 0;  ///< m, least distance from obstacles
 };
 
 /// Returns whether no neighbour of i on the same surface lies within a radius of a position, whatever its
@@ -222,6 +224,89 @@ void insertCandidate(const OrientedView& w, const PairPotential& p, std::size_t 
   w.counters.orientedBirths++;
 }
 
+/// Returns the candidate of an owned particle, in a gap or at a border.
+BirthCandidate candidateOf(const OrientedView& w, std::size_t i) {
+  const Oriented& o = w.oriented.rows;
+  const OrientedBody& body = w.scene.oriented[o.body[i]];
+  const PairPotential& p = w.work.potentials[o.body[i]];
+  BirthCandidate found = candidateInGap(o, w.work, body, p, i);
+  if (!found.there && body.growth == OrientedGrowth::Borders) {
+    found = candidateAtBorder(o, w.work, w.scene, p, i);
+    found.apart = fromObstacles * body.thickness * p.spacing;
+  }
+  const bool periodic = w.grid.periodic[0] || w.grid.periodic[1] || w.grid.periodic[2];
+  if (found.there && !periodic && !w.scene.domain.holds(found.place)) found.there = false;
+  return found;
+}
+
+/// Returns the candidates of owned particles, and sets their displacements and ranks, also of ghosts. All
+/// criteria use columns that ghosts carry. members: particles of each body on all ranks. Collective.
+std::vector<BirthCandidate> findCandidates(const OrientedView& w, Halos halos,
+                                           const std::vector<std::int64_t>& members) {
+  Oriented& o = w.oriented.rows;
+  std::vector<BirthCandidate> candidates(o.owned);
+  std::vector<std::uint32_t> parents;
+  std::vector<BirthSite> sites;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    o.candidateRank[i] = 0;
+    o.candidate[i] = {};
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    if (body.growth == OrientedGrowth::None || members[o.body[i]] >= body.most) continue;
+    candidates[i] = candidateOf(w, i);
+    if (!candidates[i].there) continue;
+    parents.push_back(static_cast<std::uint32_t>(i));
+    sites.push_back({o.body[i], candidates[i].place, candidates[i].apart});
+  }
+  const std::vector<char> blocked = blockedSites(w, sites, halos.all);
+  for (std::size_t k = 0; k < parents.size(); k++) {
+    const std::uint32_t i = parents[k];
+    if (blocked[k]) continue;
+    o.candidate[i] = candidates[i].place - o.position[i];
+    o.candidateRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i],
+                                         static_cast<std::uint64_t>(w.clock.step)) >>
+                              1);
+  }
+  refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.candidate, &o.candidateRank}).wait();
+  return candidates;
+}
+
+/// Owned rows that give birth or die in this step.
+struct PopulationChange {
+  std::vector<std::uint32_t> parents, dead;
+};
+
+/// Selects among conflicting candidates and crowded particles by their ranks.
+PopulationChange selectChanges(const OrientedView& w) {
+  const Oriented& o = w.oriented.rows;
+  const OrientedLists& l = w.work.lists;
+  const auto deathRank = [&](std::size_t i) {
+    return randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[i],
+                      static_cast<std::uint64_t>(w.clock.step));
+  };
+  PopulationChange change;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    const PairPotential& p = w.work.potentials[o.body[i]];
+    bool wins = o.candidateRank[i] > 0, dies = isOffInterpolant(o, w.work, i);
+    const std::uint64_t own = deathRank(i);
+    for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+      const std::uint32_t j = l.list[k];
+      if (!sameSurface(o, i, j)) continue;
+      const Vec3d r = o.position[j] - o.position[i];
+      if (wins && o.candidateRank[j] > 0 && o.candidateRank[j] < o.candidateRank[i]) {
+        const Vec3d d = r + o.candidate[j] - o.candidate[i];
+        wins = dot(d, d) >= 0.81 * p.spacing * p.spacing;
+      }
+      if (body.crowd > 0 && !(o.flags[i] & fixedPosition) && isNeighbour(o, p, i, j) &&
+          dot(r, r) < body.crowd * body.crowd * p.spacing * p.spacing)
+        dies = dies || (o.flags[j] & fixedPosition) || own < deathRank(j);
+    }
+    if (dies) change.dead.push_back(static_cast<std::uint32_t>(i));
+    else if (wins) change.parents.push_back(static_cast<std::uint32_t>(i));
+  }
+  return change;
+}
+
 }  // namespace
 
 void removeRow(const OrientedView& w, std::size_t i, double dt) {
@@ -243,79 +328,24 @@ bool adaptSamplingDue(const Scene& scene, const Clock& clock, double dt) {
 
 bool adaptSampling(const OrientedView& w, Halos halos, double dt) {
   Oriented& o = w.oriented.rows;
-  const OrientedLists& l = w.work.lists;
-  const std::uint64_t step = static_cast<std::uint64_t>(w.clock.step);
   std::vector<std::int64_t> members(w.scene.oriented.size(), 0);
   for (std::size_t i = 0; i < o.owned; i++) members[o.body[i]]++;
   halos.all.sum(members);
-  // all criteria use columns that ghosts carry
-  std::vector<BirthCandidate> candidates(o.owned);
-  std::vector<std::uint32_t> parents, dead;
-  std::vector<BirthSite> places;
-  for (std::size_t i = 0; i < o.owned; i++) {
-    o.candidateRank[i] = 0;
-    o.candidate[i] = {};
-    const OrientedBody& body = w.scene.oriented[o.body[i]];
-    if (body.growth == OrientedGrowth::None || members[o.body[i]] >= body.most) continue;
-    const PairPotential& p = w.work.potentials[o.body[i]];
-    candidates[i] = candidateInGap(o, w.work, body, p, i);
-    double apart = 0;
-    if (!candidates[i].there && body.growth == OrientedGrowth::Borders) {
-      candidates[i] = candidateAtBorder(o, w.work, w.scene, p, i);
-      apart = fromObstacles * body.thickness * p.spacing;
-    }
-    if (!candidates[i].there) continue;
-    if (!w.scene.domain.holds(candidates[i].place) && !w.grid.periodic[0] && !w.grid.periodic[1] &&
-        !w.grid.periodic[2])
-      continue;
-    parents.push_back(static_cast<std::uint32_t>(i));
-    places.push_back({o.body[i], candidates[i].place, apart});
-  }
-  const std::vector<char> taken = blockedSites(w, places, halos.all);
-  for (std::size_t k = 0; k < parents.size(); k++) {
-    const std::uint32_t i = parents[k];
-    if (taken[k]) continue;
-    o.candidate[i] = candidates[i].place - o.position[i];
-    o.candidateRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i], step) >> 1);
-  }
-  halos.kinds[orientedType]->beginRefresh(o, ColumnList{&o.candidate, &o.candidateRank});
-  halos.kinds[orientedType]->finishRefresh(o);
-
-  parents.clear();
-  for (std::size_t i = 0; i < o.owned; i++) {
-    const OrientedBody& body = w.scene.oriented[o.body[i]];
-    const PairPotential& p = w.work.potentials[o.body[i]];
-    bool wins = o.candidateRank[i] > 0, dies = isOffInterpolant(o, w.work, i);
-    const std::uint64_t own = randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[i], step);
-    for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
-      const std::uint32_t j = l.list[k];
-      if (!sameSurface(o, i, j)) continue;
-      const Vec3d r = o.position[j] - o.position[i];
-      if (wins && o.candidateRank[j] > 0 && o.candidateRank[j] < o.candidateRank[i]) {
-        const Vec3d d = r + o.candidate[j] - o.candidate[i];
-        wins = dot(d, d) >= 0.81 * p.spacing * p.spacing;
-      }
-      if (body.crowd > 0 && !(o.flags[i] & fixedPosition) && isNeighbour(o, p, i, j) &&
-          dot(r, r) < body.crowd * body.crowd * p.spacing * p.spacing)
-        dies = dies || (o.flags[j] & fixedPosition) ||
-               own < randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[j], step);
-    }
-    if (dies) dead.push_back(static_cast<std::uint32_t>(i));
-    else if (wins) parents.push_back(static_cast<std::uint32_t>(i));
-  }
+  const std::vector<BirthCandidate> candidates = findCandidates(w, halos, members);
+  PopulationChange change = selectChanges(w);
   if (std::any_of(w.scene.oriented.begin(), w.scene.oriented.end(),
                   [](const OrientedBody& b) { return b.growth != OrientedGrowth::None; })) {
-    const std::vector<std::uint64_t> limit = rankLimits(o, w.scene, members, parents, halos.all);
-    std::erase_if(parents, [&](std::uint32_t i) { return o.candidateRank[i] > limit[o.body[i]]; });
+    const std::vector<std::uint64_t> limit = rankLimits(o, w.scene, members, change.parents, halos.all);
+    std::erase_if(change.parents, [&](std::uint32_t i) { return o.candidateRank[i] > limit[o.body[i]]; });
   }
-  std::int64_t changed = static_cast<std::int64_t>(parents.size() + dead.size());
+  std::int64_t changed = static_cast<std::int64_t>(change.parents.size() + change.dead.size());
   halos.all.sum({&changed, 1});
   if (changed == 0) return false;
   o.resize(o.owned, 0);
-  for (const std::uint32_t i : parents)
+  for (const std::uint32_t i : change.parents)
     insertCandidate(w, w.work.potentials[o.body[i]], i, candidates[i], dt);
-  for (const std::uint32_t i : dead) removeRow(w, i, dt);
-  w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
+  for (const std::uint32_t i : change.dead) removeRow(w, i, dt);
+  w.counters.orientedDeaths += static_cast<std::int64_t>(change.dead.size());
   return true;
 }
 

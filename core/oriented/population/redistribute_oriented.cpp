@@ -22,7 +22,7 @@ void redistributeOriented(OrientedBodies& oriented, const CellGrid& grid, Halos 
       dead.push_back(static_cast<std::uint32_t>(i));
     }
   const std::size_t before = o.owned;
-  Migration m = halos.kinds[orientedType]->migrate(o, {o.nextCell.data(), o.owned});
+  Migration m = halos.bodyTypes[orientedType]->migrate(o, {o.nextCell.data(), o.owned});
   computeCellKeys(grid, static_cast<BodyTypeRows&>(o), before, o.owned);
   std::vector<std::uint32_t> gone;
   std::merge(m.departed.begin(), m.departed.end(), dead.begin(), dead.end(), std::back_inserter(gone));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/halo/exchange.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/neighbours/rows_around.hpp"
 #include "core/sheet/contact/face_depth.hpp"
@@ -75,26 +76,6 @@ struct FaceContact {
       }
   }
 
-  /// Returns the friction (N) on the three corners of a face and on particle j.
-  std::array<Vec3d, 4> faceFriction(std::size_t j, const Face& f, const Vec3d& shares, const Vec3d& off,
-                                    const Vec3d& n, const Vec3d& v, const TouchLaw& law,
-                                    double normal) const {
-    if (!(law.friction > 0)) return {};
-    const Sheets& s = w.sheets.rows;
-    const Continuum& p = w.particles;
-    std::array<Vec3d, 4> place{}, velocity{};
-    std::array<double, 4> mass{}, share{};
-    for (std::size_t k = 0; k < 3; k++) {
-      const std::uint32_t i = f.row[k];
-      place[k] = f.x[k] - p.position[j];
-      velocity[k] = s.moving[i];
-      mass[k] = w.sheets.laws[s.law[i]].contactMass * s.area[i];
-      share[k] = shares[static_cast<int>(k)];
-    }
-    velocity[3] = p.velocity[j], mass[3] = p.mass[j], share[3] = -1;
-    return frictionForces(rigidPointsOf(place, mass), velocity, share, off, n, v, law, normal);
-  }
-
   /// Contact geometry of a face and a particle.
   struct Near {
     const Face* face;
@@ -114,80 +95,133 @@ struct FaceContact {
     return true;
   }
 
-  std::vector<Near> within;
+  std::vector<Near> within;  ///< triangles within reach of the current particle
 
-  void touchParticle(std::size_t j, double& stiffest) {
-    Continuum& p = w.particles;
-    const Sheets& s = w.sheets.rows;
-    FaceDepth all;
-    const Near* nearest = nullptr;
+  /// Lists the triangles within reach of particle j. Returns the deepest one, of equals that of the least
+  /// number, or null.
+  const Near* findWithin(std::size_t j) {
     within.clear();
     for (const Face& f : faces)
-      if (Near n; near(f, p.position[j], n)) within.push_back(n);
-    for (const Near& n : within) {
-      all.add(n.depth, n.n);
+      if (Near n; near(f, w.particles.position[j], n)) within.push_back(n);
+    const Near* nearest = nullptr;
+    for (const Near& n : within)
       if (!nearest || n.depth > nearest->depth ||
           (n.depth == nearest->depth && n.face->number < nearest->face->number))
         nearest = &n;
+    return nearest;
+  }
+
+  Vec3d velocityOf(const Near& n) const {
+    Vec3d v{};
+    for (std::size_t k = 0; k < 3; k++)
+      v += n.shares[static_cast<int>(k)] * w.sheets.rows.moving[n.face->row[k]];
+    return v;
+  }
+
+  /// Returns the friction (N) on the three corners of a face and on particle j. normal (N): contact force.
+  std::array<Vec3d, 4> faceFriction(std::size_t j, const Near& at, const TouchLaw& law, double normal) const {
+    if (!(law.friction > 0)) return {};
+    const Sheets& s = w.sheets.rows;
+    const Continuum& p = w.particles;
+    std::array<Vec3d, 4> place{}, velocity{};
+    std::array<double, 4> mass{}, share{};
+    Vec3d v = -p.velocity[j];
+    for (std::size_t k = 0; k < 3; k++) {
+      const std::uint32_t i = at.face->row[k];
+      place[k] = at.face->x[k] - p.position[j];
+      velocity[k] = s.moving[i];
+      mass[k] = w.sheets.laws[s.law[i]].contactMass * s.area[i];
+      share[k] = at.shares[static_cast<int>(k)];
+      v += share[k] * velocity[k];
     }
-    if (!nearest) return;
-    const double perPush = all.perPush(), steep = all.pushes * perPush;
-    double approach = 0, temperature = 0, massPerArea = 0;
+    velocity[3] = p.velocity[j], mass[3] = p.mass[j], share[3] = -1;
+    return frictionForces(rigidPointsOf(place, mass), velocity, share, at.off, at.n, v, law, normal);
+  }
+
+  /// Mean values of the sheet at a particle, over all triangles within reach.
+  struct SheetHere {
+    double approach = 0;     ///< m/s, separation speed along the gradient of the depth
+    double temperature = 0;  ///< K
+    double massPerArea = 0;  ///< kg/m^2, contact mass
+  };
+  SheetHere sheetAt(std::size_t j, const FaceDepth& all) const {
+    const Sheets& s = w.sheets.rows;
+    const double perPush = all.perPush();
+    SheetHere here;
     for (const Near& n : within) {
       const double part = FaceDepth::push(n.depth) * perPush, weight = part * n.depth / all.depth();
-      Vec3d v{};
       for (std::size_t k = 0; k < 3; k++) {
         const double share = n.shares[static_cast<int>(k)];
-        massPerArea += weight * share * w.sheets.laws[s.law[n.face->row[k]]].contactMass;
-        v += share * s.moving[n.face->row[k]];
-        if (s.temperature.active) temperature += weight * share * s.temperature[n.face->row[k]];
+        here.massPerArea += weight * share * w.sheets.laws[s.law[n.face->row[k]]].contactMass;
+        if (s.temperature.active) here.temperature += weight * share * s.temperature[n.face->row[k]];
       }
-      approach += part * dot(v - p.velocity[j], n.n);
+      here.approach += part * dot(velocityOf(n) - w.particles.velocity[j], n.n);
     }
-    const Material& material = w.scene.materials[p.material[j]];
-    const double liquid = p.liquid.active        ? static_cast<double>(p.liquid[j])
-                          : p.phase[j] == Liquid ? 1
-                                                 : 0,
-                 face = plan.faceArea * massPerArea, mass = face * p.mass[j] / (face + p.mass[j]);
-    TouchLaw law{plan.faceRate,
-                 mass,
-                 std::min(body.restitution, material.restitution),
-                 0,
-                 now.span,
-                 particleBarrier(plan, p.material[j], p.mass[j]),
-                 plan.faceReach};
-    const double depth = all.depth() * plan.faceReach;
-    const Touch t = touchOf(law, depth, {1, 0, 0}, {approach, 0, 0});  // along the gradient of the depth
-    const double push = t.force.x, dash = t.dissipativeForce.x,
-                 slope = t.slope * steep + all.bend() * push / plan.faceReach;
-    law.friction = (1 - liquid) * std::max(body.friction, material.friction);
-    Vec3d v = -p.velocity[j];
-    for (std::size_t k = 0; k < 3; k++)
-      v += nearest->shares[static_cast<int>(k)] * s.moving[nearest->face->row[k]];
-    const std::array<Vec3d, 4> rubs = faceFriction(j, *nearest->face, nearest->shares, nearest->off,
-                                                   nearest->n, v, law, push);
-    double conducts = 0;  // W/K
-    if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {
-      const double flow = body.conductance * w.scene.spacing * w.scene.spacing;
-      // twice the number of particles side by side, for stability
-      const double rate = 2 * (body.conductance / body.heatCapacity +
-                               flow / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));
-      conducts = flow * (averaged(rate, now.span) / rate);
-      const double heat = conducts * (p.temperature[j] - temperature);
-      p.heatFlow[j] -= heat;
-      w.ledger.heatIn.add(-heat * now.dt);
-    }
-    const Vec3d g = all.slope(), dissipativeForce = rubs[3] - dash * g;
-    p.force[j] += rubs[3] - push * g;
+    return here;
+  }
+
+  double liquidOf(std::size_t j) const {
+    const Continuum& p = w.particles;
+    return p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0;
+  }
+
+  /// Law of the contact along the gradient of the depth, without friction.
+  TouchLaw lawOf(std::size_t j, double massPerArea) const {
+    const Continuum& p = w.particles;
+    const double face = plan.faceArea * massPerArea;
+    return {plan.faceRate,
+            face * p.mass[j] / (face + p.mass[j]),
+            std::min(body.restitution, w.scene.materials[p.material[j]].restitution),
+            0,
+            now.span,
+            particleBarrier(plan, p.material[j], p.mass[j]),
+            plan.faceReach};
+  }
+
+  /// Moves heat between particle j and the sheet at this temperature (K). Returns the conductance (W/K).
+  double conduct(std::size_t j, double temperature) {
+    Continuum& p = w.particles;
+    if (!w.sheets.rows.temperature.active || !p.temperature.active || !p.heatFlow.active ||
+        !(body.conductance > 0))
+      return 0;
+    const double flow = body.conductance * w.scene.spacing * w.scene.spacing,
+                 capacity = heatCapacityOf(w.scene.numerics.heat, w.scene.materials[p.material[j]],
+                                           liquidOf(j));
+    // twice the number of particles side by side, for stability
+    const double rate = 2 * (body.conductance / body.heatCapacity + flow / (p.mass[j] * capacity));
+    const double conductance = flow * (averaged(rate, now.span) / rate);
+    const double heat = conductance * (p.temperature[j] - temperature);
+    p.heatFlow[j] -= heat;
+    w.ledger.heatIn.add(-heat * now.dt);
+    return conductance;
+  }
+
+  /// stiffest (1/s^2): increased to the squared rate of the contact, if that is larger.
+  void touchParticle(std::size_t j, double& stiffest) {
+    const Near* nearest = findWithin(j);
+    if (!nearest) return;
+    Continuum& p = w.particles;
+    FaceDepth all;
+    for (const Near& n : within) all.add(n.depth, n.n);
+    const SheetHere here = sheetAt(j, all);
+    TouchLaw law = lawOf(j, here.massPerArea);
+    const Touch t = touchOf(law, all.depth() * plan.faceReach, {1, 0, 0}, {here.approach, 0, 0});
+    const double perPush = all.perPush(), steep = all.pushes * perPush, push = t.force.x,
+                 dash = t.dissipativeForce.x, slope = t.slope * steep + all.bend() * push / plan.faceReach;
+    law.friction = (1 - liquidOf(j)) * std::max(body.friction, w.scene.materials[p.material[j]].friction);
+    const std::array<Vec3d, 4> friction = faceFriction(j, *nearest, law, push);
+    const double conductance = conduct(j, here.temperature);
+    const Vec3d g = all.slope(), dissipativeForce = friction[3] - dash * g;
+    p.force[j] += friction[3] - push * g;
     p.interaction[j] += 0.5 * t.energy;
     // as in sheet_contact.cpp
     p.dissipation[j] -= dot(dissipativeForce, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
     stiffest = std::max(stiffest, 2 * slope * steep / p.mass[j]);
     p.sheetFace[j] = nearest->face->number + 1;
     p.sheetNormalForce[j] = {push * perPush, dash * perPush, slope * perPush};
-    p.sheetContactData[j] = {t.energy / all.sum, conducts / all.sum,
+    p.sheetContactData[j] = {t.energy / all.sum, conductance / all.sum,
                              p.temperature.active ? p.temperature[j] : 0};
-    p.sheetFriction[j] = {rubs[0], rubs[1], rubs[2]};
+    p.sheetFriction[j] = {friction[0], friction[1], friction[2]};
   }
 
   void touchParticles() {
@@ -218,8 +252,8 @@ struct FaceContact {
         const std::uint32_t i = f.row[k];
         if (i >= s.owned) continue;
         if (f.number + 1 == p.sheetFace[j]) {
-          const Vec3d rubs = p.sheetFriction[j].row[k] / s.area[i];
-          s.load[i] += rubs, s.dissipativeForce[i] += rubs;
+          const Vec3d friction = p.sheetFriction[j].row[k] / s.area[i];
+          s.load[i] += friction, s.dissipativeForce[i] += friction;
         }
         const double share = part * n.shares[static_cast<int>(k)];
         if (share == 0) continue;
@@ -269,9 +303,9 @@ void addFaceContact(const SheetView& w, Halos halos, const SheetVelocities& now)
     if (!w.sheets.plans[n].byFaces) continue;
     FaceContact contact(w, now, n);
     contact.touchParticles();
-    halos.cells.beginRefresh(
-        p, ColumnList{&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
-    halos.cells.finishRefresh(p);
+    refresh(halos.cells, p,
+            ColumnList{&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction})
+        .wait();
     contact.addVertexLoads();
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/contact/touch.hpp"
+#include "core/halo/exchange.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/neighbours/rows_around.hpp"
 #include "core/sheet/contact/face_contact.hpp"
@@ -244,9 +245,7 @@ void addSheetContacts(const SheetView& w, Halos halos, const SheetVelocities& no
   ColumnList columns{&s.position, &s.moving, &s.rest, &s.area, &s.body, &s.law};
   if (s.temperature.active) columns.push_back(&s.temperature);
   if (faces || meshes) columns.push_back(&s.id);
-  CellHalo& halo = *halos.kinds[sheetType];
-  halo.beginGhosts(s, b.cells, columns);
-  halo.finishGhosts(s, b.cells);
+  sendGhosts(*halos.bodyTypes[sheetType], s, b.cells, columns).wait();
   if (faces || meshes) {
     if (!b.search) b.search = std::make_shared<MeshSearch>();
     findMeshRows(s, b.cells, b.plans, b.search->rows);

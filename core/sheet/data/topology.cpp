@@ -67,58 +67,73 @@ void addFans(std::vector<Corner>& corners, std::vector<RingEdge>& ring) {
     }
 }
 
-}  // namespace
-
-SheetTopology sheetTopology(const TriangleMesh& mesh) {
-  SheetTopology t;
+/// Returns the area (m^2) of each triangle. Throws ShapeError for triangles without area and vertices that do
+/// not exist or have no triangle.
+std::vector<double> triangleAreas(const TriangleMesh& mesh) {
   const std::size_t n = mesh.vertices.size();
-  if (mesh.triangles.empty()) throw ShapeError("a sheet's mesh has no triangles; expected at least one");
-  t.area.assign(n, 0);
-  std::vector<std::uint32_t> first(n + 1, 0);
+  std::vector<std::uint8_t> used(n, 0);
   std::vector<double> areas;
   for (const auto& tri : mesh.triangles) {
     for (const std::uint32_t v : tri) {
       if (v >= n)
         throw ShapeError("a triangle of a sheet's mesh names vertex " + std::to_string(v) + " of " +
                          std::to_string(n));
-      first[v + 1]++;
+      used[v] = 1;
     }
     const Vec3d& a = mesh.vertices[tri[0]];
     areas.push_back(0.5 * length(cross(mesh.vertices[tri[1]] - a, mesh.vertices[tri[2]] - a)));
     if (!(areas.back() > 0))
       throw ShapeError("triangle " + std::to_string(areas.size() - 1) + " of a sheet's mesh has no area");
   }
-  for (std::size_t v = 0; v < n; v++) {
-    if (first[v + 1] == 0)
-      throw ShapeError("vertex " + std::to_string(v) + " of a sheet's mesh has no triangle");
-    first[v + 1] += first[v];
-  }
-  const AlignedVector<EdgeSide> sides = edgeSides(mesh);
-  checkEdges(sides);
+  for (std::size_t v = 0; v < n; v++)
+    if (!used[v]) throw ShapeError("vertex " + std::to_string(v) + " of a sheet's mesh has no triangle");
+  return areas;
+}
 
-  std::vector<Corner> all(3 * mesh.triangles.size());
-  std::vector<std::uint32_t> at(first.begin(), first.end() - 1);
+/// Triangles at each vertex: those of vertex v are corner[first[v]] up to first[v + 1].
+struct VertexCorners {
+  std::vector<std::uint32_t> first;
+  std::vector<Corner> corner;
+};
+
+VertexCorners cornersOf(const TriangleMesh& mesh, const std::vector<double>& areas) {
+  VertexCorners c;
+  c.first.assign(mesh.vertices.size() + 1, 0);
+  for (const auto& tri : mesh.triangles)
+    for (const std::uint32_t v : tri) c.first[v + 1]++;
+  for (std::size_t v = 0; v + 1 < c.first.size(); v++) c.first[v + 1] += c.first[v];
+  c.corner.resize(3 * mesh.triangles.size());
+  std::vector<std::uint32_t> at(c.first.begin(), c.first.end() - 1);
   for (std::size_t k = 0; k < mesh.triangles.size(); k++)
-    for (std::size_t c = 0; c < 3; c++) {
+    for (std::size_t q = 0; q < 3; q++) {
       const auto& tri = mesh.triangles[k];
-      all[at[tri[c]]++] = {tri[(c + 1) % 3], tri[(c + 2) % 3], areas[k]};
-      t.area[tri[c]] += areas[k] / 3;
+      c.corner[at[tri[q]]++] = {tri[(q + 1) % 3], tri[(q + 2) % 3], areas[k]};
     }
+  return c;
+}
+
+void addRings(const VertexCorners& corners, SheetTopology& t) {
+  constexpr std::size_t mostNeighbours = 60000;  // RingEdge::next has 16 bits
   std::vector<Corner> own;
   t.first.push_back(0);
-  for (std::size_t v = 0; v < n; v++) {
-    own.assign(all.begin() + first[v], all.begin() + first[v + 1]);
+  for (std::size_t v = 0; v + 1 < corners.first.size(); v++) {
+    own.assign(corners.corner.begin() + corners.first[v], corners.corner.begin() + corners.first[v + 1]);
     addFans(own, t.ring);
-    if (t.ring.size() - t.first.back() > 60000)
+    if (t.ring.size() - t.first.back() > mostNeighbours)
       throw ShapeError("vertex " + std::to_string(v) + " of a sheet's mesh has too many neighbours");
     t.first.push_back(static_cast<std::uint32_t>(t.ring.size()));
   }
+}
 
-  DisjointSets sets(n);
-  for (const EdgeSide& s : sides)
-    sets.join(static_cast<std::uint32_t>(s.edge >> 32), static_cast<std::uint32_t>(s.edge & 0xffffffffu));
-  std::vector<std::uint32_t> number(n, noVertex);
-  for (std::uint32_t v = 0; v < n; v++) {
+std::uint32_t lowVertex(std::uint64_t edge) { return static_cast<std::uint32_t>(edge >> 32); }
+std::uint32_t highVertex(std::uint64_t edge) { return static_cast<std::uint32_t>(edge & 0xffffffffu); }
+
+/// Numbers components by their first vertices.
+void addComponents(const AlignedVector<EdgeSide>& sides, std::size_t vertices, SheetTopology& t) {
+  DisjointSets sets(vertices);
+  for (const EdgeSide& s : sides) sets.join(lowVertex(s.edge), highVertex(s.edge));
+  std::vector<std::uint32_t> number(vertices, noVertex);
+  for (std::uint32_t v = 0; v < vertices; v++) {
     const std::uint32_t root = sets.find(v);
     if (number[root] == noVertex) {
       number[root] = static_cast<std::uint32_t>(t.closed.size());
@@ -126,24 +141,31 @@ SheetTopology sheetTopology(const TriangleMesh& mesh) {
     }
     t.component.push_back(number[root]);
   }
-  const auto third = [&](std::uint32_t triangle, std::uint32_t a, std::uint32_t b) {
+}
+
+/// Adds a hinge for each inner edge, and marks components with a border as not closed.
+void addHinges(const TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides, SheetTopology& t) {
+  const auto across = [&](std::uint32_t triangle, std::uint32_t a, std::uint32_t b) {
     for (const std::uint32_t v : mesh.triangles[triangle])
       if (v != a && v != b) return v;
     return noVertex;
   };
   forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
-    const auto a = static_cast<std::uint32_t>(sides[begin].edge >> 32),
-               b = static_cast<std::uint32_t>(sides[begin].edge & 0xffffffffu);
+    const std::uint32_t a = lowVertex(sides[begin].edge), b = highVertex(sides[begin].edge);
     if (end - begin < 2) {
       t.closed[t.component[a]] = 0;
       return;
     }
-    const std::uint32_t c = third(sides[begin].triangle, a, b), d = third(sides[begin + 1].triangle, a, b);
+    const std::uint32_t c = across(sides[begin].triangle, a, b), d = across(sides[begin + 1].triangle, a, b);
     t.hinges.push_back({a, b, std::min(c, d), std::max(c, d)});
   });
+}
+
+/// Sums tetrahedra from the first vertex of each closed component.
+void addVolumes(const TriangleMesh& mesh, SheetTopology& t) {
   t.volume.assign(t.closed.size(), 0);
   std::vector<Vec3d> origin(t.closed.size());
-  for (std::size_t v = n; v-- > 0;) origin[t.component[v]] = mesh.vertices[v];
+  for (std::size_t v = mesh.vertices.size(); v-- > 0;) origin[t.component[v]] = mesh.vertices[v];
   for (const auto& tri : mesh.triangles) {
     const std::uint32_t c = t.component[tri[0]];
     t.volume[c] += dot(mesh.vertices[tri[0]] - origin[c],
@@ -152,6 +174,23 @@ SheetTopology sheetTopology(const TriangleMesh& mesh) {
   }
   for (std::size_t c = 0; c < t.closed.size(); c++)
     if (!t.closed[c]) t.volume[c] = 0;
+}
+
+}  // namespace
+
+SheetTopology sheetTopology(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw ShapeError("a sheet's mesh has no triangles; expected at least one");
+  const std::vector<double> areas = triangleAreas(mesh);
+  const AlignedVector<EdgeSide> sides = edgeSides(mesh);
+  checkEdges(sides);
+  SheetTopology t;
+  t.area.assign(mesh.vertices.size(), 0);
+  for (std::size_t k = 0; k < mesh.triangles.size(); k++)
+    for (const std::uint32_t v : mesh.triangles[k]) t.area[v] += areas[k] / 3;
+  addRings(cornersOf(mesh, areas), t);
+  addComponents(sides, mesh.vertices.size(), t);
+  addHinges(mesh, sides, t);
+  addVolumes(mesh, t);
   return t;
 }
 

@@ -22,7 +22,7 @@ namespace {
 void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, BodyTypeRows& r,
                       CellTable& cells) {
   const std::size_t before = r.owned;
-  Migration m = halos.kinds[kind]->migrate(r, {r.nextCell.data(), r.owned});
+  Migration m = halos.bodyTypes[kind]->migrate(r, {r.nextCell.data(), r.owned});
   computeCellKeys(w.grid, r, before, r.owned);
   if (kind == sheetType)
     halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
@@ -39,7 +39,7 @@ void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, Bo
 
 void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
   forEachBodyType(w, [&](std::size_t kind, BodyTypeRows& r, CellTable& cells) {
-    halos.kinds[kind]->follow(halos.cells);
+    halos.bodyTypes[kind]->follow(halos.cells);
     if (r.ghosts > 0) r.resize(r.owned, 0);
     for (std::size_t i = 0; i < r.owned; i++)
       if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0)

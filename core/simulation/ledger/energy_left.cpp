@@ -8,13 +8,15 @@
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/kernels/with_kernel.hpp"
 #include "core/neighbours/rows_around.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
 namespace {
 
-constexpr std::size_t words = 6;  // per leaver in a message
+/// Numbers per leaver in a message.
+std::size_t wordsOf(const StepTools& t) { return 6 + 4 * t.pairForces.size(); }
 
 double volumeOf(const World& w, std::size_t i) {
   const double h = w.grid.support;
@@ -69,6 +71,20 @@ void recordCohesion(World& w, const StepTools& t) {
   });
 }
 
+/// The energy that remaining particles lose is half of that of their pairs with leavers; leavers take theirs.
+void recordPairForces(World& w, const StepTools& t) {
+  for (std::size_t k = 0; k < t.pairForces.size(); k++) {
+    const PairForceWork& work = t.pairForces[k];
+    const PairConstants constants = constantsOf(w, work);
+    eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
+      const std::array<double, 4> record = pairRecordOf(w.scene, w.particles, j, work);
+      const double pair = work.force->kernels.energy(
+          constants, {d * w.grid.support, record.data(), l.records.data() + 4 * k});
+      w.ledger.left.potential.add(0.5 * pair);
+    });
+  }
+}
+
 /// Changes of a neighbour's sums by removed particles.
 struct Lost {
   std::uint32_t row = 0;
@@ -82,7 +98,7 @@ std::vector<Lost> lostSums(const World& w, const StepTools& t) {
   const Numerics& n = w.scene.numerics;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
     const SurfaceKernelValue s = surfaceKernelAt(d);
-    const double relativeDensity = t.perLatticeSum * l.volume *
+    const double relativeDensity = t.inverseLatticeSum * l.volume *
                                    withKernel(n.kernel,
                                               [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
     pairs.push_back({j, {s.gradient * l.volume, s.colour * l.volume}, relativeDensity});
@@ -142,6 +158,7 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
     if (r == rank) before = total;
     total += counts[r];
   }
+  const std::size_t words = wordsOf(t);
   std::vector<std::int64_t> packed(static_cast<std::size_t>(total) * words);
   std::int64_t* to = packed.data() + static_cast<std::size_t>(before) * words;
   for (const std::uint32_t i : t.leaving) {
@@ -149,13 +166,17 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
     const Vec3d& x = w.particles.position[i];
     for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w, t, i)})
       *to++ = std::bit_cast<std::int64_t>(value);
+    for (const PairForceWork& work : t.pairForces)
+      for (const double value : pairRecordOf(w.scene, w.particles, i, work))
+        *to++ = std::bit_cast<std::int64_t>(value);
   }
   all.sum(packed);
   std::vector<Leaver> leavers;
   for (std::size_t k = 0; k < packed.size(); k += words) {
     const auto number = [&](std::size_t n) { return std::bit_cast<double>(packed[k + n]); };
     const Vec3d place{number(1), number(2), number(3)};
-    leavers.push_back({std::bit_cast<std::uint64_t>(packed[k]), place, number(4), number(5)});
+    leavers.push_back({std::bit_cast<std::uint64_t>(packed[k]), place, number(4), number(5), {}});
+    for (std::size_t n = 6; n < words; n++) leavers.back().records.push_back(number(n));
   }
   std::sort(leavers.begin(), leavers.end(), [](const Leaver& a, const Leaver& b) { return a.id < b.id; });
   return leavers;
@@ -163,6 +184,8 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
 
 void recordEnergyLeft(World& w, const StepTools& t) {
   if (t.leavers.empty()) return;
+  recordPairForces(w, t);
+  if (!w.modules.tension) return;
   recordNeighbourhoods(w, t);
   if (w.scene.numerics.tension == TensionForm::Pairwise) recordCohesion(w, t);
 }

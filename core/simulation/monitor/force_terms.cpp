@@ -45,7 +45,7 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
          }));
   const WallContext walls{wallView(w),           t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt,
                           1.0 / w.clock.substeps};
-  take(f.walls, forceOf(p, i, [&] { addWallForces(walls, t.perLatticeSum, t.wallContacts); }));
+  take(f.walls, forceOf(p, i, [&] { addWallForces(walls, t.inverseLatticeSum, t.wallContacts); }));
   if (w.modules.fluid) {
     std::fill_n(p.velocity.data(), p.size(), Vec3d{});  // removes resistance
     packRecords({w.scene, w.modules, w.grid, t.liquids}, p, 0, p.size(), t.records);

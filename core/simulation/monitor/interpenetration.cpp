@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/halo/exchange.hpp"
 #include "core/neighbours/rows_around.hpp"
 #include "core/oriented/laws/solid_fraction.hpp"
 
@@ -18,8 +19,7 @@ std::vector<Interpenetration> findInterpenetrations(World& w, Halos halos) {
   const std::size_t bodies = w.scene.bodies.size();
   Continuum& p = w.particles;
   const Oriented& o = w.oriented.rows;
-  halos.cells.beginRefresh(p, ColumnList{&p.phase});  // the phase may have changed since
-  halos.cells.finishRefresh(p);
+  refresh(halos.cells, p, ColumnList{&p.phase}).wait();  // the phase may have changed since
   const double s = w.scene.spacing;
   std::vector<std::int64_t> count(w.scene.oriented.size() * bodies, 0);
   std::vector<RowSpan> ranges;

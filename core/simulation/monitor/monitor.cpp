@@ -11,9 +11,12 @@
 namespace thaw {
 namespace {
 
-constexpr std::int64_t longestPatience = 64, mostHalvings = 60;
+constexpr std::int64_t mostRequiredSnapshots = 64, mostHalvings = 60;
 
-bool recovers(const Material& m) { return m.law != ElasticLaw::Green || m.volumeStiffness > 0; }
+bool recovers(const Material& m) {
+  if (m.volumeStiffness > 0) return true;
+  return m.law == ElasticLaw::Extension ? boundLaw(m).law->resistsInversion : m.law != ElasticLaw::Green;
+}
 
 /// Returns the step (s) of the clock without halvings; half of an unlimited step would be unlimited.
 double fullStep(const Clock& c, double factor) {
@@ -147,7 +150,7 @@ void halveStep(World& w, const MonitorState& failed, double failedAt) {
   const double full = fullStep(c, s.factor);
   s.failures = failed.failures + 1;
   s.halvings = moreHalvings(failed, c);
-  s.requiredSnapshots = std::min(2 * failed.requiredSnapshots, longestPatience);
+  s.requiredSnapshots = std::min(2 * failed.requiredSnapshots, mostRequiredSnapshots);
   s.snapshotsSinceChange = 0;
   const double stretch = static_cast<double>(w.scene.numerics.retryEvery) *
                          std::min(full, longestUnlimitedStep(c));

@@ -64,6 +64,7 @@ void takeSnapshot(const World& w, WorldSnapshot& good) {
   if (!w.solids.energyKnown || !w.compressionKnown)
     throw std::logic_error("stored energies must be computed before a snapshot");
   World& kept = good.world;
+  kept.particles.declareLike(w.particles);
   packState(w.particles, good.particles);
   setRows(kept.particles, w.particles.owned, 0);
   if (w.particles.slot.active) {

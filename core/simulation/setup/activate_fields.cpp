@@ -19,6 +19,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.fluid, {&p.relativeDensity});
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
   on(!t.outside.empty(), {&p.outsideForce});
+  for (const auto& added : p.added) p.activate(*added);
   on(m.viscosityCorrection, {&p.viscosityCorrection});
   on(m.continuity, {&p.compression});
   on(m.corrected, {&p.midCorrection, &p.correction});

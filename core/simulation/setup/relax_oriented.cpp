@@ -45,106 +45,170 @@ Sums sumsOf(const Oriented& o, const std::vector<Vec3d>& f, const std::vector<Ve
   return {sum[0].value(), sum[1].value(), sum[2].value()};
 }
 
+/// Settings of the relaxation of all bodies together.
+struct RelaxationPlan {
+  std::int64_t iterations = 0;
+  bool grows = false;         ///< with births and deaths
+  bool interpolates = false;  ///< some body follows its interpolant
+};
+
+std::int64_t iterationsOf(const OrientedBody& b, const OrientedWork& work) {
+  return std::max(b.relax, work.relaxAtLeast);
+}
+
+RelaxationPlan planRelaxation(const Scene& scene, const OrientedWork& work) {
+  RelaxationPlan plan;
+  for (const OrientedBody& b : scene.oriented) {
+    plan.iterations = std::max(plan.iterations, iterationsOf(b, work));
+    plan.grows = plan.grows || b.growth != OrientedGrowth::None || b.crowd > 0;
+  }
+  for (const PointInterpolant& g : work.given) plan.interpolates = plan.interpolates || !g.points.empty();
+  return plan;
+}
+
+void countRows(const OrientedView& view, Reducer& all) {
+  view.work.relaxing = static_cast<std::int64_t>(view.oriented.rows.owned);
+  all.sum({&view.work.relaxing, 1});
+}
+
+/// Removes particles that left their interpolant, and adapts sampling. Returns whether the population
+/// changed. Collective.
+bool changePopulation(const OrientedView& view, Halos halos, bool interpolates) {
+  std::int64_t lost = interpolates ? projectRowsOnInterpolant(view) : 0;
+  halos.all.sum({&lost, 1});
+  if (lost > 0) redistributeAndUpdate(view, halos);
+  const bool changed = adaptSampling(view, halos, 0);
+  if (changed) redistributeAndUpdate(view, halos);
+  return changed || lost > 0;
+}
+
+/// Forces (N) and torques (N m) on unconstrained owned rows.
+struct RelaxationForces {
+  std::vector<Vec3d> force, torque;
+};
+
+void findForces(const OrientedView& view, bool interpolates, RelaxationForces& found) {
+  const Oriented& o = view.oriented.rows;
+  const Vec3d g = view.scene.domain.gravity;
+  sumOrientedForces(view);
+  found.force.assign(o.owned, {});
+  found.torque.assign(o.owned, {});
+  for (std::size_t i = 0; i < o.owned; i++) {
+    if (!(iterationsOf(view.scene.oriented[o.body[i]], view.work) > 0)) continue;
+    if (!(o.flags[i] & fixedPosition)) found.force[i] = o.force[i] + o.mass[i] * g;
+    if (!(o.flags[i] & fixedOrientation)) found.torque[i] = o.torque[i];
+  }
+  if (interpolates) addInterpolantForces(o, view.work, view.scene, found.force, found.torque);
+}
+
+/// Largest values on all ranks.
+struct Unrest {
+  double force;      ///< 1, over stiffness times spacing
+  double stiffness;  ///< 1/s^2
+  bool stop;         ///< a rank requests a stop
+};
+
+/// Collective. done: number of iterations.
+Unrest findUnrest(const OrientedView& view, const RelaxationForces& f, std::int64_t done, Reducer& all) {
+  const Oriented& o = view.oriented.rows;
+  double largest[3] = {0, 0, 0};
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const double spacing = view.work.potentials[o.body[i]].spacing,
+                 unit = view.scene.oriented[o.body[i]].stiffness * spacing;
+    largest[0] = std::max({largest[0], length(f.force[i]) / unit, length(f.torque[i]) / (unit * spacing)});
+    largest[1] = std::max(largest[1], o.stiffness[i]);
+  }
+  if (view.work.stopRelaxing && view.work.stopRelaxing(done)) largest[2] = 1;
+  all.maximum(largest);
+  return {largest[0], largest[1], largest[2] > 0};
+}
+
+/// Step control of FIRE.
+struct Fire {
+  double mixing = 0.1;    ///< fraction of the velocity that turns toward the force
+  double stepFactor = 1;  ///< step over half the stable one
+  int positive = 0;       ///< iterations since the power was negative
+
+  double step(double stiffness) const {  // s
+    // the bound of the stiffness is conservative: FIRE adapts the step to it
+    return std::max(stepFactor, 0.05) * 0.5 / std::sqrt(stiffness);
+  }
+};
+
+/// Turns velocities toward the forces, or stops all rows if the power is negative. Collective.
+void steer(Oriented& o, const RelaxationForces& f, Fire& fire, Reducer& all) {
+  const Sums s = sumsOf(o, f.force, f.torque, all);
+  if (!(s.power > 0)) {
+    for (std::size_t i = 0; i < o.owned; i++) o.velocity[i] = o.spin[i] = {};
+    fire.stepFactor *= 0.5;
+    fire.mixing = 0.1;
+    fire.positive = 0;
+    return;
+  }
+  const double mix = fire.mixing * std::sqrt(s.speed / std::max(s.force, 1e-300));
+  for (std::size_t i = 0; i < o.owned; i++) {
+    o.velocity[i] = (1 - fire.mixing) * o.velocity[i] + (mix / o.mass[i]) * f.force[i];
+    o.spin[i] = (1 - fire.mixing) * o.spin[i] + (mix / o.inertia[i]) * f.torque[i];
+  }
+  if (++fire.positive > patience) {
+    fire.stepFactor = std::min(fire.stepFactor * 1.1, 6.0);
+    fire.mixing *= 0.99;
+  }
+}
+
+/// Symplectic Euler with bounded moves and turns. dt: s.
+void moveRows(const OrientedView& view, const RelaxationForces& f, double dt) {
+  constexpr double longestMove = 0.04, largestTurn = 0.1;  // spacings; rad
+  Oriented& o = view.oriented.rows;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const double longest = longestMove * view.work.potentials[o.body[i]].spacing;
+    o.velocity[i] += (dt / o.mass[i]) * f.force[i];
+    o.spin[i] += (dt / o.inertia[i]) * f.torque[i];
+    const double move = length(o.velocity[i]) * dt, turn = length(o.spin[i]) * dt;
+    if (move > longest) o.velocity[i] = o.velocity[i] * (longest / move);
+    if (turn > largestTurn) o.spin[i] = o.spin[i] * (largestTurn / turn);
+    if (!(o.flags[i] & fixedPosition)) o.position[i] += dt * o.velocity[i];
+    if (!(o.flags[i] & fixedOrientation))
+      o.orientation[i] = unitQuat(rotationBy(dt * o.spin[i]) * o.orientation[i]);
+  }
+}
+
 }  // namespace
 
 std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
   const OrientedView view = orientedView(w, t);
   Oriented& o = w.oriented.rows;
-  const auto iterationsOf = [&](const OrientedBody& b) { return std::max(b.relax, t.oriented.relaxAtLeast); };
-  std::int64_t most = 0;
-  bool grows = false;
-  for (const OrientedBody& b : w.scene.oriented) {
-    most = std::max(most, iterationsOf(b));
-    grows = grows || b.growth != OrientedGrowth::None || b.crowd > 0;
-  }
-  if (most == 0) return 0;
-  bool given = false;
-  for (const PointInterpolant& g : t.oriented.given) given = given || !g.points.empty();
-  const Vec3d g = w.scene.domain.gravity;
-  std::vector<Vec3d> force, torque;
-  for (std::size_t i = 0; i < o.owned; i++) o.velocity[i] = o.spin[i] = {};
-  double alpha = 0.1, share = 1, dt = 0;
-  int good = 0;
-  std::int64_t done = 0;
+  OrientedWork& work = t.oriented;
+  const RelaxationPlan plan = planRelaxation(w.scene, work);
+  if (plan.iterations == 0) return 0;
   const std::int64_t stepBefore = w.clock.step;
-  std::int64_t calm = 0;  // consecutive checks of the population without a change
-  const auto countRows = [&] {
-    t.oriented.relaxing = static_cast<std::int64_t>(o.owned);
-    halos.all.sum({&t.oriented.relaxing, 1});
-  };
-  t.oriented.relaxProgress = {};
-  countRows();
-  for (; done < most; done++) {
+  RelaxationForces forces;
+  Fire fire;
+  std::int64_t done = 0, unchanged = 0;  // consecutive checks of the population without a change
+  for (std::size_t i = 0; i < o.owned; i++) o.velocity[i] = o.spin[i] = {};
+  work.relaxProgress = {};
+  countRows(view, halos.all);
+  for (; done < plan.iterations; done++) {
     redistributeBodyTypes(w, halos, t);
-    updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
+    updateNeighbours(w.oriented, w.scene, halos, work.lists);
     w.clock.step = done;  // hashes of births use the step
-    if (grows && done % 10 == 0) {
-      std::int64_t lost = given ? projectRowsOnInterpolant(view) : 0;
-      halos.all.sum({&lost, 1});
-      if (lost > 0) redistributeAndUpdate(view, halos);
-      const bool changed = adaptSampling(view, halos, 0);
-      if (changed) redistributeAndUpdate(view, halos);
-      calm = changed || lost > 0 ? 0 : calm + 1;
-      if (calm == 0) countRows();
+    if (plan.grows && done % 10 == 0) {
+      unchanged = changePopulation(view, halos, plan.interpolates) ? 0 : unchanged + 1;
+      if (unchanged == 0) countRows(view, halos.all);
     }
-    t.oriented.time = w.clock.time;
-    sumOrientedForces(view);
-    force.assign(o.owned, {});
-    torque.assign(o.owned, {});
-    double worst[3] = {0, 0, 0};  // largest force, largest stiffness, stop request
-    for (std::size_t i = 0; i < o.owned; i++) {
-      const OrientedBody& body = w.scene.oriented[o.body[i]];
-      if (!(o.flags[i] & fixedPosition) && iterationsOf(body) > 0) force[i] = o.force[i] + o.mass[i] * g;
-      if (!(o.flags[i] & fixedOrientation) && iterationsOf(body) > 0) torque[i] = o.torque[i];
-    }
-    if (given) addInterpolantForces(o, t.oriented, w.scene, force, torque);
-    for (std::size_t i = 0; i < o.owned; i++) {
-      const OrientedBody& body = w.scene.oriented[o.body[i]];
-      const double unit = body.stiffness * t.oriented.potentials[o.body[i]].spacing;
-      worst[0] = std::max({worst[0], length(force[i]) / unit,
-                           length(torque[i]) / (unit * t.oriented.potentials[o.body[i]].spacing)});
-      worst[1] = std::max(worst[1], o.stiffness[i]);
-    }
-    if (t.oriented.stopRelaxing && t.oriented.stopRelaxing(done)) worst[2] = 1;
-    halos.all.maximum(worst);
-    t.oriented.unrest = worst[0];
-    t.oriented.atRest = (worst[0] < restForce && (!grows || calm >= 3)) || !(worst[1] > 0);
-    t.oriented.relaxStopped = !t.oriented.atRest && worst[2] > 0;
+    work.time = w.clock.time;
+    findForces(view, plan.interpolates, forces);
+    const Unrest unrest = findUnrest(view, forces, done, halos.all);
+    work.unrest = unrest.force;
+    work.atRest = (unrest.force < restForce && (!plan.grows || unchanged >= 3)) || !(unrest.stiffness > 0);
+    work.relaxStopped = !work.atRest && unrest.stop;
     // births and deaths may disturb the surface forever; with a constant population the force converges,
     // however slowly
-    t.oriented.relaxStalled = grows && !t.oriented.atRest && !t.oriented.relaxStopped &&
-                              !makesProgress(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
-    if (t.oriented.atRest || t.oriented.relaxStopped || t.oriented.relaxStalled) break;
-    const Sums s = sumsOf(o, force, torque, halos.all);
-    if (s.power > 0) {
-      const double mix = alpha * std::sqrt(s.speed / std::max(s.force, 1e-300));
-      for (std::size_t i = 0; i < o.owned; i++) {
-        o.velocity[i] = (1 - alpha) * o.velocity[i] + (mix / o.mass[i]) * force[i];
-        o.spin[i] = (1 - alpha) * o.spin[i] + (mix / o.inertia[i]) * torque[i];
-      }
-      if (++good > patience) {
-        share = std::min(share * 1.1, 6.0);
-        alpha *= 0.99;
-      }
-    } else {
-      for (std::size_t i = 0; i < o.owned; i++) o.velocity[i] = o.spin[i] = {};
-      share *= 0.5;
-      alpha = 0.1;
-      good = 0;
-    }
-    // the bound of the stiffness is conservative: FIRE adapts the step to it
-    dt = std::max(share, 0.05) * 0.5 / std::sqrt(worst[1]);
-    for (std::size_t i = 0; i < o.owned; i++) {
-      const double s0 = t.oriented.potentials[o.body[i]].spacing;
-      o.velocity[i] += (dt / o.mass[i]) * force[i];
-      o.spin[i] += (dt / o.inertia[i]) * torque[i];
-      const double fast = length(o.velocity[i]) * dt, turn = length(o.spin[i]) * dt;
-      if (fast > 0.04 * s0) o.velocity[i] = o.velocity[i] * (0.04 * s0 / fast);
-      if (turn > 0.1) o.spin[i] = o.spin[i] * (0.1 / turn);
-      if (!(o.flags[i] & fixedPosition)) o.position[i] += dt * o.velocity[i];
-      if (!(o.flags[i] & fixedOrientation))
-        o.orientation[i] = unitQuat(rotationBy(dt * o.spin[i]) * o.orientation[i]);
-    }
+    work.relaxStalled = plan.grows && !work.atRest && !work.relaxStopped &&
+                        !makesProgress(work.relaxProgress, done, unrest.force, work.relaxing);
+    if (work.atRest || work.relaxStopped || work.relaxStalled) break;
+    steer(o, forces, fire, halos.all);
+    moveRows(view, forces, fire.step(unrest.stiffness));
   }
   w.clock.step = stepBefore;
   for (std::size_t i = 0; i < o.owned; i++) {

@@ -8,6 +8,7 @@
 
 #include "core/domain/sides.hpp"
 #include "core/geometry/sampling/sampling.hpp"
+#include "core/halo/exchange.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
@@ -28,8 +29,7 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   if (p.slot.active)
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
   sortByCell(p, m, t.sort, w.cells);
-  halos.cells.beginGhosts(p, w.cells, ghostColumns(w));
-  halos.cells.finishGhosts(p, w.cells);
+  sendGhosts(halos.cells, p, w.cells, ghostColumns(w)).wait();
   clearRates(w);
   markInner(w, halos.cells, t);
   t.ghostRoom = std::max(t.ghostRoom, p.ghosts);
@@ -63,8 +63,8 @@ std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::ve
 /// necessary. Returns the number of iterations.
 int relaxDensity(World& w, Halos& halos, StepTools& t, const std::vector<std::uint8_t>& moves) {
   Continuum& p = w.particles;
-  const double dx = w.scene.spacing,
-               slope = largestRelativeDensityGradient(w.scene.numerics) * t.perLatticeSum / w.grid.support;
+  const double dx = w.scene.spacing, slope = largestRelativeDensityGradient(w.scene.numerics) *
+                                             t.inverseLatticeSum / w.grid.support;
   if (std::find(moves.begin(), moves.end(), 1) == moves.end()) return 0;
   for (int k = 0; k < densityRelaxationIterations; k++) {
     kernelGradients(w, halos, t);

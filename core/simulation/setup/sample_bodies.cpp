@@ -21,10 +21,10 @@
 namespace thaw {
 namespace {
 
-/// Errors of sample positions on this rank. The first offender of each kind (by body) is kept as a number
-/// that can be reduced: a maximum of negated numbers, -never without offenders.
-struct Offenders {
-  explicit Offenders(std::size_t bodies) : outside(bodies) {}
+/// Samples at wrong positions on this rank. The first one of each kind (by body) is kept as a number
+/// that can be reduced: a maximum of negated numbers, -never for none.
+struct MisplacedSamples {
+  explicit MisplacedSamples(std::size_t bodies) : outside(bodies) {}
   std::vector<Outside> outside;  // by body
   std::int64_t inObstacles = 0, inItself = 0;
   double firstObstacle = -never, firstItself = -never;
@@ -32,7 +32,7 @@ struct Offenders {
 constexpr std::size_t codes = 65536;
 
 /// x: position of a sample, wrapped into the domain.
-void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
+void checkSample(const World& w, std::size_t body, const Vec3d& x, MisplacedSamples& o) {
   if (o.outside[body].look(w.scene.domain, x)) return;  // a wall side is an obstacle as well: report it once
   for (std::size_t k = 0; k < w.walls.list.size(); k++) {
     if (!holdsSample(w.walls.list[k], x, w.scene.spacing)) continue;
@@ -88,135 +88,182 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
   }
 }
 
-/// Samples this rank's rows of one body's lattice. inEach: see fillRows; filled: incremented by their
-/// 64ths of cells (cellFractions). Returns the number of samples that the overlap rule removed.
-std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all,
-                        const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders,
-                        std::int64_t& filled, std::vector<std::int64_t>& inEach) {
+/// Counts of the samples by body: of this rank, and after reduceCounts of all ranks.
+struct SampleCounts {
+  std::vector<std::int64_t> particles, clamped;
+  std::vector<std::int64_t> filled;                ///< 64ths of cells (cellFractions)
+  std::vector<std::vector<std::int64_t>> inClamp;  ///< by body and clamp
+  std::int64_t removed = 0;                        ///< by the overlap rule
+};
+
+/// Results of sampling on this rank.
+struct Sampling {
+  Sampling(const Scene& s, const Shapes& ofBodies, const OverlapTest& test)
+      : shapes(ofBodies), overlap(test), overlaps(test.noCounts()), misplaced(s.bodies.size()) {
+    counts.particles.assign(s.bodies.size(), 0);
+    counts.clamped.assign(s.bodies.size(), 0);
+    counts.filled.assign(s.bodies.size(), 0);
+    for (const Body& b : s.bodies) counts.inClamp.emplace_back(b.clamp.size(), 0);
+  }
+  const Shapes& shapes;
+  const OverlapTest& overlap;
+  OverlapCounts overlaps;
+  MisplacedSamples misplaced;
+  SampleCounts counts;
+};
+
+/// Returns this rank's points of a body's lattice that the overlap rule keeps.
+std::vector<std::int64_t> pointsInside(const World& w, std::size_t b, const SampleLattice& l,
+                                       const SampleRange& range, Sampling& found) {
+  const Scene& s = w.scene;
+  constexpr std::int64_t mostAtOnce = 1 << 24;
+  std::vector<std::int64_t> points;
+  points.reserve(static_cast<std::size_t>(std::min(mostAtOnce, (range.end - range.begin) * l.count[0])));
+  KnownSides known;
+  for (std::int64_t row = range.begin; row < range.end; row++)
+    for (const std::int64_t k : insideOfRow(*found.shapes[b], l, row, known)) {
+      const Vec3d x = l.at(k, row % l.count[1], row / l.count[1]);
+      if (!found.overlap.keeps(b, x, s.numerics.overlap, found.overlaps)) {
+        found.counts.removed++;
+        continue;
+      }
+      MisplacedSamples& o = found.misplaced;
+      if (found.overlap.meetsItself(b, x))
+        o.inItself++, o.firstItself = std::max(o.firstItself, -static_cast<double>(b));
+      Vec3d in = x;
+      wrapPlace(w.grid, s.domain, in);
+      checkSample(w, b, in, o);
+      points.push_back(row * l.count[0] + k);
+    }
+  return points;
+}
+
+/// Samples this rank's rows of one body's lattice.
+void sampleBody(World& w, std::size_t b, const Reducer& all, Sampling& found) {
+  const SignedDistance& shape = *found.shapes[b];
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const SampleLattice l = bodyLattice(s, s.bodies[b], shape);
   // Without a surface the jitter covers the whole cell: relaxation of less leads back to the lattice
   // (benchmark taylor_green).
   const double jitter = s.bodies[b].packing != Packing::Relaxed ? 0 : liquidFillsTheBox(s) ? 0.5 : 0.2;
-  const SampleRange range = sampleRange(l, all.rank(), all.size());
-  std::int64_t removed = 0;
-  constexpr std::int64_t mostAtOnce = 1 << 24;
-  std::vector<std::int64_t> points;  // points first, then their rows at once: columns that grow repeatedly
-                                     // get new pages each time
-  points.reserve(static_cast<std::size_t>(std::min(mostAtOnce, (range.end - range.begin) * l.count[0])));
-  KnownSides known;
-  for (std::int64_t row = range.begin; row < range.end; row++)
-    for (const std::int64_t k : insideOfRow(shape, l, row, known)) {
-      const Vec3d x = l.at(k, row % l.count[1], row / l.count[1]);
-      if (!overlap.keeps(b, x, s.numerics.overlap, counts)) {
-        removed++;
-        continue;
-      }
-      if (overlap.meetsItself(b, x))
-        offenders.inItself++,
-            offenders.firstItself = std::max(offenders.firstItself, -static_cast<double>(b));
-      Vec3d in = x;
-      wrapPlace(w.grid, s.domain, in);
-      lookAt(w, b, in, offenders);
-      points.push_back(row * l.count[0] + k);
-    }
+  // points first, then their rows at once: columns that grow repeatedly get new pages each time
+  const std::vector<std::int64_t> points = pointsInside(w, b, l, sampleRange(l, all.rank(), all.size()),
+                                                        found);
   const std::size_t first = p.owned;
   p.resize(first + points.size(), 0);
-  fillRows(w, b, {l, middleOf(shape), jitter}, points, first, inEach);
+  found.counts.particles[b] = static_cast<std::int64_t>(points.size());
+  fillRows(w, b, {l, middleOf(shape), jitter}, points, first, found.counts.inClamp[b]);
   if (hasInitialFill(s, b)) {
-    const std::vector<std::int32_t> shares = cellFractions(shape, l, points);
-    std::copy(shares.begin(), shares.end(), p.initialFill.data() + first);
-    filled = std::accumulate(shares.begin(), shares.end(), filled);
+    const std::vector<std::int32_t> fractions = cellFractions(shape, l, points);
+    std::copy(fractions.begin(), fractions.end(), p.initialFill.data() + first);
+    found.counts.filled[b] = std::accumulate(fractions.begin(), fractions.end(), std::int64_t(0));
   }
-  return removed;
 }
 
-}  // namespace
-
-SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
-                            Reducer& all) {
-  const Scene& s = w.scene;
-  Continuum& p = w.particles;
-  const std::size_t n = s.bodies.size();
-  const auto periodOf = [&](int a) { return w.grid.periodic[a] ? w.grid.period[a] : 0; };
-  const OverlapTest overlap(shapes, {periodOf(0), periodOf(1), periodOf(2)});
-  OverlapCounts overlaps = overlap.noCounts();
-  Offenders offenders(n);
-  std::vector<std::int64_t> counts, filled(n, 0);
-  std::int64_t removed = 0;
-  std::vector<std::vector<std::int64_t>> inEach;  // by body and clamp
-  for (std::size_t b = 0; b < n; b++) {
-    const std::size_t had = p.owned;
-    inEach.emplace_back(s.bodies[b].clamp.size(), 0);
-    removed += sampleBody(w, b, *shapes[b], all, overlap, overlaps, offenders, filled[b], inEach.back());
-    counts.push_back(static_cast<std::int64_t>(p.owned - had));
-  }
-  setPhase(s, w.modules, p, 0, p.owned);
-  assignStartFields(w, shapes, all, false);
-
-  counts.insert(counts.end(), {removed, offenders.inObstacles, offenders.inItself});
-  all.sum(counts);
-  all.sum(overlaps.count);
-  addUp(offenders.outside, all);
-  all.sum(filled);
-  if (p.initialFill.active) normaliseInitialFill(s, p, filled, counts);
-  std::vector<std::int64_t> clamped(n, 0);
+/// Adds up all counts over ranks, and normalises initial fills. Collective.
+void reduceCounts(World& w, Sampling& found, Reducer& all) {
+  SampleCounts& c = found.counts;
+  MisplacedSamples& o = found.misplaced;
+  const std::size_t n = c.particles.size();
+  std::vector<std::int64_t> together = c.particles;
+  together.insert(together.end(), {c.removed, o.inObstacles, o.inItself});
+  all.sum(together);
+  c.particles.assign(together.begin(), together.begin() + static_cast<std::ptrdiff_t>(n));
+  c.removed = together[n], o.inObstacles = together[n + 1], o.inItself = together[n + 2];
+  all.sum(found.overlaps.count);
+  addUp(o.outside, all);
+  all.sum(c.filled);
+  const Continuum& p = w.particles;
+  if (p.initialFill.active) normaliseInitialFill(w.scene, w.particles, c.filled, c.particles);
   if (p.clamped.active)
-    for (std::size_t i = 0; i < p.owned; i++) clamped[p.body[i]] += p.clamped[i] == held;
-  all.sum(clamped);
-  double first[2] = {offenders.firstObstacle, offenders.firstItself};
+    for (std::size_t i = 0; i < p.owned; i++) c.clamped[p.body[i]] += p.clamped[i] == held;
+  all.sum(c.clamped);
+  double first[2] = {o.firstObstacle, o.firstItself};
   all.maximum(first);
-  SamplingReport report;
-  report.particles.assign(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(n));
-  report.removed = counts[n];
-  report.outside = std::move(offenders.outside);
-  report.inObstacles = counts[n + 1];
-  report.overlaps = describeOverlaps(overlaps, s.bodies);
+  o.firstObstacle = first[0], o.firstItself = first[1];
+}
+
+/// Throws SceneErrors for bodies without particles and bodies that overlap their own image.
+void refuseUnsampled(const Scene& s, const Sampling& found) {
   SceneProblems problems;
-  for (std::size_t b = 0; b < n; b++)
-    if (report.particles[b] == 0 && report.removed == 0)
+  for (std::size_t b = 0; b < s.bodies.size(); b++)
+    if (found.counts.particles[b] == 0 && found.counts.removed == 0)
       problems.add(s.bodies[b].where,
                    "body '" + s.bodies[b].name +
                        "' has no particle: it is too small or too thin for the spacing, or empty" +
-                       sizeHint(s, s.bodies[b].shape, shapes[b]->bounds()));
-  if (const std::int64_t inItself = counts[n + 2]; inItself > 0) {
-    const Body& b = s.bodies[static_cast<std::size_t>(-first[1])];
+                       sizeHint(s, s.bodies[b].shape, found.shapes[b]->bounds()));
+  if (const std::int64_t inItself = found.misplaced.inItself; inItself > 0) {
+    const Body& b = s.bodies[static_cast<std::size_t>(-found.misplaced.firstItself)];
     problems.add(b.where, "body '" + b.name +
                               "' overlaps its own image across a periodic side: " + std::to_string(inItself) +
                               " of its particles lie inside the image; make it "
                               "shorter than the domain along its periodic axes, or the domain longer");
   }
   problems.raise();
-  for (std::size_t b = 0; b < n; b++) {
-    const std::size_t clamps = inEach[b].size();
-    if (clamps > 0) all.sum(inEach[b]);
+}
+
+/// Collective.
+void warnOfEmptyClamps(const Scene& s, SampleCounts& c, Reducer& all, std::vector<SceneWarning>& warnings) {
+  for (std::size_t b = 0; b < s.bodies.size(); b++) {
+    const std::size_t clamps = c.inClamp[b].size();
+    if (clamps > 0) all.sum(c.inClamp[b]);
     for (std::size_t k = 0; k < clamps; k++)
-      if (inEach[b][k] == 0)
-        report.warnings.push_back(
+      if (c.inClamp[b][k] == 0)
+        warnings.push_back(
             {s.bodies[b].where,
              "body '" + s.bodies[b].name + "': its clamp " +
                  (clamps > 1 ? std::to_string(k + 1) + " of " + std::to_string(clamps) + " " : "") +
                  "contains none of its particles" +
-                 (clamped[b] == 0 ? ", and the body is not clamped" : "")});
+                 (c.clamped[b] == 0 ? ", and the body is not clamped" : "")});
   }
-  for (std::size_t b = 0; b < n; b++)
+}
+
+void warnOfNarrowBodies(const Scene& s, const Shapes& shapes, std::vector<SceneWarning>& warnings) {
+  for (std::size_t b = 0; b < s.bodies.size(); b++)
     if (const std::string narrow = narrowAxes(shapes[b]->bounds(), s.spacing); !narrow.empty())
-      report.warnings.push_back(
+      warnings.push_back(
           {s.bodies[b].where,
            "body '" + s.bodies[b].name + "' is narrower than the spacing of " + lengthText(s.spacing) + " (" +
                narrow +
                "): it becomes one layer of particles, one spacing thick, with the mass of that layer" +
                sizeHint(s, s.bodies[b].shape, shapes[b]->bounds())});
-  for (std::size_t k = overlaps.count.size(); k-- > 0;)
-    if (overlaps.count[k] > 0) report.overlapWhere = s.bodies[overlaps.pair[k].first].where;
-  if (report.inObstacles > 0) {
-    const std::size_t code = static_cast<std::size_t>(-first[0]);
-    report.obstacleWhere = s.bodies[code / codes].where;
-    report.firstObstacle = "of body '" + s.bodies[code / codes].name + "' in obstacle '" +
-                           w.walls.list[code % codes].properties.name + "'";
-  }
-  report.clamped = std::move(clamped);
+}
+
+/// Sets the first bodies that overlap and that lie in an obstacle.
+void reportMisplaced(const World& w, const Sampling& found, SamplingReport& report) {
+  const std::vector<Body>& bodies = w.scene.bodies;
+  for (std::size_t k = found.overlaps.count.size(); k-- > 0;)
+    if (found.overlaps.count[k] > 0) report.overlapWhere = bodies[found.overlaps.pair[k].first].where;
+  report.inObstacles = found.misplaced.inObstacles;
+  if (report.inObstacles == 0) return;
+  const std::size_t code = static_cast<std::size_t>(-found.misplaced.firstObstacle);
+  report.obstacleWhere = bodies[code / codes].where;
+  report.firstObstacle = "of body '" + bodies[code / codes].name + "' in obstacle '" +
+                         w.walls.list[code % codes].properties.name + "'";
+}
+
+}  // namespace
+
+SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                            Reducer& all) {
+  const auto periodOf = [&](int a) { return w.grid.periodic[a] ? w.grid.period[a] : 0; };
+  const OverlapTest overlap(shapes, {periodOf(0), periodOf(1), periodOf(2)});
+  Sampling found(w.scene, shapes, overlap);
+  for (std::size_t b = 0; b < w.scene.bodies.size(); b++) sampleBody(w, b, all, found);
+  setPhase(w.scene, w.modules, w.particles, 0, w.particles.owned);
+  assignStartFields(w, shapes, all, false);
+  reduceCounts(w, found, all);
+  refuseUnsampled(w.scene, found);
+  SamplingReport report;
+  warnOfEmptyClamps(w.scene, found.counts, all, report.warnings);
+  warnOfNarrowBodies(w.scene, shapes, report.warnings);
+  reportMisplaced(w, found, report);
+  report.overlaps = describeOverlaps(found.overlaps, w.scene.bodies);
+  report.particles = std::move(found.counts.particles);
+  report.clamped = std::move(found.counts.clamped);
+  report.removed = found.counts.removed;
+  report.outside = std::move(found.misplaced.outside);
   return report;
 }
 

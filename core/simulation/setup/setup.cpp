@@ -28,6 +28,7 @@
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/monitor/monitor.hpp"
 #include "core/simulation/setup/activate_fields.hpp"
+#include "core/simulation/setup/add_extensions.hpp"
 #include "core/simulation/setup/estimates/size_hint.hpp"
 #include "core/simulation/setup/expected_motion.hpp"
 #include "core/simulation/setup/make_grid.hpp"
@@ -119,24 +120,8 @@ void addWallWarnings(const World& w, std::vector<SceneWarning>& warnings) {
 
 }  // namespace
 
-namespace {
-
-/// Adds the loads of the scene's extensions and their step limits.
-void addExtensions(World& w, StepTools& t) {
-  for (const ExtensionSettings& settings : w.scene.extensions) {
-    const Extension* e = findExtension(settings.name);
-    if (!e) throw std::runtime_error("extension '" + settings.name + "' is not registered");
-    w.modules.why.push_back("extension '" + settings.name + "': " + e->about);
-    t.outside.push_back(e->load(settings));
-    if (!e->stepLimit) continue;
-    double& limit = t.fixedLimits[Limit::Extension];
-    limit = std::min(limit, e->stepLimit(settings));
-  }
-}
-
-}  // namespace
-
 void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
+  completeExtensions(w.scene);
   w.modules = modulesOf(w.scene);
   w.grid = makeGrid(w.scene);
   if (w.modules.surface) prepareSurface(w);
@@ -186,19 +171,19 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   const double h = w.grid.support;
   const Numerics& n = w.scene.numerics;
   const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
-  t.perLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
+  t.inverseLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
   const double cellsInSupport = std::pow(h / w.scene.spacing, 3);
-  t.selfExcess = (latticeSum(n) * t.perLatticeSum - 1) * cellsInSupport;
+  t.selfExcess = (latticeSum(n) * t.inverseLatticeSum - 1) * cellsInSupport;
   if (w.modules.incompressible) {
     double sound = 0;  // proportional to the expected speed
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
-    t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.perLatticeSum;
+    t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.inverseLatticeSum;
     if (liquidFillsTheBox(w.scene)) t.pressure.targetRelativeDensity += flowDensityExcess;
     t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
     t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
   }
   if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(w.scene.numerics, w.scene.spacing);
-  t.relativeDensityScale = t.perLatticeSum / (h * h * h);
+  t.relativeDensityScale = t.inverseLatticeSum / (h * h * h);
   activateFields(w, t);
 }
 
@@ -235,7 +220,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   // First partition, by the number of particles; they are still where they were sampled.
   Continuum& p = w.particles;
   const std::vector<std::vector<Vec3d>> oriented = sampleBodyTypes(w, halos, t, load, report.warnings);
-  if (w.modules.kinds())
+  if (w.modules.bodyTypes())
     for (SceneWarning& warning : bodyTypeStartWarnings(w, shapes, oriented, halos.all, problems))
       report.warnings.push_back(std::move(warning));
   problems.raise();
@@ -263,6 +248,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
     markRigidParticles(w.scene, p);
     elementsOfShapes(w.scene, shapes, p);
   }
+  startFields(p, 0, p.owned);
   return report;
 }
 
@@ -335,7 +321,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.newPartition = true;
-  if (w.modules.kinds())
+  if (w.modules.bodyTypes())
     redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
   if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
   t.oriented.time = w.clock.time;

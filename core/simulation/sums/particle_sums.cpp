@@ -2,14 +2,15 @@
 #include "core/simulation/sums/particle_sums.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <optional>
 
 #include "core/contact/solid_contact.hpp"
+#include "core/domain/extensions.hpp"
 #include "core/fluid/density/carried_density.hpp"
 #include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
+#include "core/halo/exchange.hpp"
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
@@ -35,6 +36,8 @@ ColumnList ghostColumns(World& w) {
   if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
   if (w.modules.sleep) c.push_back(&p.restTime);
   if (w.modules.sleep) c.push_back(&p.sleep);
+  for (const auto& added : p.added)
+    if (added->active && added->ghosts) c.push_back(added.get());
   return c;
 }
 
@@ -216,6 +219,51 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   t.times.lap(StepPhase::Forces);
 }
 
+namespace {
+
+/// Records the energy that particles emitted in this step bring: that of pairs with at least one of them.
+void recordEntry(World& w, const PairSums& sums, PairForceWork& work, const AddedColumn& newborn) {
+  const Continuum& p = w.particles;
+  bool any = false;
+  for (std::size_t i = 0; i < p.size(); i++) any = any || newborn.row(i)[0] > 0;
+  if (!any) return;
+  clearPairRecords(w.scene.numerics.precision, newborn, p.size(), work);
+  for (std::size_t i = 0; i < p.owned; i++) w.ledger.entered.potential.add(work.energy[i]);
+  work.energy.assign(p.owned, 0);
+  PairSums others = sums;
+  std::vector<Vec3d> force(p.owned);
+  std::vector<double> dissipation(p.owned);
+  others.force = force.data(), others.dissipation = dissipation.data();
+  work.force->kernels.sum(others, {work.records.data(), constantsOf(w, work), work.energy.data()},
+                          {0, w.neighbours.groups});
+  for (std::size_t i = 0; i < p.owned; i++) w.ledger.entered.potential.add(-work.energy[i]);
+}
+
+}  // namespace
+
+void sumPairForces(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  const PairSums sums = pairSumsOf(w, t);
+  const AddedColumn* newborn = newbornOf(p);
+  for (PairForceWork& work : t.pairForces) {
+    resizePairForce(sums.precision, p.owned + t.ghostRoom, work);
+    packPairForce(w.scene, p, 0, p.size(), work);
+    work.energy.assign(p.owned, 0);
+    work.force->kernels.sum(sums, {work.records.data(), constantsOf(w, work), work.energy.data()},
+                            {0, w.neighbours.groups});
+    for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += work.energy[i];
+    for (std::size_t i = 0; p.softening.active && i < p.owned; i++)
+      if (p.liquid[i] > 0)  // the energy of a pair is proportional to both fractions
+        p.softening[i] += 2 * work.energy[i] / static_cast<double>(p.liquid[i]);
+    if (newborn) recordEntry(w, sums, work, *newborn);
+  }
+  t.times.lap(StepPhase::Forces);
+}
+
+PairConstants constantsOf(const World& w, const PairForceWork& work) {
+  return {work.values.data(), w.grid.support, w.scene.spacing};
+}
+
 bool viscosityCorrectionDue(const World& w) {
   constexpr std::int64_t everySteps = 8;  // explicit steps are much shorter than the flow takes for a spacing
   return w.modules.viscosityCorrection && (w.modules.implicitViscosity || w.clock.step % everySteps == 0);
@@ -240,19 +288,35 @@ std::optional<PieceJoint> jointOf(World& w, Halos& halos, StepTools& t) {
 
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
   std::optional<PieceJoint> joint = jointOf(w, halos, t);
-  addImplicitViscosity({w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times,
-                        joint ? &*joint : nullptr},
-                       halos, pairSumsOf(w, t), walls);
+  addImplicitViscosity(
+      {w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times, joint ? &*joint : nullptr},
+      halos, pairSumsOf(w, t), walls);
 }
 
 void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
   std::optional<PieceJoint> joint = jointOf(w, halos, t);
-  findPressure(
-      {w.scene,   w.modules,    w.grid,           w.particles,    w.neighbours,     w.walls,    w.clock,
-       w.ledger,  w.counters,   w.lastIterations, halos,          pairSumsOf(w, t), *t.kernels, t.liquids,
-       t.records, t.wallTables, t.perLatticeSum,  t.wallContacts, t.pressure,       t.times,
-       joint ? &*joint : nullptr},
-      dt);
+  findPressure({w.scene,
+                w.modules,
+                w.grid,
+                w.particles,
+                w.neighbours,
+                w.walls,
+                w.clock,
+                w.ledger,
+                w.counters,
+                w.lastIterations,
+                halos,
+                pairSumsOf(w, t),
+                *t.kernels,
+                t.liquids,
+                t.records,
+                t.wallTables,
+                t.inverseLatticeSum,
+                t.wallContacts,
+                t.pressure,
+                t.times,
+                joint ? &*joint : nullptr},
+               dt);
 }
 
 namespace {
@@ -300,8 +364,7 @@ void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
   const GroupRange all{0, w.neighbours.groups};
   const PairSums s = packingSums(w, t);
   t.kernels->density(s, all);
-  halo.beginRefresh(p, std::array<AnyColumn*, 1>{&p.relativeDensity});
-  halo.finishRefresh(p);
+  refresh(halo, p, ColumnList{&p.relativeDensity}).wait();
   const Modules modules = packingModules(w);
   setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.records);
   std::fill_n(p.force.data(), p.owned, Vec3d{});

@@ -42,6 +42,11 @@ enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryF
 /// elapsed: s, last step, over which liquids carry their density.
 void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass, double elapsed = 0);
 
+/// Adds the pair forces of extensions, with their energies. Requires: ghosts, and the records of this step.
+void sumPairForces(World& world, StepTools& tools);
+/// Returns the constants of a pair force in this world.
+PairConstants constantsOf(const World& world, const PairForceWork& work);
+
 /// Returns true in steps that renew Continuum::viscosityCorrection.
 bool viscosityCorrectionDue(const World& world);
 /// Renews Continuum::viscosityCorrection for the next step. Requires: the records of this step.

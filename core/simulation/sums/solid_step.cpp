@@ -2,7 +2,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "core/contact/solid_contact.hpp"
 #include "core/solid/bonds/bond_forming.hpp"
@@ -18,11 +18,11 @@ ElasticStep elasticStep(const StepTools& t, double dt) {
   return {dt, t.elastic.energyInSteps, t.elastic.deformationInSteps};
 }
 
-void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
+void deformAll(World& w, StepTools& t, const ElasticStep& step, Exchange ends) {
   if (w.modules.sleep) chooseAwakeGroups(w.particles, w.solids, t.elastic, t.sleep);
   ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
-  halos.bonds.finish(w.solids);
+  ends.wait();
   t.times.lap(StepPhase::Bonds);
   r += computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Boundary);
   w.counters.inverted += r.inverted;
@@ -49,9 +49,7 @@ BondForming bondForming(const World& w, const StepTools& t) {
 void updateBondData(World& w, Halos& halos, StepTools& t) {
   fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
   if (w.modules.sleep) forgetChangedSlots(w.solids, t.sleep);
-  const ColumnList columns = remoteColumnsAfterRelink(w.solids);
-  halos.bonds.begin(w.solids, columns);
-  halos.bonds.finish(w.solids);
+  refresh(halos.bonds, w.solids, remoteColumnsAfterRelink(w.solids)).wait();
   w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
 }
 
@@ -139,12 +137,7 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
 void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
   prepareBondForming(p, w.solids);
-  const ColumnList columns = bondFormingColumns(p);
-  // Only one refresh at a time is allowed, so the pending one of the relative density is finished first.
-  if (w.modules.fluid) halos.cells.finishRefresh(p);
-  halos.cells.beginRefresh(p, columns);
-  halos.cells.finishRefresh(p);
-  if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.relativeDensity});
+  refresh(halos.cells, p, bondFormingColumns(p)).wait();
   if (t.bondsAtStart) return bondScene(w, halos, t);
   t.requests.clear();
   w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, bondForming(w, t), t.requests);
@@ -184,30 +177,28 @@ void findElasticEnergy(World& w, const StepTools& t, std::span<const std::uint32
 void melt(World& w, Halos halos, StepTools& t) {
   if (!w.solids.melted.active) return;
   markMelted(w.particles, w.solids);
-  halos.bonds.begin(w.solids, std::array<AnyColumn*, 1>{&w.solids.melted});
-  halos.bonds.finish(w.solids);
+  refresh(halos.bonds, w.solids, ColumnList{&w.solids.melted}).wait();
   dropMeltedBonds(t.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
   t.times.lap(StepPhase::Bonds);
 }
 
-void beginDeformation(World& w, Halos halos, const StepTools& t) {
-  if (fieldsDeferred(w, t)) return;
+Exchange sendPositions(World& w, Halos halos, const StepTools& t) {
+  if (fieldsDeferred(w, t)) return {};
   copyToSolids(w.particles, w.solids);
-  const ColumnList columns = remoteColumnsBeforeDeformation(w.solids);
-  halos.bonds.begin(w.solids, columns);
+  return refresh(halos.bonds, w.solids, remoteColumnsBeforeDeformation(w.solids));
 }
 
-void deform(World& w, Halos halos, StepTools& t, double dt) {
+Exchange deform(World& w, Halos halos, StepTools& t, double dt, SolidExchanges sent) {
   dt /= w.clock.substeps;  // the last of them
   ElasticStep now = elasticStep(t, dt);
-  if (!fieldsDeferred(w, t)) deformAll(w, halos, t, now);
+  if (!fieldsDeferred(w, t)) deformAll(w, t, now, std::move(sent.positions));
   if (bondsForm(w, halos, t)) {
     const bool start = t.bondsAtStart;
+    sent.densities.wait();  // since a halo has one refresh in flight
     makeBonds(w, halos, t);
     t.frozeAnywhere = false;
-    beginDeformation(w, halos, t);
     now.dt = 0;  // plastic flow is done
-    deformAll(w, halos, t, now);
+    deformAll(w, t, now, sendPositions(w, halos, t));
     if (!start) recordEnergyJump(w, t, -1);
     now.dt = dt;
   }
@@ -216,16 +207,16 @@ void deform(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.plastic)
     w.counters.rereferenced += rereference(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
   t.times.lap(StepPhase::Elastic);
-  const ColumnList columns = remoteColumnsBeforeForces(w.solids);
-  halos.bonds.begin(w.solids, columns);
+  Exchange stress = refresh(halos.bonds, w.solids, remoteColumnsBeforeForces(w.solids));
   t.times.lap(StepPhase::Bonds);
+  return stress;
 }
 
-void addElasticForces(World& w, Halos halos, StepTools& t, double dt) {
+void addElasticForces(World& w, StepTools& t, double dt, Exchange stress) {
   const ElasticStep now = elasticStep(t, dt / w.clock.substeps);
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
-  halos.bonds.finish(w.solids);
+  stress.wait();
   t.times.lap(StepPhase::Bonds);
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   w.solids.energyKnown = now.energy;

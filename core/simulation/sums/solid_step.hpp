@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of a step that involve bonds.
 #pragma once
+#include "core/halo/exchange.hpp"
 #include "core/halo/halos.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
@@ -21,16 +22,22 @@ inline bool fieldsDeferred(const World& world, const StepTools& tools) {
   return tools.bondsAtStart && !world.bonds.vectors;
 }
 
-/// Copies positions (velocities, liquid fractions) to the slots and sends them along the bonds.
-void beginDeformation(World& world, Halos halos, const StepTools& tools);
+/// Copies positions (velocities, liquid fractions) to the slots and sends them along the bonds. Collective.
+Exchange sendPositions(World& world, Halos halos, const StepTools& tools);
+
+/// Exchanges in flight when solids deform.
+struct SolidExchanges {
+  Exchange positions;   ///< from sendPositions
+  Exchange& densities;  ///< ghost densities; waited for early if bonds form, which needs ghosts of its own
+};
 
 /// Computes deformation, plastic flow and stress. Then bonds break, form (at the start and after freezing),
-/// and large plastic flow moves into the reference. It ends with the stress exchange along bonds in flight.
-/// Collective. Requires: neighbour lists if bonds form.
-void deform(World& world, Halos halos, StepTools& tools, double dt);
+/// and large plastic flow moves into the reference. Returns the exchange of stress along bonds. Collective.
+/// Requires: neighbour lists if bonds form.
+Exchange deform(World& world, Halos halos, StepTools& tools, double dt, SolidExchanges sent);
 
-/// Adds elastic forces to the particles.
-void addElasticForces(World& world, Halos halos, StepTools& tools, double dt);
+/// Adds elastic forces to the particles; waits for the stress of other ranks.
+void addElasticForces(World& world, StepTools& tools, double dt, Exchange stress);
 
 /// Computes Solids::energy and Solids::deformation of all owned slots for the last evaluation, if steps do
 /// not (core/simulation/sums/stored_energy.hpp).

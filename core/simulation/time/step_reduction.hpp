@@ -27,9 +27,9 @@ struct StepReduction {
 inline void reduceOverRanks(StepReduction& reduction, Reducer& all, const Modules& modules) {
   constexpr std::size_t n = sizeof(StepReduction) / sizeof(double);
   std::array<double, n> values = std::bit_cast<std::array<double, n>>(reduction);
-  all.maximum(std::span(values).first(modules.kinds()   ? n
-                                      : modules.surface ? n - bodyTypeLimits
-                                                        : n - bodyTypeLimits - 1));
+  all.maximum(std::span(values).first(modules.bodyTypes() ? n
+                                      : modules.surface   ? n - bodyTypeLimits
+                                                          : n - bodyTypeLimits - 1));
   reduction = std::bit_cast<StepReduction>(values);
 }
 

@@ -7,11 +7,13 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/emit.hpp"
+#include "core/domain/field_update.hpp"
 #include "core/domain/outside_forces.hpp"
 #include "core/fluid/density/carry_work.hpp"
 #include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
+#include "core/fluid/pair_sums/pair_force.hpp"
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/fluid/pair_sums/records.hpp"
@@ -26,6 +28,7 @@
 #include "core/rigid/data/rigid_work.hpp"
 #include "core/simulation/time/monitor_limits.hpp"
 #include "core/simulation/time/step_limits.hpp"
+#include "core/simulation/workspace/step_hooks.hpp"
 #include "core/sleep/sleep.hpp"
 #include "core/solid/elasticity/elastic.hpp"
 #include "core/time/phase_times.hpp"
@@ -44,13 +47,13 @@ struct StepTools {
                                                               ///< sampled; meshes are slow to make
   WallTables wallTables;
   ViscousWeight viscousWeight;   ///< for pairwise viscosity
-  double perLatticeSum = 1;      ///< factor that turns sums over V W into relative densities
+  double inverseLatticeSum = 1;  ///< factor that turns sums over V W into relative densities
   SurfaceMeasure surface;        ///< for surface tension as an energy
   double selfExcess = 0;         ///< subtracted from a particle's relative density, per V0 / h^3 of its own
                                  ///< (terms/density.hpp)
   double stableViscousStep = 0;  ///< largest stable dt nu / h^2 on the lattice
   double conductionScale = 1;    ///< for heat conduction, see kernels/lattice.hpp
-  double relativeDensityScale = 1;  ///< perLatticeSum / h^3
+  double relativeDensityScale = 1;  ///< inverseLatticeSum / h^3
   SortBuffers sort;
   SearchBuffers search;
   PairRecords records;
@@ -71,6 +74,9 @@ struct StepTools {
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce
+  std::vector<PairForceWork> pairForces;
+  std::vector<FieldUpdate> fieldUpdates;
+  StepHooks hooks;
   std::vector<std::uint32_t> leaving;
   std::vector<Leaver> leavers;  ///< from all ranks; empty without surface tension
   PhaseTimes times;

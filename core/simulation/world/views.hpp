@@ -17,7 +17,7 @@ namespace thaw {
 /// dt (s): last step, 0 at the start.
 inline CarryContext carryContext(World& w, StepTools& t, double dt) {
   return {w.scene,        w.modules,      w.grid,         w.particles, w.neighbours, w.walls,
-          w.startDensity, w.clock,        w.counters,     t.liquids,   t.wallTables, t.perLatticeSum,
+          w.startDensity, w.clock,        w.counters,     t.liquids,   t.wallTables, t.inverseLatticeSum,
           t.carry,        t.wallContacts, t.sleep.steady, dt};
 }
 

@@ -2,6 +2,8 @@
 // Preparation of the bond loops (elastic_isa.cpp), and their scalar parts.
 #include "core/solid/elasticity/elastic.hpp"
 
+#include <bit>
+
 #include "core/solid/elasticity/elastic_kernels.hpp"
 #include "core/solid/elasticity/elastic_records.hpp"
 #include "core/solid/elasticity/rereference.hpp"
@@ -94,7 +96,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
     same = solids.material[s] == out.material && !(solids.liquid.active && solids.liquid[s] > 0);
   }
   if (!same) {
-    out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = false;
+    out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = out.anyExtension = false;
     out.material = solids.material[slot0];
     for (int l = 0; l < 8; l++) {
       const std::size_t s = slot0 + static_cast<std::size_t>(l);
@@ -118,6 +120,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
       out.anyGreen = out.anyGreen || c.law == ElasticLaw::Green;
       out.anyNeoHookean = out.anyNeoHookean || c.law == ElasticLaw::NeoHookean;
       out.anyCorotated = out.anyCorotated || c.law == ElasticLaw::Corotated;
+      out.anyExtension = out.anyExtension || c.law == ElasticLaw::Extension;
     }
   }
   for (int l = 0; l < 8; l++) {
@@ -180,6 +183,33 @@ void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slo
 
 void takeLogarithms(double values[8]) {
   for (int l = 0; l < 8; l++) values[l] = std::log(values[l]);
+}
+
+namespace {
+
+/// Copies the lanes of `group`, a bit each.
+void copyLanes(unsigned group, const double from[8], double to[8]) {
+  for (int l = 0; l < 8; l++)
+    if (group >> l & 1) to[l] = from[l];
+}
+
+}  // namespace
+
+void respondExtension(const LaneConstants& c, int n, const double gradU[9][8], double stress[9][8],
+                      double energy[8]) {
+  unsigned left = 0;
+  for (int l = 0; l < n; l++) left |= static_cast<unsigned>(c.constants[l].bound != nullptr) << l;
+  while (left != 0) {
+    const BoundLaw& bound = *c.constants[std::countr_zero(left)].bound;
+    unsigned group = 0;
+    for (int l = 0; l < n; l++) group |= static_cast<unsigned>(c.constants[l].bound == &bound) << l;
+    left &= ~group;
+    if (group == 0xff) return respondGroup(*bound.law, {gradU, c.lambda, c.mu, bound.values, stress, energy});
+    alignas(64) double here[9][8], psi[8];
+    respondGroup(*bound.law, {gradU, c.lambda, c.mu, bound.values, here, energy ? psi : nullptr});
+    for (int q = 0; q < 9; q++) copyLanes(group, here[q], stress[q]);
+    if (energy) copyLanes(group, psi, energy);
+  }
 }
 
 double respondLane(const ElasticConstants& c, const double gradU[9][8], int lane, double stress[9][8]) {

@@ -114,6 +114,11 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
       respondCorotated({c, n, a.energy}, widened(elasticGradient), stress, energy);
       piola = loadMatrix<Real>(stress);
     }
+    if (c.anyExtension) {
+      storeMatrix<Real>(piola, stress), storeMatrix<Real>(elasticGradient, plastic.elastic);
+      respondExtension(c, n, plastic.elastic, stress, a.energy ? energy : nullptr);
+      piola = loadMatrix<Real>(stress);
+    }
     if (c.anyVolumeStiffness) {
       const T stiffness = fromDoubles<Real>(c.volumeStiffness);
       piola = piola + volumeStress(fe, stiffness);

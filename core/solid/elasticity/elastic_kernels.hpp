@@ -66,7 +66,7 @@ struct alignas(64) LaneConstants {
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];
   double neoHookean[8], corotated[8];  // 1: that law, else 0
   ElasticConstants constants[8];
-  bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated;
+  bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated, anyExtension;
   int material = -1;  // common material of all lanes if fully solid; else -1
 };
 
@@ -88,6 +88,10 @@ struct PlasticLanes {
 };
 void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
               int lane, PlasticLanes& out);
+/// Sets the stress and, if not null, the energy density (Pa) of lanes with the law of an extension. Other
+/// lanes stay. gradU, stress: by [row][column][lane].
+void respondExtension(const LaneConstants& c, int n, const double gradU[9][8], double stress[9][8],
+                      double energy[8]);
 /// Takes natural logarithms in place, by the math library that all instruction sets share.
 void takeLogarithms(double values[8]);
 /// Computes the stress of one lane by elasticResponse and returns the energy density (Pa).

@@ -17,6 +17,15 @@ double plasticStretch(const Mat3d& plasticInverse) {
   return std::sqrt(std::max(1.0, 1 + 2 * (mean + std::sqrt(2.0 / 3 * std::max(0.0, square)))));
 }
 
+/// Largest tangent modulus up to a squared stretch, over that at rest.
+double stiffeningOf(const ElasticConstants& c, double maxStretch2) {
+  if (c.law == ElasticLaw::Green)
+    return std::max(1.0, 1.5 * maxStretch2 - 0.5);  // Green strain: (3 stretch^2 - 1)/2
+  if (c.law == ElasticLaw::Extension && c.bound->law->stiffening)
+    return std::max(1.0, c.bound->law->stiffening(maxStretch2, c.bound->values));
+  return 1;
+}
+
 double largestPlasticStrainBound(const ElasticWork& work, const Solids& solids) {
   double strainBound = 0;
   for (std::size_t s = 0; s < solids.owned; s++)
@@ -51,8 +60,7 @@ double elasticStepLimit(const Scene& scene, double maxStretch2, double strainBou
     if (!m.canBeSolid()) continue;
     for (const double liquid : {0.0, 0.5, 1.0}) {
       const ElasticConstants c = elasticConstants(m, liquid);
-      // Tangent modulus of Green strain at a stretch: (3 stretch^2 - 1)/2 times that at rest.
-      const double stiffening = c.law == ElasticLaw::Green ? std::max(1.0, 1.5 * maxStretch2 - 0.5) : 1.0;
+      const double stiffening = stiffeningOf(c, maxStretch2);
       const double modulus = (c.lambda + 2 * c.mu) * stiffening + c.volume + 0.5 * c.hourglass;
       if (modulus > 0)
         limit = std::min(limit, scene.numerics.cflElastic * distance * std::sqrt(m.density / modulus));

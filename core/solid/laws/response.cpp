@@ -19,6 +19,9 @@ ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU) {
   } else if (c.law == ElasticLaw::NeoHookean) {
     r = {neoHookeanEnergy(f, c.lambda, c.mu, std::log(neoHookeanLogged(f))),
          neoHookeanStress(f, c.lambda, c.mu)};
+  } else if (c.law == ElasticLaw::Extension) {
+    const LawResponse one = responseOf(*c.bound, gradU, c.lambda, c.mu);
+    r = {one.energy, one.stress};
   } else {
     const Mat3d rotation = nearestRotation(f);
     r = {corotatedEnergy(f, rotation, c.lambda, c.mu), corotatedStress(f, rotation, c.lambda, c.mu)};
@@ -39,6 +42,7 @@ ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU, c
 Vec3d principalKirchhoff(const ElasticConstants& c, const Vec3d& stretch) {
   if (c.law == ElasticLaw::Green) return greenPrincipal(stretch, c.lambda, c.mu);
   if (c.law == ElasticLaw::NeoHookean) return neoHookeanPrincipal(stretch, c.lambda, c.mu);
+  if (c.law == ElasticLaw::Extension) return principalOf(*c.bound, stretch, c.lambda, c.mu);
   return corotatedPrincipal(stretch, c.lambda, c.mu);
 }
 

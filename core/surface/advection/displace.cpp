@@ -188,24 +188,22 @@ void findDisplacementGradients(const CellGrid& grid, Surface& surface, SurfaceHa
   refreshGhosts(halos.particles, p, found);
 }
 
-void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& t) {
-  Surfels& s = surface.surfels;
+namespace {
+
+/// Lists the groups of surfels with their particles, and packs the particles.
+void prepareSums(Surface& surface, RelaxTools& r) {
   const SurfaceParticles& p = surface.particles;
-  SurfaceCounters& count = surface.counters;
-  const bool blend = s.liquid.active;
-  s.resize(s.owned, 0);
-  // in this function: surfels without particles
-  s.activate(s.moving);
-  // in this function: displacement
-  s.activate(s.carried);
-  if (blend) s.activate(s.strain);
-  RelaxTools& r = t.relax;
+  const Surfels& s = surface.surfels;
   const double h = surface.particleSupport;
   fillBins(surface.grid, surface.particleCells, p.position.data(), 0.5 * h, r.particleBins);
   fillBins(surface.grid, surface.surfelCells, s.position.data(), h, r.surfelBins);
   packParticles(p, r.particleBins.base, r.carried);
   r.free.assign(s.owned, 1);
   listGroups(surface, r.free, r.surfelBins, r.particleBins, {0, h}, r.lists);
+}
+
+CarrySums carrySumsOf(const Surface& surface, const RelaxTools& r) {
+  const Surfels& s = surface.surfels;
   CarrySums in;
   // null without surfels
   in.place = reinterpret_cast<const double*>(s.position.data());
@@ -214,28 +212,46 @@ void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, S
   in.self = r.lists.self.data();
   in.firstParticle = r.lists.firstParticle.data();
   in.particleRow = r.lists.particle.data();
-  in.perSupport2 = 1 / (h * h);
-  alignas(32) std::array<double, 8 * carrySums> sums;
-  // surfels without particles; kept frames
-  std::int64_t counted[2]{0, 0};
-  const auto move = [&](std::size_t i, const Carry& c) {
-    s.moving[i] = !(c.weight > 0);
-    s.carried[i] = c.move;
-    if (s.moving[i]) {
-      counted[0]++;
-      s.resampleMargin[i] = 0;
-      return;
-    }
-    if (!turnFrame(c.gradient, s.normal[i], s.tangent[i])) counted[1]++;
-    const auto strain = static_cast<float>(strainOf(c.gradient));
-    s.resampleMargin[i] = std::max(0.0f, s.resampleMargin[i] - strain);
-    if (blend) s.strain[i] = strain;
-    if (s.liquid.active) s.liquid[i] = static_cast<float>(c.liquid);
-    if (s.temperature.active) s.temperature[i] = static_cast<float>(c.temperature);
-  };
+  in.perSupport2 = 1 / (surface.particleSupport * surface.particleSupport);
   for (std::size_t a = 0; a < 3; a++) in.origin[a] = r.particleBins.base[static_cast<int>(a)];
+  return in;
+}
+
+/// Surfels of this rank, later of all ranks.
+struct CarryCounts {
+  std::int64_t uncarried = 0;   ///< without particles within their support
+  std::int64_t keptFrames = 0;  ///< whose tangents would become collinear
+};
+
+/// Sets the displacement and fields of a surfel, and rotates its frame.
+void carrySurfel(Surfels& s, std::size_t i, const Carry& c, CarryCounts& count) {
+  s.moving[i] = !(c.weight > 0);
+  s.carried[i] = c.move;
+  if (s.moving[i]) {
+    count.uncarried++;
+    s.resampleMargin[i] = 0;
+    return;
+  }
+  if (!turnFrame(c.gradient, s.normal[i], s.tangent[i])) count.keptFrames++;
+  const auto strain = static_cast<float>(strainOf(c.gradient));
+  s.resampleMargin[i] = std::max(0.0f, s.resampleMargin[i] - strain);
+  if (s.liquid.active) {
+    s.strain[i] = strain;
+    s.liquid[i] = static_cast<float>(c.liquid);
+  }
+  if (s.temperature.active) s.temperature[i] = static_cast<float>(c.temperature);
+}
+
+/// Sets displacements, fields and frames of surfels from the particles around them. Returns counts of all
+/// ranks. Collective.
+CarryCounts carryAll(Surface& surface, RelaxTools& r, Reducer& all) {
+  Surfels& s = surface.surfels;
+  prepareSums(surface, r);
+  CarrySums in = carrySumsOf(surface, r);
+  alignas(32) std::array<double, 8 * carrySums> sums;
   Bend bend{&in, r.kernels, {}, {}};
   std::array<Carry, 8> found;
+  CarryCounts count;
   const auto bends = [](const Carry& c) { return c.weight > 0 && c.liquid < 1; };
   for (std::size_t g = 0; g < r.lists.groups(); g++) {
     r.kernels->carry(in, g, sums.data());
@@ -247,25 +263,46 @@ void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, S
         if (bends(found[lane]))
           found[lane].gradient = found[lane].gradient + bend.added(lane, found[lane].moved);
     }
-    for (std::size_t lane = 0; lane < r.lists.lanes[g]; lane++) move(r.lists.self[8 * g + lane], found[lane]);
+    for (std::size_t lane = 0; lane < r.lists.lanes[g]; lane++)
+      carrySurfel(s, r.lists.self[8 * g + lane], found[lane], count);
   }
-  halos.all.sum(counted);
-  count.keptNormals += counted[1];
+  std::int64_t total[2]{count.uncarried, count.keptFrames};
+  all.sum(total);
+  return {total[0], total[1]};
+}
+
+/// Removes these rows, given in ascending order. Returns their number on all ranks. Collective.
+std::int64_t removeRows(Surfels& s, const std::vector<std::uint32_t>& rows, Reducer& all) {
+  std::int64_t removed[1]{static_cast<std::int64_t>(rows.size())};
+  all.sum(removed);
+  if (rows.empty()) return removed[0];
+  std::vector<std::uint32_t> kept;
+  auto at = rows.begin();
+  for (std::uint32_t i = 0; i < s.owned; i++)
+    if (at != rows.end() && *at == i) ++at;
+    else kept.push_back(i);
+  s.reorder(kept);
+  return removed[0];
+}
+
+}  // namespace
+
+void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& t) {
+  Surfels& s = surface.surfels;
+  const bool blend = s.liquid.active;
+  s.resize(s.owned, 0);
+  // in this function: surfels without particles
+  s.activate(s.moving);
+  // in this function: displacement
+  s.activate(s.carried);
+  if (blend) s.activate(s.strain);
+  const CarryCounts count = carryAll(surface, t.relax, halos.all);
+  surface.counters.keptNormals += count.keptFrames;
   std::vector<std::uint32_t> lost;
-  if (counted[0] > 0) lost = followNeighbours(surface, halos, t);
-  moveByReference(scene, surface, r.particleBins);
+  if (count.uncarried > 0) lost = followNeighbours(surface, halos, t);
+  moveByReference(scene, surface, t.relax.particleBins);
   for (std::size_t i = 0; i < s.owned; i++) s.position[i] += s.carried[i];
-  if (counted[0] > 0) {
-    std::int64_t gone[1]{static_cast<std::int64_t>(lost.size())};
-    halos.all.sum(gone);
-    count.lost += gone[0];
-    std::vector<std::uint32_t> kept;
-    auto at = lost.begin();
-    for (std::uint32_t i = 0; i < s.owned; i++)
-      if (at != lost.end() && *at == i) ++at;
-      else kept.push_back(i);
-    if (!lost.empty()) s.reorder(kept);
-  }
+  if (count.uncarried > 0) surface.counters.lost += removeRows(s, lost, halos.all);
   deactivate(s.moving);
   if (!blend) return deactivate(s.carried);
   s.activate(s.carriedNormal);

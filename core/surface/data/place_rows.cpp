@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/halo/exchange.hpp"
+
 namespace thaw {
 
 template<class Rows>
@@ -45,13 +47,11 @@ void dropGhosts(Table& rows, CellTable& cells) {
 void addGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColumn* const> columns) {
   // Ghost cells of an earlier call would be sent on as owned ones.
   dropGhosts(rows, cells);
-  halo.beginGhosts(rows, cells, columns);
-  halo.finishGhosts(rows, cells);
+  sendGhosts(halo, rows, cells, columns).wait();
 }
 
 void refreshGhosts(CellHalo& halo, Table& rows, std::span<AnyColumn* const> columns) {
-  halo.beginRefresh(rows, columns);
-  halo.finishRefresh(rows);
+  refresh(halo, rows, columns).wait();
 }
 
 }  // namespace thaw

@@ -139,103 +139,21 @@ SurfelSums sumsAt(const ForceSums& in, std::uint32_t g, int lane) {
           in.overParticles + static_cast<std::size_t>(g) * 8 * particleSums, lane};
 }
 
-}  // namespace
-
-RelaxationResult relaxSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t,
-                              const ForceWeights& weights, std::int64_t iterations, bool all) {
-  Surface& s = w.surface;
-  Surfels& f = s.surfels;
-  RelaxTools& r = t.relax;
-  Lap lap;
-  prepareParticles(w.scene, w.surface, halos, t);
-  lap(r.times.ready);
-  f.resize(f.owned, 0);
-  markMovable(s, all, r);
-  std::int64_t free[1] = {std::count(r.free.begin(), r.free.end(), 1)};
-  halos.all.sum(free);
-  if (free[0] == 0) return {0, true};
-  // In an update, blendSurfels reads the motion.
-  if (all) std::fill_n(f.resampleMargin.data(), f.owned, 0.0f);
+/// Activates the columns of relaxation. Free surfels move.
+void beginRelaxation(const SurfaceView& w, const std::vector<std::uint8_t>& free) {
+  Surfels& f = w.surface.surfels;
   f.activate(f.moving);
   f.activate(f.stepShare);
   f.activate(f.gapCutoff);
-  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = r.free[i], f.stepShare[i] = 0;
-  alignWithWalls(w, r.free);
-  // A surfel may move by half the margin before lists are stale. The grid's cells leave room for half a
-  // particle spacing.
-  const double margin = listMargin(s, w.scene.spacing);
-  search(w.surface, halos, t, all, true, margin, lap);
-  RelaxationResult done;
-  MoveCounts counts;
-  // Across the surface, most surfels stop after a few iterations. Along it, long waves of density would move
-  // them on, hence K05's damping. The rims of a splash would do so across it; their motion after easeAfter
-  // continues in the next update.
-  double spread = 1, ease = 1;
-  bool spreads = false, anyStopped = false, running = true;
-  std::int64_t nextSearch = 1;
-  while (done.iterations < iterations && !done.finished) {
-    // A surfel stopped at its margin continues after the next search. Searches become less frequent, since
-    // few such surfels remain.
-    if (spreads || (anyStopped && (!running || done.iterations >= nextSearch))) {
-      if (done.iterations == 1)
-        // Only once: forces may move surfels off the iso-surface again.
-        projectDistantSurfels(w, halos, t);
-      std::replace(f.moving.data(), f.moving.data() + f.owned, stoppedAtMargin, std::uint8_t{1});
-      search(w.surface, halos, t, all, false, margin, lap);
-      nextSearch = done.iterations + 2 + done.iterations / 2;
-    }
-    ForceSums in = sumsOf(w.scene, w.surface, t);
-    const int channels = in.plane ? planeSums : sphereSums;
-    listMovingGroups(r.lists, f, r.groups);
-    in.groups = r.groups.data();
-    in.groupCount = r.groups.size();
-    r.kernels->overSurfels(in);
-    lap(r.times.surfelSums);
-    keepMovingGroups(r.lists, in.overSurfels, channels, r.groups);
-    in.groupCount = r.groups.size();
-    r.kernels->overParticles(in);
-    lap(r.times.particleSums);
-    MoveContext context = moveContext(w.scene, w.surface, r, weights);
-    context.spread = spread;
-    context.ease = ease;
-    spread *= 0.95;
-    if (done.iterations >= easeAfter) ease *= easing;
-    context.stray = 0.5 * margin;
-    context.found = r.found.data();
-    // flags: a surfel moves; one moves outside of the core; one stopped at its margin
-    double state[3]{0, 0, 0};
-    // Surfels of groups without work did not move in the last iteration.
-    for (const std::uint32_t g : r.groups) {
-      const double isoOffset = isoOffsetOf(r.isoOffset, f.component[r.lists.self[8 * g]]);
-      for (int lane = 0; lane < r.lists.lanes[g]; lane++) {
-        const SurfelSums sums = sumsAt(in, g, lane);
-        if (!(sums.surfel(MovedNearby) > 0)) continue;
-        const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
-        moveSurfel(w, context, sums, isoOffset, i, counts);
-        if (f.moving[i] == 1) {
-          state[0] = 1;
-          if (!r.core[i]) state[1] = 1;
-        }
-        packSurfel(s, r, i);
-        r.times.surfels++;
-      }
-    }
-    if (std::find(f.moving.data(), f.moving.data() + f.owned, stoppedAtMargin) != f.moving.data() + f.owned)
-      state[2] = 1;
-    lap(r.times.finish);
-    ColumnList columns{&f.position, &f.normal, &f.moving};
-    refreshGhosts(halos.surfels, f, columns);
-    for (std::size_t i = f.owned; i < f.size(); i++) packSurfel(s, r, i);
-    halos.all.maximum(state);
-    running = state[0] > 0;
-    spreads = state[1] > 0;
-    anyStopped = state[2] > 0;
-    done.finished = !anyStopped && !running;
-    done.iterations++;
-    lap(r.times.exchange);
-  }
+  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = free[i], f.stepShare[i] = 0;
+  alignWithWalls(w, free);
+}
+
+/// Removes ghosts and columns of relaxation, and adds up the counters. Collective.
+void endRelaxation(Surface& s, const MoveCounts& counts, Reducer& all) {
+  Surfels& f = s.surfels;
   std::int64_t total[2]{counts.flipped, counts.keptNormals};
-  halos.all.sum(total);
+  all.sum(total);
   s.counters.flipped += total[0];
   s.counters.keptNormals += total[1];
   f.resize(f.owned, 0);
@@ -243,6 +161,132 @@ RelaxationResult relaxSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceT
   deactivate(f.stepShare);
   deactivate(f.gapCutoff);
   deactivate(f.wallAligned);
+}
+
+/// Sums over surfels and particles of the groups with work, which it lists in RelaxTools::groups.
+ForceSums sumForces(const SurfaceView& w, SurfaceTools& t, Lap& lap) {
+  RelaxTools& r = t.relax;
+  ForceSums in = sumsOf(w.scene, w.surface, t);
+  const int channels = in.plane ? planeSums : sphereSums;
+  listMovingGroups(r.lists, w.surface.surfels, r.groups);
+  in.groups = r.groups.data();
+  in.groupCount = r.groups.size();
+  r.kernels->overSurfels(in);
+  lap(r.times.surfelSums);
+  keepMovingGroups(r.lists, in.overSurfels, channels, r.groups);
+  in.groupCount = r.groups.size();
+  r.kernels->overParticles(in);
+  lap(r.times.particleSums);
+  return in;
+}
+
+/// Motion of surfels after an iteration, on this rank or on all.
+struct Motion {
+  bool running = true;   ///< a surfel moves
+  bool spreads = false;  ///< one moves outside of the core
+  bool stopped = false;  ///< one stopped at its margin
+};
+
+/// Moves the surfels of all groups with work.
+Motion moveSurfels(const SurfaceView& w, RelaxTools& r, const MoveContext& context, const ForceSums& in,
+                   MoveCounts& counts) {
+  Surfels& f = w.surface.surfels;
+  Motion motion{false, false, false};
+  // Surfels of groups without work did not move in the last iteration.
+  for (const std::uint32_t g : r.groups) {
+    const double isoOffset = isoOffsetOf(r.isoOffset, f.component[r.lists.self[8 * g]]);
+    for (int lane = 0; lane < r.lists.lanes[g]; lane++) {
+      const SurfelSums sums = sumsAt(in, g, lane);
+      if (!(sums.surfel(MovedNearby) > 0)) continue;
+      const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
+      moveSurfel(w, context, sums, isoOffset, i, counts);
+      if (f.moving[i] == 1) {
+        motion.running = true;
+        if (!r.core[i]) motion.spreads = true;
+      }
+      packSurfel(w.surface, r, i);
+      r.times.surfels++;
+    }
+  }
+  motion.stopped = std::find(f.moving.data(), f.moving.data() + f.owned, stoppedAtMargin) !=
+                   f.moving.data() + f.owned;
+  return motion;
+}
+
+/// Refreshes ghosts. Returns the motion on all ranks. Collective.
+Motion exchangeMotion(Surface& s, SurfaceHalos halos, RelaxTools& r, const Motion& own) {
+  Surfels& f = s.surfels;
+  ColumnList columns{&f.position, &f.normal, &f.moving};
+  refreshGhosts(halos.surfels, f, columns);
+  for (std::size_t i = f.owned; i < f.size(); i++) packSurfel(s, r, i);
+  double any[3]{own.running ? 1.0 : 0.0, own.spreads ? 1.0 : 0.0, own.stopped ? 1.0 : 0.0};
+  halos.all.maximum(any);
+  return {any[0] > 0, any[1] > 0, any[2] > 0};
+}
+
+/// Damping of moves. Across the surface, most surfels stop after a few iterations. Along it, long waves of
+/// density would move them on, hence K05's damping. The rims of a splash would do so across it; their motion
+/// after easeAfter continues in the next update.
+struct Damping {
+  double along = 1, across = 1;
+  void advance(std::int64_t iteration) {
+    along *= 0.95;
+    if (iteration >= easeAfter) across *= easing;
+  }
+};
+
+}  // namespace
+
+RelaxationResult relaxSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t,
+                              const ForceWeights& weights, std::int64_t iterations, bool all) {
+  Surfels& f = w.surface.surfels;
+  RelaxTools& r = t.relax;
+  Lap lap;
+  prepareParticles(w.scene, w.surface, halos, t);
+  lap(r.times.ready);
+  f.resize(f.owned, 0);
+  markMovable(w.surface, all, r);
+  std::int64_t free[1] = {std::count(r.free.begin(), r.free.end(), 1)};
+  halos.all.sum(free);
+  if (free[0] == 0) return {0, true};
+  // In an update, blendSurfels reads the motion.
+  if (all) std::fill_n(f.resampleMargin.data(), f.owned, 0.0f);
+  beginRelaxation(w, r.free);
+  // A surfel may move by half the margin before lists are stale. The grid's cells leave room for half a
+  // particle spacing.
+  const double margin = listMargin(w.surface, w.scene.spacing);
+  search(w.surface, halos, t, all, true, margin, lap);
+  RelaxationResult done;
+  MoveCounts counts;
+  Damping damping;
+  Motion motion;
+  std::int64_t nextSearch = 1;
+  while (done.iterations < iterations && !done.finished) {
+    // A surfel stopped at its margin continues after the next search. Searches become less frequent, since
+    // few such surfels remain.
+    if (motion.spreads || (motion.stopped && (!motion.running || done.iterations >= nextSearch))) {
+      if (done.iterations == 1)
+        // Only once: forces may move surfels off the iso-surface again.
+        projectDistantSurfels(w, halos, t);
+      std::replace(f.moving.data(), f.moving.data() + f.owned, stoppedAtMargin, std::uint8_t{1});
+      search(w.surface, halos, t, all, false, margin, lap);
+      nextSearch = done.iterations + 2 + done.iterations / 2;
+    }
+    const ForceSums in = sumForces(w, t, lap);
+    MoveContext context = moveContext(w.scene, w.surface, r, weights);
+    context.spread = damping.along;
+    context.ease = damping.across;
+    context.stray = 0.5 * margin;
+    context.found = r.found.data();
+    damping.advance(done.iterations);
+    const Motion own = moveSurfels(w, r, context, in, counts);
+    lap(r.times.finish);
+    motion = exchangeMotion(w.surface, halos, r, own);
+    done.finished = !motion.stopped && !motion.running;
+    done.iterations++;
+    lap(r.times.exchange);
+  }
+  endRelaxation(w.surface, counts, halos.all);
   return done;
 }
 

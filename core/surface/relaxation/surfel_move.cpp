@@ -74,6 +74,69 @@ Smooth smoothToSphere(const SurfelSums& s) {
   return {-s.surfel(Height) / weight, sum / size, true, std::min(1.0, size / weight)};
 }
 
+/// Colour field at a surfel. Its gradient points into the body; sums hold its negative.
+struct ColourHere {
+  double colour = 0;
+  double fullness = 0;   ///< smoothed colour over colour
+  double flatLevel = 0;  ///< level of a flat surface of this fullness
+  double level = 0;      ///< level with the rise of the component
+  Vec3d gradient{};      ///< negative gradient over MoveContext::slope
+  double size = 0;       ///< its length
+  double slope = 0;      ///< 1/m, length of the gradient of colour
+};
+
+/// Requires: colour above 0.
+ColourHere colourAt(const MoveContext& c, const SurfelSums& s, const LevelRise& rise) {
+  ColourHere f;
+  f.colour = s.particle(Colour);
+  f.gradient = three(s, Gradient, true);
+  f.size = length(f.gradient);
+  f.slope = c.slope * f.size;
+  f.fullness = s.particle(SmoothColour) / f.colour;
+  f.flatLevel = c.level->level(f.fullness);
+  f.level = raisedLevel(f.flatLevel, s.particle(Near), rise);
+  return f;
+}
+
+/// Returns the negative slope of colour minus level at the surface, over that of colour. The level also
+/// varies, on streams and at rims almost as fast as the colour, so normal and distance follow from this
+/// slope.
+Vec3d slopeToLevel(const MoveContext& c, const SurfelSums& s, const ColourHere& f, const LevelRise& rise) {
+  const Vec3d down = f.gradient / f.size;
+  const double byFullness = c.isoScale * f.level / f.flatLevel * c.level->slope(f.fullness) / f.colour;
+  const double byNear = s.particle(Near) < rise.full
+                            ? c.isoScale * f.flatLevel * rise.most / rise.full * c.nearSlope / c.slope
+                            : 0;
+  const Vec3d slopes = f.gradient - byFullness * (three(s, SmoothGradient, true) - f.fullness * f.gradient) +
+                       byNear * three(s, NearGradient, true);
+  const double steep = std::clamp(dot(slopes, down) / f.size, flattest, steepest);
+  const Vec3d off = slopes / f.size - dot(slopes, down) / f.size * down;
+  const double tilt = length(off) / steep,
+               trusted = tilt * tilt / (tilt * tilt + leastTilt * leastTilt) *
+                         std::min(1.0, steepestTilt / std::max(tilt, steepestTilt));
+  return steep * down + trusted * off;
+}
+
+/// Returns the force toward the depth of the mean particle at any surface. It acts only beyond that depth, so
+/// that the iso-surface is an equilibrium.
+Vec3d attraction(const MoveContext& c, const SurfelSums& s, const ColourHere& f) {
+  const Vec3d away = (c.unit / f.colour) * three(s, Attraction, true);
+  const double depth = length(away);
+  if (!(depth > 0)) return {};
+  return -((c.weights.attract * std::max(0.0, depth - c.support * c.level->depth(f.fullness)) / depth) *
+           away);
+}
+
+/// Returns the force on a surfel that keeps the normal of a wall (alignWithWalls).
+NormalForce forceAlongWall(const MoveContext& c, const ColourHere& f, const Vec3d& normal) {
+  NormalForce p;
+  p.outward = p.normal = normal;
+  p.along = c.weights.implicit *
+            std::min((f.colour - c.isoScale * f.level) / std::max(f.slope, 1 / c.support), c.longest);
+  p.known = true;
+  return p;
+}
+
 }  // namespace
 
 MoveContext moveContext(const Scene& scene, const Surface& s, const RelaxTools& tools,
@@ -96,60 +159,28 @@ MoveContext moveContext(const Scene& scene, const Surface& s, const RelaxTools& 
 
 NormalForce normalForceOn(const SurfaceView& w, const MoveContext& c, const SurfelSums& s, double isoOffset,
                           std::size_t i) {
+  const Surfels& surfels = w.surface.surfels;
   NormalForce p;
-  Vec3d normal = w.surface.surfels.normal[i], force{};
-  // Colour field: its gradient points into the body.
-  const double colour = s.particle(Colour), dx = w.scene.spacing;
-  const LevelRise tight = levelRiseOf(isoOffset / dx);
+  Vec3d normal = surfels.normal[i], force{};
+  const double dx = w.scene.spacing;
+  const LevelRise rise = levelRiseOf(isoOffset / dx);
   isoOffset = dx * limitedIsoOffset(isoOffset / dx);
-  if (colour > 0) {
-    // negative gradient of the colour field, over c.slope
-    const Vec3d gradient = three(s, Gradient, true);
-    const double size = length(gradient), slope = c.slope * size;
-    p.known = slope * c.support > 1e-2 * colour;
-    const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness),
-                 level = raisedLevel(flat, s.particle(Near), tight);
-    if (const Surfels& f = w.surface.surfels;
-        f.wallAligned.active && f.wallAligned[i] && colour > c.isoScale * level) {
-      p.outward = p.normal = normal;
-      p.along = c.weights.implicit *
-                std::min((colour - c.isoScale * level) / std::max(slope, 1 / c.support), c.longest);
-      p.known = true;
-      return p;
-    }
+  if (s.particle(Colour) > 0) {
+    const ColourHere f = colourAt(c, s, rise);
+    p.known = f.slope * c.support > 1e-2 * f.colour;
+    if (surfels.wallAligned.active && surfels.wallAligned[i] && f.colour > c.isoScale * f.level)
+      return forceAlongWall(c, f, normal);
     if (p.known) {
-      // The surface is where colour equals level. The level also varies, on streams and at rims almost as
-      // fast as the colour. Normal and distance therefore follow from the slope of their difference.
-      const Vec3d down = gradient / size;
-      const double byFullness = c.isoScale * level / flat * c.level->slope(fullness) / colour;
-      const double byNear = s.particle(Near) < tight.full
-                                ? c.isoScale * flat * tight.most / tight.full * c.nearSlope / c.slope
-                                : 0;
-      const Vec3d slopes = gradient - byFullness * (three(s, SmoothGradient, true) - fullness * gradient) +
-                           byNear * three(s, NearGradient, true);
-      const double steep = std::clamp(dot(slopes, down) / size, flattest, steepest);
-      const Vec3d off = slopes / size - dot(slopes, down) / size * down;
-      const double tilt = length(off) / steep,
-                   trusted = tilt * tilt / (tilt * tilt + leastTilt * leastTilt) *
-                             std::min(1.0, steepestTilt / std::max(tilt, steepestTilt));
-      const Vec3d whole = steep * down + trusted * off;
-      p.outward = normalized(whole);
-      const double out = (colour - c.isoScale * level) / (slope * length(whole));
+      const Vec3d slope = slopeToLevel(c, s, f, rise);
+      p.outward = normalized(slope);
+      const double out = (f.colour - c.isoScale * f.level) / (f.slope * length(slope));
       // Surfels on a wall stay there when the component is drawn in.
       const bool stopped = isoOffset < 0 && out > 0 &&
-                           inWall(w, w.surface.surfels.position[i] + std::min(out, c.longest) * p.outward);
+                           inWall(w, surfels.position[i] + std::min(out, c.longest) * p.outward);
       const double height = std::clamp(stopped ? out : out + isoOffset, -c.longest, c.longest);
       force += c.weights.implicit * height * p.outward;
-      // Attraction acts only beyond the depth of the mean particle at any surface, so that the iso-surface is
-      // an equilibrium.
-      if (c.weights.attract > 0) {
-        const Vec3d away = (c.unit / colour) * three(s, Attraction, true);
-        const double depth = length(away);
-        if (depth > 0)
-          force -= (c.weights.attract * std::max(0.0, depth - c.support * c.level->depth(fullness)) / depth) *
-                   away;
-      }
-      p.least = std::clamp((c.leastScale * level - colour) / slope, 0.0, c.longest);
+      if (c.weights.attract > 0) force += attraction(c, s, f);
+      p.least = std::clamp((c.leastScale * f.level - f.colour) / f.slope, 0.0, c.longest);
       p.flipped = dot(normal, p.outward) < 0;
       if (p.flipped) normal = -normal;
     }
@@ -173,48 +204,44 @@ NormalForce normalForceOn(const SurfaceView& w, const MoveContext& c, const Surf
   return p;
 }
 
-void moveSurfel(const SurfaceView& w, const MoveContext& c, const SurfelSums& s, double isoOffset,
-                std::size_t i, MoveCounts& counts) {
-  Surfels& f = w.surface.surfels;
-  const Vec3d before = f.position[i];
-  const NormalForce normalForce = normalForceOn(w, c, s, isoOffset, i);
-  counts.flipped += normalForce.flipped;
-  counts.keptNormals += normalForce.keptNormal;
-  const Vec3d normal = normalForce.normal, facing = normalForce.known ? normalForce.outward : normal;
-  Vec3d tangential{};
-  if (c.weights.repel > 0) {
-    // Moves towards the point where static neighbours would not repel the surfel: slightly more than half the
-    // way, since they move as well.
-    if (s.surfel(Stiffness) > 0)
-      tangential = (c.spread * std::min(1.0, 2 * c.weights.repel) * c.unit / s.surfel(Stiffness)) *
-                   three(s, Repulsion, false);
-    // Coincident surfels separate in a direction given by their id.
-    if (s.surfel(Coincident) > 1) {
-      Vec3d d;
-      for (int a = 0; a < 3; a++)
-        d[a] = randomUniform(w.scene.seed, Purpose::Separate, f.id[i], static_cast<std::uint64_t>(a)) - 0.5;
-      tangential += (c.spread * c.weights.repel * f.radius[i]) * d;
-    }
-    tangential -= dot(normal, tangential) * normal;
-    const double far = length(tangential), farthest = 0.25 * f.radius[i];
-    if (far > farthest) tangential = (farthest / far) * tangential;
+namespace {
+
+/// Returns the move along the surface, at most a quarter of the radius: towards the point where static
+/// neighbours would not repel the surfel. It is slightly more than half the way, since they move as well.
+Vec3d tangentialMove(const SurfaceView& w, const MoveContext& c, const SurfelSums& s, const Vec3d& normal,
+                     std::size_t i) {
+  const Surfels& f = w.surface.surfels;
+  Vec3d move{};
+  if (!(c.weights.repel > 0)) return move;
+  if (s.surfel(Stiffness) > 0)
+    move = (c.spread * std::min(1.0, 2 * c.weights.repel) * c.unit / s.surfel(Stiffness)) *
+           three(s, Repulsion, false);
+  // Coincident surfels separate in a direction given by their id.
+  if (s.surfel(Coincident) > 1) {
+    Vec3d d;
+    for (int a = 0; a < 3; a++)
+      d[a] = randomUniform(w.scene.seed, Purpose::Separate, f.id[i], static_cast<std::uint64_t>(a)) - 0.5;
+    move += (c.spread * c.weights.repel * f.radius[i]) * d;
   }
-  // Damps oscillations: the step halves each time that the force changes sign.
-  const double wanted = std::clamp(c.step * normalForce.along, -c.longest, c.longest),
-               last = static_cast<double>(f.stepShare[i]);
-  const double share = last == 0           ? 1
-                       : wanted * last < 0 ? std::max(0.5 * std::abs(last), leastStepShare)
-                                           : std::min(1.25 * std::abs(last), mostStepShare);
-  f.stepShare[i] = static_cast<float>(wanted < 0 ? -share : share);
-  const Vec3d normalMove = w.scene.surface.damping * c.ease * share * wanted * normal;
-  Vec3d move = normalMove + w.scene.surface.damping * tangential;
-  // Surfels below the least level are projected onto it.
-  if (normalForce.least > 0) {
-    const double inward = -dot(move, normalForce.outward);
-    if (inward < normalForce.least) move -= (normalForce.least - inward) * normalForce.outward;
-  }
-  Vec3d x = projectedOutOfWalls(w, before + move, facing);
-  const Vec3d back = x - (before + move);
+  move -= dot(normal, move) * normal;
+  const double far = length(move), farthest = 0.25 * f.radius[i];
+  if (far > farthest) move = (farthest / far) * move;
+  return move;
+}
+
+/// Returns the share of the step in which a surfel moves. It damps oscillations: the share halves each time
+/// that the force changes sign. last: the previous share, with the sign of its move; 0 for none.
+double stepShareOf(double wanted, double last) {
+  return last == 0           ? 1
+         : wanted * last < 0 ? std::max(0.5 * std::abs(last), leastStepShare)
+                             : std::min(1.25 * std::abs(last), mostStepShare);
+}
+
+/// Returns the position after a move, outside of walls. facing: outward normal; normal: of the surfel.
+Vec3d movedAlongWalls(const SurfaceView& w, const Vec3d& target, const Vec3d& normalMove, const Vec3d& normal,
+                      const Vec3d& facing) {
+  Vec3d x = projectedOutOfWalls(w, target, facing);
+  const Vec3d back = x - target;
   if (const double pushed = length(back); pushed > 0) {
     // A wall carries the normal force of a surfel on it. A component along the wall, at small angles, would
     // let the surfel creep.
@@ -222,23 +249,56 @@ void moveSurfel(const SurfaceView& w, const MoveContext& c, const SurfelSums& s,
     const double onto = std::clamp(-2 * dot(normal, n) - 0.8, 0.0, 1.0);
     x = projectedOutOfWalls(w, x - onto * creep, facing);
   }
-  // includes the part that the margin cuts off
-  const Vec3d gone = x - before;
-  const Vec3d off = x - c.found[i];
-  const bool stopped = dot(off, off) > c.stray * c.stray;
-  if (stopped) x = c.found[i] + (c.stray / length(off)) * off;
-  f.position[i] = x;
+  return x;
+}
+
+void turnSurfel(Surfels& f, std::size_t i, const Vec3d& normal) {
   f.normal[i] = normal;
   Vec3d tangent = f.tangent[i] - dot(f.tangent[i], normal) * normal;
   if (!(dot(tangent, tangent) > 1e-6))
     tangent = cross(normal, std::abs(normal.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0});
   f.tangent[i] = normalized(tangent);
+}
+
+/// Returns whether a surfel still moves: `gone` (m), the move before the margin stops it, exceeds the stop
+/// criterion.
+bool stillMoves(const SurfaceView& w, std::size_t i, const Vec3d& gone, const Vec3d& normal) {
+  const Surfels& f = w.surface.surfels;
   const double kept = f.liquid.active && !(f.relaxesOnce.active && f.relaxesOnce[i])
                           ? std::clamp(static_cast<double>(f.liquid[i]), leastKept, 1.0)
                           : 1;
   const double height = dot(gone, normal), stop = w.scene.surface.stop * f.radius[i] / kept;
-  const bool moving = std::abs(height) > stop || length(gone - height * normal) > evenEnough * stop;
-  f.moving[i] = !moving ? 0 : stopped ? stoppedAtMargin : 1;
+  return std::abs(height) > stop || length(gone - height * normal) > evenEnough * stop;
+}
+
+}  // namespace
+
+void moveSurfel(const SurfaceView& w, const MoveContext& c, const SurfelSums& s, double isoOffset,
+                std::size_t i, MoveCounts& counts) {
+  Surfels& f = w.surface.surfels;
+  const Vec3d before = f.position[i];
+  const NormalForce force = normalForceOn(w, c, s, isoOffset, i);
+  counts.flipped += force.flipped;
+  counts.keptNormals += force.keptNormal;
+  const Vec3d normal = force.normal, facing = force.known ? force.outward : normal;
+  const Vec3d tangential = tangentialMove(w, c, s, normal, i);
+  const double wanted = std::clamp(c.step * force.along, -c.longest, c.longest),
+               share = stepShareOf(wanted, static_cast<double>(f.stepShare[i]));
+  f.stepShare[i] = static_cast<float>(wanted < 0 ? -share : share);
+  const Vec3d normalMove = w.scene.surface.damping * c.ease * share * wanted * normal;
+  Vec3d move = normalMove + w.scene.surface.damping * tangential;
+  // Surfels below the least level are projected onto it.
+  if (force.least > 0) {
+    const double inward = -dot(move, force.outward);
+    if (inward < force.least) move -= (force.least - inward) * force.outward;
+  }
+  Vec3d x = movedAlongWalls(w, before + move, normalMove, normal, facing);
+  const Vec3d gone = x - before, off = x - c.found[i];
+  const bool stopped = dot(off, off) > c.stray * c.stray;
+  if (stopped) x = c.found[i] + (c.stray / length(off)) * off;
+  f.position[i] = x;
+  turnSurfel(f, i, normal);
+  f.moving[i] = !stillMoves(w, i, gone, normal) ? 0 : stopped ? stoppedAtMargin : 1;
 }
 
 }  // namespace thaw

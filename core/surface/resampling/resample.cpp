@@ -19,7 +19,7 @@
 namespace thaw {
 namespace {
 
-// Champion: precedes all surfels that are too close to it
+// LocalMaximum: precedes all surfels that are too close to it
 enum ResampleFlag : std::uint8_t { Birth = 1, Crowded = 2, LocalMaximum = 4, Changed = 8 };
 
 /// Returns whether a surfel beside melt still carries its full mesh detail.
@@ -39,14 +39,15 @@ struct Round {
   const BirthPlace& mayBe;
   bool start;  ///< nothing has moved yet
   const Bins& bins;
-  double particleSpacing;                                 ///< m
+  double particleSpacing;  ///< m
+  bool adapts;             ///< the first round with adaptive density
+  std::int64_t surfels;    ///< number on all ranks before the first round; 0 in it
   std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< for all rows, ghosts included
   std::vector<float> closest{};                           ///< for owned rows
-  std::vector<std::uint32_t> going{};
   /// flags of all rows: inspected in this round
   std::vector<std::uint8_t> open{};
 
-  void lookAtOpen() {
+  void flagOpen() {
     open.resize(table->size());
     for (std::size_t i = 0; i < table->size(); i++) open[i] = table->resampleMargin[i] == 0;
   }
@@ -205,7 +206,7 @@ struct Round {
     return true;
   }
 
-  /// Returns whether a surfel dies. A champion stays, and surfels too close to it die.
+  /// Returns whether a surfel dies. A local maximum stays, and surfels too close to it die.
   bool dies(std::size_t i) const {
     const Surfels& s = *table;
     if (!(s.resampleFlags[i] & Crowded)) return false;
@@ -281,7 +282,97 @@ void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, ActiveSet&
       columns.push_back(c);
   addGhosts(halos.surfels, s, cells, columns);
   fillBins(surface.grid, cells, s.position.data(), r.reach, t.relax.surfelBins);
-  r.lookAtOpen();
+  r.flagOpen();
+}
+
+double leastEdge(const CellGrid& grid) { return std::min({grid.edge.x, grid.edge.y, grid.edge.z}); }
+
+/// Places the surfels of a round, adapts their density in the first, and lists the surroundings of open ones.
+/// With few open surfels, the round and later ones use the active set. Collective.
+void beginRound(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t, Round& r) {
+  Surface& surface = w.surface;
+  Surfels& all = surface.surfels;
+  ActiveSet& region = t.activeSet;
+  placeOpen(surface, halos, t, region, r);
+  if (r.adapts) {
+    r.open.assign(all.size(), 1);
+    findRows(t.relax.surfelBins, all.position.data(), all.owned, r.open, r.reach, t.surfelsOf);
+    adaptDensity(surface, halos.surfels, t.surfelsOf, r.reach, w.scene.surface.adapt * surface.spacing);
+    r.flagOpen();
+    return;
+  }
+  const double regionRadius = std::min(3 * r.reach, leastEdge(surface.grid));
+  if (r.surfels > 0 && !region.taken && regionRadius >= 2 * r.reach && region.few > 0 &&
+      r.openRows(halos.all) * region.few < r.surfels) {
+    extractActiveSet(surface, t.relax.surfelBins, r.open, regionRadius, r.reach, region);
+    r.table = &region.surfels;
+    placeOpen(surface, halos, t, region, r);
+  }
+  findRows(t.relax.surfelBins, r.table->position.data(), r.table->owned, r.open, r.reach, t.surfelsOf);
+}
+
+/// Births and deaths of a round.
+struct RoundChanges {
+  std::vector<std::uint32_t> parents, stay, dead;    ///< owned rows
+  std::int64_t surfels = 0, births = 0, deaths = 0;  ///< on all ranks
+};
+
+/// Collective.
+RoundChanges selectChanges(const Round& r, Reducer& all) {
+  RoundChanges c;
+  for (std::uint32_t i = 0; i < r.table->owned; i++) {
+    if (r.givesBirth(i)) c.parents.push_back(i);
+    (r.dies(i) ? c.dead : c.stay).push_back(i);
+  }
+  std::array<std::int64_t, 3> count{static_cast<std::int64_t>(r.table->owned),
+                                    static_cast<std::int64_t>(c.parents.size()),
+                                    static_cast<std::int64_t>(c.dead.size())};
+  all.sum(count);
+  c.surfels = count[0], c.births = count[1], c.deaths = count[2];
+  return c;
+}
+
+/// Limits births to a fraction, selected by hash, and reduces it further if still too many. Returns whether
+/// there were more than `most`. Collective.
+bool limitBirths(const Round& r, std::int64_t most, RoundChanges& c, Reducer& all) {
+  bool limited = false;
+  for (double fraction = 1; c.births > most;) {
+    fraction *= 0.98 * static_cast<double>(most) / static_cast<double>(c.births);
+    std::erase_if(c.parents, [&](std::uint32_t i) {
+      return randomUniform(r.seed, Purpose::SurfelSample, r.table->id[i], r.salt) >= fraction;
+    });
+    c.births = static_cast<std::int64_t>(c.parents.size());
+    all.sum({&c.births, 1});
+    limited = true;
+  }
+  return limited;
+}
+
+/// Marks surfels around births and deaths for inspection: deaths may uncover places, and births change the
+/// patches of their neighbours. Collective.
+void inspectAround(const RoundChanges& c, double spacing, SurfaceHalos halos, Round& r) {
+  Surfels& s = *r.table;
+  for (const std::uint32_t i : c.dead) s.resampleFlags[i] |= Changed;
+  for (const std::uint32_t i : c.parents) s.resampleFlags[i] |= Changed;
+  refreshGhosts(halos.surfels, s, ColumnList{&s.resampleFlags});
+  std::vector<std::uint8_t> changed(s.size());
+  for (std::size_t i = 0; i < s.size(); i++) changed[i] = (s.resampleFlags[i] & Changed) != 0;
+  markForInspection(s, r.bins, changed, spacing);
+}
+
+/// Removes the dead surfels and adds the new ones. Collective.
+void applyChanges(Surface& surface, const RoundChanges& c, const ActiveSet& region, const Round& r,
+                  Reducer& all) {
+  Surfels& s = *r.table;
+  const std::vector<SurfelRow> born = r.births(c.parents);
+  std::vector<double> depth;
+  for (const std::uint32_t i : c.parents)
+    depth.push_back(region.taken ? s.depth[i] + length(s.candidateOffset[i]) : 0);
+  s.resize(s.owned, 0);
+  if (c.stay.size() < s.owned) s.reorder(c.stay);
+  if (c.births == 0) return;
+  addSurfels(s, born, r.seed, all, region.taken ? &surface.surfels : nullptr);
+  if (region.taken) std::copy(depth.begin(), depth.end(), s.depth.data() + s.owned - depth.size());
 }
 
 }  // namespace
@@ -305,20 +396,19 @@ Resampled resample(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t, st
                    const BirthPlace& mayBe) {
   Surface& surface = w.surface;
   Surfels& all = surface.surfels;
-  const double edge = std::min({surface.grid.edge.x, surface.grid.edge.y, surface.grid.edge.z}),
-               reach = std::min(3 * surface.spacing, edge);
-  const double regionRadius = std::min(3 * reach, edge);
+  const double reach = std::min(3 * surface.spacing, leastEdge(surface.grid));
   ActiveSet& region = t.activeSet;
   Resampled done;
-  std::int64_t cap = -1, total = 0;
+  std::int64_t surfels = 0;
   all.resize(all.owned, 0);
   const bool adapt = w.scene.surface.adapt > 0;
   if (!adapt) relaxRadii(surface);
   for (std::int64_t round = 0; round < rounds && !done.finished && !done.capped; round++) {
     if (region.taken && !activeSetSuffices(region, halos.all)) returnActiveSet(surface, region);
     Surfels* table = region.taken ? &region.surfels : &all;
+    const bool adapts = adapt && round == 0;
     excludeSmallDrops(surface, *table);
-    if (!(adapt && round == 0) && countOpen(*table, halos.all) == 0) {
+    if (!adapts && countOpen(*table, halos.all) == 0) {
       done.finished = true;
       break;
     }
@@ -330,66 +420,20 @@ Resampled resample(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t, st
             mayBe,
             w.clock.step == 0,
             t.relax.surfelBins,
-            w.scene.spacing};
-    placeOpen(surface, halos, t, region, r);
-    if (adapt && round == 0) {
-      r.open.assign(all.size(), 1);
-      findRows(t.relax.surfelBins, all.position.data(), all.owned, r.open, reach, t.surfelsOf);
-      adaptDensity(surface, halos.surfels, t.surfelsOf, reach, w.scene.surface.adapt * surface.spacing);
-      r.lookAtOpen();
-    } else if (round > 0 && !region.taken && regionRadius >= 2 * reach && region.few > 0 &&
-               r.openRows(halos.all) * region.few < total) {
-      extractActiveSet(surface, t.relax.surfelBins, r.open, regionRadius, reach, region);
-      r.table = &region.surfels;
-      placeOpen(surface, halos, t, region, r);
-    }
-    Surfels& s = *r.table;
-    if (!(adapt && round == 0))
-      findRows(t.relax.surfelBins, s.position.data(), s.owned, r.open, reach, t.surfelsOf);
+            w.scene.spacing,
+            adapts,
+            surfels};
+    beginRound(w, halos, t, r);
     r.findCandidates();
-    refreshGhosts(halos.surfels, s, ColumnList{&s.resampleFlags, &s.candidateOffset});
-    std::vector<std::uint32_t> parents, stay;
-    for (std::uint32_t i = 0; i < s.owned; i++) {
-      if (r.givesBirth(i)) parents.push_back(i);
-      if (!r.dies(i)) stay.push_back(i);
-      else r.going.push_back(i);
-    }
-    std::array<std::int64_t, 3> count{static_cast<std::int64_t>(s.owned),
-                                      static_cast<std::int64_t>(parents.size()),
-                                      static_cast<std::int64_t>(s.owned - stay.size())};
-    halos.all.sum(count);
-    if (cap < 0) cap = birthCap(total = count[0]);
-    done.finished = count[1] + count[2] == 0;
-    // Limits births to a share, selected by hash, and reduces it further if still too many.
-    for (double share = 1; done.births + count[1] > cap;) {
-      share *= 0.98 * static_cast<double>(cap - done.births) / static_cast<double>(count[1]);
-      std::erase_if(parents, [&](std::uint32_t i) {
-        return randomUniform(r.seed, Purpose::SurfelSample, s.id[i], r.salt) >= share;
-      });
-      count[1] = static_cast<std::int64_t>(parents.size());
-      halos.all.sum({&count[1], 1});
-      done.capped = true;
-    }
-    // Deaths may uncover places, and births change the patches of their neighbours.
-    if (count[1] + count[2] > 0) {
-      for (const std::uint32_t i : r.going) s.resampleFlags[i] |= Changed;
-      for (const std::uint32_t i : parents) s.resampleFlags[i] |= Changed;
-      refreshGhosts(halos.surfels, s, ColumnList{&s.resampleFlags});
-      std::vector<std::uint8_t> changed(s.size());
-      for (std::size_t i = 0; i < s.size(); i++) changed[i] = (s.resampleFlags[i] & Changed) != 0;
-      markForInspection(s, t.relax.surfelBins, changed, surface.spacing);
-    }
-    done.births += count[1];
-    done.deaths += count[2];
-    const std::vector<SurfelRow> born = r.births(parents);
-    std::vector<double> depth;
-    for (const std::uint32_t i : parents)
-      depth.push_back(region.taken ? s.depth[i] + length(s.candidateOffset[i]) : 0);
-    s.resize(s.owned, 0);
-    if (stay.size() < s.owned) s.reorder(stay);
-    if (count[1] == 0) continue;
-    addSurfels(s, born, r.seed, halos.all, region.taken ? &all : nullptr);
-    if (region.taken) std::copy(depth.begin(), depth.end(), s.depth.data() + s.owned - depth.size());
+    refreshGhosts(halos.surfels, *r.table, ColumnList{&r.table->resampleFlags, &r.table->candidateOffset});
+    RoundChanges changes = selectChanges(r, halos.all);
+    if (round == 0) surfels = changes.surfels;
+    done.finished = changes.births + changes.deaths == 0;
+    done.capped = limitBirths(r, birthCap(surfels) - done.births, changes, halos.all);
+    if (changes.births + changes.deaths > 0) inspectAround(changes, surface.spacing, halos, r);
+    done.births += changes.births;
+    done.deaths += changes.deaths;
+    applyChanges(surface, changes, region, r, halos.all);
   }
   returnActiveSet(surface, region);
   for (std::size_t i = 0; i < all.owned; i++) all.resampleMargin[i] = std::max(0.0f, all.resampleMargin[i]);

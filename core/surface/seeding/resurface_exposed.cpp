@@ -76,100 +76,140 @@ void uncoverBesideLiquid(const Scene& scene, const SurfaceTools& t, Surface& s) 
   }
 }
 
-/// Appends seed surfels around exposed owned particles to `rows`. Particles that the initial surface still
-/// covers are skipped. Where a solid is bent or compressed, that surface deviates from the colour's
-/// iso-surface, and seeds would form a second skin. Requires: surfels with ghosts and bins.
-void seedExposed(const SurfaceView& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
-  const Surface& s = w.surface;
-  const Surfels& f = s.surfels;
-  const SurfaceParticles& p = s.particles;
-  const double dx = w.scene.spacing, reach = surfelReach * dx,
-               near2 = neighbourReach * neighbourReach * dx * dx;
-  double largest = 0;
-  for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
-  // seen from a seed, up to 1.2 spacings from its particle
-  const double far = 1.2 * dx + std::hypot(reach, largest);
-  SeedDirections seeds(w.scene, w.surface);
-  FreeDirections free;
-  DiscCover near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
-  RowBlock block;
-  FieldProbe probe(w.scene, w.surface, t);
-  std::array<Vec3d, FieldProbe::most> direction;
-  std::array<int, FieldProbe::most> number;
-  std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
-  const Bins& bins = t.relax.particleBins;
-  const auto mayBeSeeded = [&](std::uint32_t i) {
-    if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour ||
-        (p.covered.active && p.covered[i]))
-      return false;
-    const SurfaceComponent* c = findComponent(s, p.component[i]);
-    return c && c->particles > smallDrop;
-  };
-  const auto seed = [&](std::uint32_t i) {
-    const Vec3d x = p.position[i];
-    seeds.turn(p.id[i]);
-    free.begin(seeds);
-    forRowsAround(bins, x, x, neighbourReach * dx, [&](std::uint32_t j, const Vec3d& at) {
-      const Vec3d d = at - x;
-      const double r2 = dot(d, d);
-      if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) free.take(d / std::sqrt(r2));
-    });
-    near.clear();
-    for (const std::uint32_t k : block.around(x, dx)) {
-      const std::uint32_t j = block.row[k];
-      const Vec3d d = block.at[k] - x;
-      if (dot(d, d) < dx * dx && f.component[j] == p.component[i]) near.add(d, f.normal[j], f.radius[j]);
-    }
-    bool gathered = false;
-    const auto gather = [&] {
-      if (gathered) return;
-      gathered = true;
-      all.clear();
-      forRowsAround(t.relax.surfelBins, x, x, far, [&](std::uint32_t j, const Vec3d& there) {
-        if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
-      });
-    };
-    std::size_t n = 0;
-    const auto tryAll = [&] {
-      seedsOnSurface(probe, i, direction.data(), n, at.data());
-      for (std::size_t k = 0; k < n; k++) {
-        if (!at[k] || all.covers(at[k]->position - x, at[k]->normal)) continue;
-        const std::array<Vec3d, 2> places{at[k]->position, at[k]->position + at[k]->normal * (0.5 * dx)};
-        std::array<FieldHere, 2> field;
-        PlaceBox box{places[0], places[0]};
-        box.add(places[1]);
-        probe.around(box, p.component[i], x);
-        probe.at(places.data(), 2, field.data());
-        if (field[1].value <= openingDrop * field[0].level)
-          rows.push_back(seedSurfel(w, i, number[k], *at[k]));
-      }
-      n = 0;
-    };
-    for (int k = 0; k < seeds.count(); k++) {
-      const Vec3d u = seeds[k];
-      if (free.taken(k) || near.covers(u)) continue;
-      // Surfels near the particle already cover most directions.
-      gather();
-      if (all.covers(u)) continue;
-      direction[n] = u, number[n] = k;
-      if (++n == direction.size()) tryAll();
-    }
-    if (n > 0) tryAll();
-  };
-  for (std::size_t b = 0; b < bins.size(); b++) {
+/// Seeds surfels around exposed owned particles. Particles that the initial surface still covers are skipped.
+/// Where a solid is bent or compressed, that surface deviates from the colour's iso-surface, and seeds would
+/// form a second skin. Requires: surfels with ghosts and bins.
+class ExposedSeeder {
+ public:
+  ExposedSeeder(const SurfaceView& view, const SurfaceTools& tools, std::vector<SurfelRow>& rows)
+      : view_(view),
+        particles_(view.surface.particles),
+        surfels_(view.surface.surfels),
+        particleBins_(tools.relax.particleBins),
+        surfelBins_(tools.relax.surfelBins),
+        rows_(rows),
+        spacing_(view.scene.spacing),
+        seeds_(view.scene, view.surface),
+        near_(spacing_, surfelReach),
+        all_(spacing_, surfelReach),
+        probe_(view.scene, view.surface, tools) {
+    double largest = 0;
+    for (std::size_t i = 0; i < surfels_.size(); i++) largest = std::max(largest, surfels_.radius[i]);
+    // seen from a seed, up to 1.2 spacings from its particle
+    far_ = 1.2 * spacing_ + std::hypot(surfelReach * spacing_, largest);
+  }
+
+  /// Appends seeds around the particles of a bin to the rows.
+  void seedBin(std::size_t bin) {
     std::uint32_t seedable = 0;
     PlaceBox box{};
-    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
+    const Bins& bins = particleBins_;
+    for (std::uint32_t k = bins.first[bin]; k < bins.first[bin + 1]; k++)
       if (mayBeSeeded(bins.row[k])) {
         if (seedable++ == 0) box = {bins.at[k], bins.at[k]};
         box.add(bins.at[k]);
       }
-    if (seedable == 0) continue;
-    block.find(t.relax.surfelBins, box, dx);
-    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
-      if (mayBeSeeded(bins.row[k])) seed(bins.row[k]);
+    if (seedable == 0) return;
+    block_.find(surfelBins_, box, spacing_);
+    for (std::uint32_t k = bins.first[bin]; k < bins.first[bin + 1]; k++)
+      if (mayBeSeeded(bins.row[k])) seedAround(bins.row[k]);
   }
-}
+
+ private:
+  bool mayBeSeeded(std::uint32_t i) const {
+    const SurfaceParticles& p = particles_;
+    if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour ||
+        (p.covered.active && p.covered[i]))
+      return false;
+    const SurfaceComponent* c = findComponent(view_.surface, p.component[i]);
+    return c && c->particles > smallDrop;
+  }
+
+  /// Sets the directions from particle i without particles nearby, and the cover of the nearest surfels.
+  void findFree(std::uint32_t i) {
+    const SurfaceParticles& p = particles_;
+    const Surfels& f = surfels_;
+    const Vec3d x = p.position[i];
+    const double near = neighbourReach * spacing_,
+                 near2 = neighbourReach * neighbourReach * spacing_ * spacing_;
+    seeds_.turn(p.id[i]);
+    free_.begin(seeds_);
+    forRowsAround(particleBins_, x, x, near, [&](std::uint32_t j, const Vec3d& at) {
+      const Vec3d d = at - x;
+      const double r2 = dot(d, d);
+      if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) free_.take(d / std::sqrt(r2));
+    });
+    near_.clear();
+    for (const std::uint32_t k : block_.around(x, spacing_)) {
+      const std::uint32_t j = block_.row[k];
+      const Vec3d d = block_.at[k] - x;
+      if (dot(d, d) < spacing_ * spacing_ && f.component[j] == p.component[i])
+        near_.add(d, f.normal[j], f.radius[j]);
+    }
+  }
+
+  /// Sets the cover of all surfels that may reach a seed of particle i.
+  void coverAll(std::uint32_t i) {
+    const Vec3d x = particles_.position[i];
+    all_.clear();
+    forRowsAround(surfelBins_, x, x, far_, [&](std::uint32_t j, const Vec3d& at) {
+      if (surfels_.component[j] == particles_.component[i])
+        all_.add(at - x, surfels_.normal[j], surfels_.radius[j]);
+    });
+  }
+
+  void seedAround(std::uint32_t i) {
+    findFree(i);
+    bool covered = false;
+    count_ = 0;
+    for (int k = 0; k < seeds_.count(); k++) {
+      const Vec3d u = seeds_[k];
+      // Surfels near the particle already cover most directions.
+      if (free_.taken(k) || near_.covers(u)) continue;
+      if (!covered) coverAll(i);
+      covered = true;
+      if (all_.covers(u)) continue;
+      direction_[count_] = u, number_[count_] = k;
+      if (++count_ == direction_.size()) addSeeds(i);
+    }
+    if (count_ > 0) addSeeds(i);
+  }
+
+  /// Appends the seeds of the collected directions that lie at an opening, and begins a new collection.
+  void addSeeds(std::uint32_t i) {
+    const Vec3d x = particles_.position[i];
+    seedsOnSurface(probe_, i, direction_.data(), count_, at_.data());
+    for (std::size_t k = 0; k < count_; k++) {
+      const std::optional<SurfacePoint>& at = at_[k];
+      if (!at || all_.covers(at->position - x, at->normal)) continue;
+      const std::array<Vec3d, 2> places{at->position, at->position + at->normal * (0.5 * spacing_)};
+      std::array<FieldHere, 2> field;
+      PlaceBox box{places[0], places[0]};
+      box.add(places[1]);
+      probe_.around(box, particles_.component[i], x);
+      probe_.at(places.data(), 2, field.data());
+      if (field[1].value <= openingDrop * field[0].level)
+        rows_.push_back(seedSurfel(view_, i, number_[k], *at));
+    }
+    count_ = 0;
+  }
+
+  const SurfaceView& view_;
+  const SurfaceParticles& particles_;
+  const Surfels& surfels_;
+  const Bins &particleBins_, &surfelBins_;
+  std::vector<SurfelRow>& rows_;
+  double spacing_, far_;  // m; far_: radius of coverAll
+  SeedDirections seeds_;
+  FreeDirections free_;
+  DiscCover near_, all_;
+  RowBlock block_;  // surfels around the particles of the bin
+  FieldProbe probe_;
+  std::size_t count_ = 0;  // collected directions
+  std::array<Vec3d, FieldProbe::most> direction_;
+  std::array<int, FieldProbe::most> number_;
+  std::array<std::optional<SurfacePoint>, FieldProbe::most> at_;
+};
 
 /// Marks surfels of solids that left the surface: surfels beyond the edge of a crack, and surfels inside a
 /// crack that opened. Mesh surfels are tested only beside grown faces. Requires: surfels with ghosts.
@@ -261,7 +301,7 @@ std::int64_t resurfaceExposed(const SurfaceView& w, SurfaceHalos halos, SurfaceT
   Surfels& f = s.surfels;
   prepareParticles(w.scene, w.surface, halos, t);
   const bool coloured = coloursMayDiffer(w.scene);
-  const auto look = [&] {
+  const auto placeSurfels = [&] {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
     ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.detail};
     if (f.liquid.active) columns.push_back(&f.liquid);
@@ -273,7 +313,7 @@ std::int64_t resurfaceExposed(const SurfaceView& w, SurfaceHalos halos, SurfaceT
   };
   std::int64_t all = 0;
   for (int round = 0; round < mostRounds; round++) {
-    look();
+    placeSurfels();
     if (round == 0) uncoverBesideLiquid(w.scene, t, s);
     std::vector<std::uint8_t> dead;
     findDetached(w.scene, w.surface, t, dead);
@@ -281,11 +321,14 @@ std::int64_t resurfaceExposed(const SurfaceView& w, SurfaceHalos halos, SurfaceT
     halos.all.sum({count + 1, 1});
     if (count[1] > 0) {
       removeSurfels(s, dead);
-      look();
+      placeSurfels();
     }
     std::vector<SurfelRow> rows;
     // Without deletions, all seeds would be rejected again.
-    if (round == 0 || count[1] > 0) seedExposed(w, t, rows);
+    if (round == 0 || count[1] > 0) {
+      ExposedSeeder seeder(w, t, rows);
+      for (std::size_t bin = 0; bin < t.relax.particleBins.size(); bin++) seeder.seedBin(bin);
+    }
     if (coloured) inheritColours(w.scene, w.surface, t.relax.surfelBins, rows);
     count[0] = static_cast<std::int64_t>(rows.size());
     halos.all.sum({count, 1});
@@ -300,7 +343,7 @@ std::int64_t resurfaceExposed(const SurfaceView& w, SurfaceHalos halos, SurfaceT
     if (count[0] == 0) break;
   }
   if (all > 0) {
-    look();
+    placeSurfels();
     relaxAroundNew(w.scene, f);
     f.resize(f.owned, 0);
   }

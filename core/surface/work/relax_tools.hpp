@@ -2,8 +2,6 @@
 // Buffers of displacement and iterations, reused between updates. They are not part of the state.
 #pragma once
 #include <algorithm>
-#include <vector>
-
 #include <cstdint>
 #include <vector>
 

@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/setup/setup.hpp"
-#include "core/simulation/world/body_types.hpp"
 #include "io/commands/check/frontier.hpp"
 #include "io/run/failure_text.hpp"
+#include "io/run/mpi_halos.hpp"
 #include "io/scene/scene_for_all.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
 
 namespace thaw {
 namespace {
@@ -56,13 +53,9 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
   w.scene.surface.on = false;  // the surface acts on no particle
   for (OrientedBody& b : w.scene.oriented) b.relax = 0;
   prepareWorld(w, t, meshLoader());
-  MpiCellHalo cells(comm_, w.grid);
-  MpiBondHalo bonds(comm_), edges(comm_);
-  std::unique_ptr<MpiCellHalo> kinds[bodyTypeCount];
-  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
-    kinds[kind] = std::make_unique<MpiCellHalo>(comm_, w.grid);
-  });
-  const Halos halos{all, cells, bonds, {kinds[orientedType].get(), kinds[sheetType].get()}, &edges};
+  MpiHalos tables;
+  tables.make(w, comm_);
+  const Halos halos = tables.with(all);
   startWorld(w, halos, t, meshLoader());
   for (int n = 0; n < steps_ && w.clock.time < w.clock.end; n++) {
     StepOutcome o = step(w, halos, t, {});

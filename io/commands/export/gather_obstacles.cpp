@@ -1,109 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-
-#include "core/geometry/basic/signed_distance.hpp"
-#include "core/geometry/builtin/polygonise.hpp"
-#include "core/geometry/meshes/mesh_normals.hpp"
-#include "core/geometry/shapes/shape_mesh.hpp"
 #include "io/commands/export/gather_scene.hpp"
-#include "io/scene/scene_for_all.hpp"
+#include "io/export/obstacle_mesh.hpp"
 
 namespace thaw {
-
-namespace {
-
-constexpr Vec3f obstacleColour{188, 193, 200};
-
-bool isCut(const Shape& shape) {
-  return shape.kind == ShapeKind::Difference || shape.kind == ShapeKind::Intersection ||
-         std::any_of(shape.parts.begin(), shape.parts.end(), isCut);
-}
-
-/// Returns the part of a convex polygon with dot(normal, x) <= height.
-std::vector<Vec3d> clipped(const std::vector<Vec3d>& polygon, const Vec3d& normal, double height) {
-  std::vector<Vec3d> kept;
-  for (std::size_t k = 0; k < polygon.size(); k++) {
-    const Vec3d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    const double over = dot(normal, a) - height, next = dot(normal, b) - height;
-    if (over <= 0) kept.push_back(a);
-    if ((over < 0 && next > 0) || (over > 0 && next < 0))
-      kept.push_back(a + (over / (over - next)) * (b - a));
-  }
-  return kept;
-}
-
-/// Returns the part of a plane in the domain, or a large square if the plane lies outside.
-TriangleMesh planeMesh(const Vec3d& normal, double height, const Domain& domain) {
-  const Vec3d middle = 0.5 * (domain.min + domain.max),
-              foot = middle - (dot(normal, middle) - height) * normal;
-  const Vec3d u = normalized(cross(normal, std::abs(normal.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0})),
-              v = cross(normal, u);
-  const double half = length(domain.max - domain.min);
-  std::vector<Vec3d> square{foot - half * u - half * v, foot + half * u - half * v,
-                            foot + half * u + half * v, foot - half * u + half * v};
-  std::vector<Vec3d> polygon = square;
-  for (int a = 0; a < 3; a++) {
-    Vec3d axis{};
-    axis[a] = 1;
-    polygon = clipped(polygon, axis, domain.max[a]);
-    polygon = clipped(polygon, -axis, -domain.min[a]);
-  }
-  TriangleMesh mesh;
-  mesh.vertices = polygon.size() >= 3 ? polygon : square;
-  for (std::uint32_t k = 2; k < mesh.vertices.size(); k++) mesh.triangles.push_back({0, k - 1, k});
-  return mesh;
-}
-
-/// Returns the surface of an obstacle at rest. Differences and intersections are polygonised; other
-/// shapes are exact up to a small sag.
-TriangleMesh meshOf(const Obstacle& obstacle, const Domain& domain) {
-  const auto distance = makeSignedDistance(obstacle.shape, meshLoader());
-  const Bounds box = distance->bounds();
-  const Vec3d size = box.max - box.min;
-  if (!std::isfinite(length(size))) {
-    Vec3d normal;
-    const double away = distance->distance({}, &normal);
-    return planeMesh(normal, -away, domain);
-  }
-  const double largest = std::max({size.x, size.y, size.z});
-  if (!isCut(obstacle.shape)) return shapeMesh(obstacle.shape, 2e-3 * largest, meshLoader());
-  constexpr double cells = 80;
-  const double edge = largest / cells;
-  const Vec3d margin{2 * edge, 2 * edge, 2 * edge};
-  return polygonise([&](const Vec3d& x) { return distance->distanceWithin(x, 2 * edge); },
-                    {box.min - margin, box.max + margin}, edge);
-}
-
-/// Returns a mesh with normals, whose vertices are separate where edges are sharp.
-ComponentMesh withNormals(const TriangleMesh& mesh) {
-  const MeshNormals normals(mesh);
-  ComponentMesh out;
-  std::map<std::tuple<std::uint32_t, int, int, int>, std::uint32_t> made;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); t++) {
-    std::array<std::uint32_t, 3> corners{};
-    for (std::size_t k = 0; k < 3; k++) {
-      const std::uint32_t v = mesh.triangles[t][k];
-      const Vec3d n = normals.at(mesh.vertices[v], t);
-      const auto step = [](double x) { return static_cast<int>(std::lround(50 * x)); };
-      const auto [place, isNew] = made.try_emplace({v, step(n.x), step(n.y), step(n.z)},
-                                                   static_cast<std::uint32_t>(out.mesh.vertices.size()));
-      if (isNew) {
-        out.mesh.vertices.push_back(mesh.vertices[v]);
-        out.normals.push_back(single(n));
-        out.colours.push_back(obstacleColour);
-      }
-      corners[k] = place->second;
-    }
-    out.mesh.triangles.push_back(corners);
-  }
-  return out;
-}
-
-}  // namespace
 
 std::vector<ExportObject> obstaclesOf(const Scene& scene, std::vector<std::string>& warnings) {
   std::vector<ExportObject> all;
@@ -115,7 +16,7 @@ std::vector<ExportObject> obstaclesOf(const Scene& scene, std::vector<std::strin
                         Pose{},
                         !obstacle.motion.empty()};
     try {
-      object.parts.push_back(withNormals(meshOf(obstacle, scene.domain)));
+      object.parts.push_back(obstacleMesh(obstacle, scene.domain));
     } catch (const std::exception& error) {  // the mesh file may be missing on this machine
       warnings.push_back(fmt::format("obstacle {} is left out: {}", object.name, error.what()));
     }

@@ -35,6 +35,8 @@ RenderStyle styleOf(const FrameJob& picture, const ExportScene& scene) {
   RenderStyle style;
   style.width = picture.width;
   style.height = picture.height;
+  style.background = picture.background;
+  style.sun = picture.sun;
   style.stage = robustBox(placesOf(scene));
   style.camera = picture.camera
                      ? *picture.camera

@@ -84,9 +84,11 @@ struct WholeMesh {
 
 UsdMatrix matrixOf(const Pose& pose) {
   UsdMatrix m{};
-  for (int r = 0; r < 3; r++)
-    for (int c = 0; c < 3; c++) m[static_cast<std::size_t>(4 * c + r)] = pose.rotation.row[r][c];
-  for (int c = 0; c < 3; c++) m[static_cast<std::size_t>(12 + c)] = pose.move[c];
+  for (std::size_t c = 0; c < 3; c++) {
+    const int axis = static_cast<int>(c);
+    for (std::size_t r = 0; r < 3; r++) m[4 * c + r] = pose.rotation.row[r][axis];
+    m[12 + c] = pose.move[axis];
+  }
   m[15] = 1;
   return m;
 }

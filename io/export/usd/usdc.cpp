@@ -115,9 +115,9 @@ class Usdc : public UsdFile {
     std::vector<char> toc;
     addNumber(toc, static_cast<std::uint64_t>(sections.size()));
     for (const CrateSection& s : sections) {
-      char name[16] = {};
-      std::memcpy(name, s.name.data(), s.name.size());
-      addBytes(toc, name, sizeof(name));
+      std::string name = s.name;
+      name.resize(16);  // filled with zeros
+      addBytes(toc, name.data(), name.size());
       addNumber(toc, out_.size());
       addNumber(toc, static_cast<std::uint64_t>(s.bytes.size()));
       out_.array(s.bytes);

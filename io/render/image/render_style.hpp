@@ -2,6 +2,7 @@
 // Settings of a picture.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/geometry/basic/signed_distance.hpp"
@@ -32,7 +33,9 @@ struct RenderStyle {
   float spacing = 0;  ///< m, particle spacing for surface normals; 0: from the radii
   std::vector<FloorHint> floors;
   std::vector<GlassHint> glasses;
-  ViewBox stage;  ///< m, region of interest: floors fade away from it; empty: the particles
+  std::optional<Rgb> background;  ///< empty: a pale sky
+  std::optional<Vec3d> sun;  ///< direction to the sun, any length; empty: over the camera's left shoulder
+  ViewBox stage;             ///< m, region of interest: floors fade away from it; empty: the particles
 };
 
 }  // namespace thaw

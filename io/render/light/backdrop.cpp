@@ -14,7 +14,10 @@ constexpr Rgb skyTop{232, 236, 241}, skyLow{205, 211, 218}, floorColour{206, 206
 
 Backdrop::Backdrop(const RenderStyle& style, const View& view, const ViewBox& stage, const Lights& lights,
                    const Discs& casters)
-    : view_(view), top_(toLinear(skyTop)), low_(toLinear(skyLow)), floor_(toLinear(floorColour)) {
+    : view_(view),
+      top_(toLinear(style.background.value_or(skyTop))),
+      low_(toLinear(style.background.value_or(skyLow))),
+      floor_(toLinear(style.background.value_or(floorColour))) {
   const Vec3d c = stage.empty() ? Vec3d{} : stage.centre();
   const Vec3f centre{static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
   reach_ = stage.empty() ? 1 : std::max(static_cast<float>(0.5 * length(stage.max - stage.min)), 1e-6f);

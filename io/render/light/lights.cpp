@@ -21,7 +21,8 @@ constexpr int skyDirections = 24;
 
 }  // namespace
 
-Vec3f sunDirection(const View& view) {
+Vec3f sunDirection(const RenderStyle& style, const View& view) {
+  if (style.sun) return toFloat(normalized(*style.sun));
   Vec3f level{view.forward.x, view.forward.y, 0};
   level = dot(level, level) > 1e-6f ? unit(level) : unit({view.up.x, view.up.y, 0});
   return unit(-0.62f * view.right - 0.52f * level + Vec3f{0, 0, 0.95f});
@@ -52,14 +53,14 @@ std::vector<Vec3f> skyDome(int count) {
   return directions;
 }
 
-Lights makeLights(const Discs& spheres, const View& view) {
+Lights makeLights(const Discs& spheres, const Vec3f& toSun) {
   Lights lights;
   double sum = 0;
   for (std::size_t i = 0; i < spheres.positions.size(); i++) sum += spheres.radius(i);
   lights.radius = spheres.positions.empty()
                       ? 0
                       : static_cast<float>(sum / static_cast<double>(spheres.positions.size()));
-  lights.sun = makeDepthMap(spheres, sunDirection(view), 3.5f, 2048);
+  lights.sun = makeDepthMap(spheres, toSun, 3.5f, 2048);
   for (const Vec3f& toLight : skyDome(skyDirections))
     lights.sky.push_back(makeDepthMap(spheres, toLight, 1.3f, 512));
   return lights;

@@ -17,11 +17,11 @@ struct Lights {
 
 /// Return unit vectors toward the light: the sun's direction, samples of its disc (for soft shadows), and of
 /// the sky.
-Vec3f sunDirection(const View& view);
+Vec3f sunDirection(const RenderStyle& style, const View& view);
 std::vector<Vec3f> sunDisc(const Vec3f& toSun, int count);
 std::vector<Vec3f> skyDome(int count);
 
-Lights makeLights(const Discs& spheres, const View& view);
+Lights makeLights(const Discs& spheres, const Vec3f& toSun);
 
 /// Returns the sky's light on a surface: 1 if it faces up to an open sky. A fraction is reflected from below.
 float skyLight(const Lights& lights, const Vec3f& point, const Vec3f& normal);

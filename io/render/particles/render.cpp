@@ -81,7 +81,7 @@ class Shader {
          const ViewBox& stage, bool coloured)
       : view_(view),
         particles_(particles),
-        lights_(makeLights({particles.positions, particles.radii, {}}, view)),
+        lights_(makeLights({particles.positions, particles.radii, {}}, sunDirection(style, view))),
         backdrop_(style, view, stage, lights_, {particles.positions, particles.radii, {}}) {
     const float spacing = style.spacing > 0 ? style.spacing : std::max(lights_.radius / 0.65f, 1e-20f);
     visible_ = lightVisible(particles, buffer, lights_, spacing);

@@ -200,6 +200,96 @@ std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std
   return shades;
 }
 
+/// Returns flags of the surfels that need light: those of visible discs and corners of visible faces.
+std::vector<std::uint8_t> visibleSurfels(const DrawnSurfels& s, const SplatDiscs& parts,
+                                         std::span<const std::uint8_t> seen, const CameraFaces& faces) {
+  std::vector<std::uint8_t> visible(s.positions.size(), 0);
+  for (std::size_t k = 0; k < seen.size(); k++)
+    for (const DiscPart::Share& m : parts.mix[k]) visible[m.of] |= seen[k] && m.share > 0;
+  for (const CameraFaces::Face& f : faces.faces)
+    for (const std::uint32_t row : f.shade) visible[row] = 1;
+  return visible;
+}
+
+/// Returns the shades of disc parts, mixed from those of the surfels.
+std::vector<SurfelShade> mixedShades(const SplatDiscs& parts, const std::vector<SurfelShade>& ofSurfels) {
+  std::vector<SurfelShade> shades;
+  for (std::size_t k = 0; k < parts.mix.size(); k++) {
+    SurfelShade s{parts.normals[k], {}, {}, 0};
+    for (const DiscPart::Share& m : parts.mix[k]) {
+      if (!(m.share > 0)) continue;
+      s.fromSky += m.share * ofSurfels[m.of].fromSky;
+      s.ofSun += m.share * ofSurfels[m.of].ofSun;
+      s.sun += m.share * ofSurfels[m.of].sun;
+    }
+    shades.push_back(s);
+  }
+  return shades;
+}
+
+constexpr float noDepth = std::numeric_limits<float>::infinity();
+
+/// Light of the samples of a picture. Positions are in samples.
+struct SampleLight {
+  const View& view;
+  const Backdrop& backdrop;
+  Vec3f toSun;
+
+  /// Returns the light of floor and sky.
+  Light behind(float x, float y) const {
+    const Vec3f ray = view.ray(x, y);
+    float depth = noDepth;
+    const FloorLight* floor = backdrop.floorBefore(ray, depth);
+    return floor ? backdrop.floorShade(*floor, ray, depth) : backdrop.sky(ray);
+  }
+  /// x, y: in the tile.
+  Light at(const SurfelTile& tile, int x, int y) const {
+    const std::size_t at = static_cast<std::size_t>(y) * tile.width + x;
+    const float px = static_cast<float>(tile.x + x) + 0.5f, py = static_cast<float>(tile.y + y) + 0.5f;
+    float depth = tile.depth[at];
+    if (!(depth < noDepth)) return behind(px, py);
+    const Vec3f ray = view.ray(px, py);
+    const FloorLight* floor = backdrop.floorBefore(ray, depth);
+    return floor ? backdrop.floorShade(*floor, ray, depth) : surfaceLight(tile.shade[at], ray, toSun);
+  }
+};
+
+/// Returns the light of the pixel of side x side samples at x, y of a tile.
+Light pixelLight(const SampleLight& light, const SurfelTile& tile, int x, int y, int side) {
+  bool empty = true;
+  for (int j = 0; j < side; j++)
+    for (int i = 0; i < side; i++)
+      empty = empty && !(tile.depth[static_cast<std::size_t>(y + j) * tile.width + x + i] < noDepth);
+  if (empty) {  // floor and sky are smooth: one sample is enough
+    const float middle = 0.5f * static_cast<float>(side);
+    return light.behind(static_cast<float>(tile.x + x) + middle, static_cast<float>(tile.y + y) + middle);
+  }
+  const float part = 1 / static_cast<float>(side * side);
+  Light sum{};
+  for (int j = 0; j < side; j++)
+    for (int i = 0; i < side; i++) sum += part * light.at(tile, x + i, y + j);
+  return sum;
+}
+
+/// Sums of the samples of each pixel of a picture.
+struct PixelSums {
+  int samples, width;  ///< samples per pixel and axis; pixels
+  std::vector<Light> sums;
+  void add(const SampleLight& light, const SurfelTile& tile) {
+    const float part = 1 / static_cast<float>(samples * samples);
+    for (int y = 0; y < tile.height; y++)
+      for (int x = 0; x < tile.width; x++)
+        sums[static_cast<std::size_t>((tile.y + y) / samples) * width + (tile.x + x) / samples] +=
+            part * light.at(tile, x, y);
+  }
+};
+
+void storeDepth(const SurfelTile& tile, DepthBuffer& buffer) {
+  for (int y = 0; y < tile.height; y++)
+    std::copy_n(tile.depth.begin() + static_cast<std::ptrdiff_t>(y) * tile.width, tile.width,
+                buffer.depth.begin() + static_cast<std::ptrdiff_t>(tile.y + y) * buffer.width + tile.x);
+}
+
 void check(const SurfelInput& in, const RenderStyle& style, const SurfelStyle& how) {
   if (style.width < 1 || style.height < 1 || style.width > 16384 || style.height > 16384)
     throw std::invalid_argument("expected a picture 1 to 16384 pixels wide and high");
@@ -234,91 +324,34 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   const float near = stage.empty() ? 0 : static_cast<float>(1e-4 * length(stage.max - stage.min));
   const Casters casting = castersOf(surfels);
   const Discs casters = casting.discs();
-  const SurfelLights lights = makeSurfelLights(casters, view, how.threads);
+  const SurfelLights lights = makeSurfelLights(casters, sunDirection(style, view), how.threads);
   const Backdrop backdrop(style, view, stage, lights.lights, casters);
   const std::vector<std::uint8_t> seen = facingDiscs(discs, view, width, height, near);
-  std::vector<std::uint8_t> lit(surfels.positions.size(), 0);
-  for (std::size_t k = 0; k < seen.size(); k++)
-    for (const DiscPart::Share& m : parts.mix[k]) lit[m.of] |= seen[k] && m.share > 0;
   const CameraFaces faces = facesBefore(surfels.positions, surfels.faces, view, width, height, near);
-  for (const CameraFaces::Face& f : faces.faces)
-    for (const std::uint32_t row : f.shade) lit[row] = 1;
-  const std::vector<SurfelShade> light = lightSurfels(surfels, lit, lights, backdrop, how.threads);
-  std::vector<SurfelShade> shades;
-  for (std::size_t k = 0; k < seen.size(); k++) {
-    SurfelShade s{parts.normals[k], {}, {}, 0};
-    for (const DiscPart::Share& m : parts.mix[k]) {
-      if (!(m.share > 0)) continue;
-      s.fromSky += m.share * light[m.of].fromSky;
-      s.ofSun += m.share * light[m.of].ofSun;
-      s.sun += m.share * light[m.of].sun;
-    }
-    shades.push_back(s);
-  }
+  const std::vector<SurfelShade> light = lightSurfels(surfels, visibleSurfels(surfels, parts, seen, faces),
+                                                      lights, backdrop, how.threads);
+  const std::vector<SurfelShade> shades = mixedShades(parts, light);
   const DiscClips clips = clipsOfUndivided(surfels, parts, seen);
 
   const Encoder encode;
   Image image(style.width, style.height);
   DepthBuffer buffer;
   buffer.width = width, buffer.height = height;
-  if (!style.glasses.empty())
-    buffer.depth.assign(static_cast<std::size_t>(width) * height, std::numeric_limits<float>::infinity());
-  const float part = 1 / static_cast<float>(s * s);
-  const Vec3f toSun = lights.lights.sun.toLight;
+  if (!style.glasses.empty()) buffer.depth.assign(static_cast<std::size_t>(width) * height, noDepth);
+  const SampleLight samples{view, backdrop, lights.lights.sun.toLight};
   // Samples of a pixel lie in one tile, since SurfelTile::side is a multiple of 1, 2 and 4. With 3, tiles are
   // accumulated into a picture of sums.
-  std::vector<Light> sums(s == 3 ? image.pixels.size() : 0);
-  const auto behind = [&](float x, float y, float depth) {
-    const Vec3f ray = view.ray(x, y);
-    const FloorLight* floor = backdrop.floorBefore(ray, depth);
-    return floor ? backdrop.floorShade(*floor, ray, depth) : backdrop.sky(ray);
-  };
-  splatSurfels(
-      {discs, clips, shades, parts.components, faces, light}, seen, view, width, height,
-      s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
-        const auto sample = [&](int x, int y) {
-          const std::size_t at = static_cast<std::size_t>(y) * tile.width + x;
-          const float px = static_cast<float>(tile.x + x) + 0.5f, py = static_cast<float>(tile.y + y) + 0.5f,
-                      depth = tile.depth[at];
-          if (!(depth < std::numeric_limits<float>::infinity())) return behind(px, py, depth);
-          const Vec3f ray = view.ray(px, py);
-          float floorDepth = depth;
-          const FloorLight* floor = backdrop.floorBefore(ray, floorDepth);
-          return floor ? backdrop.floorShade(*floor, ray, floorDepth)
-                       : surfaceLight(tile.shade[at], ray, toSun);
-        };
-        if (!buffer.depth.empty())
-          for (int y = 0; y < tile.height; y++)
-            std::copy_n(tile.depth.begin() + static_cast<std::ptrdiff_t>(y) * tile.width, tile.width,
-                        buffer.depth.begin() + static_cast<std::ptrdiff_t>(tile.y + y) * width + tile.x);
-        if (s == 3) {
-          for (int y = 0; y < tile.height; y++)
-            for (int x = 0; x < tile.width; x++)
-              sums[static_cast<std::size_t>((tile.y + y) / s) * style.width + (tile.x + x) / s] += part *
-                                                                                                   sample(x,
-                                                                                                          y);
-          return;
-        }
-        for (int y = 0; y < tile.height; y += s)
-          for (int x = 0; x < tile.width; x += s) {
-            bool empty = true;
-            for (int j = 0; j < s; j++)
-              for (int i = 0; i < s; i++)
-                empty = empty && !(tile.depth[static_cast<std::size_t>(y + j) * tile.width + x + i] <
-                                   std::numeric_limits<float>::infinity());
-            Light sum{};
-            if (empty) {  // floor and sky are smooth: one sample is enough
-              const float middle = 0.5f * static_cast<float>(s);
-              sum = behind(static_cast<float>(tile.x + x) + middle, static_cast<float>(tile.y + y) + middle,
-                           std::numeric_limits<float>::infinity());
-            } else {
-              for (int j = 0; j < s; j++)
-                for (int i = 0; i < s; i++) sum += part * sample(x + i, y + j);
-            }
-            image.at((tile.x + x) / s, (tile.y + y) / s) = encode(sum);
-          }
-      });
-  for (std::size_t p = 0; p < sums.size(); p++) image.pixels[p] = encode(sums[p]);
+  PixelSums pixels{s, style.width, std::vector<Light>(s == 3 ? image.pixels.size() : 0)};
+  splatSurfels({discs, clips, shades, parts.components, faces, light}, seen, view, width, height,
+               s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
+                 if (!buffer.depth.empty()) storeDepth(tile, buffer);
+                 if (s == 3) return pixels.add(samples, tile);
+                 for (int y = 0; y < tile.height; y += s)
+                   for (int x = 0; x < tile.width; x += s)
+                     image.at((tile.x + x) / s,
+                              (tile.y + y) / s) = encode(pixelLight(samples, tile, x, y, s));
+               });
+  for (std::size_t p = 0; p < pixels.sums.size(); p++) image.pixels[p] = encode(pixels.sums[p]);
   drawGlasses(image, style, view, buffer);
   return image;
 }

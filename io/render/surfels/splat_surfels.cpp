@@ -67,7 +67,7 @@ bool boxOf(const CameraDisc& d, const View& view, int width, int height, float n
   return true;
 }
 
-bool cut(const DiscClip& c, const Vec3f& q) {
+bool isClipped(const DiscClip& c, const Vec3f& q) {
   if (dot(q, c.normal) <= c.reach) return false;
   const Vec3f d = q - c.other;
   return dot(d, d) < c.radius2;
@@ -93,7 +93,7 @@ void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View
       const Vec3f q{t * rx - d.centre.x, t * ry - d.centre.y, t - d.centre.z};
       if (dot(q, q) < r2) {  // false for not-a-number
         bool kept = true;
-        for (const DiscClip& c : clips) kept = kept && !cut(c, q);
+        for (const DiscClip& c : clips) kept = kept && !isClipped(c, q);
         hit(row + x, t, kept);
       } else {
         const float dx = sx - screenX;
@@ -105,13 +105,13 @@ void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View
 
 /// Returns samples without a disc that a clipped one would cover, amid samples with one: gaps between
 /// clips of several discs. A rim that protrudes from an edge is open to at least one side.
-std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>& depthCut) {
+std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>& clippedDepth) {
   constexpr int reach = 3;  // samples: wider gaps belong to the surface
   std::vector<std::size_t> gaps;
   for (int y = 0; y < tile.height; y++)
     for (int x = 0; x < tile.width; x++) {
       const std::size_t s = static_cast<std::size_t>(y) * tile.width + x;
-      if (tile.depth[s] < none || !(depthCut[s] < none)) continue;
+      if (tile.depth[s] < none || !(clippedDepth[s] < none)) continue;
       const auto closed = [&](int dx, int dy) {
         for (int n = 1; n <= reach; n++) {
           const int i = x + n * dx, j = y + n * dy;
@@ -175,6 +175,125 @@ TileLists tileLists(std::span<const Box> boxes, int width, int height) {
   return lists;
 }
 
+/// Visible discs of a scene, in camera axes.
+struct CameraDiscs {
+  std::vector<std::uint32_t> surfel;  ///< index in the scene
+  std::vector<CameraDisc> disc;
+  std::vector<Box> box, sphereBox;  ///< samples of the disc, and of the sphere around it
+  std::vector<DiscClip> clips;
+  std::vector<std::uint32_t> firstClip{0};
+  std::span<const DiscClip> clipsOf(std::uint32_t k) const {
+    return {clips.data() + firstClip[k], firstClip[k + 1] - firstClip[k]};
+  }
+};
+
+CameraDiscs visibleDiscs(const SurfelScene& scene, std::span<const std::uint8_t> seen, const View& view,
+                         int width, int height) {
+  CameraDiscs all;
+  for (std::size_t i = 0; i < seen.size(); i++)
+    if (seen[i]) all.surfel.push_back(static_cast<std::uint32_t>(i));
+  all.box.resize(all.surfel.size());
+  all.sphereBox.resize(all.surfel.size());
+  for (std::size_t k = 0; k < all.surfel.size(); k++) {
+    const std::uint32_t i = all.surfel[k];
+    const CameraDisc d = cameraDisc(scene.discs, view, i);
+    all.disc.push_back(d);
+    boxOf(d, view, width, height, 0, all.box[k]);
+    boxOf({d.centre, {}, d.radius}, view, width, height, 0, all.sphereBox[k]);
+    for (std::uint32_t c = scene.clips.first[i]; c < scene.clips.first[i + 1]; c++)
+      all.clips.push_back({toCamera(view, scene.clips.list[c].normal), scene.clips.list[c].reach,
+                           toCamera(view, scene.clips.list[c].other), scene.clips.list[c].radius2});
+    all.firstClip.push_back(static_cast<std::uint32_t>(all.clips.size()));
+  }
+  return all;
+}
+
+SurfelTile emptyTile(std::size_t number, const TileLists& lists, int width, int height) {
+  constexpr int side = SurfelTile::side;
+  SurfelTile tile;
+  tile.x = static_cast<int>(number % static_cast<std::size_t>(lists.across)) * side;
+  tile.y = static_cast<int>(number / static_cast<std::size_t>(lists.across)) * side;
+  tile.width = std::min(side, width - tile.x);
+  tile.height = std::min(side, height - tile.y);
+  tile.depth.assign(static_cast<std::size_t>(tile.width) * tile.height, none);
+  return tile;
+}
+
+/// Draws the discs and faces of one tile.
+struct TilePainter {
+  const SurfelScene& scene;
+  const CameraDiscs& discs;
+  const View& view;
+  SurfelTile& tile;
+  std::vector<std::uint32_t> front{};  ///< by sample: the front disc
+  std::vector<std::uint8_t> ofFace{};  ///< by sample: 1 where a face is in front
+
+  /// Sets depths and front discs.
+  void drawFront(std::span<const std::uint32_t> here) {
+    front.assign(tile.depth.size(), 0);
+    std::vector<std::uint32_t> clippedFront(tile.depth.size(), 0);
+    std::vector<float> clippedDepth(tile.depth.size(), none);
+    for (std::uint32_t k : here)
+      forSamples(discs.disc[k], discs.clipsOf(k), view, discs.box[k], tile,
+                 [&](int s, float depth, bool drawn) {
+                   float& nearest = drawn ? tile.depth[s] : clippedDepth[s];
+                   if (depth < nearest) nearest = depth, (drawn ? front : clippedFront)[s] = k;
+                 });
+    for (const std::size_t s : gapsOf(tile, clippedDepth))
+      tile.depth[s] = clippedDepth[s], front[s] = clippedFront[s];
+  }
+
+  void drawFacesOf(std::span<const std::uint32_t> faces) {
+    tile.shade.assign(tile.depth.size(), {{}, {}, {}, 0});
+    ofFace.assign(tile.depth.size(), 0);
+    drawFaces(scene.faces, faces, scene.corners, view, tile, ofFace);
+  }
+
+  /// Sums the shades of all surfels of the same side and body around the visible points. Returns the weights
+  /// by sample.
+  std::vector<float> sumShades(std::span<const std::uint32_t> here) {
+    std::vector<float> weight(tile.depth.size(), 0.0f);
+    for (std::uint32_t k : here) {
+      const std::size_t i = discs.surfel[k];
+      const SurfelShade& own = scene.shades[i];
+      forSphere(discs.disc[k], view, discs.sphereBox[k], tile, [&](int s, float w) {
+        if (ofFace[s]) return;
+        const std::uint32_t f = front[s];
+        const float alike = dot(discs.disc[f].normal, discs.disc[k].normal);
+        if (alike <= 0 ||
+            (!scene.components.empty() && scene.components[discs.surfel[f]] != scene.components[i]))
+          return;
+        w *= alike * alike;
+        SurfelShade& sum = tile.shade[s];
+        sum.normal += w * own.normal;
+        sum.fromSky += w * own.fromSky;
+        sum.ofSun += w * own.ofSun;
+        sum.sun += w * own.sun;
+        weight[s] += w;
+      });
+    }
+    return weight;
+  }
+
+  /// Divides sums of shades by their weights. Samples without weight get the shade of the front disc.
+  void normaliseShades(const std::vector<float>& weight) {
+    for (std::size_t s = 0; s < weight.size(); s++) {
+      if (!(tile.depth[s] < none) || ofFace[s]) continue;
+      SurfelShade& sum = tile.shade[s];
+      const SurfelShade& ofFront = scene.shades[discs.surfel[front[s]]];
+      if (!(weight[s] > 0)) {
+        sum = ofFront;
+        continue;
+      }
+      const float over = 1 / weight[s], length2 = dot(sum.normal, sum.normal);
+      sum.normal = length2 > 0 ? sum.normal / std::sqrt(length2) : ofFront.normal;
+      sum.fromSky = over * sum.fromSky;
+      sum.ofSun = over * sum.ofSun;
+      sum.sun *= over;
+    }
+  }
+};
+
 }  // namespace
 
 std::vector<std::uint8_t> facingDiscs(const Discs& discs, const View& view, int width, int height,
@@ -190,87 +309,19 @@ std::vector<std::uint8_t> facingDiscs(const Discs& discs, const View& view, int 
 
 void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, const View& view, int width,
                   int height, int threads, const std::function<void(const SurfelTile&)>& take) {
-  constexpr int side = SurfelTile::side;
-  std::vector<std::uint32_t> which;
-  for (std::size_t i = 0; i < seen.size(); i++)
-    if (seen[i]) which.push_back(static_cast<std::uint32_t>(i));
-  std::vector<CameraDisc> discs(which.size());
-  std::vector<Box> boxes(which.size()), balls(which.size());
-  std::vector<DiscClip> clips;
-  std::vector<std::uint32_t> firstClip(which.size() + 1, 0);
-  for (std::size_t k = 0; k < which.size(); k++) {
-    discs[k] = cameraDisc(scene.discs, view, which[k]);
-    boxOf(discs[k], view, width, height, 0, boxes[k]);
-    boxOf({discs[k].centre, {}, discs[k].radius}, view, width, height, 0, balls[k]);
-    for (std::uint32_t c = scene.clips.first[which[k]]; c < scene.clips.first[which[k] + 1]; c++)
-      clips.push_back({toCamera(view, scene.clips.list[c].normal), scene.clips.list[c].reach,
-                       toCamera(view, scene.clips.list[c].other), scene.clips.list[c].radius2});
-    firstClip[k + 1] = static_cast<std::uint32_t>(clips.size());
-  }
-  const TileLists lists = tileLists(balls, width, height);
+  const CameraDiscs discs = visibleDiscs(scene, seen, view, width, height);
+  const TileLists lists = tileLists(discs.sphereBox, width, height);
   std::vector<Box> faceBoxes;
   for (const CameraFaces::Face& f : scene.faces.faces) faceBoxes.push_back({f.x0, f.x1, f.y0, f.y1});
   const TileLists faceLists = tileLists(faceBoxes, width, height);
   parallelFor(lists.first.size() - 1, threads, [&](std::size_t t) {
-    SurfelTile tile;
-    tile.x = static_cast<int>(t % static_cast<std::size_t>(lists.across)) * side;
-    tile.y = static_cast<int>(t / static_cast<std::size_t>(lists.across)) * side;
-    tile.width = std::min(side, width - tile.x);
-    tile.height = std::min(side, height - tile.y);
-    const std::size_t samples = static_cast<std::size_t>(tile.width) * tile.height;
-    tile.depth.assign(samples, none);
+    SurfelTile tile = emptyTile(t, lists, width, height);
     const std::span<const std::uint32_t> here = lists.of(t), facesHere = faceLists.of(t);
-    if (here.empty() && facesHere.empty()) {
-      take(tile);
-      return;
-    }
-    const auto clipsOf = [&](std::uint32_t k) {
-      return std::span<const DiscClip>(clips.data() + firstClip[k], firstClip[k + 1] - firstClip[k]);
-    };
-    // First pass: the front disc.
-    std::vector<std::uint32_t> front(samples, 0), frontCut(samples, 0);
-    std::vector<float> depthCut(samples, none);
-    for (std::uint32_t k : here)
-      forSamples(discs[k], clipsOf(k), view, boxes[k], tile, [&](int s, float depth, bool drawn) {
-        float& nearest = drawn ? tile.depth[s] : depthCut[s];
-        if (depth < nearest) nearest = depth, (drawn ? front : frontCut)[s] = k;
-      });
-    for (const std::size_t s : gapsOf(tile, depthCut)) tile.depth[s] = depthCut[s], front[s] = frontCut[s];
-    // Second pass: the mean of all surfels of the same face and body around the visible point.
-    tile.shade.assign(samples, {{}, {}, {}, 0});
-    std::vector<std::uint8_t> ofFace(samples, 0);
-    drawFaces(scene.faces, facesHere, scene.corners, view, tile, ofFace);
-    std::vector<float> weight(samples, 0.0f);
-    for (std::uint32_t k : here) {
-      const std::size_t i = which[k];
-      const SurfelShade& own = scene.shades[i];
-      forSphere(discs[k], view, balls[k], tile, [&](int s, float w) {
-        if (ofFace[s]) return;
-        const std::uint32_t f = front[s];
-        const float alike = dot(discs[f].normal, discs[k].normal);
-        if (alike <= 0 || (!scene.components.empty() && scene.components[which[f]] != scene.components[i]))
-          return;
-        w *= alike * alike;
-        SurfelShade& sum = tile.shade[s];
-        sum.normal += w * own.normal;
-        sum.fromSky += w * own.fromSky;
-        sum.ofSun += w * own.ofSun;
-        sum.sun += w * own.sun;
-        weight[s] += w;
-      });
-    }
-    for (std::size_t s = 0; s < samples; s++) {
-      if (!(tile.depth[s] < none) || ofFace[s]) continue;
-      SurfelShade& sum = tile.shade[s];
-      if (!(weight[s] > 0)) {
-        sum = scene.shades[which[front[s]]];
-        continue;
-      }
-      const float over = 1 / weight[s], length2 = dot(sum.normal, sum.normal);
-      sum.normal = length2 > 0 ? sum.normal / std::sqrt(length2) : scene.shades[which[front[s]]].normal;
-      sum.fromSky = over * sum.fromSky;
-      sum.ofSun = over * sum.ofSun;
-      sum.sun *= over;
+    if (!here.empty() || !facesHere.empty()) {
+      TilePainter painter{scene, discs, view, tile};
+      painter.drawFront(here);
+      painter.drawFacesOf(facesHere);
+      painter.normaliseShades(painter.sumShades(here));
     }
     take(tile);
   });

@@ -14,13 +14,13 @@ constexpr int sunDirections = 16, skyDirections = 40;
 
 }  // namespace
 
-SurfelLights makeSurfelLights(const Discs& discs, const View& view, int threads) {
+SurfelLights makeSurfelLights(const Discs& discs, const Vec3f& toSun, int threads) {
   SurfelLights all;
   double sum = 0;
   for (float r : discs.radii) sum += r;
   all.lights.radius = discs.radii.empty() ? 0
                                           : static_cast<float>(sum / static_cast<double>(discs.radii.size()));
-  all.lights.sun.toLight = sunDirection(view);
+  all.lights.sun.toLight = toSun;
   const std::vector<Vec3f> sun = sunDisc(all.lights.sun.toLight, sunDirections), sky = skyDome(skyDirections);
   all.sun.resize(sun.size());
   all.lights.sky.resize(sky.size());

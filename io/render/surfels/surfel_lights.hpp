@@ -14,7 +14,7 @@ struct SurfelLights {
   std::vector<DepthMap> sun;
 };
 
-SurfelLights makeSurfelLights(const Discs& casters, const View& view, int threads);
+SurfelLights makeSurfelLights(const Discs& casters, const Vec3f& toSun, int threads);
 
 /// Returns the visible fraction of the sun's disc at a surfel; penumbras widen with the distance of the
 /// caster.

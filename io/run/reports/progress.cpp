@@ -103,19 +103,19 @@ std::string head() { return headOf(columnsOf({}, {})); }
 
 std::string progressLine(const Progress& p, const LedgerReport& l) {
   const Clock& c = p.clock;
-  std::string kinds;
+  std::string counts;
   for (std::size_t k = 0; k < bodyTypeCount; k++)
-    if (l.rows[k] > 0) kinds += fmt::format("  {} {}", bodyTypeNames[k], l.rows[k]);
-  const bool continuum = l.particles > 0 || kinds.empty();
+    if (l.rows[k] > 0) counts += fmt::format("  {} {}", bodyTypeNames[k], l.rows[k]);
+  const bool continuum = l.particles > 0 || counts.empty();
   if (continuum)
-    kinds = fmt::format("  particles {}{}  liquid {:.1f} %", l.particles, kinds, 100 * l.liquidFraction);
+    counts = fmt::format("  particles {}{}  liquid {:.1f} %", l.particles, counts, 100 * l.liquidFraction);
   // Sheets without neighbour forces have no limit; a step ends at the next frame.
   const std::string step = c.dt < never
                                ? fmt::format("{:.1e} s ({}{})", c.dt, c.limitedBy,
                                              c.substeps > 1 ? fmt::format(", {} substeps", c.substeps) : "")
                                : "without limit";
   return fmt::format("t {:.5f} s  step {}  dt {}  {:.1f} steps/s  left {}{}  residual {:+.1e} J ({})", c.time,
-                     c.step, step, p.stepsPerSecond, duration(p.secondsLeft), kinds, l.energyResidual,
+                     c.step, step, p.stepsPerSecond, duration(p.secondsLeft), counts, l.energyResidual,
                      residualShare(l));
 }
 

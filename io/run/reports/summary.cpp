@@ -118,9 +118,9 @@ void writeSummary(const std::string& out, const RunSummary& s, const std::string
   j["title"] = s.title;
   j["modules"] = s.modules;
   j["ranks"] = s.ranks;
-  bool kinds = false;
-  for (const std::int64_t rows : s.ledger.rows) kinds = kinds || rows > 0;
-  if (s.ledger.particles > 0 || !kinds) j["particles"] = s.ledger.particles;
+  bool bodyTypes = false;
+  for (const std::int64_t rows : s.ledger.rows) bodyTypes = bodyTypes || rows > 0;
+  if (s.ledger.particles > 0 || !bodyTypes) j["particles"] = s.ledger.particles;
   for (std::size_t k = 0; k < bodyTypeCount; k++)
     if (s.ledger.rows[k] > 0) j[bodyTypeNames[k]] = s.ledger.rows[k];
   j["time_s"] = s.clock.time;

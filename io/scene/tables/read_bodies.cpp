@@ -100,6 +100,12 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
            "set the material's as well");
   r.flag("slip", o.slip, "liquids slip along it freely; false: they stick");
   r.number("until", o.until, "s", orNever(notNegative()), "time at which it disappears");
+  int look = static_cast<int>(o.look);
+  r.as(Restart::Free)
+      .choice("look", look, {"glass", "solid"},
+              "look in pictures: clear glass, or solid in its colour, with shadows; a plane is a floor");
+  o.look = static_cast<ObstacleLook>(look);
+  readColourKey(r, o.colour, "colour in exports, and in pictures if it looks solid; default: a pale grey");
   readMotion(r, "keyframes; the pose is linear in between and stays after the last", o.motion);
   if (!r.reading()) return;
   if (o.conductance < never && !o.temperature)

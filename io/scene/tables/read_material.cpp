@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "core/scene/quality.hpp"
+#include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/value_text.hpp"
 
@@ -14,6 +15,13 @@ bool readColour(const std::string& text, std::uint32_t& colour) {
   const unsigned long rgb = std::strtoul(text.c_str() + 1, nullptr, 16);
   colour = static_cast<std::uint32_t>((rgb >> 16 & 255) | (rgb & 0xff00) | (rgb & 255) << 16);
   return true;
+}
+
+void readColourKey(TableReader& r, std::uint32_t& colour, const char* about) {
+  std::string text;
+  r.as(Restart::Free).text("colour", text, about, "\"#rrggbb\"");
+  if (!text.empty() && !readColour(text, colour))
+    r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
 }
 
 namespace {
@@ -33,13 +41,8 @@ void readLiquid(TableReader& r, Material& m) {
              "\"50 Pa s\"]]`, interpolated logarithmically"},
             m.viscosity);
   }
-  std::string colour;
-  r.as(Restart::Free)
-      .text("colour", colour,
-            "colour of its surface in pictures and exports, if its mesh has none; default: a pale one",
-            "\"#rrggbb\"");
-  if (!colour.empty() && !readColour(colour, m.colour))
-    r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+  readColourKey(r, m.colour,
+                "colour of its surface in pictures and exports, if its mesh has none; default: a pale one");
   r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "surface tension of the liquid");
   r.number(
       "sound_speed", m.soundSpeed, "m/s", notNegative(),
@@ -56,12 +59,7 @@ void readSolid(TableReader& r, Material& m) {
            "liquid has 0"},
           m.young);
   r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
-  // Pieces are part of the state, so a run cannot change to or from them.
-  r.as(m.isRigid() ? Restart::State : Restart::Coefficient)
-      .choice("law", m.law, {"green", "neo-hookean", "corotated", "rigid"},
-           "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated; \"rigid\": "
-           "connected particles move as one rigid body until they melt; young, poisson, "
-           "volume_stiffness, hourglass and damping are then not used");
+  readLaw(r, m);
   r.blend({"yield_strain", "", orNever(positive()), Liquid::Same,
            "yield stress as a strain (gamma_yield): the material flows if the norm of the deviatoric stress "
            "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": no plasticity"},
@@ -131,11 +129,11 @@ void readHeat(TableReader& r, Material& m) {
 /// Refuses meaningless combinations of keys.
 void checkMaterial(TableReader& r, const Material& m) {
   if (r.has("melts") && !m.canBeSolid())
-    r.fail(
-        "melts",
-        "a material that melts is a solid below its melting temperature: give it a Young's modulus (young), or law "
-        "= \"rigid\"",
-        {"young"});
+    r.fail("melts",
+           "a material that melts is a solid below its melting temperature: give it a Young's modulus "
+           "(young), or law "
+           "= \"rigid\"",
+           {"young"});
   if (r.has("melts") && !r.has("heat_capacity"))
     r.fail("heat_capacity", "is missing: a material that melts needs one");
   if (r.has("phase") && r.has("melts"))
@@ -151,9 +149,10 @@ void checkMaterial(TableReader& r, const Material& m) {
   if (r.has("creep_rate") && !r.has("yield_strain"))
     r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
   if (m.isRigid())
-    for (const char* key : {"yield_strain", "creep_rate", "hardening", "max_plastic_strain", "break_stretch",
-                            "weld"})
-      if (r.has(key)) r.fail(key, "a rigid solid (law = \"rigid\") has none: remove it, or choose another law");
+    for (const char* key :
+         {"yield_strain", "creep_rate", "hardening", "max_plastic_strain", "break_stretch", "weld"})
+      if (r.has(key))
+        r.fail(key, "a rigid solid (law = \"rigid\") has none: remove it, or choose another law");
   if (m.hardening > 0 && !r.has("yield_strain"))
     r.fail("hardening", "only a material that yields hardens: give yield_strain, too");
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_sections.hpp"
 
-#include "core/domain/extensions.hpp"
 #include "core/scene/quality.hpp"
+#include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_shape.hpp"
 
 namespace thaw {
@@ -29,23 +29,6 @@ void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
   open.tensileLimit = !numerics.has("tensile_limit");
   open.shifting = !numerics.has("shifting");
   open.viscosityCorrection = !numerics.has("viscosity_correction");
-}
-
-/// Reads the keys that the extension of that name has declared.
-void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
-  const Extension* e = findExtension(settings.name);
-  if (!e && r.reading()) {
-    std::string known;
-    for (const std::string& other : extensionNames()) known += (known.empty() ? "" : ", ") + other;
-    r.fail(r.place(),
-           r.path() + ": this program has no such extension" + (known.empty() ? "" : "; it has " + known));
-  }
-  if (!e) return;
-  r.restart(Restart::Coefficient);
-  for (const ExtensionKey& key : e->keys) {
-    double& value = settings.values.try_emplace(key.name, key.standard).first->second;
-    r.number(key.name.c_str(), value, key.unit.c_str(), between(key.least, key.most), key.about.c_str());
-  }
 }
 
 }  // namespace
@@ -106,7 +89,7 @@ void readSections(TableReader& top, SceneReading& x) {
     top.table("SHAPE", "keys of bodies, obstacles and clamps; not a table of its own", describeShapes);
   top.as(Restart::State)
       .namedTables("extension",
-                   "forces and sources of heat that a program has registered; `thaw` itself has none",
+                   "forces, sources of heat and fields that a program has registered; `thaw` itself has none",
                    s.extensions, in(readExtension));
   top.as(Restart::State)
       .table("surface",
@@ -114,7 +97,7 @@ void readSections(TableReader& top, SceneReading& x) {
              "none",
              s.surface.on, [&](TableReader& r) { readSurface(r, s.surface); });
   top.table("output", "frames, checkpoints, pictures", [&](TableReader& r) {
-    readOutput(r, s.output);
+    readOutput(r, s);
     if (s.end / s.output.every > 1e7) r.fail("every", "there would be more than ten million frames");
   });
 }

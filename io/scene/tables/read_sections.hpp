@@ -34,7 +34,8 @@ std::vector<KeyDescription> sceneValues(Scene scene);
 void readDomain(TableReader& reader, Domain& domain);
 void readNumerics(TableReader& reader, Numerics& numerics);
 void readSurface(TableReader& reader, SurfaceSettings& surface);
-void readOutput(TableReader& reader, Output& output);
+/// Reads Scene::output. Requires: the extensions are read, since frames may have their fields.
+void readOutput(TableReader& reader, Scene& scene);
 void readMaterial(TableReader& reader, Material& material, SceneReading& reading);
 /// Reads a list of pairs of a time and a factor.
 void readInTime(TableReader& reader, const char* key, FactorInTime& factor, const char* about,
@@ -43,6 +44,9 @@ void readInTime(TableReader& reader, const char* key, FactorInTime& factor, cons
 void readMotion(TableReader& reader, const char* about, std::vector<Keyframe>& motion, bool turns = true);
 /// Converts "#rrggbb" to red | green << 8 | blue << 16. Returns false for other texts.
 bool readColour(const std::string& text, std::uint32_t& colour);
+
+/// Reads the key "colour", which no restart compares.
+void readColourKey(TableReader& r, std::uint32_t& colour, const char* about);
 void readBody(TableReader& reader, Body& body, SceneReading& reading);
 void readOriented(TableReader& reader, OrientedBody& body, SceneReading& reading);
 void readSheet(TableReader& reader, SheetBody& body, SceneReading& reading);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "io/frames/frame_fields.hpp"
+#include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/nearest_word.hpp"
 
@@ -214,8 +214,9 @@ void readNumerics(TableReader& r, Numerics& n) {
               "norm of the plastic strain above which the reference follows the flow");
 }
 
-void readOutput(TableReader& r, Output& o) {
-  const std::vector<std::string> known = knownFrameFields();
+void readOutput(TableReader& r, Scene& s) {
+  Output& o = s.output;
+  const std::vector<std::string> known = outputFields(s);
   r.restart(Restart::Free);
   // Otherwise new frames would have the numbers of existing ones.
   r.as(Restart::State).number("every", o.every, "s", positive(), "simulated time between frames");
@@ -248,6 +249,17 @@ void readOutput(TableReader& r, Output& o) {
            "SI value of the highest colour; none: the highest of all frames");
   if (o.colourMin && o.colourMax && !(*o.colourMax > *o.colourMin))
     r.fail("colour_max", "must be above colour_min", {"colour_min"});
+  std::string background;
+  r.text("background", background, "colour of the background of pictures; default: a pale sky",
+         "\"#rrggbb\"");
+  if (std::uint32_t colour = 0; !background.empty()) {
+    if (readColour(background, colour)) o.background = colour;
+    else r.fail("background", "expected six hexadecimal digits such as \"#202830\"");
+  }
+  r.vector("sun", o.sun, "",
+           "direction from the scene to the sun of pictures, of any length; default: over the camera's left "
+           "shoulder");
+  if (o.sun && !(o.sun->z > 0)) r.fail("sun", "expected a direction above the horizon: z > 0");
   std::int64_t width = o.width, height = o.height;
   r.whole("width", width, 64, 16384, "width of pictures, in pixels");
   r.whole("height", height, 64, 16384, "height of pictures, in pixels");

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "core/geometry/builtin/builtin_meshes.hpp"
+#include "io/scene/tables/read_extension.hpp"
 
 namespace thaw {
 
@@ -31,6 +32,13 @@ namespace {
 
 constexpr const char* allShapes =
     "mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection";
+/// Names of all shapes, with those of extensions.
+std::string shapeNames() {
+  std::string names = allShapes;
+  for (const std::string& name : extensionShapes()) names += ", or " + name;
+  return names;
+}
+
 constexpr std::size_t deepest = 500;  // longest path in messages: limits nesting long before the stack
                                       // overflows
 
@@ -135,11 +143,16 @@ void readShape(TableReader& r, Shape& s) {
   };
   for (const Key& k : solids) one(k);
   for (const Key& k : parts) one(k);
+  for (const std::string& name : extensionShapes()) {
+    one({name.c_str(), ShapeKind::Extension, ""});
+    if (r.has(name)) s.extension.name = name;
+  }
   // Errors of a file are reported where it is named.
   if (s.kind == ShapeKind::Mesh && r.has("mesh")) s.where = r.placeOf("mesh");
-  if (given == 0) r.fail(r.place(), r.path() + ": its shape is missing: " + allShapes);
+  if (given == 0) r.fail(r.place(), r.path() + ": its shape is missing: " + shapeNames());
   readMesh(r, s, aboutMesh);
   readSolids(r, s);
+  readExtensionShape(r, s);
   for (const Key& k : parts) {
     r.node(k.key, "", "", k.about);
     readParts(r, k.key, k.kind, s);
@@ -166,7 +179,8 @@ void readClamps(TableReader& r, std::vector<Shape>& clamps, const char* about) {
 bool hasShape(const TableReader& r) {
   const auto there = [&](const Key& k) { return r.has(k.key); };
   return std::any_of(std::begin(solids), std::end(solids), there) ||
-         std::any_of(std::begin(parts), std::end(parts), there);
+         std::any_of(std::begin(parts), std::end(parts), there) ||
+         std::ranges::any_of(extensionShapes(), [&](const std::string& name) { return r.has(name); });
 }
 
 void refuseShape(TableReader& r, const char* why) {
@@ -177,12 +191,14 @@ void refuseShape(TableReader& r, const char* why) {
   };
   for (const Key& k : solids) refuse(k);
   for (const Key& k : parts) refuse(k);
+  for (const std::string& name : extensionShapes()) refuse({name.c_str(), ShapeKind::Extension, ""});
 }
 
 void describeShapes(TableReader& r) {
   Shape s;
   readMesh(r, s, aboutMesh);
   readSolids(r, s);
+  readExtensionShape(r, s);
   for (const Key& k : parts) r.node(k.key, "", "list of tables with a SHAPE each", k.about);
   readPlace(r, s);
 }

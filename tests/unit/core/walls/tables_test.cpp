@@ -58,12 +58,13 @@ template<class Kernel> void expectTables(KernelKind kind) {
       EXPECT_NEAR(e.push, b.push, 2e-4 * std::max(1.0, b.push)) << d;
       EXPECT_NEAR(e.conduct, b.conduct, 2e-4 * std::max(1.0, b.conduct)) << d;
       EXPECT_NEAR(e.drag, dragScale * b.drag, 5e-4 * std::max(1.0, e.drag)) << d;
-      const double filling0 = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing).relativeDensity,
+      const double onLattice = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing).relativeDensity,
                    soft = std::max(d, softBelow * spacing);
-      WallIntegrals felt = forLiquids(wallIntegrals(numericsOf(kind, spacing), soft), filling0);
-      felt.relativeDensity += felt.push * (soft - d);
-      EXPECT_NEAR(i.relativeDensity, felt.relativeDensity, 2e-5 * std::max(1.0, felt.relativeDensity)) << d;
-      EXPECT_NEAR(i.push, felt.push, 3e-4 * std::max(1.0, felt.push)) << d;
+      WallIntegrals liquid = forLiquids(wallIntegrals(numericsOf(kind, spacing), soft), onLattice);
+      liquid.relativeDensity += liquid.push * (soft - d);
+      EXPECT_NEAR(i.relativeDensity, liquid.relativeDensity, 2e-5 * std::max(1.0, liquid.relativeDensity))
+          << d;
+      EXPECT_NEAR(i.push, liquid.push, 3e-4 * std::max(1.0, liquid.push)) << d;
       EXPECT_NEAR(i.conduct, e.conduct, 1e-3 * std::max(1.0, e.conduct)) << d;
       EXPECT_NEAR(i.drag, e.drag, 1e-3 * std::max(1.0, e.drag)) << d;
     }
@@ -108,12 +109,12 @@ TEST(WallTables, PushIsTheDerivativeOfTheDensity) {
                                       wallIntegrals(numericsOf(kind, 0.5), d + e).relativeDensity) /
                                      (2 * e);
       EXPECT_NEAR(wallIntegrals(numericsOf(kind, 0.5), d).push, slope, 1e-6);
-      const double filling0 = wallIntegrals(numericsOf(kind, 0.5), 0.25).relativeDensity;
-      const auto felt = [&](double x) {
-        return forLiquids(wallIntegrals(numericsOf(kind, 0.5), x), filling0);
+      const double onLattice = wallIntegrals(numericsOf(kind, 0.5), 0.25).relativeDensity;
+      const auto liquid = [&](double x) {
+        return forLiquids(wallIntegrals(numericsOf(kind, 0.5), x), onLattice);
       };
-      EXPECT_NEAR(felt(d).push, (felt(d - e).relativeDensity - felt(d + e).relativeDensity) / (2 * e),
-                  1e-5 * std::max(1.0, felt(d).push));
+      EXPECT_NEAR(liquid(d).push, (liquid(d - e).relativeDensity - liquid(d + e).relativeDensity) / (2 * e),
+                  1e-5 * std::max(1.0, liquid(d).push));
     }
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes of extensions (core/domain/extensions.hpp), by name.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/geometry/basic/signed_distance.hpp"
+
+namespace thaw {
+
+/// Makes the shape in its own frame for the values of its keys; `place` in the scene then scales, rotates and
+/// moves it. Errors: ShapeError or std::invalid_argument.
+using ShapeMaker = std::function<std::shared_ptr<const SignedDistance>(const ExtensionSettings&)>;
+
+/// Makes a shape known by its name.
+void addExtensionShape(const std::string& name, ShapeMaker make);
+/// Returns the maker of that name, or null.
+const ShapeMaker* findExtensionShape(const std::string& name);
+
+}  // namespace thaw

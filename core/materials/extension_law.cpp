@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/materials/extension_law.hpp"
+
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+namespace {
+
+struct KnownLaw {
+  ExtensionLaw law;
+  std::vector<std::string> keys;
+  std::map<LawValues, BoundLaw> bound{};
+  std::mutex binding{};  // of simulations in several threads
+};
+
+std::map<std::string, KnownLaw>& knownLaws() {
+  static std::map<std::string, KnownLaw> all;
+  return all;
+}
+
+Mat3d laneOf(const double (*matrix)[8], int lane) {
+  Mat3d m;
+  for (int r = 0; r < 3; r++)
+    for (int c = 0; c < 3; c++) m.row[r][c] = matrix[3 * r + c][lane];
+  return m;
+}
+
+void setLane(const Mat3d& m, double (*matrix)[8], int lane) {
+  for (int r = 0; r < 3; r++)
+    for (int c = 0; c < 3; c++) matrix[3 * r + c][lane] = m.row[r][c];
+}
+
+}  // namespace
+
+void addExtensionLaw(const std::string& name, ExtensionLaw law, std::vector<std::string> keys) {
+  if (!law.lanes && !law.response)
+    throw std::invalid_argument("extension '" + name + "': its law needs `lanes` or `response`");
+  if (keys.size() > mostLawKeys)
+    throw std::invalid_argument("extension '" + name + "': a law has at most " + std::to_string(mostLawKeys) +
+                                " keys");
+  KnownLaw& known = knownLaws()[name];
+  known.law = std::move(law);
+  known.keys = std::move(keys);
+}
+
+const BoundLaw& boundLaw(const Material& m) {
+  const auto at = knownLaws().find(m.extensionLaw.name);
+  if (at == knownLaws().end())
+    throw std::invalid_argument("material '" + m.name + "': there is no elastic law '" + m.extensionLaw.name +
+                                "'");
+  LawValues values{};
+  for (std::size_t k = 0; k < at->second.keys.size(); k++)
+    values[k] = m.extensionLaw.values.at(at->second.keys[k]);
+  const std::scoped_lock one(at->second.binding);
+  return at->second.bound.try_emplace(values, BoundLaw{&at->second.law, values}).first->second;
+}
+
+LawResponse responseOf(const BoundLaw& bound, const Mat3d& gradU, double lambda, double mu) {
+  if (bound.law->response) return bound.law->response(gradU, lambda, mu, bound.values);
+  alignas(64) double gradient[9][8]{}, stress[9][8]{}, lambdas[8]{}, mus[8]{}, energy[8]{};
+  setLane(gradU, gradient, 0);
+  lambdas[0] = lambda, mus[0] = mu;
+  bound.law->lanes({gradient, lambdas, mus, bound.values, stress, energy});
+  return {energy[0], laneOf(stress, 0)};
+}
+
+Vec3d principalOf(const BoundLaw& bound, const Vec3d& stretch, double lambda, double mu) {
+  if (bound.law->principal) return bound.law->principal(stretch, lambda, mu, bound.values);
+  Mat3d gradU{};
+  for (int k = 0; k < 3; k++) gradU.row[k][k] = stretch[k] - 1;
+  const Mat3d stress = responseOf(bound, gradU, lambda, mu).stress;
+  return {stress.row[0].x * stretch.x, stress.row[1].y * stretch.y, stress.row[2].z * stretch.z};
+}
+
+void takeLogarithmsOfLanes(double values[8]) {
+  for (int l = 0; l < 8; l++) values[l] = std::log(values[l]);
+}
+
+void respondGroup(const ExtensionLaw& law, const LawGroup& g) {
+  if (law.lanes) return law.lanes(g);
+  for (int l = 0; l < 8; l++) {
+    const LawResponse r = law.response(laneOf(g.gradient, l), g.lambda[l], g.mu[l], g.values);
+    setLane(r.stress, g.stress, l);
+    if (g.energy) g.energy[l] = r.energy;
+  }
+}
+
+}  // namespace thaw

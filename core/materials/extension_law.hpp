@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elastic laws of extensions (core/domain/extensions.hpp): stress, energy and stiffness of eight particles.
+#pragma once
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/math/mat3.hpp"
+#include "core/math/vec3.hpp"
+
+namespace thaw {
+
+struct Material;
+
+inline constexpr std::size_t mostLawKeys = 8;
+/// Values of a law's keys (SI), in the order of their declaration.
+using LawValues = std::array<double, mostLawKeys>;
+
+/// Input and output of a law for eight particles of one material, or of materials with equal values. Lanes
+/// without a particle have F = 1 and lambda = mu = 0.
+struct LawGroup {
+  const double (*gradient)[8];  ///< F - 1 by [row][column][lane]; with plastic flow its elastic part
+  const double *lambda, *mu;    ///< Pa, Lame's constants by lane, at the particle's liquid fraction
+  const LawValues& values;
+  double (*stress)[8];  ///< Pa, out: first Piola stress by [row][column][lane]
+  double* energy;       ///< Pa, out: energy density by lane; null: not needed
+};
+
+/// The function of a law for one instruction set, for THAW_CHOOSE (core/simd/choose.hpp).
+struct LawKernels {
+  void (*lanes)(const LawGroup&) = nullptr;
+};
+
+/// Energy density and first Piola stress of one particle, both Pa.
+struct LawResponse {
+  double energy = 0;
+  Mat3d stress{};
+};
+
+/// An elastic law, psi(F) with P = dpsi/dF. At rest psi = 0 and P = 0, and small strains follow Hooke's law
+/// with lambda and mu, from which other limits are computed. Give `lanes` (core/solid/laws/law_lanes.hpp
+/// compiles it for each instruction set), or `response`, which is called for one particle at a time.
+struct ExtensionLaw {
+  void (*lanes)(const LawGroup&) = nullptr;
+  std::function<LawResponse(const Mat3d& gradU, double lambda, double mu, const LawValues&)> response = {};
+  /// Principal Kirchhoff stresses (Pa) for principal stretches, for plastic flow. None: from the stress of
+  /// the diagonal F.
+  std::function<Vec3d(const Vec3d& stretch, double lambda, double mu, const LawValues&)> principal = {};
+  /// Largest tangent modulus over lambda + 2 mu where no squared stretch exceeds this one; at least 1. None:
+  /// 1, for laws that do not stiffen.
+  std::function<double(double largestStretch2, const LawValues&)> stiffening = {};
+  bool resistsInversion = false;  ///< an inverted particle returns
+};
+
+/// A law with the values of a material, equal for equal values.
+struct BoundLaw {
+  const ExtensionLaw* law = nullptr;
+  LawValues values{};
+};
+
+/// Makes a law known by its name. keys: names of its keys. Throws std::invalid_argument for a law without
+/// `lanes` and `response`, or with more than mostLawKeys keys.
+void addExtensionLaw(const std::string& name, ExtensionLaw law, std::vector<std::string> keys);
+/// Returns the law and the values of a material with ElasticLaw::Extension; it stays valid. Throws
+/// std::invalid_argument if there is no such law.
+const BoundLaw& boundLaw(const Material& material);
+
+/// Response for F = 1 + gradU.
+LawResponse responseOf(const BoundLaw& bound, const Mat3d& gradU, double lambda, double mu);
+/// Principal Kirchhoff stresses (Pa), P F^T of a diagonal F.
+Vec3d principalOf(const BoundLaw& bound, const Vec3d& stretch, double lambda, double mu);
+/// Takes natural logarithms in place.
+void takeLogarithmsOfLanes(double values[8]);
+/// Sets the stress and energy of all lanes of the group.
+void respondGroup(const ExtensionLaw& law, const LawGroup& group);
+
+}  // namespace thaw

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/setup/add_extensions.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/domain/extensions.hpp"
+
+namespace thaw {
+namespace {
+
+const Extension& extensionOf(const std::string& name) {
+  const Extension* e = findExtension(name);
+  if (!e) throw std::runtime_error("extension '" + name + "' is not registered");
+  return *e;
+}
+
+/// Adds a line of the run's description for an extension that is not in it.
+void describe(World& w, const Extension& e) {
+  const std::string line = "extension '" + e.name + "': " + e.about;
+  std::vector<std::string>& why = w.modules.why;
+  if (std::find(why.begin(), why.end(), line) == why.end()) why.push_back(line);
+}
+
+void describeShape(World& w, const Shape& s) {
+  if (s.kind == ShapeKind::Extension) describe(w, extensionOf(s.extension.name));
+  for (const Shape& part : s.parts) describeShape(w, part);
+}
+
+void lower(StepTools& t, double limit) {
+  double& least = t.fixedLimits[Limit::Extension];
+  least = std::min(least, limit);
+}
+
+void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSettings& settings) {
+  if (!w.modules.fluid)
+    throw std::runtime_error("extension '" + e.name +
+                             "' is a force between liquid particles, and the scene has none");
+  if (w.modules.emitters) declareNewborn(w.particles);
+  PairForceWork work;
+  work.force = &e.pairForce;
+  work.settings = &settings;
+  for (const ExtensionKey& key : e.keys) work.values.push_back(settings.values.at(key.name));
+  t.pairForces.push_back(std::move(work));
+  if (e.pairForce.stepLimit) lower(t, e.pairForce.stepLimit(settings, w.scene));
+}
+
+}  // namespace
+
+void addExtensions(World& w, StepTools& t) {
+  declareFields(w.scene, w.particles);
+  for (const ExtensionSettings& settings : w.scene.extensions) {
+    const Extension& e = extensionOf(settings.name);
+    describe(w, e);
+    if (e.load) t.outside.push_back(e.load(settings));
+    if (e.update) t.fieldUpdates.push_back(e.update(settings));
+    if (e.stepLimit) lower(t, e.stepLimit(settings));
+    if (e.pairForce.kernels.sum) addPairForce(w, t, e, settings);
+  }
+  for (const Material& m : w.scene.materials)
+    if (m.law == ElasticLaw::Extension) describe(w, extensionOf(m.extensionLaw.name));
+  for (const Body& b : w.scene.bodies) describeShape(w, b.shape);
+  for (const Obstacle& o : w.scene.obstacles) describeShape(w, o.shape);
+  for (const OrientedBody& b : w.scene.oriented) describeShape(w, b.shape);
+}
+
+}  // namespace thaw

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles of obstacles.
+#pragma once
+#include "core/scene/scene.hpp"
+#include "io/surface_mesh/surface_mesh.hpp"
+
+namespace thaw {
+
+/// Returns the colour of an obstacle in pictures and exports, sRGB 0 to 255.
+Vec3f colourOf(const Obstacle& obstacle);
+
+/// Returns the surface of an obstacle at rest (m) with normals, whose vertices are separate where edges are
+/// sharp. A plane ends at the sides of the domain. Differences and intersections are polygonised; other
+/// shapes are exact up to a sag of 0.2 % of their size. Throws like makeSignedDistance.
+ComponentMesh obstacleMesh(const Obstacle& obstacle, const Domain& domain);
+
+}  // namespace thaw

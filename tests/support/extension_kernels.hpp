@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Functions of test extensions on lanes (extension_isa.cpp).
+#pragma once
+#include "core/fluid/pair_sums/pair_force.hpp"
+#include "core/materials/extension_law.hpp"
+
+namespace thaw::test {
+
+struct ExtensionKernels {
+  void (*neoHookean)(const LawGroup&);
+  PairForceKernels spring, tension;
+};
+
+/// Returns the set of that name, or the best one if it is empty; null for unknown or unsupported names.
+const ExtensionKernels* extensionKernels(const char* name = "");
+
+}  // namespace thaw::test
