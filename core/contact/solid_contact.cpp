@@ -50,18 +50,23 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
   if (x.dissipativeForce) x.dissipativeForce->clear();
   for (const ClosePair& pair : pairs.list) {
     const std::uint32_t i = pair.own, j = pair.other;
-    if (bonded(x, p, i, j)) continue;
+    const bool rigid = isRigid(p, i), rigidOther = isRigid(p, j);
+    if ((rigid && rigidOther) || bonded(x, p, i, j)) continue;  // pieces: core/rigid/contact/
     const Vec3d d = between(x.grid, p.position[i], p.position[j]);
     const double r = length(d);
     if (r >= d0) continue;
-    const Elastic a = elasticOf(x.scene, p, i), b = elasticOf(x.scene, p, j);
+    Elastic a = elasticOf(x.scene, p, i), b = elasticOf(x.scene, p, j);
+    // As between two elastic particles, so that the limit of the step holds.
+    if (rigid) a.stiffness = b.stiffness;
+    if (rigidOther) b.stiffness = a.stiffness;
     const double k = 2 * a.stiffness * b.stiffness / (a.stiffness + b.stiffness);
     const double energy = 0.25 * k * (d0 - r) * (d0 - r);  // half of the pair energy
     p.interaction[i] += energy;
     if (x.frozen && (p.justFrozen[i] || p.justFrozen[j])) x.frozen->add(-energy);
     if (p.softening.active) {
-      const double share = b.stiffness / (a.stiffness + b.stiffness);
-      p.softening[i] += a.softening * share * share * (d0 - r) * (d0 - r);
+      // k' / k'_i: the stiffness of a rigid particle changes with that of the other
+      const double share = b.stiffness / (a.stiffness + b.stiffness), part = rigidOther ? 0.5 : share * share;
+      p.softening[i] += a.softening * part * (d0 - r) * (d0 - r);
     }
     if (r == 0) {
       if (x.coincident) ++*x.coincident;

@@ -82,16 +82,21 @@ struct BondedRows {
   std::uint32_t* slot = nullptr;
   const std::uint16_t* material = nullptr;  ///< copied to Solids::material
   const std::uint8_t* phase = nullptr;      ///< null: all rows are solid
+  const std::uint64_t* piece = nullptr;     ///< null: no row belongs to a rigid piece, which has no bonds
   BondedRows(Continuum& p)
       : owned(p.owned),
         active(p.slot.active),
         id(p.id.data()),
         slot(p.slot.data()),
         material(p.material.data()),
-        phase(p.phase.data()) {}
+        phase(p.phase.data()),
+        piece(p.piece.active ? p.piece.data() : nullptr) {}
   BondedRows(std::size_t owned, const std::uint64_t* id, std::uint32_t* slot, const std::uint16_t* material)
       : owned(owned), active(true), id(id), slot(slot), material(material) {}
-  bool liquid(std::size_t i) const { return phase && phase[i] == Liquid; }
+  /// Returns true if a row has no bonds: a liquid particle, or one of a rigid piece.
+  bool unbonded(std::size_t i) const {
+    return (phase && phase[i] == Liquid) || (piece && piece[i] != notRigid);
+  }
 };
 
 /// A bond to make from an owned slot to the solid particle with this id on any rank.

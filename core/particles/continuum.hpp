@@ -15,7 +15,10 @@ inline constexpr std::uint32_t noSlot = 0xffffffffu;
 
 enum Phase : std::uint8_t { Solid = 0, Liquid = 1 };
 
-inline constexpr std::uint8_t held = 1, driven = 2;  ///< values of Continuum::clamped
+inline constexpr std::uint8_t held = 1, driven = 2,
+                              heldByPiece = 3;  ///< values of Continuum::clamped
+
+inline constexpr std::uint64_t notRigid = 0;  ///< value of Continuum::piece
 
 struct Continuum : Table {
   Continuum() : Table("continuum") {}
@@ -41,7 +44,8 @@ struct Continuum : Table {
       "key of the current cell, valid from the drift to the sort; shares the memory of "
       "`dissipation`", Rows::Owned};
   Column<u8> clamped{*this, "clamped", "1", Keep::State,
-      "1: fixed in place; 2: driven by its emitter at constant velocity"};
+      "1: fixed in place; 2: driven by its emitter at constant velocity; 3: part of a rigid piece with "
+      "fixed particles"};
   // Fluid.
   Column<float> relativeDensity{*this, "relativeDensity", "1", Keep::Transient,
       "relative density: delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
@@ -124,6 +128,26 @@ struct Continuum : Table {
   // Solid.
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local,
       "row in the table of solids; noSlot for liquids"};
+  // Rigid pieces (core/rigid/).
+  Column<std::uint64_t> piece{*this, "piece", "1", Keep::State,
+      "rigid piece: 1 + smallest id of its particles; 0: none"};
+  Column<Vec3d> bodyPosition{*this, "bodyPosition", "m", Keep::State,
+      "position in the body frame of its piece", Rows::Owned};
+  Column<std::uint32_t> pieceRow{*this, "pieceRow", "1", Keep::Local, "row of its piece on this rank"};
+  Column<std::uint64_t> pieceLabel{*this, "pieceLabel", "1", Keep::Transient,
+      "smallest label found in its piece so far, while pieces are made"};
+  Column<u8> exposed{*this, "exposed", "1", Keep::State,
+      "1: rigid particle that the initial surface may no longer cover; only with a surface", Rows::Owned};
+  Column<Vec3f> faceNormal{*this, "faceNormal", "1", Keep::State,
+      "outward normal of the surface of its rigid piece in the body frame; 0: none (surface_element.hpp)"};
+  Column<float> faceOffset{*this, "faceOffset", "m", Keep::State,
+      "distance from the surface of its rigid piece; 0: inside, so it has no contacts"};
+  Column<float> faceRadius{*this, "faceRadius", "m", Keep::State,
+      "radius of curvature of the surface of its rigid piece; infinite: plane"};
+  Column<std::uint64_t> contactPartner{*this, "contactPartner", "1", Keep::State,
+      "rigid piece or obstacle that pressed on it most in the last step; 0: none", Rows::Owned};
+  Column<Vec3d> contactImpulse{*this, "contactImpulse", "N s", Keep::State,
+      "impulse of that contact; first guess of the next solve", Rows::Owned};
   // Rest (core/sleep/sleep.hpp).
   Column<float> restTime{*this, "restTime", "s", Keep::State,
       "time since it last moved, accelerated or warmed"};
@@ -173,6 +197,9 @@ struct Continuum : Table {
     return nullptr;
   }
 };
+
+/// Returns true if a particle belongs to a rigid piece.
+inline bool isRigid(const Continuum& p, std::size_t i) { return p.piece.active && p.piece[i] != notRigid; }
 
 /// Returns true if a particle takes substeps (core/simulation/solid_substeps.hpp). Particles that melted or
 /// froze at the end of the last step have no bonds and take none.

@@ -159,6 +159,14 @@ Modules modulesOf(const Scene& s) {
     if (x.breakStretch < never) f.on(m.fracture, "fracture", "bonds of " + who + " break");
     if (x.melts() && m.melting) f.on(m.freezing, "freezing", who + " can freeze again");
   }
+  bool elastic = false;  // some solid has bonds
+  for (std::size_t k = 0; k < s.materials.size() && m.solid; k++) {
+    const Material& x = s.materials[k];
+    if (!used[k] || !x.canBeSolid()) continue;
+    if (x.isRigid()) f.on(m.rigid, "rigid pieces", "the law of material " + quoted(x.name) + " is \"rigid\"");
+    else elastic = true;
+  }
+  if (m.rigid) f.on(m.neighbours, "neighbour search", "rigid pieces can touch");
   if (m.solid) {
     if (solidBodies > 1) f.on(m.contact, "contact of solids", "there are several solid bodies");
     if (m.freezing) f.on(m.contact, "contact of solids", "frozen pieces can touch");
@@ -171,7 +179,7 @@ Modules modulesOf(const Scene& s) {
   if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
   // Contact of solids limits the step of all particles, so substeps gain nothing there.
   m.mostSubsteps = s.numerics.elasticSubsteps > 0                 ? s.numerics.elasticSubsteps
-                   : m.solid && m.fluid && !m.contact && !m.sleep ? 4
+                   : elastic && m.fluid && !m.contact && !m.sleep ? 4
                                                                   : 1;
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids",

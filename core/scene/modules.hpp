@@ -23,6 +23,7 @@ struct Modules {
   bool implicitViscosity = false;    ///< a liquid has viscosity and the scene selects the implicit solver
   bool viscosityCorrection = false;  ///< viscosity is corrected for the arrangement of the particles
   bool solid = false;                ///< some particle is or can become solid: bonds, elastic forces
+  bool rigid = false;                ///< some particle is or can become part of a rigid piece (core/rigid/)
   bool substeps = false;             ///< solids may take several substeps in a step
   int mostSubsteps = 1;
   bool plastic = false;      ///< a material yields

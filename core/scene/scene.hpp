@@ -29,8 +29,9 @@ enum class ElasticLaw {
   Green,
   NeoHookean,
   Corotated,
+  Rigid,
   Extension
-};  // Green strain with Hooke's law is the law of the papers
+};  // Green strain with Hooke's law is the law of the papers; Rigid: bodies of core/rigid/
 
 struct Material {
   std::string name;
@@ -78,7 +79,8 @@ struct Material {
   double paperDiffusivity = 0;  // m^2/s, k_heat of K05, for heat model "paper"
   bool liquidAtStart = false;   // only for materials that do not melt: initial phase
   bool melts() const { return solidus < never; }
-  bool canBeSolid() const { return young.solid > 0; }
+  bool isRigid() const { return law == ElasticLaw::Rigid; }
+  bool canBeSolid() const { return young.solid > 0 || isRigid(); }
 };
 
 // ---- bodies -----------------------------------------------------------------------------------------------

@@ -7,6 +7,9 @@
 #include "core/heat/heat.hpp"
 #include "core/oriented/forces/continuum_contact.hpp"
 #include "core/oriented/step_oriented.hpp"
+#include "core/rigid/link_pieces.hpp"
+#include "core/rigid/motion.hpp"
+#include "core/rigid/update_pieces.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/ledger/energy_left.hpp"
@@ -170,10 +173,15 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   e.neighbours = needsNeighbours(w, t);
   const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;
   sumDensities(e);
+  if (w.modules.rigid && t.rigid.atStart) updatePieces(rigidView(w, t), halos, true);
+  t.rigid.atStart = false;
+  if (w.modules.rigid) linkPieces(rigidView(w, t), halos, PieceUsers::AndGhosts);
+  t.times.lap(StepPhase::Contact);
   t.hooks.after(HookPhase::Density);
   sumForces(e);
   addContacts(e, justFrozen);
   finishForces(e);
+  if (w.modules.rigid) sumPieceForces(rigidView(w, t), halos.all);
   if (viscosityCorrectionDue(w)) correctViscosity(w, t);  // for the next step
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);

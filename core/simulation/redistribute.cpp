@@ -134,6 +134,7 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   for (std::uint32_t i : t.leaving) {
     w.ledger.dissipated.add(p.dissipated[i]);
     countLeaving(w.scene.domain, p.position[i], w.counters);
+    t.rigid.changedHere = t.rigid.changedHere || isRigid(p, i);
     leftSlots = leftSlots || (p.slot.active && p.slot[i] != noSlot);
   }
   const std::size_t before = p.owned;
@@ -141,6 +142,9 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   if (moves) m = halos.cells.migrate(p, {p.nextCell.data(), p.owned});
   computeCellKeys(w.grid, p, before, p.owned);
   if (w.modules.solid && moves) halos.bonds.migrate(p, w.solids, w.bonds, m);
+  if (w.modules.rigid)
+    for (const std::uint32_t i : m.departed)
+      if (p.piece[i] != notRigid) t.rigid.departed.push_back(p.piece[i]);
   t.times.lap(StepPhase::Migrate);
   if (!t.leaving.empty()) {
     std::vector<std::uint32_t> gone;

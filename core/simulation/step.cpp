@@ -5,6 +5,10 @@
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
 #include "core/oriented/step_oriented.hpp"
+#include "core/rigid/contact_impulses.hpp"
+#include "core/rigid/link_pieces.hpp"
+#include "core/rigid/motion.hpp"
+#include "core/rigid/update_pieces.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/monitor/monitor.hpp"
 #include "core/simulation/solid_substeps.hpp"
@@ -27,6 +31,10 @@ void predict(World& w, Halos halos, StepTools& t, double dt, double time) {
     recordOutsideKick(w.particles, HalfKick::First, w.scene.domain.gravity, dt, w.ledger);
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w.modules, w.particles, t.sleep)) || w.clock.substeps > 1;
   substepSolids(w, halos, t, dt);  // stiff solids: bonds only, in shorter steps
+  if (w.modules.rigid) {
+    driftPieces(rigidView(w, t), dt);
+    t.mayLeave = true;
+  }
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
@@ -44,6 +52,7 @@ StepOutcome finishKicks(World& w, StepTools& t, double dt) {
     recordOutsideKick(w.particles, HalfKick::Second, w.scene.domain.gravity, dt, w.ledger);
   here.finite = finishKick(w, dt, awakeRows(w.modules, w.particles, t.sleep), &here.bad, &largest);
   here.largest = largest;
+  if (w.modules.rigid) kickPieces(rigidView(w, t), dt);
   here.badHere = !here.finite || w.oriented.exceededReach;
   if (w.modules.sheet) {
     t.times.lap(StepPhase::Drift);
@@ -62,11 +71,22 @@ void heatAndMelt(World& w, StepTools& t, double dt) {
   if (w.modules.melting) changes = changePhase(w.scene, w.particles, w.counters);  // solid <-> liquid
   t.phaseChangedHere = changes.melted || changes.frozen;
   t.frozeAnywhere = changes.frozen;  // both are reduced by reduceStep
-  t.meltedAnywhere = changes.melted;
+  t.meltedAnywhere = changes.melted || t.rigid.changedHere;
   t.times.lap(StepPhase::Heat);
 }
 
 }  // namespace
+
+void finishPieces(World& w, Halos halos, StepTools& t) {
+  const RigidView view = rigidView(w, t);
+  if (t.meltedAnywhere || t.frozeAnywhere) {
+    updatePieces(view, halos, false);
+    t.rigid.changedHere = false;
+    linkPieces(view, halos, PieceUsers::AndGhosts);
+  }
+  findContactImpulses(view, halos, nextStep(w.clock));
+  t.times.lap(StepPhase::Contact);
+}
 
 StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
@@ -90,6 +110,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   if (w.modules.incompressible && all.finite) solvePressure(w, halos, t, dt);
   if (w.modules.solid && t.meltedAnywhere)
     melt(w, halos, t);  // here and not in the next step, so that checkpoints contain it
+  if (w.modules.rigid && all.finite) finishPieces(w, halos, t);
   t.hooks.after(HookPhase::Limits);
   return all;
 }

@@ -142,7 +142,7 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
     for (std::size_t i = w.cells.first[cell]; i < w.cells.first[cell] + w.cells.count[cell]; i++) {
       const std::size_t before = contacts.list.size();
       // A projected particle may have moved away from, or into, other walls.
-      if (listContacts(w, i, contacts, !(p.clamped.active && p.clamped[i]))) {
+      if (listContacts(w, i, contacts, !(p.clamped.active && p.clamped[i]) && !isRigid(p, i))) {
         contacts.list.resize(before);
         listContacts(w, i, contacts, false);
       }

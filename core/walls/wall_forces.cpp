@@ -166,7 +166,7 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
   const WallContext shorter{w, x.tables, x.liquids, x.dt * x.fast, x.span * x.fast};
   for (std::size_t c = 0; c < list.size();) {
     const std::uint32_t i = list[c].row;
-    if (x.sleeps(i)) {
+    if (x.sleeps(i) || isRigid(p, i)) {  // pieces have contacts of their own (core/rigid/)
       c++;
       continue;
     }

@@ -57,6 +57,7 @@ struct CheckpointHeader {
   Clock clock;                ///< without limitedBy
   std::string limitedBy;
   std::uint64_t particles = 0, solids = 0, bonds = 0, surfels = 0;
+  std::uint64_t pieces = 0;  ///< rigid pieces
   std::array<std::optional<std::uint64_t>, bodyTypeCount> bodyTypeRows;  ///< rows of oriented bodies and
                                                                          ///< sheets, if the file has them
   bool twoFrames = false;  ///< bonds have a reference at both ends; else all refer to one configuration
@@ -76,6 +77,7 @@ struct CheckpointSlice {
   Solids solids;                         ///< active columns as above; rows in the order of their particles
   std::vector<std::uint32_t> bondCount;  ///< bonds per solid
   std::vector<BondRecord> bonds;         ///< in the order of solids
+  Pieces pieces;                         ///< active columns as above; unsorted
   Surfels surfels;                       ///< surfels [r S/P, (r+1) S/P)
   Oriented oriented;                     ///< active columns as above; unsorted
   Sheets sheets;

@@ -123,6 +123,7 @@ CheckpointHeader headerOf(const H5File& file) {
   h.particles = file.shape("/particles/id").rows;
   h.solids = file.shape("/order/first_bond").rows;
   h.bonds = file.shape("/bonds/neighbour").rows;
+  if (file.has("/pieces/id")) h.pieces = file.shape("/pieces/id").rows;
   if (file.has("/surfels/id")) {
     h.surfels = file.shape("/surfels/id").rows;
     h.surface = readSurfaceRecord(file);
@@ -212,6 +213,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
           s.solids.id[k] != s.particles.id[particle[k] - mine.first])
         throw IoError(path, "is damaged: solids do not belong to their particles");
     readBonds(in, s, solids);
+    if (h.pieces > 0) readTable(in, "/pieces", s.pieces, share(h.pieces, rank, ranks), h.pieces);
     if (h.surface.there) readTable(in, "/surfels", s.surfels, share(h.surfels, rank, ranks), h.surfels);
     for (std::size_t k = 0; k < bodyTypeCount; k++)
       if (h.bodyTypeRows[k])
@@ -263,6 +265,7 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
     for (const AnyColumn* f : from.columns)
       if (f->active && std::strcmp(f->name, c.name) == 0) return *f;
     const std::string of = std::strcmp(from.kind, "surfels") == 0 ? from.kind
+                           : std::strcmp(from.kind, "piece") == 0 ? "rigid pieces"
                                                                   : std::string(from.kind) + " particles";
     throw IoError(h.path, std::string("has no field '") + c.name + "' of " + of +
                               ", which the scene needs: it was written for another scene");
@@ -280,6 +283,9 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   Continuum& p = w.particles;
   if (s.particles.outsideForce.active) p.activate(p.outsideForce);
   takeOver(s.particles, p);
+  if (h.pieces > 0 && !w.pieces.id.active)
+    throw IoError(h.path, "has rigid pieces, and the scene has none: it was written for another scene");
+  if (h.pieces > 0) takeOver(s.pieces, w.pieces);
   if (w.surface.surfels.id.active) takeOver(s.surfels, w.surface.surfels);
   restoreSurfaceRecord(h.surface, w.surface);
   forEachBodyType(w, [&](std::size_t kind, BodyTypeRows& r, const CellTable&) { takeOver(s.kind(kind), r); });

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "core/rigid/link_pieces.hpp"
 #include "core/simulation/ledger/totals.hpp"
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/checkpoint/surface_record.hpp"
@@ -175,6 +176,9 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   addColumns(content, "/particles", w.particles, packed, particles, nullptr);
   addColumns(content, "/solids", w.solids, nullptr, solids, &order);
   addBonds(content, w, order, bonds);
+  Pieces pieces;
+  copyLedRows(w.pieces, pieces);
+  if (pieces.id.active) addColumns(content, "/pieces", pieces, nullptr, spreadRows(comm, pieces.owned), nullptr);
   if (h.surface.there) {
     content.groups.push_back("/surface");
     addColumns(content, "/surfels", w.surface.surfels, nullptr, spreadRows(comm, w.surface.surfels.owned),

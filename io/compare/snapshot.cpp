@@ -78,6 +78,7 @@ void openCheckpoint(Snapshot& s) {
     else s.values[name] = text;
   }
   s.tables.push_back(tableOf(s.file, "particles", "/particles", {}));
+  if (h.pieces > 0) s.tables.push_back(tableOf(s.file, "rigid pieces", "/pieces", {}));
   if (h.surface.there) {
     s.numbers.push_back(whole("surface last_step", h.surface.lastStep));
     for (const NamedCount& c : countsOf(h.surface.counters))

@@ -141,18 +141,27 @@ struct Progress {
   double excess = 0;     ///< |error|^2 minus the tolerance, kg m^2/s^2; converged if at most 0
 };
 
+/// Lets the velocities (m/s) of rigid pieces move together. Collective.
+void join(Solver& s, Vec3d* velocities) {
+  if (s.view.joint) s.view.joint->join({velocities, s.p.owned});
+}
+
 /// Preconditions the residual. The error M^-1 r of the velocities is compared with their change by viscosity,
 /// u - goal. A millionth of the goal is added for bodies in rigid motion, where viscosity changes nothing.
 Progress assess(Solver& s) {
   ViscousWork& k = s.work;
   const double tolerance2 = s.w.scene.numerics.viscosityTolerance * s.w.scene.numerics.viscosityTolerance;
   std::array<ExactSum, 2> sum;
+  for (std::size_t i = 0; i < s.p.owned; i++)
+    k.ready[i] = isRigid(s.p, i) ? k.residual[i] / s.p.mass[i] : k.block[i] * k.residual[i];
+  join(s, k.ready.data());
   for (std::size_t i = 0; i < s.p.owned; i++) {
     const Vec3d &r = k.residual[i], change = k.solution[i] - k.goal[i];
-    k.ready[i] = k.block[i] * r;
     sum[0].add(dot(r, k.ready[i]));
     const double m = s.p.mass[i];
-    sum[1].add(dot(r, r) / m - tolerance2 * m * (dot(change, change) + 1e-12 * dot(k.goal[i], k.goal[i])));
+    // Of rigid pieces, only the part of the residual counts that moves them.
+    const double error2 = isRigid(s.p, i) ? m * dot(k.ready[i], k.ready[i]) : dot(r, r) / m;
+    sum[1].add(error2 - tolerance2 * m * (dot(change, change) + 1e-12 * dot(k.goal[i], k.goal[i])));
   }
   const std::array<double, 2> v = sumOver(s, sum);
   return {v[0], v[1]};
@@ -162,10 +171,12 @@ Progress assess(Solver& s) {
 void begin(Solver& s) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
+  for (std::size_t i = 0; i < p.owned; i++) k.ready[i] = p.force[i] / p.mass[i];
+  join(s, k.ready.data());
   for (std::size_t i = 0; i < p.owned; i++) {
     k.goal[i] = k.solution[i] = p.velocity[i];
     if (!s.known(i)) {
-      k.goal[i] += s.dt * (p.force[i] / p.mass[i] + s.w.scene.domain.gravity);
+      k.goal[i] += s.dt * (k.ready[i] + s.w.scene.domain.gravity);
       k.solution[i] = k.goal[i] + s.dt * p.viscousAcceleration[i];
     }
     p.viscousSearch[i] = k.solution[i];
@@ -242,9 +253,15 @@ void addForces(Solver& s) {
       p.viscousAcceleration[i] = {};
       continue;
     }
-    const Vec3d end = p.velocity[i] + s.dt * (p.force[i] / m + g);
-    p.dissipation[i] -= 0.5 * dot(f, end - k.solution[i]);
     p.viscousAcceleration[i] = f / m;
+  }
+  for (std::size_t i = 0; i < p.owned; i++) k.ready[i] = p.force[i] / p.mass[i];
+  join(s, k.ready.data());
+  join(s, p.viscousAcceleration.data());
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (s.known(i)) continue;
+    const Vec3d end = p.velocity[i] + s.dt * (k.ready[i] + g);
+    p.dissipation[i] += 0.5 * dot(k.product[i], end - k.solution[i]);
   }
   s.view.times.lap(StepPhase::Viscosity);
 }

@@ -25,6 +25,7 @@
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/halo/halos.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
+#include "core/particles/joint_motion.hpp"
 #include "core/time/phase_times.hpp"
 #include "core/walls/wall_forces.hpp"
 
@@ -38,6 +39,7 @@ struct ViscosityView {
   const WallContacts& wallContacts;
   ViscousWork& viscous;
   PhaseTimes& times;
+  JointMotion* joint = nullptr;  ///< rigid pieces; null: all particles move on their own
 };
 
 /// Adds viscous forces (N) to Continuum::force and their loss (W) to dissipation, and records the part of

@@ -131,7 +131,7 @@ template<class Record> void stopAtWalls(const PressureSystem& x, double dt, Reco
   for (const WallContact& c : x.wallContacts.list) {
     const double f = static_cast<double>(x.pressure.fraction[c.row]),
                  room = std::max(0.0, c.distance - 0.25 * x.scene.spacing);
-    if (f == 0 || (p.clamped.active && p.clamped[c.row])) continue;
+    if (f == 0 || isRigid(p, c.row) || (p.clamped.active && p.clamped[c.row])) continue;
     const Vec3d v = wallVelocity(x.walls.list[c.wall], p.position[c.row]);
     const double excess = -dot(p.trialVelocity[c.row] - v, c.normal) - room / dt;
     if (excess <= 0) continue;
@@ -183,7 +183,9 @@ void solveDivergence(const PressureSystem& x, double dt, double next, double sha
   recordReactions(x, [&](const Vec3d& impulse) {
     for (int a = 0; a < 3; a++) x.ledger.wallImpulse[a].add(impulse[a]);
   });
-  for (std::size_t i = 0; i < p.owned; i++) change(p, i, p.trialVelocity[i] - p.velocity[i]);
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (!isRigid(p, i)) change(p, i, p.trialVelocity[i] - p.velocity[i]);
+  if (x.joint) x.joint->kick();
 }
 
 /// Density solve: finds the kick with which the next drift ends at the target density.
@@ -201,12 +203,14 @@ void solveDensity(const PressureSystem& x, double next, double share) {
   recordReactions(x, record);
   stopAtWalls(x, next, record);
   for (std::size_t i = 0; i < p.owned; i++) p.pressureImpulse[i] = p.trialVelocity[i] - work.start[i];
+  if (x.joint) x.joint->keep();
 }
 
 }  // namespace
 
 void addPressureImpulse(Continuum& p) {
-  for (std::size_t i = 0; i < p.owned; i++) change(p, i, p.pressureImpulse[i]);
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (!isRigid(p, i)) change(p, i, p.pressureImpulse[i]);
 }
 
 void findPressure(const PressureSystem& x, double dt) {

@@ -84,6 +84,13 @@ void applyPressures(const PressureSystem& x) {
     work.impulse[wall.row] -= wall.slope *
                               (volumeOf(x, wall.row) * static_cast<double>(p.trialPressure[wall.row]));
   const bool clamps = p.clamped.active;
+  if (x.joint) {
+    for (std::size_t i = 0; i < p.owned; i++)
+      p.trialVelocity[i] = clamps && p.clamped[i] ? Vec3d{} : work.impulse[i] / p.mass[i];
+    x.joint->join({p.trialVelocity.data(), p.owned});
+    for (std::size_t i = 0; i < p.owned; i++) p.trialVelocity[i] += work.start[i];
+    return;
+  }
   for (std::size_t i = 0; i < p.owned; i++)
     p.trialVelocity[i] = clamps && p.clamped[i] ? work.start[i] : work.start[i] + work.impulse[i] / p.mass[i];
 }

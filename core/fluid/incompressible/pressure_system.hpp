@@ -15,6 +15,7 @@
 #include "core/neighbours/grid.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/particles/joint_motion.hpp"
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
 #include "core/time/clock.hpp"
@@ -46,6 +47,7 @@ struct PressureSystem {
   const WallContacts& wallContacts;
   PressureWork& pressure;
   PhaseTimes& times;
+  JointMotion* joint = nullptr;  ///< rigid pieces; null: all particles move on their own
 };
 
 /// Computes PressureWork::walls, fraction and response for the current positions.

@@ -14,6 +14,16 @@
 namespace thaw {
 namespace {
 
+/// Adds the rotation of a particle of a rigid piece about its own centre.
+void addOwnSpin(const World& w, std::size_t i, ExactBalance& b) {
+  const std::uint32_t row = w.pieces.rowOf(w.particles.piece[i]);
+  if (row == noPieceRow) return;  // at a start, before the pieces are made
+  const double inertia = ownInertia(w.particles.mass[i], w.scene.spacing);
+  const Vec3d spin = spinOf(w.pieces, row, w.pieces.angularMomentum[row]);
+  b.kinetic.add(0.5 * inertia * dot(spin, spin));
+  for (int a = 0; a < 3; a++) b.angularMomentum[a].add(inertia * spin[a]);
+}
+
 void addRow(const World& w, std::size_t i, ExactBalance& b) {
   const Continuum& p = w.particles;
   const double m = p.mass[i];
@@ -24,6 +34,7 @@ void addRow(const World& w, std::size_t i, ExactBalance& b) {
     b.angularMomentum[a].add(m * L[a]);
   }
   b.kinetic.add(0.5 * m * dot(v, v));
+  if (isRigid(p, i)) addOwnSpin(w, i, b);
   b.potential.add(-m * dot(w.scene.domain.gravity, x));
   if (p.interaction.active) b.potential.add(p.interaction[i]);
   if (p.enthalpy.active) b.internal.add(m * p.enthalpy[i]);

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "core/rigid/link_pieces.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/solid/bonds/bond_records.hpp"
 #include "core/surface/resume_surface.hpp"
@@ -75,6 +76,7 @@ void takeSnapshot(const World& w, WorldSnapshot& good) {
   kept.bonds = w.bonds;
   copySurface(w.surface, kept.surface);
   copyKinds(w, kept);
+  copyLedRows(w.pieces, kept.pieces);
   copyLedger(w, kept);
 }
 
@@ -87,6 +89,7 @@ void emptyWorld(World& w, StepTools& t) {
   w.cells = {};
   emptySurface(w.surface);
   clearBodyTypes(w);
+  w.pieces.resize(0, 0);
   t.elastic.capacity = 0;  // everything derived from bonds is recomputed
   t.requests.clear();
   t.leaving.clear();
@@ -101,6 +104,7 @@ std::vector<std::byte> restoreSnapshot(const WorldSnapshot& good, World& w) {
   if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
   copySurface(kept.surface, w.surface);
   copyKinds(kept, w);
+  copyLedRows(kept.pieces, w.pieces);
   copyLedger(kept, w);
   SolidRecords records;
   for (std::size_t i = 0; kept.particles.slot.active && i < p.owned; i++)

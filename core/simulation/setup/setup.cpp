@@ -14,6 +14,9 @@
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/oriented/step_oriented.hpp"
+#include "core/rigid/link_pieces.hpp"
+#include "core/rigid/surface_elements.hpp"
+#include "core/rigid/update_pieces.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/sheet/contact/face_contact.hpp"
 #include "core/sheet/contact/mesh_contact.hpp"
@@ -241,6 +244,10 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   t.newPartition = true;
   relaxPacking(w, halos, t, shapes);
   assignStartFields(w, shapes, halos.all, true);
+  if (w.modules.rigid) {
+    markRigidParticles(w.scene, p);
+    elementsOfShapes(w.scene, shapes, p);
+  }
   startFields(p, 0, p.owned);
   return report;
 }
@@ -267,6 +274,7 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
   w.ledger.entered = w.ledger.left = {};
   reduceStep(w, halos, t, {}, {});
   if (w.modules.incompressible) solvePressure(w, halos, t, nextStep(w.clock));
+  if (w.modules.rigid) finishPieces(w, halos, t);
   const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step records
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
 }
@@ -275,6 +283,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   SamplingReport report = sampleWorld(w, halos, t, load);
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
+  t.rigid.atStart = w.modules.rigid;
   t.emitFirst = true;
   initializeForces(w, halos, t);
   for (SceneWarning& warning : compressedLiquids(w, t, halos.all))
@@ -304,6 +313,11 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
     fresh.arrivals = r.owned;
     sortByCell(r, fresh, t.sort, cells);
   });
+  if (w.modules.rigid) {
+    t.rigid = {};
+    t.rigid.departed.assign(w.pieces.id.data(), w.pieces.id.data() + w.pieces.owned);
+    linkPieces(rigidView(w, t), halos, PieceUsers::Owned);
+  }
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.newPartition = true;
@@ -341,6 +355,7 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   t.frozeAnywhere = false;  // newly frozen particles have bonds now
   reduceStep(w, halos, t, {}, {});
   if (w.modules.incompressible) solvePressure(w, halos, t, nextStep(w.clock));
+  if (w.modules.rigid) finishPieces(w, halos, t);
 }
 
 }  // namespace thaw

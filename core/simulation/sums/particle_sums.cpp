@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/extensions.hpp"
@@ -13,6 +14,7 @@
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
+#include "core/rigid/piece_joint.hpp"
 #include "core/simulation/world/views.hpp"
 
 namespace thaw {
@@ -21,6 +23,10 @@ ColumnList ghostColumns(World& w) {
   ColumnList c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
   if (w.modules.solid) c.push_back(&p.id);
   if (w.modules.solid) c.push_back(&p.body);
+  if (w.modules.rigid)
+    for (AnyColumn* column :
+         std::initializer_list<AnyColumn*>{&p.piece, &p.faceNormal, &p.faceOffset, &p.faceRadius})
+      c.push_back(column);
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);
   if (p.compression.active) c.push_back(&p.compression);
@@ -270,12 +276,25 @@ void correctViscosity(World& w, StepTools& t) {
   t.kernels->viscosityCorrection(s, {0, w.neighbours.groups});
 }
 
+namespace {
+
+std::optional<PieceJoint> jointOf(World& w, Halos& halos, StepTools& t) {
+  std::optional<PieceJoint> joint;
+  if (w.modules.rigid) joint.emplace(rigidView(w, t), halos.all);
+  return joint;
+}
+
+}  // namespace
+
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
-  addImplicitViscosity({w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times}, halos,
-                       pairSumsOf(w, t), walls);
+  std::optional<PieceJoint> joint = jointOf(w, halos, t);
+  addImplicitViscosity(
+      {w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times, joint ? &*joint : nullptr},
+      halos, pairSumsOf(w, t), walls);
 }
 
 void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
+  std::optional<PieceJoint> joint = jointOf(w, halos, t);
   findPressure({w.scene,
                 w.modules,
                 w.grid,
@@ -295,7 +314,8 @@ void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
                 t.inverseLatticeSum,
                 t.wallContacts,
                 t.pressure,
-                t.times},
+                t.times,
+                joint ? &*joint : nullptr},
                dt);
 }
 

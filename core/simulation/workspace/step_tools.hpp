@@ -25,6 +25,7 @@
 #include "core/neighbours/search.hpp"
 #include "core/neighbours/sort.hpp"
 #include "core/oriented/data/oriented_work.hpp"
+#include "core/rigid/data/rigid_work.hpp"
 #include "core/simulation/time/monitor_limits.hpp"
 #include "core/simulation/time/step_limits.hpp"
 #include "core/simulation/workspace/step_hooks.hpp"
@@ -69,6 +70,7 @@ struct StepTools {
   ViscousWork viscous;
   OrientedWork oriented;
   SleepWork sleep;
+  RigidWork rigid;
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce

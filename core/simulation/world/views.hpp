@@ -4,6 +4,7 @@
 #include "core/fluid/density/carried_density.hpp"
 #include "core/heat/heat_view.hpp"
 #include "core/oriented/data/oriented_view.hpp"
+#include "core/rigid/rigid_view.hpp"
 #include "core/sheet/data/sheet_view.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
@@ -25,6 +26,11 @@ inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.
 inline OrientedView orientedView(World& w, StepTools& t) {
   return {w.oriented, t.oriented, w.particles, w.ledger, w.counters, t.sort, t.times,
           w.scene,    w.modules,  w.grid,      w.cells,  w.walls,    w.clock};
+}
+
+inline RigidView rigidView(World& w, StepTools& t) {
+  return {w.scene, w.modules,       w.grid,  w.particles, w.cells,    w.pieces,
+          w.walls, t.wallContacts, w.clock, w.ledger,    w.counters, t.rigid};
 }
 
 inline SheetView sheetView(World& w) {

@@ -11,6 +11,7 @@
 #include "core/neighbours/neighbour_lists.hpp"
 #include "core/oriented/data/oriented.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/rigid/data/pieces.hpp"
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
 #include "core/sheet/data/sheets.hpp"
@@ -31,6 +32,7 @@ struct World {
   NeighbourLists neighbours;
   Solids solids;
   Bonds bonds;
+  Pieces pieces;
   Walls walls;
   std::vector<float> startDensity;  ///< with carried densities: summed relative density at the start, by
                                     ///< owned row, until it is checked

@@ -263,10 +263,10 @@ void findUnslotted(const BondedRows& p, Solids& s, std::vector<std::uint32_t>& u
   std::fill_n(s.particle.data(), s.owned, noParticle);
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::uint32_t slot = p.slot[i];
-    const bool liquid = p.liquid(i);
+    const bool unbonded = p.unbonded(i);
     if (slot == noSlot) {
-      if (!liquid) unslotted.push_back(static_cast<std::uint32_t>(i));
-    } else if (liquid) {
+      if (!unbonded) unslotted.push_back(static_cast<std::uint32_t>(i));
+    } else if (unbonded) {
       p.slot[i] = noSlot;
     } else {
       s.particle[slot] = static_cast<std::uint32_t>(i);

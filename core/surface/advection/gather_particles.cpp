@@ -58,7 +58,8 @@ void gatherParticles(const SurfaceView& w, int rank) {
       c.liquid[i] = p.liquid.active ? p.liquid[i] : static_cast<float>(p.phase[i] == Liquid);
     if (c.temperature.active) c.temperature[i] = static_cast<float>(p.temperature[i]);
     if (c.referencePosition.active) c.referencePosition[i] = p.surfaceStartPosition[i];
-    if (c.covered.active) c.covered[i] = p.slot[i] != noSlot && !w.solids.exposed[p.slot[i]];
+    if (c.covered.active)
+      c.covered[i] = isRigid(p, i) ? !p.exposed[i] : p.slot[i] != noSlot && !w.solids.exposed[p.slot[i]];
     c.body[i] = p.body[i];
     c.source[i] = static_cast<std::uint64_t>(rank) << 32 | i;
   }
@@ -89,8 +90,11 @@ void returnParticles(Continuum& p, Solids& solids, Surface& surface, SurfaceHalo
   if (c.covered.active) {
     std::vector<std::uint64_t> there(c.covered.data(), c.covered.data() + c.owned), here(p.owned);
     halos.scatter.scatterBack({c.source.data(), c.owned}, there, here);
-    for (std::size_t i = 0; i < p.owned; i++)
-      if (p.slot[i] != noSlot && here[i] == 0) solids.exposed[p.slot[i]] = 1;
+    for (std::size_t i = 0; i < p.owned; i++) {
+      if (here[i] != 0) continue;
+      if (isRigid(p, i)) p.exposed[i] = 1;
+      else if (p.slot[i] != noSlot) solids.exposed[p.slot[i]] = 1;
+    }
   }
   if (c.fill.active) {
     std::vector<std::uint64_t> there(c.owned), here(p.owned);

@@ -71,16 +71,21 @@ bool isAtRest(const Scene& s) {
   });
 }
 
+bool hasElastic(const Scene& s, const Modules& m) {
+  return m.solid && std::any_of(s.materials.begin(), s.materials.end(),
+                                [](const Material& x) { return x.canBeSolid() && !x.isRigid(); });
+}
+
 const std::vector<ReferenceCase>& referenceCases() {
   static const std::vector<ReferenceCase> all{
       {"liquid at rest", "hydrostatic", isHeavy, isAtRest},
       {"liquid that falls", "martin_moyce", isHeavy, isGentle},
       {"viscosity", "poiseuille", viscous, isGentle},
       {"surface tension", "drop_laplace", [](const Scene&, const Modules& m) { return m.tension; }},
-      {"solids", "cantilever", [](const Scene&, const Modules& m) { return m.solid; }},
-      {"waves in solids", "p_wave", [](const Scene&, const Modules& m) { return m.solid; }},
+      {"solids", "cantilever", hasElastic},
+      {"waves in solids", "p_wave", hasElastic},
       {"a solid in a liquid", "stiff_in_soft",
-       [](const Scene&, const Modules& m) { return m.solid && m.fluid; }},
+       [](const Scene& s, const Modules& m) { return hasElastic(s, m) && m.fluid; }},
       {"heat", "conductivity_ratio", [](const Scene&, const Modules& m) { return m.heat; }},
       {"melting", "stefan_two_phase", [](const Scene&, const Modules& m) { return m.melting; }},
   };
@@ -109,7 +114,8 @@ std::vector<std::string> ofScene(const std::string& setting, const Scene& s) {
   if (star == std::string::npos) return {setting};
   std::vector<std::string> all;
   for (const Material& m : s.materials)
-    if (m.canBeSolid()) all.push_back(setting.substr(0, star) + m.name + setting.substr(star + 1));
+    if (m.canBeSolid() && !m.isRigid())
+      all.push_back(setting.substr(0, star) + m.name + setting.substr(star + 1));
   return all;
 }
 

@@ -95,6 +95,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
     refuse(!s.oriented.empty(), "tables [[oriented]]");
     refuse(!s.sheets.empty(), "tables [[sheet]]");
   }
+  checkRigid(x, errors);
   if (n.solver == PressureSolver::Incompressible && n.pressure == PairForm::Printed)
     errors.push_back({x.start,
                       "numerics.pressure_solver = \"incompressible\" needs numerics.pressure = "

@@ -46,7 +46,7 @@ void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
 }
 
 void readLaw(TableReader& r, Material& m) {
-  std::vector<std::string> words{"green", "neo-hookean", "corotated"};
+  std::vector<std::string> words{"green", "neo-hookean", "corotated", "rigid"};  // as in ElasticLaw
   const std::size_t builtIn = words.size();
   for (const std::string& name : extensionNames([](const Extension& e) { return e.hasLaw(); }))
     words.push_back(name);
@@ -54,8 +54,13 @@ void readLaw(TableReader& r, Material& m) {
   if (m.law == ElasticLaw::Extension)
     for (std::size_t k = builtIn; k < words.size(); k++)
       if (words[k] == m.extensionLaw.name) law = static_cast<int>(k);
-  r.choice("law", law, words,
-           "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated");
+  // Pieces are part of the state, so a run cannot change to or from them.
+  r.as(m.isRigid() ? Restart::State : Restart::Coefficient)
+      .choice(
+          "law", law, words,
+          "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated; \"rigid\": "
+          "connected particles move as one rigid body until they melt; young, poisson, volume_stiffness, "
+          "hourglass and damping are then not used");
   if (law < static_cast<int>(builtIn)) {
     m.law = static_cast<ElasticLaw>(law);
     return;

@@ -129,16 +129,17 @@ void readHeat(TableReader& r, Material& m) {
 /// Refuses meaningless combinations of keys.
 void checkMaterial(TableReader& r, const Material& m) {
   if (r.has("melts") && !m.canBeSolid())
-    r.fail(
-        "melts",
-        "a material that melts is a solid below its melting temperature: give it a Young's modulus (young)",
-        {"young"});
+    r.fail("melts",
+           "a material that melts is a solid below its melting temperature: give it a Young's modulus "
+           "(young), or law "
+           "= \"rigid\"",
+           {"young"});
   if (r.has("melts") && !r.has("heat_capacity"))
     r.fail("heat_capacity", "is missing: a material that melts needs one");
   if (r.has("phase") && r.has("melts"))
     r.fail("phase", "the temperature decides the phase of a material that melts; leave phase out");
   if (r.textOf("phase") == "solid" && !m.canBeSolid())
-    r.fail("phase", "a solid needs a Young's modulus (young)", {"young"});
+    r.fail("phase", "a solid needs a Young's modulus (young), or law = \"rigid\"", {"young"});
   if (m.latentHeat > 0 && !r.has("melts"))
     r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");
   if (r.has("hysteresis") && !r.has("melts"))
@@ -147,6 +148,11 @@ void checkMaterial(TableReader& r, const Material& m) {
     r.fail("yield_strain", "requires a solid: set young, or remove yield_strain", {"young"});
   if (r.has("creep_rate") && !r.has("yield_strain"))
     r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
+  if (m.isRigid())
+    for (const char* key :
+         {"yield_strain", "creep_rate", "hardening", "max_plastic_strain", "break_stretch", "weld"})
+      if (r.has(key))
+        r.fail(key, "a rigid solid (law = \"rigid\") has none: remove it, or choose another law");
   if (m.hardening > 0 && !r.has("yield_strain"))
     r.fail("hardening", "only a material that yields hardens: give yield_strain, too");
 }
@@ -166,6 +172,10 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
   readHeat(r, m);
   if (!r.reading()) return;
   checkMaterial(r, m);
+  if (m.isRigid()) {
+    m.young = m.poisson = {};
+    m.volumeStiffness = m.hourglass = m.damping = 0;
+  }
   if (x.scene->numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
     r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
   x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));

@@ -56,6 +56,8 @@ void readObstacle(TableReader& reader, Obstacle& obstacle, SceneReading& reading
 
 /// Checks references, duplicates and sizes, which concern several tables. Adds to errors.
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
+/// Refuses what does not work with rigid materials.
+void checkRigid(const SceneReading& reading, std::vector<SceneError>& errors);
 /// Checks sheets in the same way.
 void checkSheets(const Scene& scene, std::vector<SceneError>& errors);
 /// Checks events of oriented bodies. Finds the bodies of welds, and refuses those that have no particles left

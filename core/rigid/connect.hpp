@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Connected particles of rigid materials.
+#pragma once
+#include "core/halo/halos.hpp"
+#include "core/rigid/rigid_view.hpp"
+
+namespace thaw {
+
+/// Longest distance (spacings) of connected particles of a piece: that of two neighbours across an edge of
+/// the lattice, as for components of the surface.
+inline constexpr double connectedDistance = 1.5;
+/// Longest distance (spacings) at which a particle that freezes joins a piece.
+inline constexpr double joinDistance = 1.2;
+
+/// Returns true if a particle is part of a piece or becomes one.
+inline bool belongsToPiece(const Scene& scene, const Continuum& p, std::size_t i) {
+  return p.phase[i] == Solid && scene.materials[p.material[i]].isRigid();
+}
+
+/// Sets Continuum::pieceLabel of owned particles that belong to pieces to 1 + the smallest id of all
+/// particles connected to them, and of others to 0. Connected are particles of one piece (at the start: of
+/// one body) and particles in touch of which one has no piece yet. Requires: ghosts. Collective.
+void labelPieces(const RigidView& view, const Halos& halos, bool atStart);
+
+}  // namespace thaw

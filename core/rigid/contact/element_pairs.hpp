@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact of two surface elements, and of an element with the face of an obstacle.
+#pragma once
+#include <optional>
+
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/math/vec3.hpp"
+#include "core/rigid/contact/surface_element.hpp"
+
+namespace thaw {
+
+/// An element in the scene.
+struct PlacedElement {
+  Vec3d position{};               ///< m, of the particle
+  Vec3d normal{};                 ///< outward unit normal; zero: round
+  double offset = 0, radius = 0;  ///< m
+
+  bool round() const { return normal == Vec3d{}; }
+  bool plane() const { return !round() && radius > 1e30; }
+  Vec3d centre() const { return position + (offset - radius) * normal; }  ///< requires: not a plane
+};
+
+struct ElementContact {
+  Vec3d point{};     ///< m
+  Vec3d normal{};    ///< unit vector towards the first element
+  double gap = 0;    ///< m
+  double aside = 0;  ///< m, distance along the surface: of the two particles, or of the point from the
+                     ///< particle of a plane
+};
+
+/// Returns the contact of two elements whose surfaces face each other, if it lies on both. A plane gives the
+/// normal; two spheres touch on their line of centres.
+std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElement& b, double spacing);
+
+/// Returns the point of an element that is outermost in a direction (unit vector), within its part of the
+/// surface; nothing if it faces away.
+std::optional<Vec3d> outermost(const PlacedElement& e, const Vec3d& direction, double spacing);
+
+}  // namespace thaw

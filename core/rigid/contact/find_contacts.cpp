@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rigid/contact/find_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/neighbours/rows_around.hpp"
+#include "core/rigid/contact/element_pairs.hpp"
+#include "core/rigid/contact/reduce_contacts.hpp"
+#include "core/walls/faces.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double nearGap = 0.03;   // spacings; smaller gaps are contacts at any velocity
+constexpr double faceGap = 0.03;   // spacings; faces count before edges that are not this much closer
+constexpr double flatEdge = 0.3;   // spacings; faces are plane so far beyond their outermost particles, and
+constexpr double roundEdge = 0.5;  // round from here on, as their edges are
+constexpr double lookAhead = 1.5;  // steps; motions change within the step
+
+bool hasSurface(const Continuum& p, std::size_t i) { return p.piece[i] != notRigid && p.faceOffset[i] > 0; }
+
+PlacedElement placed(const ContactSearch& s, std::size_t i) {
+  const Continuum& p = s.particles;
+  return {p.position[i], rotated(s.pieces.orientation[p.pieceRow[i]], wide(p.faceNormal[i])),
+          static_cast<double>(p.faceOffset[i]), static_cast<double>(p.faceRadius[i])};
+}
+
+/// Vector between two points, the shortest one over periodic sides.
+Vec3d shortest(const CellGrid& g, Vec3d d) {
+  for (int a = 0; a < 3; a++)
+    if (g.periodic[a]) d[a] -= g.period[a] * std::round(d[a] / g.period[a]);
+  return d;
+}
+
+bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const RigidContact& c) {
+  const Vec3d other = c.b == noPiece ? c.otherVelocity : velocityAtArm(motion[c.b], c.armB);
+  const double approach = -dot(velocityAtArm(motion[c.a], c.armA) - other, c.normal);
+  return c.gap < nearGap * s.scene.spacing + lookAhead * s.step * std::max(0.0, approach);
+}
+
+/// Surface particles of each cell.
+struct SurfaceCells {
+  std::vector<std::uint32_t> rows;
+  CellTable cells;                       ///< cells with rows; first and count refer to `rows`
+  std::vector<std::uint64_t> low, high;  ///< smallest and largest piece of each cell
+};
+
+SurfaceCells surfaceCells(const ContactSearch& s) {
+  SurfaceCells t;
+  for (std::size_t c = 0; c < s.cells.key.size(); c++) {
+    const auto first = static_cast<std::uint32_t>(t.rows.size());
+    std::uint64_t low = ~std::uint64_t{0}, high = 0;
+    for (std::uint32_t i = s.cells.first[c]; i < s.cells.first[c] + s.cells.count[c]; i++) {
+      if (!hasSurface(s.particles, i)) continue;
+      t.rows.push_back(i);
+      low = std::min(low, s.particles.piece[i]);
+      high = std::max(high, s.particles.piece[i]);
+    }
+    if (t.rows.size() == first) continue;
+    t.cells.key.push_back(s.cells.key[c]);
+    t.cells.first.push_back(first);
+    t.cells.count.push_back(static_cast<std::uint32_t>(t.rows.size()) - first);
+    t.low.push_back(low);
+    t.high.push_back(high);
+  }
+  return t;
+}
+
+/// Lists the rows around a cell; returns true if they all belong to one piece.
+bool onePieceAround(const SurfaceCells& t, std::size_t c, std::vector<RowSpan>& ranges) {
+  rowsAround(t.cells, t.cells.key[c], ranges);
+  std::uint64_t low = t.low[c], high = t.high[c];
+  for (const RowSpan& r : ranges) {
+    const auto at = std::lower_bound(t.cells.first.begin(), t.cells.first.end(), r.begin) -
+                    t.cells.first.begin();
+    low = std::min(low, t.low[static_cast<std::size_t>(at)]);
+    high = std::max(high, t.high[static_cast<std::size_t>(at)]);
+  }
+  return low == high;
+}
+
+struct Search {
+  const ContactSearch& in;
+  std::span<const PieceMotion> motion;
+  std::vector<FoundContact> found;
+};
+
+/// Fills in what all contacts of a particle share.
+FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) {
+  const Continuum& p = s.in.particles;
+  FoundContact f;
+  RigidContact& c = f.contact;
+  c.a = p.pieceRow[i];
+  c.normal = e.normal;
+  c.gap = e.gap;
+  c.armA = shortest(s.in.grid, e.point - s.motion[c.a].centre);
+  c.keyA = p.id[i];
+  f.pieceA = p.piece[i];
+  f.particle = i;
+  return f;
+}
+
+/// A particle that another one may touch.
+struct Candidate {
+  std::uint32_t row;
+  PlacedElement element;
+  std::optional<ElementContact> contact;
+  double beyond = 0;  ///< m, distance of the point of contact from the face that the element belongs to
+};
+
+void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
+  const Continuum& p = s.in.particles;
+  FoundContact f = startOf(s, i, *to.contact);
+  RigidContact& c = f.contact;
+  const Material &m = s.in.scene.materials[p.material[i]], &o = s.in.scene.materials[p.material[to.row]];
+  c.b = p.pieceRow[to.row];
+  c.armB = shortest(s.in.grid, to.contact->point - s.motion[c.b].centre);
+  c.friction = std::min(m.friction, o.friction);
+  c.restitution = std::min(m.restitution, o.restitution);
+  c.keyB = p.id[to.row];
+  f.partner = p.piece[to.row];
+  if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
+}
+
+/// Distance (m) of a point of contact beyond the particles of a face, whose outermost ones are round.
+double beyondFace(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
+  double beyond = std::max(0.0, plane.contact->aside - elementReach * s.in.scene.spacing);
+  const Continuum& p = s.in.particles;
+  for (const Candidate& c : candidates) {
+    if (!c.element.round() || p.piece[c.row] != p.piece[plane.row]) continue;
+    const Vec3d to = plane.contact->point - c.element.position, n = plane.contact->normal;
+    beyond = std::min(beyond, length(to - dot(to, n) * n));
+  }
+  return beyond;
+}
+
+/// Edges of a face are rounded: from flatEdge on, lifts the gap of a particle beyond the face towards that of
+/// two spheres one above the other, and drops the contact from roundEdge on, where edges touch instead.
+void roundEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
+  const double flat = flatEdge * s.in.scene.spacing, round = roundEdge * s.in.scene.spacing;
+  for (Candidate& c : candidates) {
+    if (!c.element.plane() || !c.contact) continue;
+    c.beyond = beyondFace(s, c, candidates);
+    if (!(c.beyond > flat)) continue;
+    const double both = a.radius + c.element.offset, height = c.contact->gap + both;
+    const double lifted = c.beyond * (c.beyond - flat) / (round - flat);
+    if (c.beyond > std::min(round, both) || height < 0.5 * both) c.contact.reset();
+    else c.contact->gap += both - std::sqrt(both * both - lifted * lifted);
+  }
+}
+
+/// Returns true if a particle touches the piece at o rather than at c.
+bool replaces(const Search& s, const PlacedElement& a, const Candidate& o, const Candidate& c) {
+  const Continuum& p = s.in.particles;
+  if (&o == &c || !o.contact || p.piece[o.row] != p.piece[c.row]) return false;
+  const double gap = o.contact->gap, other = c.contact->gap, even = faceGap * s.in.scene.spacing;
+  const bool edge = a.round() && c.element.round();
+  if (edge != (a.round() && o.element.round())) return edge ? gap < other + even : other >= gap + even;
+  if (directionBin(o.contact->normal) != directionBin(c.contact->normal)) return false;
+  if (o.element.plane() && c.element.plane())
+    return std::tuple(o.beyond, o.contact->aside, p.id[o.row]) <
+           std::tuple(c.beyond, c.contact->aside, p.id[c.row]);
+  return std::tuple(gap, p.id[o.row]) < std::tuple(other, p.id[c.row]);
+}
+
+/// 2: edges and corners, 1: curved surfaces, 0: planes.
+int bend(const PlacedElement& e) { return e.round() ? 2 : e.plane() ? 0 : 1; }
+
+/// Returns true if the search from particle i lists its contact with j. The particle that is more bent sees
+/// the faces and edges around the other one.
+bool lists(const PlacedElement& a, const PlacedElement& b, bool smaller) {
+  return bend(a) != bend(b) ? bend(a) > bend(b) : smaller;
+}
+
+/// Adds the contacts of a particle, one for each piece and direction.
+void addPairContacts(Search& s, std::uint32_t i, const PlacedElement& a, std::vector<Candidate>& candidates) {
+  const Continuum& p = s.in.particles;
+  if (!a.plane()) roundEdges(s, a, candidates);
+  for (const Candidate& c : candidates)
+    if (c.contact && lists(a, c.element, p.piece[i] < p.piece[c.row]) &&
+        std::none_of(candidates.begin(), candidates.end(),
+                     [&](const Candidate& o) { return replaces(s, a, o, c); }))
+      addPairContact(s, i, c);
+}
+
+void findPairsOf(Search& s, std::uint32_t i, const SurfaceCells& t, std::span<const RowSpan> ranges,
+                 std::vector<Candidate>& candidates) {
+  const Continuum& p = s.in.particles;
+  const PlacedElement a = placed(s.in, i);
+  const double spacing = s.in.scene.spacing;
+  candidates.clear();
+  bool any = false;
+  for (const RowSpan& r : ranges)
+    for (std::uint32_t m = r.begin; m < r.end; m++) {
+      const std::uint32_t j = t.rows[m];
+      if (p.piece[j] == p.piece[i]) continue;
+      const Vec3d to = p.position[j] - a.position;
+      const double near = a.offset + static_cast<double>(p.faceOffset[j]) + planeReach * spacing;
+      if (!(dot(to, to) < near * near)) continue;
+      Candidate c{j, placed(s.in, j), {}};
+      if (bend(a) >= bend(c.element)) c.contact = contactOf(a, c.element, spacing);
+      any = any || c.contact;
+      if (c.contact || c.element.round()) candidates.push_back(c);
+    }
+  if (any) addPairContacts(s, i, a, candidates);
+}
+
+/// Contacts of pieces.
+void findPairs(Search& s) {
+  const SurfaceCells t = surfaceCells(s.in);
+  std::vector<RowSpan> ranges;
+  std::vector<Candidate> candidates;
+  for (std::size_t c = 0; c < t.cells.key.size(); c++) {
+    if (t.rows[t.cells.first[c]] >= s.in.particles.owned) continue;
+    if (onePieceAround(t, c, ranges)) continue;
+    for (std::uint32_t k = t.cells.first[c]; k < t.cells.first[c] + t.cells.count[c]; k++)
+      findPairsOf(s, t.rows[k], t, ranges, candidates);
+  }
+}
+
+/// Walls near the surface particles of a cell.
+void findReachable(const ContactSearch& s, std::uint64_t key, std::vector<std::uint32_t>& walls) {
+  const CellGrid& g = s.grid;
+  const Vec3i c = cellOfKey(key);
+  Vec3d centre;
+  bool border = false;
+  for (int a = 0; a < 3; a++) {
+    border = border || (!g.periodic[a] && (c[a] <= 0 || c[a] >= g.cells[a] - 1));
+    centre[a] = g.origin[a] + (c[a] + 0.5) * g.edge[a];
+  }
+  const double reach = g.support + 0.51 * length(g.edge);
+  walls.clear();
+  for (std::size_t k = 0; k < s.walls.list.size(); k++) {
+    const Wall& wall = s.walls.list[k];
+    if (!wall.present) continue;
+    if (!border) {
+      const Vec3d rest = toRest(wall.pose, centre);
+      if (!nearBounds(wall.bounds, rest, reach) || wall.shape->distanceWithin(rest, 1.01 * reach) > reach)
+        continue;
+    }
+    walls.push_back(static_cast<std::uint32_t>(k));
+  }
+}
+
+void addWallContact(Search& s, std::uint32_t i, std::uint32_t k, const ElementContact& e) {
+  FoundContact f = startOf(s, i, e);
+  RigidContact& c = f.contact;
+  const Wall& wall = s.in.walls.list[k];
+  const Material& m = s.in.scene.materials[s.in.particles.material[i]];
+  c.otherVelocity = wallVelocity(wall, e.point);
+  c.friction = std::min(m.friction, wall.properties.friction);
+  c.restitution = std::min(m.restitution, wall.properties.restitution);
+  c.keyB = f.partner = obstacleBit | k;
+  if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
+}
+
+void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
+  const Wall& wall = s.in.walls.list[k];
+  const double spacing = s.in.scene.spacing;
+  const PlacedElement a = placed(s.in, i);
+  const double reach = std::min(s.in.grid.support, a.offset + spacing);
+  const Vec3d rest = toRest(wall.pose, a.position);
+  if (!nearBounds(wall.bounds, rest, reach)) return;
+  const Faces faces = facesWithin(*wall.shape, rest, reach, spacing);
+  for (std::size_t f = 0; f < faces.count; f++) {
+    Vec3d n = directionFromRest(wall.pose, faces.face[f].normal);
+    const std::optional<Vec3d> point = outermost(a, -n, spacing);
+    if (!point) continue;
+    double gap = faces.face[f].distance + dot(*point - a.position, n);
+    if (faces.count == 1) {  // the surface may be curved
+      Vec3d gradient;
+      gap = wall.shape->distance(toRest(wall.pose, *point), &gradient);
+      n = directionFromRest(wall.pose, gradient);
+    }
+    addWallContact(s, i, k, {*point - 0.5 * gap * n, n, gap, 0});
+  }
+}
+
+void findObstacles(Search& s) {
+  std::vector<std::uint32_t> walls;
+  const Continuum& p = s.in.particles;
+  for (std::size_t c = 0; c < s.in.cells.key.size(); c++) {
+    const std::uint32_t begin = s.in.cells.first[c], end = begin + s.in.cells.count[c];
+    if (begin >= p.owned) continue;
+    bool listed = false;
+    for (std::uint32_t i = begin; i < end; i++) {
+      if (!hasSurface(p, i)) continue;
+      if (!listed) findReachable(s.in, s.in.cells.key[c], walls);
+      listed = true;
+      for (const std::uint32_t k : walls) wallContacts(s, i, k);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
+                                       Reducer& all) {
+  Search s{search, motion, {}};
+  findPairs(s);
+  findObstacles(s);
+  reduceContacts(s.found, search.pieces, search.scene.spacing, all);
+  const Continuum& p = search.particles;
+  for (FoundContact& f : s.found)
+    if (p.contactPartner[f.particle] == f.partner) f.contact.impulse = p.contactImpulse[f.particle];
+  return std::move(s.found);
+}
+
+void keepImpulses(std::span<const FoundContact> contacts, Continuum& p) {
+  for (std::size_t i = 0; i < p.owned; i++) {
+    p.contactPartner[i] = 0;
+    p.contactImpulse[i] = {};
+  }
+  for (const FoundContact& f : contacts) {
+    const Vec3d &now = f.contact.impulse, &before = p.contactImpulse[f.particle];
+    const double size = dot(now, now), other = dot(before, before);
+    if (size > other || (size == other && size > 0 && f.partner < p.contactPartner[f.particle])) {
+      p.contactPartner[f.particle] = f.partner;
+      p.contactImpulse[f.particle] = now;
+    }
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Search for the contacts of rigid pieces with each other and with obstacles.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/rigid/contact/rigid_contact.hpp"
+#include "core/rigid/data/pieces.hpp"
+#include "core/scene/scene.hpp"
+#include "core/walls/walls.hpp"
+
+namespace thaw {
+
+struct ContactSearch {
+  const Scene& scene;
+  const CellGrid& grid;
+  const Continuum& particles;  ///< with ghosts: id, position, material, phase, piece and the fields of faces
+  const CellTable& cells;      ///< with ghost cells
+  const Pieces& pieces;
+  const Walls& walls;
+  double step;  ///< s, the next one
+};
+
+/// A contact and what it belongs to.
+struct FoundContact {
+  RigidContact contact;
+  std::uint64_t pieceA = 0;    ///< piece of a
+  std::uint64_t partner = 0;   ///< piece of b, or obstacleBit | index of the wall
+  std::uint32_t particle = 0;  ///< owned row of the particle of a
+};
+
+inline constexpr std::uint64_t obstacleBit = std::uint64_t{1} << 63;
+
+/// Returns the contacts that may close within the step, each on the rank that owns `particle`. motion:
+/// velocities of all rows of pieces, as the solver gets them. Patches of contact between two pieces are
+/// reduced to their outline, which supports the same forces and torques. The first guesses are those of
+/// keepImpulses. Collective.
+std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
+                                       Reducer& all);
+
+/// Stores the solved impulses in the particles, as first guesses of the next step.
+void keepImpulses(std::span<const FoundContact> contacts, Continuum& particles);
+
+}  // namespace thaw

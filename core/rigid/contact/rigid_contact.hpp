@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Data that the contact solver of rigid pieces reads and returns.
+#pragma once
+#include <cstdint>
+
+#include "core/math/mat3.hpp"
+#include "core/math/vec3.hpp"
+
+namespace thaw {
+
+/// Row of the other side of a contact with an obstacle.
+inline constexpr std::uint32_t noPiece = 0xffffffffu;
+
+/// One row of the solver: a rigid piece, or a free particle (elastic solid), which has no inertia tensor.
+/// Requires: all ranks that hold the row give the same bits.
+struct PieceMotion {
+  double inverseMass = 0;  ///< 1/kg; 0: the motion is prescribed
+  Sym3d inverseInertia{};  ///< 1/(kg m^2), world frame, about the centre; zero for a free particle
+  Vec3d centre{};          ///< m
+  Vec3d velocity{};        ///< m/s, of the centre
+  Vec3d spin{};            ///< rad/s, world frame
+};
+
+/// Velocity (m/s) of the point of a row at `arm` (m) from its centre.
+inline Vec3d velocityAtArm(const PieceMotion& piece, const Vec3d& arm) {
+  return piece.velocity + cross(piece.spin, arm);
+}
+
+/// One point of contact. Exactly one rank holds it.
+struct RigidContact {
+  std::uint32_t a = 0;               ///< row
+  std::uint32_t b = noPiece;         ///< row, or noPiece: an obstacle
+  Vec3d armA{}, armB{};              ///< m, from the centres of a and b to the point of contact
+  Vec3d normal{};                    ///< unit vector from b to a
+  double gap = 0;                    ///< m, negative if the two overlap
+  double friction = 0;               ///< 1, Coulomb's coefficient
+  double restitution = 0;            ///< 1, Newton's coefficient
+  Vec3d otherVelocity{};             ///< m/s, of the obstacle at the point; zero for a piece
+  std::uint64_t keyA = 0, keyB = 0;  ///< particle of a; particle of b or number of the obstacle
+  Vec3d impulse{};  ///< N s, on a; in: first guess, for example that of the last step; out: the result
+};
+
+/// Change of a row by the solver. Pieces that touch nothing have zeros.
+struct PieceChange {
+  Vec3d impulse{};         ///< N s, sum of all contacts
+  Vec3d angularImpulse{};  ///< N m s, about the centre
+  Vec3d shift{};           ///< m, displacement of the centre that removes overlap; it carries no momentum
+  Vec3d turn{};            ///< rad, rotation vector that removes overlap
+};
+
+}  // namespace thaw

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Impulses of all contacts of rigid pieces in one step.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/rigid/contact/piece_exchange.hpp"
+#include "core/rigid/contact/rigid_contact.hpp"
+
+namespace thaw {
+
+struct ContactSettings {
+  double step = 0;            ///< s
+  double tolerance = 1e-6;    ///< m/s, largest velocity error of a contact at which the iteration stops
+  int mostIterations = 500;   ///< of each of the two solves
+  double impactSpeed = 0;     ///< m/s; slower approaches have no restitution
+  double slop = 0;            ///< m, overlap that is not corrected
+  double correction = 0.2;    ///< 1, part of the overlap beyond slop that is removed in a step
+  double mostCorrection = 0;  ///< m, upper limit of the overlap removed in a step
+};
+
+struct ContactResult {
+  int iterations = 0;            ///< of the velocity solve
+  int correctionIterations = 0;  ///< of the overlap solve
+  double residual = 0;           ///< m/s, largest velocity error of a contact, over all ranks
+  double dissipated = 0;         ///< J, kinetic energy before minus after, less the work of obstacles; over
+                                 ///< all ranks
+  double obstacleWork = 0;       ///< J, done by moving obstacles on pieces; over all ranks
+  Vec3d obstacleImpulse{};       ///< N s, given to pieces by obstacles; over all ranks
+  double deepest = 0;            ///< m, largest overlap, over all ranks
+  bool converged = true;         ///< the residual is within the tolerance
+};
+
+/// Finds impulses with Signorini's condition, Coulomb's friction cone and Newton's restitution at velocity
+/// level, by an accelerated projected gradient method with mass splitting [MHNT15] [TBV12]. A contact with
+/// gap > 0 may close within the step, but no further. Overlap is removed by displacements without momentum.
+/// Sets impulses of contacts, velocity and spin of rows, and changes (one for each row).
+/// Requires: step > 0; normals are unit vectors; each contact is given on exactly one rank. Ensures: the bits
+/// do not depend on the order of contacts, nor on the ranks that hold them. Collective.
+ContactResult solveContacts(std::span<PieceMotion> pieces, std::span<RigidContact> contacts,
+                            const ContactSettings& settings, PieceExchange& exchange, Reducer& all,
+                            std::span<PieceChange> changes);
+
+}  // namespace thaw

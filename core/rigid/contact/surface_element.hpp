@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surface of a rigid piece at one of its particles: a part of an osculating sphere, or of a plane.
+#pragma once
+#include <limits>
+#include <span>
+
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/math/vec3.hpp"
+
+namespace thaw {
+
+struct SurfaceElement {
+  Vec3f normal{};    ///< outward unit normal; zero: an edge, a corner or a lone particle, round in all
+                     ///< directions
+  float offset = 0;  ///< m, distance of the particle from the surface; 0: inside the piece, no surface
+  float radius = 0;  ///< m, of curvature, through the surface point along the normal; infinite: plane
+};
+
+inline constexpr float planeRadius = std::numeric_limits<float>::infinity();
+
+/// Largest distance (spacings) along the surface between a particle and a point that its element describes.
+/// Elements have no holes then, also on spheres of a few spacings.
+inline constexpr double elementReach = 1.0;
+
+/// The same for a plane that a sphere, an edge or a corner touches. Planes end at a spacing from the edges of
+/// their body, where particles are round.
+inline constexpr double planeReach = 1.6;
+
+/// Returns the element of a particle at x (m, in the frame of the shape) in a piece that fills the shape.
+SurfaceElement elementOfShape(const SignedDistance& shape, const Vec3d& x, double spacing);
+
+/// Returns the element of a particle from the particles of its piece around it, for example where the shape
+/// is lost by melting. neighbours: positions (m) relative to it, at least those within 1.8 spacings. The
+/// surface is half a spacing outside of the outermost particles.
+SurfaceElement elementOfNeighbours(std::span<const Vec3d> neighbours, double spacing);
+
+}  // namespace thaw

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sums over the particles of pieces that lie on several ranks.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/math/exact_sum.hpp"
+#include "core/rigid/contact/piece_exchange.hpp"
+#include "core/rigid/data/pieces.hpp"
+#include "core/rigid/data/rigid_work.hpp"
+
+namespace thaw {
+
+/// Returns the rank that adds the sums of a piece.
+inline int homeRank(std::uint64_t piece, int ranks) {
+  std::uint64_t h = piece * 0x9e3779b97f4a7c15u;
+  h ^= h >> 32;
+  return static_cast<int>(h % static_cast<std::uint64_t>(ranks));
+}
+
+/// Adds words of pieces over all ranks that have them. Few words of shared pieces are added by one reduction
+/// over all ranks, many at the home rank of each piece: the sums are the same.
+class RankPieceExchange : public PieceExchange {
+ public:
+  /// ids: piece of each row. shared: null if any row may be shared.
+  RankPieceExchange(Reducer& all, std::span<const std::uint64_t> ids, const SharedPieces* shared)
+      : all_(all), ids_(ids), shared_(shared) {}
+  void sum(std::span<std::int64_t> words, std::size_t perPiece) override;
+
+ private:
+  bool isShared(std::size_t row) const { return !shared_ || shared_->number[row] != SharedPieces::notShared; }
+  void sumDense(std::span<std::int64_t> words, std::size_t perPiece);
+  void sumAtHomes(std::span<std::int64_t> words, std::size_t perPiece);
+  Reducer& all_;
+  std::span<const std::uint64_t> ids_;
+  const SharedPieces* shared_;
+  std::vector<std::int64_t> dense_;
+};
+
+inline RankPieceExchange exchangeOf(const Pieces& p, const RigidWork& work, Reducer& all) {
+  return {all, {p.id.data(), p.owned}, &work.shared};
+}
+
+/// Replaces exact sums, perPiece for each row, by those of all ranks. words: scratch. Collective.
+void sumOverRanks(PieceExchange& exchange, std::span<ExactSum> sums, std::size_t perPiece,
+                  std::vector<std::int64_t>& words);
+
+}  // namespace thaw

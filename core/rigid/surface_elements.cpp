@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rigid/surface_elements.hpp"
+
+#include <vector>
+
+#include "core/neighbours/rows_around.hpp"
+#include "core/rigid/contact/surface_element.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double elementNeighbours = 1.8;  // spacings
+
+void setElement(Continuum& p, std::size_t i, const SurfaceElement& e) {
+  p.faceNormal[i] = e.normal;
+  p.faceOffset[i] = e.offset;
+  p.faceRadius[i] = e.radius;
+}
+
+/// Particles of the piece around a particle, before and after a change.
+struct Surroundings {
+  std::vector<Vec3d> now;  ///< m, relative positions
+  bool changed = false;
+};
+
+void look(const RigidView& v, std::size_t i, std::span<const RowSpan> ranges, Surroundings& s) {
+  const Continuum& p = v.particles;
+  const double reach = elementNeighbours * v.scene.spacing;
+  s.now.clear();
+  s.changed = p.piece[i] == notRigid;
+  for (const RowSpan& r : ranges)
+    for (std::uint32_t j = r.begin; j < r.end; j++) {
+      if (j == i) continue;
+      const Vec3d to = p.position[j] - p.position[i];
+      if (dot(to, to) > reach * reach) continue;
+      const bool before = p.piece[j] != notRigid && p.piece[j] == p.piece[i],
+                 after = p.pieceLabel[j] != notRigid && p.pieceLabel[j] == p.pieceLabel[i];
+      s.changed = s.changed || before != after;
+      if (after) s.now.push_back(to);
+    }
+}
+
+}  // namespace
+
+void elementsOfShapes(const Scene& scene, std::span<const std::shared_ptr<const SignedDistance>> bodyShapes,
+                      Continuum& p) {
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.piece[i] != notRigid && p.body[i] < bodyShapes.size())
+      setElement(p, i, elementOfShape(*bodyShapes[p.body[i]], p.position[i], scene.spacing));
+}
+
+void turnElement(Continuum& p, std::size_t i, const Quat& rotation) {
+  p.faceNormal[i] = single(rotated(rotation, wide(p.faceNormal[i])));
+}
+
+void renewElements(const RigidView& v) {
+  Continuum& p = v.particles;
+  std::vector<RowSpan> ranges;
+  Surroundings around;
+  for (std::size_t c = 0; c < v.cells.key.size(); c++) {
+    if (v.cells.first[c] >= p.owned) continue;
+    rowsAround(v.cells, v.cells.key[c], ranges);
+    for (std::uint32_t i = v.cells.first[c]; i < v.cells.first[c] + v.cells.count[c]; i++) {
+      if (p.pieceLabel[i] == notRigid) continue;
+      look(v, i, ranges, around);
+      if (!around.changed) continue;
+      setElement(p, i, elementOfNeighbours(around.now, v.scene.spacing));
+      if (p.exposed.active) p.exposed[i] = 1;
+    }
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surface elements of the particles of pieces, for their contacts.
+#pragma once
+#include <memory>
+#include <span>
+
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/rigid/rigid_view.hpp"
+
+namespace thaw {
+
+/// Sets the elements of particles of rigid bodies from the shapes of the bodies, along the axes of the
+/// domain. bodyShapes: one for each body of the scene. Requires: Continuum::piece.
+void elementsOfShapes(const Scene& scene, std::span<const std::shared_ptr<const SignedDistance>> bodyShapes,
+                      Continuum& particles);
+
+/// Turns a normal to the axes of the domain (former piece) or of the body frame (orientation of the new
+/// piece).
+void turnElement(Continuum& particles, std::size_t row, const Quat& rotation);
+
+/// Sets the elements of owned particles beside which particles of their piece appeared or vanished, from the
+/// particles around them, along the axes of the domain. Requires: Continuum::piece and pieceLabel of the
+/// former and new pieces, with ghosts.
+void renewElements(const RigidView& view);
+
+}  // namespace thaw

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rigid/update_pieces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "core/math/hash_random.hpp"
+#include "core/math/sym_eigen.hpp"
+#include "core/rigid/connect.hpp"
+#include "core/rigid/link_pieces.hpp"
+#include "core/rigid/motion.hpp"
+#include "core/rigid/piece_sums.hpp"
+#include "core/rigid/rotation.hpp"
+#include "core/rigid/surface_elements.hpp"
+#include "core/solid/data/weight.hpp"
+
+namespace thaw {
+namespace {
+
+/// Pieces that get new rows, ascending by id.
+struct NewPieces {
+  std::vector<std::uint64_t> ids;
+  std::vector<std::uint64_t> count;
+  std::vector<Vec3d> reference;  ///< m, a particle of each
+  std::vector<Vec3d> centre;     ///< m
+  std::vector<double> mass;      ///< kg
+
+  std::size_t rowOf(std::uint64_t id) const {
+    const auto at = std::lower_bound(ids.begin(), ids.end(), id);
+    return at != ids.end() && *at == id ? static_cast<std::size_t>(at - ids.begin()) : ids.size();
+  }
+};
+
+/// Motion of the former piece of a particle.
+struct FormerMotion {
+  Vec3d spin{}, turning{};  ///< rad/s, rad/s^2
+  Vec3d spinChange{};       ///< rad/s, by the pressure at the start of the next step
+};
+
+/// Angular momentum of particles that left their pieces, about their own centres. Their pieces keep it.
+struct LeftSpins {
+  std::vector<std::uint64_t> ids;  ///< former pieces, ascending
+  std::vector<Vec3d> share;        ///< kg m^2/s, for each particle that remains
+
+  Vec3d of(std::uint64_t piece) const {
+    const auto at = std::lower_bound(ids.begin(), ids.end(), piece);
+    return at != ids.end() && *at == piece ? share[static_cast<std::size_t>(at - ids.begin())] : Vec3d{};
+  }
+};
+
+FormerMotion formerMotion(const RigidView& v, std::size_t i) {
+  const Continuum& p = v.particles;
+  const std::uint32_t row = p.piece[i] == notRigid ? noPieceRow : v.pieces.rowOf(p.piece[i]);
+  if (row == noPieceRow) return {};
+  return {spinOf(v.pieces, row, v.pieces.angularMomentum[row]), angularAcceleration(v.pieces, row),
+          spinOf(v.pieces, row, v.pieces.pressureTwist[row])};
+}
+
+/// Returns the pieces whose sets of particles changed: those whose number of particles, or sum of hashes of
+/// their ids, differs from that of the former piece of the same id, and those that particles left.
+NewPieces findChanged(const RigidView& v, Reducer& all) {
+  const Continuum& p = v.particles;
+  std::vector<std::uint64_t> ids;
+  for (std::size_t i = 0; i < p.owned; i++)
+    for (const std::uint64_t id : {p.piece[i], p.pieceLabel[i]})
+      if (id != notRigid) ids.push_back(id);
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  constexpr std::size_t perPiece = 3;  // growth, growth of the sum of hashes, particles
+  std::vector<std::int64_t> words(perPiece * ids.size(), 0);
+  const auto add = [&](std::uint64_t id, std::uint64_t particle, std::int64_t sign) {
+    if (id == notRigid) return;
+    const auto k = static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
+    words[perPiece * k] += sign;
+    words[perPiece * k + 1] += sign * static_cast<std::int64_t>(mixBits(particle) >> 32);
+    words[perPiece * k + 2] += sign > 0;
+  };
+  for (std::size_t i = 0; i < p.owned; i++) {
+    add(p.piece[i], p.id[i], -1);
+    add(p.pieceLabel[i], p.id[i], 1);
+  }
+  RankPieceExchange exchange(all, ids, nullptr);
+  exchange.sum(words, perPiece);
+  NewPieces changed;
+  for (std::size_t k = 0; k < ids.size(); k++) {
+    const std::int64_t* const w = words.data() + perPiece * k;
+    if (w[2] == 0) continue;
+    const std::uint32_t row = v.pieces.rowOf(ids[k]);
+    const bool left = row != noPieceRow && v.pieces.count[row] != static_cast<std::uint64_t>(w[2]);
+    if (w[0] == 0 && w[1] == 0 && !left) continue;
+    changed.ids.push_back(ids[k]);
+    changed.count.push_back(static_cast<std::uint64_t>(w[2]));
+  }
+  return changed;
+}
+
+LeftSpins leftSpins(const RigidView& v, Reducer& all) {
+  const Continuum& p = v.particles;
+  LeftSpins left;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.piece[i] != notRigid) left.ids.push_back(p.piece[i]);
+  std::sort(left.ids.begin(), left.ids.end());
+  left.ids.erase(std::unique(left.ids.begin(), left.ids.end()), left.ids.end());
+  constexpr std::size_t perPiece = 2;  // moments of particles that left, number of those that remain
+  std::vector<ExactSum> sums(perPiece * left.ids.size());
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.piece[i] == notRigid) continue;
+    const auto at = std::lower_bound(left.ids.begin(), left.ids.end(), p.piece[i]);
+    ExactSum* const s = sums.data() + perPiece * static_cast<std::size_t>(at - left.ids.begin());
+    if (p.pieceLabel[i] == notRigid) s[0].add(ownInertia(p.mass[i], v.scene.spacing));
+    else s[1].add(1);
+  }
+  RankPieceExchange exchange(all, left.ids, nullptr);
+  sumOverRanks(exchange, sums, perPiece, v.work.words);
+  for (std::size_t k = 0; k < left.ids.size(); k++) {
+    const std::uint32_t row = v.pieces.rowOf(left.ids[k]);
+    const double moment = sums[perPiece * k].value(), remain = sums[perPiece * k + 1].value();
+    left.share.push_back(moment > 0 && remain > 0 && row != noPieceRow
+                             ? spinOf(v.pieces, row, v.pieces.angularMomentum[row]) * (moment / remain)
+                             : Vec3d{});
+  }
+  return left;
+}
+
+/// Calls use(row of the particle, row of its new piece) for owned particles of changed pieces.
+template<class Use> void eachChanged(const RigidView& v, const NewPieces& n, Use&& use) {
+  for (std::size_t i = 0; i < v.particles.owned; i++) {
+    if (v.particles.pieceLabel[i] == notRigid) continue;
+    if (const std::size_t k = n.rowOf(v.particles.pieceLabel[i]); k < n.ids.size()) use(i, k);
+  }
+}
+
+/// Sets the position of the particle of the smallest id in each piece, of which periodic images are taken.
+void findReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
+  std::vector<std::int64_t> words(3 * n.ids.size(), 0);
+  eachChanged(v, n, [&](std::size_t i, std::size_t k) {
+    if (v.particles.id[i] + 1 != n.ids[k]) return;
+    for (std::size_t a = 0; a < 3; a++)
+      words[3 * k + a] = std::bit_cast<std::int64_t>(v.particles.position[i][static_cast<int>(a)]);
+  });
+  exchange.sum(words, 3);
+  n.reference.resize(n.ids.size());
+  for (std::size_t k = 0; k < words.size(); k++)
+    n.reference[k / 3][static_cast<int>(k % 3)] = std::bit_cast<double>(words[k]);
+}
+
+/// Position (m) of a particle together with its piece.
+Vec3d placeIn(const RigidView& v, const NewPieces& n, std::size_t i, std::size_t k) {
+  return n.reference[k] + minimumImage(v.particles.position[i] - n.reference[k], periodsOf(v.grid));
+}
+
+void findCentres(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
+  constexpr std::size_t perPiece = 4;
+  std::vector<ExactSum> sums(perPiece * n.ids.size());
+  eachChanged(v, n, [&](std::size_t i, std::size_t k) {
+    const double m = v.particles.mass[i];
+    const Vec3d x = placeIn(v, n, i, k);
+    sums[perPiece * k].add(m);
+    for (std::size_t a = 0; a < 3; a++) sums[perPiece * k + 1 + a].add(m * x[static_cast<int>(a)]);
+  });
+  sumOverRanks(exchange, sums, perPiece, v.work.words);
+  for (std::size_t k = 0; k < n.ids.size(); k++) {
+    const double m = sums[perPiece * k].value();
+    n.mass.push_back(m);
+    n.centre.push_back({sums[perPiece * k + 1].value() / m, sums[perPiece * k + 2].value() / m,
+                        sums[perPiece * k + 3].value() / m});
+  }
+}
+
+constexpr std::size_t motionSums = 26;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3,
+                                        // kinetic energy, clamped particles
+
+/// Motion of a particle about its own centre: that of its former piece, or of its body at the start.
+FormerMotion ownMotion(const RigidView& v, std::size_t i, bool atStart) {
+  if (!atStart) return formerMotion(v, i);
+  const std::size_t body = v.particles.body[i];
+  return body < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[body].spin, {}, {}} : FormerMotion{};
+}
+
+/// Adds a particle to the sums of its piece. extra: angular momentum (kg m^2/s) that it brings along.
+void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, const FormerMotion& former,
+               const Vec3d& extra, ExactSum* sums) {
+  const Continuum& p = v.particles;
+  const double m = p.mass[i], own = ownInertia(m, v.scene.spacing);
+  const Vec3d& r = lever;
+  const Vec3d momentum = p.velocity[i] * m, force = p.acceleration[i] * m;
+  const Vec3d angular = cross(r, momentum) + former.spin * own + extra,
+              torque = cross(r, force) + former.turning * own;
+  const double inertia[6] = {m * (r.y * r.y + r.z * r.z) + own,
+                             m * (r.x * r.x + r.z * r.z) + own,
+                             m * (r.x * r.x + r.y * r.y) + own,
+                             -m * r.x * r.y,
+                             -m * r.y * r.z,
+                             -m * r.x * r.z};
+  for (std::size_t c = 0; c < 6; c++) sums[c].add(inertia[c]);
+  for (int a = 0; a < 3; a++) {
+    sums[6 + a].add(momentum[a]);
+    sums[9 + a].add(angular[a]);
+    sums[12 + a].add(force[a]);
+    sums[15 + a].add(torque[a]);
+  }
+  sums[18].add(0.5 * (m * dot(p.velocity[i], p.velocity[i]) + own * dot(former.spin, former.spin)));
+  if (p.clamped.active && (p.clamped[i] == held || p.clamped[i] == driven)) sums[19].add(1);
+  if (!p.pressureImpulse.active) return;
+  const Vec3d pressure = p.pressureImpulse[i] * m, twist = cross(r, pressure) + former.spinChange * own;
+  for (int a = 0; a < 3; a++) {
+    sums[20 + a].add(pressure[a]);
+    sums[23 + a].add(twist[a]);
+  }
+}
+
+Vec3d vectorOf(const ExactSum* sums) { return {sums[0].value(), sums[1].value(), sums[2].value()}; }
+
+/// Sets the row of a piece from its sums.
+void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const ExactSum* sums) {
+  p.id[row] = n.ids[k];
+  p.count[row] = n.count[k];
+  p.mass[row] = n.mass[k];
+  p.centre[row] = n.centre[k];
+  p.fixed[row] = sums[19].value() > 0;
+  const SymEigen e = eigenOf(
+      {sums[0].value(), sums[1].value(), sums[2].value(), sums[3].value(), sums[4].value(), sums[5].value()});
+  const Vec3d x = normalized(e.vector[0]), y = normalized(e.vector[1] - x * dot(x, e.vector[1]));
+  p.orientation[row] = quatOf(x, y, cross(x, y));
+  p.inertia[row] = {e.value[0], e.value[1], e.value[2]};
+  p.momentum[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 6);
+  p.angularMomentum[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 9);
+  p.force[row] = vectorOf(sums + 12);
+  p.torque[row] = vectorOf(sums + 15);
+  p.pressureImpulse[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 20);
+  p.pressureTwist[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 23);
+}
+
+/// Records the kinetic energy that a piece lost as it was made, and the impulse of its clamps.
+void recordJoining(const RigidView& v, std::size_t row, const ExactSum* sums) {
+  Pieces& p = v.pieces;
+  const Vec3d spin = spinOf(p, row, p.angularMomentum[row]);
+  const double kinetic = p.fixed[row] ? 0
+                                      : 0.5 * (dot(p.momentum[row], p.momentum[row]) / p.mass[row] +
+                                               dot(p.angularMomentum[row], spin));
+  v.ledger.dissipated.add(sums[18].value() - kinetic);
+  for (int a = 0; a < 3 && p.fixed[row]; a++) v.ledger.wallImpulse[a].add(-sums[6 + a].value());
+}
+
+/// Energy of the own rotation of particles that melted: they have none any more.
+void recordMelted(const RigidView& v) {
+  const Continuum& p = v.particles;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.piece[i] == notRigid || p.pieceLabel[i] != notRigid) continue;
+    const Vec3d spin = formerMotion(v, i).spin;
+    v.ledger.dissipated.add(0.5 * ownInertia(p.mass[i], v.scene.spacing) * dot(spin, spin));
+  }
+}
+
+/// Turns the surface elements of changed pieces from their former body frames to the axes of the domain.
+void unturnElements(const RigidView& v, const NewPieces& n) {
+  Continuum& p = v.particles;
+  eachChanged(v, n, [&](std::size_t i, std::size_t) {
+    const std::uint32_t row = p.piece[i] == notRigid ? noPieceRow : v.pieces.rowOf(p.piece[i]);
+    if (row != noPieceRow) turnElement(p, i, v.pieces.orientation[row]);
+  });
+}
+
+/// Sets place, velocity and constraint of the particles of new pieces.
+void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std::uint32_t> rows) {
+  Continuum& p = v.particles;
+  eachChanged(v, n, [&](std::size_t i, std::size_t k) {
+    const std::uint32_t row = rows[k];
+    const Quat q = v.pieces.orientation[row];
+    const Vec3d lever = placeIn(v, n, i, k) - n.centre[k];
+    const Quat toBody{q.w, -q.x, -q.y, -q.z};
+    p.bodyPosition[i] = rotated(toBody, lever);
+    turnElement(p, i, toBody);
+    p.velocity[i] = velocityOf(v.pieces, row) +
+                    cross(spinOf(v.pieces, row, v.pieces.angularMomentum[row]), lever);
+    if (!p.clamped.active) return;
+    if (v.pieces.fixed[row] && p.clamped[i] == 0) p.clamped[i] = heldByPiece;
+    if (!v.pieces.fixed[row] && p.clamped[i] == heldByPiece) p.clamped[i] = 0;
+  });
+}
+
+/// Gives particles their new pieces. Those that melted are released.
+void adoptLabels(Continuum& p) {
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.pieceLabel[i] == notRigid && p.clamped.active && p.clamped[i] == heldByPiece) p.clamped[i] = 0;
+    p.piece[i] = p.pieceLabel[i];
+  }
+}
+
+}  // namespace
+
+void markRigidParticles(const Scene& scene, Continuum& p) {
+  for (std::size_t i = 0; i < p.owned; i++) p.piece[i] = belongsToPiece(scene, p, i) ? p.id[i] + 1 : notRigid;
+}
+
+void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
+  labelPieces(v, halos, atStart);
+  if (atStart) std::fill_n(v.particles.piece.data(), v.particles.owned, notRigid);
+  NewPieces n = findChanged(v, halos.all);
+  RankPieceExchange exchange(halos.all, n.ids, nullptr);
+  findReferences(v, n, exchange);
+  findCentres(v, n, exchange);
+  const LeftSpins left = leftSpins(v, halos.all);
+  std::vector<ExactSum> sums(motionSums * n.ids.size());
+  eachChanged(v, n, [&](std::size_t i, std::size_t k) {
+    addMotion(v, i, placeIn(v, n, i, k) - n.centre[k], ownMotion(v, i, atStart),
+              left.of(v.particles.piece[i]), sums.data() + motionSums * k);
+  });
+  sumOverRanks(exchange, sums, motionSums, v.work.words);
+  if (!atStart) {
+    recordMelted(v);
+    unturnElements(v, n);
+    renewElements(v);
+  }
+  // New rows replace former ones of the same id, which the motion of particles no longer needs.
+  Pieces& p = v.pieces;
+  std::vector<std::uint32_t> rows(n.ids.size());
+  std::size_t end = p.owned;
+  for (std::size_t k = 0; k < n.ids.size(); k++) {
+    rows[k] = p.rowOf(n.ids[k]);
+    if (rows[k] == noPieceRow) rows[k] = static_cast<std::uint32_t>(end++);
+  }
+  p.resize(end, 0);
+  for (std::size_t k = 0; k < n.ids.size(); k++) setRow(p, rows[k], n, k, sums.data() + motionSums * k);
+  placeParticles(v, n, rows);
+  adoptLabels(v.particles);
+  const std::array<AnyColumn*, 5> ofGhosts{&v.particles.piece, &v.particles.phase, &v.particles.faceNormal,
+                                           &v.particles.faceOffset, &v.particles.faceRadius};
+  halos.cells.beginRefresh(v.particles, ofGhosts);
+  halos.cells.finishRefresh(v.particles);
+  linkPieces(v, halos, PieceUsers::Owned);
+  for (std::size_t k = 0; k < n.ids.size() && !atStart; k++)
+    if (const std::uint32_t row = p.rowOf(n.ids[k]); row != noPieceRow && p.leads[row])
+      recordJoining(v, row, sums.data() + motionSums * k);
+}
+
+}  // namespace thaw

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pieces after their particles melted, froze or left: what hangs together, and its mass properties.
+#pragma once
+#include "core/halo/halos.hpp"
+#include "core/rigid/rigid_view.hpp"
+
+namespace thaw {
+
+/// Marks particles of rigid materials as pieces of their own, which have no bonds. Call it once, before the
+/// first evaluation.
+void markRigidParticles(const Scene& scene, Continuum& particles);
+
+/// Makes the pieces of the particles as they are now. Pieces whose particles changed get new mass properties,
+/// with the momentum and angular momentum of their particles. Energy that joining takes goes to the ledger,
+/// but not at the start, where pieces take the mean motion of their particles. Requires: ghosts of the last
+/// evaluation. Ensures: rows of the pieces of owned particles. Collective.
+void updatePieces(const RigidView& view, const Halos& halos, bool atStart);
+
+}  // namespace thaw

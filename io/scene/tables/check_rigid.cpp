@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/scene/modules.hpp"
+#include "io/scene/tables/read_sections.hpp"
+
+namespace thaw {
+
+void checkRigid(const SceneReading& x, std::vector<SceneError>& errors) {
+  const Scene& s = *x.scene;
+  const Numerics& n = s.numerics;
+  const auto rigid = std::find_if(s.materials.begin(), s.materials.end(),
+                                  [](const Material& m) { return m.isRigid(); });
+  if (rigid == s.materials.end()) return;
+  const auto refuse = [&](bool is, const char* what) {
+    if (is)
+      errors.push_back({rigid->where, fmt::format("material.{}: law = \"rigid\" cannot be combined with {}: "
+                                                  "choose another law, or leave it out",
+                                                  rigid->name, what)});
+  };
+  refuse(n.viscosity == ViscosityForm::Laplacian, "numerics.viscosity = \"laplacian\"");
+  refuse(n.sleepSpeed > 0, "numerics.sleep_speed");
+  for (const Emitter& e : s.emitters) {
+    if (e.material < 0) continue;  // reported already
+    const Material& m = s.materials[static_cast<std::size_t>(e.material)];
+    if (m.isRigid() && (solidAt(m, e.temperature) || (e.temperatureField && m.melts())))
+      errors.push_back({e.where, fmt::format("emitter '{}' emits the rigid material '{}' as a solid: emit it "
+                                             "as a liquid, or choose another law",
+                                             e.name, m.name)});
+  }
+}
+
+}  // namespace thaw

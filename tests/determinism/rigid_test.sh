@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Rigid pieces (core/rigid/) have the same bits on 1, 2, 3, 4 and 7 ranks, and when the run is stopped and
+# resumed on another number of ranks. Blocks fall into hot wax, touch, melt, and freeze again.
+. "$(dirname "$0")/../support/run.sh"
+scene=wax_pieces
+cat >"$work/$scene.toml" <<'SCENE'
+spacing = 0.05
+end = 1
+[domain]
+min = [-0.5, -0.5, -0.2]
+max = [0.5, 0.5, 1]
+sides = { x = "wall", y = "wall", z = "wall" }
+gravity = [0, 0, -9.81]
+[material.wax]
+law = "rigid"
+density = 900
+viscosity = 5
+sound_speed = 40
+conductivity = 2e4
+heat_capacity = 2000
+latent_heat = 3e4
+melts = [313, 338]
+hysteresis = 0.3
+[[body]]
+name = "melt"
+material = "wax"
+temperature = 420
+box = { size = [1, 1, 0.15] }
+place = { move = [0, 0, -0.125] }
+[[body]]
+name = "plate"
+material = "wax"
+temperature = 327
+box = { size = [0.7, 0.3, 0.1] }
+[[body]]
+name = "bar"
+material = "wax"
+temperature = 305
+box = { size = [0.2, 0.7, 0.15] }
+place = { move = [0, 0, 0.125] }
+[[body]]
+name = "block"
+material = "wax"
+temperature = 290
+spin = [3, 1, 2]
+box = { size = [0.2, 0.2, 0.15] }
+place = { move = [0.25, 0.15, 0.175] }
+[[tempering]]
+start = 0.03
+over = 0.01
+temperature = 300
+[numerics]
+retry_every = 10
+[output]
+every = 0.01
+SCENE
+same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
+sameOnAllRanks $scene 60 "15 33 48" "$work/$scene.toml"
+for count in melted frozen; do
+  [ "$(value "$work/$scene.1/summary.json" $count)" -gt 0 ] || fail "$scene: nothing $count"
+done
+finish

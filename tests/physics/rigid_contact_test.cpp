@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rigid pieces in contact: exact solutions of sliding, rolling and impact, and stacks and piles at rest.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/rigid_rig.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double spacing = 0.1, slope = 0.5;
+
+Vec3d along(double angle) { return {9.81 * std::sin(angle), 0, -9.81 * std::cos(angle)}; }
+
+TEST(RigidContact, aBoxOnAnInclineHoldsOrSlides) {
+  for (const double friction : {0.2, 0.5, 0.6}) {
+    RigidRig rig(spacing, 6, 1e-3);
+    rig.setFriction(friction, 0);
+    rig.gravity = along(slope);
+    rig.pieces.push_back(pieceOf(BoxDistance({0.5, 0.5, 0.5}), spacing, 1000));
+    rig.pieces[0].centre = {-4, 0, 0.25};
+    for (int n = 0; n < 500; n++) rig.step();
+    const double exact = std::max(0.0, 0.5 * 9.81 * (std::sin(slope) - friction * std::cos(slope)));
+    EXPECT_NEAR(rig.pieces[0].velocity.x, exact, 0.02 * exact + 1e-6);
+    EXPECT_NEAR(rig.pieces[0].centre.z, 0.25, 1e-3 * spacing);
+  }
+}
+
+TEST(RigidContact, aBallRollsWithoutBumps) {
+  for (const bool onSlab : {false, true}) {
+    RigidRig rig(spacing, 6, 1e-3);
+    rig.setFriction(0.5, 0);
+    rig.gravity = along(0.01);
+    if (onSlab) {  // practically immovable
+      rig.pieces.push_back(pieceOf(BoxDistance({4, 1, 0.4}), spacing, 1000));
+      rig.pieces[0].centre.z = 0.2;
+      rig.pieces[0].mass = 1e20;
+      rig.pieces[0].inertia = {1e20, 1e20, 1e20};
+    }
+    RigPiece ball = pieceOf(SphereDistance(0.3), spacing, 1000);
+    const double ratio = ball.inertia.x / (ball.mass * 0.09), height = onSlab ? 0.7 : 0.3;
+    ball.centre = {-1.03, 0.04, height};
+    rig.pieces.push_back(ball);
+    for (int n = 0; n < 1500; n++) {
+      if (onSlab) rig.pieces[0].velocity = -rig.settings.step * rig.gravity;
+      rig.step();
+      EXPECT_NEAR(rig.pieces.back().centre.z, height, 2e-3 * spacing);
+    }
+    const double exact = 1.5 * rig.gravity.x / (1 + ratio);
+    EXPECT_NEAR(rig.pieces.back().velocity.x, exact, 0.01 * exact);
+  }
+}
+
+TEST(RigidContact, reboundFollowsTheRestitution) {
+  for (const bool box : {false, true})
+    for (const double restitution : {0.3, 0.8}) {
+      RigidRig rig(spacing, 3, 1e-3);
+      rig.setFriction(0.5, restitution);
+      rig.pieces.push_back(box ? pieceOf(BoxDistance({0.5, 0.5, 0.5}), spacing, 1000)
+                               : pieceOf(SphereDistance(0.25), spacing, 1000));
+      rig.pieces[0].centre = {0.01, 0.02, 1.25};
+      double highest = 0;
+      bool rising = false;
+      for (int n = 0; n < 900; n++) {
+        rig.step();
+        rising = rising || rig.pieces[0].velocity.z > 0;
+        if (rising) highest = std::max(highest, rig.pieces[0].centre.z - 0.25);
+      }
+      EXPECT_NEAR(std::sqrt(highest), restitution, 0.02 * restitution);
+    }
+}
+
+TEST(RigidContact, aStackOfTenBoxesRests) {
+  RigidRig rig(spacing, 6, 2e-3);
+  rig.setFriction(0.5, 0);
+  for (int i = 0; i < 10; i++) {
+    rig.pieces.push_back(pieceOf(BoxDistance({0.5, 0.5, 0.5}), spacing, 1000));
+    rig.pieces[static_cast<std::size_t>(i)].centre = {0.01 * (i % 3), 0.01 * (i % 2), 0.25 + 0.5 * i};
+    rig.pieces[static_cast<std::size_t>(i)].orientation = rotationBy({0, 0, 0.1 * i});
+  }
+  const std::vector<RigPiece> start = rig.pieces;
+  for (int n = 0; n < 1000; n++) rig.step();
+  for (std::size_t i = 0; i < start.size(); i++)
+    EXPECT_LT(length(rig.pieces[i].centre - start[i].centre), 0.02 * spacing);
+  EXPECT_LT(rig.iterations, 1000 * 150);
+}
+
+TEST(RigidContact, theEnergyOfAPileOnlyFalls) {
+  RigidRig rig(spacing, 6, 1e-3);
+  for (const double side : {-1.0, 1.0}) {
+    rig.addWall({0.8 * side, 0, 0}, {-side, 0, 0});
+    rig.addWall({0, 0.8 * side, 0}, {0, -side, 0});
+  }
+  rig.setFriction(0.4, 0.2);
+  for (int i = 0; i < 16; i++) {
+    RigPiece p = i % 2 ? pieceOf(BoxDistance({0.6, 0.4, 0.5}), spacing, 1000)
+                       : pieceOf(SphereDistance(0.3), spacing, 1000);
+    p.centre = {i & 1 ? -0.4 : 0.4, i & 2 ? -0.4 : 0.4, 0.5 + 0.8 * (i / 4)};
+    p.orientation = rotationBy({0.3 * i, 0.7 * i, 0.1 * i});
+    rig.pieces.push_back(p);
+  }
+  double lowest = rig.energy(), deepest = 0;
+  for (int n = 0; n < 1500; n++) {
+    rig.step();
+    const double energy = rig.energy() - rig.lifted;
+    EXPECT_LT(energy - lowest, 1e-6 * lowest);
+    lowest = std::min(lowest, energy);
+    deepest = std::max(deepest, rig.last.deepest);
+  }
+  EXPECT_LT(rig.lifted, 3e-3 * lowest);
+  EXPECT_LT(deepest, 0.1 * spacing);
+  EXPECT_LT(rig.kineticEnergy(), 0.02 * lowest);
+}
+
+}  // namespace
+}  // namespace thaw

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rigid/contact/find_contacts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "core/rigid/contact/element_pairs.hpp"
+#include "core/rigid/contact/reduce_contacts.hpp"
+#include "tests/support/rigid_rig.hpp"
+#include "tests/support/thread_ranks.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double spacing = 0.1;
+
+TEST(SurfaceElements, ofABallHaveItsRadiusAndTouchIt) {
+  const double radius = 0.5;
+  const SphereDistance ball(radius);
+  const RigPiece piece = pieceOf(ball, spacing, 1000);
+  int surface = 0;
+  for (std::size_t i = 0; i < piece.points.size(); i++) {
+    const SurfaceElement& e = piece.elements[i];
+    if (!(e.offset > 0)) {
+      EXPECT_LT(length(piece.points[i]), radius - spacing);
+      continue;
+    }
+    surface++;
+    EXPECT_NEAR(static_cast<double>(e.radius), radius, 1e-6);
+    EXPECT_NEAR(length(piece.points[i] + static_cast<double>(e.offset) * wide(e.normal)), radius, 1e-6);
+  }
+  EXPECT_GT(surface, 200);
+}
+
+TEST(SurfaceElements, ofABoxArePlanesWithRoundEdges) {
+  const RigPiece piece = pieceOf(BoxDistance({0.6, 0.6, 0.6}), spacing, 1000);
+  int planes = 0, round = 0;
+  for (const SurfaceElement& e : piece.elements) {
+    if (!(e.offset > 0)) continue;
+    EXPECT_FLOAT_EQ(e.offset, 0.05F);
+    if (e.normal == Vec3f{}) round++;
+    else planes += e.radius == planeRadius;
+  }
+  EXPECT_EQ(planes, 6 * 16);
+  EXPECT_EQ(round, 8 + 12 * 4);
+}
+
+TEST(SurfaceElements, fromNeighboursAreThoseOfTheLattice) {
+  const auto elementAt = [](int layersAbove, int besideX) {
+    std::vector<Vec3d> around;
+    for (int z = -1; z <= layersAbove; z++)
+      for (int y = -1; y <= 1; y++)
+        for (int x = -1; x <= besideX; x++)
+          if (x || y || z) around.push_back({spacing * x, spacing * y, spacing * z});
+    return elementOfNeighbours(around, spacing);
+  };
+  EXPECT_EQ(elementAt(1, 1).offset, 0);  // inside
+  const SurfaceElement face = elementAt(0, 1), edge = elementAt(0, 0),
+                       lone = elementOfNeighbours({}, spacing);
+  EXPECT_NEAR(face.normal.z, 1, 1e-6);
+  EXPECT_EQ(face.radius, planeRadius);
+  EXPECT_FLOAT_EQ(face.offset, 0.05F);
+  EXPECT_TRUE(edge.normal == Vec3f{});
+  EXPECT_FLOAT_EQ(edge.radius, 0.05F);
+  EXPECT_TRUE(lone.normal == Vec3f{});
+  EXPECT_FLOAT_EQ(lone.offset, 0.05F);
+}
+
+TEST(ElementPairs, theGapOfFacesDoesNotDependOnTheirOffset) {
+  const PlacedElement lower{{0, 0, 0}, {0, 0, 1}, 0.05, 1.0 / 0.0};
+  for (const double x : {0.0, 0.03, 0.07}) {
+    const PlacedElement upper{{x, 0.5 * x, 0.11}, {0, 0, -1}, 0.05, 1.0 / 0.0};
+    const auto c = contactOf(upper, lower, spacing);
+    ASSERT_TRUE(c);
+    EXPECT_NEAR(c->gap, 0.01, 1e-15);
+    EXPECT_NEAR(c->normal.z, 1, 1e-15);
+  }
+  const PlacedElement away{{0, 0, 0.11}, {0, 0, 1}, 0.05, 1.0 / 0.0};
+  EXPECT_FALSE(contactOf(away, lower, spacing));
+}
+
+TEST(ElementPairs, spheresTouchOnTheLineOfTheirCentres) {
+  const Vec3d n = normalized(Vec3d{1, 2, 3});
+  const PlacedElement a{0.55 * n, -n, 0.05, 0.5}, b{-0.45 * n, n, 0.05, 0.4};
+  const auto c = contactOf(a, b, spacing);
+  ASSERT_TRUE(c);
+  EXPECT_NEAR(c->gap, 0.9, 1e-12);
+  EXPECT_LT(length(c->normal - n), 1e-12);
+}
+
+/// A cube that stands on another one, turned and shifted.
+RigidRig twoCubes() {
+  RigidRig rig(spacing, 3, 1e-3);
+  rig.setFriction(0.5, 0);
+  for (int i = 0; i < 2; i++) {
+    rig.pieces.push_back(pieceOf(BoxDistance({0.6, 0.6, 0.6}), spacing, 1000));
+    rig.pieces.back().centre = {0.03 * i, 0.02 * i, 0.3 + 0.6 * i};
+    rig.pieces.back().orientation = rotationBy({0, 0, 0.3 * i});
+  }
+  return rig;
+}
+
+TEST(FindContacts, facesTouchAlongTheirNormalAtTheirOutline) {
+  RigidRig rig = twoCubes();
+  rig.step();
+  int between = 0, onFloor = 0;
+  double most[2] = {0, 0};
+  for (const FoundContact& f : rig.contacts) {
+    EXPECT_NEAR(std::abs(f.contact.normal.z), 1, 1e-6);
+    EXPECT_LT(std::abs(f.contact.gap), 0.02 * spacing);
+    (f.contact.b == noPiece ? onFloor : between)++;
+    if (f.contact.b != noPiece) continue;
+    most[0] = std::max(most[0], f.contact.armA.x + f.contact.armA.y);
+    most[1] = std::max(most[1], -f.contact.armA.x - f.contact.armA.y);
+  }
+  EXPECT_EQ(onFloor, 4);
+  EXPECT_NEAR(most[0], 0.5, 1e-6);
+  EXPECT_NEAR(most[1], 0.5, 1e-6);
+  EXPECT_GE(between, 4);
+  EXPECT_LE(between, 16);  // closed and open ones
+}
+
+TEST(FindContacts, impulsesAreFirstGuessesOfTheNextStep) {
+  RigidRig rig = twoCubes();
+  for (int n = 0; n < 20; n++) rig.step();
+  rig.step();
+  EXPECT_LE(rig.last.iterations, 3);
+}
+
+TEST(ReduceContacts, theOutlineIsTheSameOnAnyRanks) {
+  // a patch of 15 x 10 points in a plane, and a second one with another partner
+  std::vector<FoundContact> patch;
+  for (int i = 0; i < 15; i++)
+    for (int j = 0; j < 10; j++)
+      for (const std::uint64_t partner : {7u, 9u}) {
+        FoundContact f;
+        f.pieceA = 5;
+        f.partner = partner;
+        f.contact.normal = {0, 0, -1};
+        f.contact.armA = {0.1 * i, 0.1 * j, 0};
+        f.contact.gap = i == 3 && j == 4 ? -0.01 : 0;
+        f.contact.keyA = static_cast<std::uint64_t>(100 * i + j);
+        f.contact.keyB = partner;
+        patch.push_back(f);
+      }
+  const auto keysOf = [](const std::vector<FoundContact>& contacts) {
+    std::set<std::tuple<std::uint64_t, std::uint64_t>> keys;
+    for (const FoundContact& f : contacts) keys.insert({f.partner, f.contact.keyA});
+    return keys;
+  };
+  Pieces pieces;
+  activatePieces(pieces);
+  pieces.resize(1, 0);
+  pieces.shared[0] = 1;
+  SerialReducer alone;
+  std::vector<FoundContact> serial = patch;
+  reduceContacts(serial, pieces, spacing, alone);
+  const auto expected = keysOf(serial);
+  EXPECT_EQ(expected.size(), 2 * 5u);  // four corners and the deepest point, for each partner
+  for (const int count : {2, 3}) {
+    ThreadRanks ranks(count);
+    std::vector<std::vector<FoundContact>> parts(static_cast<std::size_t>(count));
+    for (std::size_t k = 0; k < patch.size(); k++) parts[k * k % parts.size()].push_back(patch[k]);
+    ranks.run([&](int rank) {
+      ThreadReducer all(ranks, rank);
+      reduceContacts(parts[static_cast<std::size_t>(rank)], pieces, spacing, all);
+    });
+    std::vector<FoundContact> together;
+    for (const auto& part : parts) together.insert(together.end(), part.begin(), part.end());
+    EXPECT_EQ(together.size(), serial.size());
+    EXPECT_EQ(keysOf(together), expected);
+  }
+}
+
+}  // namespace
+}  // namespace thaw
