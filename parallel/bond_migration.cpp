@@ -37,12 +37,12 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
   for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) {
     p.slot[i] = noSlot;
     solidArrived_ = solidArrived_ || !p.unbonded(i);  // it may have frozen before it migrated, which no rank
-                                                    // checks otherwise
+                                                      // checks otherwise
   }
   if (comm_.size() == 1) return;
   int any = 0;
   for (std::size_t k = 0; k < m.departed.size(); k++) {
-    if (m.departedTo[k] < 0) continue;      // left the domain: rebuildBonds detects it
+    if (m.departedTo[k] < 0) continue;        // left the domain: rebuildBonds detects it
     if (p.unbonded(m.departed[k])) continue;  // melted before it migrated: rebuildBonds detects it
     const std::uint32_t slot = p.slot[m.departed[k]];
     if (slot != noSlot) departures_.push_back({slot, m.departedTo[k]});

@@ -17,8 +17,8 @@ void sumPieceForces(const RigidView& view, Reducer& all);
 /// Second half kick over dt / 2 (s), with velocities of particles.
 void kickPieces(const RigidView& view, double dt);
 
-/// Adds an impulse (N s) and an angular impulse (N m s) to a piece; the rank that leads it records the loss of
-/// kinetic energy as dissipated.
+/// Adds an impulse (N s) and an angular impulse (N m s) to a piece; the rank that leads it records the loss
+/// of kinetic energy as dissipated.
 void addImpulse(const RigidView& view, std::size_t row, const Vec3d& impulse, const Vec3d& twist);
 
 /// Angular acceleration (rad/s^2) of a piece.

@@ -9,8 +9,8 @@
 
 namespace thaw {
 
-/// Joins the velocity changes of the particles of pieces. Requires: rows of the pieces of owned particles, which
-/// do not move while it is in use.
+/// Joins the velocity changes of the particles of pieces. Requires: rows of the pieces of owned particles,
+/// which do not move while it is in use.
 class PieceJoint : public JointMotion {
  public:
   PieceJoint(const RigidView& view, Reducer& all);

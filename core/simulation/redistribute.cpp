@@ -76,8 +76,8 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
   }
 }
 
-/// Records what leaves the domain. Velocities are those of the half step; the kinetic energy is that after the
-/// second half kick, as of the particles that stay.
+/// Records what leaves the domain. Velocities are those of the half step; the kinetic energy is that after
+/// the second half kick, as of the particles that stay.
 void recordLeaving(World& w, const StepTools& t, double dt) {
   const Continuum& p = w.particles;
   findStoredEnergy(w, t, t.leaving);

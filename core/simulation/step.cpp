@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/simulation/step.hpp"
 
+#include <cmath>
+
 #include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
@@ -84,7 +86,9 @@ void finishPieces(World& w, Halos halos, StepTools& t) {
     t.rigid.changedHere = false;
     linkPieces(view, halos, PieceUsers::AndGhosts);
   }
-  findContactImpulses(view, halos, nextStep(w.clock));
+  // At the end of the scene no limit on the step exists.
+  const double planned = nextStep(w.clock);
+  findContactImpulses(view, halos, std::isfinite(planned) ? planned : w.clock.stepDt);
   t.times.lap(StepPhase::Contact);
 }
 

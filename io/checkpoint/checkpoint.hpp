@@ -57,7 +57,7 @@ struct CheckpointHeader {
   Clock clock;                ///< without limitedBy
   std::string limitedBy;
   std::uint64_t particles = 0, solids = 0, bonds = 0, surfels = 0;
-  std::uint64_t pieces = 0;  ///< rigid pieces
+  std::uint64_t pieces = 0;                                              ///< rigid pieces
   std::array<std::optional<std::uint64_t>, bodyTypeCount> bodyTypeRows;  ///< rows of oriented bodies and
                                                                          ///< sheets, if the file has them
   bool twoFrames = false;  ///< bonds have a reference at both ends; else all refer to one configuration

@@ -34,8 +34,8 @@ void addDamaged(const H5File& file, const std::string& group, std::vector<std::s
 
 std::vector<std::string> damagedRows(const H5File& file) {
   std::vector<std::string> damaged;
-  for (const char* group : {"/particles", "/solids", "/bonds", "/order", "/pieces", "/surfels", "/surface/components",
-                            "/surface/events", "/oriented", "/sheet"})
+  for (const char* group : {"/particles", "/solids", "/bonds", "/order", "/pieces", "/surfels",
+                            "/surface/components", "/surface/events", "/oriented", "/sheet"})
     if (file.has(group)) addDamaged(file, group, damaged);
   return damaged;
 }

@@ -178,7 +178,8 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   addBonds(content, w, order, bonds);
   Pieces pieces;
   copyLedRows(w.pieces, pieces);
-  if (pieces.id.active) addColumns(content, "/pieces", pieces, nullptr, spreadRows(comm, pieces.owned), nullptr);
+  if (pieces.id.active)
+    addColumns(content, "/pieces", pieces, nullptr, spreadRows(comm, pieces.owned), nullptr);
   if (h.surface.there) {
     content.groups.push_back("/surface");
     addColumns(content, "/surfels", w.surface.surfels, nullptr, spreadRows(comm, w.surface.surfels.owned),

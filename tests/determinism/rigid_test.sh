@@ -55,9 +55,12 @@ retry_every = 10
 [output]
 every = 0.01
 SCENE
-same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
+same() { sameRuns "$1" "$2" "$3" "frames/wax_pieces.hdf.series"; }
 sameOnAllRanks $scene 60 "15 33 48" "$work/$scene.toml"
 for count in melted frozen; do
   [ "$(value "$work/$scene.1/summary.json" $count)" -gt 0 ] || fail "$scene: nothing $count"
 done
+# Strong coupling to the incompressible and the implicit viscosity solver
+sameOnAllRanks ${scene}_solvers 24 "9 16" "$work/$scene.toml" --set numerics.pressure_solver=incompressible \
+  --set numerics.viscosity_solver=implicit --set numerics.max_step=0.002
 finish

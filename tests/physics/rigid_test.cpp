@@ -216,7 +216,7 @@ TEST(Rigid, particlesThatLeaveTheDomainTakeTheirMomentum) {
 
 /// A cube of 20 cm that floats in a tank, at a spacing of 4 cm. Returns its draught over its edge, averaged
 /// over the second half of the time.
-double draught(double density, double seconds) {
+double draught(double density, double seconds, const Numerics& numerics = {}) {
   constexpr double spacing = 0.04, edge = 0.2, depth = 0.4;
   Scene s = emptyScene(spacing, {0, 0, 0}, {0.6, 0.6, 0.9});
   s.domain.gravity = {0, 0, -9.81};
@@ -226,6 +226,7 @@ double draught(double density, double seconds) {
   s.materials[0].name = "water";
   s.materials[0].viscosity = {5, 5};
   s.materials.push_back(stone(density));
+  s.numerics = numerics;
   s.numerics.overlap = OverlapRule::RemoveEarlier;
   const double bottom = depth - spacing * std::round(edge * density / 1000 / spacing);
   addBox(s, {0, 0, 0}, {0.6, 0.6, depth});
@@ -258,6 +259,13 @@ TEST(Rigid, cubesFloatByArchimedes) {
   constexpr double halfSpacing = 0.1;  // over the edge; the edge of the cube has five particles
   EXPECT_NEAR(draught(500, 1.5), 0.5, halfSpacing);
   EXPECT_NEAR(draught(900, 1.5), 0.9, halfSpacing);
+  Numerics incompressible;
+  incompressible.solver = PressureSolver::Incompressible;
+  incompressible.maxStep = 5e-3;  // without a limit, liquid alone is not stable either
+  EXPECT_NEAR(draught(600, 1.5, incompressible), 0.6, halfSpacing);
+  Numerics implicitViscosity;
+  implicitViscosity.viscositySolver = ViscositySolver::Implicit;
+  EXPECT_NEAR(draught(600, 1, implicitViscosity), 0.6, halfSpacing);
 }
 
 TEST(Rigid, scenesWithoutRigidMaterialHaveNoPieces) {

@@ -159,7 +159,7 @@ Progress assess(Solver& s) {
     const Vec3d &r = k.residual[i], change = k.solution[i] - k.goal[i];
     sum[0].add(dot(r, k.ready[i]));
     const double m = s.p.mass[i];
-    // Of rigid pieces, only the part of the residual counts that moves them.
+    // The residual of a rigid piece counts as far as it moves the piece.
     const double error2 = isRigid(s.p, i) ? m * dot(k.ready[i], k.ready[i]) : dot(r, r) / m;
     sum[1].add(error2 - tolerance2 * m * (dot(change, change) + 1e-12 * dot(k.goal[i], k.goal[i])));
   }

@@ -13,7 +13,7 @@ namespace thaw {
 struct ContactSettings {
   double step = 0;            ///< s
   double tolerance = 1e-6;    ///< m/s, largest velocity error of a contact at which the iteration stops
-  int mostIterations = 500;   ///< of each of the two solves
+  int mostIterations = 500;   ///< limit for each of the two solves
   double impactSpeed = 0;     ///< m/s; slower approaches have no restitution
   double slop = 0;            ///< m, overlap that is not corrected
   double correction = 0.2;    ///< 1, part of the overlap beyond slop that is removed in a step
@@ -21,8 +21,8 @@ struct ContactSettings {
 };
 
 struct ContactResult {
-  int iterations = 0;            ///< of the velocity solve
-  int correctionIterations = 0;  ///< of the overlap solve
+  int iterations = 0;            ///< iterations of the velocity solve
+  int correctionIterations = 0;  ///< iterations of the overlap solve
   double residual = 0;           ///< m/s, largest velocity error of a contact, over all ranks
   double dissipated = 0;         ///< J, kinetic energy before minus after, less the work of obstacles; over
                                  ///< all ranks

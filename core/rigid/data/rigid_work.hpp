@@ -24,9 +24,6 @@ struct RigidWork {
   SharedPieces shared;
   bool atStart = false;      ///< the next evaluation makes the pieces of the start
   bool changedHere = false;  ///< particles left the domain with their pieces
-  // Contacts in the last step, for progress lines.
-  int contactIterations = 0;
-  double contactResidual = 0;  ///< m/s, largest velocity error of a contact
 };
 
 }  // namespace thaw
