@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
   }
   double sum = 0;
   MPI_Allreduce(&absorbed, &sum, 1, MPI_DOUBLE, MPI_SUM, sim.communicator());
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, sim.communicator());
   const double heat = sim.ledger().heatIn;
   if (sim.rank() == 0)
     std::printf("absorbed %.9g J, ledger %.9g J, largest dose %.6g J/kg\n", sum, heat, most);
