@@ -12,6 +12,7 @@
 #include "core/rigid/motion.hpp"
 #include "core/rigid/update_pieces.hpp"
 #include "core/sheet/step_sheets.hpp"
+#include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/monitor/monitor.hpp"
 #include "core/simulation/solid_substeps.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
