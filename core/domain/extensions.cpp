@@ -23,8 +23,8 @@ bool isName(const std::string& s) {
 constexpr const char* newbornName = "newborn";  // the field of declareNewborn
 
 /// Names that fields cannot have besides those of the model: computed fields of frames.
-constexpr const char* computedFields[] = {newbornName, "density",        "pressure", "stress",    "strain",
-                                          "plastic_strain", "rank",     "neighbours"};
+constexpr const char* computedFields[] = {newbornName, "density",        "pressure", "stress",
+                                          "strain",    "plastic_strain", "rank",     "neighbours"};
 
 bool isFieldOfModel(const std::string& name) {
   Continuum particles;
@@ -59,7 +59,7 @@ void check(const Extension& e) {
     throw std::invalid_argument("extension '" + e.name +
                                 "': expected a name of letters, digits and underscores");
   if (findExtension(e.name)) throw std::invalid_argument("extension '" + e.name + "' is registered already");
-  if (!e.hasTable() && !e.hasLaw() && !e.shape)
+  if (!e.usesTable() && !e.hasLaw() && !e.shape)
     throw std::invalid_argument("extension '" + e.name +
                                 "' has no part: expected a load, fields, a pair force, a law or a shape");
   for (const ExtensionKey& key : e.keys)
@@ -137,7 +137,8 @@ void declareAllFields(Continuum& particles) {
 
 void declareNewborn(Continuum& p) {
   if (!p.addedField(newbornName))
-    p.added.push_back(std::make_unique<AddedColumn>(p, newbornName, "1", "1: emitted in this step", 1, 0.0, true));
+    p.added.push_back(
+        std::make_unique<AddedColumn>(p, newbornName, "1", "1: emitted in this step", 1, 0.0, true));
 }
 
 AddedColumn* newbornOf(const Continuum& p) {

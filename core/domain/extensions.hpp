@@ -28,7 +28,7 @@ struct ExtensionKey {
 struct ExtensionField {
   std::string name = {}, unit = {}, about = {};  ///< unit in SI, "1" for none
   int components = 1;
-  double start = 0;     ///< of all components, in particles of bodies and emitters
+  double start = 0;     ///< value of all components in particles of bodies and emitters
   bool ghosts = false;  ///< forces between particles read it
 };
 
@@ -52,9 +52,10 @@ struct Extension {
   PairForce pairForce = {};  ///< with kernels
   ExtensionLaw law = {};     ///< with lanes or response
   ShapeMaker shape = {};
+  bool heats = false;  ///< its load adds heat: scenes without heat are refused
 
   /// Returns true if it has a part that [extension.NAME] turns on.
-  bool hasTable() const { return load || !fields.empty() || update || pairForce.kernels.sum; }
+  bool usesTable() const { return load || !fields.empty() || update || pairForce.kernels.sum; }
   bool hasLaw() const { return law.lanes || law.response; }
 };
 

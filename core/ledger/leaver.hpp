@@ -14,7 +14,7 @@ struct Leaver {
   Vec3d position{};             ///< m
   double volume = 0;            ///< h^3
   double rootTension = 0;       ///< (N/m)^1/2
-  std::vector<double> records;  ///< of the pair forces of extensions, 4 values each
+  std::vector<double> records;  ///< four values for each pair force of an extension
 };
 
 }  // namespace thaw

@@ -15,7 +15,7 @@ struct KnownLaw {
   ExtensionLaw law;
   std::vector<std::string> keys;
   std::map<LawValues, BoundLaw> bound{};
-  std::mutex binding{};  // of simulations in several threads
+  std::mutex binding{};  // simulations may run in several threads
 };
 
 std::map<std::string, KnownLaw>& knownLaws() {

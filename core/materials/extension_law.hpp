@@ -39,8 +39,9 @@ struct LawResponse {
 };
 
 /// An elastic law, psi(F) with P = dpsi/dF. At rest psi = 0 and P = 0, and small strains follow Hooke's law
-/// with lambda and mu, from which other limits are computed. Give `lanes` (core/solid/laws/law_lanes.hpp
-/// compiles it for each instruction set), or `response`, which is called for one particle at a time.
+/// with lambda and mu, from which other limits are computed. Give `lanes`
+/// (core/solid/laws/extension_law_lanes.hpp compiles it for each instruction set), or `response`, which is
+/// called for one particle at a time.
 struct ExtensionLaw {
   void (*lanes)(const LawGroup&) = nullptr;
   std::function<LawResponse(const Mat3d& gradU, double lambda, double mu, const LawValues&)> response = {};

@@ -48,6 +48,8 @@ end = 0.1
 min = [-0.5, -0.5, -0.5]
 max = [0.5, 0.5, 0.5]
 gravity = [0, 0, 0]
+[numerics]
+density = "summation"
 [material.oil]
 density = 900
 viscosity = "0.1 Pa s"

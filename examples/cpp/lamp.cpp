@@ -12,13 +12,13 @@
 
 namespace {
 
-constexpr const char* scene = R"(
+constexpr const char* scene = R"toml(
 spacing = "4 cm"
 end = 0.2
 [domain]
 min = [-1, -1, 0]
 max = [1, 1, 1]
-sides = "wall"
+sides = { x = "wall", y = "wall", z = "wall" }
 [material.wax]
 density = 900
 young = "1 MPa"
@@ -30,13 +30,19 @@ box = { size = [0.4, 0.4, 0.4] }
 place = { bottom = [0, 0, 0] }
 material = "wax"
 temperature = 300
+[[body]]
+name = "cold block"
+box = { size = [0.4, 0.4, 0.12] }
+place = { bottom = [0.5, 0, 0] }
+material = "wax"
+temperature = 290
 [extension.lamp]
 power = "500 W/kg"
 height = "20 cm"
 [output]
 every = 0.1
 fields = ["temperature", "dose"]
-)";
+)toml";
 
 double powerAt(const thaw::ExtensionSettings& lamp, const thaw::Vec3d& x) {
   return x.z > lamp.values.at("height") ? lamp.values.at("power") : 0;
@@ -64,6 +70,7 @@ thaw::Extension lamp() {
                 dose.row(i)[0] += powerAt(settings, step.particles.position[i]) * step.dt;
             };
           },
+      .heats = true,
   };
 }
 
@@ -84,6 +91,7 @@ int main(int argc, char** argv) {
   }
   double sum = 0;
   MPI_Allreduce(&absorbed, &sum, 1, MPI_DOUBLE, MPI_SUM, sim.communicator());
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, sim.communicator());
   const double heat = sim.ledger().heatIn;
   if (sim.rank() == 0)
     std::printf("absorbed %.9g J, ledger %.9g J, largest dose %.6g J/kg\n", sum, heat, most);

@@ -13,7 +13,7 @@ end = 0.05
 [domain]
 min = [-1, -1, 0]
 max = [1, 1, 1]
-sides = "wall"
+sides = { x = "wall", y = "wall", z = "wall" }
 [material.water]
 density = 1000
 viscosity = "1 mPa s"

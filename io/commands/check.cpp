@@ -88,7 +88,7 @@ double emittedAtEnd(const Scene& s, const StepTools& t) {
 
 /// Returns suggestions for the scene with the results of their trials. Collective.
 std::vector<std::string> testedSuggestions(const Communicator& comm, const CheckOptions& o, const World& w,
-                                           double particles) {
+                                           double particles, std::vector<std::string>& warnings) {
   const std::vector<Suggestion> all = frontierAdvice(w.scene, w.modules);
   std::vector<std::string> lines;
   if (all.empty()) return lines;
@@ -96,6 +96,10 @@ std::vector<std::string> testedSuggestions(const Communicator& comm, const Check
   std::vector<std::string> failed, untried;
   for (const Suggestion& one : all) {
     const std::optional<std::string> failure = trials.failureOf(one.settings);
+    if (const std::string own = trials.failureOfScene(); !own.empty()) {
+      warnings.push_back("the run fails within its first steps: " + own);
+      return {};
+    }
     if (failure && failure->empty()) lines.push_back(one.line);
     else if (failure)
       failed.push_back(fmt::format("left out:      {} ({})", settingList(one.settings, "--set "), *failure));
@@ -197,7 +201,8 @@ void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface,
   const int size = c.comm.size(), ranks = o.ranks > 0 ? o.ranks : size;
   r.surface = surface.lines(onSurface, ranks);
   r.allSettings = o.settings;
-  r.advice = o.settings ? frontierLines(w.scene, w.modules) : testedSuggestions(c.comm, o, w, total);
+  r.advice = o.settings ? frontierLines(w.scene, w.modules)
+                        : testedSuggestions(c.comm, o, w, total, r.warnings);
   // Emitted particles raise memory and run time.
   const double most = total / particles / ranks, mean = (0.5 + 0.5 * total / particles) / ranks;
   cost.ranks = ranks;

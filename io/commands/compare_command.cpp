@@ -81,9 +81,9 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
   command->add_option("A", arguments.a, "a frame, a checkpoint or a run folder")->required();
   command->add_option("B", arguments.b, "the frame, checkpoint or run folder to compare with")->required();
   command
-      ->add_option(
-          "--tolerance", arguments.tolerance,
-          "allowed difference, relative to the largest magnitude in each field; without it, bits count")
+      ->add_option("--tolerance", arguments.tolerance,
+                   "allowed difference, relative to the largest magnitude in each field; without it, values "
+                   "must match bit for bit")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--frames", arguments.frames, "compare all frames of two runs as well");
   command->add_flag("--all", arguments.all, "list all general differences, not only a few of each kind");

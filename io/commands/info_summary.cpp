@@ -107,7 +107,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
       numberOf(run["progress"], "step") > numberOf(s, "step")) {
     const Json& p = run["progress"];
     lines.push_back(
-        named("since then",
+        named("last progress line",
               fmt::format("t {:.6g} s, step {}, dt {:.3g} s (limited by {}), {:.3g} steps/s",
                           numberOf(p, "time_s"), static_cast<std::int64_t>(numberOf(p, "step")),
                           numberOf(p, "dt_s"), textOf(p, "dt_limited_by"), numberOf(p, "steps_per_second"))));

@@ -45,6 +45,13 @@ double temperatureAtStart(const Scene& s, std::size_t body) {
                                                     : s.domain.ambient;
 }
 
+/// Adds a field of an extension.
+void addExtensionField(Frame& f, const AddedColumn& column) {
+  addRows<float>(f, column.name, column.unit, column.components, [&column](std::size_t i, float* to) {
+    for (int k = 0; k < column.components; k++) to[k] = static_cast<float>(column.row(i)[k]);
+  });
+}
+
 void addField(Frame& f, const World& w, int rank, const std::string& name) {
   const Continuum& p = w.particles;
   const Solids& s = w.solids;
@@ -111,10 +118,6 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
                                                                               : std::uint16_t(0))
                 : bondsOf(w.bonds, slot);
     });
-  } else if (const AddedColumn* added = p.addedField(name)) {
-    addRows<float>(f, name, added->unit, added->components, [added](std::size_t i, float* to) {
-      for (int k = 0; k < added->components; k++) to[k] = static_cast<float>(added->row(i)[k]);
-    });
   } else if (name != "id") {
     throw std::invalid_argument("unknown field '" + name + "' of frames");
   }
@@ -132,7 +135,8 @@ Frame frameOf(const World& w, int rank) {
   std::vector<std::string> done;
   for (const std::string& name : w.scene.output.fields) {
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // listed twice
-    addField(f, w, rank, name);
+    if (const AddedColumn* added = w.particles.addedField(name)) addExtensionField(f, *added);
+    else addField(f, w, rank, name);
     done.push_back(name);
   }
   return f;

@@ -24,8 +24,9 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
                  : "a value that is not a finite number";
     case Failure::Speed:
       return fmt::format(
-          "a speed of {0:.4g} m/s exceeds numerics.watch_speed ({2:.3g} m/s, with {1:.3g} m/s expected)",
-          s.value, b.expected, b.speed);
+          "a speed of {:.6g} m/s exceeds the limit of {:.6g} m/s (factor numerics.watch_speed = {:g}, with "
+          "{:.3g} m/s expected)",
+          s.value, b.speed, w.scene.numerics.watchSpeed, b.expected);
     case Failure::Density:
       return fmt::format("a density of {:.3g} times the rest density exceeds numerics.watch_density ({:.3g})",
                          s.value, b.relativeDensity);
@@ -36,7 +37,8 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
           b.inverted, s.value);
     case Failure::Energy:
     case Failure::Growth:
-      return fmt::format("{}; one particle has most of it, {:.4g} J/kg", failedCheck(w, t, o), s.value);
+      return fmt::format("{}; the particle with the largest gain has {:.4g} J/kg", failedCheck(w, t, o),
+                         s.value);
     case Failure::Step:
     case Failure::None: break;
   }
@@ -50,7 +52,9 @@ std::string failedCheck(const World& w, const StepTools& t, const StepOutcome& o
   switch (o.failure) {
     case Failure::NotFinite:
       return "a value is not a finite number, or a particle moved beyond the reach of its forces in a step";
-    case Failure::Speed: return fmt::format("a speed exceeds numerics.watch_speed ({:.3g} m/s)", b.speed);
+    case Failure::Speed:
+      return fmt::format("a speed exceeds the limit of {:.6g} m/s (factor numerics.watch_speed = {:g})",
+                         b.speed, w.scene.numerics.watchSpeed);
     case Failure::Density:
       return fmt::format("a density exceeds numerics.watch_density ({:.3g} times the rest density)",
                          b.relativeDensity);
@@ -64,13 +68,13 @@ std::string failedCheck(const World& w, const StepTools& t, const StepOutcome& o
                          b.inverted);
     case Failure::Energy:
       return fmt::format(
-          "unexplained mechanical energy since step {}, more than {:.3g} times the largest term of the "
-          "ledger (numerics.watch_energy)",
+          "unexplained gain of mechanical energy since step {}, more than {:.3g} times the largest term of "
+          "the ledger (numerics.watch_energy)",
           w.watch.snapshotStep, b.energy);
     case Failure::Growth:
       return fmt::format(
-          "unexplained mechanical energy since the run began, more than {:.3g} times the largest term of the "
-          "ledger (numerics.watch_energy), in small amounts",
+          "unexplained gain of mechanical energy since the run began, more than {:.3g} times the largest "
+          "term of the ledger (numerics.watch_energy), gained gradually",
           b.energy);
     case Failure::None: break;
   }

@@ -8,7 +8,7 @@
 
 namespace thaw {
 
-/// Returns "a speed of 32.3 m/s exceeds numerics.watch_speed (...): particle 17 of body 'cube' at (x, y, z) m
+/// Returns "a speed of 32.3 m/s exceeds the limit of 30 m/s (...): particle 17 of body 'cube' at (x, y, z) m
 /// has ..., forces: ..." on the rank that owns the suspect. Sums the forces again (force_terms.hpp).
 std::string failureText(World& world, StepTools& tools, const StepOutcome& failed,
                         const FailingParticle& suspect);

@@ -146,7 +146,8 @@ int finishRun(Run& r, int code, std::string why) {
     warnOfThinLiquid(r);
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
-  sayEnd(r, why);
+  // The caller prints the message of a failure.
+  sayEnd(r, code == exitDone || code == exitStopped ? why : "");
   return code;
 }
 

@@ -27,6 +27,7 @@
 #include "io/run/surface_run.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_warnings.hpp"
+#include "io/text/counted.hpp"
 
 namespace thaw {
 
@@ -95,7 +96,7 @@ void reportBodies(const Run& r, const SamplingReport& sampled) {
   const std::vector<Body>& bodies = r.world.scene.bodies;
   const std::size_t shown = std::min(most, bodies.size());
   for (std::size_t b = 0; b < shown; b++)
-    r.say(fmt::format("body '{}': {} particles", bodies[b].name, sampled.particles[b]));
+    r.say(fmt::format("body '{}': {}", bodies[b].name, counted(sampled.particles[b], "particle")));
   std::int64_t others = 0;
   for (std::size_t b = shown; b < bodies.size(); b++) others += sampled.particles[b];
   if (shown < bodies.size())
@@ -295,9 +296,8 @@ namespace {
 /// Refuses to continue the run in the folder with this scene. why: the reason; about: a line for each entry,
 /// which begins with its key.
 [[noreturn]] void refuseScene(const Run& r, const std::string& why, const std::vector<std::string>& about) {
-  std::vector<std::string> lines{
-      fmt::format("{}: error: the run in {} cannot be continued with this scene, {}:", r.options.scene,
-                  r.options.out, why)};
+  std::vector<std::string> lines{fmt::format(
+      "{}: error: the run in {} cannot continue with this scene. {}:", r.options.scene, r.options.out, why)};
   constexpr std::size_t most = 12;  // a different scene changes every entry
   for (const std::string& line : std::span(about).first(std::min(most, about.size())))
     lines.push_back("  " + line + placeOfRecordKey(r.world.scene, line));
@@ -334,10 +334,10 @@ void restoreState(Run& r, const CheckpointSlice& slice, const SceneChanges& chan
     if (!changes.any()) throw;
     std::vector<std::string> lines = changes.coefficients;
     lines.insert(lines.end(), changes.settings.begin(), changes.settings.end());
-    refuseScene(r, std::string("a change needs data that the run has not stored: ") + e.what(), lines);
+    refuseScene(r, std::string("A change needs data that the run has not stored: ") + e.what(), lines);
   }
   if (const std::vector<std::string> strange = checkpointMismatches(w, r.all); !strange.empty())
-    refuseScene(r, "the checkpoint does not match it", strange);
+    refuseScene(r, "The checkpoint does not match it", strange);
   if (w.modules.solid) r.tables.bonds->adopt(std::move(records));
 }
 
@@ -362,7 +362,7 @@ void continueRun(Run& r, const CheckpointSlice& slice, const MeshLoader& load) {
   fingerprintMeshes(w.scene, load);
   if (const std::vector<std::string> differences = restartConflicts(then.values, w.scene);
       !differences.empty())
-    refuseScene(r, "it began with a different one", differences);
+    refuseScene(r, "Values that must not change", differences);
   const SceneChanges changes{coefficientChanges(then.values, w.scene),
                              settingChanges(then.values, w.scene, then.clock.time)};
   restoreState(r, slice, changes);
@@ -375,7 +375,7 @@ void continueRun(Run& r, const CheckpointSlice& slice, const MeshLoader& load) {
     w.watch.snapshotStep = -1;  // earlier snapshots have the energies of the old coefficients
   }
   if (w.modules.surface) resumeSurface(w.surface, r.surface->halos(), r.surfaceTools);
-  w.clock.limitedBy = "the last run";
+  w.clock.limitedBy = "from the checkpoint";
   r.resumed = true;
   if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
   if (w.modules.surface) resumeSurfaceOutput(r);

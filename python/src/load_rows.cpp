@@ -78,6 +78,7 @@ void registerFunctions(const std::string& name, const std::string& about, const 
       const py::gil_scoped_acquire python;
       return (*limit)(settings.values).cast<double>();
     };
+  e.heats = functions.heats;
   registerExtension(std::move(e));
 }
 

@@ -60,6 +60,7 @@ using AddedField = std::tuple<std::string, std::string, std::string, int, double
 /// of callLoad, update(values) a function of (rows, time, dt), step_limit(values) seconds.
 struct ExtensionFunctions {
   pybind11::object load, update, stepLimit;
+  bool heats = false;
 };
 
 /// Registers an extension with keys (name, unit, default, least, most, meaning).

@@ -104,11 +104,11 @@ PYBIND11_MODULE(_core, m) {
       "register_extension",
       [](const std::string& name, const std::string& about, const std::vector<KeyNote>& keys,
          const std::vector<AddedField>& fields, const py::object& load, const py::object& update,
-         const py::object& stepLimit) {
-        registerFunctions(name, about, keys, fields, {load, update, stepLimit});
+         const py::object& stepLimit, bool heats) {
+        registerFunctions(name, about, keys, fields, {load, update, stepLimit, heats});
       },
       py::arg("name"), py::arg("about"), py::arg("keys"), py::arg("fields"), py::arg("load"),
-      py::arg("update"), py::arg("step_limit"));
+      py::arg("update"), py::arg("step_limit"), py::arg("heats"));
   m.def("documentation", &sceneDocumentation, "The key table of scene files, as Markdown.");
   m.def("schema", &sceneSchema, "The JSON schema of scene files.");
   m.def("example", &exampleScene, "A small complete scene, as TOML.");

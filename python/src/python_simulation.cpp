@@ -140,7 +140,7 @@ int PythonSimulation::finish() {
     const py::gil_scoped_release others;
     code = sim_.finish();
   }
-  if (failed_) {  // of a function of on_end
+  if (failed_) {  // a function of on_end raised it
     py::error_already_set error = std::move(*failed_);
     failed_.reset();
     throw error;

@@ -404,7 +404,8 @@ def register_extension(
     fields: name -> unit, or (unit, meaning, components, start value). They are arrays of doubles that move
     with their particles, are in checkpoints, and in frames that list them in output.fields.
     update(p, t, dt, values) sets them at the end of each step of dt seconds, by p.name[...] = values.
-    Scenes that name an unregistered extension are refused, also at a restart.
+    Scenes that name an unregistered extension are refused, also at a restart. With `heat`, so are scenes in
+    which nothing else heats or cools.
     """
 
     def note(key: str, given: Any) -> tuple[str, str, float, float, float, str]:
@@ -416,7 +417,7 @@ def register_extension(
         def add(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
             if force is not None:
                 forces += force(p, time, values)
-            if heat is not None and flow is not None:
+            if heat is not None:
                 flow += heat(p, time, values)
 
         return lambda *given: _call([add], *given)
@@ -444,4 +445,5 @@ def register_extension(
         load if force is not None or heat is not None else None,
         make_update if update is not None else None,
         step_limit,
+        heat is not None,
     )

@@ -45,7 +45,7 @@ for change in 'body.block.box.size=[0.2,0.1,0.1]' oriented.net.patch.width=0.6 o
   launch 2 run "$work/all.toml" "${options[@]}" --set "$change" --restart --out "$work/first" \
     >"$work/log" 2>&1
   expectExit 2 "$change"
-  expectMessage 'cannot be continued with this scene' "$change"
+  expectMessage 'cannot continue with this scene' "$change"
 done
 for change in oriented.net.relax=50 oriented.net.jitter=0.1 'sheet.cloth.velocity=[0,0,1]'; do
   rm -rf "$work/run.1"

@@ -77,7 +77,7 @@ rejects "nothing to do" 'there is nothing to simulate' 2 run "$(scene nothing '/
 
 # likely causes of parser errors
 rejects "a quote forgotten" \
-  'quote\.toml:2:[0-9]+: error: .*; is there a closing quote missing on this line\?' \
+  'quote\.toml:2:[0-9]+: error: .*; the closing quote is missing on this line' \
   2 run "$(scene quote 's/^spacing.*/spacing = "2 cm/')"
 rejects "a unit without quotes" 'unit\.toml:2:[0-9]+: error: .*; a quantity with a unit is a text: "2 cm"' \
   2 run "$(scene unit 's/^spacing.*/spacing = 2 cm/')"

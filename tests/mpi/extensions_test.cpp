@@ -15,7 +15,7 @@
 #include "io/scene/read_scene.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
-#include "tests/support/extension_kernels.hpp"
+#include "tests/support/extensions/kernels.hpp"
 
 namespace thaw {
 namespace {
@@ -302,7 +302,7 @@ TEST(PairForces, CopyOfTensionFollowsTheBuiltIn) {
   double worst = 0;
   for (const auto& [id, row] : a)
     for (std::size_t k = 0; k < 6; k++) worst = std::max(worst, std::abs(row[k] - b.at(id)[k]));
-  EXPECT_LT(worst, 1e-4);  // of 3 m/s, in single precision
+  EXPECT_LT(worst, 1e-4);  // speeds are up to 3 m/s, in single precision
   EXPECT_NEAR(one.ledger().now.potential, two.ledger().now.potential, 1e-4);
 }
 
@@ -387,7 +387,7 @@ TEST(ExtensionLaws, StressIsTheDerivativeOfTheEnergy) {
 }
 
 TEST(ExtensionLaws, AreRefusedWithTheirPlace) {
-  EXPECT_NE(messageOf(std::string(block) + "law = \"cpoy\"\n").find("\"copy\""), std::string::npos);
+  EXPECT_NE(messageOf(std::string(block) + "law = \"copyy\"\n").find("\"copy\""), std::string::npos);
   EXPECT_NE(
       messageOf(std::string(block) + "law = \"copy\"\ncopy = { used = 1 }\n").find("unknown key 'used'"),
       std::string::npos);

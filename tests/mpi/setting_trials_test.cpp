@@ -32,12 +32,24 @@ TEST(SettingTrials, RejectSettingsThatFailOnTheScene) {
   const auto good = trials.failureOf({"numerics.cfl_sound=0.3"});
   ASSERT_TRUE(good);
   EXPECT_EQ(*good, "");
+  EXPECT_EQ(trials.failureOfScene(), "");
   const auto bad = trials.failureOf({"numerics.fixed_step=0.1"});
   ASSERT_TRUE(bad);
   EXPECT_NE(*bad, "");
   const auto refused = trials.failureOf({"numerics.support=-1"});
   ASSERT_TRUE(refused);
   EXPECT_NE(refused->find("is refused"), std::string::npos) << *refused;
+}
+
+TEST(SettingTrials, ReportAFailureOfTheSceneItself) {
+  const Folder folder;
+  const Communicator comm;
+  SettingTrials trials(comm, {fallingWater(folder.path), {"numerics.watch_speed=1e-3"}, 512});
+  const auto failure = trials.failureOf({"numerics.cfl_sound=0.3"});
+  ASSERT_TRUE(failure);
+  EXPECT_NE(*failure, "");
+  EXPECT_NE(trials.failureOfScene().find("numerics.watch_speed"), std::string::npos)
+      << trials.failureOfScene();
 }
 
 TEST(SettingTrials, SkipLargeScenes) {

@@ -68,10 +68,10 @@ watch() {  # watch SCENE KEY=VALUE MESSAGE [END [MORE=VALUE]]
   expectMessage "^error: .*blew up at step [0-9]*, .*$3.*: particle [0-9]* of .*${4:-1 retries from step}" \
     "$1 with $2"
 }
-watch dam_break watch_speed=1e-3 "a speed of .* m/s exceeds numerics.watch_speed"
+watch dam_break watch_speed=1e-3 "a speed of .* m/s exceeds the limit of .* m/s (factor numerics.watch_speed"
 watch dam_break watch_density=1.001 "a density of .* times the rest density"
 watch drop watch_step=0.99 "the time step, limited by .*, fell to" \
   "half the step would be below .* (numerics.watch_step)"
-watch dam_break watch_energy=1e-9 "unexplained mechanical energy since \(step\|the run began\)" "" \
+watch dam_break watch_energy=1e-9 "unexplained gain of mechanical energy since \(step\|the run began\)" "" \
   numerics.density=summation
 finish

@@ -20,10 +20,10 @@ grep -q '^  status  *running (process [0-9]* on .*; last write at 2.*Z), at t ' 
   fail "info: a run that runs is '$(grep status "$work/info")'"
 # not where summary.json is of this very step
 for _ in $(seq 50); do
-  grep -q '^  since then  *t .* s, step [0-9]*, dt .* s (limited by .*), .* steps/s$' "$work/info" && break
+  grep -q '^  last progress line  *t .* s, step [0-9]*, dt .* s (limited by .*), .* steps/s$' "$work/info" && break
   "$thaw" info "$work/run" >"$work/info"
 done
-grep -q '^  since then ' "$work/info" ||
+grep -q '^  last progress line ' "$work/info" ||
   fail "info does not report the progress of a live run: $(cat "$work/info")"
 killAll -9 "$work/run"
 "$thaw" info "$work/run" >"$work/info" || fail "info of a killed run"

@@ -85,7 +85,7 @@ grep -q '^warning: changed' "$work/log" && fail "the mesh in another folder: a c
 
 refuses() {
   again "$1" 2 "$3" --set "$3"
-  expectMessage 'cannot be continued with this scene, it began with a different one' "$3"
+  expectMessage 'cannot continue with this scene. Values that must not change' "$3"
   expectMessage "$2" "$3"
 }
 refuses 3 '^  sheet.cloth.mesh was 121 vertices .*, and is 49 vertices .* now (.*all.toml:17)' \
@@ -104,7 +104,7 @@ expectMessage '^  sheet.cloth.mesh was 121 vertices .*, and is 49 vertices .* no
   "another mesh under the same name"
 mv "$work/kept.obj" "$work/cloth.obj"
 again 2 2 "heat, where there was none" --set sheet.cloth.conductance=5
-expectMessage "cannot be continued.*a change needs data that the run has not stored: .*no field 'enthalpy'" \
+expectMessage "cannot continue.*A change needs data that the run has not stored: .*no field 'enthalpy'" \
   "heat, where there was none"
 expectMessage '^  sheet.cloth.conductance was 0, and is 5 now' "heat, where there was none"
 grep -q '^warning: changed at the restart' "$work/log" &&

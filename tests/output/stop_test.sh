@@ -118,7 +118,7 @@ expectMessage "spacing was 0.0008" "another spacing"
 before=$(cksum <"$work/steps/summary.json")
 launch 2 run "$scenes/beam.toml" --restart --out "$work/steps" >"$work/log" 2>&1
 expectExit 2 "another scene"
-expectMessage "cannot be continued" "another scene"
+expectMessage "cannot continue" "another scene"
 launch 2 run "$scenes/beam.toml" --set spacing=0 --out "$work/steps" >"$work/log" 2>&1
 expectExit 2 "a mistake in the scene"
 [ "$(cksum <"$work/steps/summary.json")" = "$before" ] &&

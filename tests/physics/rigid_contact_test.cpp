@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/rigid_rig.hpp"
+#include "tests/support/rigid/rig.hpp"
 
 namespace thaw {
 namespace {

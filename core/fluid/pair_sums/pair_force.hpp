@@ -62,7 +62,7 @@ struct PairForce {
 struct PairForceWork {
   const PairForce* force = nullptr;
   const ExtensionSettings* settings = nullptr;
-  std::vector<double> values;        ///< of the keys, in their order
+  std::vector<double> values;        ///< values of the keys, in their order
   AlignedVector<std::byte> records;  ///< Record of float or double by row, with the dummy row
   std::vector<Vec3d> packed;         ///< work
   std::vector<double> energy;        ///< J, by owned row

@@ -57,7 +57,7 @@ SurfaceElement elementOfShape(const SignedDistance& shape, const Vec3d& x, doubl
 }
 
 SurfaceElement elementOfNeighbours(std::span<const Vec3d> neighbours, double spacing) {
-  int nearest = 0;  // neighbours that the cubic lattice has at one spacing: six inside
+  int nearest = 0;  // how many of the six next ones of a cubic lattice there are
   Vec3d missing;    // away from the neighbours
   for (const Vec3d& e : neighbours) {
     const double r = length(e);

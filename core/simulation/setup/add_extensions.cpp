@@ -52,6 +52,11 @@ void addExtensions(World& w, StepTools& t) {
   for (const ExtensionSettings& settings : w.scene.extensions) {
     const Extension& e = extensionOf(settings.name);
     describe(w, e);
+    if (e.heats && !w.modules.heat)
+      throw std::runtime_error(
+          "extension '" + e.name +
+          "' is a source of heat, and nothing else in the scene heats or cools: give bodies "
+          "different temperatures, or a material a heat_source");
     if (e.load) t.outside.push_back(e.load(settings));
     if (e.update) t.fieldUpdates.push_back(e.update(settings));
     if (e.stepLimit) lower(t, e.stepLimit(settings));

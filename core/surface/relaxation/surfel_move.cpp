@@ -127,14 +127,12 @@ Vec3d attraction(const MoveContext& c, const SurfelSums& s, const ColourHere& f)
            away);
 }
 
-/// Returns the force on a surfel that keeps the normal of a wall (alignWithWalls).
-NormalForce forceAlongWall(const MoveContext& c, const ColourHere& f, const Vec3d& normal) {
-  NormalForce p;
+/// Sets the force on a surfel that keeps the normal of a wall (alignWithWalls).
+void setForceAlongWall(const MoveContext& c, const ColourHere& f, const Vec3d& normal, NormalForce& p) {
   p.outward = p.normal = normal;
   p.along = c.weights.implicit *
             std::min((f.colour - c.isoScale * f.level) / std::max(f.slope, 1 / c.support), c.longest);
   p.known = true;
-  return p;
 }
 
 }  // namespace
@@ -168,8 +166,10 @@ NormalForce normalForceOn(const SurfaceView& w, const MoveContext& c, const Surf
   if (s.particle(Colour) > 0) {
     const ColourHere f = colourAt(c, s, rise);
     p.known = f.slope * c.support > 1e-2 * f.colour;
-    if (surfels.wallAligned.active && surfels.wallAligned[i] && f.colour > c.isoScale * f.level)
-      return forceAlongWall(c, f, normal);
+    if (surfels.wallAligned.active && surfels.wallAligned[i] && f.colour > c.isoScale * f.level) {
+      setForceAlongWall(c, f, normal, p);
+      return p;
+    }
     if (p.known) {
       const Vec3d slope = slopeToLevel(c, s, f, rise);
       p.outward = normalized(slope);

@@ -158,7 +158,7 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
                   bytesText(f.bytes / ranks), ranks, ranks == 1 ? "" : "s",
                   f.bytes / std::max(1.0, f.surfelsTogether)),
       fmt::format(
-          "the start {} {:.3g} s, an update {:.3g} s{}, on {} rank{}",
+          "initial sampling {} {:.3g} s, an update {:.3g} s{}, on {} rank{}",
           perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1],
           w.modules.fluid ? fmt::format(", an update of flowing liquid {:.3g} s", perMeasured_ * times[2])
                           : "",
@@ -171,7 +171,7 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
                   : set.everySteps > 0 ? ""
                                        : ", however far particles move in between")};
   if (perMeasured_ > 1)
-    lines.push_back(fmt::format("these figures are scaled up from {:.0f} surfels {:.3g} m apart",
+    lines.push_back(fmt::format("extrapolated from a coarser sample: {:.0f} surfels {:.3g} m apart",
                                 f.surfels / perMeasured_, s.spacing));
   if (w.modules.fluid)
     lines.push_back(

@@ -27,6 +27,8 @@ class SettingTrials {
   /// Returns "" if the scene with these settings ("key=value") runs as well as without them, else the
   /// failure. Returns no value if no time is left. Collective, the same result on all ranks.
   std::optional<std::string> failureOf(const std::vector<std::string>& settings);
+  /// Returns how the scene itself fails in these steps; empty if it does not, or was not tried.
+  std::string failureOfScene() const { return usual_ ? usual_->failure : ""; }
 
  private:
   /// Result of one run.

@@ -69,12 +69,12 @@ std::string aloneText(const OrientedFrame& frame, const std::vector<std::uint8_t
                                   : frame.ids[static_cast<std::size_t>(
                                         std::find(used.begin(), used.end(), std::uint8_t{0}) - used.begin())];
   return alone == 1 ? fmt::format(
-                          "; 1 particle (id {}) has no triangle or line: all others are further than twice "
-                          "its spacing",
+                          "; 1 particle (id {}) has no triangle or line: it has no neighbour within two "
+                          "spacings",
                           first)
                     : fmt::format(
-                          "; {} particles (the first: id {}) have no triangle or line: all others are "
-                          "further than twice their spacing",
+                          "; {} particles (the first: id {}) have no triangle or line: they have no "
+                          "neighbour within two spacings",
                           alone, first);
 }
 

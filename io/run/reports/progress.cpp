@@ -18,7 +18,7 @@ namespace thaw {
 namespace {
 
 std::string duration(double s) {
-  if (!std::isfinite(s)) return "?";
+  if (!std::isfinite(s)) return "unknown";
   if (s > 4 * 86400.0) return durationText(s);
   if (s < 100) return fmt::format("{:.0f} s", s);
   if (s < 6000) return fmt::format("{:.0f} min {:.0f} s", std::floor(s / 60), std::fmod(s, 60));

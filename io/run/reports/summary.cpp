@@ -12,6 +12,7 @@
 #include "core/simulation/world/body_types.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/reports/process_identity.hpp"
+#include "io/text/counted.hpp"
 #include "io/text/version.hpp"
 
 namespace thaw {
@@ -175,9 +176,8 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
     if (n > 0) w.push_back(fmt::format("{} {}", n, what));
   };
   if (c.left > 0)
-    w.push_back(
-        fmt::format("{} particles left the domain{} (their mass, momentum and heat are in the ledger)",
-                    c.left, sidesLeft(c)));
+    w.push_back(fmt::format("{} left the domain{} (mass, momentum and heat are in the ledger)",
+                            counted(c.left, "particle"), sidesLeft(c)));
   add(c.singularNeighbourhoods,
       "solid particles have a flat, thin or isolated neighbourhood (rank of their moment matrix < 3)");
   add(c.inverted, "times a solid particle was inverted (det F <= 0)");
@@ -186,7 +186,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
       "softens: law = \"corotated\" or \"neo-hookean\" stiffens");
   add(c.coincidentPairs, "times a particle was at the position of another and was moved aside");
   add(c.viscousUnfinished, "steps needed more than numerics.viscosity_iterations for viscosity");
-  add(c.retries, "times a series of steps failed and was repeated with shorter steps");
+  if (c.retries > 0) w.push_back(counted(c.retries, "failure") + ": steps repeated with half the step");
   add(c.unsolvedPressures,
       "times the pressure of incompressible liquid did not converge within numerics.max_iterations");
   if (static_cast<double>(c.crowded) > 0.01 * static_cast<double>(l.particles))

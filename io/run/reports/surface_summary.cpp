@@ -122,7 +122,7 @@ std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {
     if (n > 0) w.push_back(fmt::format("{} {}", n, what));
   };
   add(s.counters.lost, "surfels had no particles nearby and were deleted");
-  add(s.counters.flipped, "times a surfel's normal pointed into the particles and was reversed");
+  add(s.counters.flipped, "surfel normals pointed inward and were reversed");
   add(s.counters.capped, "updates of the surface reached their limit of births and deaths");
   add(s.counters.unfinished, "updates of the surface ended at surface.iterations while surfels still moved");
   if (const std::string line = volumeErrorWarning(s.held); s.keepsVolume && !line.empty()) w.push_back(line);

@@ -66,7 +66,7 @@ void recordVolumes(VolumeErrors& held, const std::vector<SurfaceComponent>& comp
 std::vector<std::string> volumeErrorLines(const VolumeErrors& h) {
   if (!h.any) return {};
   std::vector<std::string> lines{fmt::format(
-      "  volume over all frames: the sum at most {:+.2f} % off the target (t {:.5g} s); {:.2g} % of the "
+      "  volume over all frames: the sum at most {:+.2f} % off the target (t {:.5g} s); {:.3g} % of the "
       "particles are in components more than 1 % off ({:.3g} % in the worst frame, t {:.5g} s)",
       100 * h.sum.off(), h.sum.time, 100 * shareOf(h), 100 * h.missing.missedShare(), h.missing.time)};
   if (there(h.againstParticles)) {
@@ -79,8 +79,8 @@ std::vector<std::string> volumeErrorLines(const VolumeErrors& h) {
   }
   if (h.unsure > 0)
     lines.push_back(fmt::format(
-        "    {:.2g} % of the particles are in components of {} and more whose surface is open by more than 1 "
-        "% of its area (at most {:.2g} %: {}): the reported volume is uncertain by more than that",
+        "    {:.3g} % of the particles are in components of {} and more whose surface is open by more than 1 "
+        "% of its area (at most {:.3g} %: {}): the reported volume is uncertain by more than 1 %",
         100 * static_cast<double>(h.unsure) / static_cast<double>(h.particles), leastComponentParticles,
         100 * h.open.off, placeOf(h.open)));
   if (there(h.small))
@@ -115,12 +115,12 @@ std::string volumeErrorWarning(const VolumeErrors& h) {
   if (!component && !sum && !small && !share) return {};
   const VolumeError& worst = component || !there(h.small) ? h.againstTarget : h.small;
   std::string line = fmt::format(
-      "surface.keep_volume: {:.2g} % of the particles are in components more than 1 % off their target "
-      "volume, the sum is at most {:+.2g} % off",
+      "surface.keep_volume: {:.3g} % of the particles are in components more than 1 % off their target "
+      "volume. The sum is at most {:+.3g} % off",
       100 * shareOf(h), 100 * h.sum.off());
   if (there(worst))
-    line += fmt::format(", one component was {:+.1f} % off ({})", 100 * worst.off, placeOf(worst));
-  return line + "; see docs/reference/surfaces.md";
+    line += fmt::format(". One component was {:+.1f} % off ({})", 100 * worst.off, placeOf(worst));
+  return line + ". See docs/reference/surfaces.md";
 }
 
 }  // namespace thaw

@@ -58,7 +58,7 @@ void checkOrientedEvents(SceneReading& x, std::vector<SceneError>& errors) {
                                                b.name)});
       if (e.otherIndex < 0 && !e.other.empty())
         errors.push_back(
-            {e.where, fmt::format("oriented body '{}': there is no oriented body '{}' to weld to it", b.name,
+            {e.where, fmt::format("oriented body '{}': weld.other names unknown oriented body '{}'", b.name,
                                   e.other)});
     }
   if (cuts > mostCuts)

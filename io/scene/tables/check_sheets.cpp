@@ -39,16 +39,16 @@ void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
 std::string positionDependentForce(const Scene& s, const SheetBody& b) {
   if (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 ||
       b.pull > 0)
-    return "its neighbours pull at";
-  if (!b.brushes.empty()) return "a brush pushes";
-  if (b.wrap != 0) return "wrap draws";
-  if (!s.obstacles.empty()) return "obstacles can touch";
+    return "its neighbours pull it";
+  if (!b.brushes.empty()) return "a brush pushes it";
+  if (b.wrap != 0) return "wrap draws it";
+  if (!s.obstacles.empty()) return "obstacles can touch it";
   for (const auto& axis : s.domain.side)
     for (const Side side : axis)
-      if (side == Side::Wall) return "walls of the domain can touch";
+      if (side == Side::Wall) return "walls of the domain can touch it";
   if (!s.bodies.empty() || !s.emitters.empty() || !s.oriented.empty() || s.sheets.size() > 1)
-    return "other bodies can touch";
-  if (b.selfContact) return "its other vertices can touch";
+    return "other bodies can touch it";
+  if (b.selfContact) return "its other vertices can touch it";
   return "";
 }
 
@@ -64,15 +64,12 @@ void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std:
   const SourcePlace where = r ? r->where : b.massWhere;
   const bool damped = least(SheetFactor::Damping) > 0;
   if (!damped && !(least(SheetFactor::Stiffness) > 0)) {
-    errors.push_back(
-        {where,
-         who + ": a vertex needs mass, damping or stiffness at all times, and all three are 0 at some time"});
+    errors.push_back({where, who + ": mass, damping and stiffness must not all be zero at the same time"});
     return;
   }
   if (const std::string pulls = positionDependentForce(s, b); !damped && !pulls.empty())
-    errors.push_back(
-        {where, who + ": with neither mass nor damping (at all times) no step is stable for a vertex that " +
-                    pulls + ": expected mass or damping"});
+    errors.push_back({where, who + ": a massless, undamped vertex has no stable step where " + pulls +
+                                 ": expected mass, or damping at all times"});
   if (r && b.windDensity * factor(SheetFactor::Wind) > 0)
     errors.push_back({where, who + ": the air's drag on vertices without mass has no stable step: expected "
                                    "mass > 0, or wind_density = 0 there"});

@@ -42,7 +42,7 @@ void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
   r.restart(Restart::Coefficient);
   readKeys(r, *e, settings);
   if (!r.reading()) return;
-  if (!e->hasTable()) r.fail(r.place(), r.path() + ": it has no force, source or field" + otherUses(*e));
+  if (!e->usesTable()) r.fail(r.place(), r.path() + ": it has no force, source or field" + otherUses(*e));
 }
 
 void readLaw(TableReader& r, Material& m) {

@@ -135,7 +135,7 @@ void checkMaterial(TableReader& r, const Material& m) {
            "= \"rigid\"",
            {"young"});
   if (r.has("melts") && !r.has("heat_capacity"))
-    r.fail("heat_capacity", "is missing: a material that melts needs one");
+    r.fail("heat_capacity", "required, since the material melts");
   if (r.has("phase") && r.has("melts"))
     r.fail("phase", "the temperature decides the phase of a material that melts; leave phase out");
   if (r.textOf("phase") == "solid" && !m.canBeSolid())

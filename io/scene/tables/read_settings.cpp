@@ -68,7 +68,8 @@ void readDomain(TableReader& r, Domain& d) {
   for (int a = 0; a < 3; a++)
     if (!(d.max[a] > d.min[a]))
       r.fail(r.has("max") ? "max" : "min",
-             fmt::format("max must be above min along {}", static_cast<char>('x' + a)), {"min", "max"});
+             fmt::format("domain.max must exceed domain.min along {}", static_cast<char>('x' + a)),
+             {"min", "max"});
 }
 
 void readNumerics(TableReader& r, Numerics& n) {

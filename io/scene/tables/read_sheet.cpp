@@ -37,7 +37,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
   for (std::size_t k = 0; k < std::size(meshKeys); k++)
     if (const char* key = meshKeys[k]; r.has(key)) {
       b.mesh = static_cast<SheetMesh>(k);
-      if (++given == 2) r.fail(key, "a second mesh; expected one, and a sheet for each mesh");
+      if (++given == 2) r.fail(key, "a sheet takes one mesh; use another [[sheet]] for the second");
     }
   if (given == 0)
     r.fail(r.place(), r.path() + ": its mesh is missing: grid, sphere, head, dome, forehead or mesh");

@@ -36,7 +36,7 @@ bool hasOpenQuote(const std::string& line) {
 std::string syntaxHint(const std::string& text, int line, const std::string& complaint) {
   const std::string here = lineOf(text, line);
   if (complaint.find("parsing string") != std::string::npos && hasOpenQuote(here))
-    return "; is there a closing quote missing on this line?";
+    return "; the closing quote is missing on this line";
   std::smatch m;
   static const std::regex table(R"(^\s*\[\s*(body|emitter|obstacle|wall|oriented|sheet|tempering)\s*\])"),
       quantity(R"(=\s*([-+]?[0-9][-+0-9.eE_]*)\s*([A-Za-z%][^#,\]}]*))");

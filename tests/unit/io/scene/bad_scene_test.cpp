@@ -94,7 +94,7 @@ TEST(BadScene, EveryErrorHasAMessageWithItsPlace) {
        "2"},
       {"[0.1, 0.1, 0.1]", "[0.1, 0.1, -0.1]",
        "s.toml:10:16: error: body.block.box.size: edge lengths must be > 0 m"},
-      {"[1, 1, 1]", "[1, 1, -1]", "s.toml:5:7: error: domain.max: max must be above min along z"},
+      {"[1, 1, 1]", "[1, 1, -1]", "s.toml:5:7: error: domain.max: domain.max must exceed domain.min along z"},
       {"normal = [0, 0, 1]", "normal = [0, 0, 0]",
        "s.toml:14:42: error: obstacle.floor.plane.normal: must not be zero"}};
   for (const auto& t : table) expectOnly(errorsOf(with(t.what, t.by)), t.line);

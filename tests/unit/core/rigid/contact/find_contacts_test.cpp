@@ -11,8 +11,8 @@
 
 #include "core/rigid/contact/element_pairs.hpp"
 #include "core/rigid/contact/reduce_contacts.hpp"
-#include "tests/support/rigid_rig.hpp"
-#include "tests/support/thread_ranks.hpp"
+#include "tests/support/rigid/rig.hpp"
+#include "tests/support/rigid/thread_ranks.hpp"
 
 namespace thaw {
 namespace {

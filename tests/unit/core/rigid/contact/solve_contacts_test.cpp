@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/halo/serial.hpp"
-#include "tests/support/thread_ranks.hpp"
+#include "tests/support/rigid/thread_ranks.hpp"
 
 namespace thaw {
 namespace {

@@ -79,7 +79,7 @@ TEST(Warnings, NameTheSidesWhereParticlesLeft) {
   ASSERT_EQ(warningsOf(c, {}).size(), 1u);
   EXPECT_TRUE(has(warningsOf(c, {})[0],
                   "15 particles left the domain, 3 through its low x side, 12 through its high z side "
-                  "(their mass"));
+                  "(mass"));
 }
 
 struct ProgressLog : testing::Test {

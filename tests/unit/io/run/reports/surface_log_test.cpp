@@ -107,7 +107,7 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
   EXPECT_NE(lines[2].find("of 5 to 29 particles: at most -30.00 % (component 9 of 29 particles, t 0.1 s)"),
             std::string::npos)
       << lines[2];
-  EXPECT_NE(volumeErrorWarning(held).find("one component was +2.4 % off (component 7"), std::string::npos)
+  EXPECT_NE(volumeErrorWarning(held).find("One component was +2.4 % off (component 7"), std::string::npos)
       << volumeErrorWarning(held);
 }
 
@@ -122,7 +122,7 @@ TEST(VolumeErrors, WarnsAboutSmallComponentsAndTheSum) {
   EXPECT_EQ(warning({body}), "");
   EXPECT_EQ(warning({body, {9, 5, 60, 1, 0.05, 0.046, 4, {}}}), "");
   EXPECT_NE(warning({body, {9, 5, 60, 1, 0.05, 0.025, 4, {}}})
-                .find("one component was -50.0 % off (component 9 of 5 particles"),
+                .find("One component was -50.0 % off (component 9 of 5 particles"),
             std::string::npos);
   std::vector<SurfaceComponent> spray{{7, 100, 900, 1, 1, 1, 4, {}}};
   for (std::uint64_t k = 0; k < 10; k++) spray.push_back({9 + k, 3, 24, 1, 0.03, 0.029, 4, {}});

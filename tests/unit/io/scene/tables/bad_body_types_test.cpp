@@ -111,17 +111,17 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {cloth + "warp = 1\nwarp_in_time = [[0, 1], [1, -2]]\n",
        "s.toml:9:29: error: sheet.0.warp_in_time: must be >= 0, got -2"},
       {cloth + "mass = 0\nstiffness = 1\n[[sheet.brush]]\npressure = [0, 0, 1]\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: with neither mass nor damping (at all times) no step is "
-       "stable for a vertex that a brush pushes: expected mass or damping"},
+       "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step where "
+       "a brush pushes it: expected mass, or damping at all times"},
       {cloth + "mass = 0\nstiffness = 1\n[[obstacle]]\nsphere = { radius = 0.1 }\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: with neither mass nor damping (at all times) no step is "
-       "stable for a vertex that obstacles can touch: expected mass or damping"},
+       "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step where "
+       "obstacles can touch it: expected mass, or damping at all times"},
       {cloth + "mass = 0\ndamping = 1\nwarp = 1\ndamping_in_time = [[0, 1], [1, 0]]\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: a vertex needs mass, damping or stiffness at all times, "
-       "and all three are 0 at some time"},
+       "s.toml:8:8: error: sheet 'sheet 0': mass: mass, damping and stiffness must not all be zero at the "
+       "same time"},
       {cloth + "stiffness = 1\nwarp = 2\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
-       "s.toml:10:1: error: sheet 'sheet 0': this region: with neither mass nor damping (at all times) no "
-       "step is stable for a vertex that its neighbours pull at: expected mass or damping"},
+       "s.toml:10:1: error: sheet 'sheet 0': this region: a massless, undamped vertex has no stable step "
+       "where its neighbours pull it: expected mass, or damping at all times"},
       {cloth + "damping = 1\nwind_density = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
        "s.toml:10:1: error: sheet 'sheet 0': this region: the air's drag on vertices without mass has no "
        "stable step: expected mass > 0, or wind_density = 0 there"},

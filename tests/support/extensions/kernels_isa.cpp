@@ -5,7 +5,7 @@
 #include "core/fluid/terms/pair_force_term.hpp"
 #include "core/solid/laws/extension_law_lanes.hpp"
 #include "core/solid/laws/neo_hookean.hpp"
-#include "tests/support/extension_kernels.hpp"
+#include "tests/support/extensions/kernels.hpp"
 
 namespace thaw::test {
 namespace THAW_ISA {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of test extensions on lanes (extension_isa.cpp).
+// Functions of test extensions on lanes (kernels_isa.cpp).
 #pragma once
 #include "core/fluid/pair_sums/pair_force.hpp"
 #include "core/materials/extension_law.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/extension_kernels.hpp"
+#include "tests/support/extensions/kernels.hpp"
 
 #include "core/simd/choose.hpp"
 
