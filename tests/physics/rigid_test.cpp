@@ -177,7 +177,7 @@ TEST(Rigid, snapshotsContinueWithTheSameBits) {
   WorldSnapshot kept;
   takeSnapshot(resumed.w, kept);
   emptyWorld(resumed.w, resumed.tools);
-  resumed.cells = std::make_unique<SerialCellHalo>(resumed.w.grid);
+  resumed.tables.make(resumed.w);
   restoreSnapshot(kept, resumed.w);
   resumeWorld(resumed.w, resumed.halos(), resumed.tools);
   for (int k = 0; k < 14; k++) {
