@@ -54,7 +54,7 @@ name = list(every[0])[0]
 iterations = [r for r in every if r[name].startswith("iteration")]
 updates = [r for r in every if r[name].startswith("whole update")]
 figure, axes = plt.subplots(2, 1, figsize=(10, 5.5))
-if iterations:  # --only can leave either out
+if iterations:  # may be empty with --only
     most = 1e6 / next(
         number(r["target_k_surfels_per_s"]) for r in iterations if r["target_k_surfels_per_s"]
     )  # ns

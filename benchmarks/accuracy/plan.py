@@ -235,7 +235,7 @@ CASES = {
     "surface_held": (["0.166666666666667", "0.125", "0.1"], "0.125", {}),
 }
 
-# Final particles of these cases are drawn (particles.py), at the spacing at which settings vary.
+# Final particles of these cases are drawn (particles.py), at the spacing of the settings comparison.
 PICTURES = ("elliptic_drop", "rotating_patch")
 
 

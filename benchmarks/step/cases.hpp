@@ -29,10 +29,9 @@ struct Case {
 /// with latent heat and contact. Mesh: set-up of an elastic ball from a file of 100,000 triangles.
 Scene sceneOf(const Case& c, const std::string& ball);
 
-/// Rates relative to the plain scalar code (benchmarks/support/yardstick.hpp): the target, and the rate of
-/// prototypes without MPI; 0 if there is none. The scalar code reached 1.08 (0.61 with 74 neighbours) million
-/// particle-steps/s on one core there. Rates without AVX-512 exist for liquids in single precision with 33
-/// neighbours only; other cases keep those with AVX-512.
+/// Rates relative to the plain scalar code (benchmarks/support/yardstick.hpp): the target, and an upper
+/// bound; 0 if there is none. Rates without AVX-512 exist for liquids in single precision with 33 neighbours
+/// only; other cases keep those with AVX-512.
 struct Targets {
   double target = 0, limit = 0;
 };

@@ -320,7 +320,7 @@ THAW_INLINE LanesF positionDifference(LanesF own, LanesF other) {
 THAW_INLINE LanesD positionDifference(LanesD own, LanesD other) { return own - other; }
 
 /// Prefetch distance in entries of a list of neighbours or bonds. Lists stream from memory faster than many
-/// hardware prefetchers follow, above all on virtual machines.
+/// hardware prefetchers follow.
 inline constexpr std::size_t listAhead = 320;
 
 }  // namespace THAW_ISA

@@ -20,8 +20,7 @@ StepReduction reductionHere(World& w, StepTools& t, const StepOutcome& here, Req
   StepLimits own = particleLimits(w, here.largest ? *here.largest : largestRates(w), t.stableViscousStep);
   own[Limit::Sound] = t.fixedLimits[Limit::Sound] / soundStiffening(w);  // the minimum over ranks belongs to
                                                                          // the most compressed particle
-  // The push of a wall is stiffer than the lattice to which cfl_sound refers: omega dt is at most 1.2 (2 is
-  // stable).
+  // Wall contacts are stiffer than the lattice behind cfl_sound. Here omega dt is at most 1.2; 2 is stable.
   if (t.wallContacts.stiffest > 0)
     own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   StepReduction reduction;

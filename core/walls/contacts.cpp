@@ -100,7 +100,7 @@ void updateContactOffset(Continuum& p, const Scene& scene, std::size_t i, double
   p.contactOffset[i] = p.liquid[i] >= 1 ? now : std::max(p.contactOffset[i], now);
 }
 
-/// Share of a contact's pressure that another wall leaves it.
+/// Fraction of a contact's pressure that remains after overlap with another wall.
 double shareBeside(const WallSupport& x, const WallContact& c, const WallContact& other) {
   return std::max(
       0.0, 1 - overlapSlope(x.tables(c.distance / x.support).space,

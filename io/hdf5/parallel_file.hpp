@@ -23,8 +23,8 @@ struct SpreadDataset {
   RowRange mine;               ///< rows of this rank
   const void* data = nullptr;  ///< mine.count rows; nullptr: `fill` makes them
   std::string unit;            ///< attribute "units"; empty: none
-  /// Writes rows [first, first + count) of this rank (0: its first) to `to`. Called piece by piece, several
-  /// times for each.
+  /// Writes rows [first, first + count) of this rank (0: its first) to `to`. Called chunk by chunk; a chunk
+  /// may be requested again.
   std::function<void(const RowRange& local, std::byte* to)> fill;
 };
 

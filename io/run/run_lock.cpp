@@ -102,8 +102,8 @@ bool create(const std::string& path, const std::string& text) {
 }
 
 /// Replaces the lock `old` by a new one. Returns false if it is no longer there. The kernel's lock on the old
-/// file excludes other processes. Without such locks the last writer holds the folder, and the other one
-/// finds its text replaced.
+/// file excludes other processes. Without such locks the last writer wins; the other sees a different
+/// text.
 bool replace(const std::string& path, const LockHolder& old, const std::string& text) {
   const File file(::open(path.c_str(), O_RDWR));
   if (file.fd < 0 && errno == ENOENT) return false;

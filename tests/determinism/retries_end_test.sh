@@ -47,7 +47,7 @@ for ranks in 3 7; do
   same "$work/one" "$work/many" "1 and $ranks ranks"
 done
 
-# stopped in the step before each failure except the first, when some retries count
+# Stop one step before every failure but the first, with retries pending.
 [ "$(wc -w <<<"$failed")" = 4 ] && [ "$(sort -nu <<<"$failed")" = "$failed" ] ||
   fail "not four failures, each later: $failed"
 runInParts fall "$(awk 'NR > 1 { print $1 - 1 }' <<<"$failed")" "$work/fall.toml" --set numerics.retries=3

@@ -110,7 +110,7 @@ TEST(FreeSurface, ReportsThinLayersWithCarriedDensities) {
   EXPECT_LT(connectedDensity(r.w.modules, r.w.particles, r.w.neighbours, r.w.counters, r.all), 0.85);
 }
 
-/// Summed densities leave isolated particles with 0.4 of their neighbours.
+/// A spinning square stays connected. With summed densities its particles keep 0.4 of their neighbours.
 TEST(FreeSurface, SpinningLiquidHoldsTogether) {
   const Scene s = spinningSquare();
   Simulation r(s);

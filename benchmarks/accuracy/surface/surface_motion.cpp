@@ -37,7 +37,7 @@ struct RigidMotion {
   Vec3d operator()(const Vec3d& x) const { return to + turned(x - from); }
 };
 
-/// Records the initial surfels and particles, which the final ones are compared with.
+/// Records the initial surfels and particles, for comparison with the final ones.
 void watchSpin(Trial& r) {
   if (r.world.clock.step > 0) return;
   const SurfelCloud cloud = cloudOf(r);

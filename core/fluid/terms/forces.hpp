@@ -59,8 +59,8 @@ struct Forces {
     const L VV = i.positionVolume.d * j.positionVolume.d;
     const L slope = Kernel::slope(q, q2);
     const L fi = i.pressurePhaseHeat.b, fj = j.pressurePhaseHeat.b;
-    // Every factor below is equal for j, or of opposite sign, bit by bit. Summed in double precision, no
-    // momentum is lost to rounding.
+    // Every factor below is equal for j, or of opposite sign, bit by bit. Sums in double precision then lose
+    // no momentum.
     const L strength = pressureScale * VV * slope,
             pressure = Carried ? L(0.0) : strength * (i.pressurePhaseHeat.a + j.pressurePhaseHeat.a);
     const L ux = i.velocityViscosity.a - j.velocityViscosity.a,

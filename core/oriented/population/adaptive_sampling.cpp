@@ -123,8 +123,8 @@ BirthCandidate candidateInGap(const Oriented& o, const OrientedWork& work, const
   return best;
 }
 
-/// Returns a candidate a spacing away in the widest angle without neighbours, 60 degrees from the nearest
-/// one, on the arc of the neighbours' normals.
+/// Returns a candidate one spacing away in the widest sector without neighbours, 60 degrees from its edge, on
+/// the arc that follows the neighbours' normals.
 BirthCandidate candidateAtBorder(const Oriented& o, const OrientedWork& work, const Scene& scene,
                                  const PairPotential& p, std::size_t i) {
   const OrientedLists& l = work.lists;

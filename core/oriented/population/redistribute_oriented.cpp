@@ -11,8 +11,7 @@ void redistributeOriented(OrientedBodies& oriented, const CellGrid& grid, Halos 
   Oriented& o = oriented.rows;
   if (o.ghosts > 0) o.resize(o.owned, 0);
   computeCellKeys(grid, static_cast<BodyTypeRows&>(o));
-  // rows born since the last sort are at the end, without a cell; their number makes sortByCell treat them as
-  // arrivals
+  // Rows born since the last sort are at the end, without a cell; sortByCell treats them as arrivals.
   std::size_t fresh = 0;
   while (fresh < o.owned && o.cell[o.owned - 1 - fresh] == 0) fresh++;
   std::vector<std::uint32_t> dead;

@@ -20,9 +20,9 @@ struct MomentInverse {
 MomentInverse invertMoment(const Sym3d& a, double cutoff = momentCutoff);
 
 /// Returns the completed displacement gradient of a particle with rank A < 3. `gradU` is the plain sum (sum w
-/// u X^T) A^+, which lacks the directions across the plane or line. They rotate along without strain: by the
-/// cross product of the in-plane images (rank 2), by the smallest rotation of the line (rank 1); rank 0 gives
-/// zero.
+/// u X^T) A^+, which lacks the directions across the plane or line. Missing directions follow the rotation
+/// without strain: the cross product of the in-plane images (rank 2), the smallest rotation of the line (rank
+/// 1). Rank 0 gives zero.
 Mat3d completeGradient(const Mat3d& gradU, const Sym3d& momentInverse, int rank);
 
 /// A neighbourhood of rank 2 with a completed gradient, and the terms of its energy.

@@ -21,9 +21,9 @@ struct VolumeMove {
 /// Moves surfels along their normals to enforce the volume: by the liquid fraction times keepVolume (V_target
 /// - V) / sum of liquid fractions times areas of the component, at most half the surfel spacing.
 /// SurfaceComponent::isoOffset changes equally, so that solid surfaces keep position and detail. V_target is
-/// the particles' mass over rest density, times the ratio of mesh to particle volume at the start. A
-/// component with less than 0.03 of its area liquid that was enforced as a liquid and has almost no mesh
-/// detail left moves as a whole, so that frozen bodies keep their shape. The tolerance is 0.001 of V_target,
+/// the particles' mass over rest density, times the ratio of mesh to particle volume at the start. Nearly
+/// frozen components (less than 0.03 of the area liquid) without mesh detail move as a whole, so they keep
+/// their shape. The tolerance is 0.001 of V_target,
 /// 0.005 for frozen components. Components of fewer than twelve surfels, solids that never were liquid, and
 /// surfaces with a large hole do not move. With `start`, grown solids are corrected once and keep their
 /// position afterwards. `moves`: state of the calls of one update for each component; empty at the first.

@@ -17,10 +17,10 @@ struct NarrowGaps {
   std::vector<std::uint64_t> solid, liquid;
 };
 
-/// Finds components with narrow gaps, which the colour field would merge. A particle of a body with a grown
-/// surface has a gap to a particle of its component within h_ps behind an empty place if no path connects
-/// them, or only one of 1.5 times their distance. Steps of a path are at most the distance of lattice
-/// neighbours. Requires: particle colours, bins and ghosts (prepareParticles). Collective.
+/// Finds components with narrow gaps, which the colour field would merge. Only bodies with grown surfaces
+/// have them. Two particles of a component within h_ps, across an empty lattice site, have a gap if no path
+/// connects them, or only one of at least 1.5 times their distance. Steps of a path are at most the distance
+/// of lattice neighbours. Requires: particle colours, bins and ghosts (prepareParticles). Collective.
 NarrowGaps findNarrowGaps(const Scene& scene, const Surface& surface, const Bins& particleBins, Reducer& all);
 
 }  // namespace thaw

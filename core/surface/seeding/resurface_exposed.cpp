@@ -46,8 +46,8 @@ constexpr double liquidReach = 2;
 /// A surfel with a reference position within this many spacings covers a particle.
 constexpr double coverReach = 1.2;
 
-/// Marks solid particles beside liquid as not covered. They may lose their surface to the liquid, or share
-/// it, and would be exposed when the liquid drains. A cold particle below surfels that follow their reference
+/// Marks solid particles beside liquid as not covered. The liquid may take over or share their surface, and
+/// exposes them when it drains. A cold particle below surfels that follow their reference
 /// stays covered. Requires: surfels with ghosts and bins.
 void uncoverBesideLiquid(const Scene& scene, const SurfaceTools& t, Surface& s) {
   const Surfels& f = s.surfels;

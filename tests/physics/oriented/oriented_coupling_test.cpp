@@ -40,7 +40,7 @@ TEST(Oriented, ReleasedAnchorsUnderLoadKeepTheLedgerClosed) {
   }
 }
 
-// An anchor that turns normals bends the patch. Its work is that of torques.
+// An anchor that turns normals bends the patch. The anchor works through torques only.
 TEST(Oriented, LedgerRecordsWorkOfNormalAnchors) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta}) {
     Scene s = patchScene(0);

@@ -18,8 +18,7 @@ struct Spread {
   double least = 1e300, mean = 0, hole = 0;
 };  // over the spacing
 
-/// Distances of each sample to its nearest, and of many points of the mesh to the nearest sample, on each
-/// side. Brute force.
+/// Brute-force nearest-sample distances on each side: between samples, and from many points of the mesh.
 Spread spreadOf(const TriangleMesh& mesh, const std::vector<MeshSample>& s, double spacing) {
   const auto normal = [&](std::uint32_t t) {
     const auto& c = mesh.triangles[t];

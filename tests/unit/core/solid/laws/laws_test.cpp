@@ -80,7 +80,7 @@ TEST(Laws, NearestRotationOfInvertedAndSingular) {
   EXPECT_NEAR(determinant(zero), 1, 1e-12);
 }
 
-// Eight lanes of several laws, some inverted: each has the energy that it has alone.
+// Eight lanes of several laws, some inverted: each lane's energy equals that of a single evaluation.
 TEST(Laws, LanesOfAGroupDoNotDependOnEachOther) {
   const auto points = lattice({5, 3, 3}, 0.1, 0.2);
   for (const double yield : {never, 0.01}) {
