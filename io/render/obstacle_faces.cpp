@@ -101,6 +101,15 @@ std::vector<DrawnObstacle> solidObstacles(const Scene& scene) {
   return all;
 }
 
+void addToBox(const std::vector<DrawnObstacle>& obstacles, ViewBox& box) {
+  for (const DrawnObstacle& o : obstacles) {
+    std::vector<Pose> poses{poseAt(o.motion, 0)};
+    for (const Keyframe& key : o.motion) poses.push_back(poseAt(o.motion, key.time));
+    for (const Pose& pose : poses)
+      for (const Vec3d& x : o.places) box.add(fromRest(pose, x));
+  }
+}
+
 void addObstacles(const std::vector<DrawnObstacle>& obstacles, float radius, FrameView& view) {
   makeDiscs(radius, view);
   for (const DrawnObstacle& o : obstacles) {

@@ -12,6 +12,9 @@ namespace thaw {
 /// are floors. Throws like makeSignedDistance.
 std::vector<DrawnObstacle> solidObstacles(const Scene& scene);
 
+/// Adds the places of the obstacles at their keyframes to a box.
+void addToBox(const std::vector<DrawnObstacle>& obstacles, ViewBox& box);
+
 /// Adds the obstacles that are present at the time of the view. Particles become balls of discs; radius (m):
 /// of these.
 void addObstacles(const std::vector<DrawnObstacle>& obstacles, float radius, FrameView& view);

@@ -158,6 +158,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
   style.background = job.background;
   style.sun = job.sun;
   style.stage = common.box;
+  addToBox(job.solids, style.stage);  // floors fade away from all that casts shadows
   style.camera = job.camera ? *job.camera
                             : fittedCamera(common.box, static_cast<double>(job.width) / job.height);
   style.spacing = job.spacing > 0 ? job.spacing : static_cast<float>(common.spacing);

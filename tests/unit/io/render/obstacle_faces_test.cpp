@@ -73,7 +73,7 @@ int redPixels(const Image& image) {
 }  // namespace
 
 TEST(ObstacleFaces, SolidObstaclesAreOpaqueInTheirColourAndGlassIsNot) {
-  EXPECT_GT(redPixels(pictureAt(boxScene("solid"), 0)), 500);
+  EXPECT_GT(redPixels(pictureAt(boxScene("solid"), 0)), 300);
   EXPECT_EQ(redPixels(pictureAt(boxScene("glass"), 0)), 0);
 }
 

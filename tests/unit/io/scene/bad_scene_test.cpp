@@ -83,7 +83,7 @@ TEST(BadScene, EveryErrorHasAMessageWithItsPlace) {
        "s.toml:8:11: error: material.jelly.density: must be > 0 kg/m^3, got 0"},
       {"\"20 kPa\"", "\"20 kPa\"\nlaw = \"hooke\"",
        "s.toml:8:7: error: material.jelly.law: expected one of \"green\", \"neo-hookean\", \"corotated\", "
-       "got \"hooke\""},
+       "\"rigid\", got \"hooke\""},
       {"name = \"block\"", "temperature = \"-300 degC\"\nname = \"block\"",
        "s.toml:9:15: error: body.block.temperature: must be > 0 K, got \"-300 degC\""},
       {"material = \"jelly\"", "material = \"jely\"",
