@@ -74,7 +74,7 @@ mass = 0
 damping = 1
 wind_density = 1.2
 wind = [0, 0, 5]")"
-rejects "springs on a sheet without mass and damping" "slack.toml:8:.*mass.*neither mass nor damping" \
+rejects "springs on a sheet without mass and damping" "slack.toml:8:.*mass: a massless, undamped vertex" \
   2 check "$(bodyTypes slack <<<"[[sheet]]
 grid = { width = 0.4, depth = 0.4 }
 mass = 0

@@ -8,6 +8,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 prefix=$dir/prefix
+python=$(command -v /usr/bin/python3 || command -v python3)
 fail() { echo "FAILED: $*"; exit 1; }
 
 cmake --install "$build" --prefix "$prefix" >/dev/null
@@ -35,7 +36,7 @@ for example in capsule mooney attraction phases; do "$consumer/build/$example"; 
 # A field is in frames, and continues after a restart.
 "$consumer/build/lamp"
 mpirun -n 2 "$consumer/build/lamp" "$dir/lamp"
-python3 - "$prefix" "$dir/lamp" <<'END'
+"$python" - "$prefix" "$dir/lamp" <<'END'
 import glob, sys
 sys.path.insert(0, glob.glob(sys.argv[1] + '/lib*/python3*/dist-packages')[0])
 import thaw
@@ -58,7 +59,7 @@ scene=$prefix/share/thaw/scenes/dam_break.toml steps=73
 "$prefix/bin/thaw" run "$scene" --set spacing=0.05 --steps "$steps" --out "$dir/out" >"$dir/log" ||
   { cat "$dir/log"; exit 1; }
 "$prefix/bin/thaw" info "$dir/out" --json >"$dir/info"
-python3 - "$dir/info" >"$dir/expected" <<'END'
+"$python" - "$dir/info" >"$dir/expected" <<'END'
 import json, sys
 last = json.load(open(sys.argv[1]))["checkpoints"][-1]
 print(f'particles {last["particles"]}\nstep {last["step"]}\ntime {last["time"]:.17g}')
