@@ -15,6 +15,8 @@ inline Quat operator*(const Quat& a, const Quat& b) {
   return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
+/// The inverse rotation.
+inline Quat conjugate(const Quat& q) { return {q.w, -q.x, -q.y, -q.z}; }
 inline Quat unitQuat(const Quat& q) {
   const double l = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   return {q.w / l, q.x / l, q.y / l, q.z / l};
@@ -27,7 +29,7 @@ inline Quat rotationBy(const Vec3d& r) {
 }
 /// Rotation vector (rad) from one orientation to another, along the shorter arc.
 inline Vec3d turnBetween(const Quat& from, const Quat& to) {
-  Quat q = to * Quat{from.w, -from.x, -from.y, -from.z};
+  Quat q = to * conjugate(from);
   if (q.w < 0) q = {-q.w, -q.x, -q.y, -q.z};
   const Vec3d v{q.x, q.y, q.z};
   const double s = length(v);

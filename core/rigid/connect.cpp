@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/rigid/connect.hpp"
 
-#include <array>
-#include <numeric>
+#include <algorithm>
 
+#include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/halo/exchange.hpp"
 #include "core/neighbours/rows_around.hpp"
 
 namespace thaw {
 namespace {
-
-/// Disjoint sets of rows.
-struct RowSets {
-  std::vector<std::uint32_t> parent;
-  explicit RowSets(std::size_t rows) : parent(rows) { std::iota(parent.begin(), parent.end(), 0u); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = root(i), j = root(j);
-    if (i != j) parent[std::max(i, j)] = std::min(i, j);
-  }
-};
 
 bool connected(const RigidView& v, std::size_t i, std::size_t j, bool atStart) {
   const Continuum& p = v.particles;
@@ -34,9 +21,9 @@ bool connected(const RigidView& v, std::size_t i, std::size_t j, bool atStart) {
 }
 
 /// Joins connected rows, owned ones and ghosts.
-RowSets joinRows(const RigidView& v, bool atStart) {
+DisjointSets joinRows(const RigidView& v, bool atStart) {
   Continuum& p = v.particles;
-  RowSets sets(p.size());
+  DisjointSets sets(p.size());
   eachNear(v.cells, p.owned, v.cells, [&](std::uint32_t i, std::uint32_t j) {
     if (p.pieceLabel[i] == notRigid || p.pieceLabel[j] == notRigid || i == j) return;
     if (j < i && j < p.owned) return;  // seen from j
@@ -46,17 +33,17 @@ RowSets joinRows(const RigidView& v, bool atStart) {
 }
 
 /// Gives each set the smallest label of its rows. Returns true if a label changed.
-bool spreadLabels(Continuum& p, RowSets& sets) {
+bool spreadLabels(Continuum& p, DisjointSets& sets) {
   std::vector<std::uint64_t> least(p.size(), ~std::uint64_t{0});
   for (std::uint32_t i = 0; i < p.size(); i++)
     if (p.pieceLabel[i] != notRigid) {
-      std::uint64_t& l = least[sets.root(i)];
+      std::uint64_t& l = least[sets.find(i)];
       l = std::min(l, p.pieceLabel[i]);
     }
   bool changed = false;
   for (std::uint32_t i = 0; i < p.owned; i++) {
     if (p.pieceLabel[i] == notRigid) continue;
-    const std::uint64_t l = least[sets.root(i)];
+    const std::uint64_t l = least[sets.find(i)];
     changed = changed || l != p.pieceLabel[i];
     p.pieceLabel[i] = l;
   }
@@ -69,17 +56,13 @@ void labelPieces(const RigidView& v, const Halos& halos, bool atStart) {
   Continuum& p = v.particles;
   for (std::size_t i = 0; i < p.owned; i++)
     p.pieceLabel[i] = belongsToPiece(v.scene, p, i) ? p.id[i] + 1 : notRigid;
-  const std::array<AnyColumn*, 2> first{&p.pieceLabel, &p.piece};
-  halos.cells.beginRefresh(p, first);
-  halos.cells.finishRefresh(p);
-  RowSets sets = joinRows(v, atStart);
-  const std::array<AnyColumn*, 1> labels{&p.pieceLabel};
+  refresh(halos.cells, p, ColumnList{&p.pieceLabel, &p.piece}).wait();
+  DisjointSets sets = joinRows(v, atStart);
   for (double changed = 1; changed > 0;) {
     changed = spreadLabels(p, sets) ? 1 : 0;
     halos.all.maximum({&changed, 1});
     if (!(changed > 0)) break;
-    halos.cells.beginRefresh(p, labels);
-    halos.cells.finishRefresh(p);
+    refresh(halos.cells, p, ColumnList{&p.pieceLabel}).wait();
   }
 }
 

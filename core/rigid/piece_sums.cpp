@@ -7,22 +7,18 @@
 namespace thaw {
 namespace {
 
-/// Sums of one piece at its home rank.
-struct HomeSum {
-  std::vector<std::int64_t> words;
-};
+/// Sums at the home rank by piece.
+using HomeSums = std::unordered_map<std::uint64_t, std::vector<std::int64_t>>;
 
 /// Adds all received words by piece. Integers: the order does not matter.
-std::unordered_map<std::uint64_t, HomeSum> addReceived(const std::vector<WordStream>& in,
-                                                       std::size_t perPiece) {
-  std::unordered_map<std::uint64_t, HomeSum> home;
+HomeSums addReceived(const std::vector<WordStream>& in, std::size_t perPiece) {
+  HomeSums home;
   for (const WordStream& s : in)
     for (std::size_t k = 0; k < s.words.size(); k += perPiece + 1) {
-      HomeSum& sum = home[s.words[k]];
-      sum.words.resize(perPiece, 0);
+      std::vector<std::int64_t>& sum = home[s.words[k]];
+      sum.resize(perPiece, 0);
       for (std::size_t n = 0; n < perPiece; n++)
-        sum.words[n] = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum.words[n]) +
-                                                 s.words[k + 1 + n]);
+        sum[n] = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum[n]) + s.words[k + 1 + n]);
     }
   return home;
 }
@@ -63,12 +59,12 @@ void RankPieceExchange::sumAtHomes(std::span<std::int64_t> words, std::size_t pe
     rowsTo[static_cast<std::size_t>(home)].push_back(static_cast<std::uint32_t>(row));
   }
   const std::vector<WordStream> in = all_.sparseAllToAll(std::move(out.lists));
-  const std::unordered_map<std::uint64_t, HomeSum> home = addReceived(in, perPiece);
+  const HomeSums home = addReceived(in, perPiece);
   WordStreams back(ranks);
   for (const WordStream& s : in) {
     std::vector<std::uint64_t>& to = back.to(s.rank);
     for (std::size_t k = 0; k < s.words.size(); k += perPiece + 1)
-      for (const std::int64_t w : home.at(s.words[k]).words) to.push_back(static_cast<std::uint64_t>(w));
+      for (const std::int64_t w : home.at(s.words[k])) to.push_back(static_cast<std::uint64_t>(w));
   }
   for (const WordStream& s : all_.sparseAllToAll(std::move(back.lists))) {
     const std::vector<std::uint32_t>& rows = rowsTo[static_cast<std::size_t>(s.rank)];

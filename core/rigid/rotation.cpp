@@ -52,7 +52,7 @@ Quat substep(const Quat& start, const Vec3d& momentum, const Vec3d& inertia, dou
 }  // namespace
 
 Quat rotateFreely(const Quat& orientation, const Vec3d& angularMomentum, const Vec3d& inertia, double dt) {
-  const auto inBody = [&](const Quat& q) { return rotated(Quat{q.w, -q.x, -q.y, -q.z}, angularMomentum); };
+  const auto inBody = [&](const Quat& q) { return rotated(conjugate(q), angularMomentum); };
   const Vec3d m = inBody(orientation);
   const double twiceEnergy = dot(m, overEach(m, inertia));
   const double least = std::min({inertia.x, inertia.y, inertia.z});

@@ -2,9 +2,9 @@
 #include "core/rigid/update_pieces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 
+#include "core/halo/exchange.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/math/sym_eigen.hpp"
 #include "core/rigid/connect.hpp"
@@ -269,7 +269,7 @@ void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std:
     const std::uint32_t row = rows[k];
     const Quat q = v.pieces.orientation[row];
     const Vec3d lever = placeIn(v, n, i, k) - n.centre[k];
-    const Quat toBody{q.w, -q.x, -q.y, -q.z};
+    const Quat toBody = conjugate(q);
     p.bodyPosition[i] = rotated(toBody, lever);
     turnElement(p, i, toBody);
     p.velocity[i] = velocityOf(v.pieces, row) +
@@ -325,10 +325,8 @@ void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
   for (std::size_t k = 0; k < n.ids.size(); k++) setRow(p, rows[k], n, k, sums.data() + motionSums * k);
   placeParticles(v, n, rows);
   adoptLabels(v.particles);
-  const std::array<AnyColumn*, 5> ofGhosts{&v.particles.piece, &v.particles.phase, &v.particles.faceNormal,
-                                           &v.particles.faceOffset, &v.particles.faceRadius};
-  halos.cells.beginRefresh(v.particles, ofGhosts);
-  halos.cells.finishRefresh(v.particles);
+  Continuum& c = v.particles;
+  refresh(halos.cells, c, ColumnList{&c.piece, &c.phase, &c.faceNormal, &c.faceOffset, &c.faceRadius}).wait();
   linkPieces(v, halos, PieceUsers::Owned);
   for (std::size_t k = 0; k < n.ids.size() && !atStart; k++)
     if (const std::uint32_t row = p.rowOf(n.ids[k]); row != noPieceRow && p.leads[row])

@@ -6,36 +6,13 @@
 #include <span>
 
 #include "core/walls/faces.hpp"
+#include "core/walls/reachable.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 namespace {
 
 Vec3d restPlace(const Wall& w, const Vec3d& x) { return toRest(w.pose, x); }
-
-/// Finds walls within h of some particle of the cell. Cells at the border of the grid also hold particles
-/// beyond it, so no wall is excluded for them.
-void findReachable(const WallView& w, std::uint64_t key, std::vector<std::uint32_t>& walls) {
-  const CellGrid& g = w.grid;
-  const Vec3i c = cellOfKey(key);
-  bool border = false;
-  Vec3d centre;
-  for (int a = 0; a < 3; a++) {
-    border = border || (!g.periodic[a] && (c[a] <= 0 || c[a] >= g.cells[a] - 1));
-    centre[a] = g.origin[a] + (c[a] + 0.5) * g.edge[a];
-  }
-  const double reach = g.support + (0.5 + 1e-6) * length(g.edge);
-  walls.clear();
-  for (std::size_t k = 0; k < w.walls.list.size(); k++) {
-    const Wall& wall = w.walls.list[k];
-    if (!wall.present) continue;
-    if (!border) {
-      const Vec3d rest = restPlace(wall, centre);
-      if (!nearBounds(wall.bounds, rest, reach) || wall.shape->distance(rest) > reach) continue;
-    }
-    walls.push_back(static_cast<std::uint32_t>(k));
-  }
-}
 
 /// Moves a particle deep inside a wall back to the surface and removes its velocity into the wall. Records
 /// impulse, work and loss.
@@ -132,7 +109,7 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
   const bool freezing = p.contactOffset.active;
   for (std::size_t cell = 0; cell < w.cells.key.size(); cell++) {
     if (w.cells.first[cell] >= p.owned) continue;  // a ghost cell
-    findReachable(w, w.cells.key[cell], contacts.reachable);
+    findReachable(w.grid, w.walls, w.cells.key[cell], contacts.reachable);
     if (contacts.reachable.empty()) {
       for (std::size_t i = w.cells.first[cell]; freezing && i < w.cells.first[cell] + w.cells.count[cell];
            i++)

@@ -118,7 +118,7 @@ FrameJob jobOf(const RenderOptions& options) {
   if (options.height > 0) job.height = options.height;
   job.radius = static_cast<float>(options.radius);
   job.threads = options.threads;
-  if (!options.obstacles) job.walls.list.clear(), job.solids.clear();
+  if (!options.obstacles) job.walls.list.clear();
   setCamera(options, job);
   return job;
 }

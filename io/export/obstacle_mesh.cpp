@@ -11,6 +11,7 @@
 #include "core/geometry/builtin/polygonise.hpp"
 #include "core/geometry/meshes/mesh_normals.hpp"
 #include "core/geometry/shapes/shape_mesh.hpp"
+#include "io/render/image/image.hpp"
 #include "io/scene/scene_for_all.hpp"
 
 namespace thaw {
@@ -102,13 +103,10 @@ ComponentMesh withNormals(const TriangleMesh& mesh, const Vec3f& colour) {
 
 }  // namespace
 
-Vec3f colourOf(const Obstacle& obstacle) {
-  const std::uint32_t c = obstacle.colour;
-  return {static_cast<float>(c & 255), static_cast<float>(c >> 8 & 255), static_cast<float>(c >> 16 & 255)};
-}
-
 ComponentMesh obstacleMesh(const Obstacle& obstacle, const Domain& domain) {
-  return withNormals(meshOf(obstacle, domain), colourOf(obstacle));
+  const Rgb c = rgbOf(obstacle.colour);
+  return withNormals(meshOf(obstacle, domain),
+                     {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)});
 }
 
 }  // namespace thaw

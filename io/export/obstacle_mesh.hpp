@@ -6,9 +6,6 @@
 
 namespace thaw {
 
-/// Returns the colour of an obstacle in pictures and exports, sRGB 0 to 255.
-Vec3f colourOf(const Obstacle& obstacle);
-
 /// Returns the surface of an obstacle at rest (m) with normals, whose vertices are separate where edges are
 /// sharp. A plane ends at the sides of the domain. Differences and intersections are polygonised; other
 /// shapes are exact up to a sag of 0.2 % of their size. Throws like makeSignedDistance.

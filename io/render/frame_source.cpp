@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "io/frames/frame.hpp"
 #include "io/frames/read_oriented_frame.hpp"
@@ -266,14 +265,6 @@ void addSheets(const fs::path& file, const std::string& field, FrameView& view) 
     }
   view.time = data.time;
   addMeshFaces({positions, data.triangles, values, colours}, view);
-}
-
-/// Extends the arrays of a view of surfels, so that discs with all attributes can be added.
-void extendArrays(FrameView& view) {
-  const std::size_t n = view.positions.size();
-  view.values.resize(n, std::numeric_limits<float>::quiet_NaN());
-  view.colours.resize(n, Rgb{188, 193, 200});
-  view.components.resize(n, 0);
 }
 
 /// Returns the paint for several body types: values if any exist, else own colours.

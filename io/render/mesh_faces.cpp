@@ -31,6 +31,13 @@ float distance(const Vec3f& a, const Vec3f& b) { return std::sqrt(dot(a - b, a -
 
 }  // namespace
 
+void extendArrays(FrameView& view) {
+  const std::size_t n = view.positions.size();
+  view.values.resize(n, noValue);
+  view.colours.resize(n, Rgb{188, 193, 200});
+  view.components.resize(n, 0);
+}
+
 void addMeshFaces(const DrawnMesh& m, FrameView& view) {
   std::vector<Vec3f> normals(m.positions.size());
   // Fraction of the longest edge: offset from the surface for light queries.

@@ -19,6 +19,9 @@ struct DrawnMesh {
   std::span<const Rgb> colours;
 };
 
+/// Extends the arrays of a view of surfels, so that rows with all attributes can be added.
+void extendArrays(FrameView& view);
+
 /// Adds both sides of a mesh with interpolated vertex normals.
 void addMeshFaces(const DrawnMesh& mesh, FrameView& view);
 

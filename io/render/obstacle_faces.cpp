@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "core/geometry/basic/signed_distance.hpp"
 #include "core/geometry/shapes/pose.hpp"
 #include "io/export/obstacle_mesh.hpp"
 #include "io/render/mesh_faces.hpp"
 #include "io/render/oriented_view.hpp"
-#include "io/scene/scene_for_all.hpp"
 
 namespace thaw {
 
@@ -46,30 +43,27 @@ void divide(const std::array<Corner, 3>& t, double most, std::vector<std::array<
   divide({half, b, c}, most, out);
 }
 
-/// Planes are floors in pictures.
-bool isPlane(const Obstacle& obstacle) {
-  const Bounds box = makeSignedDistance(obstacle.shape, meshLoader())->bounds();
-  return !std::isfinite(length(box.max - box.min));
+bool drawnSolid(const Wall& wall) {
+  const bool plane = !std::isfinite(length(wall.bounds.max - wall.bounds.min));
+  return wall.properties.look == ObstacleLook::Solid && !plane && !wall.isImage();
 }
 
 /// Makes a view of surfels of one of particles.
 void makeDiscs(float radius, FrameView& view) {
   if (view.normals.empty() && !view.positions.empty()) spheresToDiscs(view, radius);
-  const std::size_t n = view.positions.size();
-  view.values.resize(n, std::numeric_limits<float>::quiet_NaN());
-  view.colours.resize(n, Rgb{188, 193, 200});
-  view.components.resize(n, 0);
+  extendArrays(view);
   if (view.paint == SurfelPaint::Plain) view.paint = SurfelPaint::Surface;
   if (view.paint == SurfelPaint::Values) view.paint = SurfelPaint::Mixed;
 }
 
 }  // namespace
 
-std::vector<DrawnObstacle> solidObstacles(const Scene& scene) {
+std::vector<DrawnObstacle> solidObstacles(const Walls& walls) {
   std::vector<DrawnObstacle> all;
-  for (const Obstacle& obstacle : scene.obstacles) {
-    if (obstacle.look != ObstacleLook::Solid || isPlane(obstacle)) continue;
-    const ComponentMesh made = obstacleMesh(obstacle, scene.domain);
+  for (const Wall& wall : walls.list) {
+    if (!drawnSolid(wall)) continue;
+    const Obstacle& obstacle = wall.properties;
+    const ComponentMesh made = obstacleMesh(obstacle, {});
     const std::vector<Vec3d>& vertices = made.mesh.vertices;
     ViewBox box;
     for (const Vec3d& x : vertices) box.add(x);
@@ -84,13 +78,7 @@ std::vector<DrawnObstacle> solidObstacles(const Scene& scene) {
       }
       divide(corners, most, triangles);
     }
-    const Vec3f c = colourOf(obstacle);
-    DrawnObstacle drawn{
-        {},
-        {},
-        obstacle.motion,
-        obstacle.until,
-        {static_cast<std::uint8_t>(c.x), static_cast<std::uint8_t>(c.y), static_cast<std::uint8_t>(c.z)}};
+    DrawnObstacle drawn{{}, {}, obstacle.motion, obstacle.until, rgbOf(obstacle.colour)};
     for (const auto& t : triangles)
       for (const Corner& corner : t) {
         drawn.places.push_back(corner.place);

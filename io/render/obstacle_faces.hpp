@@ -3,20 +3,28 @@
 #pragma once
 #include <vector>
 
-#include "core/scene/scene.hpp"
+#include "core/walls/walls.hpp"
 #include "io/render/render_frames.hpp"
 
 namespace thaw {
 
+/// An obstacle drawn as a solid: three corners a triangle, at rest.
+struct DrawnObstacle {
+  std::vector<Vec3d> places, normals;  ///< m; unit, outward
+  std::vector<Keyframe> motion;
+  double until = never;  ///< s
+  Rgb colour;
+};
+
 /// Returns the obstacles that look solid, with triangles small enough for their shadows, but no planes, which
-/// are floors. Throws like makeSignedDistance.
-std::vector<DrawnObstacle> solidObstacles(const Scene& scene);
+/// are floors, and no periodic images. Throws like makeSignedDistance.
+std::vector<DrawnObstacle> solidObstacles(const Walls& walls);
 
 /// Adds the places of the obstacles at their keyframes to a box.
 void addToBox(const std::vector<DrawnObstacle>& obstacles, ViewBox& box);
 
-/// Adds the obstacles that are present at the time of the view. Particles become balls of discs; radius (m):
-/// of these.
+/// Adds the obstacles that are present at the time of the view. Particles become balls of
+/// discs of this radius (m).
 void addObstacles(const std::vector<DrawnObstacle>& obstacles, float radius, FrameView& view);
 
 }  // namespace thaw

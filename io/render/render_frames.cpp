@@ -158,7 +158,8 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
   style.background = job.background;
   style.sun = job.sun;
   style.stage = common.box;
-  addToBox(job.solids, style.stage);  // floors fade away from all that casts shadows
+  const std::vector<DrawnObstacle> solids = solidObstacles(job.walls);
+  addToBox(solids, style.stage);  // floors fade away from all that casts shadows
   style.camera = job.camera ? *job.camera
                             : fittedCamera(common.box, static_cast<double>(job.width) / job.height);
   style.spacing = job.spacing > 0 ? job.spacing : static_cast<float>(common.spacing);
@@ -181,7 +182,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
       const std::lock_guard lock(reading);
       frame = read(job.frames[f], job.field);
     }
-    if (!job.solids.empty()) addObstacles(job.solids, 0.6f * style.spacing, frame);
+    if (!solids.empty()) addObstacles(solids, 0.6f * style.spacing, frame);
     RenderStyle now = style;
     addWalls(job.walls, frame.time, now);
     Image picture = pictureOf(frame, job, now, job.frames.size() == 1 ? threads : 1);

@@ -32,14 +32,6 @@ struct FrameView {
   SurfelPaint paint = SurfelPaint::Plain;
 };
 
-/// An obstacle drawn as a solid: three corners a triangle, at rest.
-struct DrawnObstacle {
-  std::vector<Vec3d> places, normals;  ///< m; unit, outward
-  std::vector<Keyframe> motion;
-  double until = never;  ///< s
-  Rgb colour;
-};
-
 /// Reads a frame's positions and one field; an empty name selects positions only. Throws std::runtime_error
 /// with file and cause. Call from one thread at a time: HDF5 is not thread-safe.
 using ReadFrame = std::function<FrameView(const std::filesystem::path& file, const std::string& field)>;
@@ -58,11 +50,10 @@ struct FrameJob {
   float spacing = 0;       ///< m
   PeriodicSides periodic;  ///< sides of the domain: surfaces across them are unwrapped
   float radius = 0;        ///< radius of spheres in spacings, or surfels' discs in their radii; 0: default
-  Walls walls;             ///< at their rest poses: planes become floors, other obstacles glass
-  std::vector<DrawnObstacle> solids;  ///< obstacles that look solid
-  std::optional<Rgb> background;      ///< empty: a pale sky
-  std::optional<Vec3d> sun;           ///< direction to the sun; empty: over the camera's left shoulder
-  int threads = 0;                    ///< 0: one per core
+  Walls walls;             ///< at their rest poses: planes are floors, other obstacles glass or solid
+  std::optional<Rgb> background;  ///< empty: a pale sky
+  std::optional<Vec3d> sun;       ///< direction to the sun; empty: over the camera's left shoulder
+  int threads = 0;                ///< 0: one per core
   std::function<void(Image&, const RenderStyle&)> over;  ///< draws over each picture; empty: nothing
 };
 

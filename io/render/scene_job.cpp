@@ -6,7 +6,6 @@
 
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/scene/modules.hpp"
-#include "io/render/obstacle_faces.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_for_all.hpp"
 
@@ -26,13 +25,8 @@ FrameJob jobOfScene(const Scene& scene) {
   job.height = scene.output.height;
   job.spacing = static_cast<float>(scene.spacing);
   job.periodic = periodicSidesOf(scene.domain);
-  const auto rgb = [](std::uint32_t c) {
-    return Rgb{static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(c >> 8),
-               static_cast<std::uint8_t>(c >> 16)};
-  };
-  if (scene.output.background) job.background = rgb(*scene.output.background);
+  if (scene.output.background) job.background = rgbOf(*scene.output.background);
   job.sun = scene.output.sun;
-  job.solids = solidObstacles(scene);
   const MeshLoader load = meshLoader();
   for (const Obstacle& obstacle : scene.obstacles) {
     Wall wall;

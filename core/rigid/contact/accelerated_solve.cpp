@@ -16,6 +16,10 @@ Vec3d projected(const Vec3d& impulse, const RigidContact& c, double friction) {
   return normal * c.normal + (size > most ? (most / size) * tangential : tangential);
 }
 
+double frictionOf(const ContactConditions& conditions, const RigidContact& c) {
+  return conditions.friction ? c.friction : 0;
+}
+
 enum Sum { Curvature, Size, Descent, sums };
 
 struct Iteration {
@@ -26,8 +30,6 @@ struct Iteration {
   std::vector<RowChange> extrapolatedRows, nextRows;
   double stepFactor = 0.25;  ///< 1, of the inertia of mass splitting
   double momentum = 1;       ///< Nesterov's t
-
-  double frictionOf(const RigidContact& c) const { return conditions.friction ? c.friction : 0; }
 };
 
 /// Sets `next` to the projected gradient step from `extrapolated`; returns the largest change in m/s.
@@ -39,7 +41,7 @@ double gradientStep(Iteration& it) {
     if (!(inertia > 0)) continue;
     const Vec3d u = it.conditions.free[i] + relativeChange(c, it.extrapolatedRows) -
                     it.conditions.target[i] * c.normal;
-    it.next[i] = projected(it.extrapolated[i] - u / inertia, c, it.frictionOf(c));
+    it.next[i] = projected(it.extrapolated[i] - u / inertia, c, frictionOf(it.conditions, c));
     largest = std::max(largest, inertia * length(it.next[i] - it.extrapolated[i]));
   }
   return largest;
@@ -108,10 +110,9 @@ double energyScale(const ContactSystem& system, const ContactConditions& conditi
 
 SolveCount solveAccelerated(ContactSystem& system, const ContactConditions& conditions,
                             std::span<Vec3d> impulses, std::vector<RowChange>& rows) {
-  const auto frictionOf = [&](const RigidContact& c) { return conditions.friction ? c.friction : 0.0; };
   for (std::size_t i = 0; i < impulses.size(); i++)
     impulses[i] = system.inertia[i] > 0
-                      ? projected(impulses[i], system.contacts[i], frictionOf(system.contacts[i]))
+                      ? projected(impulses[i], system.contacts[i], frictionOf(conditions, system.contacts[i]))
                       : Vec3d{};
   applyImpulses(system, impulses, rows);
   const double scale = energyScale(system, conditions, impulses);

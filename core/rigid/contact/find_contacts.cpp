@@ -8,7 +8,9 @@
 #include "core/neighbours/rows_around.hpp"
 #include "core/rigid/contact/element_pairs.hpp"
 #include "core/rigid/contact/reduce_contacts.hpp"
+#include "core/solid/data/weight.hpp"
 #include "core/walls/faces.hpp"
+#include "core/walls/reachable.hpp"
 
 namespace thaw {
 namespace {
@@ -25,13 +27,6 @@ PlacedElement placed(const ContactSearch& s, std::size_t i) {
   const Continuum& p = s.particles;
   return {p.position[i], rotated(s.pieces.orientation[p.pieceRow[i]], wide(p.faceNormal[i])),
           static_cast<double>(p.faceOffset[i]), static_cast<double>(p.faceRadius[i])};
-}
-
-/// Vector between two points, the shortest one over periodic sides.
-Vec3d shortest(const CellGrid& g, Vec3d d) {
-  for (int a = 0; a < 3; a++)
-    if (g.periodic[a]) d[a] -= g.period[a] * std::round(d[a] / g.period[a]);
-  return d;
 }
 
 bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const RigidContact& c) {
@@ -84,6 +79,7 @@ bool onePieceAround(const SurfaceCells& t, std::size_t c, std::vector<RowSpan>& 
 struct Search {
   const ContactSearch& in;
   std::span<const PieceMotion> motion;
+  Periods periods;
   std::vector<FoundContact> found;
 };
 
@@ -95,7 +91,7 @@ FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) 
   c.a = p.pieceRow[i];
   c.normal = e.normal;
   c.gap = e.gap;
-  c.armA = shortest(s.in.grid, e.point - s.motion[c.a].centre);
+  c.armA = minimumImage(e.point - s.motion[c.a].centre, s.periods);
   c.keyA = p.id[i];
   f.pieceA = p.piece[i];
   f.particle = i;
@@ -116,7 +112,7 @@ void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
   RigidContact& c = f.contact;
   const Material &m = s.in.scene.materials[p.material[i]], &o = s.in.scene.materials[p.material[to.row]];
   c.b = p.pieceRow[to.row];
-  c.armB = shortest(s.in.grid, to.contact->point - s.motion[c.b].centre);
+  c.armB = minimumImage(to.contact->point - s.motion[c.b].centre, s.periods);
   c.friction = std::min(m.friction, o.friction);
   c.restitution = std::min(m.restitution, o.restitution);
   c.keyB = p.id[to.row];
@@ -220,30 +216,6 @@ void findPairs(Search& s) {
   }
 }
 
-/// Walls near the surface particles of a cell.
-void findReachable(const ContactSearch& s, std::uint64_t key, std::vector<std::uint32_t>& walls) {
-  const CellGrid& g = s.grid;
-  const Vec3i c = cellOfKey(key);
-  Vec3d centre;
-  bool border = false;
-  for (int a = 0; a < 3; a++) {
-    border = border || (!g.periodic[a] && (c[a] <= 0 || c[a] >= g.cells[a] - 1));
-    centre[a] = g.origin[a] + (c[a] + 0.5) * g.edge[a];
-  }
-  const double reach = g.support + 0.51 * length(g.edge);
-  walls.clear();
-  for (std::size_t k = 0; k < s.walls.list.size(); k++) {
-    const Wall& wall = s.walls.list[k];
-    if (!wall.present) continue;
-    if (!border) {
-      const Vec3d rest = toRest(wall.pose, centre);
-      if (!nearBounds(wall.bounds, rest, reach) || wall.shape->distanceWithin(rest, 1.01 * reach) > reach)
-        continue;
-    }
-    walls.push_back(static_cast<std::uint32_t>(k));
-  }
-}
-
 void addWallContact(Search& s, std::uint32_t i, std::uint32_t k, const ElementContact& e) {
   FoundContact f = startOf(s, i, e);
   RigidContact& c = f.contact;
@@ -287,7 +259,7 @@ void findObstacles(Search& s) {
     bool listed = false;
     for (std::uint32_t i = begin; i < end; i++) {
       if (!hasSurface(p, i)) continue;
-      if (!listed) findReachable(s.in, s.in.cells.key[c], walls);
+      if (!listed) findReachable(s.in.grid, s.in.walls, s.in.cells.key[c], walls);
       listed = true;
       for (const std::uint32_t k : walls) wallContacts(s, i, k);
     }
@@ -298,7 +270,7 @@ void findObstacles(Search& s) {
 
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
                                        Reducer& all) {
-  Search s{search, motion, {}};
+  Search s{search, motion, periodsOf(search.grid), {}};
   findPairs(s);
   findObstacles(s);
   reduceContacts(s.found, search.pieces, search.scene.spacing, all);

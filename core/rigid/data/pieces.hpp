@@ -70,8 +70,8 @@ inline double ownInertia(double mass, double spacing) { return mass * spacing * 
 /// Angular velocity (rad/s) of a piece with this angular momentum.
 inline Vec3d spinOf(const Pieces& p, std::size_t row, const Vec3d& angularMomentum) {
   if (p.fixed[row]) return {};
-  const Quat q = p.orientation[row], back{q.w, -q.x, -q.y, -q.z};
-  const Vec3d l = rotated(back, angularMomentum), inertia = p.inertia[row];
+  const Quat q = p.orientation[row];
+  const Vec3d l = rotated(conjugate(q), angularMomentum), inertia = p.inertia[row];
   return rotated(q, {l.x / inertia.x, l.y / inertia.y, l.z / inertia.z});
 }
 

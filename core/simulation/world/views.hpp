@@ -29,8 +29,7 @@ inline OrientedView orientedView(World& w, StepTools& t) {
 }
 
 inline RigidView rigidView(World& w, StepTools& t) {
-  return {w.scene, w.modules,      w.grid,  w.particles, w.cells,    w.pieces,
-          w.walls, t.wallContacts, w.clock, w.ledger,    w.counters, t.rigid};
+  return {w.scene, w.grid, w.particles, w.cells, w.pieces, w.walls, w.ledger, t.rigid};
 }
 
 inline SheetView sheetView(World& w) {

@@ -10,6 +10,11 @@ namespace thaw {
 struct Rgb {
   std::uint8_t r = 0, g = 0, b = 0;
 };
+/// Colour of a scene: red | green << 8 | blue << 16.
+inline Rgb rgbOf(std::uint32_t colour) {
+  return {static_cast<std::uint8_t>(colour), static_cast<std::uint8_t>(colour >> 8),
+          static_cast<std::uint8_t>(colour >> 16)};
+}
 inline bool operator==(const Rgb& a, const Rgb& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
 
 /// Picture with 8 bits per channel (sRGB), rows from the top.

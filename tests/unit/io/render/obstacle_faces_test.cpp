@@ -114,7 +114,7 @@ TEST(ObstacleFaces, TheBackgroundHasItsColour) {
 }
 
 TEST(ObstacleFaces, TrianglesAreSmallAndKeepTheArea) {
-  const std::vector<DrawnObstacle> all = solidObstacles(boxScene("solid"));
+  const std::vector<DrawnObstacle> all = solidObstacles(jobOfScene(boxScene("solid")).walls);
   ASSERT_EQ(all.size(), 1u);  // not the plane
   double area = 0;
   for (std::size_t k = 0; k < all[0].places.size(); k += 3) {
