@@ -91,6 +91,12 @@ struct Continuum : Table {
       "derivative of the surface energy per volume with respect to the colour"};
   Column<float> viscosityCorrection{*this, "viscosityCorrection", "1", Keep::State,
       "factor of the viscosity minus 1 (core/fluid/laws/viscosity_factor.hpp)"};
+  Column<float> apparentViscosity{*this, "apparentViscosity", "Pa s", Keep::State,
+      "viscosity at the shear rate of the last step (core/fluid/rheology/)"};
+  Column<float> compressionRate{*this, "compressionRate", "1/s", Keep::State,
+      "rate of the relative density in the last step; volume viscosity uses it"};
+  Column<float> volumeFactor{*this, "volumeFactor", "1", Keep::State,
+      "volume at rest, over that of its material's liquid at its reference temperature"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State,
       "from implicit viscosity in the last step; initial guess of the next solve"};
   Column<Vec3d> viscousSearch{*this, "viscousSearch", "m/s", Keep::Transient,
@@ -100,6 +106,8 @@ struct Continuum : Table {
       "0 at the solidus; at 0 K for materials that do not melt"};
   Column<double> temperature{*this, "temperature", "K", Keep::State,
       "function of the enthalpy; a state variable of its own in the paper's heat model"};
+  Column<float> absorbed{*this, "absorbed", "W", Keep::State,
+      "power of lamps, lasers and heated regions into the particle", Rows::Owned};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction; blend parameter of the material"};
   Column<u8> phase{*this, "phase", "1", Keep::State, "Solid: has or may have bonds; Liquid: has none"};
   // Surface (core/surface/).

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "core/math/vec3.hpp"
+#include "core/scene/flow_law.hpp"
+#include "core/scene/heat_sources.hpp"
 #include "core/scene/oriented_body.hpp"
 #include "core/scene/position_field.hpp"
 #include "core/scene/shape.hpp"
@@ -47,6 +49,16 @@ struct Material {
                           // scene
   double xsph = 0;        // 1, velocity smoothing (XSPH)
   double artificialViscosity = 0;  // 1, Monaghan's alpha
+  double bulkDamping = 0;          // 1, volume viscosity over density, speed of sound and support radius
+  FlowLawSettings flowLaw;         // replaces viscosity if not Newtonian
+  TemperatureTable surfaceTensionTable;  // N/m, linear; replaces surfaceTension if not empty
+  double solidDensity = 0;               // kg/m^3, at rest; 0: density
+  double expansion = 0;                  // 1/K, volume expansion of the liquid
+  TemperatureTable densityTable;         // kg/m^3, of the liquid; replaces density and expansion if not empty
+  double expansionFrom = 0;              // K, temperature of `density`; 0: the ambient temperature
+  double mushDrag = 0;                   // kg/(m^3 s), Carman-Kozeny coefficient between solidus and liquidus
+  TemperatureTable evaporation;          // kg/(m^2 s), mass flux at the free surface, linear
+  double evaporationHeat = 0;            // J/kg
   // solid
   Blend young;              // Pa; a solid value > 0 allows the material to be solid
   Blend poisson{0.3, 0.3};  // 1
@@ -71,13 +83,15 @@ struct Material {
   Blend heatCapacity{1000, 1000};            // J/(kg K)
   double latentHeat = 0;                     // J/kg
   double solidus = never, liquidus = never;  // K; never: does not melt
-  double hysteresis = 0;  // 1, required liquid fraction: liquid freezes below it, solid melts above 1 minus
-                          // it
-  double heatSource = 0;  // W/kg
-  double emissivity = 0;  // 1, radiation from free surfaces to the ambient
-  double convection = 0;  // W/(m^2 K), from free surfaces to the ambient
-  double paperDiffusivity = 0;  // m^2/s, k_heat of K05, for heat model "paper"
-  bool liquidAtStart = false;   // only for materials that do not melt: initial phase
+  double hysteresis = 0;    // 1, required liquid fraction: liquid freezes below it, solid melts above 1 minus
+                            // it
+  double heatSource = 0;    // W/kg
+  double emissivity = 0;    // 1, radiation from free surfaces to the ambient
+  double convection = 0;    // W/(m^2 K), from free surfaces to the ambient
+  double absorptivity = 1;  // 1, fraction of the light of lamps and lasers that it absorbs
+  double contactConductance = never;  // W/(m^2 K), between bodies; never: as if bonded
+  double paperDiffusivity = 0;        // m^2/s, k_heat of K05, for heat model "paper"
+  bool liquidAtStart = false;         // only for materials that do not melt: initial phase
   bool melts() const { return solidus < never; }
   bool isRigid() const { return law == ElasticLaw::Rigid; }
   bool canBeSolid() const { return young.solid > 0 || isRigid(); }
@@ -128,6 +142,7 @@ struct Obstacle {
   double friction = 0.3;              // 1, Coulomb, for solids
   double restitution = 0.5;           // 1, for solids
   bool slip = false;                  // liquids slip freely; else they stick
+  double contactAngle = 90;           // degrees, of liquids with surface tension
   std::vector<Keyframe> motion;
   double until = never;                     // s, the obstacle disappears at this time
   ObstacleLook look = ObstacleLook::Glass;  // in pictures
@@ -166,6 +181,7 @@ enum class PressureSolver { StateEquation, Incompressible };
 enum class ViscosityForm { Pairwise, Laplacian };
 enum class ViscositySolver { Explicit, Implicit };
 enum class TensionForm { Pairwise, ColourField, SurfaceEnergy };  // ColourField: as printed in MCG03/K05
+enum class Buoyancy { Automatic, Boussinesq, Density };
 enum class HeatModel { Enthalpy, Paper };
 enum class Conduction {
   Normalised,
@@ -198,6 +214,7 @@ struct Numerics {
   double viscosityTolerance = 1e-3;        // 1, error of the implicit solver's velocity change
   std::int64_t viscosityIterations = 200;  // limit per step
   TensionForm tension = TensionForm::SurfaceEnergy;
+  Buoyancy buoyancy = Buoyancy::Automatic;  // of materials with expansion
   HeatModel heat = HeatModel::Enthalpy;
   Conduction conduction = Conduction::Normalised;
   bool selfContact = true;        // pieces of one solid collide with each other
@@ -321,6 +338,9 @@ struct Scene {
   std::vector<Emitter> emitters;
   std::vector<Obstacle> obstacles;
   std::vector<Thermostat> thermostats;
+  std::vector<Lamp> lamps;
+  std::vector<Laser> lasers;
+  std::vector<HeatedRegion> heatedRegions;
   std::vector<ExtensionSettings> extensions;
   SurfaceSettings surface;
   Output output;
