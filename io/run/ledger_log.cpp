@@ -82,7 +82,7 @@ void addEnergy(Columns& c, const LedgerReport& l, const StoredParts& parts) {
     c.add(fmt::format("{}_potential_J", name), flow->potential);
   }
   c.add("energy_residual_J", l.energyResidual);
-  c.add("energy_scale_J", l.energyScale);
+  c.add("energy_scale_J", l.energyLargest);
   c.add("energy_rounding_J", l.energyRounding);
 }
 

@@ -160,7 +160,7 @@ std::map<std::string, double> PythonSimulation::ledger() {
           {"heat_in", l.heatIn},
           {"phase_jump", l.phaseJump},
           {"energy_residual", l.energyResidual},
-          {"energy_scale", l.energyScale},
+          {"energy_scale", l.energyLargest},
           {"heat_residual", l.heatResidual},
           {"heat_scale", l.heatScale},
           {"mass_residual", l.massResidual},

@@ -62,7 +62,7 @@ Columns columnsOf(const Progress& p, const RunSummary& s) {
   add("dissipated_J", l.dissipated);
   add("wall_work_J", l.wallWork);
   add("energy_residual_J", l.energyResidual);
-  add("energy_scale_J", l.energyScale);
+  add("energy_scale_J", l.energyLargest);
   add("energy_rounding_J", l.energyRounding);
   add("heat_residual_J", l.heatResidual);
   for (const char* name : {"density", "divergence", "viscosity"}) {
@@ -88,7 +88,7 @@ Columns columnsOf(const Progress& p, const RunSummary& s) {
 /// Returns the residual over the largest term of the ledger.
 std::string residualShare(const LedgerReport& l) {
   return isRounding(l) ? "rounding"
-                       : fmt::format("{:+.1e}", l.energyScale > 0 ? l.energyResidual / l.energyScale : 0);
+                       : fmt::format("{:+.1e}", l.energyLargest > 0 ? l.energyResidual / l.energyLargest : 0);
 }
 
 std::string headOf(const Columns& columns) {

@@ -195,8 +195,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
                     "in long pours and splashes; numerics.density = \"summation\" does not drift",
                     c.crowded));
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
-  const double largest = std::max(l.energyScale, l.energyLargest);  // a scene at rest has little energy left
-                                                                    // for comparison
+  const double largest = l.energyLargest;
   if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)
     w.push_back(
         fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term "

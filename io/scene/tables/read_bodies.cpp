@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_sections.hpp"
 
+#include "core/scene/field_values.hpp"
 #include "io/scene/tables/read_fields.hpp"
 #include "io/scene/tables/read_shape.hpp"
 
@@ -65,7 +66,7 @@ void readEmitter(TableReader& r, Emitter& e, SceneReading& x) {
   });
   r.vector("centre", e.centre, "m", "middle of the opening");
   r.vector("direction", e.direction, "", "direction of the flow; any length but 0");
-  r.number("speed", e.speed, "m/s", positive(), "speed of the flow");
+  r.number("speed", e.speed, "m/s", {0, fastestStart, true, false, false}, "speed of the flow");
   r.number("rate", e.rate, "kg/s", notNegative(), "mass flow; 0: the flow at this speed");
   readVelocityField(r, e.velocityField,
                     "velocity by position in the opening, added to the flow, as { x = \"-5*y\", y = \"5*x\" "

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/scene/field_values.hpp"
 #include "io/scene/text/expression.hpp"
 #include "io/scene/text/value_text.hpp"
 
@@ -34,7 +35,7 @@ void readNumberOrField(TableReader& r, const NumberKey& k, double& value, Positi
 void readComponents(TableReader& r, Vec3d& velocity, VelocityField& field) {
   constexpr const char* axes[3] = {"x", "y", "z"};
   for (int a = 0; a < 3; a++)
-    readNumberOrField(r, {axes[a], "m/s", anyNumber(), ""}, velocity[a], field.component[a]);
+    readNumberOrField(r, {axes[a], "m/s", between(-fastestStart, fastestStart), ""}, velocity[a], field.component[a]);
 }
 
 /// Returns three components as they would be in a list.
@@ -50,8 +51,12 @@ std::string componentsText(const Vec3d& velocity, const VelocityField& field) {
 void readVelocity(TableReader& r, Vec3d& velocity, VelocityField& field, const char* about) {
   if (r.recording())
     return static_cast<void>(r.node("velocity", "m/s", "", "", componentsText(velocity, field)));
-  if (!r.isTable("velocity"))
-    return r.orAs(KeyForm::Type::Expression).vector("velocity", velocity, "m/s", about);
+  if (!r.isTable("velocity")) {
+    r.orAs(KeyForm::Type::Expression).vector("velocity", velocity, "m/s", about);
+    for (int a = 0; a < 3; a++)
+      if (!isStartSpeed(velocity[a])) return r.fail("velocity", expectedSpeeds);
+    return;
+  }
   r.table("velocity", about, [&](TableReader& t) { readComponents(t, velocity, field); });
 }
 
