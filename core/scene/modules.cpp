@@ -134,7 +134,7 @@ Modules modulesOf(const Scene& s) {
   for (const Emitter& e : s.emitters) source(e, "emitter " + quoted(e.name), false);
 
   if (m.fluid && s.numerics.density == DensityForm::Continuity)
-    f.on(m.continuity, "density by continuity", "numerics.density");
+    f.on(m.continuity, "density by continuity", "liquid with numerics.density = \"continuity\"");
   if (m.continuity && s.numerics.correctedGradients)
     f.on(m.corrected, "corrected gradients", "numerics.corrected_gradients");
   if (m.fluid && s.numerics.shifting > 0) f.on(m.shifting, "shifting of particles", "numerics.shifting");

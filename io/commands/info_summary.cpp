@@ -10,6 +10,7 @@
 #include "io/run/run_lock.hpp"
 #include "io/text/bytes_text.hpp"
 #include "io/text/short_text.hpp"
+#include "io/text/speed_text.hpp"
 
 using Json = nlohmann::ordered_json;
 
@@ -119,9 +120,9 @@ std::vector<std::string> summaryOfRun(const Json& run) {
     addContents(s, lines);
     lines.push_back(
         named("performance",
-              fmt::format("{:.4g} s on {} rank{}, {:.3g} M particle-steps/s, imbalance {:.2f}, {} per rank",
-                          numberOf(s, "wall_s"), s.value("ranks", 1), s.value("ranks", 1) == 1 ? "" : "s",
-                          numberOf(s, "particle_steps_per_second") / 1e6, numberOf(s, "imbalance"),
+              fmt::format("{:.4g} s on {} rank{}, {}, imbalance {:.2f}, {} per rank", numberOf(s, "wall_s"),
+                          s.value("ranks", 1), s.value("ranks", 1) == 1 ? "" : "s",
+                          speedText(numberOf(s, "particle_steps_per_second")), numberOf(s, "imbalance"),
                           bytesText(numberOf(s, "peak_memory_bytes")))));
     addLedger(s, lines);
     if (s.contains("counters"))

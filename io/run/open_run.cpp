@@ -14,6 +14,7 @@
 #include "io/scene/scene_for_all.hpp"
 #include "io/scene/scene_warnings.hpp"
 #include "io/text/short_text.hpp"
+#include "io/text/speed_text.hpp"
 
 namespace thaw {
 namespace {
@@ -48,7 +49,8 @@ void describe(Run& r) {
     r.warn(fmt::format(
         "the launcher started {} processes but MPI reports {}: launcher and MPI library do not match",
         launched, world));
-  r.say(fmt::format("{}: {}", r.options.scene, shortText(r.world.scene.title, longestTitle)));
+  const std::string title = shortText(r.world.scene.title, longestTitle);
+  r.say(r.options.scene + (title.empty() ? "" : ": " + title));
   r.say("  " + resolutionLine(r.world.scene, r.options.overrides));
   for (const std::string& why : r.world.modules.why) r.say("  " + why);
   for (const std::string& line : sceneWarnings(r.world.scene)) r.warn(line);
@@ -84,10 +86,10 @@ std::string relaxationEnd(const OrientedWork& o, int& code) {
 /// Prints the last lines of a run.
 void sayEnd(Run& r, const std::string& why) {
   const std::size_t earlierWarnings = r.summary.warnings.size();
-  r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} rank{}, {:.1f} s",
-                    r.summary.status, r.world.clock.time, r.world.clock.step,
-                    why.empty() ? "" : " (" + why + ")", r.summary.particleSteps / r.summary.wall / 1e6,
-                    r.comm.size(), r.comm.size() == 1 ? "" : "s", r.summary.wall));
+  r.say(fmt::format("{} at t {:.6g} s, step {}{}; {} with {} rank{}, {:.1f} s", r.summary.status,
+                    r.world.clock.time, r.world.clock.step, why.empty() ? "" : " (" + why + ")",
+                    speedText(r.summary.particleSteps / r.summary.wall), r.comm.size(),
+                    r.comm.size() == 1 ? "" : "s", r.summary.wall));
   for (const std::string& line : surfaceLines(r.summary.surface)) r.say(line);
   for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.warn(w);
   for (const std::string& w : surfaceWarnings(r.summary.surface)) r.warn(w);

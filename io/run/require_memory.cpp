@@ -117,13 +117,13 @@ void requireMemory(const Communicator& comm, const World& world,
   if (!(worst[0] > 1)) return;
   const bool bySurface = surface > all;
   const std::string text = fmt::format(
-      "{} and at least {:.3g} GB of memory, but a machine of this run has {:.3g} GB; make {}, or run on more "
-      "machines",
-      bySurface ? fmt::format("the surface would take about {:.1e} surfels", surfels)
-                : fmt::format("the bodies would take about {:.1e} particles", particles),
+      "{}, and at least {:.3g} GB of memory, but a machine of this run has {:.3g} GB: "
+      "{}, or more machines",
+      bySurface ? fmt::format("the surface needs about {:.1e} surfels", surfels)
+                : fmt::format("the bodies need about {:.1e} particles", particles),
       (all + surface) / 1e9, -worst[1] / 1e9,
-      bySurface ? "surface.spacing larger"
-                : fmt::format("the spacing ({:.3g} m) larger (at least {:.2g} m)", world.scene.spacing,
+      bySurface ? "use a larger surface.spacing"
+                : fmt::format("use a spacing of at least {:.2g} m",
                               1.1 * world.scene.spacing * std::cbrt(worst[0])));
   if (shapes.empty()) throw std::runtime_error(text);
   const Body& body = world.scene.bodies[largest];

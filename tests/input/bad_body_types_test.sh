@@ -46,12 +46,12 @@ patch = { width = 0.1, depth = 0.4 }
 place = { move = [0.3, 0, 0] }"
 welds() { rejects "$1" "$2" 2 "$3" "$(bodyTypes "$4" <<<"$welded
 $5")"; }
-after="is part of 'a' by the weld at 0.001 s .line 9. and has no particles left"
+after="was merged into 'a' by the weld at 0.001 s .line 9."
 cut="[[oriented.event]]
 kind = 'cut'
 plane = { point = [0.3, 0, 0] }"
 welds "a cut of what was welded away" \
-  "late.toml:17:1: error: oriented body 'b': it $after for this cut at 0.002 s: expected this event in 'a', \
+  "late.toml:17:1: error: oriented body 'b': it $after: move this cut at 0.002 s to 'a', \
 or before that weld" check late "$cut
 time = 0.002"
 welds "the same in a run" "late2.toml:17:1: error: oriented body 'b': it $after" run late2 "$cut

@@ -31,19 +31,19 @@ printf 'v 0 0 0\nv 0.001 0 0\nv 0 0.001 0\nv 0 0 0.001\nf 1 3 2\nf 1 2 4\nf 1 4 
   >"$work/tiny.obj"
 rejects "body without particles" "body 'block' has no particle" 2 run "$(mesh tiny obj)"
 rejects "a mesh of another unit, with a scale too many" \
-  "has no particle.*; it is 1e-06 x 1e-06 x 1e-06 m large: without its place.scale of 0.001 it would be \
+  "has no particle.*; its size is 1e-06 x 1e-06 x 1e-06 m: without its place.scale of 0.001 it would be \
 0.001 m high" 2 run "$(mesh tiny obj)" --set spacing=0.0001 --set body.block.place.scale=0.001 \
   --set domain.min='[-0.01, -0.01, -0.01]' --set domain.max='[0.01, 0.01, 0.01]'
 printf 'v 0 0 0\nv 100 0 0\nv 0 200 0\nv 0 0 300\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >"$work/mm.obj"
 rejects "a mesh in millimetres" \
-  "body 'block': the bodies would take about .* memory.*; it is 100 x 200 x 300 m large: \
+  "body 'block': the bodies need about .* memory.*; its size is 100 x 200 x 300 m: \
 if its file is in millimetres, set place = . scale = 0.001 ., else" 2 run "$(mesh mm obj)"
 rejects "a mesh in centimetres" \
-  "body 'block': the bodies would take .*; it is 100 x 200 x 300 m large: if its file is in centimetres, \
+  "body 'block': the bodies need .*; its size is 100 x 200 x 300 m: if its file is in centimetres, \
 set place = . scale = 0.01 ., else" 2 check "$(mesh mm obj)" --set spacing=0.2 --set domain.max='[4, 4, 4]'
 rejects "a mesh that is too large in any unit" \
   "body 'block': .* lie outside of the domain, up to .* m beyond its side z = 4 m.*; \
-it is 10 x 20 x 30 m large: set place.scale or place.height" 2 check "$(mesh mm obj)" --set spacing=0.5 \
+its size is 10 x 20 x 30 m: set place.scale or place.height" 2 check "$(mesh mm obj)" --set spacing=0.5 \
   --set body.block.place.scale=0.1 --set domain.max='[4, 4, 4]'
 rejects "a body that is narrower than the spacing" \
   "^warning: .*good.toml:9:1: body 'block' is narrower than the spacing of 0.02 m .0.01 m along z.: \

@@ -39,7 +39,7 @@ launch 2 run "$work/net.toml" --steps 20 --out "$work/net" >"$work/log" 2>&1; ex
 launch 2 run "$work/net.toml" --restart --set oriented.net.event.0.time=0.045 --out "$work/net" \
   >"$work/log" 2>&1
 expectExit 0 "restart with another event"
-expectMessage "changed at the restart: oriented.net.event.0.time was 0.04, and is 0.045 now" \
+expectMessage "changed at the restart: oriented.net.event.0.time: 0.04 -> 0.045 s" \
   "restart with another event"
 launch 2 run "$work/net.toml" \
   --steps 2 --set 'oriented.net.field=[{push=[0,0,1],box={size=[0.1,0.1,0.1]},place={move=[0,0,0.8]}}]' \

@@ -88,25 +88,25 @@ refuses() {
   expectMessage 'cannot continue with this scene. Values that must not change' "$3"
   expectMessage "$2" "$3"
 }
-refuses 3 '^  sheet.cloth.mesh was 121 vertices .*, and is 49 vertices .* now (.*all.toml:17)' \
+refuses 3 '^  sheet.cloth.mesh: 121 vertices .* -> 49 vertices .* (.*all.toml:17)' \
   "sheet.cloth.mesh=\"$work/coarse.obj\""
-refuses 1 '^  sheet.cloth.mesh was 121 vertices .*, and is 121 vertices .* now' \
+refuses 1 '^  sheet.cloth.mesh: 121 vertices .* -> 121 vertices .*' \
   "sheet.cloth.mesh=\"$work/other.obj\""
-refuses 2 '^  sheet.cloth.region.0.plane.point was .0, 0, 0., and is .0.1, 0, 0. now (m) (.*all.toml:28)' \
+refuses 2 '^  sheet.cloth.region.0.plane.point: .0, 0, 0. -> .0.1, 0, 0. m (.*all.toml:28)' \
   'sheet.cloth.region.0.plane.point=[0.1,0,0]'
-refuses 2 '^  oriented.net.anchor.0.plane.point was .-0.2, 0, 0., and is .-0.1, 0, 0. now' \
+refuses 2 '^  oriented.net.anchor.0.plane.point: .-0.2, 0, 0. -> .-0.1, 0, 0.' \
   'oriented.net.anchor.0.plane.point=[-0.1,0,0]'
-refuses 2 '^  body.block.box.size was .0.2, 0.2, 0.2., and is .0.3, 0.2, 0.2. now (m)' \
+refuses 2 '^  body.block.box.size: .0.2, 0.2, 0.2. -> .0.3, 0.2, 0.2. m' \
   'body.block.box.size=[0.3,0.2,0.2]'
 cp "$work/cloth.obj" "$work/kept.obj" && cp "$work/coarse.obj" "$work/cloth.obj"
 again 3 2 "another mesh under the same name"
-expectMessage '^  sheet.cloth.mesh was 121 vertices .*, and is 49 vertices .* now' \
+expectMessage '^  sheet.cloth.mesh: 121 vertices .* -> 49 vertices .*' \
   "another mesh under the same name"
 mv "$work/kept.obj" "$work/cloth.obj"
 again 2 2 "heat, where there was none" --set sheet.cloth.conductance=5
 expectMessage "cannot continue.*A change needs data that the run has not stored: .*no field 'enthalpy'" \
   "heat, where there was none"
-expectMessage '^  sheet.cloth.conductance was 0, and is 5 now' "heat, where there was none"
+expectMessage '^  sheet.cloth.conductance: 0 -> 5' "heat, where there was none"
 grep -q '^warning: changed at the restart' "$work/log" &&
   fail "heat, where there was none: reported before it is refused"
 
@@ -115,20 +115,20 @@ again 2 0 "another quality" --set quality=preview
 expectMessage '^  spacing 0.05 m; quality preview (--set quality=preview)$' "another quality"
 again 2 2 "another spacing" --set spacing=0.04
 expectMessage '^  spacing 0.04 m; quality standard (--set spacing=0.04)$' "another spacing"
-tells 'sheet.cloth.wrap_to was "block", and is "net" now' 'sheet.cloth.wrap_to="net"'
-tells 'sheet.cloth.brush.0.motion.1.move was .0.3, 0, 0., and is .0.2, 0, 0. now (m)' \
+tells 'sheet.cloth.wrap_to: "block" -> "net"' 'sheet.cloth.wrap_to="net"'
+tells 'sheet.cloth.brush.0.motion.1.move: .0.3, 0, 0. -> .0.2, 0, 0. m' \
   'sheet.cloth.brush.0.motion=[{time=0},{time=0.5,move=[0.2,0,0]}]'
-tells 'oriented.net.cfl was 0.25, and is 0.2 now' 'oriented.net.cfl=0.2'
-tells 'obstacle.floor.plane.point was .0, 0, -0.6., and is .0, 0, -0.7. now (m)' \
+tells 'oriented.net.cfl: 0.25 -> 0.2' 'oriented.net.cfl=0.2'
+tells 'obstacle.floor.plane.point: .0, 0, -0.6. -> .0, 0, -0.7. m' \
   'obstacle.floor.plane.point=[0,0,-0.7]' 3
-tells 'obstacle.floor.motion.1.move was not in the scene then' \
+tells 'obstacle.floor.motion.1.move: not in the scene -> .0, 0, 0.1. m' \
   'obstacle.floor.motion=[{time=0},{time=1,move=[0,0,0.1]}]'
-tells 'domain.sides.z.low was "open", and is "wall" now' 'domain.sides={z=["wall","open"]}'
-tells 'numerics.cfl_elastic was .*, and is 0.2 now' 'numerics.cfl_elastic=0.2'
+tells 'domain.sides.z.low: "open" -> "wall"' 'domain.sides={z=["wall","open"]}'
+tells 'numerics.cfl_elastic: .* -> 0.2' 'numerics.cfl_elastic=0.2'
 again 2 0 "an event that has been" --set oriented.net.event.0.time=0.0005
 expectMessage \
-  '^warning: changed at the restart, without effect, since its time has passed: oriented.net.event.0.time '\
-'was 0.001, and is 0.0005 now' "an event that has been"
+  '^warning: changed at the restart, without effect, since its time has passed: oriented.net.event.0.time'\
+': 0.001 -> 0.0005 s' "an event that has been"
 events='{kind="cut",time=0.4,plane={point=[0,0,0]}},{kind="cut",time=0.001,plane={point=[0.1,0,0]}}'
 again 2 2 "a cut before one that has been made" --set "oriented.net.event=[$events]"
 expectMessage 'oriented.net.event.0: .* add new cuts after' "a cut before one that has been made"

@@ -13,6 +13,7 @@
 #include "io/text/bytes_text.hpp"
 #include "io/text/duration_text.hpp"
 #include "io/text/short_text.hpp"
+#include "io/text/speed_text.hpp"
 
 namespace thaw {
 namespace {
@@ -116,9 +117,9 @@ void printCost(const CheckReport& r) {
              bytesText(c.memoryPerRank), c.ranks, plural, c.bytesPerParticle,
              c.surface ? ", and " + bytesText(c.surfaceBytesPerRank) + " for the surface" : "");
   fmt::print(
-      "run time: about {} with {} rank{} ({} steps at {:.3g} M particle-steps/s and rank, measured here over "
+      "run time: about {} with {} rank{} ({} steps at {} and rank, measured here over "
       "{} steps{})\n",
-      rangeText(c.stepping), c.ranks, plural, countText(c.steps), c.particleStepsPerSecond / 1e6,
+      rangeText(c.stepping), c.ranks, plural, countText(c.steps), speedText(c.particleStepsPerSecond),
       c.measuredSteps,
       c.surface ? ": " + durationText(c.stepping) + ", and " + rangeText(0) + " for the surface" : "");
   if (takesTooLong(c)) fmt::print("warning: {}\n", tooLongText(r));

@@ -181,6 +181,13 @@ Records recordsOf(const Scene& s, const Modules& m) {
   return records;
 }
 
+/// Returns "the same error", "0.69 of the time" or "1.2 times the time".
+std::string ratioText(double ratio, const char* of) {
+  const std::string digits = fmt::format("{:.2g}", ratio);
+  if (digits == "1") return std::string("the same ") + of;
+  return digits + (ratio < 1 ? " of the " : " times the ") + of;
+}
+
 }  // namespace
 
 std::string settingList(const std::vector<std::string>& settings, const char* before) {
@@ -198,8 +205,9 @@ std::vector<std::string> frontierLines(const Scene& s, const Modules& m) {
     for (const FrontierPoint& p : frontierPoints()) {
       const std::string set = p.settings;
       if (like.cases != p.cases || !p.best || !usable(set, s, m)) continue;
-      line += fmt::format("{}{} {:.2g} % ({:.2g} times the time)", line.empty() ? "" : "; ",
-                          set.empty() ? "defaults" : settingList(ofScene(set, s), ""), 100 * p.error, p.cost);
+      line += fmt::format("{}{} {:.2g} % ({})", line.empty() ? "" : "; ",
+                          set.empty() ? "defaults" : settingList(ofScene(set, s), ""), 100 * p.error,
+                          ratioText(p.cost, "time"));
     }
     if (!line.empty()) lines.push_back(fmt::format("{} ({}): {}", like.part, like.cases, line));
   }
@@ -215,8 +223,8 @@ std::vector<Suggestion> frontierAdvice(const Scene& s, const Modules& m) {
       if (std::any_of(all.begin(), all.end(), [&](const Suggestion& a) { return a.settings == ofThis; }))
         continue;  // both more accurate and faster
       const Gain& g = records.at(set).*gain;
-      all.push_back({ofThis, fmt::format("{} {} ({}: {:.2g} times the error, {:.2g} times the time)", what,
-                                         settingList(ofThis, "--set "), g.part, g.error, g.cost)});
+      all.push_back({ofThis, fmt::format("{} {} ({}: {}, {})", what, settingList(ofThis, "--set "), g.part,
+                                         ratioText(g.error, "error"), ratioText(g.cost, "time"))});
     }
   };
   // No case may lose more than 2 % of accuracy, or 5 % of time for "faster". One case must gain 10 %.

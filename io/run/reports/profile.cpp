@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/text/speed_text.hpp"
 #include "parallel/balance.hpp"
 
 namespace thaw {
@@ -59,9 +60,9 @@ std::vector<std::string> profileLines(const Profile& p, const PhaseTimes& times,
   const RankSpread work = over(workOf(here), all);
   row("all work", work);
   row("waiting", t.waited);
-  lines.push_back(fmt::format("  imbalance of work {:.3f} (largest over mean); {:.3g} M particle-steps/s",
+  lines.push_back(fmt::format("  imbalance of work {:.3f} (largest over mean); {}",
                               work.mean > 0 ? work.most / work.mean : 1,
-                              wall > 0 ? static_cast<double>(particles) * steps / wall / 1e6 : 0));
+                              speedText(wall > 0 ? static_cast<double>(particles) * steps / wall : 0)));
   if (comm.size() == 1) return lines;
   lines.push_back(fmt::format("  {:<14}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}   per step and rank",
                               "messages for", "number", "most", "KiB", "most", "wait ms", "most"));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <functional>
 
@@ -43,6 +44,34 @@ Record recordOf(const Scene& s) {
   return record;
 }
 
+/// Returns a value whose decimal fractions are rounded to six digits. Quoted texts stay as they are.
+std::string roundedFractions(const std::string& value) {
+  constexpr const char* numeric = "+-.0123456789e";
+  std::string text;
+  bool quote = false;
+  for (std::size_t k = 0; k < value.size();) {
+    quote ^= value[k] == '"';
+    const std::size_t end = std::min(value.find_first_not_of(numeric, k), value.size());
+    const std::string number = value.substr(k, end - k);
+    const bool fraction = !quote && number.find('.') != std::string::npos &&
+                          (k == 0 || !std::isalnum(static_cast<unsigned char>(value[k - 1])));
+    text += fraction         ? fmt::format("{:.6g}", std::strtod(number.c_str(), nullptr))
+            : number.empty() ? value.substr(k, 1)
+                             : number;
+    k = std::max(end, k + 1);
+  }
+  return text;
+}
+
+/// Returns "0.01 -> 0.02 m", or "0.01 m -> "never"". Values that rounding makes equal have all digits.
+std::string changeText(const std::string& was, const std::string& is, const std::string& unit) {
+  const std::string then = roundedFractions(was), now = roundedFractions(is),
+                    ofNumber = unit.empty() ? "" : " " + unit;
+  const bool word = is.starts_with('"');
+  return (then == now ? was : then) + (word ? ofNumber : "") + " -> " + (then == now ? is : now) +
+         (word ? "" : ofNumber);
+}
+
 /// Returns the changes of entries of one effect whose keys are chosen.
 std::vector<std::string> changesOf(Restart effect, const CheckpointValues& stored, const Record& now,
                                    const std::function<bool(const std::string&)>& chosen) {
@@ -54,15 +83,16 @@ std::vector<std::string> changesOf(Restart effect, const CheckpointValues& store
     const std::string path = key.substr(prefix.size());
     const auto is = now.find(key);
     if (is == now.end())
-      changes.push_back(path + (values ? " was " + was + ", and" : "") + " is not in the scene any more");
+      changes.push_back(
+          path + (values ? ": " + changeText(was, "not in the scene", "") : " is not in the scene any more"));
     else if (is->second.standard != was)
-      changes.push_back(fmt::format("{} was {}, and is {} now{}", path, was, is->second.standard,
-                                    is->second.unit.empty() ? "" : " (" + is->second.unit + ")"));
+      changes.push_back(path + ": " + changeText(was, is->second.standard, is->second.unit));
   }
   for (const auto& [key, is] : now)
     if (key.starts_with(prefix) && chosen(key) && !stored.contains(key))
-      changes.push_back(key.substr(prefix.size()) + " was not in the scene then" +
-                        (values ? ", and is " + is.standard + " now" : ""));
+      changes.push_back(key.substr(prefix.size()) +
+                        (values ? ": " + changeText("not in the scene", is.standard, is.unit)
+                                : " was not in the scene then"));
   return changes;
 }
 

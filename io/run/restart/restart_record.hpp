@@ -16,7 +16,7 @@ namespace thaw {
 /// Requires: fingerprintMeshes.
 CheckpointValues restartRecordOf(const Scene& scene);
 
-/// Returns a line for each difference that prevents a restart: "spacing was 0.01, and is 0.02 now (m)".
+/// Returns a line for each difference that prevents a restart: "spacing: 0.01 -> 0.02 m".
 std::vector<std::string> restartConflicts(const CheckpointValues& stored, const Scene& scene);
 
 /// Returns a line for each change at which forces and energies jump: coefficients of materials, sheets,
@@ -34,7 +34,7 @@ std::vector<std::string> pastEventChanges(const CheckpointValues& stored, const 
 std::vector<std::string> initialStateChanges(const CheckpointValues& stored, const Scene& scene);
 
 /// Returns " (scene.toml:14)": the line of the smallest table whose key begins the text
-/// ("sheet.c.region.0.plane.point was ..."). Returns "" if none is known.
+/// ("sheet.c.region.0.plane.point: ..."). Returns "" if none is known.
 std::string placeOfRecordKey(const Scene& scene, const std::string& text);
 
 }  // namespace thaw

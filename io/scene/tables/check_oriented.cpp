@@ -26,19 +26,16 @@ std::string textOf(const Scene& s, const EventOfWelded& found) {
   const OrientedEvent& e = body.events[found.event];
   const std::string &gone = s.oriented[found.named].name, &into = s.oriented[found.into].name;
   const bool line = found.weld->where.line > 0 && found.weld->where.file == e.where.file;
-  const std::string since = fmt::format("part of '{}' by the weld at {:g} s{}", into, found.weld->time,
+  const std::string since = fmt::format("was merged into '{}' by the weld at {:g} s{}", into,
+                                        found.weld->time,
                                         line ? fmt::format(" (line {})", found.weld->where.line) : "");
   if (found.named == found.body)
-    return fmt::format(
-        "oriented body '{}': it is {} and has no particles left for this {} at {:g} s: expected this event "
-        "in '{}', or before that weld",
-        gone, since, nameOf(e.kind), e.time, into);
-  return fmt::format(
-      "oriented body '{}': this weld at {:g} s names '{}', which is {} and has no particles left: expected "
-      "{}",
-      body.name, e.time, gone, since,
-      found.into == found.body ? "one weld of the two"
-                               : "other = \"" + into + "\", or a time before that weld");
+    return fmt::format("oriented body '{}': it {}: move this {} at {:g} s to '{}', or before that weld", gone,
+                       since, nameOf(e.kind), e.time, into);
+  return fmt::format("oriented body '{}': this weld at {:g} s names '{}', which {}: expected {}", body.name,
+                     e.time, gone, since,
+                     found.into == found.body ? "one weld of the two"
+                                              : "other = \"" + into + "\", or a time before that weld");
 }
 
 }  // namespace

@@ -30,6 +30,13 @@ void checkSurface(const Scene& scene, std::vector<SceneError>& errors) {
                                   s.spacing, scene.spacing)});
 }
 
+/// Returns the place of the first of these keys of [numerics] in the scene, or the start of the file.
+SourcePlace placeOf(const SceneReading& x, std::initializer_list<const char*> keys) {
+  for (const char* key : keys)
+    if (const auto at = x.numerics.find(key); at != x.numerics.end()) return at->second;
+  return x.start;
+}
+
 }  // namespace
 
 void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
@@ -86,8 +93,9 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (n.sleepSpeed > 0) {
     const auto refuse = [&](bool is, const char* what) {
       if (is)
-        errors.push_back({x.start, std::string("numerics.sleep_speed cannot be combined with ") + what +
-                                       ": leave one of them out"});
+        errors.push_back(
+            {placeOf(x, {"sleep_speed"}), std::string("numerics.sleep_speed cannot be combined with ") +
+                                              what + ": leave one of them out"});
     };
     refuse(n.elasticSubsteps > 1, "numerics.elastic_substeps above 1");
     refuse(n.solver == PressureSolver::Incompressible, "numerics.pressure_solver = \"incompressible\"");
@@ -97,11 +105,11 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   }
   checkRigid(x, errors);
   if (n.solver == PressureSolver::Incompressible && n.pressure == PairForm::Printed)
-    errors.push_back({x.start,
+    errors.push_back({placeOf(x, {"pressure", "pressure_solver"}),
                       "numerics.pressure_solver = \"incompressible\" needs numerics.pressure = "
                       "\"consistent\": the printed form has no potential to solve for"});
   if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
-    errors.push_back({x.start,
+    errors.push_back({placeOf(x, {"tensile_limit"}),
                       "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit must be 0 "
                       "(no tension in liquid) or 1 (full tension, for boxes filled with liquid)"});
   if (s.surface.on) checkSurface(s, errors);
@@ -125,11 +133,11 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (n.tensileLimit == 0 || n.solver == PressureSolver::Incompressible || liquidFillsTheBox(s)) return;
   if (n.shifting == 0)
     errors.push_back(
-        {x.start,
+        {placeOf(x, {"tensile_limit", "shifting"}),
          "numerics.tensile_limit above 0 needs numerics.shifting above 0 (0.2 is recommended, with density = "
          "\"continuity\"): without shifting, negative pressure makes particles clump"});
   else if (n.density != DensityForm::Continuity)
-    errors.push_back({x.start,
+    errors.push_back({placeOf(x, {"tensile_limit", "density"}),
                       "numerics.tensile_limit above 0 needs numerics.density = \"continuity\": a summed "
                       "density is low at a free surface and causes tension there"});
 }

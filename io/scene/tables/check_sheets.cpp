@@ -34,21 +34,21 @@ void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
   }
 }
 
-/// Returns a force on a vertex that depends on its position, other than the spring to its rest position.
-/// Returns "" if there is none.
+/// Returns the name of a force on a vertex that depends on its position, other than the spring to its rest
+/// position. Returns "" if there is none.
 std::string positionDependentForce(const Scene& s, const SheetBody& b) {
   if (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 ||
       b.pull > 0)
-    return "its neighbours pull it";
-  if (!b.brushes.empty()) return "a brush pushes it";
-  if (b.wrap != 0) return "wrap draws it";
-  if (!s.obstacles.empty()) return "obstacles can touch it";
+    return "forces of its neighbours";
+  if (!b.brushes.empty()) return "the pressure of a brush";
+  if (b.wrap != 0) return "the pressure of the wrap";
+  if (!s.obstacles.empty()) return "contact with obstacles";
   for (const auto& axis : s.domain.side)
     for (const Side side : axis)
-      if (side == Side::Wall) return "walls of the domain can touch it";
+      if (side == Side::Wall) return "contact with walls of the domain";
   if (!s.bodies.empty() || !s.emitters.empty() || !s.oriented.empty() || s.sheets.size() > 1)
-    return "other bodies can touch it";
-  if (b.selfContact) return "its other vertices can touch it";
+    return "contact with other bodies";
+  if (b.selfContact) return "contact with other vertices";
   return "";
 }
 
@@ -67,8 +67,8 @@ void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std:
     errors.push_back({where, who + ": mass, damping and stiffness must not all be zero at the same time"});
     return;
   }
-  if (const std::string pulls = positionDependentForce(s, b); !damped && !pulls.empty())
-    errors.push_back({where, who + ": a massless, undamped vertex has no stable step where " + pulls +
+  if (const std::string force = positionDependentForce(s, b); !damped && !force.empty())
+    errors.push_back({where, who + ": a massless, undamped vertex has no stable step under " + force +
                                  ": expected mass, or damping at all times"});
   if (r && b.windDensity * factor(SheetFactor::Wind) > 0)
     errors.push_back({where, who + ": the air's drag on vertices without mass has no stable step: expected "

@@ -40,7 +40,7 @@ void readSections(TableReader& top, SceneReading& x) {
   if (s.title.find_first_of("\n\r") != std::string::npos)
     top.fail("title", "expected one line, got a text of several");
   top.as(Restart::State)
-      .number("spacing", s.spacing, "m", positive(), "distance of particles, which sets the resolution");
+      .number("spacing", s.spacing, "m", positive(), "particle spacing, which sets the resolution");
   top.as(Restart::Free).number("end", s.end, "s", notNegative(), "simulated time");
   top.as(Restart::Free)
       .choice("quality", s.quality, {"preview", "standard", "reference"},
@@ -62,6 +62,7 @@ void readSections(TableReader& top, SceneReading& x) {
   x.spacing = top.placeOf("spacing");
   top.table("numerics", "numerical method", [&](TableReader& r) {
     readNumerics(r, s.numerics);
+    if (r.reading()) x.numerics = r.placesOfKeys();
     noteOpenChoices(r, x.open);
     if (s.numerics.fixedStep > s.end)
       r.fail("fixed_step", "must not be longer than the simulated time (end)");

@@ -18,6 +18,7 @@ struct SceneReading {
   Scene* scene = nullptr;
   SourcePlace start;  ///< start of the file, for errors without a place
   SourcePlace domain, spacing;
+  std::map<std::string, SourcePlace> numerics;  ///< keys of [numerics] in the scene
   bool materials = true;  ///< all materials are tables, so an unknown name is an error of its own
   OpenChoices open;       ///< choices of [numerics] that the scene leaves open
   /// one per element of Scene::bodies, emitters, temperings

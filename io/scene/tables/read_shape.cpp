@@ -14,7 +14,7 @@ namespace thaw {
 void readPlace(TableReader& r, Shape& s) {
   r.table("place", "position of the shape: scaled, then rotated about x, y and z, then moved",
           [&](TableReader& p) {
-            p.number("scale", s.scale, "", positive(), "factor of size");
+            p.number("scale", s.scale, "", positive(), "scale factor");
             p.number("height", s.fitHeight, "m", positive(),
                      "scales the rotated shape to this extent along z; instead of scale");
             p.number("rotate_x", s.rotate.x, "rad", anyNumber(), "angle about x");
@@ -149,7 +149,7 @@ void readShape(TableReader& r, Shape& s) {
   }
   // Errors of a file are reported where it is named.
   if (s.kind == ShapeKind::Mesh && r.has("mesh")) s.where = r.placeOf("mesh");
-  if (given == 0) r.fail(r.place(), r.path() + ": its shape is missing: " + shapeNames());
+  if (given == 0) r.fail(r.place(), r.path() + ": has no shape; expected one of " + shapeNames());
   readMesh(r, s, aboutMesh);
   readSolids(r, s);
   readExtensionShape(r, s);

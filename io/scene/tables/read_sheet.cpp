@@ -40,7 +40,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
       if (++given == 2) r.fail(key, "a sheet takes one mesh; use another [[sheet]] for the second");
     }
   if (given == 0)
-    r.fail(r.place(), r.path() + ": its mesh is missing: grid, sphere, head, dome, forehead or mesh");
+    r.fail(r.place(), r.path() + ": has no mesh; expected one of grid, sphere, head, dome, forehead or mesh");
   const auto is = [&](SheetMesh mesh) { return b.mesh == mesh; };
   r.table("grid", "rectangle in the plane z = 0 of threads along x and y", is(SheetMesh::Grid),
           [&](TableReader& t) {
@@ -83,7 +83,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
            "triangles of an OBJ, PLY or STL file, open or closed, in one piece or several; or "
            "\"builtin:bust\" or \"builtin:head\"");
   r.number("spacing", b.spacing, "m", notNegative(),
-           "distance of vertices of generated meshes; 0: that of the scene's particles");
+           "vertex spacing of generated meshes; 0: the scene's particle spacing");
   readPlace(r, b.shape);
 }
 
@@ -122,13 +122,14 @@ void readInner(TableReader& r, SheetBody& b) {
           "direction of the warp in the mesh's own axes, which `place` rotates; edges within 25 degrees of "
           "it are warp, beyond 72 degrees weft");
   r.number("rest_length", b.restLength, "", positive(),
-           "rest length of the springs, over their length at the start");
+           "rest length of the springs as a multiple of their length at the start");
   r.number("bending", b.bending, "N/m", notNegative(),
            "stiffness of springs between the vertices on both sides of each edge");
   r.number("stretch_limit", b.stretchLimit, "", orNever(atLeast(1)),
-           "length over rest length beyond which springs are nearly rigid");
+           "length, as a multiple of the rest length, beyond which springs are nearly rigid");
   r.number("rigid", b.rigid, "", notNegative(),
-           "additional stiffness beyond stretch_limit, over that of the springs; it shortens the step");
+           "additional stiffness beyond `stretch_limit`, as a multiple of the springs' stiffness; it "
+           "shortens the step");
   r.number("volume_stiffness", b.volumeStiffness, "Pa", notNegative(),
            "pressure of a closed mesh per relative change of its volume");
   r.number("push", b.push, "N/m", notNegative(), "repulsion between vertices closer than the thickness");
@@ -140,7 +141,7 @@ void readInner(TableReader& r, SheetBody& b) {
 void readOuter(TableReader& r, SheetBody& b) {
   r.vector("wind", b.wind, "m/s", "velocity of the air");
   r.number("wind_density", b.windDensity, "kg/m^3", notNegative(),
-           "density of the air times a drag coefficient: pressure over squared velocity along the normal; 0: "
+           "density of the air times a drag coefficient: pressure divided by the squared normal velocity; 0: "
            "no air; without `wind` the air is at rest and drags");
   r.number("wrap", b.wrap, "Pa", anyNumber(),
            "pressure that shrinks the sheet: against its normal, or toward `wrap_to`");

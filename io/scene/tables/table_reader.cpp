@@ -135,7 +135,7 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
     const Quantity q = parseQuantity(s->get());
     v = q.value;
     good = q.error.empty() && (!q.hasUnit || q.dimension == dimensionOf(unit));
-    if (!q.error.empty()) why = " (" + q.error + ")";
+    if (!q.error.empty() && q.error != missingNumber) why = " (" + q.error + ")";
   } else {
     good = false;
   }
@@ -150,7 +150,7 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
     return false;
   }
   if (!range.holds(v)) {
-    refuse(key, n, fmt::format("must be {}, got {}", withUnit(range.text(), unit), shown(n)));
+    refuse(key, n, fmt::format("must be {}, got {}", withUnit(range.requirement(), unit), shown(n)));
     return false;
   }
   return value = v, true;

@@ -203,7 +203,7 @@ class TableReader {
       if constexpr (requires { list[k].name; })
         if (!list[k].name.empty()) name = list[k].name;
       std::vector<KeyDescription>& keys = k < mostRecorded ? *keys_ : others;
-      if (order) keys.push_back({named(key), name, "place in the list", "", std::to_string(k), "", order});
+      if (order) keys.push_back({named(key), name, "(place in the list)", "", std::to_string(k), "", order});
       TableReader r = inner(named(key) + "." + name, keys);
       if constexpr (requires { list[k].where; }) r.locate(list[k].where);
       read(r, list[k]);

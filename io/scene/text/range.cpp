@@ -23,4 +23,10 @@ std::string Range::text() const {
   return orNever ? t + " or \"never\"" : t;
 }
 
+std::string Range::requirement() const {
+  std::string t = text();
+  const std::size_t dots = t.find(" ... ");
+  return dots == std::string::npos ? t : "between " + t.replace(dots, 5, " and ");
+}
+
 }  // namespace thaw

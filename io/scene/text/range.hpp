@@ -11,7 +11,8 @@ struct Range {
   bool openLow = false, openHigh = false;  ///< the end is excluded
   bool orNever = false;                    ///< the word "never" is allowed
   bool holds(double value) const;
-  std::string text() const;  ///< "> 0", "0 ... 1", "any number"
+  std::string text() const;         ///< "> 0", "0 ... 1", "any number"
+  std::string requirement() const;  ///< "> 0", "between 0 and 1", "any number"
 };
 inline Range anyNumber() { return {}; }
 inline Range positive() { return {0, std::numeric_limits<double>::infinity(), true, false, false}; }

@@ -190,7 +190,7 @@ Quantity parseQuantity(std::string_view t) {
   if (t.size() > 1 && t.front() == '+' && t[1] != '-') t.remove_prefix(1);
   const auto [end, code] = std::from_chars(t.data(), t.data() + t.size(), q.value);
   if (code == std::errc::result_out_of_range) return q.error = "the number is too large or too small", q;
-  if (code != std::errc()) return q.error = "there is no number at its start", q;
+  if (code != std::errc()) return q.error = missingNumber, q;
   t.remove_prefix(static_cast<std::size_t>(end - t.data()));
   skipSpace(t);
   if (t == "degC" || t == degreeC) {

@@ -11,6 +11,9 @@ namespace thaw {
 /// velocity from a frequency.
 using Dimension = std::array<int, 5>;
 
+/// Error of a text that does not begin with a number.
+inline constexpr const char* missingNumber = "a number is missing";
+
 struct Quantity {
   double value = 0;  ///< SI
   Dimension dimension{};

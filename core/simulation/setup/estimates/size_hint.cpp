@@ -28,7 +28,7 @@ std::string sizeHint(const Scene& s, const Shape& shape, const Bounds& b) {
   const Vec3d size = b.max - b.min;
   if (size.x < 0 || size.y < 0 || size.z < 0)
     return "; its shape is empty: the subtracted parts cover it, or its parts do not intersect";
-  std::string hint = written("; it is %.3g x %.3g x %.3g m large", size.x, size.y, size.z);
+  std::string hint = written("; its size is %.3g x %.3g x %.3g m", size.x, size.y, size.z);
   if (shape.kind != ShapeKind::Mesh || namesBuiltin(shape.mesh) || fits(s, size, 1)) return hint;
   const struct {
     double factor;

@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Returns "; it is 250 x 180 x 300 m large", and for a mesh file a remedy: its units ("place = { scale =
+/// Returns "; its size is 250 x 180 x 300 m", and for a mesh file a remedy: its units ("place = { scale =
 /// 0.001 }, if its file is in millimetres"), removal of a scale that makes it smaller than the spacing, or
 /// place.height.
 std::string sizeHint(const Scene& scene, const Shape& shape, const Bounds& bounds);

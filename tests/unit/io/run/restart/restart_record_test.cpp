@@ -66,8 +66,8 @@ TEST(SceneMarks, BodyTypeCoefficientsMayChangeAndAreReported) {
   EXPECT_TRUE(restartConflicts(then, s).empty());
   const std::vector<std::string> changes = coefficientChanges(then, s);
   ASSERT_GE(changes.size(), 3u);
-  EXPECT_EQ(changes[0], "oriented.film.cocircular was 1, and is 2 now");
-  EXPECT_EQ(changes[1], "sheet.cloth.warp was 0, and is 7 now (N/m)");
+  EXPECT_EQ(changes[0], "oriented.film.cocircular: 1 -> 2");
+  EXPECT_EQ(changes[1], "sheet.cloth.warp: 0 -> 7 N/m");
   s.sheets[0].mass = 9;  // existing vertices keep their mass
   EXPECT_FALSE(restartConflicts(then, s).empty());
 }
@@ -107,11 +107,9 @@ TEST(SceneMarks, AreReportedInTheWordsOfTheScene) {
   s.oriented[0].points.push_back({1, 1, 0});
   s.sheets.back().elasticLimit = never;
   const std::vector<std::string> made = restartConflicts(then, s), changes = coefficientChanges(then, s);
-  EXPECT_EQ(made,
-            std::vector<std::string>{"oriented.film.control was [[0, 0, 0], [1, 0, 0], [0, 1, 0]], and is "
-                                     "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]] now (m)"});
-  EXPECT_EQ(changes,
-            std::vector<std::string>{"sheet.shell.elastic_limit was 0.01, and is \"never\" now (m)"});
+  EXPECT_EQ(made, std::vector<std::string>{"oriented.film.control: [[0, 0, 0], [1, 0, 0], [0, 1, 0]] -> "
+                                           "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]] m"});
+  EXPECT_EQ(changes, std::vector<std::string>{"sheet.shell.elastic_limit: 0.01 m -> \"never\""});
 }
 
 TEST(SceneMarks, InitialStatesAreReportedAsWithoutEffect) {
@@ -126,8 +124,8 @@ TEST(SceneMarks, InitialStatesAreReportedAsWithoutEffect) {
   EXPECT_TRUE(coefficientChanges(then, s).empty());
   const std::vector<std::string> changes = initialStateChanges(then, s);
   ASSERT_EQ(changes.size(), 2u);
-  EXPECT_EQ(changes[0], "body.bust.velocity was [0, 0, 0], and is [3, 0, 0] now (m/s)");
-  EXPECT_EQ(changes[1], "oriented.film.relax was 0, and is 7 now");
+  EXPECT_EQ(changes[0], "body.bust.velocity: [0, 0, 0] -> [3, 0, 0] m/s");
+  EXPECT_EQ(changes[1], "oriented.film.relax: 0 -> 7");
 }
 
 TEST(SceneMarks, AutomaticSoundSpeedIsACoefficient) {
@@ -136,16 +134,15 @@ TEST(SceneMarks, AutomaticSoundSpeedIsACoefficient) {
   const CheckpointValues then = restartRecordOf(s);
   s.bodies[0].velocity.x = 3;
   const std::vector<std::string> changes = coefficientChanges(then, s);
-  EXPECT_EQ(changes, std::vector<std::string>{"numerics.expected_speed was 1, and is 3 now (m/s)"});
+  EXPECT_EQ(changes, std::vector<std::string>{"numerics.expected_speed: 1 -> 3 m/s"});
 }
 
 TEST(SceneMarks, MaterialCoefficientsAreReported) {
   Scene s = sample();
   const CheckpointValues then = restartRecordOf(s);
   s.materials[0].young.solid = 2e5;
-  EXPECT_EQ(
-      coefficientChanges(then, s),
-      std::vector<std::string>{"material.wax.young was 0, and is { solid = 200000, liquid = 0 } now (Pa)"});
+  EXPECT_EQ(coefficientChanges(then, s),
+            std::vector<std::string>{"material.wax.young: 0 -> { solid = 200000, liquid = 0 } Pa"});
 }
 
 TEST(SceneMarks, ClampsMayNotChange) {
@@ -194,28 +191,26 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   other.oriented[0].anchors[0].normal = true;
   std::swap(other.materials[0], other.materials[1]);
   EXPECT_EQ(restartConflicts(then, other),
-            (std::vector<std::string>{"body.bust.material was \"wax\", and is \"oil\" now",
-                                      "domain.sides.x was not periodic, and is periodic now",
-                                      // The tap's material keeps its name and has another place.
-                                      "material.oil was 1, and is 0 now (place in the list)",
-                                      "material.wax was 0, and is 1 now (place in the list)",
-                                      "numerics.heat was \"enthalpy\", and is \"paper\" now",
-                                      "oriented.film.anchor.0.normal was false, and is true now",
-                                      "oriented.film.box.size is not in the scene any more",
-                                      "sheet.cloth.grid.depth is not in the scene any more",
-                                      "sheet.cloth.grid.width is not in the scene any more",
-                                      "oriented.film.disc.radius was not in the scene then",
-                                      "sheet.cloth.sphere.radius was not in the scene then"}));
+            (std::vector<std::string>{
+                "body.bust.material: \"wax\" -> \"oil\"", "domain.sides.x: not periodic -> periodic",
+                // The tap's material keeps its name and has another place.
+                "material.oil: 1 -> 0 (place in the list)", "material.wax: 0 -> 1 (place in the list)",
+                "numerics.heat: \"enthalpy\" -> \"paper\"", "oriented.film.anchor.0.normal: false -> true",
+                "oriented.film.box.size is not in the scene any more",
+                "sheet.cloth.grid.depth is not in the scene any more",
+                "sheet.cloth.grid.width is not in the scene any more",
+                "oriented.film.disc.radius was not in the scene then",
+                "sheet.cloth.sphere.radius was not in the scene then"}));
   other = s;
   other.surface.merge = MergeRule::None;
   other.surface.smoothing = SmoothingForm::Plane;
   other.oriented[0].growth = OrientedGrowth::Borders;
   other.oriented[0].events[0].kind = OrientedEventKind::Crease;
   EXPECT_EQ(settingChanges(then, other, -1),
-            (std::vector<std::string>{"oriented.film.event.0.kind was \"weld\", and is \"crease\" now",
-                                      "oriented.film.growth was \"none\", and is \"borders\" now",
-                                      "surface.merge was \"liquid\", and is \"none\" now",
-                                      "surface.smoothing was \"sphere\", and is \"plane\" now"}));
+            (std::vector<std::string>{"oriented.film.event.0.kind: \"weld\" -> \"crease\"",
+                                      "oriented.film.growth: \"none\" -> \"borders\"",
+                                      "surface.merge: \"liquid\" -> \"none\"",
+                                      "surface.smoothing: \"sphere\" -> \"plane\""}));
   other = s;
   other.oriented[0].integrator = OrientedIntegrator::RungeKutta;
   other.oriented[0].facing = false;
@@ -226,25 +221,24 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
   std::erase_if(reported, [](const std::string& t) {
     return t.find("field.0") != std::string::npos && t.find("field.0.until") == std::string::npos;
   });
-  EXPECT_EQ(reported, (std::vector<std::string>{
-                          "material.wax.law was \"green\", and is \"neo-hookean\" now",
-                          "oriented.film.facing was true, and is false now",
-                          "oriented.film.field.0.until was \"never\", and is not in the scene any more",
-                          "oriented.film.integrator was \"symplectic\", and is \"rk4\" now",
-                          "sheet.cloth.self_contact was false, and is true now"}));
+  EXPECT_EQ(reported, (std::vector<std::string>{"material.wax.law: \"green\" -> \"neo-hookean\"",
+                                                "oriented.film.facing: true -> false",
+                                                "oriented.film.field.0.until: \"never\" -> not in the scene",
+                                                "oriented.film.integrator: \"symplectic\" -> \"rk4\"",
+                                                "sheet.cloth.self_contact: false -> true"}));
   other = s;
   other.surface.source = SurfelSource::Particles;
   other.bodies[0].packing = Packing::Relaxed;
   other.bodies[0].material = 1;
   other.bodies[0].shape.kind = ShapeKind::Torus;
   EXPECT_EQ(initialStateChanges(then, other),
-            std::vector<std::string>{"surface.source was \"automatic\", and is \"particles\" now"});
-  EXPECT_EQ(restartConflicts(then, other),
-            (std::vector<std::string>{"body.bust.box.size is not in the scene any more",
-                                      "body.bust.material was \"wax\", and is \"oil\" now",
-                                      "body.bust.packing was \"lattice\", and is \"relaxed\" now",
-                                      "body.bust.torus.radius was not in the scene then",
-                                      "body.bust.torus.tube was not in the scene then"}));
+            std::vector<std::string>{"surface.source: \"automatic\" -> \"particles\""});
+  EXPECT_EQ(
+      restartConflicts(then, other),
+      (std::vector<std::string>{
+          "body.bust.box.size is not in the scene any more", "body.bust.material: \"wax\" -> \"oil\"",
+          "body.bust.packing: \"lattice\" -> \"relaxed\"", "body.bust.torus.radius was not in the scene then",
+          "body.bust.torus.tube was not in the scene then"}));
 }
 
 TEST(SceneMarks, MessageNamesTheKeyAndBothValues) {
@@ -252,7 +246,7 @@ TEST(SceneMarks, MessageNamesTheKeyAndBothValues) {
   const CheckpointValues then = restartRecordOf(s);
   s.spacing = 0.02;
   ASSERT_EQ(restartConflicts(then, s).size(), 1u);
-  EXPECT_EQ(restartConflicts(then, s)[0], "spacing was 0.01, and is 0.02 now (m)");
+  EXPECT_EQ(restartConflicts(then, s)[0], "spacing: 0.01 -> 0.02 m");
 }
 
 TEST(SceneMarks, HalfSpacesAreComparedByPointAndNormal) {

@@ -45,11 +45,12 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
                "[0, 0, 0] }\n",
        "s.toml:12:9: error: oriented.a.event.0.plane: is for a cut only"},
       {patch + "[[oriented.event]]\nkind = \"smooth\"\n",
-       "s.toml:9:1: error: oriented.a.event.0: its shape is missing: mesh, box, sphere, cylinder, torus, "
-       "glass, plane, union, difference or intersection"},
+       "s.toml:9:1: error: oriented.a.event.0: has no shape; expected one of mesh, box, sphere, cylinder, "
+       "torus, glass, plane, union, difference or intersection"},
       {cloth + "[sheet.clamp]\n",
-       "s.toml:8:1: error: sheet.0.clamp.0: its shape is missing: mesh, box, sphere, cylinder, torus, glass, "
-       "plane, union, difference or intersection"},
+       "s.toml:8:1: error: sheet.0.clamp.0: has no shape; expected one of mesh, box, sphere, cylinder, "
+       "torus, "
+       "glass, plane, union, difference or intersection"},
       {cloth + "[[sheet.brush]]\nradius = 0.1\n",
        "s.toml:8:1: error: sheet.0.brush.0.pressure: is missing or zero: expected a pressure [x, y, z]"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nmesh = \"cube.obj\"\n",
@@ -111,17 +112,17 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {cloth + "warp = 1\nwarp_in_time = [[0, 1], [1, -2]]\n",
        "s.toml:9:29: error: sheet.0.warp_in_time: must be >= 0, got -2"},
       {cloth + "mass = 0\nstiffness = 1\n[[sheet.brush]]\npressure = [0, 0, 1]\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step where "
-       "a brush pushes it: expected mass, or damping at all times"},
+       "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step under "
+       "the pressure of a brush: expected mass, or damping at all times"},
       {cloth + "mass = 0\nstiffness = 1\n[[obstacle]]\nsphere = { radius = 0.1 }\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step where "
-       "obstacles can touch it: expected mass, or damping at all times"},
+       "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step under "
+       "contact with obstacles: expected mass, or damping at all times"},
       {cloth + "mass = 0\ndamping = 1\nwarp = 1\ndamping_in_time = [[0, 1], [1, 0]]\n",
        "s.toml:8:8: error: sheet 'sheet 0': mass: mass, damping and stiffness must not all be zero at the "
        "same time"},
       {cloth + "stiffness = 1\nwarp = 2\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
        "s.toml:10:1: error: sheet 'sheet 0': this region: a massless, undamped vertex has no stable step "
-       "where its neighbours pull it: expected mass, or damping at all times"},
+       "under forces of its neighbours: expected mass, or damping at all times"},
       {cloth + "damping = 1\nwind_density = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
        "s.toml:10:1: error: sheet 'sheet 0': this region: the air's drag on vertices without mass has no "
        "stable step: expected mass > 0, or wind_density = 0 there"},

@@ -124,8 +124,8 @@ TEST(SceneFields, ArePartOfTheRestartRecord) {
                             "temperature = '301 + x'\nvelocity = { x = '2*y' }\n");
   EXPECT_TRUE(initialStateChanges(restartRecordOf(a), a).empty());
   const auto start = initialStateChanges(restartRecordOf(a), b);
-  EXPECT_EQ(start, std::vector<std::string>{"body.drop.velocity was [\"-100*x\", 0, 0], and is "
-                                            "[\"-200*x\", 0, 0] now (m/s)"});
+  EXPECT_EQ(start, std::vector<std::string>{"body.drop.velocity: [\"-100*x\", 0, 0] -> "
+                                            "[\"-200*x\", 0, 0] m/s"});
   EXPECT_EQ(settingChanges(restartRecordOf(a), b, 0).size(), 1u);
   EXPECT_EQ(restartConflicts(restartRecordOf(a), b).size(), 1u);
   EXPECT_TRUE(restartConflicts(restartRecordOf(a), a).empty());

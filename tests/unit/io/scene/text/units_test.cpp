@@ -94,9 +94,9 @@ TEST(Units, ErrorsNameTheProblem) {
   const struct {
     const char *text, *error;
   } table[] = {
-      {"", "there is no number at its start"},
-      {"mm", "there is no number at its start"},
-      {"+-3 m", "there is no number at its start"},
+      {"", "a number is missing"},
+      {"mm", "a number is missing"},
+      {"+-3 m", "a number is missing"},
       {"3 foo", "unknown unit 'foo'"},
       {"1/50", "'50' is not a unit; expected one number and one unit (expressions are not allowed here)"},
       {"3 Mm m/", "a unit is missing"},
