@@ -40,15 +40,15 @@ constexpr const char* introduction =
     "is a number in the unit of the table below or a text with a unit: `\"15 cm\"`, `\"2 kJ/kg\"`, `\"0.25 "
     "W/(m K)\"`, `\"56 degC\"`, `\"30 deg\"`.\n"
     "Temperatures without a unit are in kelvin. Keys whose range below ends with `{ solid = ..., liquid = "
-    "... }` take one value or these two; in\n"
-    "between, the value goes linearly with the liquid fraction. NaN and infinity are no values; where "
-    "something is without limit, the word\n"
-    "is `\"never\"`. An unknown key is an error; all errors of a scene are reported at once, with file, line "
+    "... }` take one value or these two;\n"
+    "these blend linearly with the liquid fraction. NaN and infinity are refused: for no limit, use "
+    "`\"never\"`.\n"
+    "An unknown key is an error; all errors of a scene are reported at once, with file, line "
     "and column.\n"
     "A line has at most 16384 characters, and a file 16 MiB: long lists go over several lines.\n\n"
-    "The column *restart* has the result of a change at a restart. refused: the run does not continue. "
+    "The column *restart* says whether a key may change at a restart. refused: the run does not continue. "
     "reported: it continues with the new value.\n"
-    "no effect: the change is reported, and has no effect. free: it is not reported. Keys of shapes follow "
+    "no effect: the change is reported and ignored. free: it is not reported. Keys of shapes follow "
     "the table that has the shape.\n"
     "A list marked refused must keep the names and the order of its tables.\n\n"
     "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 "
@@ -59,11 +59,12 @@ constexpr const char* introduction =
     "body.drop.material=oil`.\n"
     "An unused material is a warning; an unknown body, emitter or obstacle is an error.\n"
     "`thaw check SCENE` prints what would be simulated.\n\n"
-    "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a solid "
-    "box 7.4 spacings wide has 8 layers, one\n"
-    "of liquid 7, so that no liquid starts nearer to its box than half a spacing. `thaw check` reports where "
-    "the mass is off by more than 1 %, and the density\n"
-    "that makes up for it. Liquid in less room than its particles need starts compressed and bursts; a "
+    "Particles lie on a cubic lattice, and each has the mass density times spacing^3. Solids round the "
+    "number of layers up, liquids down:\n"
+    "a solid box 7.4 spacings wide has 8 layers, a liquid one 7. Liquid thus starts at least half a spacing "
+    "from its container.\n"
+    "`thaw check` reports where the mass is off by more than 1 %, and the density that makes up for it. "
+    "Liquid in less room than its particles need starts compressed and bursts; a "
     "warning reports it.\n"
     "A solid body holds liquid where its walls are at least two spacings thick; a warning names thinner "
     "ones.\n\n"
@@ -100,8 +101,8 @@ constexpr const char* afterExample =
     "`x`, `y`, `z` are in m, in the frame of the scene; the value is in m/s or K. Expressions have no units. "
     "There are ";
 constexpr const char* afterWords =
-    ".\nA body's particles take the value where the scene places the body, also where it reaches over a\n"
-    "periodic side; an emitter's take that of their place in the opening. A velocity\n"
+    ".\nExpressions of a body use the position before periodic wrapping, those of an emitter the position "
+    "in the opening. A velocity\n"
     "component above 299792458 m/s, a temperature outside (0, 1e32] K, or NaN at a particle is an error. A "
     "temperature that depends on position switches heat\n"
     "on where something conducts heat or melts.\n";
@@ -110,7 +111,7 @@ constexpr const char* afterWords =
 
 const char* exampleScene() {
   return "title = \"A block of jelly falls on a floor\"\n"
-         "spacing = \"1 cm\"                        # distance of particles: the one resolution knob\n"
+         "spacing = \"1 cm\"                        # particle spacing: the only setting of the resolution\n"
          "end = \"0.5 s\"\n"
          "\n"
          "[domain]\n"
@@ -146,7 +147,7 @@ std::string sceneDocumentation() {
     if (std::find(tables.begin(), tables.end(), k.table) == tables.end()) tables.push_back(k.table);
   for (const std::string& t : tables) {
     text += t.empty() ? "\n## Top level\n\n" : "\n## `" + t + "`\n\n";
-    text += "| key | unit | range | default | restart | what it is |\n|---|---|---|---|---|---|\n";
+    text += "| key | unit | range | default | restart | meaning |\n|---|---|---|---|---|---|\n";
     for (const KeyDescription& k : keys)
       if (k.table == t)
         text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", k.key, cell(k.unit), cell(k.range),

@@ -77,7 +77,7 @@ void readSolid(TableReader& r, Material& m) {
            "k_v of the volume force (Mueller et al. 2004)");
   r.number("hourglass", m.hourglass, "", between(0, 10), "strength of the control of zero-energy modes");
   r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}),
-           "length at which a bond breaks, over its rest length; \"never\": no bond breaks");
+           "length at which a bond breaks, as a multiple of its rest length; \"never\": no bond breaks");
   r.number("damping", m.damping, "1/s", notNegative(),
            "rate at which velocity differences of bonded particles decay");
   r.flag("weld", m.weld, "solids of this material that touch after freezing weld together");

@@ -43,10 +43,10 @@ bool readsFile(const Shape& s) {
 void readAnchor(TableReader& r, OrientedAnchor& a) {
   r.restart(Restart::State);  // particles refer to anchors by their places in the list
   readShape(r, a.region);
-  r.flag("position", a.position, "holds their positions");
-  r.flag("normal", a.normal, "holds their orientations");
+  r.flag("position", a.position, "holds particle positions");
+  r.flag("normal", a.normal, "holds particle orientations");
   r.restart(Restart::Coefficient);
-  r.number("until", a.until, "s", orNever(notNegative()), "time at which it releases them");
+  r.number("until", a.until, "s", orNever(notNegative()), "time at which the particles are released");
   readMotion(r, "keyframes of the held particles; linear in between", a.motion);
   if (!a.position && !a.normal)
     r.fail(r.place(), r.path() + ": it holds nothing: expected position = true, normal = true, or both");
@@ -154,7 +154,7 @@ void readEvent(TableReader& r, OrientedEvent& e) {
 void readSource(TableReader& r, OrientedBody& b) {
   const auto place = [&] {
     r.table("place", "position of the patch or disc", [&](TableReader& p) {
-      p.number("scale", b.shape.scale, "", positive(), "factor of size");
+      p.number("scale", b.shape.scale, "", positive(), "scale factor");
       p.number("rotate_x", b.shape.rotate.x, "rad", anyNumber(), "angle about x");
       p.number("rotate_y", b.shape.rotate.y, "rad", anyNumber(), "angle about y, after x");
       p.number("rotate_z", b.shape.rotate.z, "rad", anyNumber(), "angle about z, last");
@@ -242,7 +242,7 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
   }
   r.number("thin", b.thin, "", between(1e-4, 1),
            "share of its particles that is kept and held; growth = \"borders\" adds the others again");
-  r.number("spacing", b.spacing, "m", notNegative(), "distance of its particles; 0: that of the scene");
+  r.number("spacing", b.spacing, "m", notNegative(), "particle spacing; 0: that of the scene");
   r.restart(Restart::Start);
   r.number("jitter", b.jitter, "", between(0, 1),
            "largest random displacement (spacings) and rotation (radians) of its particles at the start, "
@@ -253,7 +253,7 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "mass per area. A patch or a disc has this times its full area (less with thin below 1, until it "
            "has grown); a particle of another source has this times the cell of a hexagonal lattice");
   r.number("inertia", b.inertia, "", positive(),
-           "moment of inertia of a particle, over its mass and the square of the spacing");
+           "moment of inertia of a particle, divided by its mass and the square of the spacing");
   r.restart(Restart::Coefficient);
   r.number("stiffness", b.stiffness, "N/m", positive(),
            "unit of its energies: weight times stiffness times the square of the spacing");
@@ -272,7 +272,7 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
   r.number("across", b.across, "", positive(), "scale of the weighting function across the normal, spacings");
   r.number("along", b.along, "", positive(), "scale along the normal, at most `across`");
   r.number("support", b.support, "", between(1.5, 12),
-           "radius within which particles act on each other, over their spacing");
+           "radius within which particles act on each other, in spacings");
   r.flag("facing", b.facing,
          "particles with opposite normals do not interact, so that the sides of a thin body stay apart");
   r.flag("planar", b.planar,
@@ -283,9 +283,9 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "pressure along the normals; below 0: contracts the surface around its content");
   r.vector("push", b.push, "m/s^2", "uniform acceleration in addition to gravity");
   r.number("contact", b.contact, "", positive(),
-           "stiffness of contacts over `stiffness`; contacts with bodies and obstacles have in addition a "
-           "barrier that follows from the scene's speeds and masses. There is no restitution; `damping` "
-           "dissipates motion");
+           "stiffness of contacts as a multiple of `stiffness`; contacts with bodies and obstacles have in "
+           "addition a barrier that follows from the scene's speeds and masses. There is no restitution; "
+           "`damping` dissipates motion");
   r.number("thickness", b.thickness, "", notNegative(), "distance kept from obstacles, spacings");
   r.number("friction", b.friction, "", between(0, 10),
            "Coulomb friction on obstacles; the larger of this and theirs counts");
@@ -294,8 +294,8 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "order, or linearised backward Euler, which takes far longer steps");
   r.restart(Restart::Setting);
   r.number("cfl", b.cfl, "", between(1e-4, 10),
-           "step over the longest that is stable for the stiffest particle (semi-implicit: over ten times "
-           "that of symplectic Euler)");
+           "step as a fraction of the stability limit of the stiffest particle (semi-implicit: of ten times "
+           "the limit of symplectic Euler)");
   r.as(Restart::Start)
       .whole(
           "relax", b.relax, 0, 10000000,

@@ -97,9 +97,9 @@ void readNumerics(TableReader& r, Numerics& n) {
            "density diffusion of the continuity form");
   r.number("shifting", n.shifting, "", between(0, 0.3),
            "largest speed at which particles of a liquid are shifted down the gradient of their "
-           "concentration C, over the speed of sound times h grad C; with the continuity form it scales with "
-           "strain and tension, and particles at the free surface are not shifted. 0: no shifting. Default "
-           "with density = \"continuity\": 0.07 with gravity, 0.2 without");
+           "concentration C, as a multiple of the speed of sound times h grad C. With the continuity form it "
+           "scales with strain and tension, and particles at the free surface are not shifted. 0: no "
+           "shifting. Default with density = \"continuity\": 0.07 with gravity, 0.2 without");
   r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure as a function of the density");
   r.number("tensile_limit", n.tensileLimit, "", between(0, 1),
            "share of negative pressure that is kept; requires density = \"continuity\" and shifting above 0, "
@@ -119,15 +119,15 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"},
            "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");
   r.flag("viscosity_correction", n.viscosityCorrection,
-         "pairwise viscosity is corrected for the arrangement of the particles, which makes it vary by some "
-         "per cent while layers slide past each other. Default: true where viscosity limits explicit steps "
-         "more than sound does, except with quality = \"preview\"");
+         "corrects pairwise viscosity for particle disorder, which changes it by a few per cent while layers "
+         "slide past each other. Default: true where viscosity limits explicit steps more than sound does, "
+         "except with quality = \"preview\"");
   r.choice("viscosity_solver", n.viscositySolver, {"explicit", "implicit"},
            "explicit: viscosity limits the step; implicit: a linear system in each step, without this limit "
            "(recommended if viscosity sets the step)");
   r.restart(Restart::Setting);
   r.number("viscosity_tolerance", n.viscosityTolerance, "", between(1e-10, 0.1),
-           "implicit solver: error of the velocity change by viscosity in a step, over that change");
+           "implicit solver: relative error of a step's velocity change by viscosity");
   r.whole("viscosity_iterations", n.viscosityIterations, 1, 100000,
           "implicit solver: largest number of iterations per step; the summary counts steps that need more");
   if (n.viscositySolver == ViscositySolver::Implicit && n.viscosity == ViscosityForm::Laplacian)
@@ -160,17 +160,20 @@ void readNumerics(TableReader& r, Numerics& n) {
            "longest time step, at most `end`, shortened to a whole number of steps per frame; 0: as large as "
            "the limits allow");
   r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
-  r.number("cfl_sound", n.cflSound, "", factor(), "factor of h / c, with the support radius h");
+  r.number("cfl_sound", n.cflSound, "", factor(),
+           "step limit as a multiple of h / c, with the support radius h");
   r.number("cfl_viscous", n.cflViscous, "", factor(),
-           "factor of the largest dt that is stable on a lattice: 0.044 h^2 rho / mu for the pairwise form "
-           "at a support of 2 (a clump stiffens it)");
+           "step limit as a multiple of the largest dt that is stable on a lattice: 0.044 h^2 rho / mu for "
+           "the pairwise form at a support of 2 (a clump stiffens it)");
   r.number("cfl_heat", n.cflHeat, "", factor(),
-           "factor of the largest dt that is stable on a lattice: 0.078 h^2 / diffusivity for the wendland "
-           "kernel at a support of 2");
-  r.number("cfl_elastic", n.cflElastic, "", factor(), "factor of spacing / speed of pressure waves");
-  r.number("cfl_tension", n.cflTension, "", factor(), "factor of sqrt(rho h^3 / (2 pi sigma))");
+           "step limit as a multiple of the largest dt that is stable on a lattice: 0.078 h^2 / diffusivity "
+           "for the wendland kernel at a support of 2");
+  r.number("cfl_elastic", n.cflElastic, "", factor(),
+           "step limit as a multiple of spacing / speed of pressure waves");
+  r.number("cfl_tension", n.cflTension, "", factor(),
+           "step limit as a multiple of sqrt(rho h^3 / (2 pi sigma))");
   r.number("cfl_acceleration", n.cflAcceleration, "", factor(),
-           "factor of sqrt(h / a), with the acceleration a");
+           "step limit as a multiple of sqrt(h / a), with the acceleration a");
   std::int64_t substeps = n.elasticSubsteps;
   r.whole("elastic_substeps", substeps, 0, 64,
           "largest number of substeps of solids within a step, if their elastic limit is the shortest; 0: 4 "
@@ -193,23 +196,23 @@ void readNumerics(TableReader& r, Numerics& n) {
           "steps between snapshots in memory; a run that fails goes back to the last one and continues with "
           "half the step; 0: no snapshots, and a failure stops the run");
   r.whole("retries", n.retries, 0, 40,
-          "largest number of retries, each with half the step of the one before; the next failure stops the "
-          "run with exit code 4 and the last snapshot as a checkpoint. A retry no longer counts when the "
-          "step doubles, at least retry_every full steps past the failure");
+          "largest number of active retries, each with half the step of the one before; the next failure "
+          "stops the run with exit code 4 and the last snapshot as a checkpoint. A retry is active until the "
+          "step has doubled again, `retry_every` full steps after the failure at the earliest");
   r.number("watch_speed", n.watchSpeed, "", orNever(positive()),
-           "speed that counts as failure, over the sum of the expected speed (from start, gravity, emitters "
-           "and obstacles) and 0.1 of the largest wave speed");
+           "speed that counts as failure, as a multiple of the sum of the expected speed (from start, "
+           "gravity, emitters and obstacles) and 0.1 of the largest wave speed");
   r.number("watch_density", n.watchDensity, "", orNever(positive()),
-           "density of a liquid that counts as failure, over the rest density");
+           "density of a liquid that counts as failure, as a multiple of the rest density");
   r.number("watch_step", n.watchStep, "", {0, 1, true, false, false},
-           "time step that counts as failure, over the limit of the materials (without one: over 1e-5 "
+           "time step that counts as failure, as a fraction of the materials' limit (without one: of 1e-5 "
            "`end`); no retry takes a shorter step; 0: none");
   r.number("watch_inverted", n.watchInverted, "", orNever(positive()),
            "share of inverted solid particles (det F <= 0) that counts as failure, for materials that do not "
            "recover from inversion: law \"green\" without volume_stiffness");
   r.number("watch_energy", n.watchEnergy, "", orNever(positive()),
-           "unexplained energy that counts as failure, over the largest term of the ledger, within "
-           "retry_every steps or since the run began");
+           "unexplained gain of mechanical energy that counts as failure, as a multiple of the largest term "
+           "of the ledger, within `retry_every` steps or since the run began");
   r.as(Restart::Setting)
       .number("plastic_rereference", n.plasticRereference, "", positive(),
               "norm of the plastic strain above which the reference follows the flow");

@@ -9,12 +9,13 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
   r.restart(Restart::Setting);
   if (r.reading()) s.places = r.placesOfKeys();
   r.number("spacing", s.spacing, "m", notNegative(),
-           "distance of surfels, and radius of their discs; 0: half the spacing of particles");
+           "surfel spacing, and radius of the discs; 0: half the particle spacing");
   r.number("support", s.support, "", between(1.5, 12),
-           "radius within which surfels act on each other (h_ss), over their spacing; h_ss = h of Keiser et "
+           "radius within which surfels act on each other (h_ss), in surfel spacings; h_ss = h of Keiser et "
            "al. 2005 means hundreds of neighbours on a detailed body");
-  r.number("particle_support", s.particleSupport, "", between(1, 3),
-           "radius within which particles act on surfels (h_ps), over the support radius of the particles");
+  r.number(
+      "particle_support", s.particleSupport, "", between(1, 3),
+      "radius within which particles act on surfels (h_ps), as a multiple of the particles' support radius");
   r.as(Restart::Start)
       .choice(
           "source", s.source, {"automatic", "particles"},
@@ -47,18 +48,19 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
            "surfels that move less than this share of their spacing across the surface and five times it "
            "along it, like their neighbours, are skipped for the rest of the update");
   r.number("adapt", s.adapt, "", between(0, 1),
-           "finest spacing over `spacing`, where the surface is curved: small drops and edges; 0: the same "
-           "spacing everywhere");
+           "finest spacing as a fraction of `spacing`, where the surface is curved: at small drops and "
+           "edges; 0: the same spacing everywhere");
   r.number("keep_volume", s.keepVolume, "", between(0, 1),
-           "weight of a force that keeps the volume inside the surface of liquid, and of solid that was "
-           "liquid, at the volume of its particles, times the ratio of mesh to particle volume at the start. "
-           "Surfaces that never melted keep their position. See docs/reference/surfaces.md. 0: none");
-  r.choice("merge", s.merge, {"liquid", "all", "none"},
-           "which surfaces merge on contact. liquid: those of two components of which at least one is liquid "
-           "there, if a particle of one is inside the other's surface or they are as close as particles of "
-           "one liquid; all: also those of two solids, if a particle of one is inside the other's surface "
-           "(contact forces mostly prevent this: solids must weld or be pressed together to merge); none: no "
-           "surfaces. Other surfaces in contact are kept apart. Particles are not affected");
+           "weight of a force that keeps the volume inside a surface at the volume of its particles, times "
+           "the ratio of mesh to particle volume at the start. It acts on liquid, and on solid that was "
+           "liquid. Surfaces that never melted keep their position. See docs/reference/surfaces.md. 0: none");
+  r.choice(
+      "merge", s.merge, {"liquid", "all", "none"},
+      "surfaces that merge on contact. liquid: those of two components, at least one of them liquid at the "
+      "contact. They merge if a particle of one is inside the other's surface, or if they are as close as "
+      "particles of one liquid. all: also those of two solids, if a particle of one is inside the other's "
+      "surface. Contact forces mostly prevent this: solids must weld or be pressed together. none: no "
+      "surfaces. Other surfaces in contact are kept apart. Particles are not affected");
   r.number("link_length", s.linkLength, "", between(1.1, 4),
            "largest distance (spacings) of particles that connect a component; near 1 a hardly strained "
            "lattice falls apart");
