@@ -4,7 +4,7 @@
 
 Every number in the document comes from the files. In text.md:
   {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise;
-      SETTINGS as in the CSV file
+      SETTINGS as in the CSV file; `count` writes a zero as "none"
   {{ratio CASE | NORM | SETTINGS A | SETTINGS B}}    error of A over that of B; {{cost ...}} likewise for
       core-seconds
   {{between CASE A | CASE B | NORM}}    order between the defaults of two cases that are one at two
@@ -13,9 +13,11 @@ Every number in the document comes from the files. In text.md:
   {{choices CASE | SETTINGS; SETTINGS ... | NORM; NORM ...}}    some settings and norms of a case, one line
       per setting
   {{chart CASE}}    its chart, copied to docs/pictures/accuracy/        {{modules}}    the cost of each module
+  {{machines}}, {{versions}}    of the rows, with their numbers of rows
   {{picture CASE}}    the particles at the end, from points/CASE.csv next to ACCURACY.csv
 The CSV files are copied to docs/accuracy/, so that the repository alone can reproduce the document.
 """
+import collections
 import csv
 import math
 import os
@@ -34,8 +36,25 @@ def rowsOf(path):
 
 
 def short(text):
-    """Three digits, with a power of ten where that is shorter."""
-    return f"{float(text):.3g}" if text else ""
+    """Three digits; thousands have commas, and larger or small numbers a power of ten."""
+    digits = f"{float(text):.3g}" if text != "" else ""
+    return f"{float(digits):,.0f}" if digits and 1000 <= abs(float(digits)) < 1e6 else digits
+
+
+def settingsText(settings):
+    """Settings with a spacing of one over a whole number as a fraction, where that is shorter."""
+
+    def fraction(match):
+        count = round(1 / float(match[1]))
+        return f"spacing=1/{count}" if abs(count * float(match[1]) - 1) < 1e-12 else match[0]
+
+    return re.sub(r"\bspacing=([0-9.]{10,})", fraction, settings)
+
+
+def counted(rows, column):
+    """The values of a column with their numbers of rows, most frequent first."""
+    counts = collections.Counter(r[column] for r in rows).most_common()
+    return ", ".join(f"{value} ({number:,} rows)" for value, number in counts)
 
 
 def cell(text):
@@ -75,6 +94,9 @@ class Document:
         }
         if what in columns:
             return short(self.find(*arguments)[columns[what]]) or "none"
+        if what == "count":
+            number = float(self.find(*arguments)["error"])
+            return short(number) if number else "none"
         if what == "between":  # the same problem at two resolutions
             one, two, norm = arguments
             a, b = (
@@ -112,9 +134,10 @@ class Document:
             )
         if what == "modules":
             return self.moduleTable()
-        if what == "machine":
-            versions = list(dict.fromkeys(r["version"] for r in self.rows))
-            return f"{self.rows[0]['machine']}, thaw {' and '.join(versions)}"
+        if what == "machines":
+            return counted(self.rows, "machine")
+        if what == "versions":
+            return counted(self.rows, "version")
         raise SystemExit(f"text.md: unknown {{{{{what}}}}}")
 
     def table(self, case):
@@ -137,7 +160,7 @@ class Document:
             ]
             order = orderOf(of[norms[0]]) if norms and norms[0] in of else ""
             lines.append(
-                f"| {settings} | {' | '.join(values)} | {order} | {short(one['core_seconds'])} "
+                f"| {settingsText(settings)} | {' | '.join(values)} | {order} | {short(one['core_seconds'])} "
                 f"| {one['steps']} | {one['particles']} |"
             )
         return "\n".join(lines)
@@ -150,7 +173,7 @@ class Document:
         for at in settings:
             found = [self.find(case, n, at) for n in norms]
             lines.append(
-                f"| {at} | {' | '.join(short(r['error']) for r in found)} "
+                f"| {settingsText(at)} | {' | '.join(short(r['error']) for r in found)} "
                 f"| {short(found[0]['core_seconds'])} |"
             )
         return "\n".join(lines)
@@ -169,22 +192,22 @@ class Document:
         for (case, norm), r in found.items():
             reached = "reached" if float(r["error"]) <= float(r["target"]) else "**missed**"
             lines.append(
-                f"| {case} | {cell(norm)} | {r['settings'].replace('default ', '')} | {short(r['error'])} "
+                f"| {case} | {cell(norm)} | {settingsText(r['settings'].replace('default ', ''))} | {short(r['error'])} "
                 f"| {short(r['target'])} | {reached} | {orderOf(r)} | {short(r['core_seconds'])} |"
             )
         return "\n".join(lines)
 
     def moduleTable(self):
         lines = [
-            "| module | base | ns per particle and step: without, with | ratio "
-            "| bytes per particle: without, with | fields: without, with | time in unused phases |",
+            "| module | base | ns per particle and step: without / with | ratio "
+            "| bytes per particle: without / with | fields: without / with | time in unused phases |",
             "|---|---|---|---|---|---|---|",
         ]
         for r in self.modules:
             lines.append(
-                f"| {r['case']} | {r['base']} | {short(r['ns_without'])}, {short(r['ns_with'])} "
-                f"| {r['time_ratio']} | {r['bytes_without']}, {r['bytes_with']} "
-                f"| {r['fields_without']}, {r['fields_with']} | {100 * float(r['idle_share']):.2g} % |"
+                f"| {r['case']} | {r['base']} | {short(r['ns_without'])} / {short(r['ns_with'])} "
+                f"| {r['time_ratio']} | {r['bytes_without']} / {r['bytes_with']} "
+                f"| {r['fields_without']} / {r['fields_with']} | {100 * float(r['idle_share']):.2g} % |"
             )
         return "\n".join(lines)
 
