@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages of any size to a few ranks, without known numbers of messages to receive (NBX: Hoefler, Siebert,
-// Lumsdaine 2010).
+// Messages of any size to a few ranks, without known numbers of messages to receive (NBX: HSL10).
 #pragma once
 #include <cstddef>
 #include <span>

@@ -217,7 +217,7 @@ std::vector<Figure> compareRelease(Trial& r, const Curve& exact, double size) {
 }
 
 /// Added mass by potential flow in this tank (references/floating_cube.py). Drag of a cube at large Reynolds
-/// numbers (Hoerner 1965).
+/// numbers (H65).
 std::vector<Figure> measureSinking(Trial& r) {
   constexpr double addedMass = 0.610, dragCoefficient = 1.05;
   const double edge = r.world.scene.bodies[0].shape.size.z;
@@ -226,7 +226,7 @@ std::vector<Figure> measureSinking(Trial& r) {
                         edge);
 }
 
-/// Added mass of a sphere in a large vessel: half the displaced mass. Drag of Schiller and Naumann 1933, 0.44
+/// Added mass of a sphere in a large vessel: half the displaced mass. Drag of SN33, 0.44
 /// above Re = 1000.
 std::vector<Figure> measureRising(Trial& r) {
   const Scene& s = r.world.scene;

@@ -32,7 +32,7 @@ template<class F> double rootOf(double low, double high, F f) {
 }
 
 /// Two half-spaces in contact at z = 0. The interface is at (e1 T1 + e2 T2)/(e1 + e2), e = sqrt(k rho c), at
-/// once, with error functions on both sides (Carslaw & Jaeger 1959, 2.8).
+/// once, with error functions on both sides (CJ59 2.8).
 std::vector<Figure> measureSlabs(Trial& r) {
   const Scene& s = r.world.scene;
   const double T[2] = {s.bodies[0].temperature, s.bodies[1].temperature}, scale = std::abs(T[1] - T[0]);
@@ -57,7 +57,7 @@ std::vector<Figure> measureSlabs(Trial& r) {
 }
 
 /// Mean and centre of a sphere whose surface takes the bath's temperature at once: mean 6/pi^2 sum exp(-n^2
-/// pi^2 Fo)/n^2 (Crank 1975, 6.3). With a Biot number: zeta cot zeta = 1 - Bi (Carslaw & Jaeger 1959, 9.4).
+/// pi^2 Fo)/n^2 (C75 6.3). With a Biot number: zeta cot zeta = 1 - Bi (CJ59 9.4).
 struct Sphere {
   double mean = 0, centre = 0;
   Sphere(double Fo, double Bi) {
@@ -115,8 +115,8 @@ std::vector<Figure> measureSphere(Trial& r) {
           {"heat residual", heatResidual(r, hot - cold), 1e-12}};
 }
 
-/// Front of melting from a wall: 2 l sqrt(alpha t). Two phases: Neumann's solution (Carslaw & Jaeger 1959,
-/// 11.2) for equal properties, Ste exp(-l^2)/erf l - Ste_s exp(-l^2)/erfc l = l sqrt(pi).
+/// Front of melting from a wall: 2 l sqrt(alpha t). Two phases: Neumann's solution (CJ59 11.2) for equal
+/// properties, Ste exp(-l^2)/erf l - Ste_s exp(-l^2)/erfc l = l sqrt(pi).
 std::vector<Figure> measureStefan(Trial& r) {
   const World& w = r.world;
   const Scene& s = w.scene;

@@ -93,7 +93,7 @@ struct Ellipse {
   double a = 1, b = 1, rate = stretchRate;
 };
 
-/// Integrates dA/dt = A^2 (a^4 - 1)/(a^4 + 1), da/dt = -a A, b = 1/a (Monaghan 1994) to rounding by a
+/// Integrates dA/dt = A^2 (a^4 - 1)/(a^4 + 1), da/dt = -a A, b = 1/a (M94) to rounding by a
 /// Runge-Kutta method.
 Ellipse ellipseAt(double time) {
   using State = std::array<double, 2>;  // a, A

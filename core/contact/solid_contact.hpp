@@ -41,7 +41,7 @@ struct ContactContext {
 
 /// Adds the contact forces of close pairs to owned rows, in list order. Each unbonded pair has three forces.
 /// A linear spring k (d0 - r) acts along the line of centres, with k the harmonic mean of both E * spacing. A
-/// dashpot dissipates energy according to the coefficient of restitution (Cundall & Strack 1979). Coulomb
+/// dashpot dissipates energy according to the coefficient of restitution (CS79). Coulomb
 /// friction is regularised by the same dashpot. Coincident pairs have an energy but no direction: they are
 /// counted, and separateCoincident moves them. Momentum is conserved; both ends compute the same force. The
 /// dissipation uses the velocities of the force evaluation; recordResistance adds the correction of second

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of a sheet vertex or an oriented particle: a spring with dashpot (Cundall & Strack 1979), a
+// Contact of a sheet vertex or an oriented particle: a spring with dashpot (CS79), a
 // barrier, and Coulomb friction; for sheets per area.
 #pragma once
 #include <algorithm>

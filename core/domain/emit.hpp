@@ -29,8 +29,8 @@ struct EmitterPlan {
                                               ///< E(m) of a stack of m layers
 };
 
-/// Throws ShapeError if the rate needs more particles than the opening admits, and if a field of the opening
-/// has a bad value, changes the speed along the direction, or moves neighbours in the nozzle.
+/// Throws ShapeError if the rate needs more particles than the opening admits. It also throws if a field of
+/// the opening has a bad value, changes the speed along the direction, or moves neighbours in the nozzle.
 std::vector<EmitterPlan> planEmitters(const Scene& scene);
 
 /// Returns a sentence about an emitter whose opening is partly outside of the domain or in an obstacle; empty

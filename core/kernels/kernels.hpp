@@ -28,8 +28,8 @@ template<class Kernel> struct OfSquare {
   template<class T> static THAW_INLINE T laplace(T q2) { return Kernel::laplace(sqrt(q2), q2); }
 };
 
-/// Wendland 1995 C2 function, support h: positive Fourier transform, no pairing (docs/validation/stability.md
-/// B6). The default kernel.
+/// Wendland C2 function (W95), support h: positive Fourier transform, no pairing
+/// (docs/validation/stability.md B6). The default kernel.
 struct WendlandC2 : OfSquare<WendlandC2> {
   using OfSquare<WendlandC2>::w, OfSquare<WendlandC2>::slope, OfSquare<WendlandC2>::laplace;
   template<class T> static THAW_INLINE T w(T q, T) {
@@ -45,7 +45,7 @@ struct WendlandC2 : OfSquare<WendlandC2> {
   template<class T> static THAW_INLINE T laplace(T q, T q2) { return T(laplacePerSlope) * slope(q, q2); }
 };
 
-/// Mueller, Charypar, Gross 2003 (MCG03): poly6 for densities, spiky for gradients, the viscosity kernel for
+/// Kernels of MCG03: poly6 for densities, spiky for gradients, the viscosity kernel for
 /// Laplacians.
 struct Mcg03 : OfSquare<Mcg03> {
   using OfSquare<Mcg03>::w, OfSquare<Mcg03>::slope, OfSquare<Mcg03>::laplace;
@@ -60,7 +60,7 @@ struct Mcg03 : OfSquare<Mcg03> {
   template<class T> static THAW_INLINE T laplace(T q, T) { return T(45 / pi) * max(T(1.0) - q, T(0.0)); }
 };
 
-/// Cubic spline of Monaghan & Lattanzio 1985 with its support scaled to h.
+/// Cubic spline of ML85 with its support scaled to h.
 struct CubicSpline : OfSquare<CubicSpline> {
   using OfSquare<CubicSpline>::w, OfSquare<CubicSpline>::slope, OfSquare<CubicSpline>::laplace;
   template<class T> static THAW_INLINE T w(T q, T) {

@@ -24,8 +24,8 @@ double expectedSpeed(const Scene& scene);
 inline bool canBeLiquid(const Material& m) { return !m.canBeSolid() || m.melts() || m.liquidAtStart; }
 
 /// Returns one entry per material. The automatic sound speed keeps compression below
-/// Numerics::maxDensityError: c = v / sqrt(error), ten times v for the default of 1 % (Monaghan 1994), and
-/// not below the speed that surface tension causes at one spacing.
+/// Numerics::maxDensityError: c = v / sqrt(error), ten times v for the default of 1 % (M94). It is not below
+/// the speed that surface tension causes at one spacing.
 std::vector<LiquidMaterial> liquidMaterials(const Scene& scene);
 
 /// Returns the end of the message "sound speed of ... m/s: ", which gives the cause.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exact sums of doubles in integers. The result is independent of the order of the terms and of their
-// distribution over ranks. Kulisch accumulator in 32-bit digits; Neal 2015, "Fast exact summation using small
-// and large superaccumulators".
+// distribution over ranks. Kulisch accumulator in 32-bit digits (N15).
 #pragma once
 #include <array>
 #include <cstdint>

@@ -23,7 +23,7 @@ enum class Purpose : std::uint64_t {
 };
 
 /// Mixes 64 bits so that every bit of the argument changes about half of the result's (the finaliser of
-/// SplitMix64, Steele et al. 2014).
+/// SplitMix64, SLF14).
 inline std::uint64_t mixBits(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;

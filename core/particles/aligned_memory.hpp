@@ -8,8 +8,9 @@
 
 namespace thaw {
 
-/// Returns memory aligned to a cache line. Blocks of several MB are aligned to large pages and the kernel is
-/// advised to use these: with 4 kB pages, TLB misses cost several percent of a step over a million particles.
+/// Returns memory aligned to a cache line. Blocks of several MB are aligned to large pages, and the kernel is
+/// advised to use these. With 4 kB pages, TLB misses cost several per cent of a step over a million
+/// particles.
 void* allocateAligned(std::size_t bytes);
 void freeAligned(void* block, std::size_t bytes);
 /// Gives freed memory, which the allocator caches, back to the system where the platform supports it. Call it

@@ -57,8 +57,8 @@ FormerMotion formerMotion(const RigidView& v, std::size_t i) {
           spinOf(v.pieces, row, v.pieces.pressureTwist[row])};
 }
 
-/// Returns the pieces whose sets of particles changed: those whose number of particles, or sum of hashes of
-/// their ids, differs from that of the former piece of the same id, and those that particles left.
+/// Returns the pieces whose sets of particles changed, and those that particles left. A set changed if its
+/// number of particles, or its sum of hashes of ids, differs from that of the former piece of the same id.
 NewPieces findChanged(const RigidView& v, Reducer& all) {
   const Continuum& p = v.particles;
   std::vector<std::uint64_t> ids;

@@ -26,8 +26,8 @@ struct FlowSpeed {
 };
 
 /// Returns the speed from which the automatic sound speed is derived. A flow of speed v changes the density
-/// by v^2 / c^2, a column of height H by g H / c^2 (Monaghan 1994). v^2 = u^2 + 2 g h: u is the largest speed
-/// of bodies, emitters and obstacles, h the largest fall. A column of bodies is no higher than the fall, so v
+/// by v^2 / c^2, a column of height H by g H / c^2 (M94). v^2 = u^2 + 2 g h. u is the largest speed of
+/// bodies, emitters and obstacles, h the largest fall. A column of bodies is no higher than the fall, so v
 /// covers it. A column that an emitter fills may be higher.
 FlowSpeed expectedFlow(const Scene& scene);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Substeps of solids, so that a stiff solid does not limit the step of all: r-RESPA (Tuckerman, Berne &
-// Martyna 1992, "Reversible multiple time scale molecular dynamics", eq. 2.22). Fast forces are those of
+// Substeps of solids, so that a stiff solid does not limit the step of all: r-RESPA (TBM92 eq. 2.22).
+// Fast forces are those of
 // bonds and of contacts of solids with walls, which are as stiff as the solid; all others are slow. In a
 // step of dt with n substeps, d = dt / n:
 // else. In a step of dt with n substeps, d = dt / n:

@@ -56,9 +56,9 @@ bool listContacts(const WallView& w, std::size_t i, WallContacts& contacts, bool
   return moved;
 }
 
-/// Overlap of two walls near a particle to which they contribute relative densities a and b, over 2 ab: exact
-/// for two planes through the particle at any angle, 0 for opposite ones. g = 1 - 2 angle / pi is 1 for equal
-/// directions, where the overlap is min(a, b).
+/// Overlap of two walls near a particle to which they contribute relative densities a and b, divided by 2 ab.
+/// It is exact for two planes through the particle at any angle, and 0 for opposite ones. g = 1 - 2 angle /
+/// pi is 1 for equal directions, where the overlap is min(a, b).
 double alignment(const Vec3d& n, const Vec3d& m) {
   return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / std::numbers::pi);
 }

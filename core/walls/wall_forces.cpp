@@ -15,7 +15,7 @@ namespace {
 
 /// Limits a decay rate r (1/s) for a step dt: unchanged up to r dt = 1/2, smaller beyond, so that it never
 /// overshoots. The average over the step, (1 - exp(-r dt)) / dt, would be too low by a fraction r dt / 2,
-/// about a tenth, since the neighbours' forces are not averaged; the liquid would slip.
+/// about a tenth, since the neighbours' forces are not averaged. The liquid would slip.
 double overStep(double r, double dt) {
   const double share = r * dt;
   return share > 0.5 ? (1 - 0.5 * std::exp(1 - 2 * share)) / dt : r;
@@ -88,7 +88,7 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
   act.resist(tangential * -rate, at.velocity);
 }
 
-/// Adds a spring with dashpot (Cundall & Strack 1979) and Coulomb friction: for solids within half a spacing;
+/// Adds a spring with dashpot (CS79) and Coulomb friction: for solids within half a spacing;
 /// for liquids, which pressure supports, only within a quarter.
 void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum& p, WallAction& act) {
   const double dx = x.world.scene.spacing, f = at.liquid, m = p.mass[at.row];

@@ -23,7 +23,7 @@ std::string folderOf(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-std::uint64_t mix(std::uint64_t x) {  // finalizer of splitmix64 (Steele, Lea, Flood 2014)
+std::uint64_t mix(std::uint64_t x) {  // finalizer of splitmix64 (SLF14)
   x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ull;
   x = (x ^ x >> 27) * 0x94d049bb133111ebull;
   return x ^ x >> 31;

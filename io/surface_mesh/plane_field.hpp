@@ -20,7 +20,7 @@ struct PlaneHeight {
   bool known = false;
 };
 
-/// Implicit moving least squares of Kolluri 2005 over the nearest surfels, corrected for curvature by the
+/// Implicit moving least squares (KO05) over the nearest surfels, corrected for curvature by the
 /// mean normal. Planes of a curved surface lie outside of it, but the chord to a surfel is perpendicular to
 /// the mean of both normals, exactly so on a sphere.
 class PlaneField {

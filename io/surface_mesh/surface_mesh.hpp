@@ -36,7 +36,7 @@ struct ComponentRows {
 };
 std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame);
 
-/// Returns the zero set of the weighted mean of signed plane distances (Kolluri 2005), corrected for
+/// Returns the zero set of the weighted mean of signed plane distances (KO05), corrected for
 /// curvature by the mean normal, over near surfels whose normals agree with the nearest one's. Marching
 /// tetrahedra use cubes of edge `cell` times the mean radius, at most 0.15 of the component's size, and
 /// halved up to three times if a component yields no triangle. Vertices lie on the zero set up to the offset

@@ -69,7 +69,7 @@ std::vector<Figure> measurePress(Trial& r) {
 
 // ---- slump test -------------------------------------------------------------------------------------------
 
-/// Slump over height of a cylinder, tau' = tau_yield/(rho g H) (Pashias, Boger, Summers & Glenister 1996).
+/// Slump over height of a cylinder, tau' = tau_yield/(rho g H) (P96).
 double pashias(double tau) { return 1 - 2 * tau * (1 - std::log(2 * tau)); }
 
 /// Height (m) of the uppermost particles plus half a spacing.

@@ -196,7 +196,7 @@ void begin(Solver& s) {
   }
 }
 
-/// Conjugate gradients (Hestenes & Stiefel 1952), preconditioned by the particles' own 3x3 blocks. Returns
+/// Conjugate gradients (HS52), preconditioned by the particles' own 3x3 blocks. Returns
 /// true on convergence.
 bool iterate(Solver& s) {
   Continuum& p = s.p;

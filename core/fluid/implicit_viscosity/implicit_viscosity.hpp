@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implicit viscosity without a step limit (after Weiler, Koschier, Brand, Bender 2018, "A physically
-// consistent implicit viscosity solver for SPH fluids"): backward Euler, a linear system for the velocities,
+// Implicit viscosity without a step limit (after WKBB18): backward Euler, a linear system for the velocities,
 // solved by conjugate gradients.
 //
 // The leap-frog velocity v lives at half steps: v' = v + dt (F + F_visc) / m, F the other forces. F_visc = -L

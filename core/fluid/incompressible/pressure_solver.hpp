@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pressure solver for incompressible liquids (DFSPH, Bender & Koschier 2015/2017). The pressure is the
+// Pressure solver for incompressible liquids (DFSPH, BK17). The pressure is the
 // Lagrange multiplier of the constraint relative density <= target. Steps are thus limited by the flow speed
 // and not by sound.
 //
-// The scheme is a constrained leap-frog (Andersen 1983, RATTLE). At the end of a step the divergence solve
+// The scheme is a constrained leap-frog (RATTLE, A83). At the end of a step the divergence solve
 // removes compression rates from the velocity. The density solve then finds the impulse with which the next
 // half kick and drift end at the target density. That impulse is stored (Continuum::pressureImpulse) and
 // applied at the start of the next step. Both solves use the neighbours of the current positions, so a step
@@ -16,7 +16,7 @@
 // Both solves have the same form: find pressures k >= 0 (Pa s) whose impulses -sum_i V_i k_i d delta_i/dx
 // leave no predicted compression e <= 0, with k = 0 where e < 0. The problem is convex; its matrix V D M^-1
 // D^T V is symmetric and never formed. It is solved by Jacobi steps, clamped at 0, with Nesterov's momentum
-// (Nesterov 1983), restarted where it points uphill (O'Donoghue & Candes 2015). All decisions rest on integer
+// (N83), restarted where it points uphill (OC15). All decisions rest on integer
 // sums over all ranks, so the number of iterations does not depend on the number of ranks.
 #pragma once
 #include "core/fluid/incompressible/pressure_system.hpp"

@@ -5,12 +5,13 @@
 
 namespace thaw {
 
-/// Smallest eigenvalue of the moment below which a particle is at the free surface (Marrone et al. 2010). It
+/// Smallest eigenvalue of the moment below which a particle is at the free surface (MCL10). It
 /// is 1 on a lattice, 0.5 in its outermost layer and 0.86 on average where particles are moved by up to a
 /// fifth of a spacing.
 inline constexpr double surfaceMoment = 0.68;
-/// Asymmetry |sum V grad W| / sum V |grad W| above which a particle is at the free surface, near walls, whose
-/// part of the moment is unknown, and without moments: 0.25 in the outermost layer of a lattice.
+/// Asymmetry |sum V grad W| / sum V |grad W| above which a particle is at the free surface. It is used
+/// without moments, and near walls, whose part of the moment is unknown. The outermost layer of a lattice has
+/// 0.25.
 inline constexpr double surfaceAsymmetry = 0.19;
 /// Shifting velocity over h times the strain rate, and over sqrt(|p| / rho) under tension, each per
 /// concentration gradient.

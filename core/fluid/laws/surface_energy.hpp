@@ -12,7 +12,7 @@
 // density is 1, since the kernel sum overestimates clumps, but their true density is not. Films of one layer,
 // threads and single particles have only this term.
 // Sparse neighbourhoods: below the d of a lattice edge, n^2 / d^2 of a particle that approaches the liquid
-// would rise before it falls, and single particles would hover over puddles and floors. There the power
+// would rise before it falls. Single particles would hover over puddles and floors. There the power
 // continues as a parabola in d that is 0 for a single particle. A single particle costs the surface of a
 // sphere of its volume, (36 pi)^(1/3) sigma dx^2: a quadratic term that ends at the same d adds what the
 // colour term lacks.

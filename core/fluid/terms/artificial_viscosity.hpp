@@ -7,7 +7,7 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Artificial viscosity (Monaghan 1992) of approaching pairs; record: alpha c h rho / 10.
+/// Artificial viscosity (M92) of approaching pairs; record: alpha c h rho / 10.
 template<class Real, class Kernel> struct Artificial {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *velocityViscosity, *surface;

@@ -9,17 +9,16 @@ namespace {
 
 enum class Carry { Nothing, Density, Corrected };
 /// Particles of a sum: one liquid with records of Modules::uniform, several liquids, or liquids and solids
-/// that carry the density of adjacent liquid (Crespo et al. 2007).
+/// that carry the density of adjacent liquid (C07).
 enum class Mix { One, Liquids, Solids };
 
 /// Summed relative density (as Density) and h times its gradient, for shifting.
 /// Carry::Density: also its rate, sum V0_j (u_i - u_j).grad W. The adjoint is the pressure force of Forces,
-/// so pairs conserve energy (Bonet & Lok 1999).
+/// so pairs conserve energy (BL99).
 /// Carry::Corrected: instead the sums for the corrected rate (terms/carry.hpp).
-/// Both: density diffusion (Molteni & Colagrossi 2009, eq. 11) minus its hydrostatic part (Fourtakas 2019,
-/// eq. 10), and the step of the carried density.
-/// Gradients are those at mid-step: pressure work then equals the loss of compression energy to second order.
-/// Several liquids or solids: the diffusing quantity is the pressure over a common stiffness.
+/// Both: density diffusion (MC09 eq. 11) minus its hydrostatic part (F19 eq. 10), and the step of the carried
+/// density. Gradients are those at mid-step: pressure work then equals the loss of compression energy to
+/// second order. Several liquids or solids: the diffusing quantity is the pressure over a common stiffness.
 /// Surfaces: also the sums of the free surface.
 template<class Real, class Kernel, Carry carry, bool Surfaces = false, Mix mix = Mix::Solids>
 struct CarriedDensity {

@@ -146,10 +146,10 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     for (int l = 0; l < at.count; l++) *x.crowded += laneOf(crowded, l) && awake >> l & 1;
   }
 
-  /// Velocity of shifting (m/s), along -grad C (Lind et al. 2012). The speed is at most CarryStep::shifting
+  /// Velocity of shifting (m/s), along -grad C (LXSR12). The speed is at most CarryStep::shifting
   /// times the speed of sound. Below it follows what makes disorder: strain, and tension (speed of
   /// sqrt(|p| / rho)), so that liquid at rest is left alone. Particles at the free surface stay; those beside
-  /// it do not move towards it (Sun et al. 2017, eq. 20). Particles beside a solid are shifted only along it:
+  /// it do not move towards it (S17 eq. 20). Particles beside a solid are shifted only along it:
   /// shifting must keep the gap, since a few per cent of the displaced volume decide whether the solid
   /// floats.
   THAW_INLINE void shift() {

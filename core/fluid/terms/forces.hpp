@@ -8,14 +8,14 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Pressure: variational (Monaghan 2005 eq. 3.3 with relative density), or as printed in K05. Viscosity:
-/// Monaghan's pair form along r (2005 eq. 8.9 without its artificial scaling), or MCG03 eq. 13; implicit
-/// without Viscous (viscous_operator.hpp). Heat conduction: Cleary & Monaghan 1999 eq. 36.
-/// A solid particle responds with the pressure of its liquid neighbour (Akinci 2012): the force is the
+/// Pressure: variational (M05 eq. 3.3 with relative density), or as printed in K05. Viscosity:
+/// Monaghan's pair form along r (M05 eq. 8.9 without its artificial scaling), or MCG03 eq. 13; implicit
+/// without Viscous (viscous_operator.hpp). Heat conduction: CM99 eq. 36.
+/// A solid particle responds with the pressure of its liquid neighbour (A12): the force is the
 /// gradient of the liquid's compression energy, so the pair conserves energy. It also has viscous drag. Two
 /// solids do not interact.
 /// Carried: pressure is a tensor, p / (relative density)^2 times the gradient correction, the inverse moment
-/// (Bonet & Lok 1999). The force is the adjoint of the corrected divergence, so pairs conserve momentum and
+/// (BL99). The force is the adjoint of the corrected divergence, so pairs conserve momentum and
 /// energy. It is not central. The pressure of a solid near liquid acts only between that solid and liquids.
 /// Relief: pressureDiagonal.d, pressureOffDiagonal.d and pressurePhaseHeat.a are the force on liquid from all
 /// its solid neighbours (core/fluid/laws/lattice_relief.hpp), divided among the pairs by V W of the

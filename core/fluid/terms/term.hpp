@@ -13,7 +13,7 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Heat flow from j to i with the harmonic mean of the conductivities (Cleary & Monaghan 1999 eq. 36); VV:
+/// Heat flow from j to i with the harmonic mean of the conductivities (CM99 eq. 36); VV:
 /// product of both volumes. For j it is the exact negative.
 template<class Real>
 THAW_INLINE Lanes<Real> conducted(Lanes<Real> VV, const Lanes4<Real>& i, const Lanes4<Real>& j,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marching tetrahedra (Doi and Koide 1991): each cube has six tetrahedra around its diagonal (Kuhn), which
+// Marching tetrahedra (DK91): each cube has six tetrahedra around its diagonal (Kuhn), which
 // match those of adjacent cubes.
 #pragma once
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounding-volume hierarchy of triangles: closest points, and winding numbers by dipole expansion (Barill,
-// Dickson, Schmidt, Levin, Jacobson 2018, "Fast winding numbers for soups and clouds").
+// Bounding-volume hierarchy of triangles: closest points, and winding numbers by dipole expansion (B18).
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -53,8 +52,7 @@ class TriangleBvh {
   AlignedVector<std::uint32_t> numbers_;  ///< numbers of these triangles in the mesh
 };
 
-/// Returns the solid angle over 4 pi of a triangle seen from x, positive from behind (Van Oosterom and
-/// Strackee 1983).
+/// Returns the solid angle over 4 pi of a triangle seen from x, positive from behind (VOS83).
 double windingOfTriangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x);
 
 /// Returns the closest point of a triangle, which may be degenerate.

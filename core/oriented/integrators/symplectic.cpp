@@ -15,9 +15,9 @@ void stepSymplectic(const OrientedView& w, double dt) {
   const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
-    // a force's work covers half of the displacement before it and half of that after it; the kick gives F .
-    // (v + v') dt' / 2, but the displacement before was v dt: the difference is the scheme's error for a
-    // changing step
+    // A force's work covers half of the displacement before it and half of that after it. The kick gives F .
+    // (v + v') dt' / 2, but the displacement before was v dt. The difference is the scheme's error for a
+    // changing step.
     const double change = 0.5 * (dt - w.clock.stepDt);
     if (!(o.flags[i] & fixedPosition)) {
       // contacts with other body types have the impulse of both halves already

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hermite interpolation of points with normals by radial functions r^3 (Wendland 2005; Macedo, Gois & Velho
-// 2011): f = 0 on the surface, and its gradient there is the normal. Pieces around each point are blended by
-// a partition of unity (Ohtake et al. 2003).
+// Hermite interpolation of points with normals by radial functions r^3 (W05, MGV11): f = 0 on the surface,
+// and its gradient there is the normal. Pieces around each point are blended by a partition of unity (O03).
 #pragma once
 #include <vector>
 

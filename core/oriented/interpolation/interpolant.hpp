@@ -23,14 +23,14 @@ void buildInterpolant(PointInterpolant& given);
 
 /// Returns unit normals of points without any. Each is the normal of the plane of the 12 nearest points. A
 /// minimal spanning tree over differences of normals orients them, from the highest point (normal up) on
-/// (Hoppe et al. 1992); docs/validation/stability.md B17.
+/// (H92); docs/validation/stability.md B17.
 std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points);
 
 /// Moves a position onto the interpolated surface and returns the normal there. False if no point is within
 /// reach or the interpolant has no surface.
 bool projectOnInterpolant(const PointInterpolant& given, Vec3d& place, Vec3d& normal);
 
-/// Thin plate through points (Duchon 1977): height over the plane of best fit; see sampleControl.
+/// Thin plate through points (D77): height over the plane of best fit; see sampleControl.
 struct ThinPlate {
   Vec3d origin{}, u{}, v{}, n{};
   std::vector<double> x, y, weight;  ///< m, coordinates of the points in the plane, and spline weights

@@ -19,10 +19,10 @@ struct OrientedPoints {
   std::span<const std::uint64_t> cutSides;  ///< as Oriented::cutSides; empty: no cuts
 };
 
-/// Returns triangles by the smallest-sphere test (ST92): three particles of one surface that face alike, each
-/// within twice its spacing of the others, with no other such particle in the smallest sphere through them.
-/// Counter-clockwise seen from the normals, in ascending order. Together they are a manifold (manifold.hpp),
-/// with small holes filled.
+/// Returns triangles by the smallest-sphere test (ST92). The three particles are of one surface, face alike,
+/// and each is within twice its spacing of the others. The smallest sphere through them contains no other
+/// such particle. Counter-clockwise seen from the normals, in ascending order. Together they are a manifold
+/// (manifold.hpp), with small holes filled.
 std::vector<std::array<std::uint32_t, 3>> triangulate(const OrientedPoints& points);
 
 /// Returns pairs by the same test, for particles without triangles (2D version). Only particles with

@@ -6,7 +6,7 @@
 namespace thaw {
 
 /// Returns a fraction of the points, fixed: most spread evenly, the others where the interpolant of the kept
-/// ones is farthest from the points (greedy centres: Carr et al. 2001, section 4), in a few rounds.
+/// ones is farthest from the points (greedy centres: C01 section 4), in a few rounds.
 SampledPoints thinPoints(const SampledPoints& points, double share, std::uint64_t seed);
 
 }  // namespace thaw

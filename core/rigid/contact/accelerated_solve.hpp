@@ -25,9 +25,9 @@ struct SolveCount {
 /// Improves the impulses (N s; in: a guess) until every contact fulfils u_n >= target, with impulse_n >= 0,
 /// complementarity, and Coulomb's cone. rows (out): changes of the rows by the impulses. Collective.
 ///
-/// Nesterov's iteration [N83] with restarts where the gradient opposes the step [OC15]; the step length
-/// follows Rayleigh quotients of the steps taken, bounded by that of mass splitting, which always converges
-/// without friction.
+/// Nesterov's iteration [N83] with restarts where the gradient opposes the step [OC15]. The step length
+/// follows Rayleigh quotients of the steps taken. It is bounded by that of mass splitting, which always
+/// converges without friction.
 SolveCount solveAccelerated(ContactSystem& system, const ContactConditions& conditions,
                             std::span<Vec3d> impulses, std::vector<RowChange>& rows);
 

@@ -132,8 +132,8 @@ double beyondFace(const Search& s, const Candidate& plane, std::span<const Candi
   return beyond;
 }
 
-/// Edges of a face are rounded: from flatEdge on, lifts the gap of a particle beyond the face towards that of
-/// two spheres one above the other, and drops the contact from roundEdge on, where edges touch instead.
+/// Rounds the edges of a face. From flatEdge on, lifts the gap of a particle beyond the face towards that of
+/// two spheres one above the other. From roundEdge on, drops the contact: edges touch there instead.
 void roundEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
   const double flat = flatEdge * s.in.scene.spacing, round = roundEdge * s.in.scene.spacing;
   for (Candidate& c : candidates) {

@@ -12,8 +12,8 @@ namespace thaw {
 /// Bin of a unit normal: 54 bins, nine on each side of a cube, with axes in the middles of bins.
 std::uint32_t directionBin(const Vec3d& normal);
 
-/// Keeps for each pair of pieces and bin of normals the contacts that are outermost in eight directions along
-/// the surface, and the deepest one; of closed and of open gaps separately. Forces along a common normal have
+/// Keeps the deepest contact of each pair of pieces and bin of normals, and those that are outermost in eight
+/// directions along the surface. Closed and open gaps are separate. Forces along a common normal have
 /// the same torques from the outline as from the whole patch. Patches of a piece that lies on several ranks
 /// are compared over these. spacing: m. Collective.
 void reduceContacts(std::vector<FoundContact>& contacts, const Pieces& pieces, double spacing, Reducer& all);

@@ -5,7 +5,7 @@
 
 namespace thaw {
 
-// Ericson 2005, 5.1.5
+// E05, 5.1.5
 Vec3d sharesOfNearest(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x) {
   const Vec3d ab = b - a, ac = c - a, ap = x - a;
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
@@ -37,7 +37,7 @@ Vec3d sharesOfNearest(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3
   return {1 - v - q, v, q};
 }
 
-// Ericson 2005, 5.1.9
+// E05, 5.1.9
 EdgeShares nearestOfEdges(const Vec3d& p, const Vec3d& u, const Vec3d& q, const Vec3d& v) {
   const Vec3d r = p - q;
   const double a = dot(u, u), e = dot(v, v), f = dot(v, r), c = dot(u, r), b = dot(u, v),

@@ -27,13 +27,13 @@ Failure failureOf(const World& world, const MonitorLimits& bounds, const StepLim
                   double relativeDensity);
 
 /// Checks the energy budget at a possible snapshot:
-/// - Energy: the unexplained gain since the last snapshot exceeds MonitorLimits::energy times the largest of
-/// the ledger's terms at that snapshot, the external work so far, and the kinetic energy of all mass at the
-/// expected speed.
-/// - Growth: the same since the run began, relative to the largest ledger term so far, and at least the
+/// - Energy: the unexplained gain since the last snapshot exceeds MonitorLimits::energy times a scale. The
+/// scale is the largest of the ledger's terms at that snapshot, of the external work so far, and of the
+/// kinetic energy of all mass at the expected speed.
+/// - Growth: the same since the run began. The scale is the largest ledger term so far, and at least the
 /// kinetic energy at a tenth of the expected speed.
-/// - Inverted: the fraction of solid particles with det F <= 0 whose law (Green strain without volume force)
-/// has no restoring force.
+/// - Inverted: the fraction of solid particles with det F <= 0 and without a restoring force. Green strain
+/// without volume force has none.
 /// Energy losses do not count: they make no run unstable and are in the ledger's residual. Collective.
 Failure checkEnergyBudget(const World& world, const MonitorLimits& bounds, const LedgerReport& budget,
                           Reducer& all);

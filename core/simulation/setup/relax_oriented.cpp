@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FIRE (Bitzek, Koskinen, Gaehler, Moseler, Gumbsch 2006): dynamics whose velocity is turned toward the
+// FIRE (B06): dynamics whose velocity is turned toward the
 // force, and reset when the power is negative.
 #include "core/simulation/setup/relax_oriented.hpp"
 

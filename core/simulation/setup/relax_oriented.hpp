@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Relaxes the bodies that request it (FIRE: Bitzek et al. 2006), with growth. Stops when no force exceeds
+/// Relaxes the bodies that request it (FIRE, B06), with growth. Stops when no force exceeds
 /// 1e-9 stiffness times spacing, after OrientedBody::relax iterations, when progress stalls
 /// (core/oriented/data/relax_progress.hpp), or when OrientedWork::stopRelaxing returns true on a rank.
 /// Ensures: velocities are those of the scene. Returns the number of iterations. Collective.

@@ -13,7 +13,7 @@ namespace thaw {
 
 /// Relaxes the particles of bodies with relaxed packing, which start as a jittered lattice, until their
 /// kernel gradients balance. Steps follow the negative gradient of sum W within the body, half a spacing from
-/// its surface (as in particle shifting, Lind et al. 2012). Liquid that fills a periodic box has no surface:
+/// its surface (as in particle shifting, LXSR12). Liquid that fills a periodic box has no surface:
 /// it starts anywhere in the lattice's cells and moves through the sides. Liquids away from walls, with
 /// summed density, are then relaxed further until no relative density exceeds 1 by more than 1e-4, so that
 /// pressure does not set them in motion. It runs on all ranks like a step, with the same bits on any number

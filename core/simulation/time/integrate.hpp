@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leap-frog in kick-drift-kick form (K05 3.4; Springel 2005 section 4): positions and velocities are known at
+// Leap-frog in kick-drift-kick form (K05 3.4; SP05 section 4): positions and velocities are known at
 // the same time.
 #pragma once
 #include <span>
@@ -16,7 +16,7 @@ bool kickAndDrift(World& world, double dt, std::span<const RowSpan> rows);
 
 /// Computes accelerations from forces and gravity and applies the second half kick. Clamped particles and
 /// rows outside of the ranges stay. Accumulates dissipation. Returns false if a position, velocity or force
-/// is not finite, or if a particle would cross its support radius in such a step: *bad is then the first such
+/// is not finite, or if a particle would cross its support radius in such a step. *bad is then the first such
 /// row. *largest receives the result of largestRates.
 bool finishKick(World& world, double dt, std::span<const RowSpan> rows, std::size_t* bad,
                 LargestRates* largest);

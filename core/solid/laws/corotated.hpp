@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Corotated linear elasticity: mu |F - R|^2 + lambda/2 tr(R^T F - 1)^2 with the rotation R nearest to F
-// (Mueller & Gross 2004; invertible form: Irving, Teran, Fedkiw 2004). It is linear in stretch, so it neither
+// (MG04; invertible form: ITF04). It is linear in stretch, so it neither
 // softens in compression nor stays inverted: R is a proper rotation also for det F < 0.
 #pragma once
 #include "core/solid/laws/neo_hookean.hpp"
@@ -12,7 +12,7 @@ template<class T> T doubleDot(const Mat3<T>& a, const Mat3<T>& b) {
 }
 
 /// One step of Newton's iteration R <- (R + R^-T)/2 for the nearest rotation. It keeps the sign of the
-/// determinant and converges quadratically (Higham 1986).
+/// determinant and converges quadratically (H86).
 template<class T> Mat3<T> towardsRotation(const Mat3<T>& r) {
   const Mat3<T> c = cofactor(r);
   return T(0.5) * (r + (T(1.0) / dot(r.row[0], c.row[0])) * c);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stable Neo-Hookean energy: defined and smooth for every F, inverted ones included
-// (Smith, de Goes, Kim 2018, "Stable Neo-Hookean flesh simulation", eq. 14).
+// (SGK18 eq. 14).
 #pragma once
 #include "core/math/mat3.hpp"
 
@@ -11,7 +11,7 @@ template<class T> Mat3<T> cofactor(const Mat3<T>& f) {
   return {{cross(f.row[1], f.row[2]), cross(f.row[2], f.row[0]), cross(f.row[0], f.row[1])}};
 }
 
-/// Constants of the energy from Lame's constants, so that small strains follow Hooke's law (Smith 2018,
+/// Constants of the energy from Lame's constants, so that small strains follow Hooke's law (SGK18
 /// section 3.4).
 template<class T> struct NeoHookeanConstants {
   T lambda, mu;
@@ -34,7 +34,7 @@ T neoHookeanEnergy(const Mat3<T>& f, const T& lameLambda, const T& lameMu, const
          T(0.5) * k.mu * logarithm;
 }
 
-/// First Piola stress P = mu (1 - 1/(|F|^2 + 1)) F + (lambda (J - 1) - 3/4 mu) cof F (Smith 2018, eq. 18),
+/// First Piola stress P = mu (1 - 1/(|F|^2 + 1)) F + (lambda (J - 1) - 3/4 mu) cof F (SGK18 eq. 18),
 /// Pa.
 template<class T> Mat3<T> neoHookeanStress(const Mat3<T>& f, const T& lameLambda, const T& lameMu) {
   const NeoHookeanConstants<T> k(lameLambda, lameMu);

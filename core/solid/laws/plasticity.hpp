@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plastic flow at large strain: F = Fe Fp, and the elastic law acts on Fe only.
-// A particle yields where its Cauchy stress sigma exceeds the yield stress: |dev sigma| > 2G y, y =
-// gamma_yield + h eps_p, with the equivalent plastic strain eps_p; the uniaxial yield stress is sqrt(6) G y.
+// A particle yields where its Cauchy stress sigma exceeds the yield stress: |dev sigma| > 2G y. The yield
+// strain y is gamma_yield + h eps_p, with the equivalent plastic strain eps_p. The uniaxial yield stress is
+// sqrt(6) G y.
 // Flow scales the deviator e of the logarithmic elastic strain at fixed F: e <- r e with one r for all three
 // principal axes. It thus conserves volume, is frame-independent, and ends where the stress of the law is on
 // the yield surface. Small strains give the additive plastic strain of OBH02. Split and logarithmic return:
-// Simo 1992, "Algorithms for static and dynamic multiplicative plasticity that preserve the classical return
-// mapping schemes of the infinitesimal theory".
+// S92.
 #pragma once
 #include "core/materials/elastic_constants.hpp"
 #include "core/math/mat3.hpp"
@@ -38,8 +38,8 @@ struct PlasticFlow {
 /// Returns the flow at fixed F in a time dt (s). The excess |dev sigma|/2G - y decays as exp(-creep dt),
 /// instantly if creep is infinite, so two steps of dt/2 equal one of dt. The norm of the total plastic strain
 /// stays below gamma_max; only this limit uses referenceGradient. There is no flow where det Fe <= 0, or
-/// where it would gain energy: under a pressure at which the law is unstable in shear (Green strain at a
-/// Poisson's ratio of 0.3: below 0.67 of the volume).
+/// where it would gain energy. That happens under a pressure at which the law is unstable in shear. Green
+/// strain at a Poisson's ratio of 0.3 is unstable below 0.67 of the volume.
 PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
                         const Mat3d& referenceGradient, double dt);
 

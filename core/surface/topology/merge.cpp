@@ -167,8 +167,8 @@ void classifySurfel(const SurfaceView& w, std::uint32_t i, const Joined& joined,
   t.moved[i] = f.position[i] + push;
 }
 
-/// Classifies an owned surfel of a joining component at some distance from the other surface: whether the
-/// other's particles shape the common surface here, and whether it lies deep inside the other.
+/// Classifies an owned surfel of a joining component at some distance from the other surface. Finds whether
+/// the other's particles shape the common surface here, and whether the surfel lies deep inside the other.
 void classifyJoining(const Surface& s, std::uint32_t i, const Bins& joining, ComponentTools& c,
                      MergeTools& t) {
   const Surfels& f = s.surfels;

@@ -44,7 +44,7 @@ Vec3d normalWhereCrossed(const SignedDistance& shape, const Ray& ray, double fro
 }
 
 /// Marches through all surfaces between `from` and `to` (m along the ray); reflection grows at grazing angles
-/// (Schlick 1994). `up` is the direction of light; `step` (m) is the thickness below which walls may be
+/// (S94). `up` is the direction of light; `step` (m) is the thickness below which walls may be
 /// missed.
 GlassLayer walk(const SignedDistance& shape, const Ray& ray, double from, double to, const Vec3d& up,
                 double step) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rendering of surfels as a smooth lit surface: overlapping discs are blended by elliptical weighted average
-// splatting (Zwicker, Pfister, van Baar, Gross 2001), in the two passes of Botsch, Hornung, Zwicker, Kobbelt
-// 2005, with soft shadows and sky light.
+// splatting (ZPBG01), in the two passes of BHZK05. There are soft shadows and sky light.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -58,9 +58,9 @@ void recordVolumes(VolumeErrors& held, const std::vector<SurfaceComponent>& comp
 /// Returns lines for the end of a run; none without components.
 std::vector<std::string> volumeErrorLines(const VolumeErrors& held);
 nlohmann::ordered_json volumeErrorJson(const VolumeErrors& held);
-/// Returns a warning if a component or the sum is more than 1 % off the target volume, a small component more
-/// than 10 %, or if more than 1 % of the particles are in components that are more than 1 % off. Else returns
-/// "".
+/// Returns a warning if a component or the sum is more than 1 % off the target volume, or a small component
+/// more than 10 %. It also warns if more than 1 % of the particles are in components that are more than 1 %
+/// off. Else returns "".
 std::string volumeErrorWarning(const VolumeErrors& held);
 
 }  // namespace thaw

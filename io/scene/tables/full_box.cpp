@@ -27,7 +27,7 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
 
 namespace {
 
-/// Raises a liquid to an alpha of 0.02, the customary value for inviscid liquids (Antuono et al. 2012). An
+/// Raises a liquid to an alpha of 0.02, the customary value for inviscid liquids (ACM12). An
 /// alpha equals a viscosity of alpha c h rho / 10. Skipped if the scene has solids, which it would drag.
 void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
   constexpr double least = 0.02;

@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-/// Optimal string alignment distance (Damerau 1964): insertions, deletions, replacements, swaps of
+/// Optimal string alignment distance (D64): insertions, deletions, replacements, swaps of
 /// neighbours.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);

@@ -9,8 +9,9 @@ namespace thaw {
 
 inline constexpr double leastParticleBytes = 400;  ///< bytes per particle: columns and neighbour list
 
-/// Estimates the number of particles of bodies of these shapes at a spacing (m) without sampling them: from
-/// the inside fraction of a coarse lattice over the bounding box, or from the box alone if that is small.
+/// Estimates the number of particles of bodies of these shapes at a spacing (m) without sampling them. The
+/// estimate follows from the inside fraction of a coarse lattice over the bounding box, or from the box alone
+/// if that is small.
 double expectedParticles(const std::vector<std::shared_ptr<const SignedDistance>>& shapes, double spacing);
 
 /// Estimates the area (m^2) of these shapes from the number and angle of crossings of lines along the axes.
