@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Substeps of solids, so that a stiff solid does not limit the step of all: r-RESPA (TBM92 eq. 2.22).
-// Fast forces are those of
-// bonds and of contacts of solids with walls, which are as stiff as the solid; all others are slow. In a
-// step of dt with n substeps, d = dt / n:
-// else. In a step of dt with n substeps, d = dt / n:
+// Fast forces are those of bonds and of contacts of solids with walls, which are as stiff as the solid. All
+// others are slow. In a step of dt with n substeps, d = dt / n:
 //   v += slow dt/2 + fast d/2;
 //   n times: x += v d, then (except for the last) fast forces at the new positions, v += fast d;
 //   all forces;
