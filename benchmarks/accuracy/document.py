@@ -191,8 +191,9 @@ class Document:
                     found[key] = r
         for (case, norm), r in found.items():
             reached = "reached" if float(r["error"]) <= float(r["target"]) else "**missed**"
+            settings = settingsText(r["settings"].replace("default ", ""))
             lines.append(
-                f"| {case} | {cell(norm)} | {settingsText(r['settings'].replace('default ', ''))} | {short(r['error'])} "
+                f"| {case} | {cell(norm)} | {settings} | {short(r['error'])} "
                 f"| {short(r['target'])} | {reached} | {orderOf(r)} | {short(r['core_seconds'])} |"
             )
         return "\n".join(lines)

@@ -214,7 +214,7 @@ struct Numerics {
   double viscosityTolerance = 1e-3;        // 1, error of the implicit solver's velocity change
   std::int64_t viscosityIterations = 200;  // limit per step
   TensionForm tension = TensionForm::SurfaceEnergy;
-  Buoyancy buoyancy = Buoyancy::Automatic;  // of materials with expansion
+  Buoyancy buoyancy = Buoyancy::Automatic;  // thermal, for materials with expansion
   HeatModel heat = HeatModel::Enthalpy;
   Conduction conduction = Conduction::Normalised;
   bool selfContact = true;        // pieces of one solid collide with each other

@@ -102,7 +102,8 @@ void addRunOptions(CLI::App& c, RunOptions& o) {
   c.add_option("--out", o.out, "folder for frames, checkpoints and the summary (default: out/<scene>)");
   c.add_option("--set", o.overrides, "override a key of the scene: key=value; may be repeated")
       ->allow_extra_args(false);
-  c.add_option("--steps", o.steps, "stop when the run has this many steps, restarts included")->check(notBelowZero());
+  c.add_option("--steps", o.steps, "stop when the run has this many steps, restarts included")
+      ->check(notBelowZero());
   c.add_option("--time-limit", o.timeLimit,
                "stop, with a checkpoint, after this many seconds of wall-clock time")
       ->check(aboveZero());

@@ -30,10 +30,12 @@ surfaceKey stop 1 "stop is 1"
 surfaceKey adapt 0.001 "adapt is 0.001: 1000000 surfels"
 surfaceKey keep_volume 0.1 "keep_volume is 0.1"
 surfaceKey link_length 4 "link_length is 4"
-rejects "a surface far within its particles" "level.toml:11:[0-9]+: error: surface.iso_level.* between 0.2 and 0.8" \
+rejects "a surface far within its particles" \
+  "level.toml:11:[0-9]+: error: surface.iso_level.* between 0.2 and 0.8" \
   2 check "$(bodyTypes level <<<"$drop
 iso_level = 0.95")"
 rejects "a surface that feels particles far away" \
-  "reach.toml:11:[0-9]+: error: surface.particle_support.* between 1 and 3" 2 check "$(bodyTypes reach <<<"$drop
+  "reach.toml:11:[0-9]+: error: surface.particle_support.* between 1 and 3" \
+  2 check "$(bodyTypes reach <<<"$drop
 particle_support = 4")"
 allCases
