@@ -65,11 +65,11 @@ void readDomain(TableReader& r, Domain& d) {
   r.vector("gravity", d.gravity, "m/s^2", "acceleration of everything");
   r.as(Restart::Coefficient)
       .number("ambient", d.ambient, "K", positive(), "ambient temperature, for convection and radiation");
+  std::string axes;
   for (int a = 0; a < 3; a++)
-    if (!(d.max[a] > d.min[a]))
-      r.fail(r.has("max") ? "max" : "min",
-             fmt::format("domain.max must exceed domain.min along {}", static_cast<char>('x' + a)),
-             {"min", "max"});
+    if (!(d.max[a] > d.min[a])) axes += (axes.empty() ? "" : ", ") + std::string(1, "xyz"[a]);
+  if (!axes.empty() && r.has("max")) r.fail("max", "must exceed domain.min along " + axes, {"min"});
+  else if (!axes.empty()) r.fail("min", "must be below domain.max along " + axes);
 }
 
 void readNumerics(TableReader& r, Numerics& n) {

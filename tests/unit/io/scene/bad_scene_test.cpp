@@ -92,7 +92,10 @@ TEST(BadScene, EveryErrorHasAMessageWithItsPlace) {
        "2"},
       {"[0.1, 0.1, 0.1]", "[0.1, 0.1, -0.1]",
        "s.toml:10:16: error: body.block.box.size: edge lengths must be > 0 m"},
-      {"[1, 1, 1]", "[1, 1, -1]", "s.toml:5:7: error: domain.max: domain.max must exceed domain.min along z"},
+      {"[1, 1, 1]", "[1, 1, -1]", "s.toml:5:7: error: domain.max: must exceed domain.min along z"},
+      {"[1, 1, 1]", "[-1, 1, -1]", "s.toml:5:7: error: domain.max: must exceed domain.min along x, z"},
+      {"min = [-1, -1, -1]\nmax = [1, 1, 1]", "min = [1, 0, 0]",
+       "s.toml:4:7: error: domain.min: must be below domain.max along x"},
       {"normal = [0, 0, 1]", "normal = [0, 0, 0]",
        "s.toml:14:42: error: obstacle.floor.plane.normal: must not be zero"}};
   for (const auto& t : table) expectOnly(errorsOf(with(t.what, t.by)), t.line);
@@ -104,6 +107,19 @@ TEST(BadScene, DuplicateNamesAreErrors) {
   const std::vector<std::string> twice = errorsOf("spacing = 1\n" + good);
   ASSERT_EQ(twice.size(), 1u);
   EXPECT_EQ(twice[0].rfind("s.toml:2:11: error: ", 0), 0u) << twice[0];
+}
+
+TEST(BadScene, ConflictsOfNumericsHaveThePlaceOfTheirKey) {
+  const auto only = [](const std::string& keys) {
+    const std::vector<std::string> lines = errorsOf(good + "[numerics]\n" + keys);
+    return lines.size() == 1 ? lines[0] : std::to_string(lines.size()) + " errors";
+  };
+  EXPECT_EQ(only("tensile_limit = 0.5\nshifting = 0\n")
+                .rfind("s.toml:16:17: error: numerics.tensile_limit above 0 needs numerics.shifting", 0),
+            0u);
+  EXPECT_EQ(only("elastic_substeps = 4\nsleep_speed = 0.1\n")
+                .rfind("s.toml:17:15: error: numerics.sleep_speed cannot be combined", 0),
+            0u);
 }
 
 TEST(BadScene, AllErrorsAtOnceInTheirOrder) {

@@ -249,6 +249,16 @@ TEST(SceneMarks, MessageNamesTheKeyAndBothValues) {
   EXPECT_EQ(restartConflicts(then, s)[0], "spacing: 0.01 -> 0.02 m");
 }
 
+TEST(SceneMarks, FractionsAreRoundedUnlessTheyThenAgree) {
+  Scene s = sample();
+  s.spacing = 0.1 + 0.2;  // 0.30000000000000004
+  CheckpointValues then = restartRecordOf(s);
+  s.spacing = 0.25;
+  EXPECT_EQ(restartConflicts(then, s), std::vector<std::string>{"spacing: 0.3 -> 0.25 m"});
+  s.spacing = 0.3;
+  EXPECT_EQ(restartConflicts(then, s), std::vector<std::string>{"spacing: 0.30000000000000004 -> 0.3 m"});
+}
+
 TEST(SceneMarks, HalfSpacesAreComparedByPointAndNormal) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
