@@ -35,7 +35,8 @@ void readNumberOrField(TableReader& r, const NumberKey& k, double& value, Positi
 void readComponents(TableReader& r, Vec3d& velocity, VelocityField& field) {
   constexpr const char* axes[3] = {"x", "y", "z"};
   for (int a = 0; a < 3; a++)
-    readNumberOrField(r, {axes[a], "m/s", between(-fastestStart, fastestStart), ""}, velocity[a], field.component[a]);
+    readNumberOrField(r, {axes[a], "m/s", between(-fastestStart, fastestStart), ""}, velocity[a],
+                      field.component[a]);
 }
 
 /// Returns three components as they would be in a list.
