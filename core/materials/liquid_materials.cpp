@@ -32,6 +32,7 @@ std::vector<LiquidMaterial> liquidMaterials(const Scene& s) {
                                           std::sqrt(s.numerics.maxDensityError);
     l.stiffness = m.density * l.soundSpeed * l.soundSpeed;
     l.artificial = m.artificialViscosity * l.soundSpeed * h * m.density / 10;
+    l.pressureLead = m.bulkDamping * h / l.soundSpeed;
     l.rootTension = std::sqrt(m.surfaceTension);
     l.restVolume = 1 / m.density;
     all.push_back(l);

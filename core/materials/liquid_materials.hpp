@@ -13,7 +13,8 @@ struct LiquidMaterial {
   double soundSpeed = 0;  ///< m/s
   double artificial = 0;  ///< Pa s, alpha c h rho0 / 10: artificial viscosity as the viscosity of approaching
                           ///< pairs
-  double rootTension = 0;  ///< (N/m)^1/2
+  double pressureLead = 0;  ///< s, beta h / c: time by which the pressure leads the carried density
+  double rootTension = 0;   ///< (N/m)^1/2
   double restVolume = 0;   ///< m^3/kg
 };
 

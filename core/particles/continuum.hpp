@@ -94,7 +94,7 @@ struct Continuum : Table {
   Column<float> apparentViscosity{*this, "apparentViscosity", "Pa s", Keep::State,
       "viscosity at the shear rate of the last step (core/fluid/rheology/)"};
   Column<float> compressionRate{*this, "compressionRate", "1/s", Keep::State,
-      "rate of the relative density in the last step; volume viscosity uses it"};
+      "rate of the relative density in the last step; bulk damping uses it", Rows::Owned};
   Column<float> volumeFactor{*this, "volumeFactor", "1", Keep::State,
       "volume at rest, over that of its material's liquid at its reference temperature"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State,

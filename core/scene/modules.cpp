@@ -153,6 +153,7 @@ Modules modulesOf(const Scene& s) {
       f.on(m.viscosityCorrection, "corrected viscosity", who);
     if (liquid && x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
     if (liquid && x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
+    if (liquid && m.continuity && x.bulkDamping > 0) f.on(m.bulkDamping, "bulk damping", who);
     if (!m.solid || !x.canBeSolid()) continue;
     if (x.yieldStrain.solid < never || x.yieldStrain.liquid < never)
       f.on(m.plastic, "plastic flow", who + " yields");

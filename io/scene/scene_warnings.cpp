@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/scene/modules.hpp"
 #include "io/scene/surface_advice.hpp"
 #include "io/scene/text/nearest_word.hpp"
 
@@ -69,6 +70,25 @@ void addMaterialsWithoutHeat(const Scene& s, std::vector<std::string>& lines) {
           fmt::format("{}: material '{}' melts, but nothing changes its temperature: give it a conductivity, "
                       "convection, emissivity or heat_source",
                       at(m.where), m.name));
+}
+
+/// Warns of solids that the pressure of the liquid around them would crush.
+void addCrushedSolids(const Scene& s, std::vector<std::string>& lines) {
+  double liquid = 0;  // kg/m^3
+  for (const Body& b : s.bodies)
+    if (!solidAtStart(s, b))
+      liquid = std::max(liquid, s.materials[static_cast<std::size_t>(b.material)].density);
+  const double height = std::min(s.fallHeight, length(s.domain.max - s.domain.min)),
+               pressure = liquid * length(s.domain.gravity) * height;
+  for (const Material& m : s.materials) {
+    if (!m.canBeSolid() || m.isRigid()) continue;
+    const double modulus = m.young.solid / (3 * (1 - 2 * m.poisson.solid)) + m.volumeStiffness;
+    if (modulus < 2 * pressure)
+      lines.push_back(fmt::format(
+          "{}: material '{}' has a bulk modulus of {:.3g} Pa, and liquid of this scene can press with {:.3g} "
+          "Pa: the solid may be crushed, and the run fail. Use a larger young, or a poisson nearer to 0.5",
+          at(m.where), m.name, modulus, pressure));
+  }
 }
 
 }  // namespace
@@ -140,6 +160,7 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   addUnusedMaterials(s, lines);
   addColdTemperatures(s, lines);
   addMaterialsWithoutHeat(s, lines);
+  addCrushedSolids(s, lines);
   for (const std::string& line : surfaceAdvice(s)) lines.push_back(line);
   return lines;
 }

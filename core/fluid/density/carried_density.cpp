@@ -133,6 +133,7 @@ CarryStep carryStepOf(const CarryContext& x) {
   s.correction = p.correction.data();
   s.atSurface = p.atSurface.data();
   s.shiftingVelocity = p.shiftingVelocity.data();
+  if (p.compressionRate.active) s.compressionRate = p.compressionRate.data();
   if (p.relief.active) s.relief = p.relief.data();
   if (storesSums(x)) s.summed = x.carry.summed.data();
   s.crowded = &x.counters.crowded;
@@ -146,6 +147,7 @@ void resetCarriedDensity(const CarryStep& x, float* relativeDensity, std::uint32
                          compressionEnergy(x.eos, m.stiffness, 1 + x.compression[row], x.tensileLimit);
   x.compression[row] = 0;
   relativeDensity[row] = 1;
+  if (x.compressionRate) x.compressionRate[row] = 0;
   if (x.corrected) x.midCorrection[row] = x.correction[row] = {};
   if (x.surfaces) {
     x.atSurface[row] = 0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/fluid/laws/lattice_relief.hpp"
 
+#include <algorithm>
+
 namespace thaw {
 namespace {
 
 /// Share of the force that is removed. With 1 no force keeps the particles evenly spaced.
-constexpr double reliefShare = 0.65;
+constexpr double reliefShare = 0.75;
 /// Share of solid neighbours at which half of the force acts: a distance of 0.95 support radii. It bounds the
 /// force of pairs that come closer within half a step.
 constexpr double faintContact = 1e-5;
@@ -13,7 +15,9 @@ constexpr double faintContact = 1e-5;
 }  // namespace
 
 Vec3f latticeRelief(const ReliefInput& in) {
-  return single(in.gradient *
+  const double size2 = dot(in.away, in.away);
+  const Vec3d along = in.gradient - in.away * (dot(in.gradient, in.away) / std::max(size2, 1e-30));
+  return single(along *
                 (2 * reliefShare * in.pressure * in.volume / (in.support * (in.solidShare + faintContact))));
 }
 

@@ -12,12 +12,14 @@ struct ReliefInput {
   double solidShare;  ///< share of solid neighbours in the relative density
   double support;     ///< m
   Vec3d gradient;     ///< 1, h times the gradient of the relative density, walls included
+  Vec3d away;         ///< direction away from the solid, any length
 };
 
 /// Force (N) on the particle from all its solid neighbours (Continuum::relief). Equal pressures push
 /// particles to evenly spaced places, which binds the first layers of a liquid to the particles of a solid.
-/// Next to a solid, a fixed share of the force of the particle's own pressure, -2 p_i V_i grad C_i, is
-/// therefore removed. The solid's particles receive the opposite force.
+/// Next to a solid, a fixed share of the force along the solid of the particle's own pressure,
+/// -2 p_i V_i grad C_i, is therefore removed. The solid's particles receive the opposite force. The force has
+/// no potential: liquid that slips along a solid gains some energy from it.
 Vec3f latticeRelief(const ReliefInput& input);
 
 }  // namespace thaw

@@ -53,6 +53,7 @@ struct CarryStep {
   double* dissipated = nullptr;       ///< J
   Sym3f* midCorrection = nullptr;     ///< 1, inverse of the moment minus 1
   Sym3f* correction = nullptr;        ///< 1, the same at the end of the step
+  float* compressionRate = nullptr;   ///< 1/s, of the last step
   std::uint8_t* atSurface = nullptr;  ///< 1: at the free surface
   Vec3d* shiftingVelocity = nullptr;  ///< m/s
   Vec3f* relief = nullptr;            ///< N

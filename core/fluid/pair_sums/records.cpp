@@ -270,9 +270,10 @@ double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, 
   if (f == 0 || x.modules.incompressible) return 0;
   const Numerics& n = x.scene.numerics;
   const std::uint16_t k = p.material[i];
+  const double relativeDensity = x.modules.continuity ? 1 + p.compression[i]
+                                                      : static_cast<double>(p.relativeDensity[i]);
   return f * p.mass[i] / x.scene.materials[k].density *
-         compressionEnergy(n.eos, x.liquids[k].stiffness, static_cast<double>(p.relativeDensity[i]),
-                           n.tensileLimit);
+         compressionEnergy(n.eos, x.liquids[k].stiffness, relativeDensity, n.tensileLimit);
 }
 
 void packSurfaceEnergyDerivatives(const RecordContext& x, const Continuum& p, std::size_t begin,

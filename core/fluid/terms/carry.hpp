@@ -60,6 +60,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   LaneBits wet = 0;    ///< lanes of awake particles with liquid around
   L soundSpeed = L(1.0), atSurface = L(0.0), besideSurface = L(0.0);
   Wide stiffness = Wide(1.0), restVolume = Wide(1.0), compression = Wide(0.0);
+  Wide pressureLead = Wide(0.0), lead = Wide(0.0);  ///< s, 1: LiquidMaterial, change of density over it
 
   template<class Column> THAW_INLINE Wide fromRows(Column column) const {
     Wide v;
@@ -95,11 +96,13 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     if constexpr (Mixed) {
       soundSpeed = narrowed(fromRows([&](std::uint32_t row) { return of(row).soundSpeed; }), L(0.0));
       stiffness = fromRows([&](std::uint32_t row) { return of(row).stiffness; });
+      pressureLead = fromRows([&](std::uint32_t row) { return of(row).pressureLead; });
       restVolume = at.doubles(x.mass) * fromRows([&](std::uint32_t row) { return of(row).restVolume; });
     } else {
       restVolume = at.doubles(x.mass) * Wide(of(0).restVolume);
       soundSpeed = L(static_cast<Real>(of(0).soundSpeed));
       stiffness = Wide(of(0).stiffness);
+      pressureLead = Wide(of(0).pressureLead);
     }
     compression = at.doubles(x.compression);
   }
@@ -262,8 +265,20 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     // mean of both ends of the step, as for the pressure work of the flow
     const Wide half = Wide(0.5) * spread;
     const Wide energy = half * restVolume * (pressureTerm(flow + half) + pressureTerm(before + half));
-    write(at, wet, at.doubles(x.dissipated) - energy, x.dissipated);
-    return flow + spread;
+    const Wide end = flow + spread;
+    write(at, wet, at.doubles(x.dissipated) - energy + (x.compressionRate ? damp(end) : zero), x.dissipated);
+    return end;
+  }
+
+  /// Lets the pressure lead the density by a fixed time: p(y + t dy/dt), a volume viscosity. It damps sound,
+  /// and no shear. Returns the energy (J) that it takes, with the mean of the leads at both ends of the step.
+  THAW_INLINE Wide damp(Wide end) {
+    if (!(x.dt > 0)) return Wide(0.0);
+    const Wide rate = widen(s.rate), before = widen(at.floats(x.compressionRate));
+    lead = pressureLead * rate;
+    write(at, wet, toFloats(s.rate), x.compressionRate);
+    const Wide f = Wide(1.0) + end;
+    return Wide(0.5 * x.dt) * rate * restVolume * stiffness * pressureLead * (rate + before) / (f * f);
   }
 
   THAW_INLINE void store(const Tensor<L>& now, const Tensor<L>& next, Wide end) {
@@ -271,7 +286,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
       for (int l = 0; l < at.count; l++)
         if (awake >> l & 1) x.atSurface[at.row[l]] = atSurface[l] > 0;
     write(at, wet, end, x.compression);
-    write(at, wet, toFloats(Wide(1.0) + end), in.relativeDensity);
+    write(at, wet, toFloats(Wide(1.0) + end + lead), in.relativeDensity);
     if constexpr (Corrected) {
       write(at, wet, now, x.midCorrection);
       write(at, wet, next, x.correction);
@@ -290,8 +305,8 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     const bool inside = s.liquidFraction[l] == 1 && !(atSurface[l] > 0) && !(besideSurface[l] > 0);
     if (!inside || !(s.solidShare[l] > 0)) return;
     const double pressure = pressureTerm(Wide(end))[l] * (1 + end) * (1 + end);
-    x.relief[row] = latticeRelief(
-        {pressure, restVolume[l], static_cast<double>(s.solidShare[l]), in.support, laneAt(s.gradient, l)});
+    x.relief[row] = latticeRelief({pressure, restVolume[l], static_cast<double>(s.solidShare[l]), in.support,
+                                   laneAt(s.gradient, l), laneAt(s.solid, l)});
   }
 };
 

@@ -37,6 +37,13 @@ struct GroupRows {
     }
     return v;
   }
+  THAW_INLINE LanesF floats(const float* column) const {
+    LanesF v;
+    if (consecutive) __builtin_memcpy(&v, column + row[0], sizeof v);
+    else
+      for (int l = 0; l < 8; l++) setLane(v, l, static_cast<double>(column[row[l]]));
+    return v;
+  }
 };
 
 THAW_INLINE GroupRows groupRows(const std::uint32_t* rows, int count) {

@@ -22,6 +22,7 @@ void activateFields(World& w, StepTools& t) {
   for (const auto& added : p.added) p.activate(*added);
   on(m.viscosityCorrection, {&p.viscosityCorrection});
   on(m.continuity, {&p.compression});
+  on(m.bulkDamping, {&p.compressionRate});
   on(m.corrected, {&p.midCorrection, &p.correction});
   on(m.continuity && m.substeps, {&p.stepMeanVelocity});
   on(m.xsph || m.shifting, {&p.shiftingVelocity});

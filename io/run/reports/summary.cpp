@@ -201,6 +201,11 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
         fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term "
                     "in this run) are unexplained; try shorter steps (numerics.max_step)",
                     l.energyResidual, 100 * std::abs(l.energyResidual) / largest));
+  if (!isRounding(l) && l.dissipated < -0.05 * largest)
+    w.push_back(
+        fmt::format("dissipation is negative ({:.3g} J): the motion gained energy from numerical errors; liquid "
+                    "beside solids does, and a larger artificial_viscosity of the liquid reduces it",
+                    l.dissipated));
   const double heatRounding = 1e-12 *
                               std::max({std::abs(l.now.internal), std::abs(l.initial.internal), l.heatScale});
   if (std::abs(l.heatResidual) > std::max(0.05 * l.heatScale, heatRounding))

@@ -28,11 +28,11 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
 namespace {
 
 /// Raises a liquid to an alpha of 0.02, the customary value for inviscid liquids (ACM12). An
-/// alpha equals a viscosity of alpha c h rho / 10. Skipped if the scene has solids, which it would drag.
+/// alpha equals a viscosity of alpha c h rho / 10. Less in scenes with solids, since it drags coarse bodies.
 void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
-  constexpr double least = 0.02;
-  if (std::any_of(s.materials.begin(), s.materials.end(), [](const Material& m) { return m.canBeSolid(); }))
-    return;
+  const bool solids = std::any_of(s.materials.begin(), s.materials.end(),
+                                  [](const Material& m) { return m.canBeSolid(); });
+  const double least = solids ? 0.005 : 0.02;
   const std::vector<LiquidMaterial> liquids = liquidMaterials(s);
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     Material& m = s.materials[k];
@@ -43,6 +43,14 @@ void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
     const double unit = liquids[k].soundSpeed * s.numerics.support * s.spacing * m.density / 10;
     m.artificialViscosity = std::max(0.0, least - viscosity / unit);
   }
+}
+
+/// Damps sound in liquids, so that the disorder of moving particles does not feed it. Flow without
+/// compression keeps its energy.
+void chooseBulkDamping(Scene& s, const OpenChoices& open) {
+  constexpr double enough = 0.02;
+  for (std::size_t k = 0; k < s.materials.size(); k++)
+    if (canBeLiquid(s.materials[k]) && open.bulkDamping[k]) s.materials[k].bulkDamping = enough;
 }
 
 }  // namespace
@@ -57,6 +65,7 @@ void chooseForLiquids(Scene& s, const OpenChoices& open) {
   if (open.tensileLimit && n.shifting > 0)
     n.tensileLimit = 1;  // tension without shifting makes particles clump
   chooseArtificialViscosity(s, open);
+  chooseBulkDamping(s, open);
 }
 
 namespace {

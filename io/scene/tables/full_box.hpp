@@ -12,6 +12,7 @@ namespace thaw {
 struct OpenChoices {
   bool density = true, tensileLimit = true, shifting = true, viscosityCorrection = true, packing = true;
   std::vector<std::uint8_t> artificialViscosity;  ///< per material: 1 if the scene does not set it
+  std::vector<std::uint8_t> bulkDamping;          ///< the same
 };
 
 /// Sets the defaults of liquid that fills the box (liquidFillsTheBox) with the equation of state. It cannot

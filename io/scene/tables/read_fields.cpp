@@ -34,9 +34,9 @@ void readNumberOrField(TableReader& r, const NumberKey& k, double& value, Positi
 
 void readComponents(TableReader& r, Vec3d& velocity, VelocityField& field) {
   constexpr const char* axes[3] = {"x", "y", "z"};
+  const Range slow = between(-fastestStart, fastestStart);
   for (int a = 0; a < 3; a++)
-    readNumberOrField(r, {axes[a], "m/s", between(-fastestStart, fastestStart), ""}, velocity[a],
-                      field.component[a]);
+    readNumberOrField(r, {axes[a], "m/s", slow, ""}, velocity[a], field.component[a]);
 }
 
 /// Returns three components as they would be in a list.

@@ -48,9 +48,14 @@ void readLiquid(TableReader& r, Material& m) {
       "sound_speed", m.soundSpeed, "m/s", notNegative(),
       "speed of sound of the equation of state; 0: from the largest expected speed and max_density_error");
   r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
-  r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10),
-           "Monaghan's alpha for approaching pairs. Default with density = \"continuity\", a free surface "
-           "and no solid material: 0.02 minus the alpha that equals the liquid's viscosity; else 0");
+  r.number("bulk_damping", m.bulkDamping, "", between(0, 0.05),
+           "damping of sound in liquids with density = \"continuity\": the pressure is that of the density a "
+           "time ahead, this number times support / sound_speed. Default with a free surface: 0.02; else 0");
+  r.number(
+      "artificial_viscosity", m.artificialViscosity, "", between(0, 10),
+      "Monaghan's alpha for approaching pairs. Default with density = \"continuity\" and a free "
+      "surface: 0.02, or 0.005 in scenes with a solid material, minus the alpha that equals the liquid's "
+      "viscosity; else 0");
 }
 
 void readSolid(TableReader& r, Material& m) {
@@ -179,6 +184,7 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
   if (x.scene->numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
     r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
   x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));
+  x.open.bulkDamping.push_back(!r.has("bulk_damping"));
 }
 
 }  // namespace thaw

@@ -29,11 +29,11 @@ TEST(ProgressLine, ShowsOnlyPresentParts) {
 
 TEST(ProgressLine, HasNoPercentagesOfZero) {
   LedgerReport l;
-  l.energyScale = l.energyResidual = 6.9e-18;
+  l.energyScale = l.energyLargest = l.energyResidual = 6.9e-18;
   l.energyRounding = 1e-14;
   EXPECT_TRUE(has(progressLine({}, l), "residual +6.9e-18 J (rounding)"));
   EXPECT_TRUE(warningsOf({}, l).empty());
-  l.energyScale = l.energyResidual = 6.9e-3;
+  l.energyScale = l.energyLargest = l.energyResidual = 6.9e-3;
   EXPECT_TRUE(has(progressLine({}, l), "residual +6.9e-03 J (+1.0e+00)"));
   EXPECT_EQ(warningsOf({}, l).size(), 1u);
   l.energyLargest = 100 * l.energyScale;  // the energy was larger before
