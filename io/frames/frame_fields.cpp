@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/fluid/rheology/laws/particle_viscosity.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "io/frames/frame_rows.hpp"
 
@@ -87,6 +88,10 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
         f, "pressure", "Pa", 1, [&w, liquids = liquidMaterials(w.scene)](std::size_t i, float* to) {
           *to = w.modules.fluid ? pressureOfParticle(w.scene, w.modules, w.particles, liquids, i) : 0;
         });
+  } else if (name == "viscosity") {
+    addRows<float>(f, "viscosity", "Pa s", 1, [&p, &materials](std::size_t i, float* to) {
+      *to = static_cast<float>(viscosityOfParticle(materials[p.material[i]], p, i, liquidFraction(p, i)));
+    });
   } else if (name == "stress") {
     addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
   } else if (name == "strain") {  // Green's strain (F^T F - 1)/2, with F from the first reference
@@ -126,8 +131,8 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
 }  // namespace
 
 std::vector<std::string> knownFrameFields() {
-  return {"velocity",       "temperature", "liquid", "density", "pressure", "stress",    "strain",
-          "plastic_strain", "material",    "body",   "rank",    "id",       "neighbours"};
+  return {"velocity", "temperature",    "liquid",   "density", "pressure", "viscosity", "stress",
+          "strain",   "plastic_strain", "material", "body",    "rank",     "id",        "neighbours"};
 }
 
 Frame frameOf(const World& w, int rank) {
