@@ -48,7 +48,7 @@ void readKeys(TableReader& r, FlowLawSettings& f) {
            "time of carreau: its inverse is the shear rate at which thinning begins");
   r.number("least_rate", f.leastRate, "1/s", notNegative(),
            "shear rate below which liquid counts as at rest: a liquid below its yield stress creeps at most "
-           "this fast; 0: a thousandth of the expected speed over the longest side of the domain");
+           "this fast; 0: 1e-4 of the expected speed over the longest side of the domain");
   r.number("largest_viscosity", f.largestViscosity, "Pa s", notNegative(), "limit of the viscosity; 0: none");
 }
 

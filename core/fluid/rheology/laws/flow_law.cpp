@@ -48,7 +48,7 @@ const char* nameOf(FlowLaw law) {
 
 double leastRateOf(const Scene& s, const Material& m) {
   if (m.flowLaw.leastRate > 0) return m.flowLaw.leastRate;
-  constexpr double slow = 1e-3, leastSpeed = 1e-3;  // 1; m/s, if nothing moves
+  constexpr double slow = 1e-4, leastSpeed = 1e-3;  // 1; m/s, if nothing moves
   const Vec3d size = s.domain.max - s.domain.min;
   return slow * std::max(expectedSpeed(s), leastSpeed) / std::max({size.x, size.y, size.z});
 }

@@ -22,8 +22,8 @@ inline bool hasFlowLaw(const Material& m) { return m.flowLaw.law != FlowLaw::New
 /// Returns "Bingham", "Herschel-Bulkley", "power law" or "Carreau".
 const char* nameOf(FlowLaw law);
 
-/// Shear rate (1/s) below which yield stress and power laws are regularised: that of the material, or a
-/// thousandth of the expected speed over the longest side of the domain.
+/// Shear rate (1/s) below which yield stress and power laws are regularised: that of the material, or 1e-4 of
+/// the expected speed over the longest side of the domain.
 double leastRateOf(const Scene& scene, const Material& material);
 
 /// Returns the coefficients at a temperature (K). Viscosities are interpolated logarithmically.
