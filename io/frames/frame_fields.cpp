@@ -46,6 +46,12 @@ double temperatureAtStart(const Scene& s, std::size_t body) {
                                                     : s.domain.ambient;
 }
 
+void addViscosity(Frame& f, const Continuum& p, const std::vector<Material>& materials) {
+  addRows<float>(f, "viscosity", "Pa s", 1, [&p, &materials](std::size_t i, float* to) {
+    *to = static_cast<float>(viscosityOfParticle(materials[p.material[i]], p, i, liquidFraction(p, i)));
+  });
+}
+
 /// Adds a field of an extension.
 void addExtensionField(Frame& f, const AddedColumn& column) {
   addRows<float>(f, column.name, column.unit, column.components, [&column](std::size_t i, float* to) {
@@ -89,9 +95,7 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
           *to = w.modules.fluid ? pressureOfParticle(w.scene, w.modules, w.particles, liquids, i) : 0;
         });
   } else if (name == "viscosity") {
-    addRows<float>(f, "viscosity", "Pa s", 1, [&p, &materials](std::size_t i, float* to) {
-      *to = static_cast<float>(viscosityOfParticle(materials[p.material[i]], p, i, liquidFraction(p, i)));
-    });
+    addViscosity(f, p, materials);
   } else if (name == "stress") {
     addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
   } else if (name == "strain") {  // Green's strain (F^T F - 1)/2, with F from the first reference

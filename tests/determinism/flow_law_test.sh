@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A liquid with a yield stress that depends on temperature, beside a solid that melts into it: the same bits on
-# 1, 2, 3, 4 and 7 ranks and over a restart, with explicit and implicit viscosity.
+# A liquid with a yield stress that depends on temperature, beside a solid that melts into it, has the same
+# bits on 1, 2, 3, 4 and 7 ranks and over a restart, with explicit and implicit viscosity.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/paste.toml" <<'T'
 title   = "Paste that flows over a hot plate"
@@ -23,7 +23,13 @@ law           = "neo-hookean"
 melts         = [310, 320]
 heat_capacity = 500
 conductivity  = 50
-flow          = { law = "herschel_bulkley", yield_stress = [[300, "200 Pa"], [400, "20 Pa"]], viscosity = [[300, "20 Pa s"], [400, "5 Pa s"]], exponent = 0.6, least_rate = 1 }
+
+[material.paste.flow]
+law          = "herschel_bulkley"
+yield_stress = [[300, "200 Pa"], [400, "20 Pa"]]
+viscosity    = [[300, "20 Pa s"], [400, "5 Pa s"]]
+exponent     = 0.6
+least_rate   = 1
 
 [[body]]
 name        = "melt"

@@ -30,7 +30,8 @@ rejects "a negative yield stress" "${key}yield_stress: must be >= 0 Pa, got -1" 
 rejects "a table that descends" "${key}viscosity: the first quantities of the pairs must ascend" 2 check \
   "$(flow descends 'flow = { law = "bingham", yield_stress = 1, viscosity = [[400, 1], [300, 2]] }')"
 rejects "a yield stress of Carreau" "${key}yield_stress: flow\.law = \"carreau\" has none" 2 check \
-  "$(flow carreau 'flow = { law = "carreau", yield_stress = 1, viscosity = 1, exponent = 0.5, relaxation_time = 1 }')"
+  "$(flow carreau 'flow = { law = "carreau", yield_stress = 1, viscosity = 1, exponent = 0.5, '\
+'relaxation_time = 1 }')"
 rejects "Carreau without its time" "${key}relaxation_time: required by flow\.law = \"carreau\"" \
   2 check "$(flow no_time 'flow = { law = "carreau", viscosity = 1, exponent = 0.5 }')"
 rejects "an unknown key" "unknown key 'yield' in material\.jelly\.flow" \

@@ -10,7 +10,8 @@ namespace thaw {
 THAW_CHOOSE(ShearKernels, shearKernelSet, shearKernels)
 
 double shearRateOf(const ShearMoments& s) {
-  constexpr double regular = 0.003;  // of the trace; a third of the trace is the moment inside a liquid
+  constexpr double regular = 0.003;  // fraction of the trace; a third of the trace is the moment inside a
+                                     // liquid
   const double* const m = s.moment;
   const double* const v = s.velocity;
   const Mat3d moment = full(Sym3d{m[0], m[1], m[2], m[3], m[4], m[5]});

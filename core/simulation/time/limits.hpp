@@ -19,8 +19,8 @@ double flowLawStepLimit(const Scene& scene, const Material& material);
 
 LargestRates largestRates(const World& world);
 
-/// Returns the limits of this rank's particles: acceleration, speed, and viscosity of
-/// tables and flow laws, stable on the lattice up to dt nu / h^2 = stableViscousStep. The caller reduces them over ranks.
+/// Returns the limits of this rank's particles: acceleration, speed, and viscosity of tables and flow laws,
+/// stable on the lattice up to dt nu / h^2 = stableViscousStep. The caller reduces them over ranks.
 StepLimits particleLimits(const World& world, const LargestRates& largest, double stableViscousStep);
 
 /// Returns the largest ratio of the sound speed to that at rest in this rank's compressed liquid, at least 1;
