@@ -39,6 +39,16 @@ void addTensor(Frame& f, const World& w, const char* name, const char* unit, boo
   });
 }
 
+/// Adds Green's strain (F^T F - 1)/2, with F from the first reference.
+void addStrain(Frame& f, const World& w) {
+  const Solids& s = w.solids;
+  addTensor(f, w, "strain", "1", s.deformation.active, [&s](std::uint32_t slot) {
+    Mat3d F = s.deformation[slot];
+    if (s.referenceGradient.active) F = F + F * s.referenceGradient[slot];
+    return 0.5 * symmetric(transpose(F) * F - identity3<double>());
+  });
+}
+
 /// Returns the temperature of the body or emitter at the start, for scenes without heat.
 double temperatureAtStart(const Scene& s, std::size_t body) {
   if (body < s.bodies.size()) return s.bodies[body].temperature;
@@ -98,12 +108,8 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
     addViscosity(f, p, materials);
   } else if (name == "stress") {
     addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
-  } else if (name == "strain") {  // Green's strain (F^T F - 1)/2, with F from the first reference
-    addTensor(f, w, "strain", "1", s.deformation.active, [&s](std::uint32_t slot) {
-      Mat3d F = s.deformation[slot];
-      if (s.referenceGradient.active) F = F + F * s.referenceGradient[slot];
-      return 0.5 * symmetric(transpose(F) * F - identity3<double>());
-    });
+  } else if (name == "strain") {
+    addStrain(f, w);
   } else if (name == "plastic_strain") {
     addTensor(f, w, "plastic_strain", "1", s.plasticInverse.active, [&s](std::uint32_t slot) {
       return plasticStrain(s.plasticInverse[slot],
