@@ -25,7 +25,7 @@ double valueAt(const TemperatureTable& t, double T, Scale scale) {
 }
 
 /// Calls action for the coefficients at each temperature of the tables. Between them both parameters are
-/// monotonous.
+/// monotonic.
 template<class Action> void atTableEntries(const FlowLawSettings& s, double leastRate, Action action) {
   std::set<double> temperatures;
   for (const TemperatureTable* t : {&s.yieldStress, &s.consistency})
