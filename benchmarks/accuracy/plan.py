@@ -122,6 +122,36 @@ CASES = {
         "0.05",
         {"viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"], "viscosity_correction": ["false"]},
     ),
+    "bingham": (
+        ["0.1", "0.05", "0.025"],
+        "0.05",
+        {
+            "pressure_solver": ["incompressible"],
+            "viscosity_correction": ["false"],
+            "support": ["3"],
+            **PRECISION,
+            "material.mud.flow.yield_stress": ["0.4"],
+            "material.mud.flow.least_rate": ["0.01"],
+        },
+    ),
+    "herschel_bulkley": (
+        ["0.1", "0.05", "0.025"],
+        "0.05",
+        {
+            "viscosity_correction": ["false"],
+            "material.mud.flow.yield_stress": ["0.4"],
+            "material.mud.flow.least_rate": ["0.01"],
+        },
+    ),
+    "herschel_bulkley_thick": (["0.1", "0.05", "0.025"], "0.05", {"viscosity_correction": ["false"]}),
+    "yield_slump": (
+        ["0.01", "0.00833333"],
+        "0.01",
+        {
+            "material.paste.flow.yield_stress": ["221", "294"],
+            "material.paste.flow.least_rate": ["0.01", "1e-4"],
+        },
+    ),
     "stiff_in_soft": (
         ["0.02"],
         "0.02",

@@ -69,6 +69,7 @@ std::vector<Case> allCases();
 std::vector<Case> flowCases();       ///< pressure: columns, dam breaks, vortices
 std::vector<Case> stretchedCases();  ///< liquids without walls, deformed by their own flow
 std::vector<Case> viscousCases();    ///< viscosity and surface tension
+std::vector<Case> yieldCases();      ///< flow laws
 std::vector<Case> solidCases();
 std::vector<Case> heatCases();
 std::vector<Case> mixedCases();     ///< liquids and solids in one scene

@@ -13,6 +13,8 @@ bool solidAt(const Material& m, double T) {
 
 namespace {
 
+bool hasFlowLaw(const Material& m) { return m.flowLaw.law != FlowLaw::Newtonian; }
+
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
 bool liquidAt(const Material& m, double T) {
@@ -71,7 +73,7 @@ void findHeat(Finder& f) {
       f.on(f.m.heat, "heat", "material " + quoted(m.name) + " exchanges heat with the ambient");
       f.on(f.m.surfaceHeat, "surface heat", "material " + quoted(m.name) + " has convection or emissivity");
     }
-    if (!m.viscosityTable.empty())
+    if (!m.viscosityTable.empty() || m.flowLaw.consistency.size() > 1 || m.flowLaw.yieldStress.size() > 1)
       f.on(f.m.heat, "heat", "the viscosity of material " + quoted(m.name) + " depends on the temperature");
   }
 }
@@ -86,7 +88,7 @@ bool isUniform(const Scene& s, const Modules& m) {
   const bool otherCarried = m.continuity &&
                             (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);
   return m.fluid && !other && !volumes && !otherCarried && s.materials.size() == 1 &&
-         s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
+         s.materials[0].viscosityTable.empty() && !m.flowLaw && s.numerics.kernel == KernelKind::WendlandC2 &&
          s.numerics.viscosity == ViscosityForm::Pairwise;
 }
 
@@ -146,7 +148,10 @@ Modules modulesOf(const Scene& s) {
     if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
     if (m.tension && s.numerics.tension == TensionForm::SurfaceEnergy)
       f.on(m.surfaceEnergy, "surface tension as an energy", "numerics.tension");
-    const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty();
+    if (liquid && hasFlowLaw(x))
+      f.on(m.flowLaw, "flow law", "the viscosity of " + who + " depends on the shear rate");
+    const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty() ||
+                         hasFlowLaw(x);
     if (liquid && viscous && s.numerics.viscositySolver == ViscositySolver::Implicit)
       f.on(m.implicitViscosity, "implicit viscosity", who);
     if (liquid && viscous && s.numerics.viscosityCorrection)

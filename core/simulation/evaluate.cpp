@@ -4,6 +4,7 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/fluid/density/carried_density.hpp"
+#include "core/fluid/rheology/apparent_viscosity.hpp"
 #include "core/heat/heat.hpp"
 #include "core/oriented/forces/continuum_contact.hpp"
 #include "core/oriented/step_oriented.hpp"
@@ -83,15 +84,17 @@ void sumDensities(Evaluation& e) {
   if (m.continuity && e.neighbours) finishCarry(carryContext(w, t, e.dt));
   if (m.shifting && !m.continuity) shiftInside(carryContext(w, t, e.dt));
   if (m.surfaceEnergy) findSurfaceEnergy(e.walls, t.surface, t.wallContacts);
+  if (m.flowLaw) findApparentViscosity(e.walls, t.wallContacts, pairSumsOf(w, t));
   if (m.tension || !t.pairForces.empty()) recordEnergyLeft(w, t);
 }
 
-/// Columns of ghosts that follow from densities.
+/// Columns of ghosts that follow from densities and shear rates.
 ColumnList densityColumns(World& w) {
   Continuum& p = w.particles;
   ColumnList columns{&p.relativeDensity};
   if (p.correction.active) columns.push_back(&p.correction);
   if (p.relief.active) columns.push_back(&p.relief);
+  if (p.apparentViscosity.active) columns.push_back(&p.apparentViscosity);
   if (w.modules.surfaceEnergy) {
     columns.push_back(&p.surfaceEnergyByGradient);
     columns.push_back(&p.surfaceEnergyByColour);

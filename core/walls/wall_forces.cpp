@@ -6,6 +6,7 @@
 
 #include "core/contact/dashpot.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/fluid/rheology/laws/particle_viscosity.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/particles/sleep_stage.hpp"
 #include "core/walls/wall_surface_energy.hpp"
@@ -152,7 +153,7 @@ double wallDrag(const WallContext& x, const WallContact& contact) {
   const double f = liquidFraction(p, i), h = w.grid.support;
   if (f == 0 || w.walls.list[contact.wall].properties.slip) return 0;
   const Material& m = w.scene.materials[p.material[i]];
-  const double mu = viscosityAt(m, f, p.temperature.active ? p.temperature[i] : 0);
+  const double mu = viscosityOfParticle(m, p, i, f);
   return f * mu * (p.mass[i] / m.density) * x.tables(contact.distance / h).drag * contact.share / (h * h);
 }
 

@@ -15,6 +15,7 @@
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/memory.hpp"
 #include "core/simulation/setup/setup.hpp"
+#include "core/simulation/setup/warnings/thick_flow.hpp"
 #include "core/simulation/world/body_types.hpp"
 #include "core/time/frame_times.hpp"
 #include "io/commands/check/check_report.hpp"
@@ -146,6 +147,7 @@ void describeStart(const CheckedWorld& c, const SamplingReport& sampled, CheckRe
   for (std::size_t k = 0; w.modules.fluid && k < s.materials.size(); k++)
     if (const Material& m = s.materials[k]; canBeLiquid(m) && inUse(s, k))
       r.sounds.push_back({m.name, c.t.liquids[k].soundSpeed, soundSpeedReason(s, m)});
+  if (w.modules.flowLaw) r.flows = flowLawLines(w);
 }
 
 /// Adds the warnings of the scene and of its start.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/fluid/rheology/laws/particle_viscosity.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "io/frames/frame_rows.hpp"
 
@@ -38,11 +39,27 @@ void addTensor(Frame& f, const World& w, const char* name, const char* unit, boo
   });
 }
 
+/// Adds Green's strain (F^T F - 1)/2, with F from the first reference.
+void addStrain(Frame& f, const World& w) {
+  const Solids& s = w.solids;
+  addTensor(f, w, "strain", "1", s.deformation.active, [&s](std::uint32_t slot) {
+    Mat3d F = s.deformation[slot];
+    if (s.referenceGradient.active) F = F + F * s.referenceGradient[slot];
+    return 0.5 * symmetric(transpose(F) * F - identity3<double>());
+  });
+}
+
 /// Returns the temperature of the body or emitter at the start, for scenes without heat.
 double temperatureAtStart(const Scene& s, std::size_t body) {
   if (body < s.bodies.size()) return s.bodies[body].temperature;
   return body - s.bodies.size() < s.emitters.size() ? s.emitters[body - s.bodies.size()].temperature
                                                     : s.domain.ambient;
+}
+
+void addViscosity(Frame& f, const Continuum& p, const std::vector<Material>& materials) {
+  addRows<float>(f, "viscosity", "Pa s", 1, [&p, &materials](std::size_t i, float* to) {
+    *to = static_cast<float>(viscosityOfParticle(materials[p.material[i]], p, i, liquidFraction(p, i)));
+  });
 }
 
 /// Adds a field of an extension.
@@ -87,14 +104,12 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
         f, "pressure", "Pa", 1, [&w, liquids = liquidMaterials(w.scene)](std::size_t i, float* to) {
           *to = w.modules.fluid ? pressureOfParticle(w.scene, w.modules, w.particles, liquids, i) : 0;
         });
+  } else if (name == "viscosity") {
+    addViscosity(f, p, materials);
   } else if (name == "stress") {
     addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
-  } else if (name == "strain") {  // Green's strain (F^T F - 1)/2, with F from the first reference
-    addTensor(f, w, "strain", "1", s.deformation.active, [&s](std::uint32_t slot) {
-      Mat3d F = s.deformation[slot];
-      if (s.referenceGradient.active) F = F + F * s.referenceGradient[slot];
-      return 0.5 * symmetric(transpose(F) * F - identity3<double>());
-    });
+  } else if (name == "strain") {
+    addStrain(f, w);
   } else if (name == "plastic_strain") {
     addTensor(f, w, "plastic_strain", "1", s.plasticInverse.active, [&s](std::uint32_t slot) {
       return plasticStrain(s.plasticInverse[slot],
@@ -126,8 +141,8 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
 }  // namespace
 
 std::vector<std::string> knownFrameFields() {
-  return {"velocity",       "temperature", "liquid", "density", "pressure", "stress",    "strain",
-          "plastic_strain", "material",    "body",   "rank",    "id",       "neighbours"};
+  return {"velocity", "temperature",    "liquid",   "density", "pressure", "viscosity", "stress",
+          "strain",   "plastic_strain", "material", "body",    "rank",     "id",        "neighbours"};
 }
 
 Frame frameOf(const World& w, int rank) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fluid/rheology/laws/flow_law.hpp"
 #include "core/sheet/data/plan_sheets.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/time/frame_times.hpp"
@@ -55,6 +56,9 @@ MonitorLimits monitorLimits(const Scene& s, const Modules& modules,
   if (n.watchSpeed < never) b.speed = n.watchSpeed * (b.expected + 0.1 * fastest);
   b.relativeDensity = n.watchDensity;
   double longest = *std::min_element(materials.value.begin(), materials.value.end());
+  if (modules.flowLaw && !modules.implicitViscosity)
+    for (std::size_t k = 0; k < s.materials.size(); k++)
+      if (hasFlowLaw(s.materials[k])) longest = std::min(longest, flowLawStepLimit(s, s.materials[k]));
   // The step also depends on the expected speed: if the materials limit only heat, that is by far the shorter
   // one.
   if (longest < never && b.expected > 0)

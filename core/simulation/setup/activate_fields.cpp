@@ -21,6 +21,7 @@ void activateFields(World& w, StepTools& t) {
   on(!t.outside.empty(), {&p.outsideForce});
   for (const auto& added : p.added) p.activate(*added);
   on(m.viscosityCorrection, {&p.viscosityCorrection});
+  on(m.flowLaw, {&p.apparentViscosity});
   on(m.continuity, {&p.compression});
   on(m.bulkDamping, {&p.compressionRate});
   on(m.corrected, {&p.midCorrection, &p.correction});

@@ -38,6 +38,7 @@
 #include "core/simulation/setup/start_fields.hpp"
 #include "core/simulation/setup/warnings/compressed_liquid.hpp"
 #include "core/simulation/setup/warnings/start_warnings.hpp"
+#include "core/simulation/setup/warnings/thick_flow.hpp"
 #include "core/simulation/setup/warnings/thin_walls.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/sums/solid_step.hpp"
@@ -215,6 +216,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   for (std::size_t e = 0; e < t.emitters.size(); e++)
     if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty())
       report.warnings.push_back({w.scene.emitters[e].where, much});
+  for (SceneWarning& thick : thickFlows(w, t)) report.warnings.push_back(std::move(thick));
   for (SceneWarning& thin : thinWalls(w, shapes, report.particles, halos.all))
     report.warnings.push_back(std::move(thin));
   // First partition, by the number of particles; they are still where they were sampled.

@@ -10,6 +10,7 @@
 #include "core/fluid/density/carried_density.hpp"
 #include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
+#include "core/fluid/rheology/apparent_viscosity.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
@@ -193,6 +194,9 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
                                        : packPressure(x, p, p.owned, p.size(), t.records);
     w.compressionKnown = !w.modules.uniform;
   }
+  if (w.modules.flowLaw)
+    pass == NeighbourPass::InnerForces ? packApparentViscosity(x, p, 0, p.owned, t.records)
+                                       : packApparentViscosity(x, p, p.owned, p.size(), t.records);
   const PairSums s = pairSumsOf(w, t);
   PairSums particleForces = s;
   if (p.drag.active)

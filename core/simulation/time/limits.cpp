@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/fluid/rheology/laws/particle_viscosity.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/state_equation.hpp"
@@ -49,7 +50,8 @@ double pairViscosity(const Numerics& n, double a, double b) {
   return a + b > 0 ? 2 * a * b / (a + b) : 0;
 }
 
-double largestViscosity(const Material& m) {
+double largestViscosity(const Scene& s, const Material& m) {
+  if (hasFlowLaw(m)) return largestFlowViscosity(m.flowLaw, leastRateOf(s, m), resolvedRate(s));
   if (m.viscosityTable.empty()) return std::max(m.viscosity.solid, m.viscosity.liquid);
   double largest = 0;
   for (const auto& point : m.viscosityTable) largest = std::max(largest, point.second);
@@ -67,7 +69,7 @@ double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
   double pairs = 0;
   for (std::size_t j = 0; j < s.materials.size(); j++)
     if (j != k && inUse(s, j) && (liquid || canBeLiquid(s.materials[j])))
-      pairs = std::max(pairs, pairViscosity(s.numerics, mu, largestViscosity(s.materials[j])));
+      pairs = std::max(pairs, pairViscosity(s.numerics, mu, largestViscosity(s, s.materials[j])));
   if (printed) return liquid ? std::max(mu, pairs) : pairs;
   return liquid ? mu : std::min(mu, pairs);
 }
@@ -92,10 +94,9 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
     }
     if (modules.fluid) {
-      // Tables are evaluated per particle.
-      const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity
-                             ? viscosityOfStep(s, k, largestViscosity(m))
-                             : 0) +
+      // Tables and flow laws are evaluated per particle.
+      const bool constant = m.viscosityTable.empty() && !hasFlowLaw(m) && !modules.implicitViscosity;
+      const double mu = (constant ? viscosityOfStep(s, k, largestViscosity(s, m)) : 0) +
                         (canBeLiquid(m) ? 1.6 * liquids[k].artificial : 0);
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
     }
@@ -119,6 +120,29 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
   return l;
 }
 
+double flowLawStepLimit(const Scene& s, const Material& m) {
+  const double h = s.numerics.support * s.spacing;
+  return s.numerics.cflViscous * stableViscousStep(s.numerics) * h * h * m.density /
+         (std::max(m.flowLaw.exponent, 1.0) * largestViscosity(s, m));
+}
+
+namespace {
+
+/// Largest viscosity (Pa s) of owned particles of a material with a table or a flow law: of single particles,
+/// since pairs on this rank may not be pairs on another. A small change of the rate changes the stress of a
+/// flow law by d stress / d rate, up to n times the viscosity.
+double largestViscosityHere(const World& w, std::size_t material) {
+  const Continuum& p = w.particles;
+  const Material& m = w.scene.materials[material];
+  double mu = 0;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.material[i] == material && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
+      mu = std::max(mu, viscosityOfParticle(m, p, i, 1));
+  return hasFlowLaw(m) ? std::max(m.flowLaw.exponent, 1.0) * mu : mu;
+}
+
+}  // namespace
+
 LargestRates largestRates(const World& w) {
   const Continuum& p = w.particles;
   LargestRates largest;
@@ -133,7 +157,6 @@ LargestRates largestRates(const World& w) {
 }
 
 StepLimits particleLimits(const World& w, const LargestRates& largest, double stableViscousStep) {
-  const Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
   StepLimits l;
   const double h = w.grid.support;
@@ -142,11 +165,8 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
     l[Limit::Acceleration] = n.cflAcceleration * std::sqrt(h / std::sqrt(largest.acceleration2));
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
-    if (m.viscosityTable.empty() || w.modules.implicitViscosity) continue;
-    double mu = 0;  // the viscosity of single particles: pairs on this rank may not be pairs on another
-    for (std::size_t i = 0; i < p.owned; i++)
-      if (p.material[i] == k && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
-        mu = std::max(mu, viscosityAt(m, 1, p.temperature.active ? p.temperature[i] : 0));
+    if ((m.viscosityTable.empty() && !hasFlowLaw(m)) || w.modules.implicitViscosity) continue;
+    double mu = largestViscosityHere(w, k);
     if (mu > 0) mu = viscosityOfStep(w.scene, k, mu);
     if (mu > 0)
       l[Limit::Viscous] = std::min(l[Limit::Viscous],

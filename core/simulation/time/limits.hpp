@@ -13,9 +13,13 @@ namespace thaw {
 StepLimits materialLimits(const Scene& scene, const Modules& modules,
                           const std::vector<LiquidMaterial>& liquids);
 
+/// Explicit step limit (s) of the largest viscosity that the flow law of a material reaches: at rest, or for
+/// n > 1 at the largest rate that the scene resolves.
+double flowLawStepLimit(const Scene& scene, const Material& material);
+
 LargestRates largestRates(const World& world);
 
-/// Returns the limits of this rank's particles: acceleration, speed, and temperature-dependent viscosity,
+/// Returns the limits of this rank's particles: acceleration, speed, and viscosity of tables and flow laws,
 /// stable on the lattice up to dt nu / h^2 = stableViscousStep. The caller reduces them over ranks.
 StepLimits particleLimits(const World& world, const LargestRates& largest, double stableViscousStep);
 

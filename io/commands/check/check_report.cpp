@@ -81,6 +81,7 @@ void printStep(const CheckReport& r) {
   for (const auto& [name, limit] : r.limits) fmt::print("  {:<16} {:.3g} s\n", name, limit);
   for (const CheckedSound& s : r.sounds)
     fmt::print("sound speed of liquid '{}': {:.4g} m/s, {}\n", s.material, s.speed, s.reason);
+  printLines(r.flows, "");
 }
 
 void printAdvice(const CheckReport& r) {
@@ -158,6 +159,7 @@ Json jsonStep(const CheckReport& r) {
   to["sound_speeds"] = Json::array();
   for (const CheckedSound& s : r.sounds)
     to["sound_speeds"].push_back({{"material", s.material}, {"speed", s.speed}, {"reason", s.reason}});
+  if (!r.flows.empty()) to["flow_laws"] = r.flows;
   return to;
 }
 

@@ -63,6 +63,7 @@ struct CheckReport {
   std::int64_t substeps = 1;
   std::vector<std::pair<std::string, double>> limits;  ///< limits by the materials alone, s
   std::vector<CheckedSound> sounds;
+  std::vector<std::string> flows;  ///< lines on flow laws
   bool allSettings = false;
   std::vector<std::string> advice, surface;  ///< lines
   CheckedCost cost;

@@ -24,7 +24,7 @@ struct ReferenceCase {
 
 bool viscous(const Scene& s, const Modules& m) {
   for (const Material& x : s.materials)
-    if (m.fluid && (x.viscosity.liquid > 0 || !x.viscosityTable.empty())) return true;
+    if (m.fluid && (x.viscosity.liquid > 0 || !x.viscosityTable.empty() || m.flowLaw)) return true;
   return false;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/fluid/rheology/laws/flow_law.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/materials/liquid_materials.hpp"
 #include "core/scene/full_box.hpp"
@@ -39,7 +40,9 @@ void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
     if (!canBeLiquid(m) || !open.artificialViscosity[k]) continue;
     const auto lowest = std::min_element(m.viscosityTable.begin(), m.viscosityTable.end(),
                                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    const double viscosity = lowest == m.viscosityTable.end() ? m.viscosity.liquid : lowest->second;
+    const double viscosity = hasFlowLaw(m) ? leastFlowViscosity(m.flowLaw, leastRateOf(s, m), resolvedRate(s))
+                             : lowest == m.viscosityTable.end() ? m.viscosity.liquid
+                                                                : lowest->second;
     const double unit = liquids[k].soundSpeed * s.numerics.support * s.spacing * m.density / 10;
     m.artificialViscosity = std::max(0.0, least - viscosity / unit);
   }
@@ -70,7 +73,8 @@ void chooseForLiquids(Scene& s, const OpenChoices& open) {
 
 namespace {
 
-double largestViscosity(const Material& m) {
+double largestViscosity(const Scene& s, const Material& m) {
+  if (hasFlowLaw(m)) return largestFlowViscosity(m.flowLaw, leastRateOf(s, m), resolvedRate(s));
   double largest = m.viscosity.liquid;
   for (const auto& point : m.viscosityTable) largest = std::max(largest, point.second);
   return largest;
@@ -88,7 +92,7 @@ void chooseForThickLiquids(Scene& s, const OpenChoices& open) {
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& m = s.materials[k];
     const double bySound = n.cflSound * std::min(h, 2 * s.spacing) / liquids[k].soundSpeed;
-    if (canBeLiquid(m) && inUse(s, k) && stable * m.density < largestViscosity(m) * bySound)
+    if (canBeLiquid(m) && inUse(s, k) && stable * m.density < largestViscosity(s, m) * bySound)
       n.viscosityCorrection = true;
   }
 }

@@ -3,6 +3,7 @@
 
 #include "core/scene/quality.hpp"
 #include "io/scene/tables/read_extension.hpp"
+#include "io/scene/tables/read_flow_law.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/value_text.hpp"
 
@@ -175,6 +176,7 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
       "phase of a material that does not melt and has a Young's modulus; without a modulus it is liquid");
   m.liquidAtStart = phase == 1;
   readHeat(r, m);
+  readFlowLaw(r, m);
   if (!r.reading()) return;
   checkMaterial(r, m);
   if (m.isRigid()) {

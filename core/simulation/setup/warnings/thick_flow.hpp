@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Step limits of liquids with flow laws, for reports and warnings.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/scene/scene_warning.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct StepTools;
+
+/// Returns a line for each liquid in use with a flow law: the law, the least rate, the largest viscosity and
+/// its explicit step limit. Requires: prepareWorld.
+std::vector<std::string> flowLawLines(const World& world);
+
+/// Returns a warning for each such liquid whose largest viscosity makes explicit steps more than four times
+/// shorter than sound does: the implicit solver has no such limit.
+std::vector<SceneWarning> thickFlows(const World& world, const StepTools& tools);
+
+}  // namespace thaw

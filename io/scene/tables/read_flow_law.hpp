@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/scene/scene.hpp"
+#include "io/scene/tables/table_reader.hpp"
+
+namespace thaw {
+
+/// Reads [material.NAME.flow]. Refuses keys that the law does not have. Requires: the other keys of the
+/// material.
+void readFlowLaw(TableReader& material, Material& m);
+
+}  // namespace thaw
