@@ -224,6 +224,8 @@ CASES = {
         "0.01",
         {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"], **PRECISION},
     ),
+    "rosenthal": (["0.05", "0.0333333"], "0.05", {**KERNELS, **WIDE, **PRECISION}),
+    "eagar_tsai": (["0.1", "0.05", "0.0333333"], "0.05", {**KERNELS, **WIDE, **PRECISION}),
     # surfaces; targets hold from R/dx = 16 on
     "surface_ball": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {**SURFACE, **FINE_SURFELS}),
     "surface_ball_relaxed": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {}),

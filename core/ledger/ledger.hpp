@@ -22,6 +22,12 @@ struct ExactBalance {
   ExactSum mass, momentum[3], angularMomentum[3], kinetic, elastic, potential, internal;
 };
 
+/// Energies (J) of all lamps, of all lasers, or of all heated regions. The rest of what they gave missed all
+/// bodies or hit an obstacle.
+struct SourceSums {
+  ExactSum given, absorbed, reflected;
+};
+
 /// Flows since the start, on this rank only; the sum over ranks is meaningful. In every checkpoint.
 struct Ledger {
   ExactBalance entered, left;  ///< emitters, open sides
@@ -34,7 +40,8 @@ struct Ledger {
   ExactSum phaseJump;    ///< J, elastic energy that melting, freezing, fracture and new references removed (>
                          ///< 0) or created
   ExactSum restartJump;  ///< J, stored energy that changed coefficients at a restart created (> 0) or removed
-  Balance initial;       ///< global, at time 0
+  SourceSums lamps, lasers, regions;  ///< the absorbed parts are in heatIn
+  Balance initial;                    ///< global, at time 0
 };
 
 }  // namespace thaw

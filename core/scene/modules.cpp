@@ -67,6 +67,14 @@ void findHeat(Finder& f) {
     if (o.temperature && conducts)
       f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
   if (!s.thermostats.empty()) f.on(f.m.heat, "heat", "a [[tempering]] changes the temperature");
+  const auto source = [&](const auto& list, const char* kind) {
+    for (const auto& one : list) {
+      f.on(f.m.heat, "heat", std::string(kind) + " " + quoted(one.name) + " heats bodies");
+      f.on(f.m.lamps, "heat sources", std::string(kind) + " " + quoted(one.name));
+    }
+  };
+  if (hasContinuum(s))
+    source(s.lamps, "lamp"), source(s.lasers, "laser"), source(s.heatedRegions, "heated region");
   for (const Material& m : s.materials) {
     if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");
     if (m.convection > 0 || m.emissivity > 0) {

@@ -6,6 +6,7 @@
 #include "core/fluid/density/carried_density.hpp"
 #include "core/fluid/rheology/apparent_viscosity.hpp"
 #include "core/heat/heat.hpp"
+#include "core/heat/sources/heat_sources.hpp"
 #include "core/oriented/forces/continuum_contact.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/link_pieces.hpp"
@@ -156,6 +157,7 @@ void finishForces(Evaluation& e) {
     addWallHeat(e.walls, t.wallContacts);
     addOuterHeat(heatView(w), e.dt, e.walls.steady);
     addThermostats(heatView(w), e.dt);
+    if (w.modules.lamps) addHeatSources({heatView(w), w.walls, *t.light}, e.dt, e.halos.all);
   }
   if (w.particles.outsideForce.active)
     addOutsideLoads(t.outside, w.particles, w.ledger, e.dt > 0 ? timeAfter(w.clock, e.dt) : w.clock.time,

@@ -2,6 +2,7 @@
 // The end of a step: limits, failures and requests of all ranks.
 #include <algorithm>
 
+#include "core/heat/sources/heat_sources.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/monitor/monitor.hpp"
@@ -23,6 +24,7 @@ StepReduction reductionHere(World& w, StepTools& t, const StepOutcome& here, Req
   // Wall contacts are stiffer than the lattice behind cfl_sound. Here omega dt is at most 1.2; 2 is stable.
   if (t.wallContacts.stiffest > 0)
     own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
+  if (w.modules.lamps) own[Limit::Heat] = std::min(own[Limit::Heat], sourceStepLimit(w.scene, w.clock.time));
   StepReduction reduction;
   for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
     reduction.negatedLimits[k] = -std::min(t.fixedLimits.value[k], own.value[k]);

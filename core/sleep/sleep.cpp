@@ -8,6 +8,7 @@
 #include "core/materials/enthalpy.hpp"
 #include "core/neighbours/search.hpp"
 #include "core/scene/modules.hpp"
+#include "core/scene/source_times.hpp"
 #include "core/sleep/awake_reason.hpp"
 #include "core/sleep/sleep_view.hpp"
 #include "core/solid/elasticity/elastic.hpp"
@@ -117,6 +118,7 @@ void beginSleep(const SleepView& w, double dt) {
     if (wall.properties.until >= begin && wall.properties.until <= end) wakeAll(p);
   for (const Thermostat& heat : w.scene.thermostats)
     if (end > heat.start && begin <= heat.start + heat.over) wakeAll(p);
+  if (anySourceOn(w.scene, begin, end)) wakeAll(p);
   for (const WallContact& c : w.wallContacts.list) {
     const Wall& wall = w.walls.list[c.wall];
     if (!wall.properties.motion.empty() && wallVelocity(wall, p.position[c.row]) != Vec3d{})

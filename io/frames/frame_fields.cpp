@@ -69,17 +69,30 @@ void addExtensionField(Frame& f, const AddedColumn& column) {
   });
 }
 
-void addField(Frame& f, const World& w, int rank, const std::string& name) {
+/// Adds a field of heat. Returns false for other names.
+bool addHeatField(Frame& f, const World& w, const std::string& name) {
   const Continuum& p = w.particles;
-  const Solids& s = w.solids;
-  const std::vector<Material>& materials = w.scene.materials;
-  if (name == "velocity") {
-    addRows<float>(f, "velocity", "m/s", 3, [&p](std::size_t i, float* to) { put3(p.velocity[i], to); });
-  } else if (name == "temperature") {
+  if (name == "temperature") {
     addRows<float>(f, "temperature", "K", 1, [&w, &p](std::size_t i, float* to) {
       *to = static_cast<float>(p.temperature.active ? p.temperature[i]
                                                     : temperatureAtStart(w.scene, p.body[i]));
     });
+  } else if (name == "absorbed") {
+    addRows<float>(f, "absorbed", "W", 1,
+                   [&p](std::size_t i, float* to) { *to = p.absorbed.active ? p.absorbed[i] : 0; });
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void addField(Frame& f, const World& w, int rank, const std::string& name) {
+  const Continuum& p = w.particles;
+  const Solids& s = w.solids;
+  const std::vector<Material>& materials = w.scene.materials;
+  if (addHeatField(f, w, name)) return;
+  if (name == "velocity") {
+    addRows<float>(f, "velocity", "m/s", 3, [&p](std::size_t i, float* to) { put3(p.velocity[i], to); });
   } else if (name == "liquid") {
     addRows<float>(f, "liquid", "1", 1, [&p, &materials](std::size_t i, float* to) {
       const Material& m = materials[p.material[i]];
@@ -141,8 +154,8 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
 }  // namespace
 
 std::vector<std::string> knownFrameFields() {
-  return {"velocity", "temperature",    "liquid",   "density", "pressure", "viscosity", "stress",
-          "strain",   "plastic_strain", "material", "body",    "rank",     "id",        "neighbours"};
+  return {"velocity",       "temperature", "liquid", "density", "pressure", "viscosity",  "stress",  "strain",
+          "plastic_strain", "material",    "body",   "rank",    "id",       "neighbours", "absorbed"};
 }
 
 Frame frameOf(const World& w, int rank) {

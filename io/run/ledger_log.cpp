@@ -89,6 +89,12 @@ void addEnergy(Columns& c, const LedgerReport& l, const StoredParts& parts) {
 void addHeat(Columns& c, const LedgerReport& l) {
   c.add("internal_J", l.now.internal);
   c.add("heat_in_J", l.heatIn);
+  for (const auto& [name, source] :
+       {std::pair{"lamps", &l.lamps}, std::pair{"lasers", &l.lasers}, std::pair{"regions", &l.regions}}) {
+    c.add(fmt::format("{}_given_J", name), source->given);
+    c.add(fmt::format("{}_absorbed_J", name), source->absorbed);
+    c.add(fmt::format("{}_reflected_J", name), source->reflected);
+  }
   c.add("entered_internal_J", l.entered.internal);
   c.add("left_internal_J", l.left.internal);
   c.add("heat_residual_J", l.heatResidual);

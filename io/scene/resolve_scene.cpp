@@ -16,7 +16,7 @@ using std::filesystem::path;
 
 bool isJoined(std::string_view key) {
   return key == "body" || key == "emitter" || key == "obstacle" || key == "wall" || key == "tempering" ||
-         key == "oriented" || key == "sheet";
+         key == "oriented" || key == "sheet" || key == "lamp" || key == "laser" || key == "heated_region";
 }
 
 /// Moves the content of `from` into `to`. Moved nodes keep their places; copies would not.

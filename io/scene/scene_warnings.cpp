@@ -62,7 +62,9 @@ void addColdTemperatures(const Scene& s, std::vector<std::string>& lines) {
 
 /// Warns of materials that melt in a scene without any heat.
 void addMaterialsWithoutHeat(const Scene& s, std::vector<std::string>& lines) {
-  if (s.numerics.heat == HeatModel::Paper || !s.thermostats.empty()) return;
+  if (s.numerics.heat == HeatModel::Paper || !s.thermostats.empty() || !s.lamps.empty() ||
+      !s.lasers.empty() || !s.heatedRegions.empty())
+    return;
   for (const Material& m : s.materials)
     if (m.melts() && m.conductivity.solid == 0 && m.conductivity.liquid == 0 && m.convection == 0 &&
         m.emissivity == 0 && m.heatSource == 0)

@@ -8,10 +8,17 @@ namespace thaw {
 
 struct StepTools;
 
+/// Energies (J) of lamps, lasers or heated regions since the start.
+struct SourceReport {
+  double given = 0, absorbed = 0, reflected = 0;
+  double missed() const { return given - absorbed - reflected; }  ///< met no body, or an obstacle
+};
+
 struct LedgerReport {
   Balance now, initial, entered, left;
   double dissipated = 0, wallWork = 0, heatIn = 0, phaseJump = 0, restartJump = 0;  // J
   Vec3d wallImpulse{}, gravityImpulse{};                                            // N s
+  SourceReport lamps, lasers, regions;
   Vec3d impulseInFlight{};   ///< N s, impulse in flight: contacts gave it to vertices and particles, and give
                              ///< it to oriented particles in the next step
   double massResidual = 0;   ///< kg

@@ -4,7 +4,7 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 14,
+constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 23,
                       worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum),
               "list the new sum in addBalance, and in valuesOf");
@@ -56,7 +56,16 @@ std::vector<NamedSum> sumsOf(Ledger& l) {
                              {"gravity_impulse_z", "N s", &l.gravityImpulse[2]},
                              {"heat_in", "J", &l.heatIn},
                              {"phase_jump", "J", &l.phaseJump},
-                             {"restart_jump", "J", &l.restartJump}};
+                             {"restart_jump", "J", &l.restartJump},
+                             {"lamps_given", "J", &l.lamps.given},
+                             {"lamps_absorbed", "J", &l.lamps.absorbed},
+                             {"lamps_reflected", "J", &l.lamps.reflected},
+                             {"lasers_given", "J", &l.lasers.given},
+                             {"lasers_absorbed", "J", &l.lasers.absorbed},
+                             {"lasers_reflected", "J", &l.lasers.reflected},
+                             {"regions_given", "J", &l.regions.given},
+                             {"regions_absorbed", "J", &l.regions.absorbed},
+                             {"regions_reflected", "J", &l.regions.reflected}};
   list.insert(list.end(), std::begin(others), std::end(others));
   return list;
 }

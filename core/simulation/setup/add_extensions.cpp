@@ -67,6 +67,7 @@ void addExtensions(World& w, StepTools& t) {
   for (const Body& b : w.scene.bodies) describeShape(w, b.shape);
   for (const Obstacle& o : w.scene.obstacles) describeShape(w, o.shape);
   for (const OrientedBody& b : w.scene.oriented) describeShape(w, b.shape);
+  for (const HeatedRegion& r : w.scene.heatedRegions) describeShape(w, r.shape);
 }
 
 }  // namespace thaw

@@ -10,6 +10,7 @@
 #include "core/domain/sides.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
+#include "core/heat/sources/light_work.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/prepare_oriented.hpp"
@@ -141,6 +142,9 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (const Body& b : w.scene.bodies)
     shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
+  if (w.modules.lamps) t.light = std::make_shared<LightWork>();
+  for (const HeatedRegion& r : w.scene.heatedRegions)
+    t.light->regions.push_back(makeSignedDistance(r.shape, load, "heated region '" + r.name + "'", problems));
   problems.raise();
   t.shapes = shapes;
   if (w.modules.sheet) prepareSheets(w.sheets, w.scene, load);

@@ -36,6 +36,8 @@
 
 namespace thaw {
 
+struct LightWork;
+
 /// Work data of a step, made once (core/simulation/setup/) and reused. Not part of the state.
 struct StepTools {
   const PairKernels* kernels = nullptr;
@@ -71,6 +73,7 @@ struct StepTools {
   OrientedWork oriented;
   SleepWork sleep;
   RigidWork rigid;
+  std::shared_ptr<LightWork> light;  ///< null without heat sources
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce

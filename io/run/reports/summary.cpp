@@ -32,6 +32,13 @@ Json balance(const Balance& b) {
           {"internal_J", b.internal}};
 }
 
+Json sourceJson(const SourceReport& s) {
+  return {{"given_J", s.given},
+          {"absorbed_J", s.absorbed},
+          {"reflected_J", s.reflected},
+          {"missed_J", s.missed()}};
+}
+
 Json countersJson(Counters counters) {
   Json j;
   for (const NamedCount& c : countsOf(counters)) j[c.name] = *c.count;
@@ -151,6 +158,9 @@ void writeSummary(const std::string& out, const RunSummary& s, const std::string
                  {"dissipated_J", l.dissipated},
                  {"wall_work_J", l.wallWork},
                  {"heat_in_J", l.heatIn},
+                 {"lamps", sourceJson(l.lamps)},
+                 {"lasers", sourceJson(l.lasers)},
+                 {"heated_regions", sourceJson(l.regions)},
                  {"phase_jump_J", l.phaseJump},
                  {"restart_jump_J", l.restartJump},
                  {"wall_impulse_N_s", vec(l.wallImpulse)},

@@ -17,6 +17,7 @@ template<class Use> void eachShape(Scene& s, Use&& use) {
   };
   for (Body& b : s.bodies) use(b.shape), all(b.clamp);
   for (Obstacle& o : s.obstacles) use(o.shape);
+  for (HeatedRegion& r : s.heatedRegions) use(r.shape);
   for (SheetBody& b : s.sheets) {
     use(b.shape);
     all(b.clamp);

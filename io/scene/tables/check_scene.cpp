@@ -58,6 +58,10 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   for (std::size_t t = 0; t < s.thermostats.size(); t++)
     if (!x.temperingMaterials[t].name.empty())
       resolve(x.temperingMaterials[t], "tempering", s.thermostats[t].material);
+  for (std::size_t k = 0; k < s.heatedRegions.size(); k++)
+    if (!x.regionMaterials[k].name.empty())
+      resolve(x.regionMaterials[k], "heated region '" + s.heatedRegions[k].name + "'",
+              s.heatedRegions[k].material);
 
   const auto unique = [&](const auto& list, const char* kind) {
     std::set<std::string> seen;
@@ -70,6 +74,18 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   unique(s.oriented, "oriented body");
   unique(s.sheets, "sheet");
   unique(s.obstacles, "obstacle");
+  unique(s.lamps, "lamp");
+  unique(s.lasers, "laser");
+  unique(s.heatedRegions, "heated region");
+  if (!hasContinuum(s)) {
+    const auto refuse = [&](const auto& list, const char* kind) {
+      for (const auto& one : list)
+        errors.push_back({one.where, fmt::format("{} '{}': the scene has no [[body]] and no [[emitter]] that "
+                                                 "it can heat; it heats no sheets or oriented particles",
+                                                 kind, one.name)});
+    };
+    refuse(s.lamps, "lamp"), refuse(s.lasers, "laser"), refuse(s.heatedRegions, "heated region");
+  }
   checkSheets(s, errors);
   checkOrientedEvents(x, errors);
   if (s.bodies.empty() && s.emitters.empty() && s.oriented.empty() && s.sheets.empty())

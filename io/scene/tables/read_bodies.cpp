@@ -7,9 +7,6 @@
 
 namespace thaw {
 
-namespace {
-
-/// Reads the name of a material. checkScene finds its place in the list, from which it is recorded.
 void readMaterialName(TableReader& r, const SceneReading& x, int place, std::vector<MaterialName>& names,
                       const char* about) {
   std::string name;
@@ -18,8 +15,6 @@ void readMaterialName(TableReader& r, const SceneReading& x, int place, std::vec
   r.text("material", name, about, "name of a material");
   if (r.reading()) names.push_back({name, r.placeOf("material"), r.refused("material")});
 }
-
-}  // namespace
 
 void readBody(TableReader& r, Body& b, SceneReading& x) {
   r.as(Restart::Free).text("name", b.name, "for messages and `--set`; none: \"body\" and its number");

@@ -128,6 +128,8 @@ void readHeat(TableReader& r, Material& m) {
            "emissivity of free surfaces, for radiation to domain.ambient");
   r.number("convection", m.convection, "W/(m^2 K)", notNegative(),
            "heat transfer coefficient of free surfaces to domain.ambient");
+  r.number("absorptivity", m.absorptivity, "", between(0, 1),
+           "fraction of the light of lamps and lasers that it absorbs; it reflects the rest");
   r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(),
            "k_heat of Keiser et al. 2005, with numerics.heat = \"paper\"");
 }

@@ -31,6 +31,19 @@ void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
   open.viscosityCorrection = !numerics.has("viscosity_correction");
 }
 
+/// Reads lamps, lasers and heated regions.
+void readSources(TableReader& top, SceneReading& x) {
+  Scene& s = *x.scene;
+  const auto in = [&](auto read) {
+    return [&x, read](TableReader& r, auto& element) { read(r, element, x); };
+  };
+  top.tables("lamp", "light that exposed particles absorb: from a point, in a direction, or from an area",
+             s.lamps, in(readLamp));
+  top.tables("laser", "beam with a Gaussian profile", s.lasers, in(readLaser));
+  top.tables("heated_region", "power that the particles in a shape receive", s.heatedRegions,
+             in(readHeatedRegion));
+}
+
 }  // namespace
 
 void readSections(TableReader& top, SceneReading& x) {
@@ -85,6 +98,7 @@ void readSections(TableReader& top, SceneReading& x) {
              in(readObstacle));
   top.tables("tempering", "brings particles to a temperature, regardless of position", s.thermostats,
              in(readTempering));
+  readSources(top, x);
   if (top.reading()) top.tables("wall", "", s.obstacles, in(readObstacle));
   if (top.describing())
     top.table("SHAPE", "keys of bodies, obstacles and clamps; not a table of its own", describeShapes);

@@ -21,8 +21,8 @@ struct SceneReading {
   std::map<std::string, SourcePlace> numerics;  ///< keys of [numerics] in the scene
   bool materials = true;  ///< all materials are tables, so an unknown name is an error of its own
   OpenChoices open;       ///< choices of [numerics] that the scene leaves open
-  /// one per element of Scene::bodies, emitters, temperings
-  std::vector<MaterialName> bodyMaterials, emitterMaterials, temperingMaterials;
+  /// one per element of Scene::bodies, emitters, temperings, heatedRegions
+  std::vector<MaterialName> bodyMaterials, emitterMaterials, temperingMaterials, regionMaterials;
 };
 
 /// Reads all keys of a scene file.
@@ -53,6 +53,13 @@ void readOriented(TableReader& reader, OrientedBody& body, SceneReading& reading
 void readSheet(TableReader& reader, SheetBody& body, SceneReading& reading);
 void readEmitter(TableReader& reader, Emitter& emitter, SceneReading& reading);
 void readTempering(TableReader& reader, Thermostat& tempering, SceneReading& reading);
+void readLamp(TableReader& reader, Lamp& lamp, SceneReading& reading);
+void readLaser(TableReader& reader, Laser& laser, SceneReading& reading);
+void readHeatedRegion(TableReader& reader, HeatedRegion& region, SceneReading& reading);
+/// Reads the name of a material into `names`. checkScene finds its place in the list, from which it is
+/// recorded.
+void readMaterialName(TableReader& reader, const SceneReading& reading, int place,
+                      std::vector<MaterialName>& names, const char* about);
 void readObstacle(TableReader& reader, Obstacle& obstacle, SceneReading& reading);
 
 /// Checks references, duplicates and sizes, which concern several tables. Adds to errors.

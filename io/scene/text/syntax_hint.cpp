@@ -38,7 +38,8 @@ std::string syntaxHint(const std::string& text, int line, const std::string& com
   if (complaint.find("parsing string") != std::string::npos && hasOpenQuote(here))
     return "; the closing quote is missing on this line";
   std::smatch m;
-  static const std::regex table(R"(^\s*\[\s*(body|emitter|obstacle|wall|oriented|sheet|tempering)\s*\])"),
+  static const std::regex table(
+      R"(^\s*\[\s*(body|emitter|obstacle|wall|oriented|sheet|tempering|lamp|laser|heated_region)\s*\])"),
       quantity(R"(=\s*([-+]?[0-9][-+0-9.eE_]*)\s*([A-Za-z%][^#,\]}]*))");
   if (std::regex_search(here, m, table))
     return "; a table of a list is written [[" + m.str(1) + "]], with two brackets";

@@ -67,6 +67,30 @@ place = { move = [0.3, 0.3, 0] }
 [[tempering]]
 material = "wax"
 temperature = 300
+[[lamp]]
+name = "bulb"
+power = "20 W"
+position = [0, 0, 0.5]
+[[lamp]]
+name = "window"
+kind = "area"
+power = "20 W"
+position = [0, 0, 0.5]
+direction = [0, 0, -1]
+width = 0.2
+depth = 0.3
+[[laser]]
+power = 20
+radius = 0.01
+position = [0, 0, 0]
+absorption_depth = 0.01
+start = 0.01
+end = 0.02
+[[heated_region]]
+name = "coil"
+power = 20
+sphere = { radius = 0.1 }
+material = "wax"
 [surface]
 iso_level = 0.5
 least_level = 0.2

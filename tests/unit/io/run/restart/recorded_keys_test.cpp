@@ -41,6 +41,11 @@ void addBodies(Scene& s) {
   o.temperature = 300;
   o.motion.resize(1);
   s.thermostats.emplace_back().material = 0;
+  s.lamps.emplace_back().motion.resize(1);
+  s.lasers.emplace_back().motion.resize(1);
+  HeatedRegion& region = s.heatedRegions.emplace_back();
+  region.material = 0;
+  region.motion.resize(1);
 }
 
 void addSheets(Scene& s) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light that particles receive from lamps and lasers.
+#pragma once
+#include <vector>
+
+#include "core/heat/sources/heat_sources.hpp"
+
+namespace thaw {
+
+/// Light (W) that each owned particle receives, before reflection. Empty without such sources.
+struct LightReceived {
+  std::vector<double> lamps, lasers;
+};
+
+/// Distributes the light of the step of length dt (s) that begins now, and records what the sources give in
+/// the ledger. Collective.
+LightReceived receiveLight(const HeatSourceView& view, double dt, Reducer& all);
+
+}  // namespace thaw

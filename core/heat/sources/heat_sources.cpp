@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/heat/sources/heat_sources.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/shapes/pose.hpp"
+#include "core/heat/sources/add_light.hpp"
+#include "core/scene/source_times.hpp"
+
+namespace thaw {
+namespace {
+
+/// Adds heat to a particle.
+void give(const HeatView& w, std::size_t i, double flow, double dt, ExactSum& absorbed) {
+  w.particles.heatFlow[i] += flow;
+  w.particles.absorbed[i] += static_cast<float>(flow);
+  w.ledger.heatIn.add(flow * dt);
+  absorbed.add(flow * dt);
+}
+
+/// Rows of the particles that a region heats.
+std::vector<std::uint32_t> rowsIn(const HeatedRegion& region, const SignedDistance& shape, const Pose& pose,
+                                  const Continuum& p) {
+  std::vector<std::uint32_t> rows;
+  const Bounds bounds = shape.bounds();
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (region.material >= 0 && p.material[i] != region.material) continue;
+    const Vec3d x = toRest(pose, p.position[i]);
+    if (nearBounds(bounds, x, 0) && shape.inside(x)) rows.push_back(static_cast<std::uint32_t>(i));
+  }
+  return rows;
+}
+
+/// Heat of regions: in proportion to mass, whose sum is exact.
+void addRegions(const HeatSourceView& v, double dt, Reducer& all) {
+  const HeatView& w = v.heat;
+  const Scene& s = w.scene;
+  std::vector<std::vector<std::uint32_t>> rows(s.heatedRegions.size());
+  std::vector<std::int64_t> digits;
+  const double begin = w.clock.time, end = begin + dt;
+  for (std::size_t k = 0; k < rows.size(); k++) {
+    const HeatedRegion& region = s.heatedRegions[k];
+    ExactSum mass;
+    if (shareOn(region.start, region.end, begin, end) > 0) {
+      rows[k] = rowsIn(region, *v.work.regions[k], poseAt(region.motion, 0.5 * (begin + end)), w.particles);
+      for (const std::uint32_t i : rows[k]) mass.add(w.particles.mass[i]);
+    }
+    mass.carry();
+    digits.insert(digits.end(), mass.digit.begin(), mass.digit.end());
+  }
+  all.sum(digits);
+  for (std::size_t k = 0; k < rows.size(); k++) {
+    const HeatedRegion& region = s.heatedRegions[k];
+    const double power = region.power * shareOn(region.start, region.end, begin, end);
+    if (all.rank() == 0) w.ledger.regions.given.add(power * dt);
+    ExactSum mass;
+    std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, mass.digit.data());
+    const double total = mass.value();
+    for (const std::uint32_t i : rows[k])
+      give(w, i, power * (w.particles.mass[i] / total), dt, w.ledger.regions.absorbed);
+  }
+}
+
+/// Received light (W) of this rank's particles that are lit, by kind of source.
+void absorb(const HeatView& w, const std::vector<double>& received, double dt, SourceSums& sums) {
+  for (std::size_t i = 0; i < received.size(); i++) {
+    if (received[i] == 0) continue;
+    const double flow = w.scene.materials[w.particles.material[i]].absorptivity * received[i];
+    give(w, i, flow, dt, sums.absorbed);
+    sums.reflected.add((received[i] - flow) * dt);
+  }
+}
+
+/// Largest step for a source whose rest position is x.
+double limitOf(const std::vector<Keyframe>& motion, const Vec3d& x, double time, double most) {
+  if (motion.empty()) return never;
+  const Pose pose = poseAt(motion, time);
+  const double speed = length(velocityAt(pose, fromRest(pose, x)));
+  return speed > 0 ? most / speed : never;
+}
+
+}  // namespace
+
+double sourceStepLimit(const Scene& s, double time) {
+  double limit = never;
+  const auto take = [&](const auto& source, const Vec3d& x, double most) {
+    if (time < source.end) limit = std::min(limit, limitOf(source.motion, x, time, most));
+  };
+  const double half = 0.5 * s.spacing;
+  for (const Lamp& l : s.lamps) take(l, l.position, half);
+  for (const Laser& l : s.lasers) take(l, l.position, std::max(0.5 * l.radius, half));
+  for (const HeatedRegion& r : s.heatedRegions) take(r, r.shape.move, half);
+  return limit;
+}
+
+void addHeatSources(const HeatSourceView& v, double dt, Reducer& all) {
+  const HeatView& w = v.heat;
+  std::fill_n(w.particles.absorbed.data(), w.particles.owned, 0.0f);
+  const LightReceived light = receiveLight(v, dt, all);
+  absorb(w, light.lamps, dt, w.ledger.lamps);
+  absorb(w, light.lasers, dt, w.ledger.lasers);
+  if (!w.scene.heatedRegions.empty()) addRegions(v, dt, all);
+}
+
+}  // namespace thaw

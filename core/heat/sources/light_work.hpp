@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Work data of lamps, lasers and heated regions. All of it follows from the state of a run.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/geometry/basic/signed_distance.hpp"
+#include "core/geometry/shapes/pose.hpp"
+#include "core/heat/sources/light_view.hpp"
+
+namespace thaw {
+
+/// Light of a cell, found when a particle first needs it.
+struct CellLight {
+  double power = -1;  ///< 1, of the cell for a source with a power of 1; negative: not found yet
+  double end = 0;     ///< m, distance along the light of the first obstacle; infinite: none
+};
+
+/// Cells of a view as long as neither it nor an obstacle moves.
+struct CellLights {
+  LightView view;
+  LightSource source;
+  std::vector<CellLight> cell;
+};
+
+/// Depths of the bodies as the rays meet them, the same on all ranks. Negated values, for one reduction.
+struct LightMap {
+  std::vector<double> values;         ///< m, m^2: negated depth of the nearest particle that a ray passes,
+                                      ///< then negated square of the distance to any of them; by cell
+  std::vector<std::int64_t> weights;  ///< sum of the weights of a cell's particles, by cell
+  std::vector<float> covered;         ///< fraction of the cell within the outline; negative: not found yet
+  std::size_t cells() const { return weights.size(); }
+  bool met(std::size_t c) const { return values[c] > -never; }
+  double depth(std::size_t c) const { return -values[c]; }
+  double gap2(std::size_t c) const { return -values[cells() + c]; }
+};
+
+/// Consecutive rows of a cell, within a sphere (m).
+struct LightGroup {
+  std::uint32_t begin, end;
+  Vec3d centre;
+  double radius;
+};
+
+/// A particle that a view lights.
+struct LitRow {
+  std::uint32_t view, row;
+};
+
+struct LightWork {
+  std::vector<std::shared_ptr<const SignedDistance>> regions;  ///< shapes of the heated regions
+  std::vector<LightSource> sources;
+  std::vector<LightView> views;
+  std::vector<CellLights> lights;  ///< by LightView::slot
+  LightMap map;
+  std::vector<LightGroup> groups;
+  std::vector<std::uint32_t> order;  ///< groups by their distance along the light
+  std::vector<LitRow> lit;
+  std::vector<Pose> obstacles;  ///< poses that `lights` belong to
+  std::vector<std::uint8_t> present;
+};
+
+}  // namespace thaw

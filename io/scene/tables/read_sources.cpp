@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene/tables/read_sections.hpp"
+#include "io/scene/tables/read_shape.hpp"
+
+namespace thaw {
+namespace {
+
+/// Keys of all heat sources.
+template<class Source> void readTimes(TableReader& r, Source& s) {
+  r.number("start", s.start, "s", notNegative(), "time at which it is switched on");
+  r.number("end", s.end, "s", orNever(notNegative()), "time at which it is switched off");
+  readMotion(r, "keyframes; the pose is linear in between and stays after the last", s.motion);
+}
+
+/// Checks of all heat sources, and the name of one without.
+template<class Source>
+void checkSource(TableReader& r, Source& s, const char* kind, const std::vector<Source>& before) {
+  if (!r.reading()) return;
+  if (s.end < s.start) r.fail("end", "must not be before start", {"start"});
+  if (s.name.empty()) s.name = kind + (" " + std::to_string(before.size()));
+}
+
+void require(TableReader& r, const char* key) {
+  if (!r.has(key)) r.fail(key, "is missing");
+}
+
+void readDirection(TableReader& r, Vec3d& direction, const char* about) {
+  r.vector("direction", direction, "", about);
+  if (r.reading() && length(direction) == 0) r.fail("direction", "must not be zero");
+}
+
+/// Refuses the keys that the lamp's kind does not have.
+void checkLamp(TableReader& r, const Lamp& lamp) {
+  const bool direction = lamp.kind == LampKind::Direction, area = lamp.kind == LampKind::Area;
+  require(r, direction ? "irradiance" : "power");
+  if (!direction) require(r, "position");
+  if (lamp.kind != LampKind::Point) require(r, "direction");
+  const auto refuse = [&](const char* key, bool is, const char* why) {
+    if (is && r.has(key)) r.fail(key, why, {"kind"});
+  };
+  refuse("power", direction, "a lamp of kind \"direction\" has an irradiance instead: remove power");
+  refuse("irradiance", !direction, "only a lamp of kind \"direction\" has one: give power instead");
+  refuse("position", direction, "a lamp of kind \"direction\" is infinitely far away: remove position");
+  refuse("direction", lamp.kind == LampKind::Point,
+         "a lamp of kind \"point\" shines in all directions: remove direction");
+  for (const char* key : {"width", "depth"})
+    refuse(key, !area, "only a lamp of kind \"area\" has a size: remove it, or set kind = \"area\"");
+}
+
+}  // namespace
+
+void readLamp(TableReader& r, Lamp& l, SceneReading& x) {
+  r.restart(Restart::Setting);
+  r.as(Restart::Free).text("name", l.name, "for messages and `--set`; none: \"lamp\" and its number");
+  r.choice("kind", l.kind, {"point", "direction", "area"},
+           "point: shines evenly to all sides; direction: parallel light, as of the sun; area: a rectangle "
+           "that shines to one side by Lambert's law");
+  r.number("power", l.power, "W", positive(), "emitted power of a point or an area");
+  r.number("irradiance", l.irradiance, "W/m^2", positive(),
+           "power per area across the light, of a direction");
+  r.vector("position", l.position, "m", "place of a point, middle of an area");
+  readDirection(r, l.direction, "direction of the light; of an area: of its normal; any length but 0");
+  r.number("width", l.width, "m", positive(), "edge of an area, horizontal; along x if it shines along z");
+  r.number("depth", l.depth, "m", positive(), "other edge of an area");
+  readTimes(r, l);
+  if (r.reading()) checkLamp(r, l);
+  checkSource(r, l, "lamp", x.scene->lamps);
+}
+
+void readLaser(TableReader& r, Laser& l, SceneReading& x) {
+  r.restart(Restart::Setting);
+  r.as(Restart::Free).text("name", l.name, "for messages and `--set`; none: \"laser\" and its number");
+  r.number("power", l.power, "W", positive(), "power of the beam; required");
+  r.number("radius", l.radius, "m", positive(),
+           "radius of the beam, where its intensity is 1/e^2 (13.5 %) of that on the axis; required");
+  r.vector("position", l.position, "m",
+           "a point of the axis of the beam, as where it meets the body; required");
+  readDirection(r, l.direction, "direction of the light; any length but 0");
+  r.number(
+      "absorption_depth", l.absorptionDepth, "m", notNegative(),
+      "depth over which the absorbed light falls to 1/e below the exposed surface (Beer and Lambert); 0: "
+      "at the surface");
+  readTimes(r, l);
+  if (r.reading())
+    for (const char* key : {"power", "radius", "position"}) require(r, key);
+  checkSource(r, l, "laser", x.scene->lasers);
+}
+
+void readHeatedRegion(TableReader& r, HeatedRegion& h, SceneReading& x) {
+  r.restart(Restart::Setting);
+  r.as(Restart::Free)
+      .text("name", h.name, "for messages and `--set`; none: \"heated region\" and its number");
+  readShape(r, h.shape);
+  r.number("power", h.power, "W", positive(),
+           "power that the particles inside share in proportion to their mass; required");
+  readMaterialName(r, x, h.material, x.regionMaterials, "material that it heats; none: all");
+  readTimes(r, h);
+  if (r.reading()) require(r, "power");
+  checkSource(r, h, "heated region", x.scene->heatedRegions);
+}
+
+}  // namespace thaw
