@@ -89,9 +89,8 @@ struct Material {
   double emissivity = 0;    // 1, radiation from free surfaces to the ambient
   double convection = 0;    // W/(m^2 K), from free surfaces to the ambient
   double absorptivity = 1;  // 1, fraction of the light of lamps and lasers that it absorbs
-  double contactConductance = never;  // W/(m^2 K), between bodies; never: as if bonded
-  double paperDiffusivity = 0;        // m^2/s, k_heat of K05, for heat model "paper"
-  bool liquidAtStart = false;         // only for materials that do not melt: initial phase
+  double paperDiffusivity = 0;  // m^2/s, k_heat of K05, for heat model "paper"
+  bool liquidAtStart = false;   // only for materials that do not melt: initial phase
   bool melts() const { return solidus < never; }
   bool isRigid() const { return law == ElasticLaw::Rigid; }
   bool canBeSolid() const { return young.solid > 0 || isRigid(); }
