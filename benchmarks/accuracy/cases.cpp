@@ -5,8 +5,9 @@ namespace thaw::accuracy {
 
 std::vector<Case> allCases() {
   std::vector<Case> all;
-  for (const auto& part : {flowCases(), stretchedCases(), viscousCases(), yieldCases(), solidCases(),
-                           heatCases(), mixedCases(), floatingCases(), tankCases(), surfaceCases()})
+  for (const auto& part :
+       {flowCases(), stretchedCases(), viscousCases(), yieldCases(), solidCases(), heatCases(),
+        convectionCases(), mixedCases(), floatingCases(), tankCases(), surfaceCases()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
