@@ -113,10 +113,10 @@ rejects "buoyancy of nothing" '"boussinesq" needs gravity, and a body or emitter
   2 check "$good" --set "$boussinesq"
 rejects "buoyancy without gravity" '"boussinesq" needs gravity' 2 check "$liquid" --set "$boussinesq" \
   --set 'domain.gravity=[0, 0, 0]'
+oil='[material.oil]\ndensity = 900\n[[body]]\nname = "b"\nbox = {}\nmaterial = "oil"'
 rejects "buoyancy of two densities" \
   "leaves out the weight, so all materials need one density: 'oil' has 900 kg/m\^3, 'jelly' 1000 kg/m" \
-  2 check "$(scene oil 's/^young.*/expansion = 2e-4/;$a [material.oil]\ndensity = 900\n[[body]]\nname = "b"\n\
-box = {}\nmaterial = "oil"')" --set "$boussinesq"
+  2 check "$(scene oil "s/^young.*/expansion = 2e-4/;\$a $oil")" --set "$boussinesq"
 rejects "weightless liquid" '^warning: .*liquid.toml: numerics.buoyancy = "boussinesq" leaves out the weight' \
   0 check "$liquid" --set "$boussinesq"
 
