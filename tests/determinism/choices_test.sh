@@ -143,8 +143,8 @@ try free_liquid "$work/patch.toml" 60
 try float "$work/float.toml" 80
 try full_box "$work/vortices.toml" 30
 try start_fields "$work/fields.toml" 30
-try buoyancy "$work/cavity.toml" 60
-try buoyancy_of_liquid_with_weight "$work/cavity.toml" 60 $n.buoyancy=density \
+try buoyancy "$work/cavity.toml" 30
+try buoyancy_of_liquid_with_weight "$work/cavity.toml" 30 $n.buoyancy=density \
   $n.pressure_solver=incompressible $n.viscosity_solver=implicit
 try printed "$scenes/melt.toml" 30 $n.pressure=printed $n.viscosity=laplacian "$n.tension=colour field" \
   $n.conduction=plain

@@ -99,7 +99,7 @@ accepts "a table of densities" check "$good" --set material.jelly.young=0 \
   --set 'material.jelly.density=[["0 degC", "999.8 kg/m^3"], ["4 degC", "1 g/cm^3"]]'
 rejects "expansion of a solid" 'material\.jelly\.expansion: only liquids have buoyancy' 2 check "$good" \
   --set material.jelly.expansion=2e-4
-rejects "huge expansion" 'expansion: must be from -0\.1 to 0\.1 1/K, got 2' 2 check "$good" \
+rejects "huge expansion" 'expansion: must be -0\.1 \.\.\. 0\.1 1/K, got 2' 2 check "$good" \
   --set material.jelly.expansion=2
 rejects "expansion without its unit" 'expansion: expected an expansion such as "2e-4 1/K", got "2e-4 K"' \
   2 check "$liquid" --set 'material.jelly.expansion=2e-4 K'
@@ -117,7 +117,7 @@ oil='[material.oil]\ndensity = 900\n[[body]]\nname = "b"\nbox = {}\nmaterial = "
 rejects "buoyancy of two densities" \
   "leaves out the weight, so all materials need one density: 'oil' has 900 kg/m\^3, 'jelly' 1000 kg/m" \
   2 check "$(scene oil "s/^young.*/expansion = 2e-4/;\$a $oil")" --set "$boussinesq"
-rejects "weightless liquid" '^warning: .*liquid.toml: numerics.buoyancy = "boussinesq" leaves out the weight' \
+rejects "weightless liquid" '^warning: .*/liquid.toml: numerics.buoyancy = "boussinesq" leaves out' \
   0 check "$liquid" --set "$boussinesq"
 
 # files
