@@ -97,9 +97,8 @@ void addWeightlessLiquid(const Scene& s, std::vector<std::string>& lines) {
   if (s.numerics.buoyancy == Buoyancy::Boussinesq && !liquidFillsClosedDomain(s))
     lines.push_back(fmt::format(
         "{}: numerics.buoyancy = \"boussinesq\" leaves out the weight, and the scene is not one box of "
-        "liquid "
-        "in a closed domain: a free surface or a falling body would be weightless; \"density\" keeps the "
-        "weight",
+        "liquid in a closed domain: a free surface or a falling body would be weightless; \"density\" keeps "
+        "the weight",
         s.file));
 }
 
