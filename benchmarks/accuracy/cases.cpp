@@ -7,7 +7,7 @@ std::vector<Case> allCases() {
   std::vector<Case> all;
   for (const auto& part :
        {flowCases(), stretchedCases(), viscousCases(), yieldCases(), solidCases(), heatCases(), sourceCases(),
-        mixedCases(), floatingCases(), tankCases(), surfaceCases()})
+        convectionCases(), mixedCases(), floatingCases(), tankCases(), surfaceCases()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

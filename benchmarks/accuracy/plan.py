@@ -226,6 +226,12 @@ CASES = {
     ),
     "rosenthal": (["0.05", "0.0333333"], "0.05", {**KERNELS, **WIDE, **PRECISION}),
     "eagar_tsai": (["0.1", "0.05", "0.0333333"], "0.05", {**KERNELS, **WIDE, **PRECISION}),
+    "cavity": (
+        ["0.05", "0.025"],
+        "0.025",
+        {"max_density_error": ["0.0025"], "pressure_solver": ["incompressible"]},
+    ),
+    "cavity_1e5": (["0.025", "0.0166666666666667"], "0.0166666666666667", {}),
     # surfaces; targets hold from R/dx = 16 on
     "surface_ball": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {**SURFACE, **FINE_SURFELS}),
     "surface_ball_relaxed": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {}),

@@ -72,7 +72,8 @@ std::vector<Case> viscousCases();    ///< viscosity and surface tension
 std::vector<Case> yieldCases();      ///< flow laws
 std::vector<Case> solidCases();
 std::vector<Case> heatCases();
-std::vector<Case> sourceCases();    ///< lasers that move
+std::vector<Case> sourceCases();  ///< lasers that move
+std::vector<Case> convectionCases();
 std::vector<Case> mixedCases();     ///< liquids and solids in one scene
 std::vector<Case> floatingCases();  ///< solids that float, sink and rise in water
 std::vector<Case> tankCases();      ///< tanks that are no multiple of the spacing

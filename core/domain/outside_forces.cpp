@@ -6,13 +6,10 @@
 #include "core/particles/sleep_stage.hpp"
 
 namespace thaw {
-namespace {
 
 bool isFree(const Continuum& p, std::size_t i) {
   return !(p.clamped.active && p.clamped[i]) && !(p.sleep.active && p.sleep[i] != awake);
 }
-
-}  // namespace
 
 void addOutsideLoads(const std::vector<OutsideSource>& sources, Continuum& p, Ledger& ledger, double time,
                      double dt) {

@@ -22,6 +22,9 @@ struct OutsideLoad {
 /// bits on any number of ranks, a load must follow from the particle's own fields and the time alone.
 using OutsideSource = std::function<void(const OutsideLoad&)>;
 
+/// Returns true if a particle is neither clamped nor sleeping, so that forces move it.
+bool isFree(const Continuum& particles, std::size_t row);
+
 /// Sets Continuum::outsideForce from all sources, and adds it to the forces of particles that are free to
 /// move. Heat is added to Continuum::heatFlow and recorded for the step dt (s) in the ledger.
 void addOutsideLoads(const std::vector<OutsideSource>& sources, Continuum& particles, Ledger& ledger,

@@ -15,7 +15,7 @@ struct LiquidMaterial {
                           ///< pairs
   double pressureLead = 0;  ///< s, beta h / c: time by which the pressure leads the carried density
   double rootTension = 0;   ///< (N/m)^1/2
-  double restVolume = 0;   ///< m^3/kg
+  double restVolume = 0;    ///< m^3/kg
 };
 
 /// Largest expected speed (m/s), see expectedFlow.

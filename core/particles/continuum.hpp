@@ -95,8 +95,6 @@ struct Continuum : Table {
       "viscosity at the shear rate of the last step (core/fluid/rheology/)"};
   Column<float> compressionRate{*this, "compressionRate", "1/s", Keep::State,
       "rate of the relative density in the last step; bulk damping uses it", Rows::Owned};
-  Column<float> volumeFactor{*this, "volumeFactor", "1", Keep::State,
-      "volume at rest, over that of its material's liquid at its reference temperature"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State,
       "from implicit viscosity in the last step; initial guess of the next solve"};
   Column<Vec3d> viscousSearch{*this, "viscousSearch", "m/s", Keep::Transient,
@@ -179,6 +177,9 @@ struct Continuum : Table {
       "(forceOf, core/simulation/time/integrate.hpp)", Rows::Owned};
   Column<Vec3d> outsideForce{*this, "outsideForce", "N", Keep::State,
       "part of the force that the program adds (core/domain/outside_forces.hpp)", Rows::Owned};
+  Column<double> buoyancy{*this, "buoyancy", "1", Keep::State,
+      "its relative deficit of density in the last evaluation: its buoyant force over its weight, upwards "
+      "(core/domain/buoyant_force.hpp)", Rows::Owned};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient,
       "sum of all heat flows into the particle", Rows::Owned};
   Column<double> dissipation{*this, "dissipation", "W", Keep::Transient,

@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include "core/scene/buoyancy.hpp"
+
 namespace thaw {
 namespace {
 
@@ -39,10 +41,14 @@ FlowSpeed expectedFlow(const Scene& s) {
   see(e.start, "the start of " + e.startBy);
   see(e.emitted, e.emittedBy);
   see(e.driven, e.drivenBy);
-  const double flow = std::sqrt(given * given + 2 * g * fall), column = std::sqrt(g * e.column);
+  const double buoyant = buoyantSpeed(s);
+  const double flow = std::sqrt(given * given + 2 * g * fall + buoyant * buoyant),
+               column = std::sqrt(g * e.column);
   if (column > flow)
     return {column, "from the pressure of a column of " + numberText("%.3g m", e.column) +
                         " that an emitter can fill"};
+  if (buoyant > 0 && buoyant * buoyant > given * given + 2 * g * fall)
+    return {flow, "from buoyancy" + numberText(" (%.3g m/s)", buoyant)};
   const std::string falls = "a fall through " + numberText("%.3g m", fall);
   if (!(given > 0)) return {flow, flow > 0 ? "from " + falls : "nothing moves"};
   by += numberText(" (%.3g m/s)", given);

@@ -28,7 +28,7 @@ struct FlowSpeed {
 /// Returns the speed from which the automatic sound speed is derived. A flow of speed v changes the density
 /// by v^2 / c^2, a column of height H by g H / c^2 (M94). v^2 = u^2 + 2 g h. u is the largest speed of
 /// bodies, emitters and obstacles, h the largest fall. A column of bodies is no higher than the fall, so v
-/// covers it. A column that an emitter fills may be higher.
+/// covers it. A column that an emitter fills may be higher. Buoyancy adds the square of its speed.
 FlowSpeed expectedFlow(const Scene& scene);
 
 /// Speed of a fall from rest through the whole domain (m/s).

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/scene/buoyancy.hpp"
+
 namespace thaw {
 
 bool solidAt(const Material& m, double T) {
@@ -45,21 +47,21 @@ void findHeat(Finder& f) {
   bool conducts = false;
   for (const Material& m : s.materials)
     conducts = conducts || m.conductivity.solid > 0 || m.conductivity.liquid > 0 || m.paperDiffusivity > 0;
+  const bool matters = conducts || hasBuoyancy(s);  // differences of temperature
   double first = NAN;
   const auto seen = [&](double T, const std::string& who) {
     if (std::isnan(first)) first = T;
-    else if (T != first && conducts)
-      f.on(f.m.heat, "heat", who + " differs in temperature from other bodies");
+    else if (T != first && matters) f.on(f.m.heat, "heat", who + " differs in temperature from other bodies");
   };
   // A temperature field matters if heat is conducted, or if it decides the phase.
   const auto field = [&](const auto& source, const std::string& who) {
     if (!source.temperatureField) return seen(source.temperature, who);
-    if (conducts || s.materials[static_cast<std::size_t>(source.material)].melts())
+    if (matters || s.materials[static_cast<std::size_t>(source.material)].melts())
       f.on(f.m.heat, "heat", who + " has a temperature that depends on position");
   };
   for (const Body& b : s.bodies) {
     field(b, "body " + quoted(b.name));
-    if (length(b.temperatureGradient) > 0 && conducts)
+    if (length(b.temperatureGradient) > 0 && matters)
       f.on(f.m.heat, "heat", "body " + quoted(b.name) + " has a temperature gradient");
   }
   for (const Emitter& e : s.emitters) field(e, "emitter " + quoted(e.name));
@@ -167,6 +169,12 @@ Modules modulesOf(const Scene& s) {
     if (liquid && x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
     if (liquid && x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
     if (liquid && m.continuity && x.bulkDamping > 0) f.on(m.bulkDamping, "bulk damping", who);
+    if (liquid && m.heat && expands(x) && hasBuoyancy(s))
+      f.on(m.buoyancy, "buoyancy",
+           "the density of " + who + " depends on the temperature; " +
+               (s.numerics.buoyancy == Buoyancy::Boussinesq
+                    ? "only differences of density act (numerics.buoyancy = \"boussinesq\")"
+                    : "its weight acts, too (numerics.buoyancy = \"density\")"));
     if (!m.solid || !x.canBeSolid()) continue;
     if (x.yieldStrain.solid < never || x.yieldStrain.liquid < never)
       f.on(m.plastic, "plastic flow", who + " yields");

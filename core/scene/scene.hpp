@@ -51,17 +51,12 @@ struct Material {
   double artificialViscosity = 0;  // 1, Monaghan's alpha
   double bulkDamping = 0;          // 1, volume viscosity over density, speed of sound and support radius
   FlowLawSettings flowLaw;         // replaces viscosity if not Newtonian
-  TemperatureTable surfaceTensionTable;  // N/m, linear; replaces surfaceTension if not empty
-  double solidDensity = 0;               // kg/m^3, at rest; 0: density
-  double expansion = 0;                  // 1/K, volume expansion of the liquid
-  TemperatureTable densityTable;         // kg/m^3, of the liquid; replaces density and expansion if not empty
-  double expansionFrom = 0;              // K, temperature of `density`; 0: the ambient temperature
-  double mushDrag = 0;                   // kg/(m^3 s), Carman-Kozeny coefficient between solidus and liquidus
-  TemperatureTable evaporation;          // kg/(m^2 s), mass flux at the free surface, linear
-  double evaporationHeat = 0;            // J/kg
-  // solid
-  Blend young;              // Pa; a solid value > 0 allows the material to be solid
-  Blend poisson{0.3, 0.3};  // 1
+  double expansion = 0;            // 1/K, volume expansion of the liquid, for its buoyancy
+  TemperatureTable densityTable;   // kg/m^3, of the liquid, linear, for its buoyancy; replaces expansion if
+                                   // not empty
+  double expansionFrom = 0;        // K, temperature of `density`; 0: the ambient temperature
+  Blend young;                     // Pa; a solid value > 0 allows the material to be solid
+  Blend poisson{0.3, 0.3};         // 1
   ElasticLaw law = ElasticLaw::Green;
   ExtensionSettings extensionLaw;   // ElasticLaw::Extension: the law and the values of its keys
   Blend yieldStrain{never, never};  // 1, gamma_yield: yield stress |dev sigma|/2G (OBH02; plasticity.hpp);
@@ -141,7 +136,6 @@ struct Obstacle {
   double friction = 0.3;              // 1, Coulomb, for solids
   double restitution = 0.5;           // 1, for solids
   bool slip = false;                  // liquids slip freely; else they stick
-  double contactAngle = 90;           // degrees, of liquids with surface tension
   std::vector<Keyframe> motion;
   double until = never;                     // s, the obstacle disappears at this time
   ObstacleLook look = ObstacleLook::Glass;  // in pictures
@@ -162,6 +156,7 @@ struct Domain {
   Vec3d min{-1, -1, -1}, max{1, 1, 1};        // m
   std::array<std::array<Side, 2>, 3> side{};  // [axis][0 low, 1 high]
   Vec3d gravity{0, 0, -9.81};                 // m/s^2
+  Vec3d buoyantGravity{};                     // m/s^2, acts on differences of density alone (buoyancy.hpp)
   double ambient = 293.15;                    // K, for convection and radiation
   bool holds(const Vec3d& x) const {
     for (int a = 0; a < 3; a++)
@@ -180,7 +175,11 @@ enum class PressureSolver { StateEquation, Incompressible };
 enum class ViscosityForm { Pairwise, Laplacian };
 enum class ViscositySolver { Explicit, Implicit };
 enum class TensionForm { Pairwise, ColourField, SurfaceEnergy };  // ColourField: as printed in MCG03/K05
-enum class Buoyancy { Automatic, Boussinesq, Density };
+enum class Buoyancy {
+  Automatic,
+  Boussinesq,
+  Density
+};  // Boussinesq: only differences of density act; Density: the weight acts, too (buoyancy.hpp)
 enum class HeatModel { Enthalpy, Paper };
 enum class Conduction {
   Normalised,
@@ -316,6 +315,7 @@ struct ExpectedMotion {
   double driven = 0;                         // m/s, fastest point of the moving obstacles
   double lift = 0;                           // m, largest rise of an obstacle point against gravity
   double column = 0;                         // m, highest column of liquid that emitters can fill
+  double coldest = never, hottest = -never;  // K, of bodies and emitters at the start
   std::string startBy, emittedBy, drivenBy;  // names
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/contact/solid_contact.hpp"
+#include "core/domain/buoyant_force.hpp"
 #include "core/fluid/density/carried_density.hpp"
 #include "core/fluid/rheology/apparent_viscosity.hpp"
 #include "core/heat/heat.hpp"
@@ -121,6 +122,7 @@ void sumForces(Evaluation& e) {
     beginSoftening(w, t);  // derivative of pair and contact energies with respect to the liquid fraction
   if (!t.pairForces.empty()) sumPairForces(w, t);
   if (m.solid) addElasticForces(w, t, e.dt, std::move(stress));
+  if (m.buoyancy) addBuoyancy(w.scene, w.particles);
 }
 
 /// Contact of solids, walls, sheets and oriented particles. justFrozen: records the jump of all contacts, as

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/domain/buoyant_force.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
@@ -32,6 +33,7 @@ void predict(World& w, Halos halos, StepTools& t, double dt, double time) {
   if (w.modules.incompressible) addPressureImpulse(w.particles);  // computed at the end of the last step
   if (w.particles.outsideForce.active)
     recordOutsideKick(w.particles, HalfKick::First, w.scene.domain.gravity, dt, w.ledger);
+  if (w.modules.buoyancy) recordBuoyantKick(w.particles, HalfKick::First, w.scene.domain, dt, w.ledger);
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w.modules, w.particles, t.sleep)) || w.clock.substeps > 1;
   substepSolids(w, halos, t, dt);  // stiff solids: bonds only, in shorter steps
   if (w.modules.rigid) {
@@ -53,6 +55,7 @@ StepOutcome finishKicks(World& w, StepTools& t, double dt) {
   LargestRates largest;
   if (w.particles.outsideForce.active)
     recordOutsideKick(w.particles, HalfKick::Second, w.scene.domain.gravity, dt, w.ledger);
+  if (w.modules.buoyancy) recordBuoyantKick(w.particles, HalfKick::Second, w.scene.domain, dt, w.ledger);
   here.finite = finishKick(w, dt, awakeRows(w.modules, w.particles, t.sleep), &here.bad, &largest);
   here.largest = largest;
   if (w.modules.rigid) kickPieces(rigidView(w, t), dt);

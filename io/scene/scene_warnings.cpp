@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/scene/buoyancy.hpp"
 #include "core/scene/modules.hpp"
 #include "io/scene/surface_advice.hpp"
 #include "io/scene/text/nearest_word.hpp"
@@ -93,6 +94,16 @@ void addCrushedSolids(const Scene& s, std::vector<std::string>& lines) {
   }
 }
 
+/// Warns of liquid whose weight is left out although it may have a free surface.
+void addWeightlessLiquid(const Scene& s, std::vector<std::string>& lines) {
+  if (s.numerics.buoyancy == Buoyancy::Boussinesq && !liquidFillsClosedDomain(s))
+    lines.push_back(fmt::format(
+        "{}: numerics.buoyancy = \"boussinesq\" leaves out the weight, and the scene is not one box of "
+        "liquid in a closed domain: a free surface or a falling body would be weightless; \"density\" keeps "
+        "the weight",
+        s.file));
+}
+
 }  // namespace
 
 std::string warningLine(const SourcePlace& where, const std::string& text) { return at(where) + ": " + text; }
@@ -163,6 +174,7 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   addColdTemperatures(s, lines);
   addMaterialsWithoutHeat(s, lines);
   addCrushedSolids(s, lines);
+  addWeightlessLiquid(s, lines);
   for (const std::string& line : surfaceAdvice(s)) lines.push_back(line);
   return lines;
 }

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Non-default choices of [numerics], and defaults with solids and walls: the same bits on 1, 2, 3, 4 and 7
 # ranks and over a restart. Covers all solvers, carried density with shifting, free liquid, a ball that falls
-# into water, a full periodic box, initial fields, the printed forms and double precision.
+# into water, a full periodic box, buoyancy, initial fields, the printed forms and double precision.
 . "$(dirname "$0")/../support/run.sh"
 # try NAME SCENE STEPS SETTINGS...
 try() {
@@ -106,6 +106,35 @@ box = { size = [1, 1, 0.3] }
 material = "water"
 spin = [0, 0, 5]
 END
+cat >"$work/cavity.toml" <<'END'
+spacing = 0.05
+end = 1
+[domain]
+min = [0, 0, 0]
+max = [1, 0.3, 1]
+sides = { y = "periodic", z = "wall" }
+gravity = [0, 0, -10]
+[material.air]
+density = 1
+viscosity = 0.01
+conductivity = 0.01
+heat_capacity = 1
+expansion = 0.01
+[[body]]
+name = "air"
+box = { size = [1, 0.3, 1] }
+place = { move = [0.5, 0.15, 0.5] }
+material = "air"
+temperature = 305
+[[obstacle]]
+name = "hot"
+plane = { point = [0, 0, 0], normal = [1, 0, 0] }
+temperature = 310
+[[obstacle]]
+name = "cold"
+plane = { point = [1, 0, 0], normal = [-1, 0, 0] }
+temperature = 300
+END
 n=numerics
 try all_solvers "$scenes/melt.toml" 30 $n.pressure_solver=incompressible $n.viscosity_solver=implicit \
   $n.elastic_substeps=8
@@ -114,6 +143,9 @@ try free_liquid "$work/patch.toml" 60
 try float "$work/float.toml" 80
 try full_box "$work/vortices.toml" 30
 try start_fields "$work/fields.toml" 30
+try buoyancy "$work/cavity.toml" 30
+try buoyancy_of_liquid_with_weight "$work/cavity.toml" 30 $n.buoyancy=density \
+  $n.pressure_solver=incompressible $n.viscosity_solver=implicit
 try printed "$scenes/melt.toml" 30 $n.pressure=printed $n.viscosity=laplacian "$n.tension=colour field" \
   $n.conduction=plain
 try pairwise_tension "$scenes/melt.toml" 30 $n.tension=pairwise

@@ -92,6 +92,34 @@ rejects "degrees without their unit" \
   "^warning: .*body 'block': its temperature is 30 K; a temperature without a unit is in kelvin" \
   0 check "$good" --set body.block.temperature=30
 
+# buoyancy
+liquid=$(scene liquid 's/^young.*/expansion = 2e-4/')
+boussinesq="numerics.buoyancy=boussinesq"
+accepts "a table of densities" check "$good" --set material.jelly.young=0 \
+  --set 'material.jelly.density=[["0 degC", "999.8 kg/m^3"], ["4 degC", "1 g/cm^3"]]'
+rejects "expansion of a solid" 'material\.jelly\.expansion: only liquids have buoyancy' 2 check "$good" \
+  --set material.jelly.expansion=2e-4
+rejects "huge expansion" 'expansion: must be -0\.1 \.\.\. 0\.1 1/K, got 2' 2 check "$good" \
+  --set material.jelly.expansion=2
+rejects "expansion without its unit" 'expansion: expected an expansion such as "2e-4 1/K", got "2e-4 K"' \
+  2 check "$liquid" --set 'material.jelly.expansion=2e-4 K'
+rejects "expansion twice" 'expansion: the table of densities states the expansion: remove one' 2 check \
+  "$liquid" --set 'material.jelly.density=[[280, 1000], [300, 990]]'
+rejects "table that descends" 'density: .*ascend' 2 check "$good" --set material.jelly.young=0 \
+  --set 'material.jelly.density=[[300, 990], [280, 1000]]'
+rejects "reference of nothing" 'expansion_from: only a liquid with expansion or a table' 2 check "$good" \
+  --set material.jelly.expansion_from=300
+rejects "buoyancy of nothing" '"boussinesq" needs gravity, and a body or emitter of a material with exp' \
+  2 check "$good" --set "$boussinesq"
+rejects "buoyancy without gravity" '"boussinesq" needs gravity' 2 check "$liquid" --set "$boussinesq" \
+  --set 'domain.gravity=[0, 0, 0]'
+oil='[material.oil]\ndensity = 900\n[[body]]\nname = "b"\nbox = {}\nmaterial = "oil"'
+rejects "buoyancy of two densities" \
+  "leaves out the weight, so all materials need one density: 'oil' has 900 kg/m\^3, 'jelly' 1000 kg/m" \
+  2 check "$(scene oil "s/^young.*/expansion = 2e-4/;\$a $oil")" --set "$boussinesq"
+rejects "weightless liquid" '^warning: .*/liquid.toml: numerics.buoyancy = "boussinesq" leaves out' \
+  0 check "$liquid" --set "$boussinesq"
+
 # files
 rejects "no such scene" 'missing\.toml: error: no such file' 2 run "$work/missing.toml"
 rejects "a folder" 'a folder, not a file' 2 check "$work"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/buoyancy.hpp"
 #include "core/simulation/setup/start_fields.hpp"
 
 namespace thaw {
@@ -19,25 +20,47 @@ std::vector<std::int64_t> evenly(std::int64_t points, std::int64_t count) {
   return chosen;
 }
 
-/// Largest speed (m/s) of some lattice points of a body, or of its box's corners if no point is inside.
-double fastestPoint(const Scene& s, const Body& b, const SignedDistance& shape, std::int64_t perAxis) {
+/// Calls `see` with some lattice points of a body, or with its box's corners if no point is inside.
+template<class See>
+void forSomePoints(const Scene& s, const Body& b, const SignedDistance& shape, std::int64_t perAxis,
+                   See see) {
   const SampleLattice l = bodyLattice(s, b, shape);
-  const Vec3d centre = middleOf(shape);
-  double fastest = 0;
   bool any = false;
-  const auto see = [&](const Vec3d& x) {
-    const double v = length(startVelocity(b, centre, x));
-    if (std::isfinite(v)) fastest = std::max(fastest, v);
-  };
   for (const std::int64_t k : evenly(l.count[2], perAxis))
     for (const std::int64_t j : evenly(l.count[1], perAxis))
       for (const std::int64_t i : evenly(l.count[0], perAxis))
         if (const Vec3d x = l.at(i, j, k); shape.inside(x)) any = true, see(x);
-  if (any) return fastest;
+  if (any) return;
   const Bounds o = shape.bounds();
   for (int c = 0; c < 8; c++)
     see({c & 1 ? o.max.x : o.min.x, c & 2 ? o.max.y : o.min.y, c & 4 ? o.max.z : o.min.z});
+}
+
+/// Largest speed (m/s) of some points of a body.
+double fastestPoint(const Scene& s, const Body& b, const SignedDistance& shape, std::int64_t perAxis) {
+  const Vec3d centre = middleOf(shape);
+  double fastest = 0;
+  forSomePoints(s, b, shape, perAxis, [&](const Vec3d& x) {
+    const double v = length(startVelocity(b, centre, x));
+    if (std::isfinite(v)) fastest = std::max(fastest, v);
+  });
   return fastest;
+}
+
+/// Finds the range of temperatures for buoyancy.
+void addTemperatures(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                     ExpectedMotion& m) {
+  constexpr std::int64_t perAxis = 33;
+  if (!hasBuoyancy(s)) return;
+  for (std::size_t b = 0; b < s.bodies.size(); b++) {
+    const Body& body = s.bodies[b];
+    const Vec3d centre = middleOf(*shapes[b]);
+    const bool uniform = !body.temperatureField && length(body.temperatureGradient) == 0;
+    forSomePoints(s, body, *shapes[b], uniform ? 1 : perAxis, [&](const Vec3d& x) {
+      const double T = startTemperature(body, centre, x);
+      if (std::isfinite(T)) m.coldest = std::min(m.coldest, T), m.hottest = std::max(m.hottest, T);
+    });
+  }
 }
 
 void addBodies(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
@@ -52,6 +75,7 @@ void addBodies(const Scene& s, const std::vector<std::shared_ptr<const SignedDis
                                           : length(body.velocity);
     if (v > m.start) m.start = v, m.startBy = "body '" + body.name + "'";
   }
+  addTemperatures(s, shapes, m);
   const auto whole = [&](const auto& bodies2, const char* kind) {
     for (const auto& b : bodies2)
       if (length(b.velocity) > m.start)

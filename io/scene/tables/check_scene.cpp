@@ -138,11 +138,13 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
                  "material.{}: convection and emissivity need numerics.support of 2 at least, got {:g}: with "
                  "fewer neighbours inner particles look like surface particles and would cool, too",
                  m.name, n.support)});
+  checkBuoyancy(x, errors);
   checkSizes(x, errors);
   // The density of a quality belongs to the consistent form of the equation of state.
   if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed))
     s.numerics.density = Numerics().density;
   if (!errors.empty()) return;
+  chooseBuoyancy(s);
   chooseForFullBox(s, x.open);
   chooseForLiquids(s, x.open);
   chooseForThickLiquids(s, x.open);

@@ -13,10 +13,12 @@ namespace thaw {
 
 void chooseForFullBox(Scene& s, const OpenChoices& open) {
   Numerics& n = s.numerics;
-  if (n.pressure != PairForm::Consistent || !liquidFillsTheBox(s)) return;
-  const bool mayRelax = open.packing && length(s.bodies[0].temperatureGradient) == 0;
+  const bool everywhere = liquidFillsTheBox(s), closed = n.buoyancy == Buoyancy::Boussinesq;
+  if (n.pressure != PairForm::Consistent || !(everywhere || closed)) return;
+  const bool mayRelax = everywhere && open.packing && length(s.bodies[0].temperatureGradient) == 0;
   if (n.solver == PressureSolver::Incompressible) {
     if (mayRelax) s.bodies[0].packing = Packing::Relaxed;
+    if (closed && open.tensileLimit) n.tensileLimit = 1;
     return;
   }
   if (open.density) n.density = DensityForm::Continuity;

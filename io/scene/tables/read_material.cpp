@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdlib>
 
+#include "core/materials/liquid_materials.hpp"
+#include "core/scene/buoyancy.hpp"
 #include "core/scene/quality.hpp"
 #include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_flow_law.hpp"
@@ -30,8 +32,24 @@ namespace {
 using Liquid = TableReader::Liquid;
 constexpr const char* meltsRange = "> 0, one temperature or [solidus, liquidus]";
 
+void readDensity(TableReader& r, Material& m) {
+  if (r.hasList("density") || !m.densityTable.empty())
+    r.pairs({"density", "K", "kg/m^3", {0, never, true, false, false}, positive(), "", ""}, m.densityTable);
+  else
+    r.orAs(KeyForm::Type::Pairs)
+        .number("density", m.density, "kg/m^3", positive(),
+                "density at rest; or a table of the liquid's density by temperature for its buoyancy, "
+                "`[[\"0 degC\", \"999.84 kg/m^3\"], [\"4 degC\", \"999.97 kg/m^3\"]]`, interpolated "
+                "linearly; the "
+                "density at rest is then its value at `expansion_from`");
+  r.number("expansion", m.expansion, "1/K", between(-0.1, 0.1),
+           "volume expansion of the liquid, for its buoyancy; volumes at rest stay as they are");
+  r.number("expansion_from", m.expansionFrom, "K", notNegative(),
+           "temperature at which the liquid has `density`; 0: domain.ambient");
+}
+
 void readLiquid(TableReader& r, Material& m) {
-  r.number("density", m.density, "kg/m^3", positive(), "density at rest");
+  readDensity(r, m);
   if (r.hasList("viscosity") || !m.viscosityTable.empty()) {
     r.pairs({"viscosity", "K", "Pa s", {0, never, true, false, false}, positive(), "", ""}, m.viscosityTable);
   } else {
@@ -134,8 +152,21 @@ void readHeat(TableReader& r, Material& m) {
            "k_heat of Keiser et al. 2005, with numerics.heat = \"paper\"");
 }
 
+void checkExpansion(TableReader& r, const Material& m) {
+  if (!m.densityTable.empty() && r.has("expansion"))
+    r.fail("expansion", "the table of densities states the expansion: remove one of the two", {"density"});
+  if (r.has("expansion_from") && !expands(m))
+    r.fail("expansion_from", "only a liquid with expansion or a table of densities has one",
+           {"expansion", "density"});
+  if (expands(m) && !canBeLiquid(m))
+    r.fail(r.has("expansion") ? "expansion" : "density",
+           "only liquids have buoyancy, and this material is always solid: give one density, or melts",
+           {"young", "phase", "melts"});
+}
+
 /// Refuses meaningless combinations of keys.
 void checkMaterial(TableReader& r, const Material& m) {
+  checkExpansion(r, m);
   if (r.has("melts") && !m.canBeSolid())
     r.fail("melts",
            "a material that melts is a solid below its melting temperature: give it a Young's modulus "
@@ -181,6 +212,7 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
   readFlowLaw(r, m);
   if (!r.reading()) return;
   checkMaterial(r, m);
+  if (!m.densityTable.empty()) m.density = tableAt(m.densityTable, referenceTemperature(x.scene->domain, m));
   if (m.isRigid()) {
     m.young = m.poisson = {};
     m.volumeStiffness = m.hourglass = m.damping = 0;

@@ -64,6 +64,11 @@ void readObstacle(TableReader& reader, Obstacle& obstacle, SceneReading& reading
 
 /// Checks references, duplicates and sizes, which concern several tables. Adds to errors.
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
+/// Refuses numerics.buoyancy = "boussinesq" where the weight must act.
+void checkBuoyancy(const SceneReading& reading, std::vector<SceneError>& errors);
+/// Chooses numerics.buoyancy where it is automatic. Where the hydrostatic part is subtracted, gravity becomes
+/// Domain::buoyantGravity.
+void chooseBuoyancy(Scene& scene);
 /// Refuses what does not work with rigid materials.
 void checkRigid(const SceneReading& reading, std::vector<SceneError>& errors);
 /// Checks sheets in the same way.

@@ -62,7 +62,9 @@ void readDomain(TableReader& r, Domain& d) {
             readSides(s, "y", d.side[1]);
             readSides(s, "z", d.side[2]);
           });
-  r.vector("gravity", d.gravity, "m/s^2", "acceleration of everything");
+  Vec3d gravity = d.gravity + d.buoyantGravity;  // one of them is 0
+  r.vector("gravity", gravity, "m/s^2", "acceleration of everything");
+  if (!r.recording()) d.gravity = gravity;
   r.as(Restart::Coefficient)
       .number("ambient", d.ambient, "K", positive(), "ambient temperature, for convection and radiation");
   std::string axes;
@@ -138,6 +140,14 @@ void readNumerics(TableReader& r, Numerics& n) {
     r.fail("viscosity_correction",
            "only the pairwise form of viscosity can be corrected: leave numerics.viscosity at \"pairwise\"");
   r.restart(Restart::Coefficient);
+  r.as(Restart::State)
+      .choice(
+          "buoyancy", n.buoyancy, {"automatic", "boussinesq", "density"},
+          "buoyancy of liquids with expansion or a table of densities. boussinesq: only the difference of "
+          "the density from that at rest has weight, so noise of the pressure of a column does not drown "
+          "it; for closed containers full of one liquid, since a free surface would be weightless. density: "
+          "all of the weight acts. automatic: boussinesq where liquid of one density fills a closed domain, "
+          "else density");
   r.choice("tension", n.tension, {"pairwise", "colour field", "surface energy"},
            "cohesion of pairs: cheap, but drops behave like soft crystals; as printed in Keiser et al. 2005; "
            "or an energy of the free surface: drops have Laplace's pressure and oscillate like liquids");

@@ -181,6 +181,7 @@ constexpr Kind kinds[] = {{"m", "a length such as \"2 mm\""},
                           {"W/kg", "a heat source such as \"50 W/kg\""},
                           {"W/(m^2 K)", "a heat transfer coefficient such as \"10 W/(m^2 K)\""},
                           {"m^2/s", "a diffusivity such as \"1e-6 m^2/s\""},
+                          {"1/K", "an expansion such as \"2e-4 1/K\""},
                           {"K/m", "a temperature gradient such as \"100 K/m\""}};
 
 }  // namespace

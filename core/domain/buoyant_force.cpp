@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/domain/buoyant_force.hpp"
+
+#include "core/fluid/laws/particle_pressure.hpp"
+#include "core/scene/buoyancy.hpp"
+
+namespace thaw {
+namespace {
+
+/// N. gravity: that of the domain, with or without its part that acts on the weight.
+Vec3d buoyantForce(const Continuum& p, std::size_t i, const Vec3d& gravity) {
+  return gravity * (-p.mass[i] * p.buoyancy[i]);
+}
+
+Vec3d gravityOf(const Domain& d) { return d.gravity + d.buoyantGravity; }
+
+}  // namespace
+
+void addBuoyancy(const Scene& s, Continuum& p) {
+  const Vec3d g = gravityOf(s.domain);
+  const double neutral = neutralDeficit(s);
+  for (std::size_t i = 0; i < p.owned; i++) {
+    p.buoyancy[i] = 0;
+    const Material& m = s.materials[p.material[i]];
+    const double f = p.phase[i] == Liquid ? liquidFraction(p, i) : 0;
+    if (f == 0 || !isFree(p, i)) continue;
+    const double deficit = expands(m) ? densityDeficit(s.domain, m, p.temperature[i]) : 0;
+    p.buoyancy[i] = f * (deficit - neutral);
+    p.force[i] += buoyantForce(p, i, g);
+  }
+}
+
+void recordBuoyantKick(const Continuum& p, HalfKick kick, const Domain& d, double dt, Ledger& ledger) {
+  const double half = 0.5 * dt;
+  const Vec3d g = gravityOf(d);
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.buoyancy[i] == 0) continue;
+    const Vec3d f = buoyantForce(p, i, g);
+    const Vec3d a = kick == HalfKick::First ? p.acceleration[i] : p.force[i] * (1 / p.mass[i]) + d.gravity;
+    ledger.wallWork.add(dot(f, p.velocity[i] + a * (0.5 * half)) * half);  // at the mean velocity of the kick
+    for (int axis = 0; axis < 3; axis++)
+      if (g[axis] != 0) ledger.wallImpulse[axis].add(f[axis] * half);
+  }
+}
+
+}  // namespace thaw

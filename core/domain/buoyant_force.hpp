@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Force on liquids by the difference of their density from that at rest, -m f (theta - theta0) g: f liquid
+// fraction, theta deficit of density, theta0 neutralDeficit (core/scene/buoyancy.hpp).
+#pragma once
+#include "core/domain/outside_forces.hpp"
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+/// Sets Continuum::buoyancy from the temperatures, and adds the force to Continuum::force of liquid particles
+/// that are free to move. Requires: Modules::buoyancy.
+void addBuoyancy(const Scene& scene, Continuum& particles);
+
+/// Records work and impulse of the buoyant force in a half kick over dt / 2 (s). Called before it. The force
+/// has no potential, since temperatures change on the way: its work counts as that of a force from outside.
+void recordBuoyantKick(const Continuum& particles, HalfKick kick, const Domain& domain, double dt,
+                       Ledger& ledger);
+
+}  // namespace thaw

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/scene/buoyancy.hpp"
+#include "core/scene/material_use.hpp"
+#include "io/scene/tables/read_sections.hpp"
+
+namespace thaw {
+
+void checkBuoyancy(const SceneReading& x, std::vector<SceneError>& errors) {
+  const Scene& s = *x.scene;
+  if (s.numerics.buoyancy != Buoyancy::Boussinesq) return;
+  const auto refuse = [&](const SourcePlace& where, const std::string& why) {
+    errors.push_back({where, "numerics.buoyancy = \"boussinesq\" " + why});
+  };
+  if (!hasBuoyancy(s))
+    return refuse(
+        x.start, "needs gravity, and a body or emitter of a material with expansion or a table of densities");
+  if (!s.oriented.empty() || !s.sheets.empty())
+    refuse(x.start,
+           "leaves out the weight of everything, also of sheets and oriented bodies: use \"density\"");
+  const Material* first = nullptr;
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    const Material& m = s.materials[k];
+    if (!inUse(s, k)) continue;
+    if (first && m.density != first->density)
+      return refuse(m.where, fmt::format("leaves out the weight, so all materials need one density: '{}' has "
+                                         "{:g} kg/m^3, '{}' {:g} kg/m^3; use \"density\"",
+                                         m.name, m.density, first->name, first->density));
+    if (!first) first = &m;
+  }
+}
+
+void chooseBuoyancy(Scene& s) {
+  if (!hasBuoyancy(s)) return;
+  Buoyancy& chosen = s.numerics.buoyancy;
+  if (chosen == Buoyancy::Automatic)
+    chosen = liquidFillsClosedDomain(s) ? Buoyancy::Boussinesq : Buoyancy::Density;
+  if (chosen == Buoyancy::Boussinesq) s.domain.buoyantGravity = std::exchange(s.domain.gravity, Vec3d{});
+}
+
+}  // namespace thaw
