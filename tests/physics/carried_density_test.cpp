@@ -85,6 +85,50 @@ TEST(CarriedDensity, PressureWorkIsRecordedToSecondOrder) {
   }
 }
 
+/// A standing sound wave of small amplitude in a periodic box, 16 spacings long, without other losses.
+Scene soundWave(double bulkDamping) {
+  Scene s = fullBox(0.05);
+  s.numerics.density = DensityForm::Continuity;
+  s.numerics.tensileLimit = 1;
+  s.numerics.densityDiffusion = 0;
+  s.materials[0].viscosity = {};
+  s.materials[0].soundSpeed = 10;
+  s.materials[0].bulkDamping = bulkDamping;
+  s.end = 0.2;
+  return s;
+}
+
+TEST(CarriedDensity, BulkDampingIsAVolumeViscosity) {
+  constexpr double damping = 0.02, length = 0.8, k = 2 * std::numbers::pi / length;
+  Simulation r(soundWave(damping));
+  for (std::size_t i = 0; i < r.particles().owned; i++)
+    r.particles().velocity[i] = {0.01 * std::sin(k * r.particles().position[i].x), 0, 0};
+  initializeForces(r.w, r.halos(), r.tools);
+  const double start = r.ledgerReport().now.kinetic;
+  ASSERT_TRUE(r.run());
+  const LedgerReport l = r.ledgerReport();
+  const double left = (l.now.kinetic + l.now.potential) / start;
+  // A wave of energy E loses it at the rate of nu k^2 E, with nu = damping c h.
+  const double rate = damping * 10 * r.w.grid.support * k * k;
+  EXPECT_NEAR(-std::log(left), rate * r.w.scene.end, 0.15 * rate * r.w.scene.end);
+  EXPECT_NEAR(l.dissipated, (1 - left) * start, 0.01 * start);
+}
+
+TEST(CarriedDensity, BulkDampingLeavesShearAlone) {
+  double kinetic[2];
+  for (const int on : {0, 1}) {
+    Simulation r(soundWave(on ? 0.02 : 0));
+    const double k = 2 * std::numbers::pi / 0.8;
+    for (std::size_t i = 0; i < r.particles().owned; i++)
+      r.particles().velocity[i] = {0, 0.01 * std::sin(k * r.particles().position[i].x), 0};
+    initializeForces(r.w, r.halos(), r.tools);
+    const double start = r.ledgerReport().now.kinetic;
+    ASSERT_TRUE(r.run());
+    kinetic[on] = r.ledgerReport().now.kinetic / start;
+  }
+  EXPECT_GT(kinetic[1], 0.999 * kinetic[0]);
+}
+
 /// Taylor-Green vortices, L = U = 1, Re 100, with the defaults of a scene file (chooseForFullBox), 24
 /// spacings per side.
 Scene vortices(double end) {

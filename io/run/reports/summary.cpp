@@ -211,7 +211,8 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
         fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term "
                     "in this run) are unexplained; try shorter steps (numerics.max_step)",
                     l.energyResidual, 100 * std::abs(l.energyResidual) / largest));
-  if (!isRounding(l) && l.dissipated < -0.05 * largest)
+  const double gained = std::max(0.05 * largest, 0.01 * std::abs(l.initial.potential));
+  if (!isRounding(l) && l.dissipated < -gained)
     w.push_back(
         fmt::format("dissipation is negative ({:.3g} J): numerical errors fed the motion; liquid beside "
                     "solids does this, and a larger artificial_viscosity of the liquid reduces it",

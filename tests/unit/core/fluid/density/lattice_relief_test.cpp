@@ -121,6 +121,24 @@ TEST(LatticeRelief, LessensTheForceThatLeadsBackToTheLattice) {
   EXPECT_LT(std::abs(with), 0.7 * std::abs(without));
 }
 
+TEST(LatticeRelief, ActsAlongTheSolid) {
+  Simulation r(cubeInLiquid());
+  Continuum& p = r.particles();
+  compress(r, [](const Vec3d&) { return 2e-3; });
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.phase[i] == Solid) p.position[i] += Vec3d{0.05, 0.02, 0} * spacing;
+  ASSERT_TRUE(r.step());
+  double across = 0, along = 0;  // beside the middle of the faces towards +x
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Vec3d x = p.position[i];
+    if (x.x < 0.7 || x.x > 0.8 || std::abs(x.y - 0.5) > 0.1 || std::abs(x.z - 0.5) > 0.1) continue;
+    across = std::max(across, std::abs(static_cast<double>(p.relief[i].x)));
+    along = std::max(along, std::abs(static_cast<double>(p.relief[i].y)));
+  }
+  EXPECT_GT(along, 0);
+  EXPECT_LT(across, 0.05 * along);
+}
+
 TEST(LatticeRelief, ConservesMomentumAndRecordsItsWork) {
   Scene s = cubeInLiquid();
   s.bodies[0].velocity = {1, 0.5, 0};

@@ -40,6 +40,17 @@ TEST(ProgressLine, HasNoPercentagesOfZero) {
   EXPECT_TRUE(warningsOf({}, l).empty());
 }
 
+TEST(Warnings, NegativeDissipation) {
+  LedgerReport l;
+  l.initial.potential = 10;
+  l.energyScale = l.energyLargest = 0.2;
+  l.dissipated = -0.2;
+  ASSERT_EQ(warningsOf({}, l).size(), 1u);
+  EXPECT_TRUE(has(warningsOf({}, l)[0], "dissipation is negative (-0.2 J)"));
+  l.dissipated = -0.05;  // half of a per cent of the potential energy
+  EXPECT_TRUE(warningsOf({}, l).empty());
+}
+
 TEST(ProgressLine, FitsOnATerminal) {
   Progress p;
   p.clock.time = 12.345678;
