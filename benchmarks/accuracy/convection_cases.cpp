@@ -123,12 +123,12 @@ void makeFaster(Scene& s) {
 
 std::vector<Case> convectionCases() {
   return {{.name = "cavity",
-           .about = "free convection in a square cavity, Ra = 1e4, against the benchmark (de Vahl Davis 1983)",
+           .about = "free convection in a square cavity, Ra = 1e4, against de Vahl Davis 1983",
            .watch = watchNusselt,
            .measure = measureCavity,
            .adapt = makeThin},
           {.name = "cavity_1e5",
-           .about = "free convection in a square cavity, Ra = 1e5, against the benchmark (de Vahl Davis 1983)",
+           .about = "free convection in a square cavity, Ra = 1e5, against de Vahl Davis 1983",
            .scene = "cavity",
            .watch = watchNusselt,
            .measure = measureCavity,
