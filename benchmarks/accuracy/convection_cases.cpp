@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free convection against a bench mark solution (docs/validation/accuracy.md).
+// Free convection against a benchmark solution (docs/validation/accuracy.md).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -123,12 +123,12 @@ void makeFaster(Scene& s) {
 
 std::vector<Case> convectionCases() {
   return {{.name = "cavity",
-           .about = "free convection in a square cavity, Ra = 1e4, against a bench mark (de Vahl Davis 1983)",
+           .about = "free convection in a square cavity, Ra = 1e4, against de Vahl Davis 1983",
            .watch = watchNusselt,
            .measure = measureCavity,
            .adapt = makeThin},
           {.name = "cavity_1e5",
-           .about = "free convection in a square cavity, Ra = 1e5, against a bench mark (de Vahl Davis 1983)",
+           .about = "free convection in a square cavity, Ra = 1e5, against de Vahl Davis 1983",
            .scene = "cavity",
            .watch = watchNusselt,
            .measure = measureCavity,

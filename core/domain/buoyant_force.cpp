@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-/// N. gravity: that of the domain, with or without its part that acts on the weight.
+/// Returns the buoyant force (N) under the whole gravity of the domain (gravityOf).
 Vec3d buoyantForce(const Continuum& p, std::size_t i, const Vec3d& gravity) {
   return gravity * (-p.mass[i] * p.buoyancy[i]);
 }

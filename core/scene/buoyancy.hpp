@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buoyancy of liquids whose density depends on the temperature (Boussinesq 1903): their volume at rest stays,
+// Buoyancy of liquids whose density depends on the temperature (B03): their volume at rest stays,
 // and only their weight changes. docs/theory/buoyancy.md has the equations.
 #pragma once
 #include "core/scene/scene.hpp"
@@ -44,7 +44,7 @@ double neutralDeficit(const Scene& scene);
 
 /// Speed (m/s) of free convection through the height H of the domain: sqrt(g (deficit range) H) / 2. 0
 /// without buoyancy. Its square is the largest pressure of the differences of density, over the density.
-/// Flows in cavities reach half of it (de Vahl Davis 1983).
+/// Flows in cavities reach half of it (DVD83).
 double buoyantSpeed(const Scene& scene);
 
 /// Returns true if liquid of one density fills the closed domain, so that it has no free surface and its

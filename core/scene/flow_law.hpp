@@ -19,7 +19,7 @@ struct FlowLawSettings {
   double infiniteViscosity = 0;  // Pa s, Carreau: at infinite shear rate
   double relaxationTime = 0;     // s, Carreau
   double leastRate = 0;          // 1/s, regularisation of the yield stress; 0: chosen from the scene
-  double largestViscosity = 0;   // Pa s, limit of power laws; 0: chosen from the scene
+  double largestViscosity = 0;   // Pa s, limit of the viscosity; 0: none
 };
 
 }  // namespace thaw

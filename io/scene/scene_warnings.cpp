@@ -87,20 +87,22 @@ void addCrushedSolids(const Scene& s, std::vector<std::string>& lines) {
     if (!m.canBeSolid() || m.isRigid()) continue;
     const double modulus = m.young.solid / (3 * (1 - 2 * m.poisson.solid)) + m.volumeStiffness;
     if (modulus < 2 * pressure)
-      lines.push_back(fmt::format(
-          "{}: material '{}' has a bulk modulus of {:.3g} Pa, and liquid of this scene can press with {:.3g} "
-          "Pa: the solid may be crushed, and the run fail. Use a larger young, or a poisson nearer to 0.5",
-          at(m.where), m.name, modulus, pressure));
+      lines.push_back(
+          fmt::format("{}: material '{}' has a bulk modulus of {:.3g} Pa, and the pressure of liquids in "
+                      "this scene can be "
+                      "{:.3g} Pa: this may crush the solid and stop the run. Use a larger young, or a "
+                      "poisson closer to 0.5",
+                      at(m.where), m.name, modulus, pressure));
   }
 }
 
-/// Warns of liquid whose weight is left out although it may have a free surface.
+/// Warns of a subtracted weight if the liquid may have a free surface.
 void addWeightlessLiquid(const Scene& s, std::vector<std::string>& lines) {
   if (s.numerics.buoyancy == Buoyancy::Boussinesq && !liquidFillsClosedDomain(s))
     lines.push_back(fmt::format(
         "{}: numerics.buoyancy = \"boussinesq\" leaves out the weight, and the scene is not one box of "
-        "liquid in a closed domain: a free surface or a falling body would be weightless; \"density\" keeps "
-        "the weight",
+        "liquid in a closed domain: a free surface or a falling body would be weightless; use \"density\" "
+        "to keep the weight",
         s.file));
 }
 

@@ -26,7 +26,7 @@ Bounds boundsOfAll(const Continuum& p, Reducer& all) {
   return {{-extent[0], -extent[1], -extent[2]}, {extent[3], extent[4], extent[5]}};
 }
 
-/// Returns true if the obstacles are where they were, and notes their places.
+/// Returns true if no obstacle has moved or changed its presence since the last call. Records their poses.
 bool obstaclesStayed(const Walls& walls, LightWork& work) {
   bool same = work.obstacles.size() == walls.list.size();
   work.obstacles.resize(walls.list.size());
@@ -50,7 +50,7 @@ bool sameRays(const CellLights& known, const LightView& v, const LightSource& s)
          known.source.radius == s.radius && known.source.direction == s.direction;
 }
 
-/// Makes the table of a view's cells, with those that are known from earlier steps.
+/// Makes the table of a view's cells. Cells known from earlier steps keep their values.
 void updateLights(CellLights& lights, const LightView& v, const LightSource& s) {
   const bool same = sameRays(lights, v, s);
   if (same && lights.view.low == v.low && lights.view.count == v.count) return;
@@ -66,7 +66,7 @@ void updateLights(CellLights& lights, const LightView& v, const LightSource& s) 
   lights = {v, s, std::move(cells)};
 }
 
-/// Power of a cell and the place where an obstacle stops its light.
+/// Returns the power of a cell, and the distance at which an obstacle stops its light.
 const CellLight& lightOf(CellLights& lights, std::size_t cell, const LightStops& stops) {
   CellLight& light = lights.cell[cell];
   if (light.power >= 0) return light;
@@ -79,7 +79,7 @@ const CellLight& lightOf(CellLights& lights, std::size_t cell, const LightStops&
   return light;
 }
 
-/// Light (W) that a particle receives through a view.
+/// Returns the light (W) that a particle receives through a view.
 double lightOn(const HeatSourceView& w, const LightStops& stops, const LitRow& lit) {
   LightWork& work = w.work;
   const LightView& v = work.views[lit.view];

@@ -19,7 +19,7 @@ void give(const HeatView& w, std::size_t i, double flow, double dt, ExactSum& ab
   absorbed.add(flow * dt);
 }
 
-/// Rows of the particles that a region heats.
+/// Returns the rows of the particles that a region heats.
 std::vector<std::uint32_t> rowsIn(const HeatedRegion& region, const SignedDistance& shape, const Pose& pose,
                                   const Continuum& p) {
   std::vector<std::uint32_t> rows;
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> rowsIn(const HeatedRegion& region, const SignedDistan
   return rows;
 }
 
-/// Heat of regions: in proportion to mass, whose sum is exact.
+/// Adds the heat of regions, in proportion to mass. Sums of mass are exact.
 void addRegions(const HeatSourceView& v, double dt, Reducer& all) {
   const HeatView& w = v.heat;
   const Scene& s = w.scene;
@@ -62,7 +62,7 @@ void addRegions(const HeatSourceView& v, double dt, Reducer& all) {
   }
 }
 
-/// Received light (W) of this rank's particles that are lit, by kind of source.
+/// Adds the absorbed part of the received light (W, by owned row), and records it with the reflected part.
 void absorb(const HeatView& w, const std::vector<double>& received, double dt, SourceSums& sums) {
   for (std::size_t i = 0; i < received.size(); i++) {
     if (received[i] == 0) continue;
@@ -72,7 +72,7 @@ void absorb(const HeatView& w, const std::vector<double>& received, double dt, S
   }
 }
 
-/// Largest step for a source whose rest position is x.
+/// Returns the largest step (s) in which a source with the rest position x (m) moves at most `most` (m).
 double limitOf(const std::vector<Keyframe>& motion, const Vec3d& x, double time, double most) {
   if (motion.empty()) return never;
   const Pose pose = poseAt(motion, time);

@@ -32,7 +32,7 @@ bool isDomainSide(const Wall& w) {
   return w.properties.shape.kind == ShapeKind::Box && !std::isfinite(w.bounds.min.x);
 }
 
-/// Distance (m) along the ray of the wall's surface, by sphere tracing.
+/// Returns the distance (m) along the ray to the wall's surface by sphere tracing [H96], or infinity.
 double meet(const LightRay& ray, const Wall& w, Stretch s, double spacing) {
   const Vec3d start = toRest(w.pose, ray.start);
   const Vec3d direction = w.pose.moved ? transpose(w.pose.rotation) * ray.direction : ray.direction;

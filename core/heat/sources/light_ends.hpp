@@ -15,7 +15,7 @@ struct LightStops {
 };
 
 /// Returns the distance (m) along a ray of the first present obstacle, or infinity. The search begins at the
-/// ray's start, or beyond all obstacles if the ray has `parallel` ones.
+/// ray's start, or before all obstacles for parallel rays.
 double endOf(const LightRay& ray, bool parallel, const LightStops& stops);
 
 }  // namespace thaw

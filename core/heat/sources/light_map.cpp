@@ -16,7 +16,7 @@ constexpr double outline = 0.583;     ///< discs of this radius around a row of 
 constexpr double deepestWeight = 28;  ///< absorption depths after which integer weights are 0
 constexpr double layer = 0.75;  ///< depth in which particles count as exposed: less than a lattice layer
 
-/// Distance (m) at which a ray meets a particle, at least what a wide cell needs.
+/// Distance (m) up to which a ray meets a particle. Wider cells need a larger one.
 double meetReachOf(const LightView& v, double depth, double spacing) {
   return std::max(meetReach * spacing, 0.75 * cellWidth(v, depth));
 }

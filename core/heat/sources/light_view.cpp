@@ -91,7 +91,7 @@ double faceCell(const Vec3d& origin, const Bounds& bodies, double spacing) {
   return 1 / std::ceil(std::exp2(std::ceil(4 * std::log2(cells)) / 4));
 }
 
-/// A face of the cube around a point. All of it if some corner of the bodies is not ahead.
+/// Adds a face of the cube around a point: all of it unless all corners of the bodies' bounds are ahead.
 void addFace(LightView v, const Bounds& bodies, double spacing, std::vector<LightView>& views) {
   std::array<double, 2> low{never, never}, high{-never, -never};
   const std::array<Vec3d, 8> corners = cornersOf(bodies);
@@ -141,7 +141,7 @@ template<class Corner> double overCell(double x, double y, double cell, Corner&&
   return corner(right, top) - corner(x, top) - corner(right, y) + corner(x, y);
 }
 
-/// Power of a Gaussian beam between two distances from its axis along an axis.
+/// Fraction of a Gaussian beam's power between two coordinates (m) on one axis across it.
 double gaussianBetween(double from, double to, double radius) {
   const double scale = std::numbers::sqrt2 / radius;
   return 0.5 * (std::erf(scale * to) - std::erf(scale * from));

@@ -214,8 +214,8 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   const double gained = std::max(0.05 * largest, 0.01 * std::abs(l.initial.potential));
   if (!isRounding(l) && l.dissipated < -gained)
     w.push_back(
-        fmt::format("dissipation is negative ({:.3g} J): numerical errors fed the motion; liquid beside "
-                    "solids does this, and a larger artificial_viscosity of the liquid reduces it",
+        fmt::format("dissipation is negative ({:.3g} J): numerical errors added kinetic energy, as in liquid "
+                    "beside solids; a larger artificial_viscosity of the liquid reduces them",
                     l.dissipated));
   const double heatRounding = 1e-12 *
                               std::max({std::abs(l.now.internal), std::abs(l.initial.internal), l.heatScale});

@@ -19,8 +19,7 @@ void checkBuoyancy(const SceneReading& x, std::vector<SceneError>& errors) {
     return refuse(
         x.start, "needs gravity, and a body or emitter of a material with expansion or a table of densities");
   if (!s.oriented.empty() || !s.sheets.empty())
-    refuse(x.start,
-           "leaves out the weight of everything, also of sheets and oriented bodies: use \"density\"");
+    refuse(x.start, "leaves out all weight, also that of sheets and oriented bodies: use \"density\"");
   const Material* first = nullptr;
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& m = s.materials[k];

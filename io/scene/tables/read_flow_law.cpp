@@ -36,23 +36,23 @@ void readKeys(TableReader& r, FlowLawSettings& f) {
                     f.yieldStress);
   readByTemperature(r,
                     {"viscosity", "Pa s", positive(),
-                     "plastic viscosity of bingham; viscosity at a shear rate of 1/s without yield stress "
-                     "(consistency) of herschel_bulkley and power_law; viscosity at rest of carreau; or a "
-                     "table of pairs by temperature, interpolated logarithmically"},
+                     "bingham: plastic viscosity; herschel_bulkley and power_law: consistency, which is the "
+                     "viscosity at a shear rate of 1/s without the yield stress; carreau: viscosity at rest. "
+                     "Or a table of pairs by temperature, interpolated logarithmically"},
                     f.consistency);
   r.number("exponent", f.exponent, "", between(0.1, 3),
            "n of herschel_bulkley, power_law and carreau; below 1 the liquid is shear-thinning");
   r.number("infinite_viscosity", f.infiniteViscosity, "Pa s", notNegative(),
            "viscosity of carreau at high shear rates");
   r.number("relaxation_time", f.relaxationTime, "s", notNegative(),
-           "time of carreau: its inverse is the shear rate at which thinning begins");
+           "carreau: inverse of the shear rate at which thinning begins");
   r.number("least_rate", f.leastRate, "1/s", notNegative(),
-           "shear rate below which liquid counts as at rest: a liquid below its yield stress creeps at most "
-           "this fast; 0: 1e-4 of the expected speed over the longest side of the domain");
+           "shear rate below which the law is regularised: a liquid below its yield stress creeps at most at "
+           "this rate; 0: 1e-4 of the expected speed (at least 1 mm/s) over the longest side of the domain");
   r.number("largest_viscosity", f.largestViscosity, "Pa s", notNegative(), "limit of the viscosity; 0: none");
 }
 
-/// Refuses keys that the law does not have, and asks for those that it needs.
+/// Refuses keys that the law does not have. Requires those that it needs.
 void checkKeys(TableReader& r, FlowLaw law) {
   if (r.refused("law")) return;
   if (law == FlowLaw::Newtonian)

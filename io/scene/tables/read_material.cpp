@@ -42,8 +42,9 @@ void readDensity(TableReader& r, Material& m) {
                 "`[[\"0 degC\", \"999.84 kg/m^3\"], [\"4 degC\", \"999.97 kg/m^3\"]]`, interpolated "
                 "linearly; the "
                 "density at rest is then its value at `expansion_from`");
-  r.number("expansion", m.expansion, "1/K", between(-0.1, 0.1),
-           "volume expansion of the liquid, for its buoyancy; volumes at rest stay as they are");
+  r.number(
+      "expansion", m.expansion, "1/K", between(-0.1, 0.1),
+      "coefficient of volume expansion of the liquid. It causes buoyancy; volumes at rest do not change");
   r.number("expansion_from", m.expansionFrom, "K", notNegative(),
            "temperature at which the liquid has `density`; 0: domain.ambient");
 }
@@ -68,13 +69,13 @@ void readLiquid(TableReader& r, Material& m) {
       "speed of sound of the equation of state; 0: from the largest expected speed and max_density_error");
   r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
   r.number("bulk_damping", m.bulkDamping, "", between(0, 0.05),
-           "damping of sound in liquids with density = \"continuity\": the pressure is that of the density a "
-           "time ahead, this number times support / sound_speed. Default with a free surface: 0.02; else 0");
-  r.number(
-      "artificial_viscosity", m.artificialViscosity, "", between(0, 10),
-      "Monaghan's alpha for approaching pairs. Default with density = \"continuity\" and a free "
-      "surface: 0.02, or 0.005 in scenes with a solid material, minus the alpha that equals the liquid's "
-      "viscosity; else 0");
+           "damping of sound in liquids with density = \"continuity\": the pressure is taken at the density "
+           "a time ahead, this number times h / sound_speed with the support radius h. Default: 0.02 where "
+           "artificial_viscosity has one, else 0");
+  r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10),
+           "Monaghan's alpha for approaching pairs. Default with density = \"continuity\": 0.02, or 0.005 in "
+           "scenes with a solid material, minus the alpha that equals the liquid's viscosity. Default with "
+           "surface tension, quality = \"preview\", or one box of liquid in a periodic domain: 0");
 }
 
 void readSolid(TableReader& r, Material& m) {
@@ -147,7 +148,7 @@ void readHeat(TableReader& r, Material& m) {
   r.number("convection", m.convection, "W/(m^2 K)", notNegative(),
            "heat transfer coefficient of free surfaces to domain.ambient");
   r.number("absorptivity", m.absorptivity, "", between(0, 1),
-           "fraction of the light of lamps and lasers that it absorbs; it reflects the rest");
+           "fraction of the light of lamps and lasers that the material absorbs; it reflects the rest");
   r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(),
            "k_heat of Keiser et al. 2005, with numerics.heat = \"paper\"");
 }

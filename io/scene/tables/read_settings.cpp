@@ -141,13 +141,12 @@ void readNumerics(TableReader& r, Numerics& n) {
            "only the pairwise form of viscosity can be corrected: leave numerics.viscosity at \"pairwise\"");
   r.restart(Restart::Coefficient);
   r.as(Restart::State)
-      .choice(
-          "buoyancy", n.buoyancy, {"automatic", "boussinesq", "density"},
-          "buoyancy of liquids with expansion or a table of densities. boussinesq: only the difference of "
-          "the density from that at rest has weight, so noise of the pressure of a column does not drown "
-          "it; for closed containers full of one liquid, since a free surface would be weightless. density: "
-          "all of the weight acts. automatic: boussinesq where liquid of one density fills a closed domain, "
-          "else density");
+      .choice("buoyancy", n.buoyancy, {"automatic", "boussinesq", "density"},
+              "buoyancy of liquids with expansion or a table of densities. boussinesq: only density "
+              "differences have weight, so noise of the hydrostatic pressure does not hide them. It is for "
+              "closed containers full of one liquid: a free surface would be weightless. density: the whole "
+              "weight acts. automatic: boussinesq where liquid of one density fills a closed domain, "
+              "else density");
   r.choice("tension", n.tension, {"pairwise", "colour field", "surface energy"},
            "cohesion of pairs: cheap, but drops behave like soft crystals; as printed in Keiser et al. 2005; "
            "or an energy of the free surface: drops have Laplace's pressure and oscillate like liquids");

@@ -5,14 +5,14 @@
 namespace thaw {
 namespace {
 
-/// Keys of all heat sources.
+/// Reads the keys of all heat sources.
 template<class Source> void readTimes(TableReader& r, Source& s) {
   r.number("start", s.start, "s", notNegative(), "time at which it is switched on");
   r.number("end", s.end, "s", orNever(notNegative()), "time at which it is switched off");
   readMotion(r, "keyframes; the pose is linear in between and stays after the last", s.motion);
 }
 
-/// Checks of all heat sources, and the name of one without.
+/// Checks what holds for all heat sources, and names those without a name.
 template<class Source>
 void checkSource(TableReader& r, Source& s, const char* kind, const std::vector<Source>& before) {
   if (!r.reading()) return;
@@ -29,7 +29,7 @@ void readDirection(TableReader& r, Vec3d& direction, const char* about) {
   if (r.reading() && length(direction) == 0) r.fail("direction", "must not be zero");
 }
 
-/// Refuses the keys that the lamp's kind does not have.
+/// Refuses keys that the lamp's kind does not have. Requires those that it needs.
 void checkLamp(TableReader& r, const Lamp& lamp) {
   const bool direction = lamp.kind == LampKind::Direction, area = lamp.kind == LampKind::Area;
   require(r, direction ? "irradiance" : "power");
@@ -53,14 +53,14 @@ void readLamp(TableReader& r, Lamp& l, SceneReading& x) {
   r.restart(Restart::Setting);
   r.as(Restart::Free).text("name", l.name, "for messages and `--set`; none: \"lamp\" and its number");
   r.choice("kind", l.kind, {"point", "direction", "area"},
-           "point: shines evenly to all sides; direction: parallel light, as of the sun; area: a rectangle "
-           "that shines to one side by Lambert's law");
-  r.number("power", l.power, "W", positive(), "emitted power of a point or an area");
+           "point: shines equally in all directions; direction: parallel light, such as sunlight; area: a "
+           "rectangle that shines to one side by Lambert's law");
+  r.number("power", l.power, "W", positive(), "emitted power of kinds point and area");
   r.number("irradiance", l.irradiance, "W/m^2", positive(),
-           "power per area across the light, of a direction");
-  r.vector("position", l.position, "m", "place of a point, middle of an area");
-  readDirection(r, l.direction, "direction of the light; of an area: of its normal; any length but 0");
-  r.number("width", l.width, "m", positive(), "edge of an area, horizontal; along x if it shines along z");
+           "power per area perpendicular to the light, of kind direction");
+  r.vector("position", l.position, "m", "position of a point, centre of an area");
+  readDirection(r, l.direction, "direction of the light, for an area its normal; any length but 0");
+  r.number("width", l.width, "m", positive(), "horizontal edge of an area; along x if it shines along z");
   r.number("depth", l.depth, "m", positive(), "other edge of an area");
   readTimes(r, l);
   if (r.reading()) checkLamp(r, l);
@@ -74,12 +74,11 @@ void readLaser(TableReader& r, Laser& l, SceneReading& x) {
   r.number("radius", l.radius, "m", positive(),
            "radius of the beam, where its intensity is 1/e^2 (13.5 %) of that on the axis; required");
   r.vector("position", l.position, "m",
-           "a point of the axis of the beam, as where it meets the body; required");
+           "a point on the axis of the beam, such as where it meets the body; required");
   readDirection(r, l.direction, "direction of the light; any length but 0");
-  r.number(
-      "absorption_depth", l.absorptionDepth, "m", notNegative(),
-      "depth over which the absorbed light falls to 1/e below the exposed surface (Beer and Lambert); 0: "
-      "at the surface");
+  r.number("absorption_depth", l.absorptionDepth, "m", notNegative(),
+           "depth below the exposed surface at which the absorbed light has fallen to 1/e (Beer and "
+           "Lambert); 0: absorption at the surface");
   readTimes(r, l);
   if (r.reading())
     for (const char* key : {"power", "radius", "position"}) require(r, key);

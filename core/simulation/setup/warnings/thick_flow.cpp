@@ -57,9 +57,9 @@ std::vector<SceneWarning> thickFlows(const World& w, const StepTools& t) {
     if (!(times > 4 && times < never)) return;
     char text[400];
     std::snprintf(text, sizeof text,
-                  ": at rest its viscosity is up to %.3g Pa s, which makes steps %.3g times shorter than "
-                  "sound does; numerics.viscosity_solver = \"implicit\" is recommended, or a larger "
-                  "flow.least_rate or a flow.largest_viscosity",
+                  ": at rest its viscosity is up to %.3g Pa s, and its steps are %.3g times shorter than the "
+                  "limit of sound; numerics.viscosity_solver = \"implicit\" is recommended, else a larger "
+                  "flow.least_rate or a smaller flow.largest_viscosity",
                   flow.viscosity, times);
     warnings.push_back({m.where, "material." + m.name + text});
   });
