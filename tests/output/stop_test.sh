@@ -114,7 +114,7 @@ expectExit 2 "--restart without a checkpoint"
 expectMessage "needs a checkpoint" "--restart without a checkpoint"
 run steps --restart --set spacing=0.002
 expectExit 2 "another spacing"
-expectMessage "spacing was 0.0008" "another spacing"
+expectMessage "spacing: 0.0008 -> 0.002" "another spacing"
 before=$(cksum <"$work/steps/summary.json")
 launch 2 run "$scenes/beam.toml" --restart --out "$work/steps" >"$work/log" 2>&1
 expectExit 2 "another scene"

@@ -277,8 +277,10 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     const Wide rate = widen(s.rate), before = widen(at.floats(x.compressionRate));
     lead = pressureLead * rate;
     write(at, wet, toFloats(s.rate), x.compressionRate);
-    const Wide f = Wide(1.0) + end;
-    return Wide(0.5 * x.dt) * rate * restVolume * stiffness * pressureLead * (rate + before) / (f * f);
+    const Wide pressure = pressureTerm(end);
+    const Wide both = pressureTerm(end + lead) + pressureTerm(end + pressureLead * before) - pressure -
+                      pressure;
+    return Wide(0.5 * x.dt) * rate * restVolume * both;
   }
 
   THAW_INLINE void store(const Tensor<L>& now, const Tensor<L>& next, Wide end) {
