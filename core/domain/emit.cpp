@@ -10,6 +10,7 @@
 #include "core/fluid/laws/cohesion.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
+#include "core/math/tangent.hpp"
 #include "core/scene/field_values.hpp"
 
 namespace thaw {
@@ -20,9 +21,7 @@ constexpr double mostInLayer = 1e6;
 /// Two unit vectors perpendicular to a direction, by a fixed rule, so that every rank and run makes the same
 /// layers.
 void across(const Vec3d& n, Vec3d& u, Vec3d& v) {
-  const Vec3d axis = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3d{1, 0, 0}
-                     : std::abs(n.y) <= std::abs(n.z)                                 ? Vec3d{0, 1, 0}
-                                                                                      : Vec3d{0, 0, 1};
+  const Vec3d axis = leastAxis(n);
   u = normalized(axis - n * dot(axis, n));
   v = cross(n, u);
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/scene/expected_speeds.hpp"
+#include "core/scene/temperature_table.hpp"
 
 namespace thaw {
 
@@ -61,15 +62,8 @@ std::string soundSpeedReason(const Scene& s, const Material& m) {
 }
 
 double viscosityAt(const Material& m, double liquidFraction, double temperature) {
-  const auto& t = m.viscosityTable;
-  if (t.empty()) return m.viscosity.at(liquidFraction);
-  if (temperature <= t.front().first) return t.front().second;
-  for (std::size_t k = 1; k < t.size(); k++)
-    if (temperature < t[k].first) {
-      const double a = (temperature - t[k - 1].first) / (t[k].first - t[k - 1].first);
-      return t[k - 1].second * std::pow(t[k].second / t[k - 1].second, a);
-    }
-  return t.back().second;
+  if (m.viscosityTable.empty()) return m.viscosity.at(liquidFraction);
+  return valueAt(m.viscosityTable, temperature, Interpolation::Logarithmic);
 }
 
 }  // namespace thaw

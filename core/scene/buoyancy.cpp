@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/scene/material_use.hpp"
+#include "core/scene/temperature_table.hpp"
 
 namespace thaw {
 
@@ -15,22 +16,12 @@ bool hasBuoyancy(const Scene& s) {
   return false;
 }
 
-double tableAt(const TemperatureTable& table, double T) {
-  if (T <= table.front().first) return table.front().second;
-  for (std::size_t k = 1; k < table.size(); k++) {
-    const auto& [low, atLow] = table[k - 1];
-    const auto& [high, atHigh] = table[k];
-    if (T < high) return atLow + (atHigh - atLow) * ((T - low) / (high - low));
-  }
-  return table.back().second;
-}
-
 double referenceTemperature(const Domain& d, const Material& m) {
   return m.expansionFrom > 0 ? m.expansionFrom : d.ambient;
 }
 
 double densityDeficit(const Domain& d, const Material& m, double T) {
-  if (!m.densityTable.empty()) return 1 - tableAt(m.densityTable, T) / m.density;
+  if (!m.densityTable.empty()) return 1 - valueAt(m.densityTable, T, Interpolation::Linear) / m.density;
   return m.expansion * (T - referenceTemperature(d, m));
 }
 

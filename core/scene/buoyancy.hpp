@@ -12,10 +12,6 @@ inline bool expands(const Material& m) { return m.expansion != 0 || !m.densityTa
 /// Returns true if an expanding material is in use and the scene has gravity.
 bool hasBuoyancy(const Scene& scene);
 
-/// Returns the value of a table at temperature T (K): linear between its points, constant beyond.
-/// Requires: the table is not empty.
-double tableAt(const TemperatureTable& table, double T);
-
 /// Returns the temperature (K) at which the liquid has Material::density.
 double referenceTemperature(const Domain& domain, const Material& material);
 

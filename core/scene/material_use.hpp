@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test for materials in use.
+// Which materials a scene uses, and what they need.
 #pragma once
 #include <algorithm>
 
 #include "core/scene/scene.hpp"
 
 namespace thaw {
+
+/// Returns true if the viscosity depends on the shear rate.
+inline bool hasFlowLaw(const Material& m) { return m.flowLaw.law != FlowLaw::Newtonian; }
 
 /// Returns true if a body or emitter has this material (index into Scene::materials).
 inline bool inUse(const Scene& s, std::size_t material) {

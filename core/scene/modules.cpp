@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/scene/buoyancy.hpp"
+#include "core/scene/material_use.hpp"
 
 namespace thaw {
 
@@ -14,8 +15,6 @@ bool solidAt(const Material& m, double T) {
 }
 
 namespace {
-
-bool hasFlowLaw(const Material& m) { return m.flowLaw.law != FlowLaw::Newtonian; }
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 

@@ -99,6 +99,14 @@ void distributeShares(const WallContext& x, std::span<WallContact> contacts) {
 
 }  // namespace
 
+std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint32_t row) {
+  const auto before = [](const WallContact& c, std::uint32_t r) { return c.row < r; };
+  const auto begin = std::lower_bound(contacts.list.begin(), contacts.list.end(), row, before);
+  auto end = begin;
+  while (end != contacts.list.end() && end->row == row) ++end;
+  return {begin, end};
+}
+
 void findWallContacts(const WallContext& x, WallContacts& contacts) {
   const WallView& w = x.world;
   Continuum& p = w.particles;

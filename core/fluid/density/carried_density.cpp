@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/fluid/density/carried_density.hpp"
 
-#include <algorithm>
 #include <span>
 
 #include "core/fluid/density/connected_density.hpp"
@@ -29,14 +28,6 @@ Vec3d alongWalls(Vec3d v, std::span<const WallContact> contacts, double spacing)
   for (const WallContact& c : contacts)
     if (c.distance < wallLayer * spacing) v -= c.normal * dot(v, c.normal);
   return v;
-}
-
-std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint32_t row) {
-  const auto before = [](const WallContact& c, std::uint32_t r) { return c.row < r; };
-  const auto begin = std::lower_bound(contacts.list.begin(), contacts.list.end(), row, before);
-  auto end = begin;
-  while (end != contacts.list.end() && end->row == row) ++end;
-  return {begin, end};
 }
 
 /// Slope of the wall's part of the relative density, times h. The wall's pressure force (wall_forces.cpp) has

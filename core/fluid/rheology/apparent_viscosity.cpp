@@ -40,12 +40,8 @@ void finishRow(void* context, std::uint32_t row, const ShearMoments& sums) {
   const std::uint16_t k = p.material[row];
   if (!(x.leastRate[k] > 0) || x.walls.sleeps(row)) return;
   ShearMoments all = sums;
-  const auto& list = x.contacts.list;
   if (sums.liquid > 0)
-    for (auto c = std::lower_bound(list.begin(), list.end(), row,
-                                   [](const WallContact&a, std::uint32_t r) { return a.row < r; });
-         c != list.end() && c->row == row; ++c)
-      addWall(x, *c, all);
+    for (const WallContact& c : contactsOf(x.contacts, row)) addWall(x, c, all);
   if (sums.liquid == 0 && !(all.moment[0] + all.moment[1] + all.moment[2] > 0)) return;  // no liquid nearby
   const double rate = shearRateOf(all) / w.grid.support;
   const FlowCoefficients law = flowCoefficients(w.scene.materials[k].flowLaw, x.leastRate[k],

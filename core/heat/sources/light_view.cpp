@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/tangent.hpp"
+
 namespace thaw {
 namespace {
 
@@ -16,11 +18,7 @@ constexpr double widestCell = 0.5;     ///< spacings
 constexpr double margin = 2;           ///< spacings around the bodies
 
 /// Unit vector across n.
-Vec3d acrossOf(const Vec3d& n) {
-  const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-  const Vec3d axis = x <= y && x <= z ? Vec3d{1, 0, 0} : y <= z ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-  return normalized(cross(axis, n));
-}
+Vec3d acrossOf(const Vec3d& n) { return normalized(cross(leastAxis(n), n)); }
 
 std::array<Vec3d, 8> cornersOf(const Bounds& b) {
   std::array<Vec3d, 8> corners;

@@ -51,7 +51,7 @@ double pairViscosity(const Numerics& n, double a, double b) {
 }
 
 double largestViscosity(const Scene& s, const Material& m) {
-  if (hasFlowLaw(m)) return largestFlowViscosity(m.flowLaw, leastRateOf(s, m), resolvedRate(s));
+  if (hasFlowLaw(m)) return largestFlowViscosity(s, m);
   if (m.viscosityTable.empty()) return std::max(m.viscosity.solid, m.viscosity.liquid);
   double largest = 0;
   for (const auto& point : m.viscosityTable) largest = std::max(largest, point.second);

@@ -42,7 +42,7 @@ void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
     if (!canBeLiquid(m) || !open.artificialViscosity[k]) continue;
     const auto lowest = std::min_element(m.viscosityTable.begin(), m.viscosityTable.end(),
                                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    const double viscosity = hasFlowLaw(m) ? leastFlowViscosity(m.flowLaw, leastRateOf(s, m), resolvedRate(s))
+    const double viscosity = hasFlowLaw(m)                      ? leastFlowViscosity(s, m)
                              : lowest == m.viscosityTable.end() ? m.viscosity.liquid
                                                                 : lowest->second;
     const double unit = liquids[k].soundSpeed * s.numerics.support * s.spacing * m.density / 10;
@@ -76,7 +76,7 @@ void chooseForLiquids(Scene& s, const OpenChoices& open) {
 namespace {
 
 double largestViscosity(const Scene& s, const Material& m) {
-  if (hasFlowLaw(m)) return largestFlowViscosity(m.flowLaw, leastRateOf(s, m), resolvedRate(s));
+  if (hasFlowLaw(m)) return largestFlowViscosity(s, m);
   double largest = m.viscosity.liquid;
   for (const auto& point : m.viscosityTable) largest = std::max(largest, point.second);
   return largest;

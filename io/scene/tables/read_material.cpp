@@ -4,6 +4,7 @@
 #include "core/materials/liquid_materials.hpp"
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/quality.hpp"
+#include "core/scene/temperature_table.hpp"
 #include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_flow_law.hpp"
 #include "io/scene/tables/read_sections.hpp"
@@ -213,7 +214,8 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
   readFlowLaw(r, m);
   if (!r.reading()) return;
   checkMaterial(r, m);
-  if (!m.densityTable.empty()) m.density = tableAt(m.densityTable, referenceTemperature(x.scene->domain, m));
+  if (!m.densityTable.empty())
+    m.density = valueAt(m.densityTable, referenceTemperature(x.scene->domain, m), Interpolation::Linear);
   if (m.isRigid()) {
     m.young = m.poisson = {};
     m.volumeStiffness = m.hourglass = m.damping = 0;

@@ -6,22 +6,16 @@
 #include <set>
 
 #include "core/materials/liquid_materials.hpp"
+#include "core/scene/temperature_table.hpp"
 
 namespace thaw {
 namespace {
 
-enum class Scale { Linear, Logarithmic };
+/// Speed (m/s) by which shear rates are judged; at least a small one, if nothing moves.
+double flowSpeed(const Scene& s) { return std::max(expectedSpeed(s), 1e-3); }
 
-double valueAt(const TemperatureTable& t, double T, Scale scale) {
-  if (t.empty()) return 0;
-  if (T <= t.front().first || t.size() == 1) return t.front().second;
-  for (std::size_t k = 1; k < t.size(); k++)
-    if (T < t[k].first) {
-      const double a = (T - t[k - 1].first) / (t[k].first - t[k - 1].first), low = t[k - 1].second,
-                   high = t[k].second;
-      return scale == Scale::Linear ? low + a * (high - low) : low * std::pow(high / low, a);
-    }
-  return t.back().second;
+double valueOrZero(const TemperatureTable& t, double T, Interpolation between) {
+  return t.empty() ? 0 : valueAt(t, T, between);
 }
 
 /// Calls action for the coefficients at each temperature of the tables. Between them both parameters are
@@ -48,20 +42,17 @@ const char* nameOf(FlowLaw law) {
 
 double leastRateOf(const Scene& s, const Material& m) {
   if (m.flowLaw.leastRate > 0) return m.flowLaw.leastRate;
-  constexpr double slow = 1e-4, leastSpeed = 1e-3;  // 1; m/s, if nothing moves
+  constexpr double slow = 1e-4;
   const Vec3d size = s.domain.max - s.domain.min;
-  return slow * std::max(expectedSpeed(s), leastSpeed) / std::max({size.x, size.y, size.z});
+  return slow * flowSpeed(s) / std::max({size.x, size.y, size.z});
 }
 
-double resolvedRate(const Scene& s) {
-  constexpr double leastSpeed = 1e-3;  // m/s, if nothing moves
-  return std::max(expectedSpeed(s), leastSpeed) / s.spacing;
-}
+double resolvedRate(const Scene& s) { return flowSpeed(s) / s.spacing; }
 
 FlowCoefficients flowCoefficients(const FlowLawSettings& s, double leastRate, double T) {
   return {s.law,
-          valueAt(s.yieldStress, T, Scale::Linear),
-          valueAt(s.consistency, T, Scale::Logarithmic),
+          valueOrZero(s.yieldStress, T, Interpolation::Linear),
+          valueOrZero(s.consistency, T, Interpolation::Logarithmic),
           s.exponent,
           s.infiniteViscosity,
           s.relaxationTime,
@@ -96,6 +87,14 @@ double leastFlowViscosity(const FlowLawSettings& s, double leastRate, double lar
     least = std::min({least, apparentViscosity(c, 0), apparentViscosity(c, largestRate)});
   });
   return least;
+}
+
+double largestFlowViscosity(const Scene& s, const Material& m) {
+  return largestFlowViscosity(m.flowLaw, leastRateOf(s, m), resolvedRate(s));
+}
+
+double leastFlowViscosity(const Scene& s, const Material& m) {
+  return leastFlowViscosity(m.flowLaw, leastRateOf(s, m), resolvedRate(s));
 }
 
 }  // namespace thaw

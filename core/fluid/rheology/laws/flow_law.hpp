@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Viscosity of a liquid as a function of its shear rate (docs/theory/rheology.md).
 #pragma once
+#include "core/scene/material_use.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
@@ -16,8 +17,6 @@ struct FlowCoefficients {
   double leastRate = 0;    ///< 1/s, > 0: regularisation
   double largest = never;  ///< Pa s, limit of the viscosity
 };
-
-inline bool hasFlowLaw(const Material& m) { return m.flowLaw.law != FlowLaw::Newtonian; }
 
 /// Returns "Bingham", "Herschel-Bulkley", "power law" or "Carreau".
 const char* nameOf(FlowLaw law);
@@ -43,5 +42,9 @@ double leastFlowViscosity(const FlowLawSettings& settings, double leastRate, dou
 
 /// Largest shear rate (1/s) that a scene resolves: the expected speed over the spacing.
 double resolvedRate(const Scene& scene);
+
+/// The same two for a material of a scene, by its least rate and the largest rate that the scene resolves.
+double largestFlowViscosity(const Scene& scene, const Material& material);
+double leastFlowViscosity(const Scene& scene, const Material& material);
 
 }  // namespace thaw

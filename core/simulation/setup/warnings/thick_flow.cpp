@@ -18,8 +18,7 @@ struct ThickFlow {
 };
 
 ThickFlow thickFlowOf(const World& w, const Material& m) {
-  const double least = leastRateOf(w.scene, m);
-  return {least, largestFlowViscosity(m.flowLaw, least, resolvedRate(w.scene)), flowLawStepLimit(w.scene, m)};
+  return {leastRateOf(w.scene, m), largestFlowViscosity(w.scene, m), flowLawStepLimit(w.scene, m)};
 }
 
 template<class Action> void forEachFlowLaw(const World& w, Action action) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/scene/buoyancy.hpp"
+#include "core/scene/temperature_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,10 +35,10 @@ Scene cavity() {
 
 TEST(Buoyancy, TablesAreLinearAndConstantBeyondTheirEnds) {
   const TemperatureTable table{{273.15, 999.84}, {277.15, 999.97}, {283.15, 999.70}};
-  EXPECT_EQ(tableAt(table, 200), 999.84);
-  EXPECT_NEAR(tableAt(table, 275.15), 999.905, 1e-12);
-  EXPECT_EQ(tableAt(table, 277.15), 999.97);
-  EXPECT_EQ(tableAt(table, 400), 999.70);
+  EXPECT_EQ(valueAt(table, 200, Interpolation::Linear), 999.84);
+  EXPECT_NEAR(valueAt(table, 275.15, Interpolation::Linear), 999.905, 1e-12);
+  EXPECT_EQ(valueAt(table, 277.15, Interpolation::Linear), 999.97);
+  EXPECT_EQ(valueAt(table, 400, Interpolation::Linear), 999.70);
 }
 
 TEST(Buoyancy, DeficitFollowsExpansionOrTable) {
