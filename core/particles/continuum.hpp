@@ -46,6 +46,8 @@ struct Continuum : Table {
   Column<u8> clamped{*this, "clamped", "1", Keep::State,
       "1: fixed in place; 2: driven by its emitter at constant velocity; 3: part of a rigid piece with "
       "fixed particles"};
+  Column<double> restDensity{*this, "restDensity", "kg/m^3", Keep::State,
+      "density at rest, of materials whose phases differ in density"};
   // Fluid.
   Column<float> relativeDensity{*this, "relativeDensity", "1", Keep::Transient,
       "relative density: delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
@@ -89,6 +91,8 @@ struct Continuum : Table {
       "derivative of the surface energy per volume with respect to surfaceGradient"};
   Column<double> surfaceEnergyByColour{*this, "surfaceEnergyByColour", "Pa", Keep::Transient,
       "derivative of the surface energy per volume with respect to the colour"};
+  Column<float> surfaceTension{*this, "surfaceTension", "N/m", Keep::State,
+      "surface tension at its temperature"};
   Column<float> viscosityCorrection{*this, "viscosityCorrection", "1", Keep::State,
       "factor of the viscosity minus 1 (core/fluid/laws/viscosity_factor.hpp)"};
   Column<float> apparentViscosity{*this, "apparentViscosity", "Pa s", Keep::State,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,13 +39,16 @@ enum class ElasticLaw {
 struct Material {
   std::string name;
   SourcePlace where;
-  double density = 1000;             // kg/m^3, at rest
+  double density = 1000;             // kg/m^3, at rest; of its liquid phase, where the two differ
+  double solidDensity = 0;           // kg/m^3, of its solid phase at rest; 0: density
   std::uint32_t colour = 0xdfe6ebu;  // colour of its surface, red | green << 8 | blue << 16
   // liquid
   Blend viscosity;                                        // Pa s
   std::vector<std::pair<double, double>> viscosityTable;  // (K, Pa s), interpolated logarithmically; replaces
                                                           // viscosity if not empty
   double surfaceTension = 0;                              // N/m
+  TemperatureTable surfaceTensionTable;                   // N/m, linear; replaces surfaceTension if not empty
+  double contactAngle = std::numbers::pi / 2;             // rad, of its liquid at walls
   double soundSpeed = 0;  // m/s, in the equation of state; 0: ten times the largest expected speed of the
                           // scene
   double xsph = 0;        // 1, velocity smoothing (XSPH)
@@ -78,14 +82,18 @@ struct Material {
   Blend heatCapacity{1000, 1000};            // J/(kg K)
   double latentHeat = 0;                     // J/kg
   double solidus = never, liquidus = never;  // K; never: does not melt
-  double hysteresis = 0;    // 1, required liquid fraction: liquid freezes below it, solid melts above 1 minus
-                            // it
-  double heatSource = 0;    // W/kg
-  double emissivity = 0;    // 1, radiation from free surfaces to the ambient
-  double convection = 0;    // W/(m^2 K), from free surfaces to the ambient
-  double absorptivity = 1;  // 1, fraction of the light of lamps and lasers that it absorbs
-  double paperDiffusivity = 0;  // m^2/s, k_heat of K05, for heat model "paper"
-  bool liquidAtStart = false;   // only for materials that do not melt: initial phase
+  double hysteresis = 0;  // 1, required liquid fraction: liquid freezes below it, solid melts above 1 minus
+                          // it
+  double heatSource = 0;  // W/kg
+  double emissivity = 0;  // 1, radiation from free surfaces to the ambient
+  double convection = 0;  // W/(m^2 K), from free surfaces to the ambient
+  double contactConductance = never;  // W/(m^2 K), at faces with other bodies; never: perfect contact
+  TemperatureTable evaporation;  // kg/(m^2 s) by temperature, from free surfaces of its liquid; empty: none
+  double evaporationHeat = 0;    // J/kg, latent heat of evaporation
+  double mushDrag = 0;           // kg/(m^3 s), Carman-Kozeny's coefficient between solidus and liquidus
+  double absorptivity = 1;       // 1, fraction of the light of lamps and lasers that it absorbs
+  double paperDiffusivity = 0;   // m^2/s, k_heat of K05, for heat model "paper"
+  bool liquidAtStart = false;    // only for materials that do not melt: initial phase
   bool melts() const { return solidus < never; }
   bool isRigid() const { return law == ElasticLaw::Rigid; }
   bool canBeSolid() const { return young.solid > 0 || isRigid(); }
@@ -136,6 +144,7 @@ struct Obstacle {
   double friction = 0.3;              // 1, Coulomb, for solids
   double restitution = 0.5;           // 1, for solids
   bool slip = false;                  // liquids slip freely; else they stick
+  double contactAngle = never;        // rad, of liquids at it; never: their material's
   std::vector<Keyframe> motion;
   double until = never;                     // s, the obstacle disappears at this time
   ObstacleLook look = ObstacleLook::Glass;  // in pictures
@@ -229,6 +238,7 @@ struct Numerics {
   double sleepSpeed = 0;       // m/s, speed below which a solid is at rest; 0: nothing sleeps
   double sleepAfter = 0.05;    // s, rest time before a solid sleeps
   double sleepHeating = 0.01;  // K/s, heating rate above which a solid is awake
+  double rigidify = 0;         // 1/s, rate of strain below which elastic solids move as rigid pieces; 0: off
   // Stability monitor (core/simulation/monitor/).
   std::int64_t retryEvery = 100;    // steps between snapshots in memory; 0: none
   std::int64_t retries = 4;         // largest number of rollbacks for one stretch, each halves the step
