@@ -135,6 +135,10 @@ template<class Real> Four<Real>* places(PairRecords& r) {
   return rows<Real>(sizeof(Real) == 4 ? r.fixed : r.positionVolume);
 }
 
+bool isFixedSolid(const Continuum& p, std::size_t i) {
+  return p.phase[i] == Solid && p.clamped.active && (p.clamped[i] == held || p.clamped[i] == heldByPiece);
+}
+
 /// Packs the pressure tensors of carried densities (terms/forces.hpp).
 template<class Real>
 void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
@@ -163,6 +167,7 @@ void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::s
     Four<Real>& pressurePhaseHeat = rows<Real>(r.pressurePhaseHeat)[i];
     pressurePhaseHeat.a = Real(relief.z);
     pressurePhaseHeat.b = std::abs(pressurePhaseHeat.b);  // the sign is for the density sums only
+    if (p.relief.active && isFixedSolid(p, i)) pressurePhaseHeat.b = Real(-0.0);
     if (substeps && takesSubsteps(p, i))
       put(rows<Real>(r.velocityViscosity)[i], p.velocity[i], rows<Real>(r.velocityViscosity)[i].d);
     if (recordsEnergy) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(pressurePhaseHeat.b));

@@ -8,6 +8,15 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
+THAW_INLINE MaskF hasMinus(LanesF a) { return {reinterpret_cast<Vec8i>(a.v) < 0}; }
+THAW_INLINE MaskD hasMinus(LanesD a) {
+  return {reinterpret_cast<Vec4l>(a.lo) < 0, reinterpret_cast<Vec4l>(a.hi) < 0};
+}
+/// Returns the solid fraction, 0 for fixed solids.
+template<class L> THAW_INLINE L movableSolid(L liquidFraction) {
+  return select(hasMinus(liquidFraction), L(0.0), L(1.0) - liquidFraction);
+}
+
 /// Pressure: variational (M05 eq. 3.3 with relative density), or as printed in K05. Viscosity:
 /// Monaghan's pair form along r (M05 eq. 8.9 without its artificial scaling), or MCG03 eq. 13; implicit
 /// without Viscous (viscous_operator.hpp). Heat conduction: CM99 eq. 36.
@@ -19,7 +28,8 @@ namespace {
 /// energy. It is not central. The pressure of a solid near liquid acts only between that solid and liquids.
 /// Relief: pressureDiagonal.d, pressureOffDiagonal.d and pressurePhaseHeat.a are the force on liquid from all
 /// its solid neighbours (core/fluid/laws/lattice_relief.hpp), divided among the pairs by V W of the
-/// solids.
+/// solids. Fixed solids, which have a liquid fraction of -0, have no such force: they need not slip, and the
+/// force would stir liquid at rest.
 template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false,
          bool Relief = false>
 struct Forces {
@@ -79,8 +89,8 @@ struct Forces {
       s.z -= wide(k * dot3(xz, yz, zz, dx, dy, dz));
     }
     if constexpr (Relief) {
-      const L w = reliefScale * Kernel::w(q, q2), ofI = w * (L(1.0) - fj) * j.positionVolume.d,
-              ofJ = w * (L(1.0) - fi) * i.positionVolume.d;
+      const L w = reliefScale * Kernel::w(q, q2), ofI = w * movableSolid(fj) * j.positionVolume.d,
+              ofJ = w * movableSolid(fi) * i.positionVolume.d;
       const L fx = ofI * i.pressureDiagonal.d - ofJ * j.pressureDiagonal.d,
               fy = ofI * i.pressureOffDiagonal.d - ofJ * j.pressureOffDiagonal.d,
               fz = ofI * i.pressurePhaseHeat.a - ofJ * j.pressurePhaseHeat.a;

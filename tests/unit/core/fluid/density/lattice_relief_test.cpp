@@ -101,8 +101,10 @@ TEST(LatticeRelief, VanishesOnALattice) {
 
 /// Force (N) along x on the liquid beside the middle of the face towards +y of the cube, which is displaced
 /// by `way` (m) along x. The pressure is uniform.
-double forceAlongFace(double way, bool relieved) {
-  Simulation r(cubeInLiquid());
+double forceAlongFace(double way, bool relieved, bool fixed = false) {
+  Scene s = cubeInLiquid();
+  if (fixed) s.bodies[0].clamp = {s.bodies[0].shape};
+  Simulation r(s);
   Continuum& p = r.particles();
   if (!relieved) p.deactivate(p.relief);
   compress(r, [](const Vec3d&) { return 2e-3; });
@@ -123,6 +125,13 @@ TEST(LatticeRelief, LessensTheForceOfTheLatticeAlongAFace) {
   EXPECT_GT(std::abs(without), 0);
   EXPECT_GT(with * without, 0);
   EXPECT_LT(std::abs(with), 0.8 * std::abs(without));
+}
+
+TEST(LatticeRelief, DoesNotActAlongFixedSolids) {
+  const double without = forceAlongFace(0.1 * spacing, false, true),
+               with = forceAlongFace(0.1 * spacing, true, true);
+  EXPECT_GT(std::abs(without), 0);
+  EXPECT_EQ(with, without);
 }
 
 TEST(LatticeRelief, ActsAlongTheSolid) {
