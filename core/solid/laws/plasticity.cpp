@@ -66,6 +66,17 @@ bool surelyBelow(const ElasticConstants& c, const Sym3d& strain, double yield) {
   return size < 0.1 && norm(deviator(strain)) * (c.mu + (8 * c.mu + 4 * c.lambda) * size) < yield * c.mu;
 }
 
+/// Work (Pa) of a flow from one elastic gradient to another: the final stress times the strain. The energy
+/// between both is larger by half of the change of stress, which the forces of a step have not worked
+/// against.
+double workOfFlow(const ElasticConstants& c, const Mat3d& trial, const Mat3d& final) {
+  const ElasticResponse from = elasticResponse(c, trial), to = elasticResponse(c, final);
+  const Mat3d stress = from.stress - to.stress, strain = trial - final;
+  double half = 0;
+  for (int k = 0; k < 3; k++) half += 0.5 * dot(stress.row[k], strain.row[k]);
+  return from.energy - to.energy - half;
+}
+
 /// Limits the norm of the total plastic strain to gamma_max, or to its previous value if that is larger.
 void limitPlasticStrain(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
                         const Mat3d& reference, PlasticFlow& flow) {
@@ -80,9 +91,9 @@ void limitPlasticStrain(const ElasticConstants& c, const Mat3d& gradU, const Pla
   flow.state.inverse = compose(f * (full(withValues(e, back)) * inverse(f)), flow.state.inverse);
   flow.state.path = before.path +
                     std::sqrt(2.0 / 3) * norm(plasticStrain(flow.state.inverse, reference) - first);
+  const Mat3d trial = elasticGradient(gradU, before.inverse);
   flow.elastic = elasticGradient(gradU, flow.state.inverse);
-  flow.loss = elasticResponse(c, elasticGradient(gradU, before.inverse)).energy -
-              elasticResponse(c, flow.elastic).energy;
+  flow.loss = workOfFlow(c, trial, flow.elastic);
 }
 
 }  // namespace

@@ -201,6 +201,28 @@ TEST(Plasticity, LossIsWorkLessStoredEnergy) {
   }
 }
 
+// Shear whose plane turns while the plastic strain is at its limit. Large steps, so that the stress changes by
+// several times the yield stress in each.
+TEST(Plasticity, LossAtTheLimitIsWorkLessStoredEnergy) {
+  ElasticConstants c = yielding(ElasticLaw::NeoHookean, 0.01);
+  c.maxPlastic = 0.2;
+  Point p{c};
+  double work = 0;
+  Mat3d before{};
+  for (int n = 1; n <= 60; n++) {
+    const double angle = 0.05 * n, shear = std::min(0.02 * n, 0.3);
+    const Mat3d f = one + shear * Mat3d{{{0, std::cos(angle), std::sin(angle)}, {0, 0, 0}, {0, 0, 0}}},
+                step = f - p.f;
+    p.drive(f);
+    const Mat3d now = elasticResponse(p.c, f - one, p.state.inverse).stress;
+    for (int k = 0; k < 3; k++) work += 0.5 * dot(before.row[k] + now.row[k], step.row[k]);
+    before = now;
+  }
+  const double stored = elasticResponse(p.c, p.f - one, p.state.inverse).energy;
+  EXPECT_GT(p.loss, 0.3 * work);
+  EXPECT_NEAR(p.loss, work - stored, 0.05 * work);
+}
+
 TEST(Plasticity, SkippedGroupsAreBelowYield) {
   for (const ElasticLaw law : allLaws)
     for (const double poisson : {0.0, 0.3, 0.45, 0.49})
