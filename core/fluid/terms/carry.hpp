@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step of carried densities of eight particles, from their sums over neighbours (carried_density.hpp):
-// free surface, gradient correction, shifting, and the relative density at the end of the step.
+// The step of carried densities of eight particles, from their sums over neighbours (carried_density.hpp).
+// Finds the free surface, gradient correction, shifting, and the relative density at the end of the step.
 #pragma once
 #include "core/fluid/laws/free_surface.hpp"
 #include "core/fluid/pair_sums/carry.hpp"

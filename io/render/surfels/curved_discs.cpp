@@ -59,8 +59,8 @@ Turn turnOf(const Discs& discs, std::span<const std::uint32_t> components, std::
 }
 
 /// Projects a part of disc i onto the surface between nearby discs and sets its normal. The surface is where
-/// the mean of their planes and of the plane across the mean normal vanishes: exact on spheres, and edges are
-/// rounded by a third of a spacing. Returns false without discs nearby.
+/// the mean of their planes and of the plane across the mean normal vanishes. It is exact on spheres, and
+/// rounds edges by a third of a spacing. Returns false without discs nearby.
 bool ontoDiscs(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i,
                std::span<const std::uint32_t> near, DiscPart& part) {
   const Vec3f start = part.position;
