@@ -270,8 +270,8 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     return end;
   }
 
-  /// Lets the pressure lead the density by a fixed time: p(y + t dy/dt), a volume viscosity. It damps sound,
-  /// and no shear. Returns the energy (J) that it takes, with the mean of the leads at both ends of the step.
+  /// Lets the pressure lead the density by a fixed time: p(y + t dy/dt), a volume viscosity. It damps sound
+  /// but not shear. Returns the dissipated energy (J), by the mean of the leads at both ends of the step.
   THAW_INLINE Wide damp(Wide end) {
     if (!(x.dt > 0)) return Wide(0.0);
     const Wide rate = widen(s.rate), before = widen(at.floats(x.compressionRate));
