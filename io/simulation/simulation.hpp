@@ -64,7 +64,7 @@ class Simulation {
   /// Writes the last checkpoint and the summary of a run with a folder. No step may follow. Returns the exit
   /// code of `thaw run`.
   int finish();
-  /// Returns true after a stop request; stopReason() tells which.
+  /// Returns true after a stop request; stopReason() names its cause.
   bool stopped() const;
   const std::string& stopReason() const;
 
