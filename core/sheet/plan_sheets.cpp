@@ -94,7 +94,7 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, cons
   return all;
 }
 
-/// Sets the reach and rate of contact with triangles. Particles count as spheres of one spacing, the sheet as
+/// Sets reach, rate and area of contact with triangles. Particles count as spheres of one spacing, the sheet as
 /// 0.8 spacings thick unless the scene gives its thickness.
 void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   const double thickness = b.thickness > 0 ? b.thickness : 0.8 * s.spacing;

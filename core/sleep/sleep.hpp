@@ -17,8 +17,8 @@
 // A moving particle wakes all surrounding cells within a step, which is faster than any wave (a cell is at
 // least a support radius wide). Skipped results have the same bits as computed ones, so the skipped cells may
 // depend on the rank (after a migration everything is recomputed). The sleep stage and the constraint force
-// must not: they follow from State columns alone, because when something two cells away wakes, recomputed
-// values differ in that step.
+// must not: when something two cells away wakes, recomputed values differ in that step. They thus follow from
+// State columns alone.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Distribution of light over exposed particles. A ray gives its whole light to the particles near the place
-// where it meets the bodies. Shares are integer weights, so that sums have the same bits on any number of
+// where it meets the bodies. Its weights are integers, so that sums have the same bits on any number of
 // ranks.
 #pragma once
 #include <cstddef>
