@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// modules [--particles N] [--repeat R] [--csv FILE]: cost of each part of the model, as a scene with it
-// against the scene without it: time per particle and step, and bytes per particle. The two scenes take
-// blocks of steps in turn, so that other load slows both. time_ratio is the median ratio of these blocks
-// in processor time. The ns columns are medians of one run: compare rows by the ratio only. `idle_share` is
-// the time that the scene without the module spends in its phases. Branches on absent modules inside other
-// phases are not in it.
+// modules [--particles N] [--repeat R] [--csv FILE]: cost of each part of the model in time per particle and
+// step, and in bytes per particle. Each scene runs with the part and without it. The two scenes take blocks
+// of steps in turn, so that other load slows both. time_ratio is the median ratio of these blocks in
+// processor time. The ns columns are medians of one run: compare rows by the ratio only. `idle_share` is the
+// time that the scene without the module spends in its phases. Branches on absent modules inside other phases
+// are not in it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -4,9 +4,9 @@
 
 python_step.py [--spacing X] [--csv FILE]     default 0.0105 m: 100,000 particles
 
-One simulation of scenes/dam_break.toml takes blocks of steps in two ways by turns: one call of run(), or a
-Python loop of step() that reads the time after each step. The result is the ratio of the fastest blocks in
-processor time, since other programs only add to it. Exit code 1 if stepping costs more than 1 %.
+One simulation of scenes/dam_break.toml takes blocks of steps in two ways by turns. One is a call of run(),
+the other a Python loop of step() that reads the time after each step. The result is the ratio of the fastest
+blocks in processor time, since other programs only add to it. Exit code 1 if stepping costs more than 1 %.
 """
 import argparse
 import csv

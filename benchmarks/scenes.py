@@ -5,11 +5,11 @@
   scripts/bench scenes [--quick] [--ranks 4] [--steps 300]
 
 dam_break with a million particles, beam, melt and melt_large run as in their files, but with a frame every
-100 steps. The bust is solid in its first thousands of steps: it is measured as such (melt), and with
-temperatures by height that melt a quarter of it from the start (melting). The rate of the step benchmark with
-the same physics, size and precision is measured after each scene on as many ranks, so that both see the same
-machine. --steps is a minimum: small scenes take a thousand, so that the first frame weighs little. --quick:
-dam_break with 100,000 particles, beam and melt, on one rank.
+100 steps. The bust is solid in its first thousands of steps. It is measured as such (melt), and with a
+quarter molten from the start by temperatures that depend on the height (melting). After each scene, the step
+benchmark runs the same physics, size and precision on as many ranks. Both rates thus see the same machine.
+--steps is a minimum: small scenes take a thousand, so that the first frame weighs little. --quick: dam_break
+with 100,000 particles, beam and melt, on one rank.
 """
 import argparse
 import csv

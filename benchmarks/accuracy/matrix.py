@@ -13,9 +13,9 @@ Afterwards benchmarks/accuracy/document.py FIGURES.csv docs/accuracy/modules.csv
 docs/validation/accuracy.md and its pictures, and frontier.py writes the table of `thaw check`. Tests check
 that both follow from docs/accuracy/accuracy.csv. Final particles of some cases (plan.PICTURES) go to
 points/CASE.csv next to the file.
-Columns: case, settings ("default" and the spacing, or the differences from the defaults), norm, error,
-target, order (from the next coarser resolution of the same settings), core_seconds, steps, particles,
-version, machine.
+Columns: case, settings, norm, error, target, order, core_seconds, steps, particles, version, machine.
+Settings are "default" and the spacing, or the differences from the defaults. The order is that from the next
+coarser resolution of the same settings.
 """
 import argparse
 import csv

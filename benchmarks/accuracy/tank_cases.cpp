@@ -30,8 +30,8 @@ void watchPressure(Trial& r) {
   r.notes["pp"] += sum(r, [&](const World& w, std::size_t i) { return p(w, i) * p(w, i); });
 }
 
-/// Result of one tank, infinite if it blew up: errors of the fitted line, scatter over the bottom pressure,
-/// residuals, and the fraction of water lost through the open top.
+/// Result of one tank, infinite if it blew up. It has errors of the fitted line, scatter over the bottom
+/// pressure, residuals, and the fraction of water lost through the open top.
 struct Tank {
   double slope = never, value = never, scatter = never, energy = never, momentum = never, lost = 1;
   bool finite = false;

@@ -13,7 +13,7 @@ namespace {
 // ---- channels ---------------------------------------------------------------------------------------------
 
 /// Steady flow of a Herschel-Bulkley liquid between walls at a distance H from the middle, driven by a force
-/// G per volume: tau_y + K (du/dy)^n = G y outside of a plug that is y0 = tau_y / G thick on either side.
+/// G per volume. The plug is y0 = tau_y / G thick on either side; outside of it tau_y + K (du/dy)^n = G y.
 struct YieldChannel {
   double middle, half, plug, n, speed;
   explicit YieldChannel(const Scene& s) {
@@ -85,8 +85,8 @@ void watchSlump(Trial& r) {
   if (r.series.empty() || t >= 0.9 * r.world.clock.end) r.series.push_back({t, {heightOf(r)}});
 }
 
-/// s' = 1 - a tau' (1 - ln a tau'), tau' = tau_y / (rho g H); a = 2: the yield criterion of Tresca (Pashias
-/// et al. 1996); sqrt(3): that of von Mises, which the flow laws have.
+/// s' = 1 - a tau' (1 - ln a tau'), tau' = tau_y / (rho g H). The yield criterion of Tresca has a = 2
+/// (Pashias et al. 1996), that of von Mises, which the flow laws have, a = sqrt(3).
 double slumpBy(double a, double yield) { return 1 - a * yield * (1 - std::log(a * yield)); }
 
 std::vector<Figure> measureLiquidSlump(Trial& r) {

@@ -9,9 +9,9 @@ melting scenes with 60,000 surfels can take longer than the default (`thaw check
 that exists already, of the same version of thaw, scene and options, is not repeated. Frames and pictures stay
 in OUT/NAME.
 Columns: particles and surfels are means over the frames. A physics step excludes surface, output and set-up.
-An iteration is the time of all surface updates over the number of their iterations. Frames per second are
-given as in the paper, where a frame is one step and one iteration, and as simulated frames over the time of
-the whole run.
+An iteration is the time of all surface updates over the number of their iterations. The paper's
+frame is one step and one iteration. Frames per second are given for it, and for simulated frames over the
+time of the whole run.
 """
 import argparse
 import csv

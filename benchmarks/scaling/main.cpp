@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // scaling --case fluid|corner --particles N [--copies] [--cpu-time] [--steps S] [--warm W]: one measurement
-// of the scaling study on all ranks; prints one line of CSV (--head: the column names). --copies: in turn
+// of the scaling study on all ranks. Prints one line of CSV (--head: the column names). --copies: in turn
 // with the measured run, ten steps each, every rank runs its own simulation of N / ranks particles, all at
 // the same time. Both thus see the same state of a machine whose speed changes. --cpu-time: phases are
 // measured in processor time, for more ranks than cores. benchmarks/scaling/series.py defines the series.

@@ -12,11 +12,11 @@ counts   few particles a rank on up to 64 ranks, more than there are cores: mess
 trace    `thaw run --profile` of the melting bust on N ranks: the table to the terminal, the trace next to the
          CSV file; no line in it
 
-The efficiency of P ranks is their rate over that of P independent simulations of one rank each that run at
-the same time, with as many particles a rank. It thus leaves out the machine's shared memory and clock. Both
-take steps in turn, ten each, in one call. The efficiency is the median over these pairs of blocks, so that
-changes of the machine's speed cancel. Of repeated calls the one with the median efficiency counts. --quick
-takes about two minutes.
+P ranks are compared with P independent simulations of one rank each, which run at the same time with as many
+particles a rank. The efficiency is the ratio of the two rates. It thus leaves out the machine's shared memory
+and clock. Both take steps in turn, ten each, in one call. The efficiency is the median over these pairs of
+blocks, so that changes of the machine's speed cancel. Of repeated calls the one with the median efficiency
+counts. --quick takes about two minutes.
 """
 import argparse
 import csv

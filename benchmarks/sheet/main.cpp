@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sheets (DS): the vertex update against a copy of the same bytes, frames per second of the head and the
-// membrane against the paper, and error against cost of the exact step, symplectic Euler, RK4 and implicit
-// Euler on an oscillator and the head.
+// Sheets (DS). Measures the vertex update against a copy of the same bytes, and frames per second of the head
+// and the membrane against the paper. Then error against cost of the exact step, symplectic Euler, RK4 and
+// implicit Euler, on an oscillator and the head.
 //   scripts/bench sheet [--vertices 2000000] [--large 1000000] [--csv FILE] [--only
 //   bandwidth|frames|accuracy]
 // Lines of the CSV file: test,case,method,steps,evaluations,seconds,value,unit. Frames also give the

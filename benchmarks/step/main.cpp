@@ -5,8 +5,8 @@
 //   step [--cases fluid,heat,elastic,mixed,mesh,carried] [--precisions single,double,default]
 //   [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1]
 //   [--memory 1]
-// A plain scalar neighbour-list code (yardstick) runs in turn with each case on as many ranks, so that the
-// ratio does not depend on the machine or its load. Rows also have the bytes that a step moves, and those of
+// A plain scalar neighbour-list code (yardstick) runs in turn with each case on as many ranks. The ratio thus
+// depends neither on the machine nor on its load. Rows also have the bytes that a step moves, and those of
 // a copy in the same time.
 #include <malloc.h>
 
@@ -61,8 +61,8 @@ double residentBytes() {
   return resident * 4096;
 }
 
-/// Moves particles by up to a tenth of a spacing along each axis and turns the block by one radian about (1,
-/// 2, 2), so that no row of particles changes cells at once.
+/// Moves particles by up to a tenth of a spacing along each axis. Turns the block by one radian about (1, 2,
+/// 2), so that no row of particles changes cells at once.
 void jitter(Continuum& p, const Scene& scene) {
   const Vec3d axis{1.0 / 3, 2.0 / 3, 2.0 / 3}, centre = scene.bodies[0].shape.move;
   for (std::size_t i = 0; i < p.owned; i++) {

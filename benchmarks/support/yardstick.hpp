@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reference for the step benchmark: a plain fluid step on scalar neighbour lists in double precision (cell
-// lists, one neighbour list per particle, no vector code) with the same physics.
+// Reference for the step benchmark: a plain fluid step with the same physics in double precision. It uses
+// cell lists and one neighbour list per particle, and no vector code.
 #pragma once
 #include <chrono>
 #include <vector>

@@ -11,8 +11,8 @@ namespace thaw {
 /// that are free to move. Requires: Modules::buoyancy.
 void addBuoyancy(const Scene& scene, Continuum& particles);
 
-/// Records work and impulse of the buoyant force in a half kick over dt / 2 (s). Called before it. The force
-/// has no potential, since temperatures change on the way: its work counts as that of a force from outside.
+/// Records work and impulse of the buoyant force in a half kick over dt / 2 (s). Call it before the kick. The
+/// force has no potential, since temperatures change. Its work thus counts as that of a force from outside.
 void recordBuoyantKick(const Continuum& particles, HalfKick kick, const Domain& domain, double dt,
                        Ledger& ledger);
 

@@ -9,8 +9,26 @@
 namespace thaw {
 namespace {
 
-std::map<std::string, Extension>& registered() {
-  static std::map<std::string, Extension> all;
+using Extensions = std::map<std::string, Extension>;
+
+/// Returns the extensions of the library itself, which all programs know.
+std::vector<Extension> ownExtensions() { return {}; }
+
+void enter(Extension e, Extensions& all) {
+  std::vector<std::string> keys;
+  for (const ExtensionKey& key : e.keys) keys.push_back(key.name);
+  if (e.hasLaw()) addExtensionLaw(e.name, e.law, keys);
+  if (e.shape) addExtensionShape(e.name, e.shape);
+  const std::string name = e.name;
+  all.emplace(name, std::move(e));
+}
+
+Extensions& registered() {
+  static Extensions all = [] {
+    Extensions own;
+    for (Extension& e : ownExtensions()) enter(std::move(e), own);
+    return own;
+  }();
   return all;
 }
 
@@ -90,12 +108,7 @@ void completeShape(Shape& s) {
 
 void registerExtension(Extension e) {
   check(e);
-  std::vector<std::string> keys;
-  for (const ExtensionKey& key : e.keys) keys.push_back(key.name);
-  if (e.hasLaw()) addExtensionLaw(e.name, e.law, keys);
-  if (e.shape) addExtensionShape(e.name, e.shape);
-  const std::string name = e.name;
-  registered().emplace(name, std::move(e));
+  enter(std::move(e), registered());
 }
 
 const Extension* findExtension(const std::string& name) {

@@ -130,8 +130,8 @@ struct BondUpdate {
   bool asks() const { return !requests.empty() || !pairs.empty(); }
 };
 
-/// Bonds over ranks: follows solid particles in migration, keeps a copy ("remote row") of every solid
-/// particle bonded to an owned one at any distance, and exchanges fields along bonds.
+/// Bonds over ranks: follows solid particles in migration, and exchanges fields along bonds. Keeps a copy
+/// ("remote row") of every solid particle that is bonded to an owned one, at any distance.
 class BondHalo {
  public:
   virtual ~BondHalo() = default;

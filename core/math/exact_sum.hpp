@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-/// To add the sums of many ranks: carry() each, add the digit arrays element by element (any order, up to
-/// 2^29 ranks), copy them into one ExactSum and take its value(). Equal terms give equal bits for any
+/// To add the sums of many ranks: carry() each, and add the digit arrays element by element (any order, up to
+/// 2^29 ranks). Then copy them into one ExactSum and take its value(). Equal terms give equal bits for any
 /// distribution.
 struct ExactSum {
   static constexpr int digits = 70;          ///< 32 bits each, from 2^-1088 up: every finite double fits

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Neighbours of every owned particle in (cell, id) order, interleaved by groups of 8 particles (sliced
-// ELLPACK): entry n of lane l of group g is list[first[g] + 8 n + l]. The dummy row pads the lists. An entry
+// ELLPACK). Entry n of lane l of group g is list[first[g] + 8 n + l]. The dummy row pads the lists. An entry
 // is twice a row (ByEntry, core/simd/lanes.hpp).
 #pragma once
 #include <cstdint>

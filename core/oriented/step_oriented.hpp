@@ -23,7 +23,7 @@ void recordBirthContacts(const Oriented& rows, const OrientedWork& work, Ledger&
 /// coefficients change.
 void applyPendingImpulse(Oriented& rows, Clock& clock, Ledger& ledger);
 
-/// Adds `sign` times the kick lag (J) of symplectic Euler: half of a force's work in the last step of dt (s)
+/// Adds `sign` times the kick lag (J) of symplectic Euler. Half of a force's work in the last step of dt (s)
 /// is only delivered by the next kick. If the force changes in between, that energy belongs to the change:
 /// call with 1 before it and -1 after it, or reverse.
 void recordKickLag(const OrientedView& view, double sign, double dt, ExactSum& to);

@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// Finds the contacts of all pieces at their present positions, and sets the impulses and displacements with
+/// Finds the contacts of all pieces at their present positions. Sets the impulses and displacements with
 /// which the next drift, over dt (s), leaves them without new overlap. Requires: rows of the pieces of owned
 /// particles and ghosts. Collective.
 void findContactImpulses(const RigidView& view, const Halos& halos, double dt);

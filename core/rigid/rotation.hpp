@@ -6,9 +6,9 @@
 
 namespace thaw {
 
-/// Returns the orientation after a time dt (s) of a body with constant angular momentum (kg m^2/s, axes of
-/// the domain) and principal moments `inertia` (kg m^2), exact up to rounding. Euler's equations are
-/// quadratic, so the Taylor series of orientation and angular momentum in the body frame follow by a
+/// Returns the orientation of a free body after a time dt (s), exact up to rounding. Its angular momentum (kg
+/// m^2/s, axes of the domain) is constant, `inertia` are its principal moments (kg m^2). Euler's equations
+/// are quadratic, so the Taylor series of orientation and angular momentum in the body frame follow by a
 /// recurrence.
 Quat rotateFreely(const Quat& orientation, const Vec3d& angularMomentum, const Vec3d& inertia, double dt);
 

@@ -43,10 +43,10 @@ double neutralDeficit(const Scene& scene);
 /// Flows in cavities reach half of it (DVD83).
 double buoyantSpeed(const Scene& scene);
 
-/// Returns true if liquid of one density fills the closed domain, so that it has no free surface and its
-/// weight is carried by hydrostatic pressure: bodies are unrotated boxes of liquid with the volume of the
-/// domain, and each side of the domain is periodic, a wall, or covered by a fixed plane. The scene has
-/// nothing else.
+/// Returns true if liquid of one density fills the closed domain. It then has no free surface, and
+/// hydrostatic pressure carries its weight. Bodies are unrotated boxes of liquid with the volume of the
+/// domain. Each side of the domain is periodic, a wall, or covered by a fixed plane. The scene has nothing
+/// else.
 bool liquidFillsClosedDomain(const Scene& scene);
 
 }  // namespace thaw

@@ -26,9 +26,9 @@ struct VertexArrays {
   const std::uint16_t* law;  ///< index into maps; may be null with one map
 };
 
-/// Updates positions, and velocities up to the load after the step: x += hold v + yield r, v = keep v - push
-/// K z + before f, where z = x - rest, r = f - K z. Vertices are independent, so order and vectorisation do
-/// not change bits.
+/// Updates positions, and velocities up to the load after the step. With z = x - rest and r = f - K z: x +=
+/// hold v + yield r, v = keep v - push K z + before f. Vertices are independent, so order and vectorisation
+/// do not change bits.
 void moveVertices(std::span<const VertexMap> maps, const VertexArrays& a, std::size_t begin, std::size_t end);
 
 }  // namespace thaw

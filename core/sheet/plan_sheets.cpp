@@ -94,8 +94,8 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, cons
   return all;
 }
 
-/// Sets contact by triangles: spheres of the particles' spacing against a sheet as thick as that, unless the
-/// scene gives its thickness.
+/// Sets reach, rate and area of contact with triangles. Particles count as spheres of one spacing.
+/// The sheet is 0.8 spacings thick unless the scene gives its thickness.
 void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   const double thickness = b.thickness > 0 ? b.thickness : 0.8 * s.spacing;
   plan.faceReach = 0.5 * (thickness + s.spacing);

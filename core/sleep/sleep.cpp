@@ -35,8 +35,8 @@ std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, d
                                    (lightest == asleep ? Asleep : 0));
 }
 
-/// Level 2 around a cell is not enough: bonds carry the stress of their other end from two cells away, and
-/// around a particle at stage 3 all are at stage 2.
+/// Stage 2 around a cell is not enough. Bonds carry the stress of their other end from two cells away; around
+/// a particle at stage 3 all are at stage 2.
 bool isSteady(std::uint8_t around) { return (around & (AtRest | Asleep)) == (AtRest | Asleep); }
 
 /// Combines the bits of the 27 cells around each cell. Keys ascend, so nine positions advance along the

@@ -10,15 +10,15 @@
 // still computed and can wake it.
 //   2  Forces were computed with everything at its final position and velocity.
 //   3  All particles in the 27 cells are at least at stage 2: nothing in its sums changes any more.
-// If all particles in the 27 cells are at stage 3, its cell is skipped: all results are those of the last
-// step, including the stress at other ends of its bonds. Passes skip its rows (awakeRows), its constraint
-// force enters the ledger as a cached sum, and if all surrounding cells are skipped too, its records are not
-// packed (rowsToSee).
+// If all particles in the 27 cells are at stage 3, the middle cell is skipped. All its results are those of
+// the last step, including the stress at other ends of its bonds. Passes skip its rows (awakeRows), and its
+// constraint force enters the ledger as a cached sum. If all surrounding cells are skipped too, its records
+// are not packed (rowsToSee).
 // A moving particle wakes all surrounding cells within a step, which is faster than any wave (a cell is at
 // least a support radius wide). Skipped results have the same bits as computed ones, so the skipped cells may
 // depend on the rank (after a migration everything is recomputed). The sleep stage and the constraint force
-// must not: they follow from State columns alone, because when something two cells away wakes, recomputed
-// values differ in that step.
+// must not: when something two cells away wakes, recomputed values differ in that step. They thus follow from
+// State columns alone.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -10,10 +10,9 @@
 
 namespace thaw {
 
-/// Returns bodies, ascending, with unconnected particles less than two spacings apart, so that no layer of
-/// the lattice is missing between them, and the number of such adjacent pieces. Connections are chains of
-/// links (surface.link_length). Requires: gathered particles without components, which it leaves so.
-/// Collective.
+/// Returns bodies, ascending, with unconnected particles less than two spacings apart, and the number of such
+/// adjacent pieces. No layer of the lattice is missing between them. Connections are chains of links
+/// (surface.link_length). Requires: gathered particles without components, which it leaves so. Collective.
 std::vector<BodyPieces> findStartPieces(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

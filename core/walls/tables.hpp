@@ -14,10 +14,10 @@ namespace thaw {
 /// Values at one distance. relativeDensity: sum V W (1). push: sum V |dW/dz| along the normal (1/h); for
 /// Wendland's and the cubic kernel -d relativeDensity / d(distance). conduct: sum V lap W (1 + z/d) (1/h^2),
 /// the Laplacian of a field that is linear across the wall's surface (MFZ97), z the depth of a layer.
-/// drag: the same for a velocity along the wall with the scene's viscosity, scaled so that layers of
-/// particles half a spacing and whole spacings above a wall, in a linear profile, have the total stress mu
-/// du/dz. space: relativeDensity before forLiquids. momentShare: sum V z |dW/dz| (1), the wall's part of the
-/// moment along the normal; z: distance to a layer.
+/// drag: the same for a velocity along the wall with the scene's viscosity. It is scaled for layers of
+/// particles half a spacing and whole spacings above a wall. In a linear profile they have the total stress
+/// mu du/dz. space: relativeDensity before forLiquids. momentShare: sum V z |dW/dz| (1), the wall's part of
+/// the moment along the normal; z: distance to a layer.
 struct WallIntegrals {
   double relativeDensity = 0, push = 0, conduct = 0, drag = 0, space = 0, momentShare = 0;
 };
@@ -56,8 +56,8 @@ WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 WallIntegrals forLiquids(const WallIntegrals& wall, double onLattice);
 
 /// Distance in spacings below which the contribution for liquids continues along its tangent. The unlimited
-/// form is twice as steep a quarter of a spacing from the wall and four times on it, so that few particles in
-/// an impact would limit the step of all.
+/// form is twice as steep a quarter of a spacing from the wall, and four times on it. Few particles in an
+/// impact would then limit the step of all.
 inline constexpr double softBelow = 0.42;
 
 /// Makes tables of forLiquids down to softBelow, and of its tangent below; push stays the derivative of

@@ -15,8 +15,8 @@ namespace thaw {
 namespace {
 
 /// Limits a decay rate r (1/s) for a step dt: unchanged up to r dt = 1/2, smaller beyond, so that it never
-/// overshoots. The average over the step, (1 - exp(-r dt)) / dt, would be too low by a fraction r dt / 2,
-/// about a tenth, since the neighbours' forces are not averaged. The liquid would slip.
+/// overshoots. The neighbours' forces are not averaged over the step. The average of this one, (1 - exp(-r
+/// dt)) / dt, would thus be too low by a fraction r dt / 2, about a tenth, and the liquid would slip.
 double overStep(double r, double dt) {
   const double share = r * dt;
   return share > 0.5 ? (1 - 0.5 * std::exp(1 - 2 * share)) / dt : r;
@@ -117,7 +117,7 @@ void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum&
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;
   // Below the speed at which friction would stop the sliding within the step (or the spring's period), it
-  // acts as a drag, so that it never reverses the motion.
+  // acts as a drag. It thus never reverses the motion.
   const double stick = std::min(std::sqrt(k * m), 0.5 * m / x.span);
   const double rub = (1 - f) * std::min(at.wall.friction * (spring + dash) / slip, stick);
   act.resist(tangential * -rub, at.velocity);

@@ -117,12 +117,13 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
 /// nullptr if there is none; throws IoError if none is readable. Collective.
 std::unique_ptr<CheckpointSlice> readNewestCheckpoint(const std::string& out, MPI_Comm comm);
 
-/// Restores a world from a checkpoint: particles (rows in the order of the file, without solid indices),
-/// clock (end and frame interval remain those of the scene), counters and ledger (on the first rank; zero on
-/// others, so that sums are right). Returns records of the solids for MpiBondHalo::adopt. Surfels are
-/// unsorted, for resumeSurface (core/surface/resume_surface.hpp). Sort, adopt and rebuildBonds before
-/// particles migrate, so that bonds move with them. Throws IoError if the file lacks a field that the scene
-/// needs. Requires: the fields of the scene are active. Not collective; fails alike on all ranks.
+/// Restores a world from a checkpoint: particles, clock, counters and ledger. Particles have the order of the
+/// file and no solid indices. End and frame interval of the clock remain those of the scene. Counters and
+/// ledger are on the first rank, and zero on others, so that sums are right. Returns records of the solids
+/// for MpiBondHalo::adopt. Surfels are unsorted, for resumeSurface (core/surface/resume_surface.hpp). Sort,
+/// adopt and rebuildBonds before particles migrate, so that bonds move with them. Throws IoError if the file
+/// lacks a field that the scene needs. Requires: the fields of the scene are active. Not collective; fails
+/// alike on all ranks.
 std::vector<std::byte> restoreWorld(World& world, const CheckpointSlice& slice, bool firstRank);
 
 /// Reads the header of a file. One process only.

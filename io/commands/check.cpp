@@ -111,7 +111,9 @@ std::vector<std::string> testedSuggestions(const Communicator& comm, const Check
         fmt::format("tried on this scene for {} steps; a longer run may still fail", trials.steps()));
   lines.insert(lines.end(), failed.begin(), failed.end());
   lines.insert(lines.end(), untried.begin(), untried.end());
-  if (!untried.empty()) lines.push_back("not tried: the scene is too large for a trial");
+  if (!untried.empty())
+    lines.push_back(trials.steps() > 0 ? "not tried: the time for trials is over"
+                                       : "not tried: the scene is too large for a trial");
   return lines;
 }
 

@@ -35,10 +35,11 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
               const RenderStyle& style, double discs = 1);
 
 /// Write the closed meshes of components to one file, with normals and colours at the vertices. PLY is
-/// binary: each face has its component's index in the list (0, 1, ...), lines are edges, and ids are split in
-/// halves (id_high, id_low: PLY has no 64-bit type). Velocities, temperatures and liquid fractions are there
-/// if all meshes have them. OBJ has an object `component_LABEL` for each, or one with its name, and lines as
-/// `l`. The line of a mesh that is cut ends with ", which extends through ..." (cutNote; else empty).
+/// binary. Each face has its component's index in the list (0, 1, ...), and lines are edges. Ids are split in
+/// halves (id_high, id_low), since PLY has no 64-bit type. Velocities, temperatures and liquid fractions are
+/// there if all meshes have them. OBJ has an object `component_LABEL` for each, or one with its name, and
+/// lines as `l`. The line of a mesh that is cut ends with ", which extends through ..." (cutNote; else
+/// empty).
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 std::string cutNote(const ComponentMesh& mesh);

@@ -14,12 +14,12 @@ namespace thaw {
 std::vector<std::string> knownFrameFields();
 
 /// Returns a frame with the scene's fields of the owned particles, and their ids. The state is in single
-/// precision. Fields of a module that is off have constant values: temperature that of the body at the start,
-/// liquid 0 or 1 by the material, density the rest density, others 0. The density of solids is the rest
-/// density / det F, that of liquids the sum over neighbours. Liquids have 0 in stress, strain and
-/// plastic_strain. Pressure, density and neighbours are those of the last step. Throws std::invalid_argument
-/// for an unknown name. Requires: computeCauchyStress (core/solid/elasticity/elastic.hpp) for `stress`; the
-/// world stays unchanged until the frame is written.
+/// precision. Fields of a module that is off have constant values. The temperature is that of the body at the
+/// start, liquid is 0 or 1 by the material, the density is the rest density, others are 0. The density of
+/// solids is the rest density / det F, that of liquids the sum over neighbours. Liquids have 0 in stress,
+/// strain and plastic_strain. Pressure, density and neighbours are those of the last step. Throws
+/// std::invalid_argument for an unknown name. Requires: computeCauchyStress
+/// (core/solid/elasticity/elastic.hpp) for `stress`; the world stays unchanged until the frame is written.
 Frame frameOf(const World& world, int rank);
 
 }  // namespace thaw

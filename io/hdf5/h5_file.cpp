@@ -97,8 +97,8 @@ H5File::~H5File() {
 void H5File::close() {
   const hid_t id = id_;
   id_ = -1;
-  // HDF5 1.10 frees a file whose last write fails on close but keeps its identifier, and crashes at exit; so
-  // flush first, and leave the file open if that fails
+  // HDF5 1.10 frees a file whose last write fails on close, but keeps its identifier and crashes at exit. So
+  // flush first, and leave the file open if that fails.
   if (id >= 0 && alone_ && H5Fflush(id, H5F_SCOPE_GLOBAL) < 0) fail("write the file to its end");
   if (id >= 0 && H5Fclose(id) < 0) fail("write the file to its end");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face', and nx, ny,
+// PLY: x, y, z of the element 'vertex', and the list vertex_indices (or vertex_index) of 'face'. Also nx, ny,
 // nz and red, green, blue if present; everything else is ignored.
 #include <algorithm>
 #include <array>

@@ -18,9 +18,9 @@ struct Mark {
   std::vector<std::array<Vec3d, 2>> lines;  ///< m, ends
 };
 
-/// Returns the opening of each emitter with an arrow along its flow, the box around each clamp within its
-/// body, the box of the domain, and the scene's camera with its line of sight. Throws
-/// like makeSignedDistance for invalid shapes.
+/// Returns the opening of each emitter with an arrow along its flow, and the box around each clamp within its
+/// body. Also the box of the domain, and the scene's camera with its line of sight. Throws like
+/// makeSignedDistance for invalid shapes.
 std::vector<Mark> sceneMarks(const Scene& scene);
 
 }  // namespace thaw

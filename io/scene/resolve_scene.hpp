@@ -25,9 +25,9 @@ std::vector<std::pair<std::string, SourcePlace>> includesOf(const toml::table& f
 toml::table resolveScene(const SceneFiles& files, const std::vector<std::string>& overrides,
                          std::vector<SceneError>& errors);
 
-/// Sets the dotted key of "key=value" to the value and makes missing tables: `spacing=1 mm`,
-/// `material.wax.young=1 MPa`, `body.bust.mesh=x.ply` or `body.0.velocity=[0, 0, 1]` (an entry of a list by
-/// its name or number). A value that is not TOML is a text.
+/// Sets the dotted key of "key=value" to the value and makes missing tables. Examples: `spacing=1 mm`,
+/// `material.wax.young=1 MPa`, `body.bust.mesh=x.ply`, `body.0.velocity=[0, 0, 1]`. An entry of a list has
+/// its name or number. A value that is not TOML is a text.
 void applyOverride(toml::table& top, const std::string& setting, std::vector<SceneError>& errors);
 
 }  // namespace thaw

@@ -120,7 +120,7 @@ class SchemaWriter {
  private:
   Json tableForm(const std::string& path) {
     Json properties = propertiesOf(path);
-    // Only the program that reads the scene knows the keys of its extensions.
+    // Keys of extensions differ between programs, so the schema cannot have them.
     return properties.empty() ? typed("object") : closedTable(std::move(properties));
   }
 

@@ -64,7 +64,7 @@ class Simulation {
   /// Writes the last checkpoint and the summary of a run with a folder. No step may follow. Returns the exit
   /// code of `thaw run`.
   int finish();
-  /// Returns true after a stop request; stopReason() tells which.
+  /// Returns true after a stop request; stopReason() names its cause.
   bool stopped() const;
   const std::string& stopReason() const;
 
@@ -92,9 +92,9 @@ class Simulation {
   /// a retry repeats.
   void onStep(std::function<void()> call);
   void onFrame(std::function<void()> call);
-  /// Adds a function that is called after a phase of every step, on all ranks; also at the evaluation of the
-  /// start and after edits, for the phases that they run. It reads all fields that the phase has set, and may
-  /// write fields of extensions, from a row's own fields. Rows move in HookPhase::Redistribute.
+  /// Adds a function that is called after a phase of every step, on all ranks. The evaluation of the start
+  /// and that after edits call it too, for the phases that they run. It reads all fields that the phase has
+  /// set, and may write fields of extensions, from a row's own fields. Rows move in HookPhase::Redistribute.
   void onPhase(HookPhase phase, std::function<void()> call);
   /// Adds a function that finish() calls before the last checkpoint.
   void onEnd(std::function<void()> call);

@@ -12,8 +12,8 @@ inline constexpr float planeAgreement = -0.3f;
 /// Radii within which surfels count, plus `margin`.
 inline constexpr double planeReach = 1.5;
 
-/// Signed height over the surface (m, above 0 outside), its outward gradient, not normalised, and the mean
-/// colour (sRGB 0 to 255); `known` is false if no surfel is in reach.
+/// Signed height over the surface (m, above 0 outside), and its outward gradient, not normalised. Also the
+/// mean colour (sRGB 0 to 255); `known` is false if no surfel is in reach.
 struct PlaneHeight {
   double value = 0;
   Vec3f normal{}, colour{};

@@ -56,8 +56,8 @@ using KeyNote = std::tuple<std::string, std::string, double, double, double, std
 /// (name, unit, meaning, components, start value)
 using AddedField = std::tuple<std::string, std::string, std::string, int, double>;
 
-/// Functions of an extension, each None or made for the values of a scene: load(values) returns the function
-/// of callLoad, update(values) a function of (rows, time, dt), step_limit(values) seconds.
+/// Functions of an extension, each None or made for the values of a scene. load(values) returns the function
+/// of callLoad; update(values) a function of (rows, time, dt); step_limit(values) seconds.
 struct ExtensionFunctions {
   pybind11::object load, update, stepLimit;
   bool heats = false;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ledger, progress, components, events, summary, and what the scene tells."""
+"""Ledger, progress, components, events, summary, and values of the scene."""
 from __future__ import annotations
 
 import json

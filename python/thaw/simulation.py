@@ -109,7 +109,7 @@ class Simulation:
             options["set " + key] = Scene.toml_value(value)
         self._core = core().Simulation(scene.text, options, log, None if comm is None else comm.py2f())
         self.scene = scene
-        # The compiled part only knows weak references, so that a simulation ends with its last reference.
+        # The compiled part has only weak references, so that a simulation ends with its last reference.
         self._on_step: list[Callable[[Simulation], Any]] = []
         self._on_frame: list[Callable[[Simulation], Any]] = []
         self._loads: list[Load] = []

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A liquid with a yield stress that depends on temperature, beside a solid that melts into it, has the same
-# bits on 1, 2, 3, 4 and 7 ranks and over a restart, with explicit and implicit viscosity.
+# A liquid with a yield stress that depends on temperature, beside a solid that melts into it, with explicit
+# and implicit viscosity. It has the same bits on 1, 2, 3, 4 and 7 ranks and over a restart.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/paste.toml" <<'T'
 title   = "Paste that flows over a hot plate"

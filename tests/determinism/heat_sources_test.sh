@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Lamps, lasers and heated regions (core/heat/sources/) have the same bits on 1, 2, 3, 4 and 7 ranks, and when
-# the run is stopped and resumed on another number of ranks. Wax melts under light from everywhere, in the
+# Lamps, lasers and heated regions (core/heat/sources/) have the same bits on 1, 2, 3, 4 and 7 ranks. A stop
+# that another number of ranks resumes does not change them. Wax melts under light from everywhere, in the
 # shadow of a turning obstacle and of a falling block.
 . "$(dirname "$0")/../support/run.sh"
 scene=lit_wax

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The four scenes of Keiser et al. 2005 with surfaces, coarse: the same bits, frames and logs on 1, 2, 3, 4
-# and 7 ranks and over a restart.
+# The four scenes of Keiser et al. 2005 with surfaces, coarse. Bits, frames and logs are the same on 1, 2, 3,
+# 4 and 7 ranks and over a restart.
 . "$(dirname "$0")/../support/run.sh"
 . "$(dirname "$0")/../support/surface_output.sh"
 for scene in ${SCENES:-fluid freezing melting_fast melting_slow}; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A run that is killed with -9 and resumed on other numbers of ranks ends with the bits of an uninterrupted
+# A run is killed with -9 and resumed on other numbers of ranks. It ends with the bits of an uninterrupted
 # run, and no frame is lost or changed. The kill comes at any time, so the reference run may have to continue.
 # ranks_test.sh kills all scenes within their steps. STEPS and SCENES select steps and scenes.
 . "$(dirname "$0")/../support/run.sh"

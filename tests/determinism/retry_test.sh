@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # A run whose fixed step is too long fails, returns to its last snapshot and continues with half the step. It
-# has the same bits on 1, 2, 3, 4 and 7 ranks, and when it is stopped between a snapshot and the failure and
-# resumed on another number of ranks. No frame is lost or duplicated.
+# has the same bits on 1, 2, 3, 4 and 7 ranks. A stop between the snapshot and the failure, resumed on another
+# number of ranks, does not change them. No frame is lost or duplicated.
 . "$(dirname "$0")/../support/run.sh"
 retried() {
   [ "$(value "$1/summary.json" retries)" -ge "$2" ] || fail "$3: $(value "$1/summary.json" retries) retries"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Sheets (scenes/sheet/) have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed with -9 and
-# resumed on other numbers of ranks, and after a rollback. Covers vertices, ledger, and frames with their
+# Sheets (scenes/sheet/) have the same bits on 1, 2, 3, 4 and 7 ranks and after a rollback. A kill with -9,
+# resumed on another number of ranks, does not change them. Covers vertices, ledger, and frames with their
 # triangles. SCENES selects scenes.
 . "$(dirname "$0")/../support/run.sh"
 same() { sameRuns "$1" "$2" "$3" "frames/${scene}_sheet.hdf.series"; }  # same A B WHAT

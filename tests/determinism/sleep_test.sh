@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Solids that fall asleep and wake (core/sleep/) have the same bits on 1, 2, 3, 4 and 7 ranks, and when the
-# run is stopped and resumed on another number of ranks. Blocks come to rest, one falls on another much later,
+# Solids that fall asleep and wake (core/sleep/) have the same bits on 1, 2, 3, 4 and 7 ranks. A stop that
+# another number of ranks resumes does not change them. Blocks come to rest, one falls on another much later,
 # and a wall moves up to the last.
 . "$(dirname "$0")/../support/run.sh"
 scene=sleepers

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The surface (table [surface]): surfels, components, events, frames and logs have the same bits on 1, 2, 3, 4
-# and 7 ranks, when a run is killed with -9 and resumed on other numbers of ranks, and after a rollback.
+# and 7 ranks and after a rollback. A kill with -9, resumed on another number of ranks, does not change them.
 # Covers splits and merges, births and deaths. SCENES selects scenes.
 . "$(dirname "$0")/../support/run.sh"
 . "$(dirname "$0")/../support/surface_output.sh"
@@ -102,8 +102,8 @@ every_move = 1
 [output]
 every = "20 ms"
 END
-# Solids with surfaces sampled from their shapes drop on a hot plane, melt and split: a tilted block with a
-# hole, a rod too thin for its particles, two touching plates. A liquid ball has a grown surface.
+# Solids with surfaces sampled from their shapes drop on a hot plane, melt and split. They are a tilted block
+# with a hole, a rod too thin for its particles, and two touching plates. A liquid ball has a grown surface.
 cat >"$work/shapes.toml" <<'END'
 spacing = "1 cm"
 end = "0.4 s"
@@ -227,9 +227,9 @@ every_move = 0.881
 [output]
 every = "5 ms"
 END
-# volumeHeld FOLDER FRAMES FRAME: in all frames the enclosed volume is within 1.5 % of the target (1.1 % is
-# reached by a ball that is struck); the target is the particles' volume, or that of the shape for a sampled
-# ball. Meshes of one frame, an independent measure, are within 4 %.
+# volumeHeld FOLDER FRAMES FRAME: in all frames the enclosed volume is within 1.5 % of the target (a ball that
+# is struck reaches 1.1 %). The target is the particles' volume, or that of the shape for a sampled ball.
+# Meshes of one frame, an independent measure, are within 4 %.
 volumeHeld() {
   awk -F, 'NR > 1 { wanted[$1] += $14; volume[$1] += $9 }
     END {

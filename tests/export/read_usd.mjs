@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads USD layers of `thaw export` with the parsers of three.js and with tinyusdz, and compares them with each
+// Reads USD layers of `thaw export` with the parsers of three.js and with tinyusdz. Compares them with each
 // other and with PLY meshes of the same frames: node read_usd.mjs MODULES LAYER.usdc LAYER.usda PLY...
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

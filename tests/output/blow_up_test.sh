@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A simulation that blows up ends with exit code 4 on every rank, one message that names the particle, a
-# summary with the failure, and the earlier frames and checkpoint.
+# A simulation that blows up ends with exit code 4 on every rank and one message that names the particle. A
+# summary with the failure, and the earlier frames and checkpoint, remain.
 . "$(dirname "$0")/../support/run.sh"
 for scene in beam drop; do
   settings "$scene"

@@ -79,6 +79,28 @@ PYTHON
 sed -i '/melts/d; /tempering/,/over/d' "$work/s.toml"
 launch 1 check "$work/s.toml" >"$work/log" 2>&1; expectExit 0 "check of a solid"
 grep -q 'breaks up' "$work/log" && fail "a solid that falls apart into drops"
+# a setting whose trial is refused, since the domain would be too short for its support
+cat >"$work/slab.toml" <<'SCENE'
+spacing = "1 cm"
+end = "0.2 s"
+[domain]
+min = [0, 0, 0]
+max = ["6 cm", "30 cm", "30 cm"]
+gravity = [0, 0, 0]
+sides = { x = "periodic" }
+[material.water]
+density = 1000
+surface_tension = "0.05 N/m"
+[[body]]
+name = "bar"
+box = { size = ["6 cm", "10 cm", "10 cm"] }
+place = { move = ["3 cm", "15 cm", "15 cm"] }
+material = "water"
+SCENE
+launch 2 check "$work/slab.toml" >"$work/log" 2>&1; expectExit 0 "check of a slab"
+expectMessage '^  left out: *--set numerics.support=2.5 (refused: .*three support radii' "a refused setting"
+[ "$(grep -c 'support=2.5' "$work/log")" = 1 ] && ! grep -q 'support=2.5.*support=2.5' "$work/log" ||
+  fail "a setting printed twice: $(grep 'support=2.5' "$work/log")"
 # implausibly large numbers
 launch 1 check "$work/s.toml" --set end=1e150 --set output.every=1e149 >"$work/log" 2>&1
 expectExit 0 "check of a run without end"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A full disk, a file size limit, or a folder that cannot be made or written: exit code 3 on every rank, one
-# message, a summary if there is room, whole earlier frames, no partial files, and no hang.
+# A full disk, a file size limit, or a folder that cannot be made or written. The run ends with exit code 3 on
+# every rank and one message, without a hang. It leaves a summary if there is room, whole earlier frames, and
+# no partial files.
 . "$(dirname "$0")/../support/run.sh"
 scene=$scenes/drop.toml
 settings drop

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # A bust falls on a hot box, is compressed, melts from below and jumps off its puddle. Its surface stays
-# whole: volume enforcement leaves out the elastic compression, deep surfels of the softening mesh are not
+# whole. Volume enforcement leaves out the elastic compression, deep surfels of the softening mesh are not
 # removed as detached, and no second skin grows over its grooves.
 . "$(dirname "$0")/../support/run.sh"
 launch 2 run "$scenes/keiser/melting_slow.toml" --out "$work/bust" --set end=0.44 --set spacing=0.045 \

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A run that is stopped by a signal, a file, or a limit of time or steps ends with a checkpoint, exit code 75
-# (0 for --steps) and a summary, and can be continued. A run that cannot be continued gives the reason.
+# A run can be stopped by a signal, a file, or a limit of time or steps. It ends with a checkpoint, exit code
+# 75 (0 for --steps) and a summary, and can be continued. A run that cannot be continued gives the reason.
 . "$(dirname "$0")/../support/run.sh"
 scene=$scenes/drop.toml
 settings drop

@@ -181,8 +181,8 @@ TEST(Lamp, WithAnAreaShinesToOneSideByLambertsLaw) {
   EXPECT_LT(side.lamps.absorbed, 0.5 * report.lamps.absorbed);
 }
 
-/// Largest distance from the plane x = edge at which a particle of the block's top is lit on the dark side
-/// (x > edge), or at least half dark on the lit side.
+/// Largest error of the shadow's edge, x = edge, on the block's top. It is the distance of a particle that is
+/// lit on the dark side (x > edge), or at least half dark on the lit side.
 double errorOfShadow(const Continuum& p, double edge, double full) {
   double error = 0;
   for (std::size_t i = 0; i < p.owned; i++) {

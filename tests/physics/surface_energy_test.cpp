@@ -75,7 +75,7 @@ TEST(SurfaceEnergy, FlatLatticeHasTheCalibratedEnergy) {
 }
 
 /// Largest rise of the total energy, in sigma dx^2, as a lone particle comes down from the end of the support
-/// to 0.9 spacings: on a slab, a one-layer film, another particle, or a floor.
+/// to 0.9 spacings. It comes down on a slab, a one-layer film, another particle, or a floor.
 double climbOf(double support, const Vec3d& size, const Vec3d& aside, bool floor = false) {
   const double dx = 0.1;
   Scene s = emptyScene(dx, {-2, -2, -2}, {2, 2, 2});

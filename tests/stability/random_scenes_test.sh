@@ -6,10 +6,11 @@
 #   exit 4  one message that names the particle, the step and the time, a summary with the failure, and a
 #           checkpoint of the last snapshot, from which the run can continue.
 # Anything else is a failure: a refused scene (exit 2: an error of the generator), a crash, an abort, a hang,
-# an error of MPI, several messages. Every tenth seed (EVERY) also runs on 1 and on 3 ranks, in two parts on 2
-# and 4, and from there with another coefficient on 1 and 3. All must give the same bits, frames included. 20
-# seeds; 500 with THAW_NIGHTLY=1. KEEP=FOLDER keeps the runs, with report.txt: one line per seed, "seed ranks
-# particles exit residual step what" (the residual is relative to the largest term of the energy).
+# an error of MPI, several messages. Every tenth seed (EVERY) also runs on 1 and on 3 ranks. It also runs in
+# two parts on 2 and 4, and from there with another coefficient on 1 and 3. All must give the same bits,
+# frames included. 20 seeds; 500 with THAW_NIGHTLY=1. KEEP=FOLDER keeps the runs, with report.txt: one line
+# per seed, "seed ranks particles exit residual step what" (the residual is relative to the largest term of
+# the energy).
 . "$(dirname "$0")/../support/run.sh"
 count=${2:-$([ "${THAW_NIGHTLY:-0}" = 1 ] && echo 500 || echo 20)}
 first=${3:-1}

@@ -88,8 +88,8 @@ runInParts() {
       fail "$name: not stopped at step $cut"
   done
 }
-# cutAndKilled NAME STEPS SCENE OPTIONS...: runs into $work/NAME.parts on 3 ranks to a third of the steps, on
-# 2 until a kill with -9 at any moment, and on 4 to the end
+# cutAndKilled NAME STEPS SCENE OPTIONS...: runs into $work/NAME.parts in three parts. It runs on 3 ranks to a
+# third of the steps, on 2 until a kill with -9 at any moment, and on 4 to the end.
 cutAndKilled() {
   local name=$1 steps=$2 scene=$3 third=$(($2 / 3)) parts=$work/$1.parts at
   shift 3

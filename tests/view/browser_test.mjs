@@ -207,7 +207,7 @@ const cases = {
     assert.ok(
       errors.every((error) => error.includes('422')),
       errors.join('\n'),
-    ); // of the frame itself
+    ); // errors of the frame itself
   },
 
   /// A page of `thaw export --as html`. ARGUMENT: words of what it left out, or nothing.

@@ -26,8 +26,8 @@ export class App {
     this.settings = new Settings();
     this.store = new FrameStore();
     this.colouring = new Colouring();
-    this.frames = null; // of api/run
-    this.scene = null; // of api/scene
+    this.frames = null; // the frames of api/run
+    this.scene = null; // the answer of api/scene
     this.notices = new Notices(byId('notices'));
     this.stage = new Stage(byId('canvas'));
     this.axes = new Axes(byId('axes'));

@@ -46,7 +46,7 @@ double speedOff(const CarryContext& x, const WallContact& c) {
 }
 
 /// Contacts of a row at mid-step; walls pass the particle as planes. Shares of the end of the step would
-/// differ to first order in the step where walls overlap, and the compression would not receive the work of
+/// differ to first order in the step where walls overlap. The compression would then not receive the work of
 /// the wall's force.
 std::span<const WallContact> atMidStep(const CarryContext& x, std::span<const WallContact> now) {
   std::vector<WallContact>& mid = x.carry.midContacts;

@@ -9,8 +9,8 @@ namespace THAW_ISA {
 
 /// Surface tension as cohesion between pairs of liquid particles: central forces, so momentum and angular
 /// momentum are conserved (docs/validation/stability.md B32). The calibration uses the continuum surface
-/// tension of a pair force (TP16 eq. 14): sigma = pi/8 n^2 int r^4 F(r) dr, F = s
-/// phi(q), phi = q (1-q)^2 (q - a): repulsive below q = a.
+/// tension of a pair force (TP16 eq. 14): sigma = pi/8 n^2 int r^4 F(r) dr, with F = s phi(q). The factor phi
+/// = q (1-q)^2 (q - a) is repulsive below q = a.
 struct Cohesion {
   static constexpr double a = 0.4;
   static constexpr double moment4 = 1.0 / 252 - a / 168;  // int_0^1 q^4 phi dq

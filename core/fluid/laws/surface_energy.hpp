@@ -14,7 +14,7 @@
 // Sparse neighbourhoods: below the d of a lattice edge, n^2 / d^2 of a particle that approaches the liquid
 // would rise before it falls. Single particles would hover over puddles and floors. There the power
 // continues as a parabola in d that is 0 for a single particle. A single particle costs the surface of a
-// sphere of its volume, (36 pi)^(1/3) sigma dx^2: a quadratic term that ends at the same d adds what the
+// sphere of its volume, (36 pi)^(1/3) sigma dx^2. A quadratic term that ends at the same d adds what the
 // colour term lacks.
 // Forces are the gradient of the sum of E with respect to positions at fixed volumes. The pair force is V_i
 // V_j (H (u_i - u_j) + (s_i + s_j) grad W), with H the Hessian of W, u = dE/dn and s = dE/dcolour per volume.
@@ -25,11 +25,11 @@
 // square of o, drops swell by 1 % at a share of one third, and by less than 0.2 % from one half. For supports
 // other than 2, C and the share follow from the pressure alone.
 // Limits: the energy depends on the arrangement of particles. Surface particles form shells, and the energy
-// falls to a third of sigma times the area. Disorder inside leaves colour below 1, which causes tension, so
-// the pressure of all forces is about a third of that of the equation of state, and falls as the inside
+// falls to a third of sigma times the area. Disorder inside leaves colour below 1, which causes tension. The
+// pressure of all forces is thus about a third of that of the equation of state, and falls as the inside
 // becomes ordered (docs/validation/limitations.md). Shells resist like a soft solid: waves are damped two to
 // three times as much as by viscosity. Threads in single file, 0.55 spacings apart, have two thirds of a
-// cylinder's surface and three times its tension, and are drawn out of drops that should pinch off.
+// cylinder's surface and three times its tension. They form where drops should pinch off.
 // Walls and solids count as liquid: they contribute to the colour and pull only on its gradient, a contact
 // angle of 90 degrees.
 #pragma once
@@ -65,8 +65,9 @@ struct SurfaceKernelValue {
 };
 SurfaceKernelValue surfaceKernelAt(const Vec3d& x);
 
-/// Contribution of a flat wall to the colour at a distance (h), with its first and second derivative: layers
-/// at half and whole spacings (h) below its surface, each averaged over its plane, as in the wall tables.
+/// Contribution of a flat wall to the colour at a distance (h), with its first and second derivative. As in
+/// the wall tables, layers lie half and whole spacings (h) below its surface. Each is averaged over its
+/// plane.
 struct WallColour {
   double colour = 0, slope = 0, bend = 0;
 };

@@ -4,8 +4,8 @@
 
 namespace thaw {
 
-/// Sums over the neighbours j of a liquid particle with weights a = V_j weight / d^2 (viscous_weight.hpp),
-/// where d is the position difference in support radii and u the velocity difference (m/s).
+/// Sums over the neighbours j of a liquid particle with weights a = V_j weight / d^2 (viscous_weight.hpp).
+/// Here d is the position difference in support radii, u the velocity difference (m/s).
 struct ViscousNeighbours {
   double relativeDensity = 0;  ///< summed, without walls
   double second[6] = {};       ///< a d d: XX YY ZZ XY YZ XZ

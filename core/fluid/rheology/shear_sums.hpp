@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-/// Sums over the neighbours j of a particle with weights a = V_j |W'| / q times the liquid fraction of the
-/// pair, where d is the position difference in support radii, q its length, and u the velocity difference.
+/// Sums over the neighbours j of a particle, with weights a = V_j |W'| / q times the liquid fraction of the
+/// pair. Here d is the position difference in support radii, q its length, u the velocity difference.
 struct ShearMoments {
   double moment[6] = {};    ///< 1, a d d: XX YY ZZ XY YZ XZ
   double velocity[9] = {};  ///< m/s, a u d, by rows of u

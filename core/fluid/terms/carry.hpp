@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step of carried densities of eight particles, from their sums over neighbours (carried_density.hpp):
-// free surface, gradient correction, shifting, and the relative density at the end of the step.
+// The step of carried densities of eight particles, from their sums over neighbours (carried_density.hpp).
+// Finds the free surface, gradient correction, shifting, and the relative density at the end of the step.
 #pragma once
 #include "core/fluid/laws/free_surface.hpp"
 #include "core/fluid/pair_sums/carry.hpp"
@@ -270,8 +270,8 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     return end;
   }
 
-  /// Lets the pressure lead the density by a fixed time: p(y + t dy/dt), a volume viscosity. It damps sound,
-  /// and no shear. Returns the energy (J) that it takes, with the mean of the leads at both ends of the step.
+  /// Lets the pressure lead the density by a fixed time: p(y + t dy/dt), a volume viscosity. It damps sound
+  /// but not shear. Returns the dissipated energy (J), by the mean of the leads at both ends of the step.
   THAW_INLINE Wide damp(Wide end) {
     if (!(x.dt > 0)) return Wide(0.0);
     const Wide rate = widen(s.rate), before = widen(at.floats(x.compressionRate));

@@ -8,8 +8,8 @@ namespace THAW_ISA {
 namespace {
 
 /// Relative density: delta_i = sum_j V0_j W_ij / (its value on the lattice), self included, minus
-/// PairSums::selfExcess. It is 1 on the lattice and grows with compression like the density; at h = 2 dx the
-/// plain sum has 0.95 of that slope (correction as in DA12 eq. 18; 0.95 also on bcc and fcc).
+/// PairSums::selfExcess. It is 1 on the lattice and grows with compression like the density. At h = 2 dx the
+/// plain sum has 0.95 of that slope, also on bcc and fcc lattices (correction as in DA12 eq. 18).
 template<class Real, class Kernel> struct Density {
   using L = Lanes<Real>;
   const Record<Real>* positionVolume;

@@ -33,7 +33,7 @@ MeshNormals::MeshNormals(const TriangleMesh& mesh) : mesh_(mesh) {
 }
 
 /// Replaces unreliable normals of slivers. If a sliver's normal differs from that of the triangle across its
-/// longest edge, it is a rounding error; the mean of the triangles around its corners is better. On the
+/// longest edge, it is a rounding error. The mean of the triangles around its corners replaces it. On the
 /// narrow side of a plate, the two agree.
 void MeshNormals::repairSlivers() {
   const std::vector<Vec3d> own = face_;

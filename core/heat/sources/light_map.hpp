@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Distribution of light over exposed particles. A ray gives its whole light to the particles near the place
-// where it meets the bodies, in proportion to integer weights, so that sums have the same bits on any number
-// of ranks.
+// where it meets the bodies. Its weights are integers, so that sums have the same bits on any number of
+// ranks.
 #pragma once
 #include <cstddef>
 #include <cstdint>

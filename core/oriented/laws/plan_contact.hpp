@@ -24,8 +24,8 @@ struct OrientedContact {
 /// / 2. b is the largest of
 /// - m (2 v / room)^2, which stops mass m at four times the energy of the scene's speed v (falls, initial
 /// velocities, obstacles, anchors);
-/// - m c v / (2 s room), with sound speed c and spacing s: three times the water-hammer pressure rho c v of a
-/// body stopped by a fixed surface;
+/// - m c v / (2 s room), with sound speed c and spacing s. It is three times the water-hammer pressure rho c
+/// v of a body stopped by a fixed surface;
 /// - the strength of bonds that pull the surface into a body.
 std::vector<OrientedContact> planOrientedContact(const Scene& scene, std::span<const LiquidMaterial> liquids);
 

@@ -5,8 +5,9 @@
 
 namespace thaw {
 
-/// Returns a fraction of the points, fixed: most spread evenly, the others where the interpolant of the kept
-/// ones is farthest from the points (greedy centres: C01 section 4), in a few rounds.
+/// Returns a fraction of the points, all marked as fixed. Most are spread evenly. The others are where the
+/// interpolant of the kept ones is farthest from the points, found in a few rounds (greedy centres: C01
+/// section 4).
 SampledPoints thinPoints(const SampledPoints& points, double share, std::uint64_t seed);
 
 }  // namespace thaw

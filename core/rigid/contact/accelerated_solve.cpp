@@ -47,8 +47,8 @@ double gradientStep(Iteration& it) {
   return largest;
 }
 
-/// Sums over all contacts: (y'-y) N (y'-y), |y'-y|^2 in the metric of mass splitting, and the product of the
-/// last step with the gradient, which is positive where momentum overshoots.
+/// Sums over all contacts: (y'-y) N (y'-y), |y'-y|^2 in the metric of mass splitting, and the last step times
+/// the gradient. The third is positive where momentum overshoots.
 ContactSums<sums> sumsOf(const Iteration& it, std::span<const Vec3d> impulses) {
   ContactSums<sums> s{it.energyUnit, {}};
   std::vector<RowChange> difference(it.nextRows.size());

@@ -8,13 +8,13 @@
 
 namespace thaw {
 
-/// Depth (sum of d_i^8)^(1/8) over all triangles within reach, with d_i = reach - distance in fractions of
-/// the reach, and n_i from the particle to the nearest point of each.
+/// Depth (sum of d_i^8)^(1/8) over all triangles within reach. Here d_i = reach - distance, in fractions of
+/// the reach, and n_i points from the particle to the nearest point of each.
 ///
 /// The depth in the nearest triangle has no continuous gradient. On a sagging sheet the nearest triangle
 /// changes within a step, and the force turns abruptly. This gains energy at any step size. The depth above
-/// is smooth. It equals the nearest one away from edges, and is 1.09 times it over an edge and 1.25 times
-/// over a vertex of six triangles; the stiffness grows with the square. The power 4 (1.19, 1.57) would need
+/// is smooth. It equals the nearest one away from edges; it is 1.09 times that over an edge, 1.25 times over
+/// a vertex of six triangles. The stiffness grows with the square. The power 4 (1.19, 1.57) would need
 /// shorter steps.
 struct FaceDepth {
   double sum = 0;     ///< sum of d_i^8

@@ -46,8 +46,8 @@ inline RigidPoints rigidPointsOf(const std::array<Vec3d, 4>& place, const std::a
 }
 
 /// Returns the friction forces (N) on the four points. share: barycentric weights of the nearest points,
-/// negative for the second body, with sum 0; apart (m): from the second's nearest point to the first's, along
-/// n; v (m/s): its rate; normal (N): contact force.
+/// negative for the second body, with sum 0. apart (m): from the second's nearest point to the first's, along
+/// n. v (m/s): its rate. normal (N): contact force.
 inline std::array<Vec3d, 4> frictionForces(const RigidPoints& t, const std::array<Vec3d, 4>& velocity,
                                            const std::array<double, 4>& share, const Vec3d& apart,
                                            const Vec3d& n, const Vec3d& v, const TouchLaw& law,

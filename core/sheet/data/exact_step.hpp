@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact solution of m q'' + c q' + K (q - q0) = f over a step of constant f (DS section 2): one linear map
-// for all vertices of a material. Accurate at the double root and for c = 0, K = 0 and m to 0.
+// Exact solution of m q'' + c q' + K (q - q0) = f over a step of constant f (DS section 2). It is one linear
+// map for all vertices of a material. Accurate at the double root and for c = 0, K = 0 and m to 0.
 #pragma once
 
 namespace thaw {
@@ -12,7 +12,7 @@ struct SpringLaw {
   double stiffness = 0;  ///< N/m^3
 };
 
-/// Map q <- q + hold v + yield r, v <- keep v + push r, with r = f - K (q - q0), the force per area at the
+/// Map q <- q + hold v + yield r, v <- keep v + push r. Here r = f - K (q - q0) is the force per area at the
 /// start of the step (N/m^2). With r in place of the rest position K = 0 needs no special case. Cancellation
 /// occurs only where the motion itself reverses.
 struct ExactStep {

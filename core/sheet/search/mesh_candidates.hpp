@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of vertices, triangles and edges of sheets that may soon touch: a list with a margin, rebuilt when
-// motion has used it up, and extended when vertices arrive. Contact is tested for each pair in each step, so
-// results do not depend on when lists are built.
+// Pairs of vertices, triangles and edges of sheets that may soon touch. The list has a margin: it is rebuilt
+// when motion has used that up, and extended when vertices arrive. Contact is tested for each pair in each
+// step, so results do not depend on when lists are built.
 #pragma once
 #include "core/sheet/data/sheets.hpp"
 #include "core/sheet/search/mesh_rows.hpp"

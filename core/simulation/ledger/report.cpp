@@ -103,10 +103,10 @@ double heatScaleOf(const World& w, const LedgerReport& r) {
   return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(w, r.now.mass)});
 }
 
-/// Rounding limit of mechanical energies, which are sums of cancelling terms. It is 1e-14 of the energies of
-/// all bodies at a strain of 1, of their fall through the domain, and of motion through it in the scene's
-/// time. It is also 2^-24 of the heat that moves: less would not show in temperatures of a frame, which are
-/// in single precision.
+/// Rounding limit of mechanical energies, which are sums of cancelling terms. It is 1e-14 of three energies:
+/// a strain of 1 in all bodies, their fall through the domain, motion through it in the scene's time. It is
+/// also 2^-24 of the heat that moves. Less would not show in temperatures of a frame, which are in single
+/// precision.
 double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
   const Scene& s = w.scene;
   const Vec3d size = s.domain.max - s.domain.min;

@@ -28,8 +28,8 @@ Failure failureOf(const World& world, const MonitorLimits& bounds, const StepLim
 
 /// Checks the energy budget at a possible snapshot:
 /// - Energy: the unexplained gain since the last snapshot exceeds MonitorLimits::energy times a scale. The
-/// scale is the largest of the ledger's terms at that snapshot, of the external work so far, and of the
-/// kinetic energy of all mass at the expected speed.
+/// scale is the largest of: the ledger's terms at that snapshot, external work so far, kinetic energy of all
+/// mass at the expected speed.
 /// - Growth: the same since the run began. The scale is the largest ledger term so far, and at least the
 /// kinetic energy at a tenth of the expected speed.
 /// - Inverted: the fraction of solid particles with det F <= 0 and without a restoring force. Green strain

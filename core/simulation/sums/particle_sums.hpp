@@ -30,9 +30,9 @@ void separateCoincident(World& world, const StepTools& tools, std::int64_t befor
 /// Requires: ghosts.
 void sumUnitPressure(World& world, StepTools& tools);
 
-/// After sumUnitPressure, at the same positions: computes the relative density (without walls), and in
-/// Continuum::force the force of a pressure of 1 Pa times the excess of liquids' relative density above 1. It
-/// is -V_i times the gradient (1/m), with respect to the position of i, of half the sum of squared excesses.
+/// After sumUnitPressure, at the same positions: computes the relative density (without walls), and a force
+/// in Continuum::force. Its pressure is 1 Pa times the excess of liquids' relative density above 1. It is
+/// -V_i times the gradient (1/m), with respect to the position of i, of half the sum of squared excesses.
 /// Collective.
 void sumExcessPressure(World& world, CellHalo& halo, StepTools& tools);
 

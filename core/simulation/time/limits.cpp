@@ -60,8 +60,8 @@ double largestViscosity(const Scene& s, const Material& m) {
 
 /// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
 /// velocity change depends on their own mass alone (docs/validation/stability.md B12). Between liquids of the
-/// pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as large,
-/// but the fastest wave among equal particles, with opposite motion of neighbours, is as fast
+/// pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as large.
+/// Yet the fastest wave among equal particles, with opposite motion of neighbours, is as fast
 /// (tests/stability: LightParticlesInAThickLiquid). The arithmetic mean of the printed form has no such
 /// bound; solids interact with liquids only.
 double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
@@ -128,9 +128,9 @@ double flowLawStepLimit(const Scene& s, const Material& m) {
 
 namespace {
 
-/// Largest viscosity (Pa s) of owned particles of a material with a table or a flow law: of single particles,
-/// since pairs on this rank may not be pairs on another. A small change of the rate changes the stress of a
-/// flow law by d stress / d rate, up to n times the viscosity.
+/// Largest viscosity (Pa s) of owned particles of a material with a table or a flow law. Single particles
+/// count, since pairs on this rank may not be pairs on another. A small change of the rate changes the stress
+/// of a flow law by d stress / d rate, up to n times the viscosity.
 double largestViscosityHere(const World& w, std::size_t material) {
   const Continuum& p = w.particles;
   const Material& m = w.scene.materials[material];

@@ -13,8 +13,8 @@ namespace thaw {
 StepLimits materialLimits(const Scene& scene, const Modules& modules,
                           const std::vector<LiquidMaterial>& liquids);
 
-/// Explicit step limit (s) of the largest viscosity that the flow law of a material reaches: at rest, or for
-/// n > 1 at the largest rate that the scene resolves.
+/// Explicit step limit (s) of the largest viscosity that the flow law of a material reaches. That is at rest,
+/// or for n > 1 at the largest rate that the scene resolves.
 double flowLawStepLimit(const Scene& scene, const Material& material);
 
 LargestRates largestRates(const World& world);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // One rank's part of the bond graph: ids of slots, copies of other ranks' solid particles, and references
 // between rows. All changes go through an edit, whose cost is proportional to the change and not to the
-// table. New slots or the last slots fill the holes of removed ones, so few rows are renumbered, and only
-// groups of slots that can refer to these rows are visited. The reference count of each row shows when a
-// remote row is unused, and whether the visit has found every bond to change.
+// table. New slots or the last slots fill the holes of removed ones, so few rows are renumbered. Only groups
+// of slots that can refer to these rows are visited. The reference count of each row shows when a remote row
+// is unused, and whether the visit has found every bond to change.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -11,11 +11,11 @@ namespace thaw {
 
 inline constexpr std::uint32_t noParticle = 0xffffffffu;
 
-/// Data of a bond end in the bond loops (elastic_lanes.hpp), one cache line in single precision: displacement
-/// from the reference configuration, reference position, k of the hourglass energy k/2 sum w |x - F X|^2
-/// (N/m), and by rows the flux V P A^-1 - k grad u (N/m), the factor of w X in the force of a bond
-/// (elastic.hpp). If bonds have vectors, the reference is 0 and the displacement is the position. Positions
-/// are in m, or in single precision the bits of 32-bit fixed point.
+/// Data of a bond end in the bond loops (elastic_lanes.hpp), one cache line in single precision. Members:
+/// displacement from the reference configuration; reference position; k of the hourglass energy k/2 sum w |x
+/// - F X|^2 (N/m); by rows the flux V P A^-1 - k grad u (N/m). The flux is the factor of w X in the force of
+/// a bond (elastic.hpp). If bonds have vectors, the reference is 0 and the displacement is the position.
+/// Positions are in m, or in single precision the bits of 32-bit fixed point.
 template<class Real> struct alignas(4 * sizeof(Real)) BondEnd {
   Real displacement[3], reference[3], hourglass, flux[9];
 };

@@ -9,7 +9,7 @@
 namespace thaw {
 
 /// w = (1 - r^2/h^2)^3, and 0 for r >= 0.9995 h; 1. Not normalised: only ratios of weights matter. The bits
-/// are equal for X and -X. The cutoff excludes lattice neighbours at h up to rounding: a weight near 1e-44
+/// are equal for X and -X. The cutoff excludes lattice neighbours at h up to rounding. A weight near 1e-44
 /// must not be the only one left after melting, since a float cannot hold its inverse.
 inline double bondWeight(const Vec3d& reference, double support) {
   const double q = 1 - dot(reference, reference) / (support * support);

@@ -9,11 +9,11 @@
 // derivative of the energy, which conserves momentum, angular momentum and energy. With flux_i = V_i P_i
 // A_i^-1 - k_i grad u_i the force on i is
 //   sum_j w_ij [ flux_i X_ij - flux_j X_ji + k_i (x_ij - X_ij) + k_j (x_ij + X_ji) ].
-// The gradient alone is too soft for short waves, by a fraction (k dx)^2/6 at bonds of up to 2 spacings, and
-// for bending, since neighbourhoods at a surface are one-sided. The penalty is of the same order in dx. With
-// alpha = 1.5, S waves along an axis have no second-order error; with bonds of 1.7 spacings and alpha = 1.25,
-// bending has almost none (benchmarks/accuracy: p_wave, cantilever). Bonds of 1.5 spacings need alpha = 1,
-// but halve the step of unevenly frozen solids.
+// The gradient alone is too soft for short waves, by a fraction (k dx)^2/6 at bonds of up to 2 spacings. It
+// is too soft for bending as well, since neighbourhoods at a surface are one-sided. The penalty is of the
+// same order in dx. With alpha = 1.5, S waves along an axis have no second-order error; with bonds of 1.7
+// spacings and alpha = 1.25, bending has almost none (benchmarks/accuracy: p_wave, cantilever). Bonds of 1.5
+// spacings need alpha = 1, but halve the step of unevenly frozen solids.
 #pragma once
 #include <algorithm>
 #include <cstdint>

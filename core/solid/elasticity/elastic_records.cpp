@@ -73,7 +73,7 @@ void packPlacesIn(const ElasticWork& work, Solids& solids, std::size_t first, st
 }  // namespace
 
 /// Displacements use the nearest image of the position. A rotating body across a periodic side has particles
-/// that crossed it in both directions, so x - X of neighbours may differ by two periods, of which Places
+/// that crossed it in both directions. Thus x - X of neighbours may differ by two periods, of which Places
 /// removes one. Without references (vectors) positions are packed, which differ by one period at most.
 void packPositions(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   if (work.periodic && solids.reference.active) packPlacesIn<true>(work, solids, first, last);

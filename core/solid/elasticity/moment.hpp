@@ -7,8 +7,8 @@
 namespace thaw {
 
 /// Directions with an eigenvalue below this fraction of the largest one count as missing. Neighbours within a
-/// tenth of their distance of a plane (line) do not measure the strain across it, and the stiffness of such
-/// short levers would limit the time step.
+/// tenth of their distance of a plane (line) do not measure the strain across it. The stiffness of such short
+/// levers would limit the time step.
 inline constexpr double momentCutoff = 0.01;
 
 struct MomentInverse {
@@ -36,9 +36,9 @@ struct FlatNeighbourhood {
 };
 /// Returns a term (J) of V P: the completed normal n' rotates with the plane, so the energy depends on the
 /// in-plane images through it. With y = dE/dn' = V P n - k sum_j w_j (X_j n) (x_j - F X_j) the term is y
-/// dn'/dF. The fit makes the penalty stationary for the directions that A measures, not for n', and
-/// neighbours off the plane by up to a tenth of their distance act on it. Without the term the forces are not
-/// a gradient, and frozen fragments gain energy and spin.
+/// dn'/dF. The fit makes the penalty stationary for the directions that A measures, not for n'. Neighbours
+/// off the plane by up to a tenth of their distance act on n'. Without the term the forces are not a
+/// gradient, and frozen fragments gain energy and spin.
 Mat3d stressOfNormal(const FlatNeighbourhood& flat);
 
 }  // namespace thaw

@@ -96,8 +96,8 @@ struct Surfels : Table {
   // clang-format on
 };
 
-/// Returns whether a surfel moves under the forces of an update: liquid surfels, and new surfels of faces
-/// once.
+/// Returns true if the forces of an update move a surfel. They move surfels of liquids, and new surfels of
+/// faces once.
 inline bool mayRelax(const Surfels& s, std::size_t i) {
   return (s.liquid.active && s.liquid[i] > 0) || (s.relaxesOnce.active && s.relaxesOnce[i]);
 }

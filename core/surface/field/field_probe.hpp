@@ -18,8 +18,8 @@ struct SurfaceTools;
 /// Returns pointers and lengths for sums over particles. The caller sets the query positions and the output.
 ForceSums particleSumsOf(const Scene& scene, const Surface& surface, const SurfaceTools& tools);
 
-/// Colour field of one component at a position (sum of prepareParticles, 1 deep inside), its level on the
-/// surface there (LevelTable), the damping of Newton's step, and the gradient (1/m).
+/// Colour field of one component at a position (sum of prepareParticles, 1 deep inside) and its gradient
+/// (1/m). Also its level on the surface there (LevelTable), and the damping of Newton's step.
 struct FieldHere {
   double value = 0, level = 0.5, tight = 1;
   Vec3d gradient{};

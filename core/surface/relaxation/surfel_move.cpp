@@ -18,7 +18,7 @@ Vec3d three(const SurfelSums& s, int channel, bool particles) {
 /// would give large moves; large ones occur at the last particles of a splash.
 constexpr double flattest = 0.25, steepest = 4;
 /// Bounds of the tangent of the angle between the two slopes. Small angles come from the lattice, which
-/// affects the colour's slope less: normals of a ball with R / dx = 16 are within 0.3 degrees, or 0.4 without
+/// affects the colour's slope less. Normals of a ball with R / dx = 16 are within 0.3 degrees, or 0.4 without
 /// the lower bound. For large angles, the difference is small and its direction meaningless.
 constexpr double leastTilt = 0.05, steepestTilt = 1.0;
 /// Tolerance along the surface over that across it. Positions along the surface do not affect its shape, and

@@ -148,9 +148,9 @@ struct Round {
     return false;
   }
 
-  /// Returns whether a surfel on its side is so near that one of the two would die, or whether a sheet of the
-  /// same orientation lies directly above or below. There is room for neither particles nor a gap between two
-  /// such sheets, and a second skin would grow.
+  /// Returns true if a surfel on its side is so near that one of the two would die. Also returns true if a
+  /// sheet of the same orientation lies directly above or below. There is room for neither particles nor a
+  /// gap between two such sheets, and a second skin would grow.
   bool taken(std::size_t i, const SurfacePoint& p) const {
     constexpr double sameWay = 0.5, beside = 0.4;
     const Surfels& s = *table;

@@ -53,8 +53,8 @@ void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& bins);
 /// Copies the bins with only the rows for which keep[row] is set, in the same order.
 void pickRows(const Bins& bins, const std::uint8_t* keep, Bins& picked);
 
-/// Calls found(from, to) for runs of occupied bins [from, to) that the box [low, high], grown by `radius` (m)
-/// and rounded, may intersect, in the order of the bins.
+/// Calls found(from, to) for runs of occupied bins [from, to) that a box may intersect, in the order of the
+/// bins. The box is [low, high], grown by `radius` (m) and rounded.
 template<class Found>
 void forBinRunsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
   const double r2 = (1 + 1e-9) * radius * radius, edge = 1 / b.perLength;

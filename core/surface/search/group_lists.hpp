@@ -9,9 +9,9 @@
 
 namespace thaw {
 
-/// Neighbour lists of groups of surfels. A list holds the surfels and particles of the component within the
-/// radius plus a margin of any surfel of the group, itself included, in the order of bins. Lists serve many
-/// iterations until a surfel has moved by half the margin. They are exact, unlike K05's neighbours of
+/// Neighbour lists of groups of surfels. A list is in the order of bins. It has the surfels and particles of
+/// the component within the radius plus a margin of any surfel of the group, itself included. Lists serve
+/// many iterations until a surfel has moved by half the margin. They are exact, unlike K05's neighbours of
 /// neighbours, and an iteration only reads them (benchmarks/surface).
 struct GroupLists {
   std::vector<std::uint32_t> self;  ///< 8 rows a group; short groups repeat their first row

@@ -18,9 +18,10 @@ struct NarrowGaps {
 };
 
 /// Finds components with narrow gaps, which the colour field would merge. Only bodies with grown surfaces
-/// have them. Two particles of a component within h_ps, across an empty lattice site, have a gap if no path
-/// connects them, or only one of at least 1.5 times their distance. Steps of a path are at most the distance
-/// of lattice neighbours. Requires: particle colours, bins and ghosts (prepareParticles). Collective.
+/// have them. Two particles of a component within h_ps, across an empty lattice site, may have a gap. They
+/// have one if no path connects them, or only one of at least 1.5 times their distance. Steps of a path are
+/// at most the distance of lattice neighbours. Requires: particle colours, bins and ghosts
+/// (prepareParticles). Collective.
 NarrowGaps findNarrowGaps(const Scene& scene, const Surface& surface, const Bins& particleBins, Reducer& all);
 
 }  // namespace thaw

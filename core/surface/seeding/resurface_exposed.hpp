@@ -14,7 +14,7 @@ struct SurfaceTools;
 inline constexpr double detachedReach = 3.5;
 
 /// Grows surfels around exposed particles. A particle is exposed in a direction without particles and surfels
-/// of its component: on crack faces once the colour field drops in the gap, and on separated parts at once.
+/// of its component. Crack faces are exposed once the colour field drops in the gap, separated parts at once.
 /// Existing surfels keep position and detail. New ones keep a distance to them, and resampling closes the
 /// seam. Detached surfels of solids, as at the edge of a crack, are deleted. If surfels are born,
 /// Surfels::relaxesOnce becomes active: it lets new surfels, and those added by resampling, relax in this

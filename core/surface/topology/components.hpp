@@ -34,8 +34,8 @@ void labelNewParticles(const Scene& scene, Surface& surface, SurfaceHalos halos,
 void findParts(const Scene& scene, Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
 /// Attaches enclosed parts without surfels. If a particle of the part lies inside the surface of its previous
-/// component, the part joins the part of the nearest surfel (K05: a particle belongs to the surface that
-/// encloses it). Of several the smallest is taken. Sparse liquids have gaps longer than a link near their
+/// component, the part joins that of the nearest surfel. In K05 too, a particle belongs to the surface that
+/// encloses it. Of several the smallest is taken. Sparse liquids have gaps longer than a link near their
 /// surface. Particles farther than h_ps from every surfel are not tested. Requires: findParts. Collective.
 void attachEnclosed(Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 

@@ -9,7 +9,6 @@
 
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/setup/setup.hpp"
-#include "io/commands/check/frontier.hpp"
 #include "io/run/failure_text.hpp"
 #include "io/run/mpi_halos.hpp"
 #include "io/scene/scene_for_all.hpp"
@@ -86,7 +85,7 @@ std::optional<std::string> SettingTrials::failureOf(const std::vector<std::strin
   try {
     r = runWith(settings);
   } catch (const std::runtime_error& e) {  // set-up fails alike on all ranks
-    return fmt::format("{} is refused: {}", settingList(settings, ""), e.what());
+    return fmt::format("refused: {}", e.what());
   }
   if (!r.failure.empty()) return r.failure;
   const double scale = std::max(r.scale, usual_->scale), more = r.residual - std::max(0.0, usual_->residual);

@@ -66,7 +66,7 @@ void CrateStructure::addSpec(const CrateNode& node, CrateSpec type, const std::v
   specTypes_.push_back(static_cast<std::int32_t>(type));
 }
 
-// The jump of a path is 0 if only a sibling follows, -1 if only a child does, -2 if neither does, and else
+// The jump of a path is 0 if only a sibling follows, -1 if only a child does, -2 if neither does. Else it is
 // the distance to the sibling, which comes after all children.
 void CrateStructure::addPaths(const CrateNode& node, bool hasSibling, Paths& to) {
   const std::size_t at = to.paths.size();

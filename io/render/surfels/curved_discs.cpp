@@ -16,8 +16,8 @@ constexpr float sameFace = 0.2f;  // least cosine of a neighbour's normal, for t
 // The same for the surface: other normals belong to the other side of a thin sheet.
 constexpr float oneSheet = -0.3f;
 constexpr float sharpness = 0.48f;  // in disc radii: width of the weights
-constexpr float uneven = 0.12f;     // fraction of the squared turn of normals that a curvature may leave
-                                    // unexplained
+constexpr float uneven = 0.12f;     // fraction of the squared change of normals that the fitted
+                                    // curvature may leave unexplained
 constexpr std::size_t fewest = 4;
 // Cosines: of one flat face, and of another one beyond a sharp edge.
 constexpr float flatFace = 0.995f, sharp = 0.5f;
@@ -59,8 +59,8 @@ Turn turnOf(const Discs& discs, std::span<const std::uint32_t> components, std::
 }
 
 /// Projects a part of disc i onto the surface between nearby discs and sets its normal. The surface is where
-/// the mean of their planes and of the plane across the mean normal vanishes: exact on spheres, and edges are
-/// rounded by a third of a spacing. Returns false without discs nearby.
+/// the mean of their planes and of the plane across the mean normal vanishes. It is exact on spheres, and
+/// rounds edges by a third of a spacing. Returns false without discs nearby.
 bool ontoDiscs(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i,
                std::span<const std::uint32_t> near, DiscPart& part) {
   const Vec3f start = part.position;

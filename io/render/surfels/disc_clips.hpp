@@ -8,9 +8,9 @@
 
 namespace thaw {
 
-/// Clip of a disc: the part in front of a neighbour's plane and within that neighbour's disc is not drawn,
-/// that is dot(q, normal) > reach and |q - other| < radius. q and other (the neighbour) are relative to the
-/// disc's centre.
+/// Clip of a disc. The part in front of a neighbour's plane and within that neighbour's disc is not drawn:
+/// dot(q, normal) > reach and |q - other| < radius. q and other (the neighbour) are relative to the disc's
+/// centre.
 struct DiscClip {
   Vec3f normal;
   float reach = 0;

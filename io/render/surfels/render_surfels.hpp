@@ -23,8 +23,9 @@ struct SurfelInput {
   std::span<const std::array<std::uint32_t, 3>> faces{};
 };
 
-/// Source of colours: none; values by the style's colours; the surface's own colours; Glow: own colours that
-/// blend into the values' colours as values rise over the scale; Mixed: values if not NaN, else own colours.
+/// Source of colours. Plain: none. Values: values by the style's colours. Surface: the surface's own colours.
+/// Glow: own colours that blend into the values' colours as values rise over the scale. Mixed: values if not
+/// NaN, else own colours.
 enum class SurfelPaint { Plain, Values, Surface, Glow, Mixed };
 
 struct SurfelStyle {

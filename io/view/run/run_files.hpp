@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Returns the path of a file below the run's folder, or nothing if it is missing, no regular file, or leads
-/// out of the folder by "..", an absolute path or a link.
+/// Returns the path of a file below the run's folder. Returns nothing if it is missing, no regular file, or
+/// leads out of the folder by "..", an absolute path or a link.
 std::optional<std::filesystem::path> fileInRun(const std::filesystem::path& run,
                                                const std::filesystem::path& relative);
 

@@ -19,7 +19,7 @@ bool hasDesktop() {
 }
 
 bool openBrowser(const std::string& address) {
-  std::signal(SIGCHLD, SIG_IGN);  // nobody waits for the child
+  std::signal(SIGCHLD, SIG_IGN);  // the child leaves no zombie process
   posix_spawnattr_t attributes;
   posix_spawn_file_actions_t actions;
   posix_spawnattr_init(&attributes);

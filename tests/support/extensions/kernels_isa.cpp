@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of test extensions on lanes, compiled once for each instruction set: a copy of the Neo-Hookean law, a
-// spring with a dashpot between liquid particles, and a copy of the pairwise surface tension.
+// Parts of test extensions on lanes, compiled once for each instruction set. They are a copy of the
+// Neo-Hookean law, a spring with a dashpot between liquid particles, and a copy of the pairwise surface
+// tension.
 #include "core/fluid/laws/cohesion.hpp"
 #include "core/fluid/terms/pair_force_term.hpp"
 #include "core/solid/laws/extension_law_lanes.hpp"

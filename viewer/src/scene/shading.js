@@ -12,8 +12,8 @@ export const shared = {
   palette: { value: palette },
   range: { value: new THREE.Vector2(0, 1) },
   cut: { value: new THREE.Vector4(0, 0, 0, 1) }, // x is hidden where dot(cut.xyz, x) > cut.w
-  up: { value: new THREE.Vector3(0, 1, 0) }, // of the world, in the camera's frame
-  bright: { value: 1 }, // of the ambient light: 1 in the light theme, less in the dark
+  up: { value: new THREE.Vector3(0, 1, 0) }, // upward direction, in the camera's frame
+  bright: { value: 1 }, // factor of the ambient light: 1 in the light theme, less in the dark
 };
 
 export function setPalette(name) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blends overlapping discs into one surface (BHZK05): their depths first, then the weighted sums of colours
-// and normals of all discs near the front, then one shaded pixel of each sum.
+// Blends overlapping discs into one surface (BHZK05). Their depths come first, then the weighted sums of
+// colours and normals of all discs near the front. Last, each sum is shaded as one pixel.
 import * as THREE from 'three';
 import { fragmentCommon, shared } from './shading.js';
 

@@ -21,17 +21,17 @@ struct FlowCoefficients {
 /// Returns "Bingham", "Herschel-Bulkley", "power law" or "Carreau".
 const char* nameOf(FlowLaw law);
 
-/// Shear rate (1/s) below which yield stress and power laws are regularised: that of the material, or 1e-4 of
-/// the expected speed over the longest side of the domain.
+/// Shear rate (1/s) below which yield stress and power laws are regularised. It is that of the material, or
+/// else 1e-4 of the expected speed over the longest side of the domain.
 double leastRateOf(const Scene& scene, const Material& material);
 
 /// Returns the coefficients at a temperature (K). Viscosities are interpolated logarithmically.
 FlowCoefficients flowCoefficients(const FlowLawSettings& settings, double leastRate, double temperature);
 
-/// Apparent viscosity (Pa s) at a shear rate g (1/s), at most `largest`:
-/// Bingham [B22], Herschel-Bulkley [HB26], power law: K (g^2 + e^2)^((n-1)/2) + tau_y (1 - exp(-g/e)) / g,
-/// where e is the least rate; the second term is Papanastasiou's [P87]. Carreau [C72]:
-/// mu_inf + (mu_0 - mu_inf) (1 + (lambda g)^2)^((n-1)/2).
+/// Apparent viscosity (Pa s) at a shear rate g (1/s), at most `largest`.
+/// Bingham [B22], Herschel-Bulkley [HB26], power law: K (g^2 + e^2)^((n-1)/2) + tau_y (1 - exp(-g/e)) / g.
+/// Here e is the least rate; the second term is Papanastasiou's [P87].
+/// Carreau [C72]: mu_inf + (mu_0 - mu_inf) (1 + (lambda g)^2)^((n-1)/2).
 double apparentViscosity(const FlowCoefficients& coefficients, double rate);
 
 /// Largest viscosity (Pa s) at any of the temperatures of its tables: at rest, or for n > 1 at the largest

@@ -97,8 +97,8 @@ TEST(WallDrag, StopsWithoutOvershootAndSlipsIfRequested) {
   }
 }
 
-// Couette flow: in a linear profile the wall drag on a layer half a spacing above it equals the pull of the
-// layer above, mu u / d per area.
+// Couette flow with a linear profile. The wall drag on a layer half a spacing above the wall equals the pull
+// of the layer above, mu u / d per area.
 TEST(WallDrag, IsTheShearStressOfALinearProfile) {
   WallRig r;
   r.w.scene.domain.gravity = {};

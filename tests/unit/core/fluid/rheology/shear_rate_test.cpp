@@ -60,7 +60,7 @@ TEST(ShearRate, IsFiniteWithFewNeighbours) {
   ShearMoments m;
   EXPECT_EQ(shearRateOf(m), 0);
   m.moment[0] = 0.1;    // one neighbour along x
-  m.velocity[3] = 0.1;  // that moves along y
+  m.velocity[3] = 0.1;  // it moves along y
   EXPECT_NEAR(shearRateOf(m), 1, 1e-4);
 }
 

@@ -48,8 +48,9 @@ TEST(Overlap, FollowsItsRulesAndCounts) {
 
 TEST(Overlap, IsFoundAcrossPeriodicSides) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
-  Shape s;  // boxes of 10 x 10 x 10 in a domain of 2.4 m: the second reaches over the side into the first by
-            // 2 layers, the third around the domain into itself by 4
+  // Boxes of 10 x 10 x 10 in a domain of 2.4 m. The second reaches over the side into the first by 2 layers,
+  // the third around the domain into itself by 4.
+  Shape s;
   for (const double x : {0.5, 2.1, 1.2}) {
     s.move = {x, x == 1.2 ? 5.0 : 0.0, 0};
     s.size = {x == 1.2 ? 2.6 : 1.0, 1, 1};

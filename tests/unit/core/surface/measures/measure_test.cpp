@@ -60,8 +60,8 @@ SurfaceComponent measuredBox(double low, int cells) {
 
 }  // namespace
 
-// The far end of a body longer than half the domain must not be assigned to the other side by the shortest
-// way from the particle that names it.
+// A body is longer than half the domain, so its far end is nearer to the particle that names it across the
+// side. It must not be assigned to the image there.
 TEST(Measure, LongBodyAcrossAPeriodicSideIsInOnePiece) {
   const SurfaceComponent whole = measuredBox(-1.5, 28);
   EXPECT_NEAR(whole.centroid.x, -0.1, 1e-9);

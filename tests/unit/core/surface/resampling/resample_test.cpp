@@ -165,8 +165,8 @@ TEST(Resample, EdgesRodsAndSheetsComeToRest) {
 }
 
 TEST(Resample, DensityFollowsCurvature) {
-  // The target is half a radian between surfels, 0.5 R, if that is less than the spacing of 0.08: 0.05 on a
-  // ball of 0.1, the spacing on one of 0.4.
+  // The target is half a radian between surfels, 0.5 R, if that is less than the spacing of 0.08. It is 0.05
+  // on a ball of 0.1, and the spacing on one of 0.4.
   for (const double adapt : {0.0, 0.4})
     for (const double R : {0.1, 0.4}) {
       Scene scene = surfelScene(0.08);

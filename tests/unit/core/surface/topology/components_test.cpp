@@ -71,7 +71,7 @@ TEST(Components, LabelChangesAreLogged) {
   rig.update();
   rig.update();
   ASSERT_EQ(rig.world.surface.events.size(), 0u);
-  std::vector<std::uint32_t> stay;  // all but the particle that names it
+  std::vector<std::uint32_t> stay;  // all but the particle that labels the component
   for (std::uint32_t i = 0; i < rig.p().owned; i++)
     if (rig.p().id[i] != 0) stay.push_back(i);
   rig.p().reorder(stay);
