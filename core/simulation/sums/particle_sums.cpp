@@ -23,7 +23,7 @@ ColumnList ghostColumns(World& w) {
   Continuum& p = w.particles;
   ColumnList c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
   if (w.modules.solid) c.push_back(&p.id);
-  if (w.modules.solid) c.push_back(&p.body);
+  if (w.modules.solid || w.modules.contactConductance) c.push_back(&p.body);
   if (w.modules.rigid)
     for (AnyColumn* column :
          std::initializer_list<AnyColumn*>{&p.piece, &p.faceNormal, &p.faceOffset, &p.faceRadius})
@@ -54,14 +54,6 @@ void clearRates(World& w, bool pairsSet) {
   if (p.softening.active) std::fill_n(p.softening.data(), p.owned, 0.0);
   if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
 }
-
-namespace {
-
-RecordContext recordsOf(const World& w, const StepTools& t) {
-  return {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps};
-}
-
-}  // namespace
 
 PairSums pairSumsOf(World& w, StepTools& t) {
   Continuum& p = w.particles;
@@ -154,7 +146,7 @@ void searchInner(World& w, StepTools& t) {
 
 void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
   Continuum& p = w.particles;
-  const RecordContext x = recordsOf(w, t);
+  const RecordContext x = recordContext(w, t);
   NeighbourLists& lists = w.neighbours;
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
@@ -203,6 +195,12 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
                                            // step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(particleForces, range);
+  if (w.modules.contactConductance) {
+    pass == NeighbourPass::InnerForces
+        ? packContactFaces(w.scene, p, 0, p.owned, t.contactHeat)
+        : packContactFaces(w.scene, p, p.owned, p.size(), t.contactHeat);
+    addContactHeat(s, t.contactHeat, range);
+  }
   if (w.modules.surfaceEnergy) {
     pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
                                        : packSurfaceEnergyDerivatives(x, p, p.owned, p.size(), t.records);
@@ -407,7 +405,7 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
 
 void beginSoftening(World& w, const StepTools& t) {
   Continuum& p = w.particles;
-  const RecordContext x = recordsOf(w, t);
+  const RecordContext x = recordContext(w, t);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = static_cast<double>(p.liquid[i]);
     const double compression = compressionOf(x, p, i, f), tension = p.interaction[i] - compression;
