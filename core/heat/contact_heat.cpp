@@ -24,7 +24,8 @@ void resizeRecords(Precision precision, std::size_t rows, AlignedVector<std::byt
 }
 
 /// Calls action with the first value of the records as float or double.
-template<class Action> void withValues(Precision precision, AlignedVector<std::byte>& records, Action action) {
+template<class Action>
+void withValues(Precision precision, AlignedVector<std::byte>& records, Action action) {
   if (precision == Precision::Single) action(reinterpret_cast<float*>(records.data()));
   else action(reinterpret_cast<double*>(records.data()));
 }

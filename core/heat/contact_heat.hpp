@@ -25,7 +25,7 @@ struct ContactHeatSums {
 };
 
 struct ContactHeatKernels {
-  const char* name;                                                     ///< "avx512", "avx2", "base"
+  const char* name;                                                      ///< "avx512", "avx2", "base"
   void (*normals)(const PairSums&, const ContactHeatSums&, GroupRange);  ///< sets `normal`
   void (*heat)(const PairSums&, const ContactHeatSums&, GroupRange);     ///< adds to PairSums::heatFlow
 };
@@ -46,6 +46,5 @@ void packContactFaces(const Scene& scene, const Continuum& particles, std::size_
 /// Corrects heatFlow for the contacts of these groups, after the conduction sum. A pair has the larger of the
 /// two resistances. Both ends compute the same flow with opposite sign.
 void addContactHeat(const PairSums& sums, const ContactHeatWork& work, GroupRange range);
-
 
 }  // namespace thaw

@@ -16,7 +16,8 @@
 namespace thaw {
 namespace {
 
-// Of the exposure of a flat surface. Disorder inside liquid gives up to 0.4, and its mean over neighbours 0.1.
+// Of the exposure of a flat surface. Disorder inside liquid gives up to 0.4, and its mean over neighbours
+// 0.1.
 constexpr double leastExposure = 0.05, noise[2] = {0.4, 0.7}, meanNoise[2] = {0.06, 0.12};
 
 double ramp(double x, const double (&between)[2]) {
@@ -33,8 +34,7 @@ double volumeOf(const Scene& s, const Continuum& p, std::size_t i) {
 
 /// Calls row(i, neighbours) for the selected owned rows; neighbours(pair) calls pair(j, (x_i - x_j) / h, q^2)
 /// for the neighbours j within the support radius, in the order of their list.
-template<class Select, class Row>
-void eachRow(const EvaporationView& v, Select&& select, Row&& row) {
+template<class Select, class Row> void eachRow(const EvaporationView& v, Select&& select, Row&& row) {
   const Continuum& p = v.heat.particles;
   const NeighbourLists& lists = v.neighbours;
   const double perSupport = 1 / v.records.grid.support;
@@ -144,8 +144,8 @@ double energyPerVolume(const EvaporationView& v, std::uint32_t i, Neighbours&& n
   };
   neighbours(add);
   if (summed) add(i, {}, 0);
-  const double h = v.records.grid.support, own = (summed ? compression : 0) +
-                                                 (m.surfaceEnergy || !m.tension ? 1 : 2) * tension;
+  const double h = v.records.grid.support,
+               own = (summed ? compression : 0) + (m.surfaceEnergy || !m.tension ? 1 : 2) * tension;
   return own / volumeOf(s, p, i) + sum / (h * h * h);
 }
 

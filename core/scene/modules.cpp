@@ -92,8 +92,8 @@ void findHeat(Finder& f) {
 /// other than positions and velocities. With heat, no sum may need volumes after the densities
 /// (terms/uniform_forces.hpp).
 bool isUniform(const Scene& s, const Modules& m) {
-  const bool other = m.solid || m.melting || m.contactConductance || m.evaporation || m.incompressible || m.implicitViscosity ||
-                     m.viscosityCorrection || m.tension || m.bodyTypes();
+  const bool other = m.solid || m.melting || m.contactConductance || m.evaporation || m.incompressible ||
+                     m.implicitViscosity || m.viscosityCorrection || m.tension || m.bodyTypes();
   const bool volumes = m.heat && (m.xsph || m.surfaceHeat || s.numerics.pressure != PairForm::Consistent);
   const bool otherCarried = m.continuity &&
                             (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);
@@ -172,7 +172,8 @@ Modules modulesOf(const Scene& s) {
     if (liquid && !x.evaporation.empty())
       f.on(m.evaporation, "evaporation", who + " loses mass at free surfaces of its liquid");
     if (m.heat && x.contactConductance < never && s.bodies.size() + s.emitters.size() > 1)
-      f.on(m.contactConductance, "contact conductance", "heat from " + who + " to other bodies meets a resistance");
+      f.on(m.contactConductance, "contact conductance",
+           "heat from " + who + " to other bodies meets a resistance");
     if (m.melting && x.melts() && x.mushDrag > 0)
       f.on(m.mushDrag, "mush drag", who + " stops its liquid between solidus and liquidus");
     if (liquid && m.heat && expands(x) && hasBuoyancy(s))

@@ -142,8 +142,7 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
                                                 : std::vector<std::uint32_t>{};
   addLeaving(vapour, p, t.leaving);
   recordLeaving(w, t, dt);
-  if ((w.modules.tension || !t.pairForces.empty()) &&
-      (hasOpenSide(w.scene.domain) || w.modules.evaporation))
+  if ((w.modules.tension || !t.pairForces.empty()) && (hasOpenSide(w.scene.domain) || w.modules.evaporation))
     t.leavers = leaversOfAll(w, t, halos.all);
   bool leftSlots = false;
   for (std::uint32_t i : t.leaving) {

@@ -59,8 +59,7 @@ TEST(ContactHeat, SteadyFlowPassesTheResistancesInSeries) {
     const double exact = 100 / (L / k1 + 1 / h + L / k2);
     const Continuum& p = run.particles();
     const double lower = k1 * (layerTemperature(p, 1) - layerTemperature(p, half - 2)) / ((half - 3) * dx),
-                 upper = k2 *
-                         (layerTemperature(p, half + 1) - layerTemperature(p, 2 * half - 2)) /
+                 upper = k2 * (layerTemperature(p, half + 1) - layerTemperature(p, 2 * half - 2)) /
                          ((half - 3) * dx);
     EXPECT_NEAR(lower / exact, 1, 0.02) << h;
     EXPECT_NEAR(upper / exact, 1, 0.02) << h;

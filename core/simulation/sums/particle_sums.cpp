@@ -196,9 +196,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
                                            // step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(particleForces, range);
   if (w.modules.contactConductance) {
-    pass == NeighbourPass::InnerForces
-        ? packContactFaces(w.scene, p, 0, p.owned, t.contactHeat)
-        : packContactFaces(w.scene, p, p.owned, p.size(), t.contactHeat);
+    pass == NeighbourPass::InnerForces ? packContactFaces(w.scene, p, 0, p.owned, t.contactHeat)
+                                       : packContactFaces(w.scene, p, p.owned, p.size(), t.contactHeat);
     addContactHeat(s, t.contactHeat, range);
   }
   if (w.modules.surfaceEnergy) {

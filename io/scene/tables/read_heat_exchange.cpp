@@ -7,9 +7,10 @@
 namespace thaw {
 
 void readHeatExchange(TableReader& r, Material& m) {
-  r.number("contact_conductance", m.contactConductance, "W/(m^2 K)", orNever(positive()),
-           "heat conductance of its contacts with other bodies, where not both are liquid: the smaller of the "
-           "two counts; \"never\": no resistance");
+  r.number(
+      "contact_conductance", m.contactConductance, "W/(m^2 K)", orNever(positive()),
+      "heat conductance of its contacts with other bodies, where not both are liquid: the smaller of the "
+      "two counts; \"never\": no resistance");
   readByTemperature(r,
                     {"evaporation", "kg/(m^2 s)", notNegative(),
                      "mass that evaporates per time and area of free surfaces of the liquid; or a table of "
