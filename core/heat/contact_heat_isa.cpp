@@ -70,7 +70,7 @@ template<class Real, class Kernel> struct ContactHeat {
   }
   /// Distance along the normal of the contact, in support radii.
   THAW_INLINE static L across(const Data& i, const Data& j, L x, L y, L z, L r2) {
-    constexpr double least = 0.1;  // of the distance, for rough contacts
+    constexpr double least = 0.1;  // fraction of the distance, for rough contacts
     const L nx = i.faces.a - j.faces.a, ny = i.faces.b - j.faces.b, nz = i.faces.c - j.faces.c;
     const L size2 = dot3(nx, ny, nz, nx, ny, nz), along = dot3(nx, ny, nz, x, y, z), r = sqrt(r2);
     const L projected = sqrt(along * along / max(size2, L(1e-6)));

@@ -16,8 +16,8 @@
 namespace thaw {
 namespace {
 
-// Of the exposure of a flat surface. Disorder inside liquid gives up to 0.4, and its mean over neighbours
-// 0.1.
+// Fractions of the exposure of a flat surface. Disorder inside liquid gives up to 0.4, and less than 0.1 in
+// the mean over neighbours.
 constexpr double leastExposure = 0.05, noise[2] = {0.4, 0.7}, meanNoise[2] = {0.06, 0.12};
 
 double ramp(double x, const double (&between)[2]) {
@@ -139,7 +139,7 @@ double energyPerVolume(const EvaporationView& v, std::uint32_t i, Neighbours&& n
     sum += V * liquidFraction(p, j) * pressure * v.inverseLatticeSum *
            withKernel(n.kernel, [&](auto kernel) { return kernel.w(q2); });
     if (!m.surfaceEnergy) return;
-    const SurfaceKernelValue k = surfaceKernelAt(-1.0 * d);  // of j, from i
+    const SurfaceKernelValue k = surfaceKernelAt(-1.0 * d);  // the part of i in the sums of j
     sum += V * (dot(p.surfaceEnergyByGradient[j], k.gradient) + p.surfaceEnergyByColour[j] * k.colour);
   };
   neighbours(add);
@@ -166,7 +166,7 @@ double slopeAt(const TemperatureTable& t, double T) {
 void recordVapour(const HeatView& v, std::size_t i, double dm, double dt) {
   const Continuum& p = v.particles;
   const Vec3d &x = p.position[i], &u = p.velocity[i], L = cross(x, u);
-  const Vec3d kick = p.acceleration[i] * (0.5 * dt);  // of the second half kick, as of all that stays
+  const Vec3d kick = p.acceleration[i] * (0.5 * dt);  // the second half kick, as for all that stays
   ExactBalance& left = v.ledger.left;
   left.mass.add(dm);
   for (int a = 0; a < 3; a++) {

@@ -112,7 +112,7 @@ struct Continuum : Table {
   Column<float> absorbed{*this, "absorbed", "W", Keep::State,
       "power of lamps, lasers and heated regions into the particle", Rows::Owned};
   Column<Vec3f> contactNormal{*this, "contactNormal", "1", Keep::Transient,
-      "normal of its face with other bodies, away from them; 0: no contact (core/heat/contact_conductance.hpp)"};
+      "normal of its contact with other bodies, away from them; 0: no contact (core/heat/contact_heat.hpp)"};
   Column<Vec3f> exposure{*this, "exposure", "1", Keep::Transient,
       "spacing times the gradient of the neighbours' volume fraction: points into the body at its surface"};
   Column<double> vapour{*this, "vapour", "kg", Keep::State,

@@ -142,6 +142,15 @@ void searchInner(World& w, StepTools& t) {
   t.times.lap(StepPhase::Search);
 }
 
+/// Corrects the heat of contacts. Inner groups have no ghosts.
+void sumContactHeat(const World& w, StepTools& t, const PairSums& sums, GroupRange range,
+                    NeighbourPass pass) {
+  const Continuum& p = w.particles;
+  const bool inner = pass == NeighbourPass::InnerForces;
+  packContactFaces(w.scene, p, inner ? 0 : p.owned, inner ? p.owned : p.size(), t.contactHeat);
+  addContactHeat(sums, t.contactHeat, range);
+}
+
 }  // namespace
 
 void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
@@ -195,11 +204,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
                                            // step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(particleForces, range);
-  if (w.modules.contactConductance) {
-    pass == NeighbourPass::InnerForces ? packContactFaces(w.scene, p, 0, p.owned, t.contactHeat)
-                                       : packContactFaces(w.scene, p, p.owned, p.size(), t.contactHeat);
-    addContactHeat(s, t.contactHeat, range);
-  }
+  if (w.modules.contactConductance) sumContactHeat(w, t, s, range, pass);
   if (w.modules.surfaceEnergy) {
     pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
                                        : packSurfaceEnergyDerivatives(x, p, p.owned, p.size(), t.records);
