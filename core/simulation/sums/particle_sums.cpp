@@ -174,10 +174,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     search(w, t, Part::Boundary);
     t.times.lap(StepPhase::Search);
   }
-  const GroupRange inner{0, lists.innerGroups}, boundary{lists.innerGroups, lists.groups};
-  const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces
-                               ? inner
-                               : boundary;
+  const bool inner = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces;
+  const GroupRange range{inner ? 0 : lists.innerGroups, inner ? lists.innerGroups : lists.groups};
   if (density) {
     if (w.modules.fluid) {
       PairSums sums = pairSumsOf(w, t);
