@@ -149,19 +149,6 @@ double energyPerVolume(const EvaporationView& v, std::uint32_t i, Neighbours&& n
   return own / volumeOf(s, p, i) + sum / (h * h * h);
 }
 
-/// Mean of a rate that falls with the temperature by `slope` (1/K) times itself while it cools the particle.
-double meanOverStep(double coolingRate, double dt) {
-  const double x = coolingRate * dt;
-  return x > 1e-8 ? -std::expm1(-x) / x : 1;
-}
-
-double slopeAt(const TemperatureTable& t, double T) {
-  for (std::size_t k = 1; k < t.size(); k++)
-    if (T >= t[k - 1].first && T < t[k].first)
-      return (t[k].second - t[k - 1].second) / (t[k].first - t[k - 1].first);
-  return 0;
-}
-
 /// Records mass dm (kg) of a particle as vapour, with its share of the particle's energies.
 void recordVapour(const HeatView& v, std::size_t i, double dm, double dt) {
   const Continuum& p = v.particles;
@@ -179,6 +166,29 @@ void recordVapour(const HeatView& v, std::size_t i, double dm, double dt) {
 }
 
 }  // namespace
+
+double meanRate(const TemperatureTable& t, double T, double cooling, double dt) {
+  const double now = valueAt(t, T, Interpolation::Linear);
+  if (!(cooling * now * dt > 0)) return now;
+  double left = dt, fall = 0;  // s, K
+  for (std::size_t k = t.size(); k-- > 0 && left > 0;) {
+    const auto [low, rateLow] = t[k];
+    if (!(T > low)) continue;
+    // From T down to the lower end of its part of the table.
+    const double rate = valueAt(t, T, Interpolation::Linear), slope = (rate - rateLow) / (T - low);
+    const double decay = slope * cooling;  // 1/s
+    const double needed = slope == 0    ? (T - low) / (cooling * rate)
+                          : rateLow > 0 ? std::log(rate / rateLow) / decay
+                                        : never,
+                 span = std::min(left, needed);
+    fall += span < needed ? (slope == 0 ? cooling * rate * span : -rate * std::expm1(-decay * span) / slope)
+                          : T - low;
+    left -= span;
+    T = low;
+  }
+  if (left > 0) fall += cooling * t.front().second * left;
+  return fall / (cooling * dt);
+}
 
 void findExposure(const EvaporationView& v) {
   const Scene& s = v.heat.scene;
@@ -212,14 +222,14 @@ void findVapour(const EvaporationView& v, double dt) {
   };
   eachRow(v, select, [&](std::uint32_t i, auto&& neighbours) {
     const Material& m = s.materials[p.material[i]];
-    const double T = p.temperature[i], perArea = valueAt(m.evaporation, T, Interpolation::Linear);
-    if (!(perArea > 0)) return;
+    const double T = p.temperature[i];
+    if (!(valueAt(m.evaporation, T, Interpolation::Linear) > 0)) return;
     const double area = areaOf(v, i, flat, neighbours);
     if (area == 0) return;
     const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : 1,
                  capacity = p.mass[i] * heatCapacityOf(s.numerics.heat, m, f),
-                 cooling = std::max(slopeAt(m.evaporation, T), 0.0) * area * m.evaporationHeat / capacity;
-    const double rate = perArea * area * meanOverStep(cooling, dt), heat = rate * m.evaporationHeat;
+                 rate = area * meanRate(m.evaporation, T, area * m.evaporationHeat / capacity, dt),
+                 heat = rate * m.evaporationHeat;
     p.heatFlow[i] -= heat;
     v.heat.ledger.heatIn.add(-heat * dt);
     v.heat.ledger.vapourHeat.add(heat * dt);

@@ -24,6 +24,10 @@ struct EvaporationView {
   double inverseLatticeSum;  ///< factor that turns sums over V W into relative densities
 };
 
+/// Mean of a rate per area over dt (s) while it cools the particle, dT/dt = -cooling r(T), from T (K) on. The
+/// solution is exact for the table, so no step crosses a temperature at which the rate is 0.
+double meanRate(const TemperatureTable& rate, double T, double cooling, double dt);
+
 /// Sets Continuum::exposure of liquids that evaporate: twice the spacing times the gradient of the volume
 /// fraction of neighbours and walls.
 /// Requires: Continuum::freeSurfaceIndicator, of pairs alone; positions and masses of ghosts.
@@ -32,9 +36,7 @@ void findExposure(const EvaporationView& view);
 /// Finds the mass that evaporates over the step of dt (s) that ends now, into Continuum::vapour and
 /// vapourEnergy, and takes its latent heat from heatFlow; recorded in Ledger::heatIn and vapourHeat. The
 /// area of a particle is its volume times the component of the gradient along the surface's normal. It is
-/// exact for a flat surface in any arrangement of particles, since gradients of pairs cancel in the sum. Over
-/// the step the rate is averaged at a constant slope of its table, so no step overshoots the temperature at
-/// which evaporation ends.
+/// exact for a flat surface in any arrangement of particles, since gradients of pairs cancel in the sum.
 /// Requires: exposure, relativeDensity and derivatives of the surface energy of ghosts.
 void findVapour(const EvaporationView& view, double dt);
 

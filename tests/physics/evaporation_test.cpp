@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/heat/evaporation.hpp"
+#include "core/scene/temperature_table.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {
@@ -61,10 +63,26 @@ TEST(Evaporation, PoolLosesMassAndHeatAtTheStatedRate) {
   }
 }
 
+TEST(Evaporation, MeanRateFollowsTheTableExactly) {
+  const TemperatureTable table{{300, 0}, {310, 1}, {320, 1}, {330, 3}};
+  for (const double T : {305.0, 312.0, 327.0, 340.0})
+    for (const double cooling : {0.0, 0.5, 4.0, 50.0}) {
+      double fall = 0, now = T;
+      constexpr int steps = 200000;
+      for (int k = 0; k < steps; k++) {
+        const double rate = valueAt(table, now, Interpolation::Linear) / steps;
+        fall += rate, now -= cooling * rate;
+      }
+      EXPECT_NEAR(meanRate(table, T, cooling, 1), fall, 1e-3 * fall) << T << ' ' << cooling;
+    }
+  EXPECT_EQ(meanRate(table, 299, 1, 1), 0);
+  EXPECT_EQ(meanRate({{0, 2}}, 300, 1, 1), 2);
+}
+
 TEST(Evaporation, StopsWhereTheTableEnds) {
   Scene s = pool(1);
   Material& m = s.materials[0];
-  m.evaporation = {{340, 0}, {341, 1000}};  // steep: without the mean over a step it would oscillate
+  m.evaporation = {{340, 0}, {341, 1000}};  // a step at the full rate would cool its surface by 25 K
   m.conductivity = {2000, 2000};
   m.evaporationHeat = 1e6;
   Simulation run(s);
