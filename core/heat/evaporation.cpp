@@ -93,29 +93,52 @@ Vec3d withWalls(const EvaporationView& v, const std::vector<double>& hidden, std
   return e;
 }
 
-/// Free surface (m^2) of a particle, and mean exposure of its neighbourhood.
+Vec3d exposureOf(const Continuum& p, std::size_t i) {
+  const Vec3f& e = p.exposure[i];
+  return {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)};
+}
+
+/// Direction of the mean exposure around a particle, times the degree to which it is at a surface, 0 to 1.
 template<class Neighbours>
-double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
+Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
   const Scene& s = v.heat.scene;
   const Continuum& p = v.heat.particles;
   const double h = v.records.grid.support, perH3 = 1 / (h * h * h);
-  const auto exposure = [&](std::uint32_t j) {
-    const Vec3f& e = p.exposure[j];
-    return Vec3d{static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)};
-  };
   const auto weight = [&](std::uint32_t j, double q2) {
     return volumeOf(s, p, j) * perH3 *
            withKernel(s.numerics.kernel, [&](auto kernel) { return kernel.w(q2); });
   };
   Vec3d mean{};
-  neighbours([&](std::uint32_t j, const Vec3d&, double q2) { mean += exposure(j) * weight(j, q2); });
-  const Vec3d own = exposure(i);
+  neighbours([&](std::uint32_t j, const Vec3d&, double q2) { mean += exposureOf(p, j) * weight(j, q2); });
+  const Vec3d own = exposureOf(p, i);
   const double alone = ramp(length(own) / flat, noise),
                gate = std::max(alone, ramp(length(mean) / flat, meanNoise));
-  if (gate == 0) return 0;
   const Vec3d direction = mean + own * (alone * weight(i, 0));
-  const double size = length(direction), along = size > 0 ? dot(own, direction) / size : length(own);
-  return gate * std::max(along, 0.0) * volumeOf(s, p, i) / (s.spacing * latticeGradient(s.numerics));
+  const double size = length(direction);
+  return size > 0 ? direction * (gate / size) : own * (gate / std::max(length(own), 1e-300));
+}
+
+/// Free surface (m^2) of a particle. Particles below an outer one may have a negative part, which the others
+/// beside the line through the surface take over.
+template<class Neighbours>
+double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
+  const Scene& s = v.heat.scene;
+  const Continuum& p = v.heat.particles;
+  const Vec3d direction = surfaceDirection(v, i, flat, neighbours);
+  const double gate = length(direction);
+  if (gate == 0) return 0;
+  const Vec3d n = direction * (1 / gate);
+  const double along = dot(exposureOf(p, i), n), own = along * volumeOf(s, p, i);
+  if (!(along > 0)) return 0;
+  double all = own, positive = own;
+  neighbours([&](std::uint32_t j, const Vec3d& d, double) {
+    const Vec3d aside = d - n * dot(d, n);
+    const double near = 1 - dot(aside, aside),
+                 part = near * near * volumeOf(s, p, j) * dot(exposureOf(p, j), n);
+    all += part;
+    positive += std::max(part, 0.0);
+  });
+  return gate * own * std::max(all / positive, 0.0) / (s.spacing * latticeGradient(s.numerics));
 }
 
 /// d(stored energy)/d(volume of the particle) (J/m^3), of pairs, compression and surface. A carried density

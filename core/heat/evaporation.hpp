@@ -13,7 +13,7 @@
 namespace thaw {
 
 /// Fraction of the mass of a full particle, density times spacing^3, below which it leaves.
-inline constexpr double leastVapourFraction = 0.05;
+inline constexpr double leastVapourFraction = 0.02;
 
 struct EvaporationView {
   HeatView heat;
