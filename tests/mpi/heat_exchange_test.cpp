@@ -77,15 +77,16 @@ Scene boilingMelt() {
   metal.viscosity = {0.5, 0.5};
   metal.soundSpeed = 15;
   metal.hysteresis = 0.3;
-  metal.contactConductance = 2e4;
-  metal.evaporation = {{340, 0}, {345, 2000}};
+  metal.conductivity = {2e4, 2e4};
+  metal.contactConductance = 1e6;
+  metal.evaporation = {{320, 0}, {345, 20000}};
   metal.evaporationHeat = 1e4;
   metal.mushDrag = 1e5;
   Material& mould = s.materials[1];
   mould.name = "mould";
   mould.young = {8e4, 0};
-  mould.conductivity = {500, 500};
-  mould.contactConductance = 1e4;
+  mould.conductivity = {2e4, 2e4};
+  mould.contactConductance = 5e5;
   Body& base = addBox(s, {-0.14, -0.14, 0}, {0.14, 0.14, 0.06});
   base.material = 1;
   base.temperature = 200;
@@ -100,7 +101,7 @@ TEST(HeatExchange, hasTheSameBitsOnAnyNumberOfRanks) {
   for (const DensityForm density : {DensityForm::Summation, DensityForm::Continuity}) {
     Scene scene = boilingMelt();
     scene.numerics.density = density;
-    const State alone = runOn(MPI_COMM_SELF, scene, 80), together = runOn(MPI_COMM_WORLD, scene, 80);
+    const State alone = runOn(MPI_COMM_SELF, scene, 120), together = runOn(MPI_COMM_WORLD, scene, 120);
     EXPECT_GT(alone.evaporated, 0);
     EXPECT_GT(alone.frozen, 0);
     EXPECT_GT(alone.mushy, 0);
