@@ -118,8 +118,9 @@ Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, N
   return size > 0 ? direction * (gate / size) : own * (gate / std::max(length(own), 1e-300));
 }
 
-/// Free surface (m^2) of a particle. Particles below an outer one may have a negative part, which the others
-/// beside the line through the surface take over.
+/// Free surface (m^2) of a particle. The parts V g.n of particles along a line through the surface, some of
+/// them negative, are shared anew in proportion to sqrt(V) g.n where that is positive: small particles then
+/// leave in a finite time.
 template<class Neighbours>
 double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
   const Scene& s = v.heat.scene;
@@ -128,17 +129,19 @@ double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours
   const double gate = length(direction);
   if (gate == 0) return 0;
   const Vec3d n = direction * (1 / gate);
-  const double along = dot(exposureOf(p, i), n), own = along * volumeOf(s, p, i);
-  if (!(along > 0)) return 0;
-  double all = own, positive = own;
-  neighbours([&](std::uint32_t j, const Vec3d& d, double) {
+  double all = 0, shares = 0;
+  const auto add = [&](std::uint32_t j, const Vec3d& d) {
     const Vec3d aside = d - n * dot(d, n);
-    const double near = 1 - dot(aside, aside),
-                 part = near * near * volumeOf(s, p, j) * dot(exposureOf(p, j), n);
-    all += part;
-    positive += std::max(part, 0.0);
-  });
-  return gate * own * std::max(all / positive, 0.0) / (s.spacing * latticeGradient(s.numerics));
+    const double near = 1 - dot(aside, aside), V = volumeOf(s, p, j),
+                 part = near * near * dot(exposureOf(p, j), n);
+    all += V * part;
+    shares += std::sqrt(V) * std::max(part, 0.0);
+  };
+  add(i, {});
+  neighbours([&](std::uint32_t j, const Vec3d& d, double) { add(j, d); });
+  const double own = std::sqrt(volumeOf(s, p, i)) * dot(exposureOf(p, i), n);
+  if (!(own > 0 && all > 0)) return 0;
+  return gate * own * (all / shares) / (s.spacing * latticeGradient(s.numerics));
 }
 
 /// d(stored energy)/d(volume of the particle) (J/m^3), of pairs, compression and surface. A carried density
