@@ -155,21 +155,25 @@ double energyPerVolume(const EvaporationView& v, std::uint32_t i, Neighbours&& n
   const double compression = compressionOf(v.records, p, i, liquidFraction(p, i)),
                tension = p.interaction[i] - compression;
   const bool summed = !m.continuity && !m.incompressible;
-  double sum = 0;
-  const auto add = [&](std::uint32_t j, const Vec3d& d, double q2) {
-    const double delta = summed ? static_cast<double>(p.relativeDensity[j]) : 0, V = volumeOf(s, p, j);
-    const double pressure = delta > 1 ? pressureOf(n.eos, v.records.liquids[p.material[j]].stiffness, delta,
-                                                   n.tensileLimit) /
-                                            (delta * delta)
-                                      : 0;
-    sum += V * liquidFraction(p, j) * pressure * v.inverseLatticeSum *
-           withKernel(n.kernel, [&](auto kernel) { return kernel.w(q2); });
+  // The derivative of the compression energy of j by its relative density.
+  const auto byDensity = [&](std::uint32_t j) {
+    const double delta = summed ? static_cast<double>(p.relativeDensity[j]) : 0;
+    if (delta <= 0) return 0.0;
+    return volumeOf(s, p, j) * liquidFraction(p, j) *
+           pressureOf(n.eos, v.records.liquids[p.material[j]].stiffness, delta, n.tensileLimit) /
+           (delta * delta);
+  };
+  const auto weight = [&](double q2) {
+    return v.inverseLatticeSum * withKernel(n.kernel, [&](auto kernel) { return kernel.w(q2); });
+  };
+  double sum = byDensity(i) * (weight(0) - v.selfExcess);
+  neighbours([&](std::uint32_t j, const Vec3d& d, double q2) {
+    sum += byDensity(j) * weight(q2);
     if (!m.surfaceEnergy) return;
     const SurfaceKernelValue k = surfaceKernelAt(-1.0 * d);  // the part of i in the sums of j
-    sum += V * (dot(p.surfaceEnergyByGradient[j], k.gradient) + p.surfaceEnergyByColour[j] * k.colour);
-  };
-  neighbours(add);
-  if (summed) add(i, {}, 0);
+    sum += volumeOf(s, p, j) *
+           (dot(p.surfaceEnergyByGradient[j], k.gradient) + p.surfaceEnergyByColour[j] * k.colour);
+  });
   const double h = v.records.grid.support,
                own = (summed ? compression : 0) + (m.surfaceEnergy || !m.tension ? 1 : 2) * tension;
   return own / volumeOf(s, p, i) + sum / (h * h * h);

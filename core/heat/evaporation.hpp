@@ -22,6 +22,7 @@ struct EvaporationView {
   const WallContacts& contacts;
   const WallTables& tables;
   double inverseLatticeSum;  ///< factor that turns sums over V W into relative densities
+  double selfExcess;         ///< PairSums::selfExcess
 };
 
 /// Mean of a rate per area over dt (s) while it cools the particle, dT/dt = -cooling r(T), from T (K) on. The

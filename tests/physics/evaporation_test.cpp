@@ -94,4 +94,26 @@ TEST(Evaporation, StopsWhereTheTableEnds) {
   EXPECT_LT(mean, 345);
 }
 
+TEST(Evaporation, DropWithSurfaceTensionShrinks) {
+  Scene s = emptyScene(dx, {-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1});
+  s.materials.emplace_back();
+  Material& m = s.materials[0];
+  m.viscosity = {0.1, 0.1};
+  m.surfaceTension = 1;
+  m.soundSpeed = 4;
+  m.evaporation = {{0, 40}};
+  s.bodies.emplace_back();
+  s.bodies[0].shape.kind = ShapeKind::Sphere;
+  s.bodies[0].shape.radius = 5 * dx;
+  s.end = 0.4;
+  Simulation run(s);
+  ASSERT_TRUE(run.run());
+  const LedgerReport r = run.ledgerReport();
+  // The radius falls at the rate over the density: by 0.016 m.
+  const double radius = std::cbrt(r.now.mass / r.initial.mass) * 5 * dx;
+  EXPECT_NEAR((5 * dx - radius) / 0.016, 0.9, 0.1);  // 15 % too slow at this resolution
+  EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
+  EXPECT_LT(std::abs(r.energyResidual), 0.02 * r.energyScale);
+}
+
 }  // namespace thaw::test

@@ -29,7 +29,8 @@ inline RecordContext recordContext(const World& w, const StepTools& t) {
 }
 
 inline EvaporationView evaporationView(World& w, StepTools& t) {
-  return {heatView(w), recordContext(w, t), w.neighbours, t.wallContacts, t.wallTables, t.inverseLatticeSum};
+  return {heatView(w),  recordContext(w, t), w.neighbours, t.wallContacts,
+          t.wallTables, t.inverseLatticeSum, t.selfExcess};
 }
 
 inline OrientedView orientedView(World& w, StepTools& t) {
