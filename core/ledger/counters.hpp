@@ -19,6 +19,7 @@ struct Counters {
   std::int64_t rereferenced = 0;
   std::int64_t wallProjections = 0;  ///< particles projected out of an obstacle
   std::int64_t left = 0, emitted = 0;
+  std::int64_t evaporated = 0;          ///< particles that left as vapour
   std::int64_t leftThrough[3][2] = {};  ///< particles that left, by the open side that each was farthest
                                         ///< beyond, [axis][low, high]
   std::int64_t viscousIterations = 0;   ///< implicit viscosity, all steps; on the first rank only

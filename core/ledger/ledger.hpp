@@ -41,6 +41,8 @@ struct Ledger {
                          ///< 0) or created
   ExactSum restartJump;  ///< J, stored energy that changed coefficients at a restart created (> 0) or removed
   SourceSums lamps, lasers, regions;  ///< the absorbed parts are in heatIn
+  ExactSum evaporated;                ///< kg, vapour; also in left.mass
+  ExactSum vapourHeat;                ///< J, latent heat of the vapour; minus this is in heatIn
   Balance initial;                    ///< global, at time 0
 };
 

@@ -33,7 +33,8 @@ struct Continuum : Table {
       "from the last force evaluation; the next half kick uses it", Rows::Owned};
   Column<Vec3d> fastAcceleration{*this, "fastAcceleration", "m/s^2", Keep::State,
       "part that substeps apply: bonds, and contacts of solids with walls", Rows::Owned};
-  Column<double> mass{*this, "mass", "kg", Keep::State, "constant"};
+  Column<double> mass{*this, "mass", "kg", Keep::State,
+      "constant, except in liquids that evaporate"};
   Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::State,
@@ -110,6 +111,18 @@ struct Continuum : Table {
       "function of the enthalpy; a state variable of its own in the paper's heat model"};
   Column<float> absorbed{*this, "absorbed", "W", Keep::State,
       "power of lamps, lasers and heated regions into the particle", Rows::Owned};
+  Column<Vec3f> contactNormal{*this, "contactNormal", "1", Keep::Transient,
+      "normal of its contact with other bodies, away from them; 0: no contact (core/heat/contact_heat.hpp)"};
+  Column<Vec3f> exposure{*this, "exposure", "1", Keep::Transient,
+      "spacing times the gradient of the neighbours' volume fraction: points into the body at its surface"};
+  Column<double> vapour{*this, "vapour", "kg", Keep::State,
+      "mass that leaves it as vapour at the start of the next step", Rows::Owned};
+  Column<double> vapourEnergy{*this, "vapourEnergy", "J", Keep::State,
+      "potential energy of pairs that leaves with it", Rows::Owned};
+  Column<float> mushRate{*this, "mushRate", "1/s", Keep::State,
+      "rate at which the drag of a mush stops it relative to solidVelocity; 0: none", Rows::Owned};
+  Column<Vec3d> solidVelocity{*this, "solidVelocity", "m/s", Keep::State,
+      "mean velocity of solid neighbours of a liquid in a mush", Rows::Owned};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction; blend parameter of the material"};
   Column<u8> phase{*this, "phase", "1", Keep::State, "Solid: has or may have bonds; Liquid: has none"};
   // Surface (core/surface/).

@@ -77,6 +77,7 @@ void findHeat(Finder& f) {
   if (hasContinuum(s))
     source(s.lamps, "lamp"), source(s.lasers, "laser"), source(s.heatedRegions, "heated region");
   for (const Material& m : s.materials) {
+    if (!m.evaporation.empty()) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " evaporates");
     if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");
     if (m.convection > 0 || m.emissivity > 0) {
       f.on(f.m.heat, "heat", "material " + quoted(m.name) + " exchanges heat with the ambient");
@@ -91,8 +92,8 @@ void findHeat(Finder& f) {
 /// other than positions and velocities. With heat, no sum may need volumes after the densities
 /// (terms/uniform_forces.hpp).
 bool isUniform(const Scene& s, const Modules& m) {
-  const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity ||
-                     m.viscosityCorrection || m.tension || m.bodyTypes();
+  const bool other = m.solid || m.melting || m.contactConductance || m.evaporation || m.incompressible ||
+                     m.implicitViscosity || m.viscosityCorrection || m.tension || m.bodyTypes();
   const bool volumes = m.heat && (m.xsph || m.surfaceHeat || s.numerics.pressure != PairForm::Consistent);
   const bool otherCarried = m.continuity &&
                             (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);
@@ -168,6 +169,13 @@ Modules modulesOf(const Scene& s) {
     if (liquid && x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
     if (liquid && x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
     if (liquid && m.continuity && x.bulkDamping > 0) f.on(m.bulkDamping, "bulk damping", who);
+    if (liquid && !x.evaporation.empty())
+      f.on(m.evaporation, "evaporation", who + " loses mass at free surfaces of its liquid");
+    if (m.heat && x.contactConductance < never && s.bodies.size() + s.emitters.size() > 1)
+      f.on(m.contactConductance, "contact conductance",
+           "heat from " + who + " to other bodies meets a resistance");
+    if (m.melting && x.melts() && x.mushDrag > 0)
+      f.on(m.mushDrag, "mush drag", who + " stops its liquid between solidus and liquidus");
     if (liquid && m.heat && expands(x) && hasBuoyancy(s))
       f.on(m.buoyancy, "buoyancy",
            "the density of " + who + " depends on the temperature; " +

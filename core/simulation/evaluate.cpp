@@ -6,7 +6,9 @@
 #include "core/domain/buoyant_force.hpp"
 #include "core/fluid/density/carried_density.hpp"
 #include "core/fluid/rheology/apparent_viscosity.hpp"
+#include "core/heat/evaporation.hpp"
 #include "core/heat/heat.hpp"
+#include "core/heat/mush.hpp"
 #include "core/heat/sources/heat_sources.hpp"
 #include "core/oriented/forces/continuum_contact.hpp"
 #include "core/oriented/step_oriented.hpp"
@@ -85,15 +87,24 @@ void sumDensities(Evaluation& e) {
   t.times.lap(StepPhase::Walls);
   if (m.continuity && e.neighbours) finishCarry(carryContext(w, t, e.dt));
   if (m.shifting && !m.continuity) shiftInside(carryContext(w, t, e.dt));
+  if (m.contactConductance && e.neighbours)
+    findContactNormals(pairSumsOf(w, t), w.particles.owned + t.ghostRoom, w.particles, t.contactHeat);
+  if (m.evaporation && e.neighbours) {
+    t.kernels->freeSurfaceIndicator(pairSumsOf(w, t), {0, w.neighbours.groups});
+    findExposure(evaporationView(w, t));
+  }
   if (m.surfaceEnergy) findSurfaceEnergy(e.walls, t.surface, t.wallContacts);
   if (m.flowLaw) findApparentViscosity(e.walls, t.wallContacts, pairSumsOf(w, t));
   if (m.tension || !t.pairForces.empty()) recordEnergyLeft(w, t);
 }
 
-/// Columns of ghosts that follow from densities and shear rates.
+/// Columns of ghosts that follow from densities, shear rates and normals.
 ColumnList densityColumns(World& w) {
   Continuum& p = w.particles;
-  ColumnList columns{&p.relativeDensity};
+  ColumnList columns{};
+  if (w.modules.fluid) columns.push_back(&p.relativeDensity);
+  if (w.modules.contactConductance) columns.push_back(&p.contactNormal);
+  if (w.modules.evaporation) columns.push_back(&p.exposure);
   if (p.correction.active) columns.push_back(&p.correction);
   if (p.relief.active) columns.push_back(&p.relief);
   if (p.apparentViscosity.active) columns.push_back(&p.apparentViscosity);
@@ -110,7 +121,7 @@ void sumForces(Evaluation& e) {
   StepTools& t = e.t;
   const Modules& m = w.modules;
   Exchange densities, stress;
-  if (m.fluid) densities = refresh(e.halos.cells, w.particles, densityColumns(w));
+  if (m.fluid || m.contactConductance) densities = refresh(e.halos.cells, w.particles, densityColumns(w));
   t.times.lap(StepPhase::Exchange);
   if (m.solid)  // F, stress; bonds break, form, take new references
     stress = deform(w, e.halos, t, e.dt, {std::move(e.solidPositions), densities});
@@ -159,8 +170,10 @@ void finishForces(Evaluation& e) {
     addWallHeat(e.walls, t.wallContacts);
     addOuterHeat(heatView(w), e.dt, e.walls.steady);
     addThermostats(heatView(w), e.dt);
+    if (w.modules.evaporation) findVapour(evaporationView(w, t), e.dt);
     if (w.modules.lamps) addHeatSources({heatView(w), w.walls, *t.light}, e.dt, e.halos.all);
   }
+  if (w.modules.mushDrag) findMush(heatView(w), w.grid, w.neighbours);
   if (w.particles.outsideForce.active)
     addOutsideLoads(t.outside, w.particles, w.ledger, e.dt > 0 ? timeAfter(w.clock, e.dt) : w.clock.time,
                     e.dt);

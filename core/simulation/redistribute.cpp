@@ -11,6 +11,7 @@
 #include "core/simulation/ledger/energy_left.hpp"
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
+#include "core/simulation/world/views.hpp"
 
 namespace thaw {
 namespace {
@@ -88,6 +89,15 @@ void recordLeaving(World& w, const StepTools& t, double dt) {
   }
 }
 
+/// Adds rows, ascending, to those that leave.
+void addLeaving(std::span<const std::uint32_t> rows, Continuum& p, std::vector<std::uint32_t>& leaving) {
+  if (rows.empty()) return;
+  for (const std::uint32_t i : rows) p.nextCell[i] = noCell;
+  std::vector<std::uint32_t> all;
+  std::set_union(leaving.begin(), leaving.end(), rows.begin(), rows.end(), std::back_inserter(all));
+  leaving = std::move(all);
+}
+
 /// Frees buffers sized for the old partition.
 void freeOldBuffers(World& w, StepTools& t) {
   w.particles.shrink(1.0 / 64);
@@ -127,13 +137,18 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   t.mayLeave = true;
   findCells(w, t.leaving, moves, open);
   if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
+  const std::vector<std::uint32_t> vapour = w.modules.evaporation && dt > 0
+                                                ? removeVapour(heatView(w), recordContext(w, t), dt)
+                                                : std::vector<std::uint32_t>{};
+  addLeaving(vapour, p, t.leaving);
   recordLeaving(w, t, dt);
-  if ((w.modules.tension || !t.pairForces.empty()) && hasOpenSide(w.scene.domain))
+  if ((w.modules.tension || !t.pairForces.empty()) && (hasOpenSide(w.scene.domain) || w.modules.evaporation))
     t.leavers = leaversOfAll(w, t, halos.all);
   bool leftSlots = false;
   for (std::uint32_t i : t.leaving) {
     w.ledger.dissipated.add(p.dissipated[i]);
-    countLeaving(w.scene.domain, p.position[i], w.counters);
+    if (std::binary_search(vapour.begin(), vapour.end(), i)) w.counters.evaporated++;
+    else countLeaving(w.scene.domain, p.position[i], w.counters);
     t.rigid.changedHere = t.rigid.changedHere || isRigid(p, i);
     leftSlots = leftSlots || (p.slot.active && p.slot[i] != noSlot);
   }

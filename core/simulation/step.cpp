@@ -7,6 +7,7 @@
 #include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
+#include "core/heat/mush.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/contact_impulses.hpp"
 #include "core/rigid/link_pieces.hpp"
@@ -35,6 +36,10 @@ void predict(World& w, Halos halos, StepTools& t, double dt, double time) {
     recordOutsideKick(w.particles, HalfKick::First, w.scene.domain.gravity, dt, w.ledger);
   if (w.modules.buoyancy) recordBuoyantKick(w.particles, HalfKick::First, w.scene.domain, dt, w.ledger);
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w.modules, w.particles, t.sleep)) || w.clock.substeps > 1;
+  if (w.modules.mushDrag) {
+    applyMush(heatView(w), 0.5 * dt, dt);
+    t.mayLeave = true;
+  }
   substepSolids(w, halos, t, dt);  // stiff solids: bonds only, in shorter steps
   if (w.modules.rigid) {
     driftPieces(rigidView(w, t), dt);
@@ -58,6 +63,7 @@ StepOutcome finishKicks(World& w, StepTools& t, double dt) {
   if (w.modules.buoyancy) recordBuoyantKick(w.particles, HalfKick::Second, w.scene.domain, dt, w.ledger);
   here.finite = finishKick(w, dt, awakeRows(w.modules, w.particles, t.sleep), &here.bad, &largest);
   here.largest = largest;
+  if (w.modules.mushDrag) applyMush(heatView(w), 0.5 * dt, 0);
   if (w.modules.rigid) kickPieces(rigidView(w, t), dt);
   here.badHere = !here.finite || w.oriented.exceededReach;
   if (w.modules.sheet) {

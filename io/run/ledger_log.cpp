@@ -89,14 +89,20 @@ void addEnergy(Columns& c, const LedgerReport& l, const StoredParts& parts) {
 void addHeat(Columns& c, const LedgerReport& l) {
   c.add("internal_J", l.now.internal);
   c.add("heat_in_J", l.heatIn);
-  for (const auto& [name, source] :
-       {std::pair{"lamps", &l.lamps}, std::pair{"lasers", &l.lasers}, std::pair{"regions", &l.regions}}) {
+  const std::pair<const char*, const SourceReport*> sources[] = {
+      {"lamps", &l.lamps}, {"lasers", &l.lasers}, {"regions", &l.regions}};
+  for (const auto& [name, source] : sources) {
+    if (!l.hasSources) break;
     c.add(fmt::format("{}_given_J", name), source->given);
     c.add(fmt::format("{}_absorbed_J", name), source->absorbed);
     c.add(fmt::format("{}_reflected_J", name), source->reflected);
   }
   c.add("entered_internal_J", l.entered.internal);
   c.add("left_internal_J", l.left.internal);
+  if (l.hasVapour) {
+    c.add("evaporated_mass_kg", l.evaporated);
+    c.add("vapour_heat_J", l.vapourHeat);
+  }
   c.add("heat_residual_J", l.heatResidual);
   c.add("heat_scale_J", l.heatScale);
 }
@@ -113,7 +119,12 @@ Columns columnsOf(const Clock& clock, const LedgerReport& ledger, const StoredPa
   return c;
 }
 
-std::string head() { return columnsOf({}, {}, {}).head(); }
+std::string head(const Modules& modules) {
+  LedgerReport ledger;
+  ledger.hasSources = modules.lamps;
+  ledger.hasVapour = modules.evaporation;
+  return columnsOf({}, ledger, {}).head();
+}
 
 /// Returns the number of row times up to `time`.
 double rowsBy(double time, double every) { return std::floor(time / every * (1 + 1e-12)); }
@@ -122,10 +133,12 @@ double rowsBy(double time, double every) { return std::floor(time / every * (1 +
 
 std::string ledgerLogPath(const std::string& out) { return out + "/ledger.csv"; }
 
-void beginLedgerLog(const std::string& out) { replaceTextFile(ledgerLogPath(out), head()); }
+void beginLedgerLog(const std::string& out, const Modules& modules) {
+  replaceTextFile(ledgerLogPath(out), head(modules));
+}
 
-void truncateLedgerLog(const std::string& out, std::int64_t step) {
-  truncateStepLog(ledgerLogPath(out), head(), step);
+void truncateLedgerLog(const std::string& out, const Modules& modules, std::int64_t step) {
+  truncateStepLog(ledgerLogPath(out), head(modules), step);
 }
 
 bool ledgerRowDue(const World& w, double before) {

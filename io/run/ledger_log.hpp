@@ -10,12 +10,12 @@ namespace thaw {
 
 std::string ledgerLogPath(const std::string& out);
 
-/// Starts a new log with its header. First rank only. Throws IoError.
-void beginLedgerLog(const std::string& out);
+/// Starts a new log with its header: the columns of the scene's modules. First rank only. Throws IoError.
+void beginLedgerLog(const std::string& out, const Modules& modules);
 
 /// Removes rows after `step` and an incomplete last line, at a rollback or restart. Begins a new log if it is
 /// missing or has other columns. First rank only. Throws IoError.
-void truncateLedgerLog(const std::string& out, std::int64_t step);
+void truncateLedgerLog(const std::string& out, const Modules& modules, std::int64_t step);
 
 /// Returns whether a row is due for the step from the time `before` (s) to now. Requires: the frames of now
 /// are not written yet.

@@ -48,7 +48,7 @@ void removeFramesAfterSnapshot(Run& r) {
   onDisk(r, [&] {
     removeFramesAfter(r.options.out, r.name, r.series, r.world.clock.time);
     truncateProgressLog(r.options.out, r.world.clock.step);
-    truncateLedgerLog(r.options.out, r.world.clock.step);
+    truncateLedgerLog(r.options.out, r.world.modules, r.world.clock.step);
     if (r.world.modules.surface) removeSurfaceFrames(r);
     removeBodyTypeFrames(r);
   });

@@ -437,7 +437,8 @@ void beginLogs(Run& r) {
   onDisk(r, [&] {
     const std::string& out = r.options.out;
     r.resumed ? truncateProgressLog(out, r.world.clock.step) : beginProgressLog(out);
-    r.resumed ? truncateLedgerLog(out, r.world.clock.step) : beginLedgerLog(out);
+    r.resumed ? truncateLedgerLog(out, r.world.modules, r.world.clock.step)
+              : beginLedgerLog(out, r.world.modules);
     std::error_code code;
     std::filesystem::remove(out + "/" + refusedName, code);  // the refusal is obsolete
   });

@@ -174,8 +174,11 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump,
                             w.ledger.restartJump, liquid, continuum})
     pack.sums.push_back(s);
-  for (const SourceSums* s : {&w.ledger.lamps, &w.ledger.lasers, &w.ledger.regions})
-    for (const ExactSum& part : {s->given, s->absorbed, s->reflected}) pack.sums.push_back(part);
+  if (w.modules.lamps)
+    for (const SourceSums* s : {&w.ledger.lamps, &w.ledger.lasers, &w.ledger.regions})
+      for (const ExactSum& part : {s->given, s->absorbed, s->reflected}) pack.sums.push_back(part);
+  if (w.modules.evaporation)
+    for (const ExactSum& s : {w.ledger.evaporated, w.ledger.vapourHeat}) pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.wallImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.gravityImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : impulseInFlight) pack.sums.push_back(s);
@@ -208,8 +211,13 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   r.restartJump = u.next();
   const double liquidMass = u.next(), continuumMass = u.next();
   r.liquidFraction = continuumMass > 0 ? liquidMass / continuumMass : 0;
-  for (SourceReport* s : {&r.lamps, &r.lasers, &r.regions})
-    for (double* part : {&s->given, &s->absorbed, &s->reflected}) *part = u.next();
+  r.hasSources = w.modules.lamps;
+  if (r.hasSources)
+    for (SourceReport* s : {&r.lamps, &r.lasers, &r.regions})
+      for (double* part : {&s->given, &s->absorbed, &s->reflected}) *part = u.next();
+  r.hasVapour = w.modules.evaporation;
+  if (r.hasVapour)
+    for (double* one : {&r.evaporated, &r.vapourHeat}) *one = u.next();
   r.wallImpulse = u.next3();
   r.initial = w.ledger.initial;
   r.gravityImpulse = u.next3() + w.scene.domain.gravity * (r.initial.mass * w.clock.time);

@@ -18,7 +18,11 @@ struct LedgerReport {
   Balance now, initial, entered, left;
   double dissipated = 0, wallWork = 0, heatIn = 0, phaseJump = 0, restartJump = 0;  // J
   Vec3d wallImpulse{}, gravityImpulse{};                                            // N s
+  bool hasSources = false;  ///< the scene has lamps, lasers or heated regions; else their energies are 0
   SourceReport lamps, lasers, regions;
+  bool hasVapour = false;    ///< the scene has liquids that evaporate
+  double evaporated = 0;     ///< kg, also in left.mass
+  double vapourHeat = 0;     ///< J, latent heat of the vapour; minus this is in heatIn
   Vec3d impulseInFlight{};   ///< N s, impulse in flight: contacts gave it to vertices and particles, and give
                              ///< it to oriented particles in the next step
   double massResidual = 0;   ///< kg

@@ -4,13 +4,13 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 23,
+constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 25,
                       worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum),
               "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance),
               "list the new sum in sumsOf");
-static_assert(worldCounts == 30, "list the new counter in countsOf");
+static_assert(worldCounts == 31, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
 static_assert(sizeof(MonitorState) == 11 * sizeof(double), "list the new member in realsOf or countsOf");
 
@@ -65,7 +65,9 @@ std::vector<NamedSum> sumsOf(Ledger& l) {
                              {"lasers_reflected", "J", &l.lasers.reflected},
                              {"regions_given", "J", &l.regions.given},
                              {"regions_absorbed", "J", &l.regions.absorbed},
-                             {"regions_reflected", "J", &l.regions.reflected}};
+                             {"regions_reflected", "J", &l.regions.reflected},
+                             {"evaporated_mass", "kg", &l.evaporated},
+                             {"vapour_heat", "J", &l.vapourHeat}};
   list.insert(list.end(), std::begin(others), std::end(others));
   return list;
 }
@@ -86,6 +88,7 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"wall_projections", &c.wallProjections},
           {"left", &c.left},
           {"emitted", &c.emitted},
+          {"evaporated", &c.evaporated},
           {"left_x_low", &c.leftThrough[0][0]},
           {"left_x_high", &c.leftThrough[0][1]},
           {"left_y_low", &c.leftThrough[1][0]},

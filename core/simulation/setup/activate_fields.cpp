@@ -38,6 +38,9 @@ void activateFields(World& w, StepTools& t) {
   on(m.buoyancy, {&p.buoyancy});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.lamps, {&p.absorbed});
+  on(m.contactConductance, {&p.contactNormal});
+  on(m.evaporation, {&p.freeSurfaceIndicator, &p.exposure, &p.vapour, &p.vapourEnergy});
+  on(m.mushDrag, {&p.mushRate, &p.solidVelocity});
   on(m.melting, {&p.liquid, &p.softening});
   on(m.surface, {&p.surfacePosition, &p.component});
   on(m.surface && m.solid, {&p.surfaceStartPosition});
@@ -53,7 +56,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows
     for (AnyColumn* c :
-         {static_cast<AnyColumn*>(&p.relativeDensity), static_cast<AnyColumn*>(&p.freeSurfaceIndicator)})
+         std::initializer_list<AnyColumn*>{&p.relativeDensity, &p.freeSurfaceIndicator, &p.contactNormal})
       c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();

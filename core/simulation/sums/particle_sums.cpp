@@ -23,7 +23,7 @@ ColumnList ghostColumns(World& w) {
   Continuum& p = w.particles;
   ColumnList c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
   if (w.modules.solid) c.push_back(&p.id);
-  if (w.modules.solid) c.push_back(&p.body);
+  if (w.modules.solid || w.modules.contactConductance) c.push_back(&p.body);
   if (w.modules.rigid)
     for (AnyColumn* column :
          std::initializer_list<AnyColumn*>{&p.piece, &p.faceNormal, &p.faceOffset, &p.faceRadius})
@@ -54,14 +54,6 @@ void clearRates(World& w, bool pairsSet) {
   if (p.softening.active) std::fill_n(p.softening.data(), p.owned, 0.0);
   if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
 }
-
-namespace {
-
-RecordContext recordsOf(const World& w, const StepTools& t) {
-  return {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps};
-}
-
-}  // namespace
 
 PairSums pairSumsOf(World& w, StepTools& t) {
   Continuum& p = w.particles;
@@ -150,11 +142,20 @@ void searchInner(World& w, StepTools& t) {
   t.times.lap(StepPhase::Search);
 }
 
+/// Corrects the heat of contacts. Inner groups have no ghosts.
+void sumContactHeat(const World& w, StepTools& t, const PairSums& sums, GroupRange range,
+                    NeighbourPass pass) {
+  const Continuum& p = w.particles;
+  const bool inner = pass == NeighbourPass::InnerForces;
+  packContactFaces(w.scene, p, inner ? 0 : p.owned, inner ? p.owned : p.size(), t.contactHeat);
+  addContactHeat(sums, t.contactHeat, range);
+}
+
 }  // namespace
 
 void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
   Continuum& p = w.particles;
-  const RecordContext x = recordsOf(w, t);
+  const RecordContext x = recordContext(w, t);
   NeighbourLists& lists = w.neighbours;
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
@@ -173,10 +174,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     search(w, t, Part::Boundary);
     t.times.lap(StepPhase::Search);
   }
-  const GroupRange inner{0, lists.innerGroups}, boundary{lists.innerGroups, lists.groups};
-  const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces
-                               ? inner
-                               : boundary;
+  const bool inner = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces;
+  const GroupRange range{inner ? 0 : lists.innerGroups, inner ? lists.innerGroups : lists.groups};
   if (density) {
     if (w.modules.fluid) {
       PairSums sums = pairSumsOf(w, t);
@@ -203,6 +202,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
                                            // step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(particleForces, range);
+  if (w.modules.contactConductance) sumContactHeat(w, t, s, range, pass);
   if (w.modules.surfaceEnergy) {
     pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
                                        : packSurfaceEnergyDerivatives(x, p, p.owned, p.size(), t.records);
@@ -407,7 +407,7 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
 
 void beginSoftening(World& w, const StepTools& t) {
   Continuum& p = w.particles;
-  const RecordContext x = recordsOf(w, t);
+  const RecordContext x = recordContext(w, t);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = static_cast<double>(p.liquid[i]);
     const double compression = compressionOf(x, p, i, f), tension = p.interaction[i] - compression;

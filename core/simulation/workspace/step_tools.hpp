@@ -19,6 +19,7 @@
 #include "core/fluid/pair_sums/records.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/halo/halo.hpp"
+#include "core/heat/contact_heat.hpp"
 #include "core/kernels/viscous_weight.hpp"
 #include "core/ledger/leaver.hpp"
 #include "core/materials/liquid_materials.hpp"
@@ -73,6 +74,7 @@ struct StepTools {
   OrientedWork oriented;
   SleepWork sleep;
   RigidWork rigid;
+  ContactHeatWork contactHeat;
   std::shared_ptr<LightWork> light;  ///< null without heat sources
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds

@@ -2,6 +2,7 @@
 // Views for modules: the data of a run that each reads and changes.
 #pragma once
 #include "core/fluid/density/carried_density.hpp"
+#include "core/heat/evaporation.hpp"
 #include "core/heat/heat_view.hpp"
 #include "core/oriented/data/oriented_view.hpp"
 #include "core/rigid/rigid_view.hpp"
@@ -22,6 +23,15 @@ inline CarryContext carryContext(World& w, StepTools& t, double dt) {
 }
 
 inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.solids, w.clock, w.ledger}; }
+
+inline RecordContext recordContext(const World& w, const StepTools& t) {
+  return {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps};
+}
+
+inline EvaporationView evaporationView(World& w, StepTools& t) {
+  return {heatView(w),  recordContext(w, t), w.neighbours, t.wallContacts,
+          t.wallTables, t.inverseLatticeSum, t.selfExcess};
+}
 
 inline OrientedView orientedView(World& w, StepTools& t) {
   return {w.oriented, t.oriented, w.particles, w.ledger, w.counters, t.sort, t.times,

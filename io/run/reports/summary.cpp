@@ -158,9 +158,6 @@ void writeSummary(const std::string& out, const RunSummary& s, const std::string
                  {"dissipated_J", l.dissipated},
                  {"wall_work_J", l.wallWork},
                  {"heat_in_J", l.heatIn},
-                 {"lamps", sourceJson(l.lamps)},
-                 {"lasers", sourceJson(l.lasers)},
-                 {"heated_regions", sourceJson(l.regions)},
                  {"phase_jump_J", l.phaseJump},
                  {"restart_jump_J", l.restartJump},
                  {"wall_impulse_N_s", vec(l.wallImpulse)},
@@ -171,6 +168,12 @@ void writeSummary(const std::string& out, const RunSummary& s, const std::string
                    {"mechanical_energy_J", l.energyResidual},
                    {"heat_J", l.heatResidual},
                    {"rounding_of_energy_J", l.energyRounding}}}};
+  if (l.hasSources) {
+    j["ledger"]["lamps"] = sourceJson(l.lamps);
+    j["ledger"]["lasers"] = sourceJson(l.lasers);
+    j["ledger"]["heated_regions"] = sourceJson(l.regions);
+  }
+  if (l.hasVapour) j["ledger"]["vapour"] = {{"mass_kg", l.evaporated}, {"heat_J", l.vapourHeat}};
   j["liquid_fraction"] = l.liquidFraction;
   for (const SolverUse& u : s.solvers)
     j["solvers"][u.name] = {{"iterations_of_last_step", u.last}, {"mean_iterations", u.mean}};

@@ -131,13 +131,13 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (s.surface.on) checkSurface(s, errors);
   if (n.support < 2)
     for (const Material& m : s.materials)
-      if (m.convection > 0 || m.emissivity > 0)
+      if (m.convection > 0 || m.emissivity > 0 || !m.evaporation.empty())
         errors.push_back(
             {m.where,
-             fmt::format(
-                 "material.{}: convection and emissivity need numerics.support of 2 at least, got {:g}: with "
-                 "fewer neighbours inner particles look like surface particles and would cool, too",
-                 m.name, n.support)});
+             fmt::format("material.{}: convection, emissivity and evaporation need numerics.support of 2 at "
+                         "least, got {:g}: with "
+                         "fewer neighbours inner particles look like surface particles and would cool, too",
+                         m.name, n.support)});
   checkBuoyancy(x, errors);
   checkSizes(x, errors);
   // The density of a quality belongs to the consistent form of the equation of state.

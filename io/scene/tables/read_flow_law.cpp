@@ -6,22 +6,6 @@
 namespace thaw {
 namespace {
 
-struct TableKey {
-  const char *key, *unit;
-  Range range;
-  const char* about;
-};
-
-/// Reads a quantity, or a list of pairs of temperatures and quantities.
-void readByTemperature(TableReader& r, const TableKey& k, TemperatureTable& t) {
-  if (r.hasList(k.key) || t.size() > 1)
-    return r.pairs({k.key, "K", k.unit, {0, never, true, false, false}, k.range, "", k.about}, t);
-  std::optional<double> value;
-  if (!t.empty()) value = t.front().second;
-  r.orAs(KeyForm::Type::Pairs).number(k.key, value, k.unit, k.range, k.about);
-  if (value) t = {{0, *value}};
-}
-
 void readKeys(TableReader& r, FlowLawSettings& f) {
   r.choice(
       "law", f.law, {"newtonian", "bingham", "herschel_bulkley", "power_law", "carreau"},
@@ -78,6 +62,15 @@ void checkKeys(TableReader& r, FlowLaw law) {
 }
 
 }  // namespace
+
+void readByTemperature(TableReader& r, const TemperatureKey& k, TemperatureTable& t) {
+  if (r.hasList(k.key) || t.size() > 1)
+    return r.pairs({k.key, "K", k.unit, {0, never, true, false, false}, k.range, "", k.about}, t);
+  std::optional<double> value;
+  if (!t.empty()) value = t.front().second;
+  r.orAs(KeyForm::Type::Pairs).number(k.key, value, k.unit, k.range, k.about);
+  if (value) t = {{0, *value}};
+}
 
 void readFlowLaw(TableReader& material, Material& m) {
   material.table("flow",

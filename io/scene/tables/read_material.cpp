@@ -7,6 +7,7 @@
 #include "core/scene/temperature_table.hpp"
 #include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_flow_law.hpp"
+#include "io/scene/tables/read_heat_exchange.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/value_text.hpp"
 
@@ -211,9 +212,11 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
       "phase of a material that does not melt and has a Young's modulus; without a modulus it is liquid");
   m.liquidAtStart = phase == 1;
   readHeat(r, m);
+  readHeatExchange(r, m);
   readFlowLaw(r, m);
   if (!r.reading()) return;
   checkMaterial(r, m);
+  checkHeatExchange(r, m, x.scene->numerics.heat == HeatModel::Paper);
   if (!m.densityTable.empty())
     m.density = valueAt(m.densityTable, referenceTemperature(x.scene->domain, m), Interpolation::Linear);
   if (m.isRigid()) {

@@ -182,6 +182,8 @@ constexpr Kind kinds[] = {{"m", "a length such as \"2 mm\""},
                           {"W/(m^2 K)", "a heat transfer coefficient such as \"10 W/(m^2 K)\""},
                           {"m^2/s", "a diffusivity such as \"1e-6 m^2/s\""},
                           {"1/K", "an expansion such as \"2e-4 1/K\""},
+                          {"kg/(m^2 s)", "a mass flow per area such as \"0.1 kg/(m^2 s)\""},
+                          {"kg/(m^3 s)", "a drag coefficient such as \"1e6 kg/(m^3 s)\""},
                           {"K/m", "a temperature gradient such as \"100 K/m\""}};
 
 }  // namespace

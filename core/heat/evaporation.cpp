@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/heat/evaporation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fluid/laws/particle_pressure.hpp"
+#include "core/fluid/laws/surface_energy.hpp"
+#include "core/heat/heat.hpp"
+#include "core/kernels/lattice.hpp"
+#include "core/kernels/with_kernel.hpp"
+#include "core/materials/enthalpy.hpp"
+#include "core/materials/state_equation.hpp"
+#include "core/scene/temperature_table.hpp"
+
+namespace thaw {
+namespace {
+
+// Fractions of the exposure of a flat surface. Disorder inside liquid gives up to 0.4, and less than 0.1 in
+// the mean over neighbours.
+constexpr double leastExposure = 0.05, noise[2] = {0.4, 0.7}, meanNoise[2] = {0.06, 0.12};
+
+double ramp(double x, const double (&between)[2]) {
+  return std::clamp((x - between[0]) / (between[1] - between[0]), 0.0, 1.0);
+}
+
+bool evaporates(const Scene& s, const Continuum& p, std::size_t i) {
+  return p.phase[i] == Liquid && !s.materials[p.material[i]].evaporation.empty();
+}
+
+double volumeOf(const Scene& s, const Continuum& p, std::size_t i) {
+  return p.mass[i] / s.materials[p.material[i]].density;
+}
+
+/// Calls row(i, neighbours) for the selected owned rows; neighbours(pair) calls pair(j, (x_i - x_j) / h, q^2)
+/// for the neighbours j within the support radius, in the order of their list.
+template<class Select, class Row> void eachRow(const EvaporationView& v, Select&& select, Row&& row) {
+  const Continuum& p = v.heat.particles;
+  const NeighbourLists& lists = v.neighbours;
+  const double perSupport = 1 / v.records.grid.support;
+  for (std::size_t g = 0; g < lists.groups; g++)
+    for (std::size_t l = 0; l < 8; l++) {
+      const std::uint32_t i = lists.self[8 * g + l];
+      if (i == lists.dummy || !select(i)) continue;
+      row(i, [&](auto&& pair) {
+        for (std::uint32_t k = 0; k < lists.count[g]; k++) {
+          const std::uint32_t j = lists.row(g, k, l);
+          if (j == lists.dummy) continue;
+          const Vec3d d = (p.position[i] - p.position[j]) * perSupport;
+          if (const double q2 = dot(d, d); q2 < 1) pair(j, d, q2);
+        }
+      });
+    }
+}
+
+/// Fraction of the gradient along a wall that neighbours behind its surface would give, by the distance of
+/// the particle in spacings: at 0.5, 1.5, ...
+std::vector<double> hiddenFractions(const Numerics& n) {
+  const int reach = static_cast<int>(std::ceil(n.support));
+  std::vector<double> hidden(static_cast<std::size_t>(reach) + 1, 0.0);
+  double all = 0;
+  for (int x = -reach; x <= reach; x++)
+    for (int y = -reach; y <= reach; y++)
+      for (int z = 1; z <= reach; z++) {
+        const double q2 = (x * x + y * y + z * z) / (n.support * n.support);
+        if (q2 >= 1) continue;
+        const double part = withKernel(n.kernel, [&](auto kernel) { return -kernel.slope(q2); }) * z * z;
+        all += part;
+        for (int k = 1; k <= x; k++) hidden[static_cast<std::size_t>(k) - 1] += part;
+      }
+  for (double& one : hidden) one /= all;
+  return hidden;
+}
+
+double hiddenAt(const std::vector<double>& hidden, double spacings) {
+  const double at = std::max(spacings - 0.5, 0.0);
+  const auto k = static_cast<std::size_t>(at);
+  if (k + 1 >= hidden.size()) return 0;
+  return hidden[k] + (at - static_cast<double>(k)) * (hidden[k + 1] - hidden[k]);
+}
+
+/// Adds walls to an exposure: their own gradient, and along them what neighbours behind them would give.
+Vec3d withWalls(const EvaporationView& v, const std::vector<double>& hidden, std::uint32_t i, Vec3d e) {
+  const Scene& s = v.heat.scene;
+  const double h = v.records.grid.support, scale = 2 * s.spacing / h;
+  for (const WallContact& c : contactsOf(v.contacts, i)) {
+    const double more = 1 / (1 - c.share * hiddenAt(hidden, c.distance / s.spacing));
+    const Vec3d normal = c.normal * dot(e, c.normal);
+    e = normal + (e - normal) * more;
+  }
+  for (const WallContact& c : contactsOf(v.contacts, i))  // tables have twice the push of a wall
+    e -= c.normal * (0.5 * scale * v.tables(c.distance / h).push * c.share);
+  return e;
+}
+
+Vec3d exposureOf(const Continuum& p, std::size_t i) {
+  const Vec3f& e = p.exposure[i];
+  return {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)};
+}
+
+/// Direction of the mean exposure around a particle, times the degree to which it is at a surface, 0 to 1.
+template<class Neighbours>
+Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
+  const Scene& s = v.heat.scene;
+  const Continuum& p = v.heat.particles;
+  const double h = v.records.grid.support, perH3 = 1 / (h * h * h);
+  const auto weight = [&](std::uint32_t j, double q2) {
+    return volumeOf(s, p, j) * perH3 *
+           withKernel(s.numerics.kernel, [&](auto kernel) { return kernel.w(q2); });
+  };
+  Vec3d mean{};
+  neighbours([&](std::uint32_t j, const Vec3d&, double q2) { mean += exposureOf(p, j) * weight(j, q2); });
+  const Vec3d own = exposureOf(p, i);
+  const double alone = ramp(length(own) / flat, noise),
+               gate = std::max(alone, ramp(length(mean) / flat, meanNoise));
+  const Vec3d direction = mean + own * (alone * weight(i, 0));
+  const double size = length(direction);
+  return size > 0 ? direction * (gate / size) : own * (gate / std::max(length(own), 1e-300));
+}
+
+/// Free surface (m^2) of a particle. The parts V g.n of particles along a line through the surface, some of
+/// them negative, are shared anew in proportion to sqrt(V) g.n where that is positive: small particles then
+/// leave in a finite time.
+template<class Neighbours>
+double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
+  const Scene& s = v.heat.scene;
+  const Continuum& p = v.heat.particles;
+  const Vec3d direction = surfaceDirection(v, i, flat, neighbours);
+  const double gate = length(direction);
+  if (gate == 0) return 0;
+  const Vec3d n = direction * (1 / gate);
+  double all = 0, shares = 0;
+  const auto add = [&](std::uint32_t j, const Vec3d& d) {
+    const Vec3d aside = d - n * dot(d, n);
+    const double near = 1 - dot(aside, aside), V = volumeOf(s, p, j),
+                 part = near * near * dot(exposureOf(p, j), n);
+    all += V * part;
+    shares += std::sqrt(V) * std::max(part, 0.0);
+  };
+  add(i, {});
+  neighbours([&](std::uint32_t j, const Vec3d& d, double) { add(j, d); });
+  const double own = std::sqrt(volumeOf(s, p, i)) * dot(exposureOf(p, i), n);
+  if (!(own > 0 && all > 0)) return 0;
+  return gate * own * (all / shares) / (s.spacing * latticeGradient(s.numerics));
+}
+
+/// d(stored energy)/d(volume of the particle) (J/m^3), of pairs, compression and surface. A carried density
+/// has none: it changes with the mass (removeVapour).
+template<class Neighbours>
+double energyPerVolume(const EvaporationView& v, std::uint32_t i, Neighbours&& neighbours) {
+  const Scene& s = v.heat.scene;
+  const Continuum& p = v.heat.particles;
+  const Modules& m = v.heat.modules;
+  const Numerics& n = s.numerics;
+  const double compression = compressionOf(v.records, p, i, liquidFraction(p, i)),
+               tension = p.interaction[i] - compression;
+  const bool summed = !m.continuity && !m.incompressible;
+  // The derivative of the compression energy of j by its relative density.
+  const auto byDensity = [&](std::uint32_t j) {
+    const double delta = summed ? static_cast<double>(p.relativeDensity[j]) : 0;
+    if (delta <= 0) return 0.0;
+    return volumeOf(s, p, j) * liquidFraction(p, j) *
+           pressureOf(n.eos, v.records.liquids[p.material[j]].stiffness, delta, n.tensileLimit) /
+           (delta * delta);
+  };
+  const auto weight = [&](double q2) {
+    return v.inverseLatticeSum * withKernel(n.kernel, [&](auto kernel) { return kernel.w(q2); });
+  };
+  double sum = byDensity(i) * (weight(0) - v.selfExcess);
+  neighbours([&](std::uint32_t j, const Vec3d& d, double q2) {
+    sum += byDensity(j) * weight(q2);
+    if (!m.surfaceEnergy) return;
+    const SurfaceKernelValue k = surfaceKernelAt(-1.0 * d);  // the part of i in the sums of j
+    sum += volumeOf(s, p, j) *
+           (dot(p.surfaceEnergyByGradient[j], k.gradient) + p.surfaceEnergyByColour[j] * k.colour);
+  });
+  const double h = v.records.grid.support,
+               own = (summed ? compression : 0) + (m.surfaceEnergy || !m.tension ? 1 : 2) * tension;
+  return own / volumeOf(s, p, i) + sum / (h * h * h);
+}
+
+/// Records mass dm (kg) of a particle as vapour, with its share of the particle's energies.
+void recordVapour(const HeatView& v, std::size_t i, double dm, double dt) {
+  const Continuum& p = v.particles;
+  const Vec3d &x = p.position[i], &u = p.velocity[i], L = cross(x, u);
+  const Vec3d kick = p.acceleration[i] * (0.5 * dt);  // the second half kick, as for all that stays
+  ExactBalance& left = v.ledger.left;
+  left.mass.add(dm);
+  for (int a = 0; a < 3; a++) {
+    left.momentum[a].add(dm * u[a]);
+    left.angularMomentum[a].add(dm * L[a]);
+  }
+  left.kinetic.add(dm * (0.5 * dot(u, u) + dot(u, kick) + 0.5 * dot(kick, kick)));
+  left.potential.add(-dm * dot(v.scene.domain.gravity, x));
+  left.internal.add(dm * p.enthalpy[i]);
+}
+
+}  // namespace
+
+double meanRate(const TemperatureTable& t, double T, double cooling, double dt) {
+  const double now = valueAt(t, T, Interpolation::Linear);
+  if (!(cooling * now * dt > 0)) return now;
+  double left = dt, fall = 0;  // s, K
+  for (std::size_t k = t.size(); k-- > 0 && left > 0;) {
+    const auto [low, rateLow] = t[k];
+    if (!(T > low)) continue;
+    // From T down to the lower end of its part of the table.
+    const double rate = valueAt(t, T, Interpolation::Linear), slope = (rate - rateLow) / (T - low);
+    const double decay = slope * cooling;  // 1/s
+    const double needed = slope == 0    ? (T - low) / (cooling * rate)
+                          : rateLow > 0 ? std::log(rate / rateLow) / decay
+                                        : never,
+                 span = std::min(left, needed);
+    fall += span < needed ? (slope == 0 ? cooling * rate * span : -rate * std::expm1(-decay * span) / slope)
+                          : T - low;
+    left -= span;
+    T = low;
+  }
+  if (left > 0) fall += cooling * t.front().second * left;
+  return fall / (cooling * dt);
+}
+
+void findExposure(const EvaporationView& v) {
+  const Scene& s = v.heat.scene;
+  Continuum& p = v.heat.particles;
+  const double h = v.records.grid.support, flat = flatLatticeIndicator(s.numerics),
+               scale = 2 * s.spacing / (h * h * h * h);
+  const std::vector<double> hidden = hiddenFractions(s.numerics);
+  std::fill_n(p.exposure.data(), p.owned, Vec3f{});
+  const auto select = [&](std::uint32_t i) {
+    return evaporates(s, p, i) && static_cast<double>(p.freeSurfaceIndicator[i]) > leastExposure * flat;
+  };
+  eachRow(v, select, [&](std::uint32_t i, auto&& neighbours) {
+    Vec3d sum{};
+    neighbours([&](std::uint32_t j, const Vec3d& d, double q2) {
+      sum += d * (volumeOf(s, p, j) * withKernel(s.numerics.kernel, [&](auto k) { return k.slope(q2); }));
+    });
+    const Vec3d e = withWalls(v, hidden, i, sum * scale);
+    p.exposure[i] = {static_cast<float>(e.x), static_cast<float>(e.y), static_cast<float>(e.z)};
+  });
+}
+
+void findVapour(const EvaporationView& v, double dt) {
+  const Scene& s = v.heat.scene;
+  Continuum& p = v.heat.particles;
+  const double flat = flatLatticeIndicator(s.numerics);
+  std::fill_n(p.vapour.data(), p.owned, 0.0);
+  std::fill_n(p.vapourEnergy.data(), p.owned, 0.0);
+  const auto select = [&](std::uint32_t i) {
+    const Vec3f& e = p.exposure[i];
+    return e.x != 0 || e.y != 0 || e.z != 0;
+  };
+  eachRow(v, select, [&](std::uint32_t i, auto&& neighbours) {
+    const Material& m = s.materials[p.material[i]];
+    const double T = p.temperature[i];
+    if (!(valueAt(m.evaporation, T, Interpolation::Linear) > 0)) return;
+    const double area = areaOf(v, i, flat, neighbours);
+    if (area == 0) return;
+    const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : 1,
+                 capacity = p.mass[i] * heatCapacityOf(s.numerics.heat, m, f),
+                 rate = area * meanRate(m.evaporation, T, area * m.evaporationHeat / capacity, dt),
+                 heat = rate * m.evaporationHeat;
+    p.heatFlow[i] -= heat;
+    v.heat.ledger.heatIn.add(-heat * dt);
+    v.heat.ledger.vapourHeat.add(heat * dt);
+    // The rest leaves at the end, and its latent heat is taken here.
+    const double mass = std::min((1 - leastVapourFraction) * rate * dt, p.mass[i]);
+    p.vapour[i] = mass;
+    p.vapourEnergy[i] = mass / m.density * energyPerVolume(v, i, neighbours);
+  });
+}
+
+std::vector<std::uint32_t> removeVapour(const HeatView& v, const RecordContext& records, double dt) {
+  const Scene& s = v.scene;
+  Continuum& p = v.particles;
+  const double cube = s.spacing * s.spacing * s.spacing;
+  std::vector<std::uint32_t> gone;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const double loss = p.vapour[i];
+    if (loss == 0) continue;
+    p.vapour[i] = 0;
+    const double left = p.mass[i] - loss;
+    if (left < leastVapourFraction * s.materials[p.material[i]].density * cube) {
+      gone.push_back(static_cast<std::uint32_t>(i));
+      v.ledger.evaporated.add(p.mass[i]);
+      continue;
+    }
+    recordVapour(v, i, loss, dt);
+    v.ledger.evaporated.add(loss);
+    double energy = p.vapourEnergy[i];
+    const double before = v.modules.continuity ? compressionOf(records, p, i, 1) : 0;
+    if (v.modules.continuity) p.compression[i] = (1 + p.compression[i]) * (left / p.mass[i]) - 1;
+    p.mass[i] = left;
+    if (v.modules.continuity) energy += before - compressionOf(records, p, i, 1);
+    v.ledger.left.potential.add(energy);
+  }
+  return gone;
+}
+
+}  // namespace thaw

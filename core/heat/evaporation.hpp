@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Evaporation of liquids at free surfaces (docs/theory/evaporation.md): a sink of mass and latent heat.
+// Particles lose mass, and leave when little of it remains.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/fluid/pair_sums/records.hpp"
+#include "core/heat/heat_view.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/walls/wall_forces.hpp"
+
+namespace thaw {
+
+/// Fraction of the mass of a full particle, density times spacing^3, below which it leaves.
+inline constexpr double leastVapourFraction = 0.02;
+
+struct EvaporationView {
+  HeatView heat;
+  RecordContext records;
+  const NeighbourLists& neighbours;
+  const WallContacts& contacts;
+  const WallTables& tables;
+  double inverseLatticeSum;  ///< factor that turns sums over V W into relative densities
+  double selfExcess;         ///< PairSums::selfExcess
+};
+
+/// Mean of a rate per area over dt (s) while it cools the particle, dT/dt = -cooling r(T), from T (K) on. The
+/// solution is exact for the table, so no step crosses a temperature at which the rate is 0.
+double meanRate(const TemperatureTable& rate, double T, double cooling, double dt);
+
+/// Sets Continuum::exposure of liquids that evaporate: twice the spacing times the gradient of the volume
+/// fraction of neighbours and walls.
+/// Requires: Continuum::freeSurfaceIndicator, of pairs alone; positions and masses of ghosts.
+void findExposure(const EvaporationView& view);
+
+/// Finds the mass that evaporates over the step of dt (s) that ends now, into Continuum::vapour and
+/// vapourEnergy, and takes its latent heat from heatFlow; recorded in Ledger::heatIn and vapourHeat. The
+/// area of a particle is its volume times the component of the gradient along the surface's normal. It is
+/// exact for a flat surface in any arrangement of particles, since gradients of pairs cancel in the sum.
+/// Requires: exposure, relativeDensity and derivatives of the surface energy of ghosts.
+void findVapour(const EvaporationView& view, double dt);
+
+/// Removes Continuum::vapour from the particles, with its momentum and energy, into Ledger::left and
+/// evaporated. Returns the rows of which too little remains, ascending; the caller removes and records them.
+/// dt (s): step that ends now. Velocities are those of its middle.
+std::vector<std::uint32_t> removeVapour(const HeatView& view, const RecordContext& records, double dt);
+
+}  // namespace thaw
