@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surface energy of liquids at walls (core/fluid/laws/surface_energy.hpp).
 //
-// A wall counts as liquid, which gives a contact angle of 90 degrees. At an angle theta a particle has
-//   E = E(with walls) - cos(theta) (E(without) - E(with walls)),
-// where `without` leaves out the walls of that angle. The difference is the surface that the wall covers, so
-// the covered area costs -gamma cos(theta), as in Young's law. It has the calibration of the free surface.
+// Without contact angles a wall counts as liquid. Else a particle has
+//   E = E(with walls) - w (E(without) - E(with walls)),
+// where `without` leaves out the walls of one angle theta. The difference is the surface that the wall
+// covers, so covered area costs -gamma w. In Young's law w is cos(theta); wettingOf has the calibration.
 // Forces are the derivatives, so energy is conserved.
 #pragma once
 #include <span>
@@ -14,8 +14,8 @@
 
 namespace thaw {
 
-/// Cosine of the angle at which a liquid meets a wall; 0 at 90 degrees.
-double contactCosine(const Material& material, const Obstacle& wall);
+/// Weight w of the covered area at a contact angle: the wall's angle, else that of the material.
+double wettingOf(const Material& material, const Obstacle& wall);
 
 /// Updates Continuum::surfaceTension of owned particles. Requires: Modules::tensionTable.
 void updateSurfaceTension(const WallView& world);

@@ -60,8 +60,7 @@ void readTension(TableReader& r, Material& m) {
     r.orAs(KeyForm::Type::Pairs)
         .number("surface_tension", m.surfaceTension, "N/m", notNegative(),
                 "surface tension of the liquid; or a table by temperature, `[[\"20 degC\", \"72.7 mN/m\"], "
-                "[\"80 degC\", \"62.7 mN/m\"]]`, interpolated linearly: liquid then flows along its "
-                "surface to where the tension is larger (Marangoni)");
+                "[\"80 degC\", \"62.7 mN/m\"]]`, interpolated linearly");
   r.number("contact_angle", m.contactAngle, "rad", between(0, std::numbers::pi),
            "angle in the liquid between its surface and walls, at obstacles without a contact_angle and at "
            "sides of the domain: \"30 deg\" wets, \"150 deg\" beads; solid bodies always have 90 degrees");
