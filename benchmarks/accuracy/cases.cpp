@@ -5,9 +5,9 @@ namespace thaw::accuracy {
 
 std::vector<Case> allCases() {
   std::vector<Case> all;
-  for (const auto& part :
-       {flowCases(), stretchedCases(), viscousCases(), yieldCases(), solidCases(), heatCases(), sourceCases(),
-        convectionCases(), mixedCases(), floatingCases(), tankCases(), surfaceCases()})
+  for (const auto& part : {flowCases(), stretchedCases(), viscousCases(), yieldCases(), tensionCases(),
+                           solidCases(), heatCases(), sourceCases(), convectionCases(), mixedCases(),
+                           floatingCases(), tankCases(), surfaceCases()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -10,6 +10,7 @@
 #include "core/fluid/laws/cohesion.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
+#include "core/materials/surface_tension.hpp"
 #include "core/math/tangent.hpp"
 #include "core/scene/field_values.hpp"
 
@@ -118,7 +119,8 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
           g.gradient += o > l ? one.gradient - n * (2 * dot(one.gradient, n)) : one.gradient;
           g.colour += one.colour;
         }
-        total += surfaceState(measure, m.surfaceTension, g.gradient, g.colour).energy * V;
+        const double T = plan.temperature.empty() ? e.temperature : plan.temperature[i];
+        total += surfaceState(measure, surfaceTensionAt(m, T), g.gradient, g.colour).energy * V;
       }
     energy.emplace_back(plan.layer.size(), (total - before - added) / static_cast<double>(plan.layer.size()));
     added = total - before;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
+#include <numbers>
 
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/material_use.hpp"
@@ -85,7 +87,26 @@ void findHeat(Finder& f) {
     }
     if (!m.viscosityTable.empty() || m.flowLaw.consistency.size() > 1 || m.flowLaw.yieldStress.size() > 1)
       f.on(f.m.heat, "heat", "the viscosity of material " + quoted(m.name) + " depends on the temperature");
+    if (!m.surfaceTensionTable.empty())
+      f.on(f.m.heat, "heat",
+           "the surface tension of material " + quoted(m.name) + " depends on the temperature");
   }
+}
+
+/// Activates contact angles if a liquid meets walls at one other than 90 degrees.
+void findAngles(Finder& f, const Material& liquid) {
+  const std::string who = "material " + quoted(liquid.name);
+  const auto text = [](double angle) {
+    char degrees[32];
+    std::snprintf(degrees, sizeof degrees, "%.4g", angle * (180 / std::numbers::pi));
+    return std::string(degrees) + " degrees";
+  };
+  if (std::abs(std::cos(liquid.contactAngle)) > 1e-12)
+    f.on(f.m.contactAngle, "contact angles", who + " meets walls at " + text(liquid.contactAngle));
+  for (const Obstacle& o : f.s.obstacles)
+    if (o.contactAngle < never)
+      f.on(f.m.contactAngle, "contact angles",
+           "liquids meet obstacle " + quoted(o.name) + " at " + text(o.contactAngle));
 }
 
 /// Returns true if everything is liquid of one material with constant parameters and no pair sum reads data
@@ -158,6 +179,9 @@ Modules modulesOf(const Scene& s) {
     if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
     if (m.tension && s.numerics.tension == TensionForm::SurfaceEnergy)
       f.on(m.surfaceEnergy, "surface tension as an energy", "numerics.tension");
+    if (m.surfaceEnergy && liquid && !x.surfaceTensionTable.empty())
+      f.on(m.tensionTable, "tension by temperature", "the surface tension of " + who + " is a table");
+    if (m.surfaceEnergy && liquid && x.surfaceTension > 0) findAngles(f, x);
     if (liquid && hasFlowLaw(x))
       f.on(m.flowLaw, "flow law", "the viscosity of " + who + " depends on the shear rate");
     const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty() ||

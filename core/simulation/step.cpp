@@ -22,6 +22,7 @@
 #include "core/simulation/time/integrate.hpp"
 #include "core/simulation/world/views.hpp"
 #include "core/time/frame_times.hpp"
+#include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
 namespace {
@@ -79,6 +80,7 @@ StepOutcome finishKicks(World& w, StepTools& t, double dt) {
 /// Advances heat and changes phases.
 void heatAndMelt(World& w, StepTools& t, double dt) {
   if (w.modules.heat) updateHeat(heatView(w), dt);  // H += heat dt, T and liquid fraction follow
+  if (w.modules.tensionTable) recordTensionChange({wallView(w), t.surface}, t.wallContacts);
   PhaseChanges changes;
   if (w.modules.melting) changes = changePhase(w.scene, w.particles, w.counters);  // solid <-> liquid
   t.phaseChangedHere = changes.melted || changes.frozen;

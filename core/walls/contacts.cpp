@@ -111,6 +111,7 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
   const WallView& w = x.world;
   Continuum& p = w.particles;
   contacts.list.clear();
+  for (ExactSum& s : w.ledger.wallForce) s = {};  // surface tension adds to it before all other forces
   bool any = false;
   for (const Wall& wall : w.walls.list) any = any || wall.present;
   if (!any) return;

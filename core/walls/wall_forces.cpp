@@ -82,7 +82,8 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
                                       soundSpeedFactor(w.scene.numerics.eos, relativeDensity) *
                                       inverseLatticeSum * t.push / h);
   }
-  if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w.scene, w.grid, p, at.contact);
+  if (w.modules.surfaceEnergy && !w.modules.contactAngle)
+    act.force += n * surfaceForceOfWall(w.scene, w.grid, p, at.contact);
   if (at.wall.slip || w.modules.implicitViscosity) return;
   const double m = p.mass[at.row], rate = m * overStep(wallDrag(x, at.contact) / m, x.span);
   const Vec3d tangential = at.velocity - n * dot(at.velocity, n);
@@ -161,7 +162,6 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
   const WallView& w = x.world;
   Continuum& p = w.particles;
   const auto& list = contacts.list;
-  for (ExactSum& s : w.ledger.wallForce) s = {};
   for (ExactSum& s : contacts.fast) s = {};
   contacts.stiffest = 0;
   const WallContext shorter{w, x.tables, x.liquids, x.dt * x.fast, x.span * x.fast};

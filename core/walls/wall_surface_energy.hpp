@@ -1,18 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surface energy of liquids at walls (core/fluid/laws/surface_energy.hpp).
+//
+// Without contact angles a wall counts as liquid. Else a particle has
+//   E = E(with walls) - w (E(without) - E(with walls)),
+// where `without` leaves out the walls of one angle theta. The difference is the surface that the wall
+// covers, so covered area costs -gamma w. In Young's law w is cos(theta); wettingOf has the calibration.
+// Forces are the derivatives, so energy is conserved.
 #pragma once
+#include <span>
+
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 
+/// Weight w of the covered area at a contact angle: the wall's angle, else that of the material.
+double wettingOf(const Material& material, const Obstacle& wall);
+
+/// Updates Continuum::surfaceTension of owned particles. Requires: Modules::tensionTable.
+void updateSurfaceTension(const WallView& world);
+
+/// Surface tension (N/m) of a particle where it is liquid.
+double tensionOfParticle(const WallView& world, std::size_t row);
+
+struct SurfaceContext {
+  WallView world;
+  const SurfaceMeasure& measure;
+};
+
+/// A particle with its surroundings.
+struct SurfaceParticle {
+  std::uint32_t row;
+  double tension;                         ///< N/m
+  SurfaceKernelValue sums;                ///< over neighbours and walls
+  std::span<const WallContact> contacts;  ///< with walls; none where all angles are 90 degrees
+};
+
+/// Surface energy per volume (J/m^3) of a particle.
+double surfaceEnergyOf(const SurfaceContext& context, const SurfaceParticle& particle);
+
 /// Adds the walls to surfaceGradient and surfaceColour of owned particles, computes surfaceEnergyByGradient
-/// and surfaceEnergyByColour, and adds E to Continuum::interaction.
+/// and surfaceEnergyByColour, and adds E to Continuum::interaction. With contact angles it also adds the
+/// forces of walls, their work and impulse, which addWallForces then leaves out.
 void findSurfaceEnergy(const WallContext& context, const SurfaceMeasure& measure,
                        const WallContacts& contacts);
 
 /// Force (N) of the wall along the contact normal: the gradient of the particle's own surface energy.
+/// Requires: no contact angles.
 double surfaceForceOfWall(const Scene& scene, const CellGrid& grid, const Continuum& particles,
                           const WallContact& contact);
+
+/// Records the change of surface energy by that of the tension with the temperature. Call it after the
+/// temperatures and before positions change. Requires: Modules::tensionTable.
+void recordTensionChange(const SurfaceContext& context, const WallContacts& contacts);
 
 }  // namespace thaw

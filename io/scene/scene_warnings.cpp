@@ -61,6 +61,16 @@ void addColdTemperatures(const Scene& s, std::vector<std::string>& lines) {
     if (o.temperature) look(o.where, "obstacle '" + o.name + "': its temperature", *o.temperature);
 }
 
+/// Warns of tables of surface tension: resting surfaces resist the flow that they cause.
+void addSlowSurfaceFlow(const Scene& s, std::vector<std::string>& lines) {
+  for (const Material& m : s.materials)
+    if (!m.surfaceTensionTable.empty())
+      lines.push_back(fmt::format(
+          "{}: material '{}': flow that differences of surface tension cause (Marangoni) is far too "
+          "slow, or stops, since particles of a calm surface resist like a soft solid",
+          at(m.where), m.name));
+}
+
 /// Warns of materials that melt in a scene without any heat.
 void addMaterialsWithoutHeat(const Scene& s, std::vector<std::string>& lines) {
   if (s.numerics.heat == HeatModel::Paper || !s.thermostats.empty() || !s.lamps.empty() ||
@@ -177,6 +187,7 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   addMaterialsWithoutHeat(s, lines);
   addCrushedSolids(s, lines);
   addWeightlessLiquid(s, lines);
+  addSlowSurfaceFlow(s, lines);
   for (const std::string& line : surfaceAdvice(s)) lines.push_back(line);
   return lines;
 }

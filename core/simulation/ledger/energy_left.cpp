@@ -10,7 +10,9 @@
 #include "core/neighbours/rows_around.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/views.hpp"
 #include "core/simulation/world/world.hpp"
+#include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
 namespace {
@@ -114,14 +116,19 @@ std::vector<Lost> lostSums(const World& w, const StepTools& t) {
 }
 
 /// Loss of surface energy (J/m^3 of liquid).
-double surfaceLost(const World& w, const StepTools& t, const Lost& lost) {
-  const double tension = w.scene.materials[w.particles.material[lost.row]].surfaceTension;
-  if (!w.modules.surfaceEnergy || !(tension > 0)) return 0;
-  const Vec3d n = w.particles.surfaceGradient[lost.row];
-  const double colour = w.particles.surfaceColour[lost.row];
-  const Vec3d before = n + lost.surface.gradient;
-  const SurfaceState with = surfaceState(t.surface, tension, before, colour + lost.surface.colour);
-  return with.energy - surfaceState(t.surface, tension, n, colour).energy;
+double surfaceLost(World& w, const StepTools& t, const Lost& lost) {
+  const SurfaceContext context{wallView(w), t.surface};
+  if (!w.modules.surfaceEnergy) return 0;
+  SurfaceParticle particle{lost.row,
+                           tensionOfParticle(context.world, lost.row),
+                           {w.particles.surfaceGradient[lost.row], w.particles.surfaceColour[lost.row]},
+                           {}};
+  if (!(particle.tension > 0)) return 0;
+  if (w.modules.contactAngle) particle.contacts = contactsOf(t.wallContacts, lost.row);
+  const double now = surfaceEnergyOf(context, particle);
+  particle.sums.gradient += lost.surface.gradient;
+  particle.sums.colour += lost.surface.colour;
+  return surfaceEnergyOf(context, particle) - now;
 }
 
 /// Loss of compression energy (J/m^3 of liquid); 0 with a carried density.

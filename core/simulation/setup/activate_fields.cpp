@@ -35,6 +35,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.surfaceHeat, {&p.freeSurfaceIndicator});
   on(m.surfaceEnergy,
      {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
+  on(m.tensionTable, {&p.surfaceTension});
   on(m.buoyancy, {&p.buoyancy});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.lamps, {&p.absorbed});

@@ -139,6 +139,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
                          "fewer neighbours inner particles look like surface particles and would cool, too",
                          m.name, n.support)});
   checkBuoyancy(x, errors);
+  checkTension(s, errors);
   checkSizes(x, errors);
   // The density of a quality belongs to the consistent form of the equation of state.
   if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_sections.hpp"
 
+#include <numbers>
+
 #include "core/scene/field_values.hpp"
 #include "io/scene/tables/read_fields.hpp"
 #include "io/scene/tables/read_shape.hpp"
@@ -95,6 +97,8 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
            "restitution of solids that hit it: the smaller of this and the material's counts, so above 0.5 "
            "set the material's as well");
   r.flag("slip", o.slip, "liquids slip along it freely; false: they stick");
+  r.number("contact_angle", o.contactAngle, "rad", Range{0, std::numbers::pi, false, false, true},
+           "contact angle of all liquids at it; \"never\": that of their material");
   r.number("until", o.until, "s", orNever(notNegative()), "time at which it disappears");
   int look = static_cast<int>(o.look);
   r.as(Restart::Free)

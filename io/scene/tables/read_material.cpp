@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdlib>
+#include <numbers>
 
 #include "core/materials/liquid_materials.hpp"
+#include "core/materials/surface_tension.hpp"
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/quality.hpp"
 #include "core/scene/temperature_table.hpp"
@@ -51,6 +53,21 @@ void readDensity(TableReader& r, Material& m) {
            "temperature at which the liquid has `density`; 0: domain.ambient");
 }
 
+void readTension(TableReader& r, Material& m) {
+  if (r.hasList("surface_tension") || !m.surfaceTensionTable.empty())
+    r.pairs({"surface_tension", "K", "N/m", {0, never, true, false, false}, positive(), "", ""},
+            m.surfaceTensionTable);
+  else
+    r.orAs(KeyForm::Type::Pairs)
+        .number("surface_tension", m.surfaceTension, "N/m", notNegative(),
+                "surface tension of the liquid; or a table by temperature, `[[\"20 degC\", \"72.7 mN/m\"], "
+                "[\"80 degC\", \"62.7 mN/m\"]]`, interpolated linearly");
+  r.number("contact_angle", m.contactAngle, "rad", between(0, std::numbers::pi),
+           "angle in the liquid between its surface and walls, at obstacles without a contact_angle and at "
+           "sides of the domain: \"30 deg\" wets, \"150 deg\" beads; solid bodies always have 90 degrees");
+  if (r.reading() && !m.surfaceTensionTable.empty()) m.surfaceTension = largestTension(m.surfaceTensionTable);
+}
+
 void readLiquid(TableReader& r, Material& m) {
   readDensity(r, m);
   if (r.hasList("viscosity") || !m.viscosityTable.empty()) {
@@ -65,7 +82,7 @@ void readLiquid(TableReader& r, Material& m) {
   }
   readColourKey(r, m.colour,
                 "colour of its surface in pictures and exports, if its mesh has none; default: a pale one");
-  r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "surface tension of the liquid");
+  readTension(r, m);
   r.number(
       "sound_speed", m.soundSpeed, "m/s", notNegative(),
       "speed of sound of the equation of state; 0: from the largest expected speed and max_density_error");
@@ -167,9 +184,20 @@ void checkExpansion(TableReader& r, const Material& m) {
            {"young", "phase", "melts"});
 }
 
+void checkTension(TableReader& r, const Material& m) {
+  if (r.has("contact_angle") && !(m.surfaceTension > 0))
+    r.fail("contact_angle", "only a liquid with surface tension has one: give surface_tension, too",
+           {"surface_tension"});
+  if (!m.surfaceTensionTable.empty() && !canBeLiquid(m))
+    r.fail("surface_tension",
+           "only liquids have surface tension, and this material is always solid: remove it, or give melts",
+           {"young", "phase", "melts"});
+}
+
 /// Refuses meaningless combinations of keys.
 void checkMaterial(TableReader& r, const Material& m) {
   checkExpansion(r, m);
+  checkTension(r, m);
   if (r.has("melts") && !m.canBeSolid())
     r.fail("melts",
            "a material that melts is a solid below its melting temperature: give it a Young's modulus "

@@ -66,6 +66,8 @@ void readObstacle(TableReader& reader, Obstacle& obstacle, SceneReading& reading
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
 /// Refuses numerics.buoyancy = "boussinesq" where the weight must act.
 void checkBuoyancy(const SceneReading& reading, std::vector<SceneError>& errors);
+/// Refuses tables of surface tension and contact angles where the form of tension has none.
+void checkTension(const Scene& scene, std::vector<SceneError>& errors);
 /// Chooses numerics.buoyancy where it is automatic. Where the hydrostatic part is subtracted, gravity becomes
 /// Domain::buoyantGravity.
 void chooseBuoyancy(Scene& scene);
