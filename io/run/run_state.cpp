@@ -11,6 +11,7 @@
 #include "core/simulation/monitor/interpenetration.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/sleep/awake_reason.hpp"
+#include "core/solid/elasticity/active_slots.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/time/frame_times.hpp"
 #include "io/frames/frame_fields.hpp"
@@ -129,10 +130,16 @@ namespace {
 void writeParticleFrame(Run& r) {
   World& w = r.world;
   findStoredEnergy(w, r.tools);
+  std::vector<Mat3d> kept;  // the state of passive slots
+  if (w.modules.rigidify) {
+    kept.assign(w.solids.deformation.data(), w.solids.deformation.data() + w.solids.owned);
+    deformPassive(r.tools.elastic, w.solids, w.bonds);
+  }
   if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") !=
                              w.scene.output.fields.end())
     computeCauchyStress(r.tools.elastic, w.solids);
   const Frame f = frameOf(w, r.comm.rank());
+  std::copy(kept.begin(), kept.end(), w.solids.deformation.data());
   const std::string file = frameName(r.name, w.clock.frame);
   writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
   onDisk(r, [&] {
