@@ -55,11 +55,11 @@ every = 0.02
 fields = ["velocity", "temperature", "liquid", "stress", "strain"]
 SCENE
 same() { sameRuns "$1" "$2" "$3" "frames/rigid_parts.hdf.series"; }
-sameOnAllRanks $scene 700 "130 333 500" "$work/$scene.toml"
+sameOnAllRanks $scene 260 "60 130 200" "$work/$scene.toml"
 for count in melted frozen; do
   [ "$(value "$work/$scene.1/summary.json" $count)" -gt 0 ] || fail "$scene: nothing $count"
 done
 # Coupling of rigid parts to the incompressible and the implicit viscosity solver
-sameOnAllRanks ${scene}_solvers 150 "60 93" "$work/$scene.toml" --set numerics.pressure_solver=incompressible \
+sameOnAllRanks ${scene}_solvers 40 "16 27" "$work/$scene.toml" --set numerics.pressure_solver=incompressible \
   --set numerics.viscosity_solver=implicit
 finish

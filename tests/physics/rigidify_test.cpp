@@ -145,7 +145,9 @@ TEST(Rigidify, coldTopOfAMeltingBlockIsRigid) {
       ASSERT_TRUE(x.step());
       if (rigid) most = std::max(most, rigidCount(x.particles()));
     }
-    if (rigid) EXPECT_GT(most, x.particles().owned / 2);
+    if (rigid) {
+      EXPECT_GT(most, x.particles().owned / 2);
+    }
     const Continuum& p = x.particles();
     for (std::size_t i = 0; i < p.owned; i++) liquid[rigid] += static_cast<double>(p.liquid[i]);
     height[rigid] = centreHeight(p);

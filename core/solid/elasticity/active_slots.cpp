@@ -33,6 +33,8 @@ void clearSlot(Solids& solids, std::size_t slot) {
   if (solids.end.active) clearEnd(solids.end[slot]);
   else clearEnd(solids.endDouble[slot]);
   solids.force[slot] = {};
+  if (!(determinant(solids.deformation[slot]) > 0))  // unknown: the slot came from a file or another rank
+    solids.deformation[slot] = identity3<double>();
   if (solids.drag.active) solids.drag[slot] = 0;
   if (solids.dissipated.active) solids.dissipated[slot] = 0;
 }

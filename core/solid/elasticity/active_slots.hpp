@@ -33,8 +33,8 @@ inline bool isPassive(const ElasticWork& work, std::size_t slot) {
 /// Returns true if some owned slot is not passive.
 bool anyActiveSlot(const ElasticWork& work, const Solids& solids);
 
-/// Sets Solids::deformation of passive slots at the present positions; elsewhere it lacks the rotation since
-/// they became passive. Requires: Solids::position of owned and remote rows.
+/// Sets Solids::deformation of passive slots at the present positions; else it is that of an earlier step, or
+/// the identity. Requires: Solids::position of owned and remote rows.
 void deformPassive(const ElasticWork& work, Solids& solids, const Bonds& bonds);
 
 }  // namespace thaw

@@ -61,10 +61,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     solids.activate(solids.liquid);
     solids.activate(solids.melted);
   }
-  if (modules.rigidify) {
-    solids.activate(solids.velocity);
-    solids.deformation.keep = Keep::State;  // of passive slots: that of their last evaluation
-  }
+  if (modules.rigidify) solids.activate(solids.velocity);  // for rates of strain
   for (AnyColumn* c : columnsOfSteps(solids, work)) solids.activate(*c);
 }
 

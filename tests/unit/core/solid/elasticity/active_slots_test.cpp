@@ -70,7 +70,9 @@ TEST_P(ActiveSlots, sumsAreThoseOfAllSlots) {
   const double scale = forceScale(*all);
   for (std::size_t s = 0; s < points.size(); s++) {
     EXPECT_NEAR(some->solids.energy[s], all->solids.energy[s], 1e-12 * totalEnergy(*all));
-    if (pieces.piece[s] == 0) EXPECT_LT(length(some->solids.force[s] - all->solids.force[s]), 1e-14 * scale);
+    if (pieces.piece[s] == 0) {
+      EXPECT_LT(length(some->solids.force[s] - all->solids.force[s]), 1e-14 * scale);
+    }
   }
   for (const std::uint64_t piece : {4u, 9u}) {
     const Load a = loadOf(*all, pieces, piece), b = loadOf(*some, pieces, piece);
