@@ -19,8 +19,8 @@
 namespace thaw {
 namespace {
 
-/// Moment of inertia (kg m^2) of a particle about its own centre; 0 in elastic solids, whose particles have no
-/// rotation of their own.
+/// Moment of inertia (kg m^2) of a particle about its own centre; 0 in elastic solids, whose particles have
+/// no rotation of their own.
 double inertiaOf(const Continuum& p, const Scene& scene, std::size_t i) {
   return piecesAreElastic(p) ? 0 : ownInertia(p.mass[i], scene.spacing);
 }
@@ -230,7 +230,8 @@ void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const
       {sums[0].value(), sums[1].value(), sums[2].value(), sums[3].value(), sums[4].value(), sums[5].value()});
   const Vec3d x = normalized(e.vector[0]), y = normalized(e.vector[1] - x * dot(x, e.vector[1]));
   p.orientation[row] = quatOf(x, y, cross(x, y));
-  const double least = 1e-9 * std::max({e.value[0], e.value[1], e.value[2]});  // of a row of elastic particles
+  // Elastic particles in a row have no moment about it.
+  const double least = 1e-9 * std::max({e.value[0], e.value[1], e.value[2]});
   p.inertia[row] = {std::max(e.value[0], least), std::max(e.value[1], least), std::max(e.value[2], least)};
   p.momentum[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 6);
   p.angularMomentum[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 9);

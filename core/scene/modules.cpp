@@ -203,9 +203,9 @@ Modules modulesOf(const Scene& s) {
         f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
   if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
   // Contact of solids limits the step of all particles, so substeps gain nothing there.
-  m.mostSubsteps = s.numerics.elasticSubsteps > 0                 ? s.numerics.elasticSubsteps
+  m.mostSubsteps = s.numerics.elasticSubsteps > 0                                ? s.numerics.elasticSubsteps
                    : elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? 4
-                                                                  : 1;
+                                                                                 : 1;
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids",
          s.numerics.elasticSubsteps > 0

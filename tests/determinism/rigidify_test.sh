@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Rigid parts of elastic solids (core/rigid/rigidify/) have the same bits on 1, 2, 3, 4 and 7 ranks, and when the
-# run is stopped and resumed on another number of ranks. Blocks of wax fall, touch, melt, and freeze again.
+# Rigid parts of elastic solids (core/rigid/rigidify/) have the same bits on 1, 2, 3, 4 and 7 ranks, and when
+# the run is stopped and resumed on another number of ranks. Blocks of wax fall, touch, melt, and freeze
+# again.
 . "$(dirname "$0")/../support/run.sh"
 scene=rigid_parts
 cat >"$work/$scene.toml" <<'SCENE'

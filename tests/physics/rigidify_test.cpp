@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of elastic solids move as rigid pieces while they do not deform (core/rigid/rigidify/): bodies in free
-// fall take long steps, bounces and bending stay those of the elastic body, and the ledger closes.
+// Parts of elastic solids move as rigid pieces while they do not deform (core/rigid/rigidify/): bodies in
+// free fall take long steps, bounces and bending stay those of the elastic body, and the ledger closes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -145,9 +145,7 @@ TEST(Rigidify, coldTopOfAMeltingBlockIsRigid) {
       ASSERT_TRUE(x.step());
       if (rigid) most = std::max(most, rigidCount(x.particles()));
     }
-    if (rigid) {
-      EXPECT_GT(most, x.particles().owned / 2);
-    }
+    if (rigid) { EXPECT_GT(most, x.particles().owned / 2); }
     const Continuum& p = x.particles();
     for (std::size_t i = 0; i < p.owned; i++) liquid[rigid] += static_cast<double>(p.liquid[i]);
     height[rigid] = centreHeight(p);

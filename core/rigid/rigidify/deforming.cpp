@@ -2,6 +2,8 @@
 #include "core/rigid/rigidify/deforming.hpp"
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "core/neighbours/rows_around.hpp"
 #include "core/solid/elasticity/active_slots.hpp"
@@ -9,13 +11,67 @@
 namespace thaw {
 namespace {
 
-/// Steps between comparisons of strain rates. A pressure wave passes less than a bond in this time.
-constexpr std::int64_t rateEvery = 4;
+/// Steps between comparisons of strain rates. A pressure wave travels less than a spacing in this time, so a
+/// piece gets elastic ahead of it.
+constexpr std::int64_t rateEvery = 2;
 /// Steps between searches for particles that may become rigid.
 constexpr std::int64_t restEvery = 32;
 /// Temperature (K) below the solidus from which a particle that is woken with others counts as softening, so
 /// that a melting front wakes whole layers.
 constexpr double soonMelts = 0.5;
+
+/// Distance (spacings) of a particle of another body from which a particle is not rigid. It is more than that
+/// of contact, so contacts act on elastic particles.
+constexpr double nearBody = 1.5;
+
+/// Smallest and largest value of the solids in a cell.
+struct Range {
+  std::uint64_t low = ~std::uint64_t{0}, high = 0;
+  void add(const Range& o) { low = std::min(low, o.low), high = std::max(high, o.high); }
+  bool mixed() const { return low < high; }
+};
+
+template<class Value> std::vector<Range> rangesOfCells(const RigidView& v, const Column<Value>& values) {
+  std::vector<Range> ranges(v.cells.key.size());
+  for (std::size_t c = 0; c < ranges.size(); c++)
+    for (std::size_t i = v.cells.first[c]; i < v.cells.first[c] + v.cells.count[c]; i++)
+      if (v.particles.phase[i] == Solid) ranges[c].add({values[i], values[i]});
+  return ranges;
+}
+
+bool anyMixed(std::span<const Range> ranges) {
+  Range all;
+  for (const Range& r : ranges) all.add(r);
+  return all.mixed();
+}
+
+/// Range of the 27 cells around a cell.
+Range rangeAround(const CellTable& cells, std::span<const Range> ranges, std::uint64_t key) {
+  const Vec3i at = cellOfKey(key);
+  Range around;
+  for (int z = -1; z <= 1; z++)
+    for (int y = -1; y <= 1; y++) {
+      const std::uint64_t last = cellKey({at.x + 1, at.y + y, at.z + z});
+      auto k = std::lower_bound(cells.key.begin(), cells.key.end(), cellKey({at.x - 1, at.y + y, at.z + z}));
+      for (; k != cells.key.end() && *k <= last; ++k)
+        around.add(ranges[static_cast<std::size_t>(k - cells.key.begin())]);
+    }
+  return around;
+}
+
+/// Calls use(cell, rows around it) for cells of owned rows around which solids have different values, until it
+/// returns true. Returns true if it did.
+template<class Use> bool anyMixedCell(const RigidView& v, std::span<const Range> ranges, const Use& use) {
+  if (!anyMixed(ranges)) return false;
+  std::vector<RowSpan> rows;
+  for (std::size_t c = 0; c < ranges.size(); c++) {
+    if (v.cells.first[c] >= v.particles.owned) continue;
+    if (!rangeAround(v.cells, ranges, v.cells.key[c]).mixed()) continue;
+    rowsAround(v.cells, v.cells.key[c], rows);
+    if (use(c, rows)) return true;
+  }
+  return false;
+}
 
 bool isSoft(const Scene& scene, const Continuum& p, std::size_t i, double margin) {
   if (!p.liquid.active) return false;
@@ -49,6 +105,22 @@ void wakeTouching(const RigidifyView& v) {
                  v.solids.id[v.bonds.neighbour[v.bonds.at(slot, k)]] == p.id[pair.other];
       if (!bonded) p.restTime[pair.own] = 0;
     }
+}
+
+/// Sets the rest time of solids near another body to 0.
+void wakeNearBodies(const RigidifyView& v) {
+  Continuum& p = v.rigid.particles;
+  const CellTable& cells = v.rigid.cells;
+  const double near = nearBody * v.rigid.scene.spacing;
+  anyMixedCell(v.rigid, rangesOfCells(v.rigid, p.body), [&](std::size_t c, std::span<const RowSpan> rows) {
+    for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
+      for (const RowSpan& r : rows)
+        for (std::uint32_t j = r.begin; j < r.end && p.restTime[i] > 0; j++) {
+          const Vec3d d = p.position[j] - p.position[i];
+          if (p.phase[j] == Solid && p.body[j] != p.body[i] && dot(d, d) < near * near) p.restTime[i] = 0;
+        }
+    return false;
+  });
 }
 
 void wakeStretching(const RigidifyView& v) {
@@ -86,6 +158,7 @@ bool findDeforming(const RigidifyView& v, double dt) {
                         ? 0.0f
                         : static_cast<float>(static_cast<double>(p.restTime[i]) + dt);
   wakeTouching(v);
+  wakeNearBodies(v);
   const std::int64_t step = v.clock.step + 1;
   if (step % rateEvery == 0) wakeStretching(v);
   bool wakes = false, rests = false;
@@ -97,48 +170,11 @@ bool findDeforming(const RigidifyView& v, double dt) {
   return wakes || (rests && step % restEvery == 0);
 }
 
-namespace {
-
-/// Smallest and largest piece in each cell; 0 is a piece, too.
-struct PieceRange {
-  std::uint64_t low = ~std::uint64_t{0}, high = 0;
-};
-
-std::vector<PieceRange> pieceRanges(const RigidView& v) {
-  const Continuum& p = v.particles;
-  std::vector<PieceRange> ranges(v.cells.key.size());
-  for (std::size_t c = 0; c < ranges.size(); c++)
-    for (std::size_t i = v.cells.first[c]; i < v.cells.first[c] + v.cells.count[c]; i++) {
-      if (p.phase[i] != Solid) continue;
-      ranges[c].low = std::min(ranges[c].low, p.piece[i]);
-      ranges[c].high = std::max(ranges[c].high, p.piece[i]);
-    }
-  return ranges;
-}
-
-}  // namespace
-
 bool nothingDeforms(const RigidifyView& v) {
   const RigidView& r = v.rigid;
   if (r.work.changedHere || anyActiveSlot(v.elastic, v.solids)) return false;
-  const std::vector<PieceRange> own = pieceRanges(r);
-  PieceRange here;
-  for (const PieceRange& c : own) here = {std::min(here.low, c.low), std::max(here.high, c.high)};
-  if (here.low >= here.high) return true;
-  std::vector<RowSpan> rows;
-  for (std::size_t c = 0; c < own.size(); c++) {
-    if (r.cells.first[c] >= r.particles.owned) continue;
-    PieceRange range = own[c];
-    rowsAround(r.cells, r.cells.key[c], rows);
-    for (const RowSpan& span : rows)
-      for (std::uint32_t i = span.begin; i < span.end; i++) {
-        if (r.particles.phase[i] != Solid) continue;
-        range.low = std::min(range.low, r.particles.piece[i]);
-        range.high = std::max(range.high, r.particles.piece[i]);
-      }
-    if (range.low < range.high) return false;
-  }
-  return true;
+  return !anyMixedCell(r, rangesOfCells(r, r.particles.piece),
+                       [](std::size_t, std::span<const RowSpan>) { return true; });
 }
 
 }  // namespace thaw

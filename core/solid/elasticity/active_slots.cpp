@@ -10,8 +10,7 @@ namespace thaw {
 namespace {
 
 /// Returns true if some bond of the slot has an end for which `is` holds.
-template<class Is>
-bool anyEnd(const ElasticWork& work, const Bonds& bonds, std::size_t slot, const Is& is) {
+template<class Is> bool anyEnd(const ElasticWork& work, const Bonds& bonds, std::size_t slot, const Is& is) {
   for (int k = 0; k < work.bondCount[slot / lanes]; k++)
     if (bonds.hasBond(slot, k) && is(bonds.neighbour[bonds.at(slot, k)])) return true;
   return false;
@@ -51,7 +50,7 @@ void chooseActiveSlots(ElasticWork& work, Solids& solids, const Bonds& bonds, co
     clearSlot(solids, s);
   }
   if (!work.sleeping) return;
-  packPositions(work, solids, 0, solids.owned);  // of groups that are not active
+  packPositions(work, solids, 0, solids.owned);  // sums also load passive ends
   // The owner of a remote end decides whether it is passive, so all groups with remote ends are active.
   const auto pulls = [&](std::uint32_t end) { return end >= solids.owned || !work.held[end]; };
   const auto choose = [&](const std::vector<std::uint32_t>& all, std::vector<std::uint32_t>& active) {
@@ -78,7 +77,8 @@ bool anyActiveSlot(const ElasticWork& work, const Solids& solids) {
 
 void deformPassive(const ElasticWork& work, Solids& solids, const Bonds& bonds) {
   for (std::size_t s = 0; s < solids.owned; s++)
-    if (isPassive(work, s)) solids.deformation[s] = identity3<double>() + slotGradient(work, solids, bonds, s);
+    if (isPassive(work, s))
+      solids.deformation[s] = identity3<double>() + slotGradient(work, solids, bonds, s);
 }
 
 }  // namespace thaw

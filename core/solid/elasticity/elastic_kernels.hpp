@@ -53,8 +53,8 @@ struct ElasticArrays {
   Vec3d* force = nullptr;
   const ElasticWork* work = nullptr;
   const Solids* solids = nullptr;
-  const std::uint8_t* held = nullptr;  ///< plastic strain is fixed; null: nowhere
-  double* groupStretch2 = nullptr;     ///< by group, as maxStretch2; null: not needed
+  const std::uint8_t* held = nullptr;     ///< plastic strain is fixed; null: nowhere
+  double* groupStretch2 = nullptr;        ///< by group, as maxStretch2; null: not needed
   const std::uint8_t* passive = nullptr;  ///< 1: energy and deformation stay, and flux is 0; null: nowhere
   // Results.
   std::int64_t inverted = 0, squeezed = 0;

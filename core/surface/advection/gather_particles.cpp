@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/particles/elastic_pieces.hpp"
 #include "core/surface/advection/gather_particles.hpp"
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/particles/elastic_pieces.hpp"
 #include "core/surface/data/sampled_bodies.hpp"
 
 namespace thaw {
@@ -60,7 +60,8 @@ void gatherParticles(const SurfaceView& w, int rank) {
     if (c.temperature.active) c.temperature[i] = static_cast<float>(p.temperature[i]);
     if (c.referencePosition.active) c.referencePosition[i] = p.surfaceStartPosition[i];
     if (c.covered.active)
-      c.covered[i] = touchesAsPiece(p, i) ? !p.exposed[i] : p.slot[i] != noSlot && !w.solids.exposed[p.slot[i]];
+      c.covered[i] = touchesAsPiece(p, i) ? !p.exposed[i]
+                                          : p.slot[i] != noSlot && !w.solids.exposed[p.slot[i]];
     c.body[i] = p.body[i];
     c.source[i] = static_cast<std::uint64_t>(rank) << 32 | i;
   }

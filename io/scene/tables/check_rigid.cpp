@@ -18,7 +18,8 @@ void checkRigidify(const SceneReading& x, std::vector<SceneError>& errors) {
   const SourcePlace where = at != x.numerics.end() ? at->second : x.start;
   const auto refuse = [&](bool is, const std::string& what) {
     if (is)
-      errors.push_back({where, "numerics.rigidify cannot be combined with " + what + ": leave one of them out"});
+      errors.push_back(
+          {where, "numerics.rigidify cannot be combined with " + what + ": leave one of them out"});
   };
   refuse(n.sleepSpeed > 0, "numerics.sleep_speed");
   refuse(n.elasticSubsteps > 1, "numerics.elastic_substeps above 1");

@@ -200,12 +200,13 @@ void readNumerics(TableReader& r, Numerics& n) {
       "half of gravity, keeps it awake or wakes it. With less, a solid with weak vibrations sleeps sooner");
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(),
            "rate of change of the temperature that keeps a solid awake or wakes it");
-  r.number("rigidify", n.rigidify, "1/s", notNegative(),
-           "parts of elastic solids whose bonds change their lengths by less than this fraction per second, for "
-           "sleep_after, move as rigid pieces until they deform, soften, or come near an obstacle or another "
-           "solid. They cost no elastic sums; while all solids are rigid, no elastic limit holds for the step. "
-           "Useful values are 0.1 to 1. 0: off. Not with rigid materials, sleep_speed, elastic_substeps, "
-           "yielding or breaking materials, or extension laws");
+  r.number(
+      "rigidify", n.rigidify, "1/s", notNegative(),
+      "parts of elastic solids whose bonds change their lengths by less than this fraction per second, for "
+      "sleep_after, move as rigid pieces until they deform, soften, or come near an obstacle or another "
+      "solid. They cost no elastic sums; while all solids are rigid, no elastic limit holds for the step. "
+      "Useful values are 0.1 to 1. 0: off. Not with rigid materials, sleep_speed, elastic_substeps, "
+      "yielding or breaking materials, or extension laws");
   r.restart(Restart::Free);
   r.whole("retry_every", n.retryEvery, 0, 1000000000,
           "steps between snapshots in memory; a run that fails goes back to the last one and continues with "
