@@ -78,17 +78,50 @@ bool isSoft(const Scene& scene, const Continuum& p, std::size_t i, double margin
   return p.liquid[i] > 0 || p.temperature[i] > scene.materials[p.material[i]].solidus - margin;
 }
 
-/// Returns true if a bond of the slot changes its length faster than `rate` (1/s) times the length.
-bool stretches(const RigidifyView& v, std::size_t slot, double rate) {
+/// Sums over the bonds of a slot, with directions e and velocity differences over lengths u.
+struct BondRates {
+  Mat3d moment{}, product{};  ///< sums of e e^T and u e^T
+  double squares = 0;         ///< sum of (e u)^2, squared rates of the lengths
+  int count = 0;
+  void add(const Vec3d& e, const Vec3d& u) {
+    for (int a = 0; a < 3; a++) {
+      moment.row[a] += e[a] * e;
+      product.row[a] += u[a] * e;
+    }
+    squares += dot(e, u) * dot(e, u);
+    count++;
+  }
+};
+
+/// Returns the squared rate of strain (1/s^2), |D|^2 with D the symmetric part of the velocity gradient that
+/// fits the bonds best. In flat and thin neighbourhoods: the mean squared rate of the lengths. Both are 0 in
+/// any rigid motion, up to rounding.
+double strainRate2(const BondRates& bonds) {
+  constexpr double leastVolume = 0.1;  // determinant of the moment over that of isotropic directions
+  if (bonds.count == 0) return 0;
+  const double even = bonds.count / 3.0;
+  if (determinant(bonds.moment) < leastVolume * even * even * even) return bonds.squares / bonds.count;
+  const Mat3d gradient = bonds.product * inverse(bonds.moment);
+  double sum = 0;
+  for (int a = 0; a < 3; a++)
+    for (int b = 0; b < 3; b++) {
+      const double d = 0.5 * (gradient.row[a][b] + gradient.row[b][a]);
+      sum += d * d;
+    }
+  return sum;
+}
+
+BondRates bondRates(const RigidifyView& v, std::size_t slot) {
   const Solids& s = v.solids;
+  BondRates rates;
   for (int k = 0; k < v.elastic.bondCount[slot / lanes]; k++) {
     if (!v.bonds.hasBond(slot, k)) continue;
     const std::uint32_t end = v.bonds.neighbour[v.bonds.at(slot, k)];
     const Vec3d d = minimumImage(s.position[end] - s.position[slot], v.elastic.periods);
-    const double length2 = dot(d, d), growth = dot(d, s.velocity[end] - s.velocity[slot]);
-    if (growth * growth > rate * rate * length2 * length2) return true;
+    const double perLength = 1 / length(d);
+    rates.add(d * perLength, (s.velocity[end] - s.velocity[slot]) * perLength);
   }
-  return false;
+  return rates;
 }
 
 /// Sets the rest time of particles that touch something, or may do so soon, to 0.
@@ -125,10 +158,11 @@ void wakeNearBodies(const RigidifyView& v) {
 
 void wakeStretching(const RigidifyView& v) {
   Continuum& p = v.rigid.particles;
+  const double limit = v.rigid.scene.numerics.rigidify;
   for (std::size_t s = 0; s < v.solids.owned; s++) {
     if (isPassive(v.elastic, s)) continue;
     float& rest = p.restTime[v.solids.particle[s]];
-    if (rest > 0 && stretches(v, s, v.rigid.scene.numerics.rigidify)) rest = 0;
+    if (rest > 0 && strainRate2(bondRates(v, s)) > limit * limit) rest = 0;
   }
 }
 
