@@ -127,6 +127,30 @@ TEST(Rigidify, bodiesThatMeetInTheAirWake) {
   EXPECT_LT(std::abs(report.energyResidual), 2e-3 * report.energyScale);
 }
 
+TEST(Rigidify, liquidThatHitsABodyWakesIt) {
+  Scene s = fallingCube(1e6);
+  s.domain.gravity = {};
+  s.obstacles.clear();
+  s.materials.emplace_back();
+  s.materials[1].name = "water";
+  s.materials[1].soundSpeed = 50;
+  Body& drop = addBox(s, {-0.2, -0.2, 1.5}, {0.2, 0.2, 1.8});
+  drop.material = 1;
+  drop.velocity = {0, 0, -4};
+  s.end = 0.15;
+  Simulation x(s);
+  std::size_t most = 0, fewest = 216;
+  while (x.w.clock.time < s.end) {
+    ASSERT_TRUE(x.step());
+    const std::size_t n = rigidCount(x.particles());
+    most = std::max(most, n);
+    if (most == 216) fewest = std::min(fewest, n);
+  }
+  EXPECT_EQ(most, 216u) << "the cube is rigid until the drop hits it";
+  EXPECT_LT(fewest, 100u);
+  EXPECT_LT(length(x.ledgerReport().momentumResidual), 1e-9 * x.ledgerReport().now.mass);
+}
+
 TEST(Rigidify, coldTopOfAMeltingBlockIsRigid) {
   double liquid[2] = {}, height[2] = {};
   for (const bool rigid : {false, true}) {

@@ -188,9 +188,9 @@ bool findDeforming(const RigidifyView& v, double dt) {
   const Scene& scene = v.rigid.scene;
   Continuum& p = v.rigid.particles;
   for (std::size_t i = 0; i < p.owned; i++)
-    p.restTime[i] = p.phase[i] != Solid || p.slot[i] == noSlot || isSoft(scene, p, i, 0)
-                        ? 0.0f
-                        : static_cast<float>(static_cast<double>(p.restTime[i]) + dt);
+    if (p.phase[i] != Solid || p.slot[i] == noSlot || isSoft(scene, p, i, 0)) p.restTime[i] = 0;
+    else if (p.restTime[i] > 0 || p.piece[i] == notRigid)  // else its load changed in this evaluation
+      p.restTime[i] = static_cast<float>(static_cast<double>(p.restTime[i]) + dt);
   wakeTouching(v);
   wakeNearBodies(v);
   const std::int64_t step = v.clock.step + 1;

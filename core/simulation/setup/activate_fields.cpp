@@ -47,7 +47,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.contactOffset});
   on(m.rigid, {&p.piece, &p.bodyPosition, &p.pieceRow, &p.pieceLabel});
-  on(m.rigidify, {&p.restTime});
+  on(m.rigidify, {&p.restTime, &p.constraintForce});
   const bool pieces = m.rigid && !m.rigidify;  // pieces of rigid materials
   on(pieces, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
   on(pieces && m.surface, {&p.exposed});
