@@ -4,8 +4,8 @@
 
   scripts/bench rigidify [--spacing 0.01] [--thresholds 0,0.1,1,3]
 
-Scenes: the bust of scenes/melt.toml, and a cube of 30 MPa that falls by 2 m on a floor and bounces. Time is that
-of the processor on one core.
+Scenes: the bust of scenes/melt.toml, and a cube of 30 MPa that falls by 2 m on a floor and bounces. Time is
+that of the processor on one core.
 """
 import argparse
 import csv

@@ -59,8 +59,8 @@ Range rangeAround(const CellTable& cells, std::span<const Range> ranges, std::ui
   return around;
 }
 
-/// Calls use(cell, rows around it) for cells of owned rows around which solids have different values, until it
-/// returns true. Returns true if it did.
+/// Calls use(cell, rows around it) for cells of owned rows around which solids have different values, until
+/// it returns true. Returns true if it did.
 template<class Use> bool anyMixedCell(const RigidView& v, std::span<const Range> ranges, const Use& use) {
   if (!anyMixed(ranges)) return false;
   std::vector<RowSpan> rows;

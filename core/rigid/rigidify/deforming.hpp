@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of elastic solids that deform. A solid particle deforms if a bond of it changes its length faster
-// than numerics.rigidify times the length, if it is near an obstacle or touches a solid without a bond, or if
-// it is softening or clamped. Continuum::restTime is the time since then. Particles with a rest time of
+// Parts of elastic solids that deform. A solid particle deforms if its rate of strain exceeds
+// numerics.rigidify, if it is near an obstacle or another body, if the load on it changes, or if it is
+// softening or clamped. Continuum::restTime is the time since then. Particles with a rest time of
 // numerics.sleep_after become parts of rigid pieces, until they deform.
 #pragma once
 #include "core/rigid/rigidify/rigidify_view.hpp"
