@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
+#include "core/particles/elastic_pieces.hpp"
 
 namespace thaw {
 namespace {
@@ -50,7 +51,7 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
   if (x.dissipativeForce) x.dissipativeForce->clear();
   for (const ClosePair& pair : pairs.list) {
     const std::uint32_t i = pair.own, j = pair.other;
-    const bool rigid = isRigid(p, i), rigidOther = isRigid(p, j);
+    const bool rigid = touchesAsPiece(p, i), rigidOther = touchesAsPiece(p, j);
     if ((rigid && rigidOther) || bonded(x, p, i, j)) continue;  // pieces: core/rigid/contact/
     const Vec3d d = between(x.grid, p.position[i], p.position[j]);
     const double r = length(d);

@@ -31,10 +31,11 @@ void sortRows(Pieces& p) {
 std::vector<Need> findNeeds(const RigidView& v, const CellHalo& cells, PieceUsers users, bool alone) {
   const Continuum& p = v.particles;
   std::unordered_map<std::uint64_t, Need> found;
+  Need* last = nullptr;  // that of the row before, which is most often the same
   const auto add = [&](std::size_t i) -> Need& {
-    Need& n = found[p.piece[i]];
-    n.id = p.piece[i];
-    return n;
+    if (!last || last->id != p.piece[i]) last = &found[p.piece[i]];
+    last->id = p.piece[i];
+    return *last;
   };
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.piece[i] != notRigid) add(i).here++;

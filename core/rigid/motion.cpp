@@ -110,6 +110,7 @@ void sumPieceForces(const RigidView& v, Reducer& all) {
   v.work.sums.assign(perPiece * s.owned, ExactSum{});
   eachParticle(v, [&](std::size_t i, const Rigid&, const Vec3d& lever) {
     const Vec3d f = p.force[i], torque = cross(lever, f);
+    if (f == Vec3d{}) return;
     ExactSum* const sums = v.work.sums.data() + perPiece * p.pieceRow[i];
     for (int a = 0; a < 3; a++) {
       sums[a].add(f[a]);

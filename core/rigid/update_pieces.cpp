@@ -7,6 +7,7 @@
 #include "core/halo/exchange.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/math/sym_eigen.hpp"
+#include "core/particles/elastic_pieces.hpp"
 #include "core/rigid/connect.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/motion.hpp"
@@ -17,6 +18,12 @@
 
 namespace thaw {
 namespace {
+
+/// Moment of inertia (kg m^2) of a particle about its own centre; 0 in elastic solids, whose particles have
+/// no rotation of their own.
+double inertiaOf(const Continuum& p, const Scene& scene, std::size_t i) {
+  return piecesAreElastic(p) ? 0 : ownInertia(p.mass[i], scene.spacing);
+}
 
 /// Pieces that get new rows, ascending by id.
 struct NewPieces {
@@ -108,7 +115,7 @@ LeftSpins leftSpins(const RigidView& v, Reducer& all) {
     if (p.piece[i] == notRigid) continue;
     const auto at = std::lower_bound(left.ids.begin(), left.ids.end(), p.piece[i]);
     ExactSum* const s = sums.data() + perPiece * static_cast<std::size_t>(at - left.ids.begin());
-    if (p.pieceLabel[i] == notRigid) s[0].add(ownInertia(p.mass[i], v.scene.spacing));
+    if (p.pieceLabel[i] == notRigid) s[0].add(inertiaOf(p, v.scene, i));
     else s[1].add(1);
   }
   RankPieceExchange exchange(all, left.ids, nullptr);
@@ -182,7 +189,7 @@ FormerMotion ownMotion(const RigidView& v, std::size_t i, bool atStart) {
 void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, const FormerMotion& former,
                const Vec3d& extra, ExactSum* sums) {
   const Continuum& p = v.particles;
-  const double m = p.mass[i], own = ownInertia(m, v.scene.spacing);
+  const double m = p.mass[i], own = inertiaOf(p, v.scene, i);
   const Vec3d& r = lever;
   const Vec3d momentum = p.velocity[i] * m, force = p.acceleration[i] * m;
   const Vec3d angular = cross(r, momentum) + former.spin * own + extra,
@@ -223,7 +230,9 @@ void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const
       {sums[0].value(), sums[1].value(), sums[2].value(), sums[3].value(), sums[4].value(), sums[5].value()});
   const Vec3d x = normalized(e.vector[0]), y = normalized(e.vector[1] - x * dot(x, e.vector[1]));
   p.orientation[row] = quatOf(x, y, cross(x, y));
-  p.inertia[row] = {e.value[0], e.value[1], e.value[2]};
+  // Elastic particles in a row have no moment about it.
+  const double least = 1e-9 * std::max({e.value[0], e.value[1], e.value[2]});
+  p.inertia[row] = {std::max(e.value[0], least), std::max(e.value[1], least), std::max(e.value[2], least)};
   p.momentum[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 6);
   p.angularMomentum[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 9);
   p.force[row] = vectorOf(sums + 12);
@@ -249,7 +258,7 @@ void recordMelted(const RigidView& v) {
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.piece[i] == notRigid || p.pieceLabel[i] != notRigid) continue;
     const Vec3d spin = formerMotion(v, i).spin;
-    v.ledger.dissipated.add(0.5 * ownInertia(p.mass[i], v.scene.spacing) * dot(spin, spin));
+    v.ledger.dissipated.add(0.5 * inertiaOf(p, v.scene, i) * dot(spin, spin));
   }
 }
 
@@ -271,7 +280,7 @@ void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std:
     const Vec3d lever = placeIn(v, n, i, k) - n.centre[k];
     const Quat toBody = conjugate(q);
     p.bodyPosition[i] = rotated(toBody, lever);
-    turnElement(p, i, toBody);
+    if (p.faceNormal.active) turnElement(p, i, toBody);
     p.velocity[i] = velocityOf(v.pieces, row) +
                     cross(spinOf(v.pieces, row, v.pieces.angularMomentum[row]), lever);
     if (!p.clamped.active) return;
@@ -296,6 +305,11 @@ void markRigidParticles(const Scene& scene, Continuum& p) {
 
 void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
   labelPieces(v, halos, atStart);
+  remakePieces(v, halos, atStart);
+}
+
+void remakePieces(const RigidView& v, const Halos& halos, bool atStart) {
+  const bool elements = v.particles.faceNormal.active;
   if (atStart) std::fill_n(v.particles.piece.data(), v.particles.owned, notRigid);
   NewPieces n = findChanged(v, halos.all);
   RankPieceExchange exchange(halos.all, n.ids, nullptr);
@@ -310,8 +324,10 @@ void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
   sumOverRanks(exchange, sums, motionSums, v.work.words);
   if (!atStart) {
     recordMelted(v);
-    unturnElements(v, n);
-    renewElements(v);
+    if (elements) {
+      unturnElements(v, n);
+      renewElements(v);
+    }
   }
   // New rows replace former ones of the same id, which the motion of particles no longer needs.
   Pieces& p = v.pieces;
@@ -326,7 +342,12 @@ void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
   placeParticles(v, n, rows);
   adoptLabels(v.particles);
   Continuum& c = v.particles;
-  refresh(halos.cells, c, ColumnList{&c.piece, &c.phase, &c.faceNormal, &c.faceOffset, &c.faceRadius}).wait();
+  ColumnList changed{&c.piece, &c.phase};
+  if (elements)
+    for (AnyColumn* column : {static_cast<AnyColumn*>(&c.faceNormal), static_cast<AnyColumn*>(&c.faceOffset),
+                              static_cast<AnyColumn*>(&c.faceRadius)})
+      changed.push_back(column);
+  refresh(halos.cells, c, changed).wait();
   linkPieces(v, halos, PieceUsers::Owned);
   for (std::size_t k = 0; k < n.ids.size() && !atStart; k++)
     if (const std::uint32_t row = p.rowOf(n.ids[k]); row != noPieceRow && p.leads[row])

@@ -219,6 +219,10 @@ Modules modulesOf(const Scene& s) {
     if (x.isRigid()) f.on(m.rigid, "rigid pieces", "the law of material " + quoted(x.name) + " is \"rigid\"");
     else elastic = true;
   }
+  if (elastic && s.numerics.rigidify > 0) {
+    f.on(m.rigidify, "rigid parts of elastic solids", "numerics.rigidify is given");
+    f.on(m.rigid, "rigid pieces", "numerics.rigidify is given");
+  }
   if (m.rigid) f.on(m.neighbours, "neighbour search", "rigid pieces can touch");
   if (m.solid) {
     if (solidBodies > 1) f.on(m.contact, "contact of solids", "there are several solid bodies");
@@ -231,9 +235,9 @@ Modules modulesOf(const Scene& s) {
         f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
   if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
   // Contact of solids limits the step of all particles, so substeps gain nothing there.
-  m.mostSubsteps = s.numerics.elasticSubsteps > 0                 ? s.numerics.elasticSubsteps
-                   : elastic && m.fluid && !m.contact && !m.sleep ? 4
-                                                                  : 1;
+  m.mostSubsteps = s.numerics.elasticSubsteps > 0                                ? s.numerics.elasticSubsteps
+                   : elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? 4
+                                                                                 : 1;
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids",
          s.numerics.elasticSubsteps > 0

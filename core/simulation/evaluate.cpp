@@ -14,6 +14,7 @@
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/motion.hpp"
+#include "core/rigid/rigidify/loads.hpp"
 #include "core/rigid/update_pieces.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
@@ -22,7 +23,7 @@
 #include "core/simulation/step.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/sums/solid_step.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/world/rigidify_views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
@@ -201,6 +202,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   sumForces(e);
   addContacts(e, justFrozen);
   finishForces(e);
+  if (w.modules.rigidify) compareLoads(rigidifyView(w, t));
   if (w.modules.rigid) sumPieceForces(rigidView(w, t), halos.all);
   if (viscosityCorrectionDue(w)) correctViscosity(w, t);  // for the next step
   if (w.modules.neighbours) separateCoincident(w, t, coincident);

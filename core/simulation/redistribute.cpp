@@ -6,6 +6,7 @@
 
 #include "core/domain/extensions.hpp"
 #include "core/domain/sides.hpp"
+#include "core/halo/bonded_rows.hpp"
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/simulation/ledger/energy_left.hpp"
@@ -156,7 +157,7 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   Migration m;
   if (moves) m = halos.cells.migrate(p, {p.nextCell.data(), p.owned});
   computeCellKeys(w.grid, p, before, p.owned);
-  if (w.modules.solid && moves) halos.bonds.migrate(p, w.solids, w.bonds, m);
+  if (w.modules.solid && moves) halos.bonds.migrate(bondedRows(p), w.solids, w.bonds, m);
   if (w.modules.rigid)
     for (const std::uint32_t i : m.departed)
       if (p.piece[i] != notRigid) t.rigid.departed.push_back(p.piece[i]);

@@ -4,12 +4,14 @@
 
 #include "core/heat/sources/heat_sources.hpp"
 #include "core/oriented/step_oriented.hpp"
+#include "core/rigid/rigidify/deforming.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/monitor/monitor.hpp"
 #include "core/simulation/solid_substeps.hpp"
 #include "core/simulation/step.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/step_reduction.hpp"
+#include "core/simulation/world/rigidify_views.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/frame_times.hpp"
 
@@ -39,6 +41,11 @@ StepReduction reductionHere(World& w, StepTools& t, const StepOutcome& here, Req
   reduction.report = wanted.report;
   reduction.checkpoint = wanted.checkpoint;
   if (w.modules.solid) reduction.stretch2 = t.maxStretch2;
+  reduction.rigidity = w.modules.rigidify && t.rigid.changedHere;
+  if (w.modules.rigidify && nothingDeforms(rigidifyView(w, t))) {
+    reduction.stretch2 = 0;
+    reduction.negatedLimits[static_cast<std::size_t>(Limit::Contact)] = -own[Limit::Contact];
+  }
   if (w.modules.solid) reduction.strainBound = largestStrainBound(t.elastic, w.solids);
   if (w.modules.substeps) reduction.negatedFastLimit = -fastAccelerationLimit(w);
   if (w.modules.fluid) reduction.relativeDensity = largestRelativeDensity(w);
@@ -55,7 +62,9 @@ StepLimits limitsOfAll(const World& w, const StepTools& t, const StepReduction& 
     limits.value[reduction.negatedLimits.size() + k] = -reduction.negatedBodyTypeLimits[k];
   // From the largest values of all ranks: the minimum of their limits would depend on the partition.
   if (w.modules.solid)
-    limits[Limit::Elastic] = elasticStepLimit(w.scene, reduction.stretch2, reduction.strainBound);
+    limits[Limit::Elastic] = reduction.stretch2 > 0
+                                 ? elasticStepLimit(w.scene, reduction.stretch2, reduction.strainBound)
+                                 : never;
   longest = std::min({limits[Limit::Elastic], t.longestContact, -reduction.negatedFastLimit});
   if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * longest;
   return limits;
@@ -91,6 +100,7 @@ StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Re
   all.limitedBy = limits.smallest();
   t.frozeAnywhere = reduction.froze > 0;
   t.meltedAnywhere = reduction.melted > 0;
+  if (w.modules.rigidify) t.rigid.changedHere = reduction.rigidity > 0;  // anywhere
   all.finite = !(reduction.bad > 0);
   all.wanted = {reduction.stop > 0, reduction.report > 0, reduction.checkpoint > 0};
   all.surfaceMove2 = reduction.surfaceMove2;

@@ -12,6 +12,8 @@
 #include "core/rigid/contact_impulses.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/motion.hpp"
+#include "core/rigid/rigidify/deforming.hpp"
+#include "core/rigid/rigidify/rigidify.hpp"
 #include "core/rigid/update_pieces.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
@@ -20,6 +22,7 @@
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/integrate.hpp"
+#include "core/simulation/world/rigidify_views.hpp"
 #include "core/simulation/world/views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_surface_energy.hpp"
@@ -85,7 +88,8 @@ void heatAndMelt(World& w, StepTools& t, double dt) {
   if (w.modules.melting) changes = changePhase(w.scene, w.particles, w.counters);  // solid <-> liquid
   t.phaseChangedHere = changes.melted || changes.frozen;
   t.frozeAnywhere = changes.frozen;  // both are reduced by reduceStep
-  t.meltedAnywhere = changes.melted || t.rigid.changedHere;
+  if (w.modules.rigidify && findDeforming(rigidifyView(w, t), dt)) t.rigid.changedHere = true;
+  t.meltedAnywhere = changes.melted || (t.rigid.changedHere && !w.modules.rigidify);
   t.times.lap(StepPhase::Heat);
 }
 
@@ -93,6 +97,11 @@ void heatAndMelt(World& w, StepTools& t, double dt) {
 
 void finishPieces(World& w, Halos halos, StepTools& t) {
   const RigidView view = rigidView(w, t);
+  if (w.modules.rigidify) {  // contacts are forces
+    if (t.rigid.changedHere) rigidifySolids(rigidifyView(w, t), halos);
+    t.rigid.changedHere = false;
+    return t.times.lap(StepPhase::Contact);
+  }
   if (t.meltedAnywhere || t.frozeAnywhere) {
     updatePieces(view, halos, false);
     t.rigid.changedHere = false;

@@ -8,6 +8,7 @@
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/fluid/rheology/laws/particle_viscosity.hpp"
 #include "core/materials/enthalpy.hpp"
+#include "core/particles/elastic_pieces.hpp"
 #include "core/particles/sleep_stage.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
@@ -167,7 +168,7 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
   const WallContext shorter{w, x.tables, x.liquids, x.dt * x.fast, x.span * x.fast};
   for (std::size_t c = 0; c < list.size();) {
     const std::uint32_t i = list[c].row;
-    if (x.sleeps(i) || isRigid(p, i)) {  // pieces have contacts of their own (core/rigid/)
+    if (x.sleeps(i) || touchesAsPiece(p, i)) {  // pieces have contacts of their own (core/rigid/)
       c++;
       continue;
     }

@@ -11,6 +11,7 @@
 #include "core/simulation/monitor/interpenetration.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/sleep/awake_reason.hpp"
+#include "core/solid/elasticity/active_slots.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/time/frame_times.hpp"
 #include "io/frames/frame_fields.hpp"
@@ -129,6 +130,7 @@ namespace {
 void writeParticleFrame(Run& r) {
   World& w = r.world;
   findStoredEnergy(w, r.tools);
+  if (w.modules.rigidify) deformPassive(r.tools.elastic, w.solids, w.bonds);
   if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") !=
                              w.scene.output.fields.end())
     computeCauchyStress(r.tools.elastic, w.solids);
@@ -141,9 +143,19 @@ void writeParticleFrame(Run& r) {
   });
 }
 
+/// Returns "  rigid 8000": particles in rigid parts of elastic solids. Collective.
+std::string rigidText(Run& r) {
+  const Continuum& p = r.world.particles;
+  std::array<std::int64_t, 1> rigid{};
+  for (std::size_t i = 0; i < p.owned; i++) rigid[0] += isRigid(p, i);
+  r.all.sum(rigid);
+  return fmt::format("  rigid {}", rigid[0]);
+}
+
 /// Returns "  asleep 8000 (awake: 12 move, 340 have awake neighbours)": particles whose sums were skipped in
 /// the last step, and the reasons of the others. Returns "" if no particle may sleep. Collective.
 std::string sleepText(Run& r) {
+  if (r.world.modules.rigidify) return rigidText(r);
   if (!r.world.modules.sleep) return "";
   std::array<std::int64_t, 2 + awakeReasons> counts{r.world.counters.asleep,
                                                     static_cast<std::int64_t>(r.world.particles.owned)};

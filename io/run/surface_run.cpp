@@ -3,6 +3,7 @@
 
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/world/views.hpp"
+#include "core/solid/elasticity/active_slots.hpp"
 #include "io/frames/surface_frame.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/run/reports/surface_log.hpp"
@@ -43,6 +44,7 @@ void updateSurfaceOf(Run& r) {
   if (r.world.modules.solid)
     findElasticEnergy(r.world, r.tools);  // also F, from which the current volume of solids follows
                                           // (gather_particles.cpp)
+  if (r.world.modules.rigidify) deformPassive(r.tools.elastic, r.world.solids, r.world.bonds);
   updateSurface(surfaceView(r.world), r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Surface);
   r.summary.surface.updatesHere++;

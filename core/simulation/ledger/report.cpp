@@ -7,6 +7,7 @@
 
 #include "core/materials/liquid_materials.hpp"
 #include "core/materials/state_equation.hpp"
+#include "core/particles/elastic_pieces.hpp"
 #include "core/simulation/ledger/ledger_rows.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/world/body_types.hpp"
@@ -34,7 +35,7 @@ void addRow(const World& w, std::size_t i, ExactBalance& b) {
     b.angularMomentum[a].add(m * L[a]);
   }
   b.kinetic.add(0.5 * m * dot(v, v));
-  if (isRigid(p, i)) addOwnSpin(w, i, b);
+  if (touchesAsPiece(p, i)) addOwnSpin(w, i, b);
   b.potential.add(-m * dot(w.scene.domain.gravity, x));
   if (p.interaction.active) b.potential.add(p.interaction[i]);
   if (p.enthalpy.active) b.internal.add(m * p.enthalpy[i]);

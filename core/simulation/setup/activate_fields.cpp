@@ -50,9 +50,11 @@ void activateFields(World& w, StepTools& t) {
   on(m.solid, {&p.slot});
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.contactOffset});
-  on(m.rigid, {&p.piece, &p.bodyPosition, &p.pieceRow, &p.pieceLabel, &p.faceNormal, &p.faceOffset,
-               &p.faceRadius, &p.contactPartner, &p.contactImpulse});
-  on(m.rigid && m.surface, {&p.exposed});
+  on(m.rigid, {&p.piece, &p.bodyPosition, &p.pieceRow, &p.pieceLabel});
+  on(m.rigidify, {&p.restTime, &p.constraintForce});
+  const bool pieces = m.rigid && !m.rigidify;  // pieces of rigid materials
+  on(pieces, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
+  on(pieces && m.surface, {&p.exposed});
   if (m.rigid) activatePieces(w.pieces);
   on(m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows

@@ -16,6 +16,7 @@
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/link_pieces.hpp"
+#include "core/rigid/rigidify/deforming.hpp"
 #include "core/rigid/surface_elements.hpp"
 #include "core/rigid/update_pieces.hpp"
 #include "core/scene/full_box.hpp"
@@ -46,6 +47,7 @@
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/simulation/world/views.hpp"
+#include "core/solid/elasticity/active_slots.hpp"
 #include "core/time/frame_times.hpp"
 
 namespace thaw {
@@ -250,7 +252,8 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   t.newPartition = true;
   relaxPacking(w, halos, t, shapes);
   assignStartFields(w, shapes, halos.all, true);
-  if (w.modules.rigid) {
+  if (w.modules.rigidify) restAtStart(w.scene, p);
+  else if (w.modules.rigid) {
     markRigidParticles(w.scene, p);
     elementsOfShapes(w.scene, shapes, p);
   }
@@ -289,7 +292,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   SamplingReport report = sampleWorld(w, halos, t, load);
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
-  t.rigid.atStart = w.modules.rigid;
+  t.rigid.atStart = w.modules.rigid && !w.modules.rigidify;
   t.emitFirst = true;
   initializeForces(w, halos, t);
   for (SceneWarning& warning : compressedLiquids(w, t, halos.all))
@@ -304,6 +307,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   moveWalls(w.walls, w.clock.time);
   t.shapes = {};
   t.sleep = {};
+  forgetActiveSlots(t.elastic);
   w.solids.energyKnown = w.compressionKnown = true;  // part of the state
   if (p.slot.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;

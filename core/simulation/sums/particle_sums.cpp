@@ -24,10 +24,9 @@ ColumnList ghostColumns(World& w) {
   ColumnList c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
   if (w.modules.solid) c.push_back(&p.id);
   if (w.modules.solid || w.modules.contactConductance) c.push_back(&p.body);
-  if (w.modules.rigid)
-    for (AnyColumn* column :
-         std::initializer_list<AnyColumn*>{&p.piece, &p.faceNormal, &p.faceOffset, &p.faceRadius})
-      c.push_back(column);
+  for (AnyColumn* column :
+       std::initializer_list<AnyColumn*>{&p.piece, &p.faceNormal, &p.faceOffset, &p.faceRadius})
+    if (column->active) c.push_back(column);
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);
   if (p.compression.active) c.push_back(&p.compression);

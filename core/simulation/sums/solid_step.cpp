@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "core/contact/solid_contact.hpp"
+#include "core/halo/bonded_rows.hpp"
 #include "core/solid/bonds/bond_forming.hpp"
+#include "core/solid/elasticity/active_slots.hpp"
 #include "core/solid/elasticity/rereference.hpp"
 #include "core/solid/elasticity/slot_state.hpp"
 #include "core/solid/fracture.hpp"
@@ -18,8 +20,21 @@ ElasticStep elasticStep(const StepTools& t, double dt) {
   return {dt, t.elastic.energyInSteps, t.elastic.deformationInSteps};
 }
 
-void deformAll(World& w, StepTools& t, const ElasticStep& step, Exchange ends) {
+/// Chooses the slots whose energy may change, if bonds or slots changed on this rank.
+void chooseActive(World& w, Halos& halos, StepTools& t) {
+  SlotPieces pieces;
+  pieces.resize(w.solids.owned, w.solids.ghosts);
+  for (std::size_t s = 0; s < w.solids.owned; s++) pieces.piece[s] = w.particles.piece[w.solids.particle[s]];
+  refresh(halos.bonds, w.solids, ColumnList{&pieces.piece}).wait();
+  if (!activeSlotsKnown(t.elastic, w.solids)) chooseActiveSlots(t.elastic, w.solids, w.bonds, pieces);
+}
+
+void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step, Exchange ends) {
   if (w.modules.sleep) chooseAwakeGroups(w.particles, w.solids, t.elastic, t.sleep);
+  if (w.modules.rigidify) {
+    ends.wait();  // a halo has one refresh in flight
+    chooseActive(w, halos, t);
+  }
   ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   ends.wait();
@@ -49,6 +64,7 @@ BondForming bondForming(const World& w, const StepTools& t) {
 void updateBondData(World& w, Halos& halos, StepTools& t) {
   fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
   if (w.modules.sleep) forgetChangedSlots(w.solids, t.sleep);
+  forgetActiveSlots(t.elastic);
   refresh(halos.bonds, w.solids, remoteColumnsAfterRelink(w.solids)).wait();
   w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
 }
@@ -123,7 +139,7 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
     pairs.clear();
     if (w.bonds.vectors) formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, part(k));
     else pairAtStart(w.particles, w.neighbours, forming, pairs, part(k));
-    halos.bonds.rebuildBonds(w.particles, w.solids, w.bonds,
+    halos.bonds.rebuildBonds(bondedRows(w.particles), w.solids, w.bonds,
                              {requests, false, pairs, mostNeighbours, remotes});
   }
   if (fieldsDeferred(w, t))
@@ -136,6 +152,7 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
 /// into account.
 void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
+  if (w.modules.rigidify) deformPassive(t.elastic, w.solids, w.bonds);
   prepareBondForming(p, w.solids);
   refresh(halos.cells, p, bondFormingColumns(p)).wait();
   if (t.bondsAtStart) return bondScene(w, halos, t);
@@ -149,8 +166,8 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
 
 void rebuildSolidBonds(World& w, Halos halos, StepTools& t, const BondUpdate& work) {
   t.times.lap(StepPhase::Sort);
-  linkSlots(w.particles, w.solids);
-  if (halos.bonds.rebuildBonds(w.particles, w.solids, w.bonds, work) && !fieldsDeferred(w, t))
+  linkSlots(bondedRows(w.particles), w.solids);
+  if (halos.bonds.rebuildBonds(bondedRows(w.particles), w.solids, w.bonds, work) && !fieldsDeferred(w, t))
     updateBondData(w, halos, t);
   t.times.lap(StepPhase::Bonds);
 }
@@ -191,14 +208,14 @@ Exchange sendPositions(World& w, Halos halos, const StepTools& t) {
 Exchange deform(World& w, Halos halos, StepTools& t, double dt, SolidExchanges sent) {
   dt /= w.clock.substeps;  // the last of them
   ElasticStep now = elasticStep(t, dt);
-  if (!fieldsDeferred(w, t)) deformAll(w, t, now, std::move(sent.positions));
+  if (!fieldsDeferred(w, t)) deformAll(w, halos, t, now, std::move(sent.positions));
   if (bondsForm(w, halos, t)) {
     const bool start = t.bondsAtStart;
     sent.densities.wait();  // since a halo has one refresh in flight
     makeBonds(w, halos, t);
     t.frozeAnywhere = false;
     now.dt = 0;  // plastic flow is done
-    deformAll(w, t, now, sendPositions(w, halos, t));
+    deformAll(w, halos, t, now, sendPositions(w, halos, t));
     if (!start) recordEnergyJump(w, t, -1);
     now.dt = dt;
   }

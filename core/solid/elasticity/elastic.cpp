@@ -57,7 +57,8 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
     a.breakStretch2 = 0.9999 * work.minBreakStretch * work.minBreakStretch;
     a.stretched = work.stretched.data();
   }
-  if (work.sleeping) a.held = work.held.data(), a.groupStretch2 = work.groupStretch2.data();
+  if (work.sleeping && work.groupStretch2.empty()) a.passive = work.held.data();  // active_slots.hpp
+  else if (work.sleeping) a.held = work.held.data(), a.groupStretch2 = work.groupStretch2.data();
   a.momentInverse = solids.momentInverse.data();
   a.rank = work.rank.data();
   a.perTrace = work.perTrace.data();
@@ -126,7 +127,9 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
   for (int l = 0; l < 8; l++) {
     const std::size_t s = slot0 + static_cast<std::size_t>(l < n ? l : 0);
     const ElasticConstants& c = out.constants[l];
-    out.volume[l] = l < n ? a.volume[s] : 0;
+    const bool active = l < n && !(a.passive && a.passive[s]);
+    out.active[l] = active;
+    out.volume[l] = active ? a.volume[s] : 0;
     out.hourglass[l] = c.hourglass * out.volume[l] * a.perTrace[s];
     // A bond's damping is the mean of both ends, hence 0.5. The factor 3 is because a bond acts along its
     // direction only.

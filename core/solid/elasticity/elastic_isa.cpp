@@ -141,7 +141,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
       const T least = min(xx, min(second, third));
       if (any(least < T(Real(0))))
         for (int l = 0; l < n; l++)
-          a.squeezed += least[l] < 0 && c.constants[l].law == ElasticLaw::Green &&
+          a.squeezed += least[l] < 0 && c.active[l] > 0 && c.constants[l].law == ElasticLaw::Green &&
                         !(c.volumeStiffness[l] > 0);
     }
 
@@ -157,7 +157,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
     }
     const T j = determinant(f);
     const T size = dot(fe.row[0], fe.row[0]) + dot(fe.row[1], fe.row[1]) + dot(fe.row[2], fe.row[2]);
-    const T stretch2 = size - T(Real(2));
+    const T stretch2 = select(T(Real(0.5)) < fromDoubles<Real>(c.active), size - T(Real(2)), T(Real(1)));
     largest = max(largest, stretch2);
     if (a.groupStretch2) {
       double& most = a.groupStretch2[g] = 1;
@@ -168,12 +168,12 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
                 static_cast<Record<Real>*>(a.end) + 4 * s0);
     for (int l = 0; a.damping && l < n; l++) a.dragColumn[s0 + static_cast<std::size_t>(l)] = c.drag[l];
     for (int l = 0; a.deformation && l < n; l++)
-      for (int r = 0; r < 3; r++)
+      for (int r = 0; r < 3 && c.active[l] > 0; r++)
         a.deformation[s0 + static_cast<std::size_t>(l)].row[r] = {
             gradU[3 * r][l] + (r == 0), gradU[3 * r + 1][l] + (r == 1), gradU[3 * r + 2][l] + (r == 2)};
     for (int l = 0; a.energy && l < n; l++)
-      a.energyColumn[s0 + static_cast<std::size_t>(l)] = c.volume[l] * energy[l];
-    for (int l = 0; l < n; l++) a.inverted += !(j[l] > 0);
+      if (c.active[l] > 0) a.energyColumn[s0 + static_cast<std::size_t>(l)] = c.volume[l] * energy[l];
+    for (int l = 0; l < n; l++) a.inverted += !(j[l] > 0) && c.active[l] > 0;
   }
   for (int l = 0; l < 8; l++)
     if (static_cast<double>(largest[l]) > a.maxStretch2) a.maxStretch2 = static_cast<double>(largest[l]);

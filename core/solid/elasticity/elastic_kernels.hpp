@@ -53,8 +53,9 @@ struct ElasticArrays {
   Vec3d* force = nullptr;
   const ElasticWork* work = nullptr;
   const Solids* solids = nullptr;
-  const std::uint8_t* held = nullptr;  ///< plastic strain is fixed; null: nowhere
-  double* groupStretch2 = nullptr;     ///< by group, as maxStretch2; null: not needed
+  const std::uint8_t* held = nullptr;     ///< plastic strain is fixed; null: nowhere
+  double* groupStretch2 = nullptr;        ///< by group, as maxStretch2; null: not needed
+  const std::uint8_t* passive = nullptr;  ///< 1: energy and deformation stay, and flux is 0; null: nowhere
   // Results.
   std::int64_t inverted = 0, squeezed = 0;
   double maxStretch2 = 1;
@@ -65,6 +66,7 @@ struct alignas(64) LaneConstants {
   // hourglass: k, N/m; drag: kg/s.
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];
   double neoHookean[8], corotated[8];  // 1: that law, else 0
+  double active[8];                    // 0: no slot, or a passive one
   ElasticConstants constants[8];
   bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated, anyExtension;
   int material = -1;  // common material of all lanes if fully solid; else -1

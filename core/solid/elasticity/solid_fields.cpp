@@ -35,6 +35,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   // Melting records the energy of softening particles in every step, and substeps end at positions of their
   // own.
   work.energyInSteps = modules.melting || modules.substeps;
+  if (modules.rigidify) work.energyInSteps = true;  // passive slots keep the energy of their last evaluation
   work.deformationInSteps = work.energyInSteps || vectors || modules.sleep;
 
   particles.activate(particles.slot);
@@ -60,6 +61,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     solids.activate(solids.liquid);
     solids.activate(solids.melted);
   }
+  if (modules.rigidify) solids.activate(solids.velocity);  // for rates of strain
   for (AnyColumn* c : columnsOfSteps(solids, work)) solids.activate(*c);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/particles/elastic_pieces.hpp"
 #include "core/surface/data/sampled_bodies.hpp"
 
 namespace thaw {
@@ -59,7 +60,8 @@ void gatherParticles(const SurfaceView& w, int rank) {
     if (c.temperature.active) c.temperature[i] = static_cast<float>(p.temperature[i]);
     if (c.referencePosition.active) c.referencePosition[i] = p.surfaceStartPosition[i];
     if (c.covered.active)
-      c.covered[i] = isRigid(p, i) ? !p.exposed[i] : p.slot[i] != noSlot && !w.solids.exposed[p.slot[i]];
+      c.covered[i] = touchesAsPiece(p, i) ? !p.exposed[i]
+                                          : p.slot[i] != noSlot && !w.solids.exposed[p.slot[i]];
     c.body[i] = p.body[i];
     c.source[i] = static_cast<std::uint64_t>(rank) << 32 | i;
   }
@@ -92,7 +94,7 @@ void returnParticles(Continuum& p, Solids& solids, Surface& surface, SurfaceHalo
     halos.scatter.scatterBack({c.source.data(), c.owned}, there, here);
     for (std::size_t i = 0; i < p.owned; i++) {
       if (here[i] != 0) continue;
-      if (isRigid(p, i)) p.exposed[i] = 1;
+      if (touchesAsPiece(p, i)) p.exposed[i] = 1;
       else if (p.slot[i] != noSlot) solids.exposed[p.slot[i]] = 1;
     }
   }

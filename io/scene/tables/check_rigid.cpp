@@ -8,9 +8,39 @@
 
 namespace thaw {
 
+namespace {
+
+void checkRigidify(const SceneReading& x, std::vector<SceneError>& errors) {
+  const Scene& s = *x.scene;
+  const Numerics& n = s.numerics;
+  if (!(n.rigidify > 0)) return;
+  const auto at = x.numerics.find("rigidify");
+  const SourcePlace where = at != x.numerics.end() ? at->second : x.start;
+  const auto refuse = [&](bool is, const std::string& what) {
+    if (is)
+      errors.push_back(
+          {where, "numerics.rigidify cannot be combined with " + what + ": leave one of them out"});
+  };
+  refuse(n.sleepSpeed > 0, "numerics.sleep_speed");
+  refuse(n.elasticSubsteps > 1, "numerics.elastic_substeps above 1");
+  for (const Material& m : s.materials) {
+    if (!m.canBeSolid()) continue;
+    const auto property = [&](bool is, const char* what) {
+      refuse(is, fmt::format("{} of material '{}'", what, m.name));
+    };
+    property(m.isRigid(), "law = \"rigid\"");
+    property(m.law == ElasticLaw::Extension, "the extension law");
+    property(m.yieldStrain.solid < never || m.yieldStrain.liquid < never, "yield_strain");
+    property(m.breakStretch < never, "break_stretch");
+  }
+}
+
+}  // namespace
+
 void checkRigid(const SceneReading& x, std::vector<SceneError>& errors) {
   const Scene& s = *x.scene;
   const Numerics& n = s.numerics;
+  checkRigidify(x, errors);
   const auto rigid = std::find_if(s.materials.begin(), s.materials.end(),
                                   [](const Material& m) { return m.isRigid(); });
   if (rigid == s.materials.end()) return;

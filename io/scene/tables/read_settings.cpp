@@ -200,6 +200,13 @@ void readNumerics(TableReader& r, Numerics& n) {
       "half of gravity, keeps it awake or wakes it. With less, a solid with weak vibrations sleeps sooner");
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(),
            "rate of change of the temperature that keeps a solid awake or wakes it");
+  r.number(
+      "rigidify", n.rigidify, "1/s", notNegative(),
+      "parts of elastic solids whose rate of strain stays below this for sleep_after move as rigid "
+      "pieces, until they deform, soften, or come near an obstacle or another body. They cost no elastic "
+      "sums; while all solids are rigid, the elastic limit of the step does not hold. It must be below "
+      "the rates of vibrations that matter, for example 0.1 for stiff bodies; 0: off. Not with rigid, "
+      "yielding or breaking materials, extension laws, sleep_speed or elastic_substeps");
   r.restart(Restart::Free);
   r.whole("retry_every", n.retryEvery, 0, 1000000000,
           "steps between snapshots in memory; a run that fails goes back to the last one and continues with "

@@ -120,6 +120,9 @@ TEST(BadScene, ConflictsOfNumericsHaveThePlaceOfTheirKey) {
   EXPECT_EQ(only("elastic_substeps = 4\nsleep_speed = 0.1\n")
                 .rfind("s.toml:17:15: error: numerics.sleep_speed cannot be combined", 0),
             0u);
+  const std::string rigid = "s.toml:16:12: error: numerics.rigidify cannot be combined with numerics.";
+  EXPECT_EQ(only("rigidify = 0.1\nsleep_speed = 0.1\n").rfind(rigid + "sleep_speed", 0), 0u);
+  EXPECT_EQ(only("rigidify = 0.1\nelastic_substeps = 2\n").rfind(rigid + "elastic_substeps", 0), 0u);
 }
 
 TEST(BadScene, AllErrorsAtOnceInTheirOrder) {

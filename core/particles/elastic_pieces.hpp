@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two kinds of rigid pieces: of rigid materials (core/rigid/), and parts of elastic solids that do not deform
+// (core/rigid/rigidify/). A scene has one kind.
+#pragma once
+#include "core/particles/continuum.hpp"
+
+namespace thaw {
+
+/// Returns true if pieces are parts of elastic solids. Their particles keep bonds and contact forces.
+inline bool piecesAreElastic(const Continuum& p) { return p.piece.active && !p.faceNormal.active; }
+
+/// Returns true if a particle touches others as part of a piece, by impulses (core/rigid/contact/).
+inline bool touchesAsPiece(const Continuum& p, std::size_t i) {
+  return isRigid(p, i) && !piecesAreElastic(p);
+}
+
+}  // namespace thaw

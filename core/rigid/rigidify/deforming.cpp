@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rigid/rigidify/deforming.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "core/neighbours/rows_around.hpp"
+#include "core/solid/elasticity/active_slots.hpp"
+
+namespace thaw {
+namespace {
+
+/// Steps between comparisons of strain rates. A pressure wave travels less than a spacing in this time, so a
+/// piece gets elastic ahead of it.
+constexpr std::int64_t rateEvery = 2;
+/// Steps between searches for particles that may become rigid.
+constexpr std::int64_t restEvery = 32;
+/// Temperature (K) below the solidus from which a particle that is woken with others counts as softening, so
+/// that a melting front wakes whole layers.
+constexpr double soonMelts = 0.5;
+
+/// Distance (spacings) of a particle of another body from which a particle is not rigid. It is more than that
+/// of contact, so contacts act on elastic particles.
+constexpr double nearBody = 1.5;
+
+/// Smallest and largest value of the solids in a cell.
+struct Range {
+  std::uint64_t low = ~std::uint64_t{0}, high = 0;
+  void add(const Range& o) { low = std::min(low, o.low), high = std::max(high, o.high); }
+  bool mixed() const { return low < high; }
+};
+
+template<class Value> std::vector<Range> rangesOfCells(const RigidView& v, const Column<Value>& values) {
+  std::vector<Range> ranges(v.cells.key.size());
+  for (std::size_t c = 0; c < ranges.size(); c++)
+    for (std::size_t i = v.cells.first[c]; i < v.cells.first[c] + v.cells.count[c]; i++)
+      if (v.particles.phase[i] == Solid) ranges[c].add({values[i], values[i]});
+  return ranges;
+}
+
+bool anyMixed(std::span<const Range> ranges) {
+  Range all;
+  for (const Range& r : ranges) all.add(r);
+  return all.mixed();
+}
+
+/// Range of the 27 cells around a cell.
+Range rangeAround(const CellTable& cells, std::span<const Range> ranges, std::uint64_t key) {
+  const Vec3i at = cellOfKey(key);
+  Range around;
+  for (int z = -1; z <= 1; z++)
+    for (int y = -1; y <= 1; y++) {
+      const std::uint64_t last = cellKey({at.x + 1, at.y + y, at.z + z});
+      auto k = std::lower_bound(cells.key.begin(), cells.key.end(), cellKey({at.x - 1, at.y + y, at.z + z}));
+      for (; k != cells.key.end() && *k <= last; ++k)
+        around.add(ranges[static_cast<std::size_t>(k - cells.key.begin())]);
+    }
+  return around;
+}
+
+/// Calls use(cell, rows around it) for cells of owned rows around which solids have different values, until
+/// it returns true. Returns true if it did.
+template<class Use> bool anyMixedCell(const RigidView& v, std::span<const Range> ranges, const Use& use) {
+  if (!anyMixed(ranges)) return false;
+  std::vector<RowSpan> rows;
+  for (std::size_t c = 0; c < ranges.size(); c++) {
+    if (v.cells.first[c] >= v.particles.owned) continue;
+    if (!rangeAround(v.cells, ranges, v.cells.key[c]).mixed()) continue;
+    rowsAround(v.cells, v.cells.key[c], rows);
+    if (use(c, rows)) return true;
+  }
+  return false;
+}
+
+bool isSoft(const Scene& scene, const Continuum& p, std::size_t i, double margin) {
+  if (!p.liquid.active) return false;
+  return p.liquid[i] > 0 || p.temperature[i] > scene.materials[p.material[i]].solidus - margin;
+}
+
+/// Sums over the bonds of a slot, with directions e and velocity differences over lengths u.
+struct BondRates {
+  Mat3d moment{}, product{};  ///< sums of e e^T and u e^T
+  double squares = 0;         ///< sum of (e u)^2, squared rates of the lengths
+  int count = 0;
+  void add(const Vec3d& e, const Vec3d& u) {
+    for (int a = 0; a < 3; a++) {
+      moment.row[a] += e[a] * e;
+      product.row[a] += u[a] * e;
+    }
+    squares += dot(e, u) * dot(e, u);
+    count++;
+  }
+};
+
+/// Returns the squared rate of strain (1/s^2), |D|^2 with D the symmetric part of the velocity gradient that
+/// fits the bonds best. In flat and thin neighbourhoods: the mean squared rate of the lengths. Both are 0 in
+/// any rigid motion, up to rounding.
+double strainRate2(const BondRates& bonds) {
+  constexpr double leastVolume = 0.1;  // determinant of the moment over that of isotropic directions
+  if (bonds.count == 0) return 0;
+  const double even = bonds.count / 3.0;
+  if (determinant(bonds.moment) < leastVolume * even * even * even) return bonds.squares / bonds.count;
+  const Mat3d gradient = bonds.product * inverse(bonds.moment);
+  double sum = 0;
+  for (int a = 0; a < 3; a++)
+    for (int b = 0; b < 3; b++) {
+      const double d = 0.5 * (gradient.row[a][b] + gradient.row[b][a]);
+      sum += d * d;
+    }
+  return sum;
+}
+
+BondRates bondRates(const RigidifyView& v, std::size_t slot) {
+  const Solids& s = v.solids;
+  BondRates rates;
+  for (int k = 0; k < v.elastic.bondCount[slot / lanes]; k++) {
+    if (!v.bonds.hasBond(slot, k)) continue;
+    const std::uint32_t end = v.bonds.neighbour[v.bonds.at(slot, k)];
+    const Vec3d d = minimumImage(s.position[end] - s.position[slot], v.elastic.periods);
+    const double perLength = 1 / length(d);
+    rates.add(d * perLength, (s.velocity[end] - s.velocity[slot]) * perLength);
+  }
+  return rates;
+}
+
+/// Sets the rest time of particles that touch something, or may do so soon, to 0.
+void wakeTouching(const RigidifyView& v) {
+  Continuum& p = v.rigid.particles;
+  for (const WallContact& c : v.wallContacts.list) p.restTime[c.row] = 0;
+  for (const ClosePair& pair : v.closePairs.list)
+    if (p.piece[pair.own] == notRigid || p.piece[pair.own] != p.piece[pair.other]) {
+      bool bonded = false;
+      const std::uint32_t slot = p.slot[pair.own];
+      if (slot == noSlot) continue;
+      for (int k = 0; k < v.elastic.bondCount[slot / lanes] && !bonded; k++)
+        bonded = v.bonds.hasBond(slot, k) &&
+                 v.solids.id[v.bonds.neighbour[v.bonds.at(slot, k)]] == p.id[pair.other];
+      if (!bonded) p.restTime[pair.own] = 0;
+    }
+}
+
+/// Sets the rest time of solids near another body to 0.
+void wakeNearBodies(const RigidifyView& v) {
+  Continuum& p = v.rigid.particles;
+  const CellTable& cells = v.rigid.cells;
+  const double near = nearBody * v.rigid.scene.spacing;
+  anyMixedCell(v.rigid, rangesOfCells(v.rigid, p.body), [&](std::size_t c, std::span<const RowSpan> rows) {
+    for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
+      for (const RowSpan& r : rows)
+        for (std::uint32_t j = r.begin; j < r.end && p.restTime[i] > 0; j++) {
+          const Vec3d d = p.position[j] - p.position[i];
+          if (p.phase[j] == Solid && p.body[j] != p.body[i] && dot(d, d) < near * near) p.restTime[i] = 0;
+        }
+    return false;
+  });
+}
+
+void wakeStretching(const RigidifyView& v) {
+  Continuum& p = v.rigid.particles;
+  const double limit = v.rigid.scene.numerics.rigidify;
+  for (std::size_t s = 0; s < v.solids.owned; s++) {
+    if (isPassive(v.elastic, s)) continue;
+    float& rest = p.restTime[v.solids.particle[s]];
+    if (rest > 0 && strainRate2(bondRates(v, s)) > limit * limit) rest = 0;
+  }
+}
+
+}  // namespace
+
+bool isToBeRigid(const Scene& scene, const Continuum& p, std::size_t i) {
+  if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.clamped.active && p.clamped[i] != 0)) return false;
+  return p.restTime[i] > 0 &&
+         (p.piece[i] != notRigid || static_cast<double>(p.restTime[i]) >= scene.numerics.sleepAfter);
+}
+
+void restAtStart(const Scene& scene, Continuum& p) {
+  std::fill_n(p.restTime.data(), p.owned, static_cast<float>(scene.numerics.sleepAfter));
+}
+
+void wakeSoftening(const RigidifyView& v) {
+  Continuum& p = v.rigid.particles;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (isSoft(v.rigid.scene, p, i, soonMelts)) p.restTime[i] = 0;
+}
+
+bool findDeforming(const RigidifyView& v, double dt) {
+  const Scene& scene = v.rigid.scene;
+  Continuum& p = v.rigid.particles;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.phase[i] != Solid || p.slot[i] == noSlot || isSoft(scene, p, i, 0)) p.restTime[i] = 0;
+    else if (p.restTime[i] > 0 || p.piece[i] == notRigid)  // else its load changed in this evaluation
+      p.restTime[i] = static_cast<float>(static_cast<double>(p.restTime[i]) + dt);
+  wakeTouching(v);
+  wakeNearBodies(v);
+  const std::int64_t step = v.clock.step + 1;
+  if (step % rateEvery == 0) wakeStretching(v);
+  bool wakes = false, rests = false;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const bool rigid = isToBeRigid(scene, p, i);
+    wakes = wakes || (p.piece[i] != notRigid && !rigid);
+    rests = rests || (p.piece[i] == notRigid && rigid);
+  }
+  return wakes || (rests && step % restEvery == 0);
+}
+
+bool nothingDeforms(const RigidifyView& v) {
+  const RigidView& r = v.rigid;
+  if (r.work.changedHere || anyActiveSlot(v.elastic, v.solids)) return false;
+  return !anyMixedCell(r, rangesOfCells(r, r.particles.piece),
+                       [](std::size_t, std::span<const RowSpan>) { return true; });
+}
+
+}  // namespace thaw

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of elastic solids that deform. A solid particle deforms if its rate of strain exceeds
+// numerics.rigidify, if it is near an obstacle or another body, if the load on it changes, or if it is
+// softening or clamped. Continuum::restTime is the time since then. Particles with a rest time of
+// numerics.sleep_after become parts of rigid pieces, until they deform.
+#pragma once
+#include "core/rigid/rigidify/rigidify_view.hpp"
+
+namespace thaw {
+
+/// Returns true if a particle of an elastic solid is to be part of a rigid piece.
+bool isToBeRigid(const Scene& scene, const Continuum& particles, std::size_t row);
+
+/// Lets the next evaluation find bodies of the start rigid where they do not deform.
+void restAtStart(const Scene& scene, Continuum& particles);
+
+/// Wakes particles that are about to soften, with those that do so now.
+void wakeSoftening(const RigidifyView& view);
+
+/// Updates Continuum::restTime after a step of dt (s). Returns true if a particle of this rank is to change
+/// between elastic and rigid. Requires: positions and velocities of bond ends at the last evaluation.
+bool findDeforming(const RigidifyView& view, double dt);
+
+/// Returns true if all solids of this rank are rigid and no two pieces are in adjacent cells, so that no step
+/// limit of solids holds. Requires: Continuum::piece of ghosts.
+bool nothingDeforms(const RigidifyView& view);
+
+}  // namespace thaw

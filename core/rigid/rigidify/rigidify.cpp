@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rigid/rigidify/rigidify.hpp"
+
+#include <algorithm>
+
+#include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/halo/exchange.hpp"
+#include "core/rigid/link_pieces.hpp"
+#include "core/rigid/piece_sums.hpp"
+#include "core/rigid/rigidify/deforming.hpp"
+#include "core/rigid/update_pieces.hpp"
+#include "core/solid/elasticity/active_slots.hpp"
+
+namespace thaw {
+namespace {
+
+/// Joins slots that a bond connects and that are both to be rigid.
+DisjointSets joinBonded(const RigidifyView& v, const SlotPieces& labels) {
+  const Solids& s = v.solids;
+  DisjointSets sets(s.size());
+  for (std::uint32_t i = 0; i < s.owned; i++) {
+    if (labels.piece[i] == notRigid) continue;
+    for (int k = 0; k < v.elastic.bondCount[i / lanes]; k++) {
+      if (!v.bonds.hasBond(i, k)) continue;
+      const std::uint32_t j = v.bonds.neighbour[v.bonds.at(i, k)];
+      if (labels.piece[j] != notRigid) sets.join(i, j);
+    }
+  }
+  return sets;
+}
+
+/// Gives each set the smallest label of its rows. Returns true if a label of an owned slot changed.
+bool spreadLabels(const Solids& s, SlotPieces& labels, DisjointSets& sets) {
+  std::vector<std::uint64_t> least(s.size(), ~std::uint64_t{0});
+  for (std::uint32_t i = 0; i < s.size(); i++)
+    if (labels.piece[i] != notRigid) {
+      std::uint64_t& l = least[sets.find(i)];
+      l = std::min(l, labels.piece[i]);
+    }
+  bool changed = false;
+  for (std::uint32_t i = 0; i < s.owned; i++) {
+    if (labels.piece[i] == notRigid) continue;
+    const std::uint64_t l = least[sets.find(i)];
+    changed = changed || l != labels.piece[i];
+    labels.piece[i] = l;
+  }
+  return changed;
+}
+
+/// Labels pieces by 1 + the smallest id of all particles that bonds connect.
+void labelBonded(const RigidifyView& v, const Halos& halos, SlotPieces& labels) {
+  const Continuum& p = v.rigid.particles;
+  Solids& s = v.solids;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const std::uint32_t row = s.particle[i];
+    labels.piece[i] = isToBeRigid(v.rigid.scene, p, row) ? p.id[row] + 1 : notRigid;
+  }
+  refresh(halos.bonds, s, ColumnList{&labels.piece}).wait();
+  DisjointSets sets = joinBonded(v, labels);
+  for (double changed = 1; changed > 0;) {
+    changed = spreadLabels(s, labels, sets) ? 1 : 0;
+    halos.all.maximum({&changed, 1});
+    if (changed > 0) refresh(halos.bonds, s, ColumnList{&labels.piece}).wait();
+  }
+}
+
+/// Removes the labels of small pieces. Their particles may try again after another rest.
+void dropSmall(const RigidifyView& v, Reducer& all, SlotPieces& labels) {
+  const Solids& s = v.solids;
+  std::vector<std::uint64_t> ids;
+  for (std::size_t i = 0; i < s.owned; i++)
+    if (labels.piece[i] != notRigid) ids.push_back(labels.piece[i]);
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  const auto at = [&](std::uint64_t id) {
+    return static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
+  };
+  std::vector<std::int64_t> count(ids.size(), 0);
+  for (std::size_t i = 0; i < s.owned; i++)
+    if (labels.piece[i] != notRigid) count[at(labels.piece[i])]++;
+  RankPieceExchange exchange(all, ids, nullptr);
+  exchange.sum(count, 1);
+  for (std::size_t i = 0; i < s.owned; i++) {
+    if (labels.piece[i] == notRigid || count[at(labels.piece[i])] >= leastInPiece) continue;
+    labels.piece[i] = notRigid;
+    v.rigid.particles.restTime[s.particle[i]] = 0;
+  }
+}
+
+}  // namespace
+
+void rigidifySolids(const RigidifyView& v, const Halos& halos) {
+  Continuum& p = v.rigid.particles;
+  Solids& s = v.solids;
+  SlotPieces labels;
+  labels.resize(s.owned, s.ghosts);
+  wakeSoftening(v);
+  labelBonded(v, halos, labels);
+  dropSmall(v, halos.all, labels);
+  std::fill_n(p.pieceLabel.data(), p.owned, notRigid);
+  for (std::size_t i = 0; i < s.owned; i++) p.pieceLabel[s.particle[i]] = labels.piece[i];
+  remakePieces(v.rigid, halos, false);
+  refresh(halos.bonds, s, ColumnList{&labels.piece}).wait();
+  chooseActiveSlots(v.elastic, s, v.bonds, labels);
+}
+
+}  // namespace thaw

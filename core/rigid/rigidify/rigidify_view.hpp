@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data of a step that the choice of rigid parts reads and changes.
+#pragma once
+#include "core/fluid/pair_sums/pair_sums.hpp"
+#include "core/rigid/rigid_view.hpp"
+#include "core/solid/elasticity/elastic.hpp"
+#include "core/time/clock.hpp"
+#include "core/walls/walls.hpp"
+
+namespace thaw {
+
+struct RigidifyView {
+  RigidView rigid;
+  Solids& solids;
+  const Bonds& bonds;
+  ElasticWork& elastic;
+  const WallContacts& wallContacts;
+  const ClosePairs& closePairs;
+  const Clock& clock;
+};
+
+}  // namespace thaw

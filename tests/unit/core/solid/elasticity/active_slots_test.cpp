@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slots inside rigid pieces are left out of the elastic sums (active_slots.hpp): forces of other slots, and
+// force, torque and energy of pieces, are those of all sums.
+#include "core/solid/elasticity/active_slots.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/solid_body.hpp"
+
+namespace thaw {
+namespace {
+
+using namespace test;
+
+Vec3d stretched(const Vec3d& x) {
+  return {1.1 * x.x + 0.05 * x.y, 0.95 * x.y + 0.3 * x.z * x.x, x.z + 0.2 * x.x * x.x};
+}
+
+struct Load {
+  Vec3d force{}, torque{};
+};
+
+Load loadOf(const SolidBody& b, const SlotPieces& pieces, std::uint64_t piece) {
+  Load sum;
+  for (std::size_t s = 0; s < b.solids.owned; s++) {
+    if (pieces.piece[s] != piece) continue;
+    sum.force += b.solids.force[s];
+    sum.torque += cross(b.solids.position[s], b.solids.force[s]);
+  }
+  return sum;
+}
+
+class ActiveSlots : public testing::TestWithParam<std::tuple<ElasticLaw, bool>> {};
+
+TEST_P(ActiveSlots, sumsAreThoseOfAllSlots) {
+  const auto [law, freezing] = GetParam();
+  const std::vector<Vec3d> points = lattice({14, 5, 5}, 0.1, 0.05);
+  Material m = elasticMaterial(1e5, 0.3);
+  m.law = law;
+  m.damping = 3;
+  BodyOptions options;
+  options.freezing = freezing;
+  const auto all = makeBody(points, {m}, options), some = makeBody(points, {m}, options);
+  SlotPieces pieces;
+  pieces.resize(points.size(), 0);
+  for (std::size_t s = 0; s < points.size(); s++)
+    pieces.piece[s] = points[s].x < 0.55 ? 4 : points[s].x > 0.95 ? 9 : 0;
+  for (SolidBody* b : {all.get(), some.get()}) {
+    b->solids.activate(b->solids.velocity);
+    moveAll(*b, points, stretched);
+    computeForces(*b);
+  }
+  chooseActiveSlots(some->work, some->solids, some->bonds, pieces);
+  std::size_t passive = 0;
+  for (std::size_t s = 0; s < points.size(); s++) passive += isPassive(some->work, s);
+  EXPECT_GT(passive, 100u);
+  // The pieces turn, and what is between them deforms.
+  const Mat3d turn = rotation({1, 2, 3}, 0.4);
+  for (SolidBody* b : {all.get(), some.get()}) {
+    b->step.dt = 1e-3;
+    for (std::size_t s = 0; s < points.size(); s++) {
+      const Vec3d x = stretched(points[s]), spin{0.1, 0.2, -0.3};
+      b->solids.position[s] = pieces.piece[s] == 4   ? turn * x
+                              : pieces.piece[s] == 9 ? turn * x + Vec3d{0.03, 0, 0}
+                                                     : turn * x + 0.01 * noise3(s, 3);
+      b->solids.velocity[s] = pieces.piece[s] ? cross(spin, b->solids.position[s]) : noise3(s, 5);
+    }
+    computeForces(*b);
+  }
+  const double scale = forceScale(*all);
+  for (std::size_t s = 0; s < points.size(); s++) {
+    EXPECT_NEAR(some->solids.energy[s], all->solids.energy[s], 1e-12 * totalEnergy(*all));
+    if (pieces.piece[s] == 0) {
+      EXPECT_LT(length(some->solids.force[s] - all->solids.force[s]), 1e-14 * scale);
+    }
+  }
+  for (const std::uint64_t piece : {4u, 9u}) {
+    const Load a = loadOf(*all, pieces, piece), b = loadOf(*some, pieces, piece);
+    EXPECT_GT(length(a.force), 1e-6 * scale);
+    EXPECT_LT(length(a.force - b.force), 1e-12 * scale);
+    EXPECT_LT(length(a.torque - b.torque), 1e-12 * scale);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, ActiveSlots,
+                         testing::Combine(testing::Values(ElasticLaw::Green, ElasticLaw::NeoHookean,
+                                                          ElasticLaw::Corotated),
+                                          testing::Bool()));
+
+TEST(ActiveSlots, withoutPiecesAllAreActive) {
+  const std::vector<Vec3d> points = lattice({4, 4, 4}, 0.1);
+  const auto b = makeBody(points, {elasticMaterial()});
+  SlotPieces pieces;
+  pieces.resize(points.size(), 0);
+  chooseActiveSlots(b->work, b->solids, b->bonds, pieces);
+  EXPECT_TRUE(activeSlotsKnown(b->work, b->solids));
+  EXPECT_TRUE(anyActiveSlot(b->work, b->solids));
+  EXPECT_FALSE(b->work.sleeping);
+  for (std::size_t s = 0; s < points.size(); s++) pieces.piece[s] = 1;
+  chooseActiveSlots(b->work, b->solids, b->bonds, pieces);
+  EXPECT_FALSE(anyActiveSlot(b->work, b->solids));
+  forgetActiveSlots(b->work);
+  EXPECT_FALSE(activeSlotsKnown(b->work, b->solids));
+}
+
+}  // namespace
+}  // namespace thaw
