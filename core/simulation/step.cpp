@@ -7,6 +7,7 @@
 #include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
+#include "core/heat/rest_densities.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/contact_impulses.hpp"
 #include "core/rigid/link_pieces.hpp"
@@ -75,6 +76,8 @@ void heatAndMelt(World& w, StepTools& t, double dt) {
   if (w.modules.heat) updateHeat(heatView(w), dt);  // H += heat dt, T and liquid fraction follow
   PhaseChanges changes;
   if (w.modules.melting) changes = changePhase(w.scene, w.particles, w.counters);  // solid <-> liquid
+  if (w.modules.phaseDensity)
+    updateRestDensities(heatView(w), {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps}, dt);
   t.phaseChangedHere = changes.melted || changes.frozen;
   t.frozeAnywhere = changes.frozen;  // both are reduced by reduceStep
   t.meltedAnywhere = changes.melted || t.rigid.changedHere;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/materials/rest_density.hpp"
+
 namespace thaw {
 namespace {
 
@@ -33,14 +35,14 @@ void findSurfaceEnergy(const WallContext& x, const SurfaceMeasure& measure, cons
     const SurfaceState s = surfaceState(measure, tension, p.surfaceGradient[i], p.surfaceColour[i]);
     p.surfaceEnergyByGradient[i] = s.byGradient;
     p.surfaceEnergyByColour[i] = s.byColour;
-    p.interaction[i] += s.energy * p.mass[i] / m.density;
+    p.interaction[i] += s.energy * p.mass[i] / restDensityOf(p, w.scene.materials, i);
   }
 }
 
 double surfaceForceOfWall(const Scene& scene, const CellGrid& grid, const Continuum& p,
                           const WallContact& c) {
   const WallColour t = atWall(scene, grid, c);
-  const double V = p.mass[c.row] / scene.materials[p.material[c.row]].density;
+  const double V = p.mass[c.row] / restDensityOf(p, scene.materials, c.row);
   return -V * c.share / grid.support *
          (dot(p.surfaceEnergyByGradient[c.row], c.normal) * t.bend +
           p.surfaceEnergyByColour[c.row] * t.slope);

@@ -36,6 +36,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.surfaceEnergy,
      {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
   on(m.buoyancy, {&p.buoyancy});
+  on(m.phaseDensity, {&p.restDensity});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.lamps, {&p.absorbed});
   on(m.melting, {&p.liquid, &p.softening});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/contact/solid_contact.hpp"
+#include "core/scene/phase_density.hpp"
 #include "core/solid/elasticity/elastic.hpp"
 
 namespace thaw {
@@ -107,7 +108,8 @@ void copyToSolids(const Continuum& particles, Solids& solids) {
 void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart) {
   for (std::size_t s = 0; s < solids.owned; s++) {
     if (solids.volume[s] > 0) continue;
-    solids.volume[s] = particles.mass[solids.particle[s]] / work.materials[solids.material[s]].density;
+    solids.volume[s] = particles.mass[solids.particle[s]] /
+                       solidDensityOf(work.materials[solids.material[s]]);
     if (solids.exposed.active) solids.exposed[s] = !atStart;
   }
 }

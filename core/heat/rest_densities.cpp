@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/heat/rest_densities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fluid/laws/particle_pressure.hpp"
+#include "core/materials/rest_density.hpp"
+#include "core/particles/sleep_stage.hpp"
+
+namespace thaw {
+namespace {
+
+/// Derivative (J) of all energies of tension with respect to the logarithm of a volume, at fixed positions.
+/// compression: energy (J) of the particle. The energy of a pair is proportional to both volumes. A surface
+/// energy is proportional to the own volume, and its gradient and colour to those of the neighbours.
+double tensionByVolume(const RecordContext& x, const Continuum& p, std::size_t i, double compression) {
+  if (!x.modules.tension) return 0;
+  const double tension = p.interaction[i] - compression;
+  if (!x.modules.surfaceEnergy) return 2 * tension;
+  return tension + p.mass[i] / p.restDensity[i] *
+                       (dot(p.surfaceEnergyByGradient[i], p.surfaceGradient[i]) +
+                        p.surfaceEnergyByColour[i] * p.surfaceColour[i]);
+}
+
+/// Work (J) of the pressure on a volume that grows by the ratio, with a summed density: neighbours are taken
+/// to have the particle's own pressure.
+double workOfGrowth(const RecordContext& x, const Continuum& p, std::size_t i, double ratio) {
+  const double relativeDensity = static_cast<double>(p.relativeDensity[i]);
+  if (x.modules.incompressible || !(relativeDensity > 0)) return 0;
+  const double f = liquidFraction(p, i), V = p.mass[i] / p.restDensity[i] * (ratio - 1);
+  const Numerics& n = x.scene.numerics;
+  return f * V * pressureOf(n.eos, x.liquids[p.material[i]].stiffness, relativeDensity, n.tensileLimit) /
+         relativeDensity;
+}
+
+/// Changes a density at rest so that the volume grows by `ratio`. Returns the growth of stored energy (J).
+double growVolume(const RecordContext& x, Continuum& p, std::size_t i, double ratio) {
+  const double before = compressionOf(x, p, i, liquidFraction(p, i));
+  double added = tensionByVolume(x, p, i, before) * std::log(ratio);
+  if (!x.modules.continuity) added += workOfGrowth(x, p, i, ratio);
+  p.restDensity[i] /= ratio;
+  if (x.modules.continuity) p.compression[i] = (1 + p.compression[i]) * ratio - 1;
+  return added + compressionOf(x, p, i, liquidFraction(p, i)) - before;
+}
+
+}  // namespace
+
+void updateRestDensities(const HeatView& w, const RecordContext& x, double dt) {
+  Continuum& p = w.particles;
+  const std::vector<Material>& materials = w.scene.materials;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Material& m = materials[p.material[i]];
+    if (!hasPhaseDensities(m) || (p.sleep.active && p.sleep[i] != awake)) continue;
+    const double target = targetRestDensity(m, static_cast<Phase>(p.phase[i]), liquidFraction(p, i));
+    if (p.restDensity[i] == target) continue;
+    const double most = restDensityRate * x.liquids[p.material[i]].soundSpeed / x.grid.support * dt;
+    const double growth = std::log(p.restDensity[i] / target);
+    const double ratio = std::exp(std::clamp(growth, -most, most));
+    w.ledger.phaseJump.add(-growVolume(x, p, i, ratio));
+    if (std::abs(growth) <= most) p.restDensity[i] = target;
+  }
+}
+
+}  // namespace thaw
