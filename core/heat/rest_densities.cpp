@@ -34,13 +34,31 @@ double workOfGrowth(const RecordContext& x, const Continuum& p, std::size_t i, d
          relativeDensity;
 }
 
+/// Pressure term p / delta^2 (Pa) at a relative density of 1 + y.
+double pressureTerm(const RecordContext& x, const Continuum& p, std::size_t i, double y) {
+  const Numerics& n = x.scene.numerics;
+  return pressureOf(n.eos, x.liquids[p.material[i]].stiffness, 1 + y, n.tensileLimit) / ((1 + y) * (1 + y));
+}
+
+/// Changes a carried density with the volume, by the share of the flow that it sees among neighbours of its
+/// own liquid fraction (pairs count by f_i + f_j - f_i f_j). Returns the work (J) that the flow of the next
+/// step does not do: its first half kick still has the pressure before the change.
+double changeCompression(const RecordContext& x, Continuum& p, std::size_t i, double ratio, double dt) {
+  const double f = liquidFraction(p, i), before = p.compression[i],
+               after = (1 + before) * std::pow(ratio, f * (2 - f)) - 1;
+  p.compression[i] = after;
+  const double flow = static_cast<double>(p.compressionRate[i]) * dt;
+  return 0.5 * flow * p.mass[i] / p.restDensity[i] *
+         (pressureTerm(x, p, i, after) - pressureTerm(x, p, i, before));
+}
+
 /// Changes a density at rest so that the volume grows by `ratio`. Returns the growth of stored energy (J).
-double growVolume(const RecordContext& x, Continuum& p, std::size_t i, double ratio) {
+double growVolume(const RecordContext& x, Continuum& p, std::size_t i, double ratio, double dt) {
   const double before = compressionOf(x, p, i, liquidFraction(p, i));
   double added = tensionByVolume(x, p, i, before) * std::log(ratio);
   if (!x.modules.continuity) added += workOfGrowth(x, p, i, ratio);
   p.restDensity[i] /= ratio;
-  if (x.modules.continuity) p.compression[i] = (1 + p.compression[i]) * ratio - 1;
+  if (x.modules.continuity) added += changeCompression(x, p, i, ratio, dt);
   return added + compressionOf(x, p, i, liquidFraction(p, i)) - before;
 }
 
@@ -57,7 +75,7 @@ void updateRestDensities(const HeatView& w, const RecordContext& x, double dt) {
     const double most = restDensityRate * x.liquids[p.material[i]].soundSpeed / x.grid.support * dt;
     const double growth = std::log(p.restDensity[i] / target);
     const double ratio = std::exp(std::clamp(growth, -most, most));
-    w.ledger.phaseJump.add(-growVolume(x, p, i, ratio));
+    w.ledger.phaseJump.add(-growVolume(x, p, i, ratio, dt));
     if (std::abs(growth) <= most) p.restDensity[i] = target;
   }
 }

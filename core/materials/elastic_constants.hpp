@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/materials/extension_law.hpp"
-#include "core/scene/phase_density.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
@@ -38,7 +37,7 @@ inline ElasticConstants elasticConstants(const Material& m, double liquidFractio
   // sigma_eq = sqrt(3/2) 2G yield; the same fraction of G at any liquid fraction
   if (m.hardening > 0) c.hardening = m.hardening * (1 + m.poisson.solid) / (std::sqrt(1.5) * m.young.solid);
   c.maxPlastic = m.maxPlasticStrain;
-  c.dragDensity = m.damping * solidDensityOf(m);
+  c.dragDensity = m.damping * m.density;
   c.law = m.law;
   if (c.law == ElasticLaw::Extension) c.bound = &boundLaw(m);
   return c;

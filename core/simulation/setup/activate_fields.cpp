@@ -23,7 +23,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.viscosityCorrection, {&p.viscosityCorrection});
   on(m.flowLaw, {&p.apparentViscosity});
   on(m.continuity, {&p.compression});
-  on(m.bulkDamping, {&p.compressionRate});
+  on(m.bulkDamping || (m.phaseDensity && m.continuity), {&p.compressionRate});
   on(m.corrected, {&p.midCorrection, &p.correction});
   on(m.continuity && m.substeps, {&p.stepMeanVelocity});
   on(m.xsph || m.shifting, {&p.shiftingVelocity});
