@@ -12,7 +12,7 @@ accepts "densities by phase" run "$(wax good_phases "$melts"'\ndensity = { solid
   --steps 3
 accepts "equal densities of a solid that does not melt" check \
   "$(wax equal 'density = { solid = 900, liquid = 900 }')"
-rejects "a density of 0" "zero\.toml:10:[0-9]+: error: .*solid: must be > 0 kg/m\^3, got 0" \
+rejects "a density of 0" "zero\.toml:11:[0-9]+: error: .*solid: must be > 0 kg/m\^3, got 0" \
   2 check "$(wax zero "$melts"'\ndensity = { solid = 0, liquid = 780 }')"
 rejects "a negative density" "${key}.*: must be > 0 kg/m\^3, got -5" 2 check "$(wax negative 'density = -5')"
 rejects "a density of the solid alone" "${key}: expected the densities of both phases" \

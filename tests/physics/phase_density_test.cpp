@@ -52,11 +52,11 @@ Numerics carried() {
   return n;
 }
 
-/// Mean height (m) of all particles.
+/// Height (m) of the centre of mass.
 double meanHeight(const Continuum& p) {
-  double sum = 0;
-  for (std::size_t i = 0; i < p.owned; i++) sum += p.position[i].z;
-  return sum / static_cast<double>(p.owned);
+  double moment = 0, mass = 0;
+  for (std::size_t i = 0; i < p.owned; i++) moment += p.mass[i] * p.position[i].z, mass += p.mass[i];
+  return moment / mass;
 }
 
 /// Mean of meanHeight over the last tenth of the scene's time.
@@ -166,8 +166,66 @@ TEST(PhaseDensity, freezingMeltShrinksOrGrowsByTheRatioOfDensities) {
   wax.law = ElasticLaw::NeoHookean;
   wax.young = {3e5, 0};
   wax.poisson = {0.3, 0.3};
-  EXPECT_NEAR(growthOfSolid(wax, residual), 780.0 / 900, 0.03) << "an elastic solid, which its weight shortens by 0.7 %";
+  EXPECT_NEAR(growthOfSolid(wax, residual), 780.0 / 900, 0.03)
+      << "an elastic solid, which its weight shortens by 0.7 %";
   EXPECT_LT(residual, 0.01);
+}
+
+/// A tank of water with a cube of ice of ten particles a side in it, which melts from 1 s on.
+struct Tank {
+  static constexpr double edge = 10 * dx, width = 18 * dx, depth = 13 * dx, area = width * width;
+  Simulation sim;
+  double exactLevel;  ///< m, of all the mass as liquid
+
+  static Scene scene() {
+    Scene s = emptyScene(dx, {0, 0, 0}, {width, width, 2 * depth});
+    s.domain.gravity = {0, 0, -9.81};
+    for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
+    s.domain.side[2][1] = Side::Open;
+    s.materials.push_back(ice());
+    s.materials[0].bulkDamping = 0.02;
+    s.numerics = carried();
+    s.numerics.overlap = OverlapRule::RemoveEarlier;
+    addBox(s, {0, 0, 0}, {width, width, depth}).temperature = 300;
+    addBox(s, {4 * dx, 4 * dx, depth - 9 * dx}, {14 * dx, 14 * dx, depth + dx}).temperature = 260;
+    temper(s, 1, 0.5, 300);
+    s.end = 2.4;
+    return s;
+  }
+  Tank() : sim(scene()), exactLevel(totalMass(sim.w, sim.all) / 1000 / area) {}
+
+  /// Draught of the cube over its edge, where the water fills the tank up to its level around the cube.
+  double draught() {
+    const Continuum& p = sim.particles();
+    double water = 0;
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (p.phase[i] == Liquid) water += p.mass[i] / restDensityOf(p, sim.w.scene.materials, i);
+    const double low = sim.w.pieces.centre[0].z - edge / 2;
+    return ((water - edge * edge * low) / (area - edge * edge) - low) / edge;
+  }
+  /// Steps until `end` (s). Returns the mean of measure() from `from` (s) on.
+  template<class Measure> double meanUntil(double from, double end, Measure measure) {
+    double sum = 0;
+    int count = 0;
+    while (sim.w.clock.time < end) {
+      if (!sim.step()) return NAN;
+      if (sim.w.clock.time < from) continue;
+      sum += measure();
+      count++;
+    }
+    return sum / count;
+  }
+};
+
+TEST(PhaseDensity, iceFloatsInItsMeltAndTheLevelStaysWhenItMelts) {
+  Tank tank;
+  const double mass = totalMass(tank.sim.w, tank.sim.all);
+  EXPECT_NEAR(tank.meanUntil(0.4, 1, [&] { return tank.draught(); }), 0.917, 0.02 * 0.917);
+  const double level = tank.meanUntil(2, 2.4, [&] { return 2 * meanHeight(tank.sim.particles()); });
+  EXPECT_EQ(tank.sim.w.counters.melted, 1000);
+  EXPECT_NEAR(level, tank.exactLevel, 0.005 * tank.exactLevel);
+  EXPECT_EQ(totalMass(tank.sim.w, tank.sim.all), mass);
+  EXPECT_LT(residualOf(tank.sim.ledgerReport()), 0.01);
 }
 
 }  // namespace thaw::test
