@@ -13,11 +13,20 @@
 #include "core/materials/surface_tension.hpp"
 #include "core/math/tangent.hpp"
 #include "core/scene/field_values.hpp"
+#include "core/scene/modules.hpp"
+#include "core/scene/phase_density.hpp"
 
 namespace thaw {
 namespace {
 
 constexpr double mostInLayer = 1e6;
+
+/// Density at rest (kg/m^3) of the particles of an emitter. With a field of temperatures across the melting
+/// temperature, some have another volume at rest.
+double emittedDensity(const Scene& s, const Emitter& e) {
+  const Material& m = s.materials[static_cast<std::size_t>(e.material)];
+  return solidAt(m, e.temperature) ? solidDensityOf(m) : m.density;
+}
 
 /// Two unit vectors perpendicular to a direction, by a fixed rule, so that every rank and run makes the same
 /// layers.
@@ -61,7 +70,7 @@ std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, co
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
   std::vector<std::vector<double>> energy;
   if (!(m.surfaceTension > 0) || s.numerics.tension != TensionForm::Pairwise) return energy;
-  const double h = s.numerics.support * s.spacing, V = plan.particleMass / m.density / (h * h * h);
+  const double h = s.numerics.support * s.spacing, V = plan.particleMass / emittedDensity(s, e) / (h * h * h);
   const double strength = Cohesion::scale * V * V * m.surfaceTension * h * h;
   const double distance = plan.interval * e.speed;
   for (int layer = 0; layer * distance < h && layer * plan.interval <= plan.ahead; layer++) {
@@ -87,7 +96,7 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
   std::vector<std::vector<double>> energy;
   if (!(m.surfaceTension > 0) || s.numerics.tension != TensionForm::SurfaceEnergy) return energy;
-  const double h = s.numerics.support * s.spacing, V = plan.particleMass / m.density,
+  const double h = s.numerics.support * s.spacing, V = plan.particleMass / emittedDensity(s, e),
                distance = plan.interval * e.speed, volume = V / (h * h * h);
   const int reach = static_cast<int>(std::floor(h / distance)), layers = 2 * reach + 2;
   const SurfaceMeasure measure = surfaceMeasure(s.numerics, s.spacing);
@@ -225,7 +234,7 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
           plan.along.push_back(a);
         }
     addFields(e, plan);
-    plan.particleMass = s.materials[static_cast<std::size_t>(e.material)].density * dx * dx * dx;
+    plan.particleMass = emittedDensity(s, e) * dx * dx * dx;
     plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate
                                : dx / e.speed;
     if (plan.interval * e.speed < 0.95 * dx)
@@ -262,8 +271,7 @@ std::string misplacedOpening(const Scene& s, const Walls& walls, const Emitter& 
 
 std::string unevenOutflow(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const double area = e.disc ? std::numbers::pi * e.radius * e.radius : e.width * e.depth;
-  const double is = outflowOf(plan),
-               meant = s.materials[static_cast<std::size_t>(e.material)].density * area * e.speed;
+  const double is = outflowOf(plan), meant = emittedDensity(s, e) * area * e.speed;
   if (e.rate > 0 || std::abs(is / meant - 1) < 0.25) return {};
   return "emitter '" + e.name + "' emits " + text(is) + " kg/s, but opening, speed and density imply " +
          text(meant) + " kg/s: its layers have " + std::to_string(plan.layer.size()) +

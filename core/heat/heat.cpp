@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/materials/enthalpy.hpp"
+#include "core/materials/rest_density.hpp"
 #include "core/particles/sleep_stage.hpp"
 #include "core/walls/tables.hpp"
 
@@ -59,6 +60,7 @@ void setPhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t 
     }
     if (p.liquid.active) p.liquid[i] = static_cast<float>(f);
     p.phase[i] = f >= 1 || !m.canBeSolid() ? Liquid : Solid;
+    if (p.restDensity.active) p.restDensity[i] = targetRestDensity(m, static_cast<Phase>(p.phase[i]), f);
   }
 }
 

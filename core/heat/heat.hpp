@@ -9,9 +9,9 @@
 
 namespace thaw {
 
-/// Sets temperature, liquid fraction and phase of rows [begin, end) from their enthalpy (from the temperature
-/// in the paper's model), at set-up and for emitted particles. The phase is liquid if the fraction is 1 or
-/// the material cannot be solid, else solid.
+/// Sets temperature, liquid fraction, phase and density at rest of rows [begin, end) from their enthalpy
+/// (from the temperature in the paper's model), at set-up and for emitted particles. The phase is liquid if
+/// the fraction is 1 or the material cannot be solid, else solid.
 void setPhase(const Scene& scene, const Modules& modules, Continuum& particles, std::size_t begin,
               std::size_t end);
 

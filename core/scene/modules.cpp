@@ -9,6 +9,7 @@
 
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/material_use.hpp"
+#include "core/scene/phase_density.hpp"
 
 namespace thaw {
 
@@ -207,6 +208,8 @@ Modules modulesOf(const Scene& s) {
                     ? "only differences of density act (numerics.buoyancy = \"boussinesq\")"
                     : "its weight acts, too (numerics.buoyancy = \"density\")"));
     if (!m.solid || !x.canBeSolid()) continue;
+    if (hasPhaseDensities(x))
+      f.on(m.phaseDensity, "density by phase", "solid and liquid of " + who + " differ in density");
     if (x.yieldStrain.solid < never || x.yieldStrain.liquid < never)
       f.on(m.plastic, "plastic flow", who + " yields");
     if (x.breakStretch < never) f.on(m.fracture, "fracture", "bonds of " + who + " break");

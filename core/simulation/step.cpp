@@ -8,6 +8,7 @@
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
 #include "core/heat/mush.hpp"
+#include "core/heat/rest_densities.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/contact_impulses.hpp"
 #include "core/rigid/link_pieces.hpp"
@@ -86,6 +87,8 @@ void heatAndMelt(World& w, StepTools& t, double dt) {
   if (w.modules.tensionTable) recordTensionChange({wallView(w), t.surface}, t.wallContacts);
   PhaseChanges changes;
   if (w.modules.melting) changes = changePhase(w.scene, w.particles, w.counters);  // solid <-> liquid
+  if (w.modules.phaseDensity)
+    updateRestDensities(heatView(w), {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps}, dt);
   t.phaseChangedHere = changes.melted || changes.frozen;
   t.frozeAnywhere = changes.frozen;  // both are reduced by reduceStep
   if (w.modules.rigidify && findDeforming(rigidifyView(w, t), dt)) t.rigid.changedHere = true;

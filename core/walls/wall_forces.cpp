@@ -8,6 +8,7 @@
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/fluid/rheology/laws/particle_viscosity.hpp"
 #include "core/materials/enthalpy.hpp"
+#include "core/materials/rest_density.hpp"
 #include "core/particles/elastic_pieces.hpp"
 #include "core/particles/sleep_stage.hpp"
 #include "core/walls/wall_surface_energy.hpp"
@@ -40,6 +41,7 @@ struct ParticleAtWall {
   const WallContact& contact;
   const Obstacle& wall;
   const Material& material;
+  double density;  ///< kg/m^3, at rest
   std::size_t row;
   double liquid;   ///< liquid fraction
   double volume;   ///< m^3, rest volume
@@ -52,7 +54,7 @@ struct ParticleAtWall {
 double hydrostaticWallForce(const Scene& scene, const ParticleAtWall& at, double pressure,
                             double momentShare) {
   constexpr double depth = 0.25;  // spacings of pressure head; the force fades below it
-  const double weight = at.material.density * dot(scene.domain.gravity, at.contact.normal);
+  const double weight = at.density * dot(scene.domain.gravity, at.contact.normal);
   const double full = std::abs(weight) * depth * scene.spacing;
   if (!(pressure > 0 && full > 0)) return 0;
   return -weight * at.volume * momentShare * at.contact.share * (pressure / (pressure + full));
@@ -156,7 +158,8 @@ double wallDrag(const WallContext& x, const WallContact& contact) {
   if (f == 0 || w.walls.list[contact.wall].properties.slip) return 0;
   const Material& m = w.scene.materials[p.material[i]];
   const double mu = viscosityOfParticle(m, p, i, f);
-  return f * mu * (p.mass[i] / m.density) * x.tables(contact.distance / h).drag * contact.share / (h * h);
+  return f * mu * (p.mass[i] / restDensityOf(p, w.scene.materials, i)) * x.tables(contact.distance / h).drag *
+         contact.share / (h * h);
 }
 
 void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts& contacts) {
@@ -173,13 +176,15 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
       continue;
     }
     const Material& m = w.scene.materials[p.material[i]];
+    const double density = restDensityOf(p, w.scene.materials, i);
     const bool substeps = p.fastAcceleration.active && p.slot[i] != noSlot;
     WallAction act, often;  // often: the part that acts in every substep
     for (; c < list.size() && list[c].row == i; c++) {
       const Wall& wall = w.walls.list[list[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
       const ParticleAtWall at{
-          list[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v};
+          list[c],          wall.properties, m, density, i, liquidFraction(p, i), p.mass[i] / density,
+          p.velocity[i] - v};
       if (at.liquid > 0) addLiquidForces(x, at, inverseLatticeSum, act, contacts.stiffest);
       const WallAction slow = act;
       addContactForces(substeps ? shorter : x, at, p, act);
@@ -231,14 +236,15 @@ void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts
   for (std::size_t c = 0; c < contacts.size();) {
     const std::uint32_t i = contacts[c].row;
     const Material& m = w.scene.materials[p.material[i]];
+    const double density = restDensityOf(p, w.scene.materials, i);
     WallAction act;
     for (; c < contacts.size() && contacts[c].row == i; c++) {
       if (!followContact(p, w.scene, w.walls, contacts[c])) continue;
       const Wall& wall = w.walls.list[contacts[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
       addContactForces(x,
-                       {contacts[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density,
-                        p.velocity[i] - v},
+                       {contacts[c], wall.properties, m, density, i, liquidFraction(p, i),
+                        p.mass[i] / density, p.velocity[i] - v},
                        p, act);
       if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
     }
@@ -264,7 +270,8 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
     const Obstacle& o = w.walls.list[c.wall].properties;
     if (!o.temperature || x.sleeps(c.row)) continue;
     const Material& m = w.scene.materials[p.material[c.row]];
-    const double f = liquidFraction(p, c.row), k = conductivityOf(model, m, f), V = p.mass[c.row] / m.density;
+    const double f = liquidFraction(p, c.row), k = conductivityOf(model, m, f),
+                 V = p.mass[c.row] / restDensityOf(p, w.scene.materials, c.row);
     if (k <= 0) continue;
     double conductance = k * V * t.conduct * c.heatShare / (h * h);  // W/K
     if (o.conductance < never)

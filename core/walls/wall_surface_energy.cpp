@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/materials/rest_density.hpp"
 #include "core/materials/surface_tension.hpp"
 
 namespace thaw {
@@ -147,14 +148,14 @@ void findSurfaceEnergy(const WallContext& walls, const SurfaceMeasure& measure,
     if (next > begin && !isRigid(p, i)) addForces(x, particle, s, walls.dt);
     p.surfaceEnergyByGradient[i] = s.byGradient;
     p.surfaceEnergyByColour[i] = s.byColour;
-    p.interaction[i] += s.energy * p.mass[i] / w.scene.materials[p.material[i]].density;
+    p.interaction[i] += s.energy * p.mass[i] / restDensityOf(p, w.scene.materials, i);
   }
 }
 
 double surfaceForceOfWall(const Scene& scene, const CellGrid& grid, const Continuum& p,
                           const WallContact& c) {
   const WallColour t = atWall(scene, grid, c);
-  const double V = p.mass[c.row] / scene.materials[p.material[c.row]].density;
+  const double V = p.mass[c.row] / restDensityOf(p, scene.materials, c.row);
   return -V * c.share / grid.support *
          (dot(p.surfaceEnergyByGradient[c.row], c.normal) * t.bend +
           p.surfaceEnergyByColour[c.row] * t.slope);

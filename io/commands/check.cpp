@@ -11,7 +11,9 @@
 
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/shapes/shape_volume.hpp"
+#include "core/materials/enthalpy.hpp"
 #include "core/scene/material_use.hpp"
+#include "core/scene/phase_density.hpp"
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/memory.hpp"
 #include "core/simulation/setup/setup.hpp"
@@ -50,6 +52,14 @@ void countBodyTypes(const World& w, Reducer& all, CheckReport& r) {
 
 constexpr std::size_t mostVolumes = 100;  // computing the volume of a shape takes time
 
+/// Density (kg/m^3) of a body of one temperature.
+double startDensity(const World& w, const Body& b) {
+  const Material& m = w.scene.materials[static_cast<std::size_t>(b.material)];
+  const bool solid = w.modules.heat && m.melts() ? thermalOf(m, enthalpyOf(m, b.temperature)).liquid < 1
+                                                 : solidAtStart(w.scene, b);
+  return solid ? solidDensityOf(m) : m.density;
+}
+
 /// Adds the continuum bodies. Collective.
 void countBodies(const World& w, const SamplingReport& sampled, Reducer& all, CheckReport& r) {
   const std::vector<Body>& bodies = w.scene.bodies;
@@ -58,11 +68,12 @@ void countBodies(const World& w, const SamplingReport& sampled, Reducer& all, Ch
   const std::vector<double> volumes = shapeVolumes(shapes, meshLoader(), all);
   for (std::size_t b = 0; b < bodies.size(); b++) {
     const Material& m = w.scene.materials[static_cast<std::size_t>(bodies[b].material)];
+    const double density = startDensity(w, bodies[b]);
     CheckedBody body{bodies[b].name, m.name, sampled.particles[b], 0,
-                     m.density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b])};
+                     density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b])};
     body.hasClamps = !bodies[b].clamp.empty();
     if (body.hasClamps) body.clamped = sampled.clamped[b];
-    if (b < volumes.size() && sampled.removed == 0) body.shapeMass = m.density * volumes[b];
+    if (b < volumes.size() && sampled.removed == 0) body.shapeMass = density * volumes[b];
     r.bodies.push_back(std::move(body));
   }
 }

@@ -6,6 +6,7 @@
 
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/fluid/rheology/laws/particle_viscosity.hpp"
+#include "core/materials/rest_density.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "io/frames/frame_rows.hpp"
 
@@ -110,7 +111,7 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
         share = 1 / determinant(s.plasticInverse.active ? F + F * s.plasticInverse[slot] : F);
       } else if (p.relativeDensity.active && (!p.phase.active || p.phase[i] == Liquid))
         share = static_cast<double>(p.relativeDensity[i]);
-      *to = static_cast<float>(materials[p.material[i]].density * share);
+      *to = static_cast<float>(restDensityOf(p, materials, i) * share);
     });
   } else if (name == "pressure") {
     addRows<float>(

@@ -113,6 +113,7 @@ CarryStep carryStepOf(const CarryContext& x) {
   s.liquids = x.liquids.data();
   s.material = p.material.data();
   s.mass = p.mass.data();
+  if (p.restDensity.active) s.restDensity = p.restDensity.data();
   if (x.modules.sleep) s.steady = x.steady.data();
   s.corrected = x.modules.corrected;
   s.surfaces = p.atSurface.active;
@@ -134,7 +135,7 @@ CarryStep carryStepOf(const CarryContext& x) {
 void resetCarriedDensity(const CarryStep& x, float* relativeDensity, std::uint32_t row) {
   const LiquidMaterial& m = x.liquids[x.material[row]];
   if (x.compression[row] != 0)
-    x.dissipated[row] += x.mass[row] * m.restVolume *
+    x.dissipated[row] += (x.restDensity ? x.mass[row] / x.restDensity[row] : x.mass[row] * m.restVolume) *
                          compressionEnergy(x.eos, m.stiffness, 1 + x.compression[row], x.tensileLimit);
   x.compression[row] = 0;
   relativeDensity[row] = 1;

@@ -3,6 +3,7 @@
 
 #include "core/fluid/incompressible/pressure_records.hpp"
 #include "core/halo/exchange.hpp"
+#include "core/materials/rest_density.hpp"
 
 namespace thaw {
 namespace {
@@ -33,7 +34,7 @@ void sumWith(const PressureSystem& x, AnyColumn& column, Pack pack, Sweep sweep)
 }
 
 double volumeOf(const PressureSystem& x, std::size_t i) {
-  return x.particles.mass[i] / x.scene.materials[x.particles.material[i]].density;
+  return x.particles.mass[i] / restDensityOf(x.particles, x.scene.materials, i);
 }
 
 /// Gradients of the relative density due to walls, for all particles that are or can be liquid.

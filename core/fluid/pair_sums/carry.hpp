@@ -45,6 +45,7 @@ struct CarryStep {
   const LiquidMaterial* liquids = nullptr;
   const std::uint16_t* material = nullptr;
   const double* mass = nullptr;          ///< kg
+  const double* restDensity = nullptr;   ///< kg/m^3; null: that of the material
   const std::uint8_t* steady = nullptr;  ///< not 0: left as they are
   bool corrected = false, surfaces = false, solids = false;
   CarryWalls walls;

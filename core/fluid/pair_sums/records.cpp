@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/materials/enthalpy.hpp"
+#include "core/materials/rest_density.hpp"
 #include "core/materials/state_equation.hpp"
 
 namespace thaw {
@@ -77,7 +78,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
   const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0,
-             uniform = x.modules.uniform;
+             uniform = x.modules.uniform, byPhase = p.restDensity.active;
   r.constant.clear();
   r.volumePerMass.clear();
   for (const Material& m : x.scene.materials) {
@@ -91,7 +92,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     const std::uint16_t k = p.material[i];
     const Material& m = x.scene.materials[k];
     const Vec3d& at = p.position[i];
-    const double V = p.mass[i] * r.volumePerMass[k];
+    const double V = byPhase ? p.mass[i] / (p.restDensity[i] * h * h * h) : p.mass[i] * r.volumePerMass[k];
     Words positionVolume = fixedPlace(at);
     for (int a = 0; a < 3; a++) coarse[a][i] = coarsePosition(positionVolume[a]);
     const double marked = uniform && surfaces && p.atSurface[i] ? -V : V;
@@ -277,7 +278,7 @@ double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, 
   const std::uint16_t k = p.material[i];
   const double relativeDensity = x.modules.continuity ? 1 + p.compression[i]
                                                       : static_cast<double>(p.relativeDensity[i]);
-  return f * p.mass[i] / x.scene.materials[k].density *
+  return f * p.mass[i] / restDensityOf(p, x.scene.materials, i) *
          compressionEnergy(n.eos, x.liquids[k].stiffness, relativeDensity, n.tensileLimit);
 }
 

@@ -97,7 +97,9 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
       soundSpeed = narrowed(fromRows([&](std::uint32_t row) { return of(row).soundSpeed; }), L(0.0));
       stiffness = fromRows([&](std::uint32_t row) { return of(row).stiffness; });
       pressureLead = fromRows([&](std::uint32_t row) { return of(row).pressureLead; });
-      restVolume = at.doubles(x.mass) * fromRows([&](std::uint32_t row) { return of(row).restVolume; });
+      restVolume = x.restDensity
+                       ? at.doubles(x.mass) / at.doubles(x.restDensity)
+                       : at.doubles(x.mass) * fromRows([&](std::uint32_t row) { return of(row).restVolume; });
     } else {
       restVolume = at.doubles(x.mass) * Wide(of(0).restVolume);
       soundSpeed = L(static_cast<Real>(of(0).soundSpeed));

@@ -7,6 +7,7 @@
 #include "core/fluid/laws/cohesion.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/kernels/with_kernel.hpp"
+#include "core/materials/rest_density.hpp"
 #include "core/neighbours/rows_around.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
@@ -22,7 +23,7 @@ std::size_t wordsOf(const StepTools& t) { return 6 + 4 * t.pairForces.size(); }
 
 double volumeOf(const World& w, std::size_t i) {
   const double h = w.grid.support;
-  return w.particles.mass[i] / (w.scene.materials[w.particles.material[i]].density * h * h * h);
+  return w.particles.mass[i] / (restDensityOf(w.particles, w.scene.materials, i) * h * h * h);
 }
 
 double rootTensionOf(const World& w, const StepTools& t, std::size_t i) {
@@ -144,7 +145,7 @@ double compressionLost(const World& w, const StepTools& t, const Lost& lost) {
 void recordNeighbourhoods(World& w, const StepTools& t) {
   const Continuum& p = w.particles;
   for (const Lost& lost : lostSums(w, t)) {
-    const double V = p.mass[lost.row] / w.scene.materials[p.material[lost.row]].density;
+    const double V = p.mass[lost.row] / restDensityOf(p, w.scene.materials, lost.row);
     const double density = surfaceLost(w, t, lost) + compressionLost(w, t, lost);
     w.ledger.left.potential.add(liquidFraction(p, lost.row) * V * density);
   }

@@ -23,7 +23,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.viscosityCorrection, {&p.viscosityCorrection});
   on(m.flowLaw, {&p.apparentViscosity});
   on(m.continuity, {&p.compression});
-  on(m.bulkDamping, {&p.compressionRate});
+  on(m.bulkDamping || (m.phaseDensity && m.continuity), {&p.compressionRate});
   on(m.corrected, {&p.midCorrection, &p.correction});
   on(m.continuity && m.substeps, {&p.stepMeanVelocity});
   on(m.xsph || m.shifting, {&p.shiftingVelocity});
@@ -37,6 +37,7 @@ void activateFields(World& w, StepTools& t) {
      {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
   on(m.tensionTable, {&p.surfaceTension});
   on(m.buoyancy, {&p.buoyancy});
+  on(m.phaseDensity, {&p.restDensity});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.lamps, {&p.absorbed});
   on(m.contactConductance, {&p.contactNormal});

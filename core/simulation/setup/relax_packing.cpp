@@ -10,6 +10,7 @@
 #include "core/geometry/sampling/sampling.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/kernels/lattice.hpp"
+#include "core/materials/rest_density.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 
@@ -77,8 +78,8 @@ int relaxDensity(World& w, Halos& halos, StepTools& t, const std::vector<std::ui
     if (excess < densityTolerance) return k;
     for (std::size_t i = 0; i < p.owned; i++) {
       if (p.phase[i] != Liquid || !moves[p.body[i]]) continue;
-      Vec3d move = p.force[i] *
-                   (w.scene.materials[p.material[i]].density / p.mass[i] * 1.5 / (slope * slope));
+      const double density = restDensityOf(p, w.scene.materials, i);
+      Vec3d move = p.force[i] * (density / p.mass[i] * 1.5 / (slope * slope));
       const double length2 = dot(move, move), most = 0.1 * dx;
       if (length2 > most * most) move = move * (most / std::sqrt(length2));
       p.position[i] += move;

@@ -252,6 +252,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   Sampling found(w.scene, shapes, overlap);
   for (std::size_t b = 0; b < w.scene.bodies.size(); b++) sampleBody(w, b, all, found);
   setPhase(w.scene, w.modules, w.particles, 0, w.particles.owned);
+  setStartMasses(w.scene, w.particles);
   assignStartFields(w, shapes, all, false);
   reduceCounts(w, found, all);
   refuseUnsampled(w.scene, found);

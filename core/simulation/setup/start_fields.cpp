@@ -132,6 +132,12 @@ void assignStartFields(World& w, const Shapes& shapes, Reducer& all, bool relaxe
   }
   raiseBadValues(s, bad, all);
   setPhase(s, w.modules, p, 0, p.owned);
+  setStartMasses(s, p);
+}
+
+void setStartMasses(const Scene& s, Continuum& p) {
+  if (!p.restDensity.active) return;
+  for (std::size_t i = 0; i < p.owned; i++) p.mass[i] = p.restDensity[i] * s.spacing * s.spacing * s.spacing;
 }
 
 }  // namespace thaw

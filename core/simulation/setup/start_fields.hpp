@@ -28,4 +28,8 @@ double startTemperature(const Body& body, const Vec3d& centre, const Vec3d& x);
 /// if a field has an invalid value at a particle (core/scene/field_values.hpp). Collective.
 void assignStartFields(World& world, const Shapes& shapes, Reducer& all, bool relaxed);
 
+/// Gives particles the mass of a cell of the lattice at their density at rest, where phases differ in
+/// density. Requires: setPhase.
+void setStartMasses(const Scene& scene, Continuum& particles);
+
 }  // namespace thaw

@@ -29,6 +29,7 @@ ColumnList ghostColumns(World& w) {
     if (column->active) c.push_back(column);
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);
+  if (p.restDensity.active) c.push_back(&p.restDensity);
   if (p.compression.active) c.push_back(&p.compression);
   if (p.stepMeanVelocity.active) c.push_back(&p.stepMeanVelocity);
   if (p.atSurface.active) c.push_back(&p.atSurface);

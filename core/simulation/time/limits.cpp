@@ -10,6 +10,7 @@
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/state_equation.hpp"
 #include "core/scene/material_use.hpp"
+#include "core/scene/phase_density.hpp"
 #include "core/solid/elasticity/elastic.hpp"
 
 namespace thaw {
@@ -34,7 +35,8 @@ double largestDiffusivity(const Scene& s, const Material& m) {
   const HeatModel model = s.numerics.heat;
   double largest = 0;
   for (const double f : {0.0, 1.0}) {
-    const double own = conductivityOf(model, m, f), capacity = m.density * heatCapacityOf(model, m, f);
+    const double own = conductivityOf(model, m, f),
+                 capacity = leastDensityOf(m) * heatCapacityOf(model, m, f);
     for (std::size_t k = 0; k < s.materials.size(); k++)
       for (const double g : {0.0, 1.0}) {
         const double other = inUse(s, k) ? conductivityOf(model, s.materials[k], g) : 0;
@@ -90,7 +92,8 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
     // liquid or solid, among those of a stiffer liquid oscillates with their stiffness and its own mass
     // (docs/validation/stability.md B12).
     if (stiffest > 0 && !modules.incompressible) {
-      const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0, near = std::sqrt(stiffest / m.density);
+      const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0,
+                   near = std::sqrt(stiffest / leastDensityOf(m));
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
     }
     if (modules.fluid) {
@@ -98,7 +101,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
       const bool constant = m.viscosityTable.empty() && !hasFlowLaw(m) && !modules.implicitViscosity;
       const double mu = (constant ? viscosityOfStep(s, k, largestViscosity(s, m)) : 0) +
                         (canBeLiquid(m) ? 1.6 * liquids[k].artificial : 0);
-      if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
+      if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * leastDensityOf(m) / mu);
     }
     if (modules.fluid && canBeLiquid(m)) {
       // The surface energy is stiff where few particles interact: an inviscid drop gains 26 % of its energy
@@ -106,14 +109,16 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
       const double stiff = modules.surfaceEnergy ? 0.12 : 1;
       if (m.surfaceTension > 0)
         take(Limit::Tension,
-             stiff * n.cflTension * std::sqrt(m.density * h3 / (2 * std::numbers::pi * m.surfaceTension)));
+             stiff * n.cflTension *
+                 std::sqrt(leastDensityOf(m) * h3 / (2 * std::numbers::pi * m.surfaceTension)));
     }
     if (modules.heat) {
       const double diffusivity = largestDiffusivity(s, m);
       if (diffusivity > 0) take(Limit::Heat, n.cflHeat * stableHeatStep(n) * h * h / diffusivity);
     }
     if (modules.solid && m.canBeSolid())
-      take(Limit::Contact, 0.5 * s.spacing * std::sqrt(m.density / std::max(m.young.solid, m.young.liquid)));
+      take(Limit::Contact,
+           0.5 * s.spacing * std::sqrt(solidDensityOf(m) / std::max(m.young.solid, m.young.liquid)));
   }
   if (modules.solid) take(Limit::Elastic, elasticStepLimit(s));
   take(Limit::Scene, n.maxStep);
@@ -122,7 +127,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
 
 double flowLawStepLimit(const Scene& s, const Material& m) {
   const double h = s.numerics.support * s.spacing;
-  return s.numerics.cflViscous * stableViscousStep(s.numerics) * h * h * m.density /
+  return s.numerics.cflViscous * stableViscousStep(s.numerics) * h * h * leastDensityOf(m) /
          (std::max(m.flowLaw.exponent, 1.0) * largestViscosity(s, m));
 }
 
@@ -170,7 +175,7 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
     if (mu > 0) mu = viscosityOfStep(w.scene, k, mu);
     if (mu > 0)
       l[Limit::Viscous] = std::min(l[Limit::Viscous],
-                                   n.cflViscous * stableViscousStep * h * h * m.density / mu);
+                                   n.cflViscous * stableViscousStep * h * h * leastDensityOf(m) / mu);
   }
   return l;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/contact/solid_contact.hpp"
+#include "core/scene/phase_density.hpp"
 #include "core/solid/elasticity/elastic.hpp"
 
 namespace thaw {
@@ -10,6 +11,7 @@ namespace thaw {
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
                          const Scene& scene, const Modules& modules, const CellGrid& grid) {
   work.materials = scene.materials;
+  for (Material& m : work.materials) m.density = solidDensityOf(m);  // for volumes and damping of bonds
   work.precision = scene.numerics.elasticPrecision;
   work.support = scene.numerics.bondSupport * scene.spacing;
   work.rereference = scene.numerics.plasticRereference;
@@ -18,7 +20,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   work.plastic = modules.plastic;
   work.touch = modules.contact ? contactDistance * scene.spacing : 0;
   bool rereferences = false, hardens = false;
-  for (const Material& m : scene.materials) {
+  for (const Material& m : work.materials) {
     work.solidConstants.push_back(elasticConstants(m, 0));
     if (!m.canBeSolid()) continue;
     if (modules.fracture) work.minBreakStretch = std::min(work.minBreakStretch, m.breakStretch);

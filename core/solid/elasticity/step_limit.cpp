@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/phase_density.hpp"
 #include "core/solid/elasticity/elastic.hpp"
 #include "core/solid/laws/plasticity.hpp"
 
@@ -63,7 +64,8 @@ double elasticStepLimit(const Scene& scene, double maxStretch2, double strainBou
       const double stiffening = stiffeningOf(c, maxStretch2);
       const double modulus = (c.lambda + 2 * c.mu) * stiffening + c.volume + 0.5 * c.hourglass;
       if (modulus > 0)
-        limit = std::min(limit, scene.numerics.cflElastic * distance * std::sqrt(m.density / modulus));
+        limit = std::min(limit,
+                         scene.numerics.cflElastic * distance * std::sqrt(solidDensityOf(m) / modulus));
       if (m.damping > 0) limit = std::min(limit, 0.25 / m.damping);
     }
   }

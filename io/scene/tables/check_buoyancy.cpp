@@ -5,6 +5,7 @@
 
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/material_use.hpp"
+#include "core/scene/phase_density.hpp"
 #include "io/scene/tables/read_sections.hpp"
 
 namespace thaw {
@@ -24,6 +25,11 @@ void checkBuoyancy(const SceneReading& x, std::vector<SceneError>& errors) {
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& m = s.materials[k];
     if (!inUse(s, k)) continue;
+    if (hasPhaseDensities(m))
+      return refuse(m.where,
+                    fmt::format("leaves out the weight, so solid and liquid of '{}' must not differ in "
+                                "density; use \"density\"",
+                                m.name));
     if (first && m.density != first->density)
       return refuse(m.where, fmt::format("leaves out the weight, so all materials need one density: '{}' has "
                                          "{:g} kg/m^3, '{}' {:g} kg/m^3; use \"density\"",

@@ -5,6 +5,7 @@
 #include "core/materials/liquid_materials.hpp"
 #include "core/materials/surface_tension.hpp"
 #include "core/scene/buoyancy.hpp"
+#include "core/scene/phase_density.hpp"
 #include "core/scene/quality.hpp"
 #include "core/scene/temperature_table.hpp"
 #include "io/scene/tables/read_extension.hpp"
@@ -36,16 +37,28 @@ namespace {
 using Liquid = TableReader::Liquid;
 constexpr const char* meltsRange = "> 0, one temperature or [solidus, liquidus]";
 
+/// Reads one density at rest, or those of solid and liquid. A table must have both.
+void readDensityAtRest(TableReader& r, Material& m) {
+  const bool byPhase = r.reading() && r.isTable("density");
+  Blend density = byPhase ? Blend{} : Blend{solidDensityOf(m), m.density};
+  r.orAs(KeyForm::Type::Pairs)
+      .blend({"density", "kg/m^3", positive(), Liquid::Same,
+              "density at rest. Solid and liquid may differ where the material melts: volumes then change as "
+              "particles melt and freeze, and masses do not. Or a table of the liquid's density by "
+              "temperature for its buoyancy, `[[\"0 degC\", \"999.84 kg/m^3\"], [\"4 degC\", \"999.97 "
+              "kg/m^3\"]]`, interpolated linearly; the density at rest is then its value at "
+              "`expansion_from`"},
+             density);
+  if (byPhase && (density.solid == 0 || density.liquid == 0))
+    return r.fail("density", "expected the densities of both phases, { solid = ..., liquid = ... }");
+  m.density = density.liquid;
+  m.solidDensity = density.solid == density.liquid ? 0 : density.solid;
+}
+
 void readDensity(TableReader& r, Material& m) {
   if (r.hasList("density") || !m.densityTable.empty())
     r.pairs({"density", "K", "kg/m^3", {0, never, true, false, false}, positive(), "", ""}, m.densityTable);
-  else
-    r.orAs(KeyForm::Type::Pairs)
-        .number("density", m.density, "kg/m^3", positive(),
-                "density at rest; or a table of the liquid's density by temperature for its buoyancy, "
-                "`[[\"0 degC\", \"999.84 kg/m^3\"], [\"4 degC\", \"999.97 kg/m^3\"]]`, interpolated "
-                "linearly; the "
-                "density at rest is then its value at `expansion_from`");
+  else readDensityAtRest(r, m);
   r.number(
       "expansion", m.expansion, "1/K", between(-0.1, 0.1),
       "coefficient of volume expansion of the liquid. It causes buoyancy; volumes at rest do not change");
@@ -198,6 +211,9 @@ void checkTension(TableReader& r, const Material& m) {
 void checkMaterial(TableReader& r, const Material& m) {
   checkExpansion(r, m);
   checkTension(r, m);
+  if (hasPhaseDensities(m) && !(m.melts() && m.canBeSolid()))
+    r.fail("density", "only a material that melts has two densities: give it melts, or one density",
+           {"melts", "young"});
   if (r.has("melts") && !m.canBeSolid())
     r.fail("melts",
            "a material that melts is a solid below its melting temperature: give it a Young's modulus "
@@ -251,6 +267,10 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
     m.young = m.poisson = {};
     m.volumeStiffness = m.hourglass = m.damping = 0;
   }
+  if (x.scene->numerics.heat == HeatModel::Paper && hasPhaseDensities(m))
+    r.fail("density",
+           "numerics.heat = \"paper\" has one density for both phases: give one density, or choose "
+           "heat = \"enthalpy\"");
   if (x.scene->numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
     r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
   x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));
