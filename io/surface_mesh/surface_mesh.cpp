@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "io/surface_mesh/improve_triangles.hpp"
 #include "io/surface_mesh/march_band.hpp"
 #include "io/surface_mesh/offset_vertices.hpp"
 
@@ -135,6 +136,7 @@ ComponentMesh meshAt(const Patch& p, double spacing) {
   grid.classify(isInside);
   MarchedBand band = marchBand(grid, values, planes, p.meanColour);
   removeFragments(band, planes, grid.spacing());
+  if (improveTriangles(band, planes, grid.spacing()) > 0) removeFragments(band, planes, grid.spacing());
   offsetVertices(band, 0.1 * grid.spacing());
   return std::move(band.mesh);
 }
