@@ -22,8 +22,8 @@ constexpr double longEdge = 1.4;
 /// over the triangles that remain sharp.
 constexpr double leastTurn = 0.7;
 constexpr double leastTurnOfRepairs[] = {0.7, 0.7, 0.5, 0.5, 0.2, 0.2, -0.2, -0.2, -0.5, -0.5};
-/// Cosines of 20 and 12 degrees. Triangles with sharper angles are repaired one by one; those below 12 degrees
-/// also where triangles turn.
+/// Cosines of 20 and 12 degrees. Triangles with sharper angles are repaired one by one; those below 12
+/// degrees also where triangles turn.
 constexpr double sharp = 0.9397, verySharp = 0.9781;
 /// Necks with no edge above this length, in cubes, are cut.
 constexpr double widestNeck = 0.5;
@@ -54,9 +54,7 @@ class Improver {
   using Triangle = TriangleEdits::Triangle;
 
   const Vec3d& at(std::uint32_t v) const { return m_.mesh.vertices[v]; }
-  Vec3d normalOf(std::uint32_t v) const {
-    return {m_.normals[v].x, m_.normals[v].y, m_.normals[v].z};
-  }
+  Vec3d normalOf(std::uint32_t v) const { return {m_.normals[v].x, m_.normals[v].y, m_.normals[v].z}; }
   bool isFixed(std::uint32_t v) const { return band_.fixedAxes[v] != 0; }
 
   static Vec3d areaNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }

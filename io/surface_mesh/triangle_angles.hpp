@@ -16,7 +16,7 @@ inline double sharpestCosine(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const double least = std::min({u2, v2, w2});
   if (!(least > 0)) return 1;
   // opposite to the shortest edge
-  const double cosine = least == u2 ? -dot(v, w) / std::sqrt(v2 * w2)
+  const double cosine = least == u2   ? -dot(v, w) / std::sqrt(v2 * w2)
                         : least == v2 ? -dot(w, u) / std::sqrt(w2 * u2)
                                       : -dot(u, v) / std::sqrt(u2 * v2);
   return std::min(1.0, cosine);

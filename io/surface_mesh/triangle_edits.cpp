@@ -42,9 +42,7 @@ bool TriangleEdits::mayCollapse(std::uint32_t from, std::uint32_t to) {
   return common == 2;
 }
 
-void TriangleEdits::drop(std::uint32_t vertex, std::uint32_t t) {
-  std::erase(around_[vertex], t);
-}
+void TriangleEdits::drop(std::uint32_t vertex, std::uint32_t t) { std::erase(around_[vertex], t); }
 
 void TriangleEdits::collapse(std::uint32_t from, std::uint32_t to) {
   for (const std::uint32_t t : around_[from]) {
@@ -82,7 +80,8 @@ std::uint32_t TriangleEdits::neckAt(std::uint32_t a, std::uint32_t b) {
   neighboursOf(a, near_);
   neighboursOf(b, other_);
   for (const std::uint32_t v : near_)
-    if (v != b && v != e.left && v != e.right && std::binary_search(other_.begin(), other_.end(), v)) return v;
+    if (v != b && v != e.left && v != e.right && std::binary_search(other_.begin(), other_.end(), v))
+      return v;
   return removed;
 }
 
@@ -119,7 +118,8 @@ bool TriangleEdits::cutNeck(const Triangle& neck) {
     around_.push_back(std::move(sectors[k]));
   }
   const auto close = [&](const Triangle& cap) {
-    for (const std::uint32_t v : cap) around_[v].push_back(static_cast<std::uint32_t>(mesh_->triangles.size()));
+    for (const std::uint32_t v : cap)
+      around_[v].push_back(static_cast<std::uint32_t>(mesh_->triangles.size()));
     mesh_->triangles.push_back(cap);
   };
   close(neck);

@@ -117,8 +117,7 @@ TEST(SurfaceMesh, TrianglesHaveNoSmallAngles) {
     const ComponentMesh m = only(*s);
     expectClosed(m.mesh);
     expectGoodAngles(m.mesh);
-    for (std::size_t v = 0; v < m.normals.size(); v++)
-      EXPECT_NEAR(dot(m.normals[v], m.normals[v]), 1, 1e-4);
+    for (std::size_t v = 0; v < m.normals.size(); v++) EXPECT_NEAR(dot(m.normals[v], m.normals[v]), 1, 1e-4);
   }
 }
 
