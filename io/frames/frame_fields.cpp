@@ -154,8 +154,9 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
 }  // namespace
 
 std::vector<std::string> knownFrameFields() {
-  return {"velocity",       "temperature", "liquid", "density", "pressure", "viscosity",  "stress",  "strain",
-          "plastic_strain", "material",    "body",   "rank",    "id",       "neighbours", "absorbed"};
+  return {"velocity", "temperature", "liquid",         "density",           "pressure", "viscosity",
+          "stress",   "strain",      "plastic_strain", "material",          "body",     "rank",
+          "id",       "neighbours",  "absorbed",       surfaceVelocityField};
 }
 
 Frame frameOf(const World& w, int rank) {
@@ -163,6 +164,7 @@ Frame frameOf(const World& w, int rank) {
   std::vector<std::string> done;
   for (const std::string& name : w.scene.output.fields) {
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // listed twice
+    if (name == surfaceVelocityField) continue;                             // a field of surfels
     if (const AddedColumn* added = w.particles.addedField(name)) addExtensionField(f, *added);
     else addField(f, w, rank, name);
     done.push_back(name);

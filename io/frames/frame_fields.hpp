@@ -10,6 +10,9 @@
 
 namespace thaw {
 
+/// Name in output.fields of the velocity of surfels, a field of the surface's frames.
+inline constexpr const char* surfaceVelocityField = "surface_velocity";
+
 /// Returns the names that output.fields may list.
 std::vector<std::string> knownFrameFields();
 

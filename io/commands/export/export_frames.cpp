@@ -122,13 +122,17 @@ void exportFrames(const ExportOptions& options, const ExportFormat& format) {
   if (skipped > 0) fmt::print("{} complete files are kept\n", skipped);
 }
 
-void exportUsd(const fs::path& out, const ExportOptions& options) {
+namespace {
+
+/// Writes a run as one file. other: an ending that --out may have, too.
+void exportAsOne(const fs::path& out, const ExportOptions& options, const char* other,
+                 void write(const fs::path& file, const std::string& name, ExportRun& run)) {
   const ExportFormat& format = exportFormatNamed(options.as);
   const std::string ending = out.extension().string();
-  if (!ending.empty() && ending != format.extension && ending != ".usd")
+  if (!ending.empty() && ending != format.extension && ending != other)
     throw std::invalid_argument(
-        fmt::format("--out: expected a folder or a file that ends in {} or .usd, found {}", format.extension,
-                    out.string()));
+        fmt::format("--out: expected a folder or a file that ends in {} or {}, found {}", format.extension,
+                    other, out.string()));
   ExportRun run;
   startExport(options, format, run);
   std::string name = readFrameInfo(run.groups[0].first().string()).sceneName;
@@ -140,7 +144,17 @@ void exportUsd(const fs::path& out, const ExportOptions& options) {
     return;
   }
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
-  writeUsd(file, name, run);
+  write(file, name, run);
+}
+
+}  // namespace
+
+void exportUsd(const fs::path& out, const ExportOptions& options) {
+  exportAsOne(out, options, ".usd", writeUsd);
+}
+
+void exportVtkHdf(const fs::path& out, const ExportOptions& options) {
+  exportAsOne(out, options, ".hdf", writeVtkHdf);
 }
 
 }  // namespace thaw

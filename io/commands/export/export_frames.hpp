@@ -36,6 +36,10 @@ void exportUsd(const std::filesystem::path& out, const ExportOptions& options);
 /// Writes the frames of a run as one USD layer. name: name of the root prim. Prints a summary.
 void writeUsd(const std::filesystem::path& file, const std::string& name, ExportRun& run);
 
+/// The same as one temporal VTKHDF file.
+void exportVtkHdf(const std::filesystem::path& out, const ExportOptions& options);
+void writeVtkHdf(const std::filesystem::path& file, const std::string& name, ExportRun& run);
+
 /// A line on a terminal that is redrawn as frames are done.
 class ProgressLine {
  public:

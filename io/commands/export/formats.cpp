@@ -57,6 +57,8 @@ const ExportFormat formats[] = {
      "Maya, Omniverse)",
      allContent, false, false, true, 240, nullptr, exportUsd},
     {"usda", ".usda", "the same layer as text", allContent, false, false, true, 800, nullptr, exportUsd},
+    {"vtkhdf", ".vtkhdf", "one VTKHDF file of all frames with meshes or particles (ParaView 5.12 and newer)",
+     allContent, false, false, false, 150, nullptr, exportVtkHdf},
     {"bgeo", ".bgeo", "Houdini geometry, classic version: points and triangles", allContent, false, false,
      false, 360, writeBgeo, nullptr},
     {"vdb", ".vdb", "OpenVDB: the level set of a surface, and fog volumes of the particles",
