@@ -154,9 +154,8 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
 }  // namespace
 
 std::vector<std::string> knownFrameFields() {
-  return {"velocity", "temperature", "liquid",         "density",           "pressure", "viscosity",
-          "stress",   "strain",      "plastic_strain", "material",          "body",     "rank",
-          "id",       "neighbours",  "absorbed",       surfaceVelocityField};
+  return {"velocity",       "temperature", "liquid", "density", "pressure", "viscosity",  "stress",  "strain",
+          "plastic_strain", "material",    "body",   "rank",    "id",       "neighbours", "absorbed"};
 }
 
 Frame frameOf(const World& w, int rank) {

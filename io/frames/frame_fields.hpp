@@ -13,7 +13,7 @@ namespace thaw {
 /// Name in output.fields of the velocity of surfels, a field of the surface's frames.
 inline constexpr const char* surfaceVelocityField = "surface_velocity";
 
-/// Returns the names that output.fields may list.
+/// Returns the names of fields of particles that output.fields may list.
 std::vector<std::string> knownFrameFields();
 
 /// Returns a frame with the scene's fields of the owned particles, and their ids. The state is in single
