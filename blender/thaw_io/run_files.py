@@ -69,6 +69,19 @@ class Run:
             raise RunError(f'{" ".join(command)}: {(done.stderr or done.stdout).strip()}')
         return files
 
+    def obstacleMeshes(self, program=''):
+        """Returns vertices and triangles of the obstacles at the first frame, by name. {} without thaw."""
+        frame = self.frames[self.first()][0]
+        path = os.path.join(self.folder, 'export', 'obstacles.ply')
+        if not isNewer(path, frame):
+            found = shutil.which(program or os.environ.get('THAW_PROGRAM') or 'thaw')
+            if not found:
+                return {}
+            command = [found, 'export', frame, '--as', 'ply', '--what', 'obstacles', '--out', path]
+            if subprocess.run(command, capture_output=True).returncode != 0:
+                return {}
+        return ply.objects(path)
+
     def meshOf(self, frame):
         name = os.path.splitext(os.path.basename(frame))[0] + '.ply'
         return os.path.join(self.folder, 'export', name)

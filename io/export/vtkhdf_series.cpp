@@ -14,11 +14,19 @@ constexpr std::uint64_t pointsOfChunk = 16384;
 
 std::uint8_t byteOf(float c) { return static_cast<std::uint8_t>(std::lround(std::clamp(c, 0.0f, 255.0f))); }
 
-/// Appends a field of an object. `all` becomes empty if an object with points lacks the field.
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+constexpr Vec3f zero{0, 0, 0};
+
+/// Appends a field of an object with `points` points, or `lacking` for each if it has none. before: points of
+/// the objects before it.
 template<class T>
-void append(std::optional<std::vector<T>>& all, const std::vector<T>& field, std::size_t points) {
-  if (field.size() != points) all.reset();
-  if (all) all->insert(all->end(), field.begin(), field.end());
+void append(std::optional<std::vector<T>>& all, const std::vector<T>& field, std::size_t points,
+            const T& lacking, std::size_t before) {
+  const bool has = field.size() == points && points > 0;
+  if (has && !all) all.emplace(before, lacking);
+  if (!all) return;
+  if (has) all->insert(all->end(), field.begin(), field.end());
+  else all->resize(before + points, lacking);
 }
 
 void addMesh(VtkHdfFrame& f, const ComponentMesh& m, std::int32_t number) {
@@ -30,10 +38,11 @@ void addMesh(VtkHdfFrame& f, const ComponentMesh& m, std::int32_t number) {
   f.triangles += static_cast<std::int64_t>(m.mesh.triangles.size());
   for (std::size_t v = 0; v < n; v++)
     for (int c = 0; c < 3; c++) f.colours.push_back(v < m.colours.size() ? byteOf(m.colours[v][c]) : 200);
-  append(f.normals, m.normals, n);
-  append(f.velocities, m.velocities, n);
-  append(f.temperatures, m.temperatures, n);
-  append(f.liquid, m.liquid, n);
+  const std::size_t before = f.points.size() - n;
+  append(f.normals, m.normals, n, zero, before);
+  append(f.velocities, m.velocities, n, zero, before);
+  append(f.temperatures, m.temperatures, n, none, before);
+  append(f.liquid, m.liquid, n, none, before);
   f.objects.resize(f.points.size(), number);
   f.ids.resize(f.points.size(), -1);
 }
@@ -46,19 +55,18 @@ void addPoints(VtkHdfFrame& f, const ExportPoints& p) {
     for (int c = 0; c < 3; c++) f.colours.push_back(i < p.colours.size() ? byteOf(p.colours[i][c]) : 200);
     f.ids.push_back(i < p.ids.size() ? static_cast<std::int64_t>(p.ids[i]) : -1);
   }
-  append(f.normals, std::vector<Vec3f>(), n);
-  append(f.velocities, p.velocities, n);
-  append(f.temperatures, p.temperatures, n);
-  append(f.liquid, p.liquid, n);
+  const std::size_t before = f.points.size() - n;
+  append(f.normals, std::vector<Vec3f>(), n, zero, before);
+  append(f.velocities, p.velocities, n, zero, before);
+  append(f.temperatures, p.temperatures, n, none, before);
+  append(f.liquid, p.liquid, n, none, before);
   f.objects.resize(f.points.size(), -1);
 }
 
-/// Returns the values of a field, or NaN for each point.
-template<class T> std::vector<T> valuesOf(const std::optional<std::vector<T>>& field, std::size_t points) {
-  constexpr float none = std::numeric_limits<float>::quiet_NaN();
-  if (field) return *field;
-  if constexpr (std::is_same_v<T, float>) return std::vector<float>(points, none);
-  else return std::vector<T>(points, T{none, none, none});
+/// Returns the values of a field, or `lacking` for each point.
+template<class T>
+std::vector<T> valuesOf(const std::optional<std::vector<T>>& field, std::size_t points, const T& lacking) {
+  return field ? *field : std::vector<T>(points, lacking);
 }
 
 }  // namespace
@@ -66,7 +74,6 @@ template<class T> std::vector<T> valuesOf(const std::optional<std::vector<T>>& f
 VtkHdfFrame vtkHdfFrameOf(const ExportScene& scene) {
   VtkHdfFrame f;
   f.time = scene.time;
-  f.normals.emplace(), f.velocities.emplace(), f.temperatures.emplace(), f.liquid.emplace();
   std::int32_t number = 0;
   for (const ComponentMesh& part : placedParts(scene)) addMesh(f, part, number++);
   if (scene.points) addPoints(f, *scene.points);
@@ -142,10 +149,10 @@ void VtkHdfSeries::add(const VtkHdfFrame& f) {
   field("color", f.colours.data());
   field("object", f.objects.data());
   field("id", f.ids.data());
-  if (normals_) field("normal", valuesOf(f.normals, n).data());
-  if (velocities_) field("velocity", valuesOf(f.velocities, n).data());
-  if (temperatures_) field("temperature", valuesOf(f.temperatures, n).data());
-  if (liquid_) field("liquid", valuesOf(f.liquid, n).data());
+  if (normals_) field("normal", valuesOf(f.normals, n, zero).data());
+  if (velocities_) field("velocity", valuesOf(f.velocities, n, zero).data());
+  if (temperatures_) field("temperature", valuesOf(f.temperatures, n, none).data());
+  if (liquid_) field("liquid", valuesOf(f.liquid, n, none).data());
   frames_++;
   points_ += static_cast<std::int64_t>(n);
   cells_ += cells;

@@ -17,7 +17,8 @@ struct VtkHdfFrame {
   std::vector<Vec3f> points;               ///< m
   std::vector<std::int64_t> connectivity;  ///< three points for a triangle, one for a particle
   std::int64_t triangles = 0;              ///< the first cells; all others are particles
-  /// Values of each point, or nothing where an object lacks the field.
+  /// Values of each point, or nothing if all objects lack the field. An object that lacks it has zero normals
+  /// and velocities, and NaN for the others.
   std::optional<std::vector<Vec3f>> normals, velocities;
   std::optional<std::vector<float>> temperatures, liquid;
   std::vector<std::uint8_t> colours;  ///< three per point, sRGB
@@ -29,7 +30,7 @@ struct VtkHdfFrame {
 VtkHdfFrame vtkHdfFrameOf(const ExportScene& scene);
 
 /// File that grows frame by frame: an UnstructuredGrid with the group Steps. All frames have the fields of
-/// the first one; values that a later frame lacks are NaN. Calls need the lock of HDF5. All throw IoError.
+/// the first one. Calls need the lock of HDF5. All throw IoError.
 class VtkHdfSeries {
  public:
   explicit VtkHdfSeries(const std::filesystem::path& file);
