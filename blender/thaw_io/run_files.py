@@ -64,6 +64,8 @@ class Run:
                 'or set the path of thaw in the preferences of the add-on'
             )
         command = [found, 'export', self.folder, '--as', 'ply', '--what', kind]
+        if kind == 'surface':
+            command.append('--uv')
         done = subprocess.run(command, capture_output=True, text=True, errors='replace')
         if done.returncode != 0:
             raise RunError(f'{" ".join(command)}: {(done.stderr or done.stdout).strip()}')
@@ -117,6 +119,7 @@ def meshFields(path, particles):
         'colour': ply.vectors(others, ('red', 'green', 'blue')),
         'velocity': ply.vectors(others, ('velocity_x', 'velocity_y', 'velocity_z')),
     }
+    fields['uv'] = ply.vectors(others, ('s', 't'))
     for name in ('temperature', 'liquid'):
         fields[name] = others.get(name)
     missing = [name for name in ('velocity', 'temperature', 'liquid') if fields[name] is None]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Export of many frames, several in parallel.
 #pragma once
+#include <optional>
+
 #include "io/commands/export/gather_scene.hpp"
 
 namespace thaw {
@@ -9,6 +11,7 @@ namespace thaw {
 struct ExportRun {
   std::vector<FrameGroup> groups;
   RunScenes scenes;
+  std::optional<SurfaceUv> uv;  ///< texture coordinates of surfels
   GatherJob job;
   int threads = 1;  ///< frames at a time
 };
