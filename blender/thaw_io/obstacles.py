@@ -36,9 +36,18 @@ def shapeMesh(name, shape, extent):
         return None
     work.to_mesh(mesh)
     work.free()
-    for face in mesh.polygons:
-        face.use_smooth = 'sphere' in shape or 'torus' in shape
+    smoothFaces(mesh)
     return mesh
+
+
+def smoothFaces(mesh):
+    """Shades curved faces smooth, and keeps edges sharper than 30 degrees."""
+    for face in mesh.polygons:
+        face.use_smooth = True
+    if hasattr(mesh, 'set_sharp_from_angle'):  # Blender 4.1 and later
+        mesh.set_sharp_from_angle(angle=math.radians(30))
+    else:
+        mesh.use_auto_smooth, mesh.auto_smooth_angle = True, math.radians(30)
 
 
 GLASS = (('radius', 0.5), ('height', 1), ('thickness', 0.01))
@@ -129,6 +138,7 @@ class Meshes:
         mesh = bpy.data.meshes.new(name)
         mesh.from_pydata([back @ Vector(v) for v in vertices.tolist()], [], triangles.tolist())
         mesh.update()
+        smoothFaces(mesh)
         return mesh
 
 
