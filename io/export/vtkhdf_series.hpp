@@ -23,7 +23,7 @@ struct VtkHdfFrame {
   std::optional<std::vector<float>> temperatures, liquid;
   std::vector<std::uint8_t> colours;  ///< three per point, sRGB
   std::vector<std::int32_t> objects;  ///< index of the mesh; -1 for particles
-  std::vector<std::int64_t> ids;      ///< of particles; -1 for vertices of meshes
+  std::vector<std::int64_t> ids;      ///< ids of particles; -1 for vertices of meshes
 };
 
 /// Returns the meshes at their places, then the particles. Thread-safe.

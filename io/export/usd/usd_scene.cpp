@@ -61,7 +61,7 @@ struct WholeMesh {
   std::vector<Vec3f> points, normals, velocities, colours;
   std::vector<float> temperatures, liquid;
   std::vector<std::int32_t> corners, components;
-  std::vector<Vec2f> cornerTexture;  // of all corners
+  std::vector<Vec2f> cornerTexture;  // one for each corner
 
   explicit WholeMesh(const ExportObject& object) {
     std::int32_t number = 0;
