@@ -121,6 +121,22 @@ TEST(SurfaceMesh, TrianglesHaveNoSmallAngles) {
   }
 }
 
+// Some normals of surfels are wrong.
+TEST(SurfaceMesh, NormalsPointOutOfTheMesh) {
+  SurfelSamples s;
+  sampleMesh(s, bustMesh(), 0.02, true, 1);
+  for (std::size_t i = 0; i < s.size(); i += 7) s.normals[i] = -s.normals[i];
+  const ComponentMesh m = only(s);
+  expectClosed(m.mesh);
+  std::vector<Vec3d> sums(m.mesh.vertices.size());
+  for (const auto& t : m.mesh.triangles) {
+    const auto& x = m.mesh.vertices;
+    for (const std::uint32_t v : t) sums[v] += cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
+  }
+  for (std::size_t v = 0; v < sums.size(); v++)
+    EXPECT_GE(dot(sums[v], Vec3d{m.normals[v].x, m.normals[v].y, m.normals[v].z}), 0);
+}
+
 // Two balls are joined by a thread thinner than a cube of the grid, whose triangles would be slivers.
 TEST(SurfaceMesh, ThinThreadsLeaveNoSlivers) {
   SurfelSamples s;
