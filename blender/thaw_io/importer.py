@@ -36,7 +36,11 @@ def importRun(folder, *, what='automatic', field='', program='', setting=True, s
     notes = []
     if setting:
         film.frame_start, film.frame_end = start, start + len(frames) - 1
-        notes = addSetting(scene, lambda time: start + (time - times[0]) / (spacing or 1))
+        notes = addSetting(
+            scene,
+            lambda time: start + (time - times[0]) / (spacing or 1),
+            obstacles.Meshes(lambda: run.obstacleMeshes(program), times[0]),
+        )
     return thing, notes
 
 
@@ -81,13 +85,16 @@ def limits(thing, field):
     return (float(min(values)), float(max(values))) if values else (0.0, 1.0)
 
 
-def addSetting(scene, frameOf):
+def addSetting(scene, frameOf, meshes):
     notes = []
     if not scene:
         notes.append('obstacles and camera are not imported: they need Python 3.11, as in Blender 4.1')
     try:
-        left = obstacles.addObstacles(scene, frameOf)
-        notes += [f'obstacle {name} is not imported: it is a mesh or a compound shape' for name in left]
+        left = obstacles.addObstacles(scene, frameOf, meshes)
+        notes += [
+            f'obstacle {name} is not imported: its mesh needs the program thaw (preferences of the add-on)'
+            for name in left
+        ]
         obstacles.addCamera(scene)
     except ValueError as error:
         notes.append(str(error))

@@ -36,9 +36,18 @@ def shapeMesh(name, shape, extent):
         return None
     work.to_mesh(mesh)
     work.free()
-    for face in mesh.polygons:
-        face.use_smooth = 'sphere' in shape or 'torus' in shape
+    smoothFaces(mesh)
     return mesh
+
+
+def smoothFaces(mesh):
+    """Shades curved faces smooth, and keeps edges sharper than 30 degrees."""
+    for face in mesh.polygons:
+        face.use_smooth = True
+    if hasattr(mesh, 'set_sharp_from_angle'):  # Blender 4.1 and later
+        mesh.set_sharp_from_angle(angle=math.radians(30))
+    else:
+        mesh.use_auto_smooth, mesh.auto_smooth_angle = True, math.radians(30)
 
 
 GLASS = (('radius', 0.5), ('height', 1), ('thickness', 0.01))
@@ -113,22 +122,61 @@ def addKeyframes(thing, motion, frameOf):
             point.interpolation = 'LINEAR'
 
 
-def addObstacles(scene, frameOf):
-    """Adds the obstacles of a scene. Returns the names of those that are not supported."""
+class Meshes:
+    """Meshes of obstacles that are no simple shapes, in the positions of a time (s). They are read once."""
+
+    def __init__(self, read, time):
+        self.read, self.time, self.parts = read, time, None
+
+    def atRest(self, name, motion):
+        """Returns the mesh of an obstacle before its motion, or None."""
+        self.parts = self.read() if self.parts is None else self.parts
+        if name not in self.parts:
+            return None
+        vertices, triangles = self.parts[name]
+        back = poseAt(motion, self.time).inverted()
+        mesh = bpy.data.meshes.new(name)
+        mesh.from_pydata([back @ Vector(v) for v in vertices.tolist()], [], triangles.tolist())
+        mesh.update()
+        smoothFaces(mesh)
+        return mesh
+
+
+def poseAt(motion, time):
+    """Returns the matrix of a motion at a time: linear between the keys."""
+    keys = sorted((si(k.get('time', 0)), k) for k in motion) if motion else []
+    if not keys:
+        return Matrix.Identity(4)
+    times = [t for t, _ in keys]
+    after = next((k for k, t in enumerate(times) if t > time), len(times))
+    pair = [keys[max(0, after - 1)][1], keys[min(after, len(keys) - 1)][1]]
+    first, last = times[max(0, after - 1)], times[min(after, len(keys) - 1)]
+    share = (time - first) / (last - first) if last > first else 0
+    move = [Vector(vector(k.get('move', [0, 0, 0]))) for k in pair]
+    turn = [Vector(vector(k.get('rotate', [0, 0, 0]))) for k in pair]
+    turned = Euler(turn[0].lerp(turn[1], share), 'XYZ').to_matrix().to_4x4()
+    return Matrix.Translation(move[0].lerp(move[1], share)) @ turned
+
+
+def addObstacles(scene, frameOf, meshes):
+    """Adds the obstacles of a scene. Returns the names of those without a mesh."""
     domain = scene.get('domain', {})
     low, high = vector(domain.get('min', [-1, -1, -1])), vector(domain.get('max', [1, 1, 1]))
     extent, left = max(b - a for a, b in zip(low, high)), []
     given = [o for key in ('obstacle', 'wall') for o in listOf(scene.get(key, []))]
     for k, shape in enumerate(given):
         name = shape.get('name', f'obstacle {k}')
-        mesh = shapeMesh(name, shape, extent)
+        mesh, place = shapeMesh(name, shape, extent), None
+        if mesh is None:
+            motion = listOf(shape.get('motion', []))
+            mesh, place = meshes.atRest(shape.get('name', f'obstacle_{k}'), motion), Matrix.Identity(4)
         if mesh is None:
             left.append(name)
             continue
         thing = bpy.data.objects.new(name, mesh)
         mesh.materials.append(looks.obstacle('thaw obstacle'))
         bpy.context.collection.objects.link(thing)
-        thing.matrix_world = placeOf(shape, mesh)
+        thing.matrix_world = placeOf(shape, mesh) if place is None else place
         if shape.get('motion'):
             addKeyframes(thing, listOf(shape['motion']), frameOf)
     return left

@@ -10,8 +10,8 @@ class PlyError(Exception):
     """The file is damaged, or does not have the form that thaw writes."""
 
 
-def _header(file, path):
-    """Returns the elements as (name, count, fields), and the sign of the byte order."""
+def _header(file, path, comments):
+    """Returns the elements as (name, count, fields), and lists the comments."""
     if file.readline().strip() != b'ply':
         raise PlyError(f'{path}: is not a PLY file')
     elements, order = [], None
@@ -19,6 +19,8 @@ def _header(file, path):
         words = line.decode('utf-8', 'replace').split()
         if words[:1] == ['end_header']:
             break
+        if words[:1] == ['comment']:
+            comments.append(line.decode('utf-8', 'replace').strip()[len('comment ') :])
         if words[:1] == ['format']:
             order = {'binary_little_endian': '<', 'binary_big_endian': '>'}.get(words[1])
         elif words[:1] == ['element']:
@@ -36,10 +38,28 @@ def _header(file, path):
 
 def read(path):
     """Returns vertices (n, 3), triangles (m, 3), and the values of each further property of vertices."""
+    vertices, face, others = _tables(path, [])
+    return vertices, face['vertex_indices'], others
+
+
+def objects(path):
+    """Returns vertices and triangles of each named object: {name: (vertices, triangles)}."""
+    comments, parts = [], {}
+    vertices, face, _ = _tables(path, comments)
+    names = [c[len('object ') :] for c in comments if c.startswith('object ')]
+    for k, name in enumerate(names):
+        triangles = face['vertex_indices'][face['component'] == k]
+        used, numbers = np.unique(triangles, return_inverse=True)
+        parts[name] = vertices[used], numbers.reshape(-1, 3)
+    return parts
+
+
+def _tables(path, comments):
+    """Returns vertices, the table of faces, and the further properties of vertices."""
     tables = {}
     with open(path, 'rb') as file:
         try:
-            for name, count, fields in _header(file, path):
+            for name, count, fields in _header(file, path, comments):
                 dtype = np.dtype(fields)
                 data = file.read(count * dtype.itemsize)
                 if len(data) < count * dtype.itemsize:
@@ -52,7 +72,7 @@ def read(path):
         raise PlyError(f'{path}: expected triangles of `thaw export --as ply`')
     vertices = np.column_stack([vertex[axis] for axis in 'xyz'])
     others = {name: vertex[name] for name in vertex.dtype.names if name not in 'xyz'}
-    return vertices, face['vertex_indices'], others
+    return vertices, face, others
 
 
 def vectors(others, names):

@@ -64,10 +64,25 @@ class Run:
                 'or set the path of thaw in the preferences of the add-on'
             )
         command = [found, 'export', self.folder, '--as', 'ply', '--what', kind]
+        if kind == 'surface':
+            command.append('--uv')
         done = subprocess.run(command, capture_output=True, text=True, errors='replace')
         if done.returncode != 0:
             raise RunError(f'{" ".join(command)}: {(done.stderr or done.stdout).strip()}')
         return files
+
+    def obstacleMeshes(self, program=''):
+        """Returns vertices and triangles of the obstacles at the first frame, by name. {} without thaw."""
+        frame = self.frames[self.first()][0]
+        path = os.path.join(self.folder, 'export', 'obstacles.ply')
+        if not isNewer(path, frame):
+            found = shutil.which(program or os.environ.get('THAW_PROGRAM') or 'thaw')
+            if not found:
+                return {}
+            command = [found, 'export', frame, '--as', 'ply', '--what', 'obstacles', '--out', path]
+            if subprocess.run(command, capture_output=True).returncode != 0:
+                return {}
+        return ply.objects(path)
 
     def meshOf(self, frame):
         name = os.path.splitext(os.path.basename(frame))[0] + '.ply'
@@ -104,6 +119,7 @@ def meshFields(path, particles):
         'colour': ply.vectors(others, ('red', 'green', 'blue')),
         'velocity': ply.vectors(others, ('velocity_x', 'velocity_y', 'velocity_z')),
     }
+    fields['uv'] = ply.vectors(others, ('s', 't'))
     for name in ('temperature', 'liquid'):
         fields[name] = others.get(name)
     missing = [name for name in ('velocity', 'temperature', 'liquid') if fields[name] is None]

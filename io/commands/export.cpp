@@ -62,6 +62,8 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
       .add_option("--threads", o.threads,
                   "frames at a time, or components of one frame (default: one per core)")
       ->check(CLI::Range(0, 4096));
+  command.add_flag("--uv", o.uv,
+                   "texture coordinates of a surface, from the meshes of its bodies (ply, obj, vtp, usd)");
   command.add_flag("--resume", o.resume,
                    "skip files that are complete: they exist and are newer than their frames");
   command

@@ -212,7 +212,7 @@ void drawPicture(const Scene& scene, const fs::path& run, const PreviewOptions& 
     drawOver(preview, points, style, options.through, image);
   };
   const auto written = renderFrames(job, [&](const fs::path& frame, const std::string& field) {
-    points = readFullView(frame, field, OrientedLook::Mesh, job.spacing, job.periodic);
+    points = readFullView(frame, field, {OrientedLook::Mesh, job.spacing, job.periodic, {}});
     if (!job.min && !job.max) removeUniform(points);
     return points;
   });

@@ -183,6 +183,13 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
                   "look of oriented particles: mesh (shaded triangles), wire, discs, or axes")
       ->check(CLI::IsMember({"mesh", "wire", "discs", "axes"}))
       ->capture_default_str();
+  command
+      .add_option(
+          "--spray", o.spray,
+          "drops of one and two particles of a surface: ellipsoids of their volume along their motion, "
+          "spheres, hide, or surfels")
+      ->check(CLI::IsMember({"ellipsoids", "spheres", "hide", "surfels"}))
+      ->capture_default_str();
   command.add_flag("--movie", o.movie, "make a movie (mp4) of the pictures as well; needs ffmpeg")
       ->excludes(latest);
   command.add_option("--rate", o.rate, "pictures per second of the movie")
@@ -195,10 +202,13 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
 int renderCommand(const RenderOptions& options) {
   try {
     const FrameJob job = jobOf(options);
-    const OrientedLook look = orientedLookNamed(options.look);
+    const ViewStyle style{orientedLookNamed(options.look),
+                          job.spacing,
+                          job.periodic,
+                          {sprayNamed(options.spray), job.spacing, 0.5 * job.interval}};
     const std::vector<fs::path> written = renderFrames(
         job, [&](const std::filesystem::path& file, const std::string& field) {
-          return readFullView(file, field, look, job.spacing, job.periodic);
+          return readFullView(file, field, style);
         });
     const std::size_t pictures = written.size() - (job.sheet.empty() ? 0 : 1);
     if (!job.sheet.empty()) fmt::print("{}\n", job.sheet.string());

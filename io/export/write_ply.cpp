@@ -8,6 +8,7 @@
 
 #include "io/export/export_surface.hpp"
 #include "io/export/out_file.hpp"
+#include "io/export/texture_seams.hpp"
 #include "io/hdf5/io_error.hpp"
 
 namespace thaw {
@@ -37,25 +38,28 @@ constexpr const char* vertexProperties =
 
 /// Fields that all meshes have at their vertices.
 struct FieldsOfAll {
-  bool velocities = true, temperatures = true, liquid = true;
+  bool velocities = true, temperatures = true, liquid = true, uvs = true;
   explicit FieldsOfAll(const std::vector<ComponentMesh>& meshes) {
     for (const ComponentMesh& m : meshes) {
       const std::size_t n = m.mesh.vertices.size();
       velocities = velocities && m.velocities.size() == n;
       temperatures = temperatures && m.temperatures.size() == n;
       liquid = liquid && m.liquid.size() == n;
+      uvs = uvs && n > 0 && m.uvs.size() == n;
     }
   }
   std::string properties() const {
     return std::string(velocities ? "property float velocity_x\nproperty float velocity_y\nproperty float "
                                     "velocity_z\n"
                                   : "") +
-           (temperatures ? "property float temperature\n" : "") + (liquid ? "property float liquid\n" : "");
+           (temperatures ? "property float temperature\n" : "") + (liquid ? "property float liquid\n" : "") +
+           (uvs ? "property float s\nproperty float t\n" : "");
   }
   void write(const ComponentMesh& m, std::size_t v, OutFile& out) const {
     if (velocities) out.number(m.velocities[v]);
     if (temperatures) out.number(m.temperatures[v]);
     if (liquid) out.number(m.liquid[v]);
+    if (uvs) out.number(m.uvs[v]);
   }
 };
 
@@ -151,11 +155,46 @@ void writeMeshPly(const std::filesystem::path& file, const std::vector<Component
   out.finish();
 }
 
+namespace {
+
+using Lines = fmt::memory_buffer;
+
+/// Writes triangles with normals, and texture coordinates if there are some. firstUv: number of the first
+/// `vt`, set to that of the next mesh.
+void addTriangles(const ComponentMesh& m, std::uint64_t first, std::uint64_t& firstUv, Lines& lines) {
+  if (m.uvs.empty()) {
+    for (const auto& t : m.mesh.triangles)
+      fmt::format_to(std::back_inserter(lines), "f {0}//{0} {1}//{1} {2}//{2}\n", first + t[0], first + t[1],
+                     first + t[2]);
+    return;
+  }
+  const auto vt = [&](const std::array<float, 2>& uv) {
+    fmt::format_to(std::back_inserter(lines), "vt {:.6g} {:.6g}\n", uv[0], uv[1]);
+  };
+  for (const auto& uv : m.uvs) vt(uv);
+  // A corner at a seam has coordinates of its own.
+  std::uint64_t next = firstUv + m.uvs.size();
+  const auto corners = cornerUvs(m.mesh, m.uvs);
+  for (std::size_t k = 0; k < corners.size(); k++) {
+    const auto& t = m.mesh.triangles[k];
+    std::array<std::uint64_t, 3> number;
+    for (std::size_t c = 0; c < 3; c++) {
+      number[c] = firstUv + t[c];
+      if (corners[k][c] != m.uvs[t[c]]) vt(corners[k][c]), number[c] = next++;
+    }
+    fmt::format_to(std::back_inserter(lines), "f {0}/{3}/{0} {1}/{4}/{1} {2}/{5}/{2}\n", first + t[0],
+                   first + t[1], first + t[2], number[0], number[1], number[2]);
+  }
+  firstUv = next;
+}
+
+}  // namespace
+
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes) {
   OutFile out(file);
   out.text("# surface of thaw, m; colours (sRGB, 0 to 1) behind the coordinates of vertices\n");
-  std::uint64_t first = 1;
-  fmt::memory_buffer lines;
+  std::uint64_t first = 1, firstUv = 1;
+  Lines lines;
   for (const ComponentMesh& m : meshes) {
     lines.clear();
     if (const std::string note = cutNote(m); !note.empty())
@@ -169,9 +208,7 @@ void writeMeshObj(const std::filesystem::path& file, const std::vector<Component
                      "v {:.8g} {:.8g} {:.8g} {:.4g} {:.4g} {:.4g}\nvn {:.4f} {:.4f} {:.4f}\n", x.x, x.y, x.z,
                      c.x / 255, c.y / 255, c.z / 255, n.x, n.y, n.z);
     }
-    for (const auto& t : m.mesh.triangles)
-      fmt::format_to(std::back_inserter(lines), "f {0}//{0} {1}//{1} {2}//{2}\n", first + t[0], first + t[1],
-                     first + t[2]);
+    addTriangles(m, first, firstUv, lines);
     for (const auto& l : m.lines)
       fmt::format_to(std::back_inserter(lines), "l {} {}\n", first + l[0], first + l[1]);
     out.bytes(lines.data(), lines.size());

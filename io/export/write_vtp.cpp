@@ -162,6 +162,7 @@ void writeMeshVtp(const std::filesystem::path& file, double time, const std::vec
   std::vector<Vec3f> points, normals, velocities;
   std::vector<Rgb> colours;
   std::vector<float> temperatures, liquid;
+  std::vector<std::array<float, 2>> uvs;
   std::vector<std::uint32_t> components;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const auto append = [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
@@ -176,6 +177,7 @@ void writeMeshVtp(const std::filesystem::path& file, double time, const std::vec
     components.resize(points.size(), static_cast<std::uint32_t>(&m - meshes.data()));
     append(m.normals, normals), append(m.velocities, velocities);
     append(m.temperatures, temperatures), append(m.liquid, liquid);
+    append(m.uvs, uvs);
   }
   const Cells polygons(triangles);
   const std::size_t n = points.size();
@@ -188,6 +190,7 @@ void writeMeshVtp(const std::filesystem::path& file, double time, const std::vec
     a.addVector("type=\"Float32\" Name=\"velocity\" NumberOfComponents=\"3\"", velocities);
   if (temperatures.size() == n) a.addVector("type=\"Float32\" Name=\"temperature\"", temperatures);
   if (liquid.size() == n) a.addVector("type=\"Float32\" Name=\"liquid\"", liquid);
+  if (n > 0 && uvs.size() == n) a.addVector("type=\"Float32\" Name=\"uv\" NumberOfComponents=\"2\"", uvs);
   a.xml += "</PointData>\n<Points>\n";
   a.addVector("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", points);
   a.xml += "</Points>\n";

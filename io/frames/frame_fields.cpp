@@ -164,6 +164,7 @@ Frame frameOf(const World& w, int rank) {
   std::vector<std::string> done;
   for (const std::string& name : w.scene.output.fields) {
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // listed twice
+    if (name == surfaceVelocityField) continue;                             // a field of surfels
     if (const AddedColumn* added = w.particles.addedField(name)) addExtensionField(f, *added);
     else addField(f, w, rank, name);
     done.push_back(name);

@@ -10,7 +10,10 @@
 
 namespace thaw {
 
-/// Returns the names that output.fields may list.
+/// Name in output.fields of the velocity of surfels, a field of the surface's frames.
+inline constexpr const char* surfaceVelocityField = "surface_velocity";
+
+/// Returns the names of fields of particles that output.fields may list.
 std::vector<std::string> knownFrameFields();
 
 /// Returns a frame with the scene's fields of the owned particles, and their ids. The state is in single

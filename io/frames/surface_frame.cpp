@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/frames/surface_frame.hpp"
 
+#include <algorithm>
+
 #include "io/frames/frame_rows.hpp"
 
 namespace thaw {
 
 std::string surfaceName(const std::string& scene) { return scene + "_surface"; }
 
-Frame surfaceFrameOf(const World& w) {
+bool wantsSurfelVelocities(const Scene& s) {
+  return std::find(s.output.fields.begin(), s.output.fields.end(), surfaceVelocityField) !=
+         s.output.fields.end();
+}
+
+Frame surfaceFrameOf(const World& w, const std::vector<Vec3d>& velocities) {
   const Surfels& s = w.surface.surfels;
   Frame f = startFrame(w, s);
   addRows<float>(f, "normal", "1", 3, [&s](std::size_t i, float* to) { put3(s.normal[i], to); });
@@ -23,6 +30,9 @@ Frame surfaceFrameOf(const World& w) {
     addRows<float>(f, "liquid", "1", 1, [&s](std::size_t i, float* to) { *to = s.liquid[i]; });
   if (s.temperature.active)
     addRows<float>(f, "temperature", "K", 1, [&s](std::size_t i, float* to) { *to = s.temperature[i]; });
+  if (!velocities.empty())
+    addRows<float>(f, "velocity", "m/s", 3,
+                   [&velocities](std::size_t i, float* to) { put3(velocities[i], to); });
   return f;
 }
 

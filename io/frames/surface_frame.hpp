@@ -11,8 +11,11 @@ std::string surfaceName(const std::string& scene);
 
 /// Returns a frame of the owned surfels: position, id, normal, radius, color, component, detail; liquid and
 /// temperature if the scene has them. In single precision. ParaView and VTK expect the name "color" for red,
-/// green, blue.
-Frame surfaceFrameOf(const World& world);
+/// green, blue. velocities: m/s, one per surfel, added as `velocity`; or none.
+Frame surfaceFrameOf(const World& world, const std::vector<Vec3d>& velocities = {});
+
+/// Returns whether the scene wants velocities of surfels in frames (`surface_velocity` in output.fields).
+bool wantsSurfelVelocities(const Scene& scene);
 
 /// Returns whether the points of a frame are surfels.
 bool isSurfaceFrame(const H5File& file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: vertices (with colours, if any), normals and faces. Texture coordinates, groups, materials,
+// Wavefront OBJ: vertices (with colours, if any), normals, texture coordinates and faces. Groups, materials,
 // lines and points are ignored.
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 
 #include "core/geometry/meshes/file_normals.hpp"
 #include "io/meshes/text_cursor.hpp"
+#include "io/meshes/texture_coordinates.hpp"
 
 namespace thaw {
 namespace {
@@ -15,15 +16,19 @@ constexpr std::int64_t mostVertices = 0xfffffff0;
 
 struct ObjReader {
   TextCursor text;
-  TriangleMesh mesh;
+  TriangleMesh mesh{};
   /// Largest index of a list, 1-based, and its line: faces may precede the elements they reference.
   struct Largest {
     std::int64_t index = 0, line = 0;
   };
-  Largest largest, largestNormal;
-  std::vector<Vec3d> normals;
-  std::vector<std::uint32_t> polygon, polygonNormals;   // current face; 0: no normal, else 1-based
-  std::vector<std::array<std::uint32_t, 3>> normalsOf;  // per triangle
+  Largest largest{}, largestNormal{}, largestUv{};
+  std::vector<Vec3d> normals{};
+  std::vector<std::uint32_t> polygon{}, polygonNormals{};  // current face; 0: no normal, else 1-based
+  std::vector<std::array<std::uint32_t, 3>> normalsOf{};   // per triangle
+  bool readsUv = false;
+  std::vector<Uv> uvs{};
+  std::vector<std::uint32_t> polygonUvs{};            // current face; 0: none, else 1-based
+  std::vector<std::array<std::uint32_t, 3>> uvsOf{};  // per triangle; only with readsUv
 
   /// Returns the next word of the statement, which continues on the next line after a backslash.
   std::string_view word() {
@@ -68,7 +73,13 @@ struct ObjReader {
     normals.push_back(unitNormal(n));
   }
 
-  /// Returns an index into a list of `had` elements so far, 1-based; kind: "vertex" or "normal".
+  void textureCoordinates() {
+    Uv uv;
+    for (float& part : uv) part = static_cast<float>(text.number(word(), "a texture coordinate (vt u v)"));
+    uvs.push_back(uv);
+  }
+
+  /// Returns an index into a list of `had` elements so far, 1-based; kind: "vertex", "normal" or "texture".
   std::uint32_t index(std::string_view w, const std::string& kind, std::size_t had, Largest& most) const {
     const std::string what = "a " + kind + " index (v, v/vt, v/vt/vn or v//vn)";
     std::int64_t n = text.integer(w, what.c_str());
@@ -77,7 +88,10 @@ struct ObjReader {
     if (n < 0) {
       if (n < -count)
         text.fail(kind + " index " + std::to_string(n) + ", but only " + std::to_string(count) +
-                  (kind == "vertex" ? " vertices" : " normals") + " came before");
+                  (kind == "vertex"   ? " vertices"
+                   : kind == "normal" ? " normals"
+                                      : " texture coordinates") +
+                  " came before");
       n += count + 1;
     }
     if (n > most.index) most = {n, text.line()};
@@ -92,18 +106,28 @@ struct ObjReader {
     polygon.push_back(index(w.substr(0, slash), "vertex", mesh.vertices.size(), largest) - 1);
     const std::string_view last = second == std::string_view::npos ? std::string_view()
                                                                    : w.substr(second + 1);
+    if (readsUv) {
+      const std::string_view middle = slash == std::string_view::npos
+                                          ? std::string_view()
+                                          : w.substr(slash + 1, second == std::string_view::npos
+                                                                    ? second
+                                                                    : second - slash - 1);
+      polygonUvs.push_back(middle.empty() ? 0 : index(middle, "texture", uvs.size(), largestUv));
+    }
     polygonNormals.push_back(last.empty() ? 0 : index(last, "normal", normals.size(), largestNormal));
   }
 
   void face() {
     polygon.clear();
     polygonNormals.clear();
+    polygonUvs.clear();
     for (std::string_view w = word(); !w.empty() && w[0] != '#'; w = word()) corner(w);
     if (polygon.size() < 3)
       text.fail("a face with " + std::to_string(polygon.size()) + " corners; expected at least 3");
     for (std::size_t k = 2; k < polygon.size(); k++) {
       mesh.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
       normalsOf.push_back({polygonNormals[0], polygonNormals[k - 1], polygonNormals[k]});
+      if (readsUv) uvsOf.push_back({polygonUvs[0], polygonUvs[k - 1], polygonUvs[k]});
     }
   }
 
@@ -126,6 +150,7 @@ struct ObjReader {
       const std::string_view keyword = text.wordOnLine();
       if (keyword == "v") vertex();
       else if (keyword == "vn") normal();
+      else if (keyword == "vt" && readsUv) textureCoordinates();
       else if (keyword == "f") face();
       text.restOfLine();
     }
@@ -135,6 +160,7 @@ struct ObjReader {
     if (!mesh.colours.empty()) mesh.colours.resize(mesh.vertices.size(), 0xffffffu);
     expectAll(largest, mesh.vertices.size(), "vertex", "vertices");
     expectAll(largestNormal, normals.size(), "normal", "normals");
+    expectAll(largestUv, uvs.size(), "texture", "texture coordinates");
     assignNormals();
   }
 };
@@ -142,9 +168,23 @@ struct ObjReader {
 }  // namespace
 
 TriangleMesh parseObj(std::string_view content, const std::string& file) {
-  ObjReader reader{TextCursor(content, file), {}, {}, {}, {}, {}, {}, {}};
+  ObjReader reader{.text = TextCursor(content, file)};
   reader.read();
   return std::move(reader.mesh);
+}
+
+TexturedMesh parseTexturedObj(std::string_view content, const std::string& file) {
+  ObjReader reader{.text = TextCursor(content, file), .readsUv = true};
+  reader.read();
+  TexturedMesh textured{std::move(reader.mesh), {}};
+  if (reader.uvs.empty()) return textured;
+  for (const auto& t : reader.uvsOf) {
+    std::array<Uv, 3> corners{};
+    for (std::size_t k = 0; k < 3; k++)
+      if (t[k] > 0) corners[k] = reader.uvs[t[k] - 1];
+    textured.uv.push_back(corners);
+  }
+  return textured;
 }
 
 }  // namespace thaw

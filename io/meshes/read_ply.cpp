@@ -9,6 +9,7 @@
 
 #include "core/geometry/meshes/file_normals.hpp"
 #include "io/meshes/ply_header.hpp"
+#include "io/meshes/texture_coordinates.hpp"
 
 namespace thaw {
 namespace {
@@ -72,6 +73,8 @@ struct PlyReader {
   std::uint64_t vertices = 0;  // from the header; faces may come first
   std::vector<std::uint32_t> polygon;
   std::vector<Vec3d> normals;  // per vertex
+  bool readsUv = false;
+  std::vector<Uv> uvs{};  // per vertex
 
   /// Reserves memory for elements, after a check that they fit into the file.
   template<class T> void reserve(std::vector<T>& v, const PlyElement& e) const {
@@ -103,6 +106,20 @@ struct PlyReader {
     return p;
   }
 
+  /// Sets the places of texture coordinates among the properties: 0 and 1, else -1. Returns whether both are
+  /// there.
+  static bool uvParts(const PlyElement& e, std::vector<int>& of) {
+    for (const auto& [u, v] : {std::pair{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
+      of.assign(e.properties.size(), -1);
+      int found = 0;
+      for (std::size_t k = 0; k < e.properties.size(); k++)
+        if (!e.properties[k].list && (e.properties[k].name == u || e.properties[k].name == v))
+          of[k] = e.properties[k].name == u ? 0 : 1, found++;
+      if (found == 2) return true;
+    }
+    return false;
+  }
+
   /// Converts a colour to a byte: floating-point values from 0 to 1, 16-bit integers by their range.
   static std::uint32_t colourByte(double value, ScalarType type) {
     if (type == ScalarType::Float32 || type == ScalarType::Float64) value *= 255;
@@ -114,10 +131,13 @@ struct PlyReader {
     const Parts place = partsOf(e, {"x", "y", "z"}), normal = partsOf(e, {"nx", "ny", "nz"}),
                 colour = partsOf(e, {"red", "green", "blue"}, "diffuse_");
     if (!place.all) header.failAt(e.line, "the element 'vertex' needs the properties x, y and z");
+    std::vector<int> uvOf;
+    const bool hasUv = readsUv && uvParts(e, uvOf);
     reserve(mesh.vertices, e);
     for (std::uint64_t i = 0; i < e.count; i++) {
       Vec3d v, n;
       std::uint32_t rgb = 0;
+      Uv uv{};
       for (std::size_t k = 0; k < e.properties.size(); k++) {
         const PlyProperty& p = e.properties[k];
         if (place.of[k] >= 0) v[place.of[k]] = values.finite(p.type, "a coordinate");
@@ -125,8 +145,12 @@ struct PlyReader {
           n[normal.of[k]] = values.finite(p.type, "a part of a normal");
         else if (colour.all && colour.of[k] >= 0)
           rgb |= colourByte(values.number(p.type), p.type) << 8 * colour.of[k];
+        else if (hasUv && uvOf[k] >= 0)
+          uv[static_cast<std::size_t>(uvOf[k])] = static_cast<float>(
+              values.finite(p.type, "a texture coordinate"));
         else values.skip(p);
       }
+      if (hasUv) uvs.push_back(uv);
       mesh.vertices.push_back(v);
       if (normal.all) normals.push_back(unitNormal(n));
       if (colour.all) mesh.colours.push_back(rgb);
@@ -178,10 +202,14 @@ struct PlyReader {
 
 }  // namespace
 
-TriangleMesh parsePly(std::string_view content, const std::string& file) {
+namespace {
+
+/// readsUv: with texture coordinates.
+TexturedMesh parseAll(std::string_view content, const std::string& file, bool readsUv) {
   TextCursor text(content, file);
   const PlyHeader header = readPlyHeader(text);
-  PlyReader reader{PlyValues(content, file, text, header.format), text, header.format, {}, 0, {}, {}};
+  PlyReader reader{
+      PlyValues(content, file, text, header.format), text, header.format, {}, 0, {}, {}, readsUv};
   const auto named = [&](const char* name) {
     const auto e = std::find_if(header.elements.begin(), header.elements.end(),
                                 [&](const PlyElement& x) { return x.name == name; });
@@ -198,7 +226,21 @@ TriangleMesh parsePly(std::string_view content, const std::string& file) {
     else reader.skipElement(e);
   }
   reader.assignNormals();
-  return std::move(reader.mesh);
+  TexturedMesh textured{std::move(reader.mesh), {}};
+  if (reader.uvs.empty()) return textured;
+  for (const auto& t : textured.mesh.triangles)
+    textured.uv.push_back({reader.uvs[t[0]], reader.uvs[t[1]], reader.uvs[t[2]]});
+  return textured;
+}
+
+}  // namespace
+
+TriangleMesh parsePly(std::string_view content, const std::string& file) {
+  return parseAll(content, file, false).mesh;
+}
+
+TexturedMesh parseTexturedPly(std::string_view content, const std::string& file) {
+  return parseAll(content, file, true);
 }
 
 }  // namespace thaw

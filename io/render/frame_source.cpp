@@ -89,6 +89,16 @@ fs::path companionOf(const fs::path& frame, const std::string& kind) {
   return other != frame && fs::exists(other) && bodyTypeOfFrame(other) == kind ? other : fs::path();
 }
 
+/// Returns the frame of particles at the time of a surface frame; empty without one.
+fs::path particlesOf(const fs::path& surface) {
+  std::string scene = stemOf(surface);
+  if (!scene.ends_with("_surface")) return {};
+  const std::string number = surface.stem().string().substr(scene.size());
+  scene.resize(scene.size() - std::string("_surface").size());
+  const fs::path particles = surface.parent_path() / (scene + number + ".hdf");
+  return fs::exists(particles) ? particles : fs::path();
+}
+
 struct FolderFrames {
   std::vector<fs::path> particles, surface;
   std::vector<std::string> particleIndices, surfaceIndices;
@@ -219,13 +229,39 @@ void unwrapComponents(SurfaceFrame& frame, const PeriodicSides& sides) {
   }
 }
 
+/// Sets velocities of drops from the particles of the same time. A component is named after a particle.
+void addVelocities(std::vector<SprayDrop>& drops, const fs::path& particles) {
+  if (particles.empty()) return;
+  const FrameData data = readFrame(particles.string(),
+                                   [](const std::string& n) { return n == "velocity" || n == "id"; });
+  const FrameColumn *velocity = data.find("velocity"), *id = data.find("id");
+  if (!velocity || !id || velocity->components != 3) return;
+  for (std::size_t i = 0; i < data.positions.size(); i++) {
+    const auto label = static_cast<std::uint64_t>(id->value(i)) + 1;
+    const auto drop = std::lower_bound(
+        drops.begin(), drops.end(), label,
+        [](const SprayDrop& d, std::uint64_t component) { return d.component < component; });
+    if (drop != drops.end() && drop->component == label)
+      drop->velocity = {velocity->value(i, 0), velocity->value(i, 1), velocity->value(i, 2)};
+  }
+}
+
+void drawSpray(const fs::path& file, const SprayStyle& style, SurfaceFrame& frame) {
+  if (style.look == Spray::Surfels) return;
+  std::vector<SprayDrop> drops = findSpray(frame, style.spacing);
+  if (drops.empty()) return;
+  if (style.look == Spray::Ellipsoids && !frame.find("velocity")) addVelocities(drops, particlesOf(file));
+  replaceSpray(frame, drops, style);
+}
+
 /// Reads surfels. alone: without sheets; with sheets the field may belong to them, and the surface keeps its
 /// own colours.
-FrameView surfaceView(const fs::path& file, const std::string& field, const PeriodicSides& sides,
-                      bool alone) {
+FrameView surfaceView(const fs::path& file, const std::string& field, const ViewStyle& style, bool alone) {
   const std::string name = field == "speed" ? "velocity" : field == "glow" ? "temperature" : field;
-  SurfaceFrame frame = readSurfaceFrame(file.string(), [&](const std::string& n) { return n == name; });
-  unwrapComponents(frame, sides);
+  SurfaceFrame frame = readSurfaceFrame(file.string(),
+                                        [&](const std::string& n) { return n == name || n == "velocity"; });
+  unwrapComponents(frame, style.sides);
+  drawSpray(file, style.spray, frame);
   FrameView view;
   view.time = frame.time;
   view.positions = inSinglePrecision(frame.positions);
@@ -287,7 +323,9 @@ FrameView particleView(const fs::path& frame, const std::string& field, bool alo
 
 }  // namespace
 
-FrameView readFrameView(const fs::path& frame, const std::string& field, const PeriodicSides& sides) {
+FrameView readFrameView(const fs::path& frame, const std::string& field, const PeriodicSides& sides,
+                        const SprayStyle& spray) {
+  const ViewStyle style{OrientedLook::Mesh, 0, sides, spray};
   const std::string kind = bodyTypeOfFrame(frame);
   if (kind == "sheet") {
     FrameView view;
@@ -298,8 +336,8 @@ FrameView readFrameView(const fs::path& frame, const std::string& field, const P
   const bool surfels = isSurfaceFrame(readFrameInfo(frame.string()));
   const fs::path sheets = companionOf(frame, "sheet");
   if (sheets.empty())
-    return surfels ? surfaceView(frame, field, sides, true) : particleView(frame, field, true);
-  FrameView view = surfels ? surfaceView(frame, field, sides, false) : particleView(frame, field, false);
+    return surfels ? surfaceView(frame, field, style, true) : particleView(frame, field, true);
+  FrameView view = surfels ? surfaceView(frame, field, style, false) : particleView(frame, field, false);
   if (!surfels && !view.positions.empty()) {
     const StoredScene scene = storedSceneOf(frame);
     spheresToDiscs(view, static_cast<float>(0.6 * sceneOfText(scene.text, scene.name).spacing));
@@ -310,20 +348,19 @@ FrameView readFrameView(const fs::path& frame, const std::string& field, const P
   return view;
 }
 
-FrameView readFullView(const fs::path& frame, const std::string& field, OrientedLook look, float spacing,
-                       const PeriodicSides& sides) {
+FrameView readFullView(const fs::path& frame, const std::string& field, const ViewStyle& style) {
   const FrameInfo info = readFrameInfo(frame.string());
   if (isOrientedFrame(info)) {
     FrameView view;
     view.time = info.time;
-    addOriented(view, frame, look);
+    addOriented(view, frame, style.look);
     return view;
   }
   // a scene without particles has no field to colour by
   FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string(),
-                                 sides);
+                                 style.sides, style.spray);
   if (const fs::path oriented = companionOf(frame, "oriented"); !oriented.empty())
-    addOrientedBeside(view, oriented, look, spacing);
+    addOrientedBeside(view, oriented, style.look, style.spacing);
   return view;
 }
 

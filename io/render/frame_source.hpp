@@ -7,6 +7,7 @@
 
 #include "io/render/oriented_view.hpp"
 #include "io/render/render_frames.hpp"
+#include "io/render/surfels/spray.hpp"
 #include "io/surface_mesh/unwrap_component.hpp"
 
 namespace thaw {
@@ -33,14 +34,21 @@ std::vector<std::string> fieldsOf(const std::filesystem::path& frame, bool withS
 /// (NAME_sheet_000120.hdf) are drawn with surfels or particles; particles then become balls of discs.
 /// Components across periodic sides are unwrapped (unwrap_component.hpp), unless they join their own image.
 /// Throws IoError with file and cause: not HDF5, truncated, not a frame, or unknown field (with the available
-/// ones).
+/// ones). Drops of surfels are drawn by `spray`; their velocities are those of the surfels or of particles.
 FrameView readFrameView(const std::filesystem::path& frame, const std::string& field,
-                        const PeriodicSides& sides = {});
+                        const PeriodicSides& sides = {}, const SprayStyle& spray = {});
 
-/// Reads the same, and adds oriented particles of the same time in the folder, drawn as discs. spacing: m, of
-/// the particles. A frame of oriented particles is read alone.
-FrameView readFullView(const std::filesystem::path& frame, const std::string& field, OrientedLook look,
-                       float spacing, const PeriodicSides& sides = {});
+/// Appearance of what a frame contains.
+struct ViewStyle {
+  OrientedLook look = OrientedLook::Mesh;
+  float spacing = 0;  ///< m, of the particles
+  PeriodicSides sides;
+  SprayStyle spray;
+};
+
+/// Reads the same, and adds oriented particles of the same time in the folder, drawn as discs. A frame
+/// of oriented particles is read alone.
+FrameView readFullView(const std::filesystem::path& frame, const std::string& field, const ViewStyle& style);
 
 /// Scene text stored in the frame by the run, and its name; empty if there is none.
 struct StoredScene {

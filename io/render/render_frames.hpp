@@ -48,6 +48,7 @@ struct FrameJob {
   std::optional<Camera> camera;  ///< empty: fitted to the particles of all frames
   int width = 1280, height = 960, samples = 2;
   float spacing = 0;       ///< m
+  double interval = 0;     ///< s of simulated time between frames; 0: unknown
   PeriodicSides periodic;  ///< sides of the domain: surfaces across them are unwrapped
   float radius = 0;        ///< radius of spheres in spacings, or surfels' discs in their radii; 0: default
   Walls walls;             ///< at their rest poses: planes are floors, other obstacles glass or solid

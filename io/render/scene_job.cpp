@@ -24,6 +24,7 @@ FrameJob jobOfScene(const Scene& scene) {
   job.width = scene.output.width;
   job.height = scene.output.height;
   job.spacing = static_cast<float>(scene.spacing);
+  job.interval = scene.output.every;
   job.periodic = periodicSidesOf(scene.domain);
   if (scene.output.background) job.background = rgbOf(*scene.output.background);
   job.sun = scene.output.sun;

@@ -4,6 +4,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/world/views.hpp"
 #include "core/solid/elasticity/active_slots.hpp"
+#include "core/surface/surfel_velocities.hpp"
 #include "io/frames/surface_frame.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/run/reports/surface_log.hpp"
@@ -52,9 +53,12 @@ void updateSurfaceOf(Run& r) {
 }
 
 void writeSurfaceFrameOf(Run& r) {
-  const World& w = r.world;
+  World& w = r.world;
+  std::vector<Vec3d> velocities;
+  if (wantsSurfelVelocities(w.scene))
+    velocities = surfelVelocities(surfaceView(w), r.surface->halos(), r.surfaceTools);
   const std::string name = surfaceName(r.name), file = frameName(name, w.clock.frame);
-  const Frame f = surfaceFrameOf(w);
+  const Frame f = surfaceFrameOf(w, velocities);
   writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
   onDisk(r, [&] {
     r.surfaceSeries.push_back({file, w.clock.time});

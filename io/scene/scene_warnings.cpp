@@ -8,6 +8,7 @@
 
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/modules.hpp"
+#include "io/frames/frame_fields.hpp"
 #include "io/scene/surface_advice.hpp"
 #include "io/scene/text/nearest_word.hpp"
 
@@ -182,6 +183,10 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
                     "oriented bodies and sheets have all their fields",
                     at(s.output.fieldsWhere), names));
   }
+  const auto& fields = s.output.fields;
+  if (!s.surface.on && std::find(fields.begin(), fields.end(), surfaceVelocityField) != fields.end())
+    lines.push_back(fmt::format("{}: output.fields: {} has no effect without a table [surface]",
+                                at(s.output.fieldsWhere), surfaceVelocityField));
   addUnusedMaterials(s, lines);
   addColdTemperatures(s, lines);
   addMaterialsWithoutHeat(s, lines);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "io/surface_mesh/improve_triangles.hpp"
 #include "io/surface_mesh/march_band.hpp"
 #include "io/surface_mesh/offset_vertices.hpp"
 
@@ -122,6 +123,22 @@ Patch withImages(Patch p, double spacing) {
   return p;
 }
 
+/// Replaces normals that point into the mesh, where surfels of crumpled or torn surfaces contradict each
+/// other, by the mean of the adjacent triangles.
+void turnNormalsOutward(ComponentMesh& m) {
+  std::vector<Vec3d> sums(m.mesh.vertices.size());
+  const std::vector<Vec3d>& x = m.mesh.vertices;
+  for (const auto& t : m.mesh.triangles) {
+    const Vec3d normal = cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
+    for (const std::uint32_t v : t) sums[v] += normal;
+  }
+  for (std::size_t v = 0; v < sums.size(); v++) {
+    const Vec3f& n = m.normals[v];
+    const double size = length(sums[v]);
+    if (size > 0 && dot(sums[v], Vec3d{n.x, n.y, n.z}) < 0) m.normals[v] = single(sums[v] / size);
+  }
+}
+
 ComponentMesh meshAt(const Patch& p, double spacing) {
   BandGrid grid = gridAround(p, spacing);
   for (std::size_t i = 0; i < p.frame.radii.size(); i++)
@@ -135,7 +152,9 @@ ComponentMesh meshAt(const Patch& p, double spacing) {
   grid.classify(isInside);
   MarchedBand band = marchBand(grid, values, planes, p.meanColour);
   removeFragments(band, planes, grid.spacing());
+  if (improveTriangles(band, planes, grid.spacing()) > 0) removeFragments(band, planes, grid.spacing());
   offsetVertices(band, 0.1 * grid.spacing());
+  turnNormalsOutward(band.mesh);
   return std::move(band.mesh);
 }
 

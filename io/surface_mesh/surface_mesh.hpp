@@ -17,12 +17,13 @@ struct ComponentMesh {
   std::uint64_t component = 0;
   std::string name;  ///< name of an obstacle; empty for other meshes
   TriangleMesh mesh;
-  std::vector<Vec3f> colours;       ///< per vertex, sRGB 0 to 255, from nearby surfels
-  std::vector<Vec3f> normals;       ///< per vertex, unit, outward
-  std::vector<Vec3f> velocities;    ///< m/s, per vertex, or empty
-  std::vector<float> temperatures;  ///< K, per vertex, or empty
-  std::vector<float> liquid;        ///< 1, liquid fraction per vertex, or empty
-  std::vector<std::uint64_t> ids;   ///< per vertex, of its row; empty for meshes around surfels
+  std::vector<Vec3f> colours;             ///< per vertex, sRGB 0 to 255, from nearby surfels
+  std::vector<Vec3f> normals;             ///< per vertex, unit, outward
+  std::vector<Vec3f> velocities;          ///< m/s, per vertex, or empty
+  std::vector<float> temperatures;        ///< K, per vertex, or empty
+  std::vector<float> liquid;              ///< 1, liquid fraction per vertex, or empty
+  std::vector<std::array<float, 2>> uvs;  ///< texture coordinates, per vertex, or empty
+  std::vector<std::uint64_t> ids;         ///< per vertex, of its row; empty for meshes around surfels
   std::vector<std::array<std::uint32_t, 2>> lines;  ///< joined vertices of a curve
   double asked = 0, edge = 0;                       ///< m, requested and used edge of cubes
   std::array<bool, 3> cut{};  ///< per axis: it extends through the periodic sides and ends there with flat

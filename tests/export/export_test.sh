@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# `thaw export` as USD and OpenVDB, read by three.js, tinyusdz and OpenVDB's Python module. It
+# `thaw export` as USD, OpenVDB and VTKHDF, read by three.js, tinyusdz, OpenVDB's Python module and h5py. It
 # names readers that are not installed at its end. MODULES=DIR: node_modules with the readers of USD.
 . "$(dirname "$0")/../support/run.sh"
 MODULES=${MODULES:-$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")}
@@ -55,6 +55,14 @@ else
   /usr/bin/python3 "$source_dir/tests/export/read_vdb.py" "$work/vdb/scene_all_000000.vdb" 5.77e-4 \
     >"$work/log" 2>&1
   expectExit 0 "OpenVDB"
+fi
+
+export --as vtkhdf --what all --out "$work/run.vtkhdf"; expectExit 0 "vtkhdf"
+if /usr/bin/python3 -c 'import h5py, numpy' 2>/dev/null; then
+  /usr/bin/python3 "$source_dir/tests/export/read_vtkhdf.py" "$work/run.vtkhdf" 5.77e-4 >"$work/log" 2>&1
+  expectExit 0 "the VTKHDF file"
+else
+  skipped+=("h5py and numpy (python3-h5py)")
 fi
 
 for line in "${skipped[@]}"; do echo "skipped: $line"; done

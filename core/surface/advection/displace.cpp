@@ -309,4 +309,22 @@ void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, S
   for (std::size_t i = 0; i < s.owned; i++) s.carried[i] = s.position[i], s.carriedNormal[i] = s.normal[i];
 }
 
+std::vector<Vec3d> interpolatedDisplacements(Surface& surface, SurfaceTools& t) {
+  Surfels& s = surface.surfels;
+  RelaxTools& r = t.relax;
+  s.resize(s.owned, 0);
+  prepareSums(surface, r);
+  const CarrySums in = carrySumsOf(surface, r);
+  alignas(32) std::array<double, 8 * carrySums> sums;
+  std::vector<Vec3d> moves(s.owned);
+  for (std::size_t g = 0; g < r.lists.groups(); g++) {
+    r.kernels->carry(in, g, sums.data());
+    for (std::size_t lane = 0; lane < r.lists.lanes[g]; lane++) {
+      const std::size_t i = r.lists.self[8 * g + lane];
+      moves[i] = carryOf(sums.data(), lane, s.position[i] - r.particleBins.base).move;
+    }
+  }
+  return moves;
+}
+
 }  // namespace thaw

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves the surface with the particles (K05 4.2.1).
 #pragma once
+#include <vector>
+
 #include "core/halo/surface_halos.hpp"
 #include "core/scene/scene.hpp"
 #include "core/surface/data/surface.hpp"
@@ -26,5 +28,9 @@ void findDisplacementGradients(const CellGrid& grid, Surface& surface, SurfaceHa
 /// Afterwards surfels have no ghosts and no valid cells (placeRows). With a liquid fraction, `carried` and
 /// `carriedNormal` are set. Collective.
 void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
+
+/// Returns the interpolated displacement of each owned surfel, as in displaceSurfels, and moves none. Zero
+/// without particles. Requires: gradients; surfels on the ranks of their cells. Drops ghosts of surfels.
+std::vector<Vec3d> interpolatedDisplacements(Surface& surface, SurfaceTools& tools);
 
 }  // namespace thaw

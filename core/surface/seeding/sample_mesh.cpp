@@ -114,16 +114,22 @@ std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& loa
                                        : sampleExact(shape, load, spacing, seed);
 }
 
+std::vector<SurfaceSample> sampleBody(const Scene& scene, std::size_t body, const MeshLoader& load,
+                                      const Vec3d& period) {
+  const double spacing = surfelSpacing(scene);
+  const Shape& shape = scene.bodies[body].shape;
+  std::vector<SurfaceSample> samples = sampleShape(shape, load, spacing, scene.seed + body);
+  if (!(period == Vec3d{}))
+    dropBuried(OverlapTest({makeSignedDistance(shape, load)}, period), beside * spacing, samples);
+  return samples;
+}
+
 void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const Reducer& all) {
   Surfels& s = surface.surfels;
   const Vec3d period = periodsOf(surface.grid).length;
   for (std::size_t b = 0; b < scene.bodies.size(); b++) {
     if (!isSampled(scene, b)) continue;
-    std::vector<SurfaceSample> samples = sampleShape(scene.bodies[b].shape, load, surface.spacing,
-                                                     scene.seed + b);
-    if (!(period == Vec3d{}))
-      dropBuried(OverlapTest({makeSignedDistance(scene.bodies[b].shape, load)}, period),
-                 beside * surface.spacing, samples);
+    const std::vector<SurfaceSample> samples = sampleBody(scene, b, load, period);
     for (std::size_t k = static_cast<std::size_t>(all.rank()); k < samples.size();
          k += static_cast<std::size_t>(all.size())) {
       const std::size_t i = s.owned;

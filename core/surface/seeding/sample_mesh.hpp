@@ -26,6 +26,11 @@ struct SurfaceSample {
 std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing,
                                        std::uint64_t seed);
 
+/// Returns the samples of a sampled body in the order of their ids (`surfelBit | particleId(body, k)`),
+/// without faces at its own periodic image. period: m, 0 along axes without periodic sides.
+std::vector<SurfaceSample> sampleBody(const Scene& scene, std::size_t body, const MeshLoader& load,
+                                      const Vec3d& period);
+
 /// Appends the surfels of all sampled bodies, except faces at the body's own periodic image. They are
 /// distributed over the ranks until placeRows, without components until labelNewParticles. Every rank samples
 /// every body, so that the result does not depend on the distribution.

@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "io/commands/export/in_order.hpp"
+#include "io/meshes/read_mesh.hpp"
+#include "io/render/frame_source.hpp"
 #include "io/text/bytes_text.hpp"
 
 namespace thaw {
@@ -40,6 +42,39 @@ double expectedSize(const std::vector<FrameGroup>& groups, const ExportFormat& f
         rows += (content == surfaceContent ? finer : 0.25) *
                 static_cast<double>(readFrameInfo(file.string()).count) / std::size(samples);
   return rows * format.bytesPerSurfel * static_cast<double>(groups.size());
+}
+
+/// Returns the surface frames from the start of the run to the last one of the export.
+std::vector<fs::path> surfacesUpTo(const std::vector<FrameGroup>& groups) {
+  std::vector<fs::path> frames;
+  try {
+    frames = findFrames(groups.back().surface.parent_path(), FrameKind::Surface);
+  } catch (const IoError&) {  // frames of several runs in one folder
+  }
+  const auto last = std::find(frames.begin(), frames.end(), groups.back().surface);
+  if (last != frames.end()) {
+    frames.erase(last + 1, frames.end());
+    return frames;
+  }
+  frames.clear();
+  for (const FrameGroup& group : groups) frames.push_back(group.surface);
+  return frames;
+}
+
+/// Finds the texture coordinates of surfels.
+void startUv(ExportRun& run) {
+  if (!(run.job.contents & surfaceContent) || run.groups.back().surface.empty())
+    throw std::invalid_argument("--uv: expected frames of a surface");
+  std::vector<std::string> warnings;
+  const auto stored = run.scenes.of(run.groups[0].first(), warnings);
+  for (const std::string& line : warnings) fmt::print(stderr, "thaw export: {}\n", line);
+  if (!stored) throw std::invalid_argument("--uv: the frames contain no scene, which names the meshes");
+  try {
+    run.uv = followUv(stored->scene, surfacesUpTo(run.groups));
+  } catch (const MeshError& error) { throw std::invalid_argument(std::string("--uv: ") + error.what()); }
+  if (run.uv->empty())
+    fmt::print(stderr, "thaw export: warning: --uv: no body has a mesh with texture coordinates\n");
+  else run.job.uv = &*run.uv;
 }
 
 }  // namespace
@@ -82,6 +117,7 @@ void startExport(const ExportOptions& options, const ExportFormat& format, Expor
   run.threads = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(cores), run.groups.size()));
   run.job.threads = run.groups.size() == 1 ? cores : 1;
   run.job.interval = intervalOf(run.groups);
+  if (options.uv) startUv(run);
   if (run.groups.size() > 1)
     fmt::print("{} frames as {}, about {}\n", run.groups.size(), format.name,
                bytesText(expectedSize(run.groups, format, run.job.contents, options.cell)));
@@ -122,13 +158,17 @@ void exportFrames(const ExportOptions& options, const ExportFormat& format) {
   if (skipped > 0) fmt::print("{} complete files are kept\n", skipped);
 }
 
-void exportUsd(const fs::path& out, const ExportOptions& options) {
+namespace {
+
+/// Writes a run as one file. other: an ending that --out may have, too.
+void exportAsOne(const fs::path& out, const ExportOptions& options, const char* other,
+                 void write(const fs::path& file, const std::string& name, ExportRun& run)) {
   const ExportFormat& format = exportFormatNamed(options.as);
   const std::string ending = out.extension().string();
-  if (!ending.empty() && ending != format.extension && ending != ".usd")
+  if (!ending.empty() && ending != format.extension && ending != other)
     throw std::invalid_argument(
-        fmt::format("--out: expected a folder or a file that ends in {} or .usd, found {}", format.extension,
-                    out.string()));
+        fmt::format("--out: expected a folder or a file that ends in {} or {}, found {}", format.extension,
+                    other, out.string()));
   ExportRun run;
   startExport(options, format, run);
   std::string name = readFrameInfo(run.groups[0].first().string()).sceneName;
@@ -140,7 +180,17 @@ void exportUsd(const fs::path& out, const ExportOptions& options) {
     return;
   }
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
-  writeUsd(file, name, run);
+  write(file, name, run);
+}
+
+}  // namespace
+
+void exportUsd(const fs::path& out, const ExportOptions& options) {
+  exportAsOne(out, options, ".usd", writeUsd);
+}
+
+void exportVtkHdf(const fs::path& out, const ExportOptions& options) {
+  exportAsOne(out, options, ".hdf", writeVtkHdf);
 }
 
 }  // namespace thaw

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Export of many frames, several in parallel.
 #pragma once
+#include <optional>
+
 #include "io/commands/export/gather_scene.hpp"
 
 namespace thaw {
@@ -9,6 +11,7 @@ namespace thaw {
 struct ExportRun {
   std::vector<FrameGroup> groups;
   RunScenes scenes;
+  std::optional<SurfaceUv> uv;  ///< texture coordinates of surfels
   GatherJob job;
   int threads = 1;  ///< frames at a time
 };
@@ -35,6 +38,10 @@ void exportUsd(const std::filesystem::path& out, const ExportOptions& options);
 
 /// Writes the frames of a run as one USD layer. name: name of the root prim. Prints a summary.
 void writeUsd(const std::filesystem::path& file, const std::string& name, ExportRun& run);
+
+/// The same as one temporal VTKHDF file.
+void exportVtkHdf(const std::filesystem::path& out, const ExportOptions& options);
+void writeVtkHdf(const std::filesystem::path& file, const std::string& name, ExportRun& run);
 
 /// A line on a terminal that is redrawn as frames are done.
 class ProgressLine {

@@ -18,6 +18,7 @@ struct ExportOptions {
   std::optional<double> min, max;  ///< range of the colours, SI; empty: the range of the frame
   double cell = 1;                 ///< cell edge of the mesh grid, over the surfels' mean radius
   int threads = 0;                 ///< 0: one per core
+  bool uv = false;                 ///< with texture coordinates of surfaces
   bool resume = false;             ///< skips files that are complete
   std::string size = "20MB";       ///< html: largest size of the page
 };

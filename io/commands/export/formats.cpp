@@ -50,15 +50,17 @@ const ExportFormat formats[] = {
      "a closed triangle mesh of each component, or the triangles of each sheet, oriented surface or "
      "obstacle, "
      "and the lines of a curve",
-     meshContents, false, false, false, 310, ply, nullptr},
-    {"obj", ".obj", "the same as text", meshContents, false, false, false, 630, obj, nullptr},
+     meshContents, false, false, false, 125, ply, nullptr},
+    {"obj", ".obj", "the same as text", meshContents, false, false, false, 255, obj, nullptr},
     {"usd", ".usdc",
      "one USD layer of all frames with meshes, particles, obstacles and camera (Houdini, Blender, "
      "Maya, Omniverse)",
-     allContent, false, false, true, 240, nullptr, exportUsd},
-    {"usda", ".usda", "the same layer as text", allContent, false, false, true, 800, nullptr, exportUsd},
+     allContent, false, false, true, 100, nullptr, exportUsd},
+    {"usda", ".usda", "the same layer as text", allContent, false, false, true, 330, nullptr, exportUsd},
+    {"vtkhdf", ".vtkhdf", "one VTKHDF file of all frames with meshes or particles (ParaView 5.12 and newer)",
+     allContent, false, false, false, 180, nullptr, exportVtkHdf},
     {"bgeo", ".bgeo", "Houdini geometry, classic version: points and triangles", allContent, false, false,
-     false, 360, writeBgeo, nullptr},
+     false, 145, writeBgeo, nullptr},
     {"vdb", ".vdb", "OpenVDB: the level set of a surface, and fog volumes of the particles",
      surfaceContent | particleContent, false, false, true, 30, writeVdb, nullptr},
     {"html", ".html", "the run as one page for any browser, without a server", allContent, true, true, true,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/commands/export/frame_group.hpp"
+#include "io/commands/export/surface_uv.hpp"
 #include "io/export/export_scene.hpp"
 #include "io/render/render_frames.hpp"
 
@@ -45,6 +46,7 @@ struct GatherJob {
   double interval = 0;  ///< s between frames
   int threads = 1;      ///< for the meshes of one frame
   RunScenes* scenes = nullptr;
+  const SurfaceUv* uv = nullptr;  ///< texture coordinates of surfels, or none
 };
 
 /// Lines for the user about one frame.

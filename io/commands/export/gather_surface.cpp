@@ -79,12 +79,48 @@ std::vector<Rgb> coloursOf(const SurfaceFrame& frame, const ExportOptions& optio
 struct SurfelFields {
   std::vector<Vec3f> velocities;
   std::vector<float> temperatures, liquid;
+  std::vector<Uv> uvs;
 };
+
+/// Returns texture coordinates at weights of surfels: the mean of those on one chart with the nearest one
+/// that has coordinates.
+Uv uvAt(const NearWeights& near, const ComponentRows& component, const std::vector<Uv>& uvs) {
+  constexpr float chart = 0.1f;
+  const Uv* nearest = nullptr;
+  Uv sum{0, 0};
+  float weight = 0;
+  for (std::size_t k = 0; k < near.rows.size(); k++) {
+    const Uv& uv = uvs[component.rows[near.rows[k]]];
+    if (std::isnan(uv[0])) continue;
+    if (!nearest) nearest = &uv;
+    if (std::hypot(uv[0] - (*nearest)[0], uv[1] - (*nearest)[1]) > chart) continue;
+    const auto share = static_cast<float>(near.shares[k]);
+    weight += share;
+    for (std::size_t c = 0; c < 2; c++) sum[c] += share * uv[c];
+  }
+  return weight > 0 ? Uv{sum[0] / weight, sum[1] / weight} : Uv{0, 0};
+}
+
+/// Returns a column of the frame's texture coordinates.
+FrameColumn uvColumn(const std::vector<Uv>& uvs) {
+  FrameColumn column{"uv", "1", Element::F32, 2, {}};
+  column.bytes.resize(uvs.size() * sizeof(Uv));
+  if (!uvs.empty()) std::memcpy(column.bytes.data(), uvs.data(), column.bytes.size());
+  return column;
+}
+
+std::vector<Uv> uvsOf(const FrameColumn* column, std::size_t rows) {
+  std::vector<Uv> uvs;
+  for (std::size_t i = 0; column && i < rows; i++)
+    uvs.push_back({static_cast<float>(column->value(i, 0)), static_cast<float>(column->value(i, 1))});
+  return uvs;
+}
 
 /// Interpolates fields to the vertices of a mesh, from the nearest surfels of its component.
 void addFieldsOfSurfels(ComponentMesh& mesh, const SurfaceFrame& frame, const ComponentRows& component,
                         const SurfelFields& fields, const PeriodicSides& sides) {
-  if (fields.velocities.empty() && fields.temperatures.empty() && fields.liquid.empty()) return;
+  if (fields.velocities.empty() && fields.temperatures.empty() && fields.liquid.empty() && fields.uvs.empty())
+    return;
   const UnwrappedComponent whole = unwrapComponent(frame, component.rows, sides);
   const PointTree tree(whole.positions);
   for (const Vec3d& x : mesh.mesh.vertices) {
@@ -101,6 +137,7 @@ void addFieldsOfSurfels(ComponentMesh& mesh, const SurfaceFrame& frame, const Co
     if (!fields.velocities.empty()) mesh.velocities.push_back(velocity);
     if (!fields.temperatures.empty()) mesh.temperatures.push_back(temperature);
     if (!fields.liquid.empty()) mesh.liquid.push_back(liquid);
+    if (!fields.uvs.empty()) mesh.uvs.push_back(uvAt(near, component, fields.uvs));
   }
 }
 
@@ -109,8 +146,8 @@ std::vector<ComponentMesh> meshesOf(const SurfaceFrame& frame, const std::vector
   const std::vector<ComponentRows> components = rowsByComponent(frame);
   const std::size_t rows = frame.positions.size();
   const SurfelFields fields{vectorsOf(frame.find("velocity"), rows),
-                            numbersOf(frame.find("temperature"), rows),
-                            numbersOf(frame.find("liquid"), rows)};
+                            numbersOf(frame.find("temperature"), rows), numbersOf(frame.find("liquid"), rows),
+                            uvsOf(frame.find("uv"), rows)};
   std::vector<ComponentMesh> meshes(components.size());
   parallelFor(components.size(), job.threads, [&](std::size_t c) {
     meshes[c] = meshOfComponent(frame, components[c], colours, sides, job.options->cell);
@@ -152,6 +189,7 @@ void gatherSurface(const FrameGroup& group, const GatherJob& job, ExportScene& s
       });
   }
   addFieldsOfParticles(frame, particles);
+  if (job.uv) frame.columns.push_back(uvColumn(job.uv->of(frame)));
   scene.surfelColours = coloursOf(frame, *job.options, group.surface);
   if (job.format->keepsSurfels && job.contents == surfaceContent) {
     notes.summary = fmt::format("{} surfels", frame.positions.size());

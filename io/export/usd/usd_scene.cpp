@@ -6,6 +6,8 @@
 #include <limits>
 #include <set>
 
+#include "io/export/texture_seams.hpp"
+
 namespace thaw {
 
 namespace {
@@ -59,6 +61,7 @@ struct WholeMesh {
   std::vector<Vec3f> points, normals, velocities, colours;
   std::vector<float> temperatures, liquid;
   std::vector<std::int32_t> corners, components;
+  std::vector<Vec2f> cornerTexture;  // one for each corner
 
   explicit WholeMesh(const ExportObject& object) {
     std::int32_t number = 0;
@@ -73,6 +76,9 @@ struct WholeMesh {
       append(part.colours, colours);
       append(part.temperatures, temperatures);
       append(part.liquid, liquid);
+      if (part.uvs.size() == part.mesh.vertices.size())
+        for (const auto& triangle : cornerUvs(part.mesh, part.uvs))
+          cornerTexture.insert(cornerTexture.end(), triangle.begin(), triangle.end());
     }
   }
   template<class T> static void append(const std::vector<T>& from, std::vector<T>& to) {
@@ -111,6 +117,8 @@ UsdPrimSample meshPrim(const ExportObject& object, const UsdFile& file) {
     maker.add("color3f[]", "primvars:displayColor", linearColours(mesh.colours), "vertex");
   if (mesh.has(mesh.temperatures)) maker.add("float[]", "primvars:temperature", mesh.temperatures, "vertex");
   if (mesh.has(mesh.liquid)) maker.add("float[]", "primvars:liquid", mesh.liquid, "vertex");
+  if (!mesh.corners.empty() && mesh.cornerTexture.size() == mesh.corners.size())
+    maker.add("texCoord2f[]", "primvars:st", mesh.cornerTexture, "faceVarying");
   if (object.kind == ExportKind::Surface)
     maker.add("int[]", "primvars:component", mesh.components, "uniform");
   maker.addUniform("token", "subdivisionScheme", UsdToken{"none"});

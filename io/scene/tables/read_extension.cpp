@@ -90,6 +90,7 @@ void readExtensionShape(TableReader& r, Shape& s) {
 
 std::vector<std::string> outputFields(const Scene& scene) {
   std::vector<std::string> names = knownFrameFields();
+  names.push_back(surfaceVelocityField);
   for (const ExtensionSettings& s : scene.extensions)
     if (const Extension* e = findExtension(s.name))
       for (const ExtensionField& f : e->fields) names.push_back(f.name);

@@ -18,7 +18,8 @@ std::vector<std::string> extensionShapes();
 /// Reads the shape of an extension, if the table has or records one.
 void readExtensionShape(TableReader& reader, Shape& shape);
 
-/// Returns the names that output.fields may list: those of frames, and fields of the scene's extensions.
+/// Returns the names that output.fields may list: those of frames, surface_velocity, and fields of the
+/// scene's extensions.
 std::vector<std::string> outputFields(const Scene& scene);
 
 }  // namespace thaw

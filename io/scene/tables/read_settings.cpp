@@ -243,10 +243,12 @@ void readOutput(TableReader& r, Scene& s) {
   r.number("ledger_every", o.ledgerEvery, "s", notNegative(),
            "simulated time between additional rows of ledger.csv, which has one per frame; a row is written "
            "at the first step at or after its time and changes no step; 0: none");
-  r.words("fields", o.fields, known,
-          "fields of the frames of bodies and emitters; frames of oriented bodies and sheets have all their "
-          "fields. The six numbers of stress (Cauchy's), strain (Green's) and plastic_strain are xx, yy, zz, "
-          "xy, yz, xz, each off-diagonal one once, not doubled");
+  r.words(
+      "fields", o.fields, known,
+      "fields of the frames of bodies and emitters; frames of oriented bodies and sheets have all their "
+      "fields. The six numbers of stress (Cauchy's), strain (Green's) and plastic_strain are xx, yy, zz, "
+      "xy, yz, xz, each off-diagonal one once, not doubled. surface_velocity adds the velocity of surfels to "
+      "the frames of a surface");
   if (r.has("fields")) o.fieldsWhere = r.placeOf("fields");
   r.number("checkpoint", o.checkpoint, "s", positive(),
            "wall-clock time between checkpoints; the last two are kept");

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "io/surface_mesh/triangle_angles.hpp"
 #include "tests/support/closed_mesh.hpp"
 #include "tests/support/surface/surfel_samples.hpp"
 
@@ -39,6 +40,20 @@ std::pair<double, double> awayFrom(const TriangleMesh& mesh, const TriangleMesh&
     largest = std::max(largest, d), sum += d;
   }
   return {largest, sum / static_cast<double>(mesh.vertices.size())};
+}
+
+/// Checks that no angle is below 5 degrees, and at most one triangle in a thousand has one below 15.
+void expectGoodAngles(const TriangleMesh& mesh) {
+  constexpr double degree = std::numbers::pi / 180;
+  std::size_t sharp = 0;
+  double least = std::numbers::pi;
+  for (const auto& t : mesh.triangles) {
+    const double angle = smallestAngle(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+    least = std::min(least, angle);
+    sharp += angle < 15 * degree;
+  }
+  EXPECT_GT(least, 5 * degree);
+  EXPECT_LE(1000 * sharp, mesh.triangles.size());
 }
 
 }  // namespace
@@ -91,6 +106,50 @@ TEST(SurfaceMesh, FollowsABust) {
     EXPECT_NEAR(volumeOf(m.mesh), volumeOf(truth), 0.01 * volumeOf(truth));
     EXPECT_LT(awayFrom(m.mesh, truth).second, 0.08 * 0.01 * cell);
   }
+}
+
+TEST(SurfaceMesh, TrianglesHaveNoSmallAngles) {
+  SurfelSamples bust, ball, box;
+  sampleMesh(bust, bustMesh(), 0.01, true, 1);
+  sampleBall(ball, {0.1, 0.2, 0.3}, 0.5, 0.04, 1);
+  sampleMesh(box, boxMesh({-0.5, -0.5, 0}, {0.5, 0.5, 0.1}), 0.05, false, 1);
+  for (const SurfelSamples* s : {&bust, &ball, &box}) {
+    const ComponentMesh m = only(*s);
+    expectClosed(m.mesh);
+    expectGoodAngles(m.mesh);
+    for (std::size_t v = 0; v < m.normals.size(); v++) EXPECT_NEAR(dot(m.normals[v], m.normals[v]), 1, 1e-4);
+  }
+}
+
+// Some normals of surfels are wrong.
+TEST(SurfaceMesh, NormalsPointOutOfTheMesh) {
+  SurfelSamples s;
+  sampleMesh(s, bustMesh(), 0.02, true, 1);
+  for (std::size_t i = 0; i < s.size(); i += 7) s.normals[i] = -s.normals[i];
+  const ComponentMesh m = only(s);
+  expectClosed(m.mesh);
+  std::vector<Vec3d> sums(m.mesh.vertices.size());
+  for (const auto& t : m.mesh.triangles) {
+    const auto& x = m.mesh.vertices;
+    for (const std::uint32_t v : t) sums[v] += cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
+  }
+  for (std::size_t v = 0; v < sums.size(); v++)
+    EXPECT_GE(dot(sums[v], Vec3d{m.normals[v].x, m.normals[v].y, m.normals[v].z}), 0);
+}
+
+// Two balls are joined by a thread thinner than a cube of the grid, whose triangles would be slivers.
+TEST(SurfaceMesh, ThinThreadsLeaveNoSlivers) {
+  SurfelSamples s;
+  for (const double x : {0.0, 0.5}) sampleBall(s, {x, 0, 0}, 0.2, 0.04, 1);
+  for (double x = 0.2; x < 0.31; x += 0.02)
+    for (int k = 0; k < 6; k++) {
+      const double angle = std::numbers::pi / 3 * k;
+      const Vec3d n{0, std::cos(angle), std::sin(angle)};
+      s.add(Vec3d{x, 0, 0} + 0.012 * n, n, 0.04, 1);
+    }
+  const ComponentMesh m = only(s);
+  expectClosed(m.mesh);
+  expectGoodAngles(m.mesh);
 }
 
 TEST(SurfaceMesh, ThousandsOfComponentsHaveAMeshEach) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texture coordinates of surfels, from the meshes of their bodies.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+#include "io/frames/read_surface_frame.hpp"
+#include "io/meshes/texture_coordinates.hpp"
+
+namespace thaw {
+
+/// Texture coordinates by id of surfel. A surfel keeps its own for life.
+class SurfaceUv {
+ public:
+  /// Samples the bodies again, as at the start of the run. A body without texture coordinates has none.
+  /// Throws std::exception if a mesh file is missing.
+  explicit SurfaceUv(const Scene& scene);
+  bool empty() const { return uv_.empty(); }
+  /// Gives new surfels the coordinates of the nearest known surfel of their component. Requires: calls for
+  /// all surface frames in order of time, from the first one.
+  void addBirths(const SurfaceFrame& frame);
+  /// Returns the coordinates of each surfel, NaN where it has none.
+  std::vector<Uv> of(const SurfaceFrame& frame) const;
+
+ private:
+  std::unordered_map<std::uint64_t, Uv> uv_;
+};
+
+/// Returns the texture coordinates of a run's surfels over the frames of a surface, in order of time; empty
+/// without bodies that have some. Appends warnings.
+SurfaceUv followUv(const Scene& scene, const std::vector<std::filesystem::path>& frames);
+
+}  // namespace thaw

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texture coordinates of triangles at the seams of a texture.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "core/geometry/basic/triangle_mesh.hpp"
+
+namespace thaw {
+
+using TextureUv = std::array<float, 2>;
+
+/// Returns the coordinates of each corner of each triangle. A triangle across a seam has those of its first
+/// corner at all three, since its corners would otherwise span the texture. uv: per vertex.
+std::vector<std::array<TextureUv, 3>> cornerUvs(const TriangleMesh& mesh, const std::vector<TextureUv>& uv);
+
+}  // namespace thaw

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/export/vtkhdf_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace thaw {
+
+namespace {
+
+constexpr std::uint8_t vertexCell = 1, triangleCell = 5;  // vtkCellType.h
+constexpr std::uint64_t pointsOfChunk = 16384;
+
+std::uint8_t byteOf(float c) { return static_cast<std::uint8_t>(std::lround(std::clamp(c, 0.0f, 255.0f))); }
+
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+constexpr Vec3f zero{0, 0, 0};
+
+/// Appends a field of an object with `points` points, or `lacking` for each if it has none. before: points of
+/// the objects before it.
+template<class T>
+void append(std::optional<std::vector<T>>& all, const std::vector<T>& field, std::size_t points,
+            const T& lacking, std::size_t before) {
+  const bool has = field.size() == points && points > 0;
+  if (has && !all) all.emplace(before, lacking);
+  if (!all) return;
+  if (has) all->insert(all->end(), field.begin(), field.end());
+  else all->resize(before + points, lacking);
+}
+
+void addMesh(VtkHdfFrame& f, const ComponentMesh& m, std::int32_t number) {
+  const std::size_t n = m.mesh.vertices.size();
+  const auto first = static_cast<std::int64_t>(f.points.size());
+  for (const Vec3d& x : m.mesh.vertices) f.points.push_back(single(x));
+  for (const auto& t : m.mesh.triangles)
+    for (const std::uint32_t v : t) f.connectivity.push_back(first + v);
+  f.triangles += static_cast<std::int64_t>(m.mesh.triangles.size());
+  for (std::size_t v = 0; v < n; v++)
+    for (int c = 0; c < 3; c++) f.colours.push_back(v < m.colours.size() ? byteOf(m.colours[v][c]) : 200);
+  const std::size_t before = f.points.size() - n;
+  append(f.normals, m.normals, n, zero, before);
+  append(f.velocities, m.velocities, n, zero, before);
+  append(f.temperatures, m.temperatures, n, none, before);
+  append(f.liquid, m.liquid, n, none, before);
+  f.objects.resize(f.points.size(), number);
+  f.ids.resize(f.points.size(), -1);
+}
+
+void addPoints(VtkHdfFrame& f, const ExportPoints& p) {
+  const std::size_t n = p.positions.size();
+  for (std::size_t i = 0; i < n; i++) {
+    f.connectivity.push_back(static_cast<std::int64_t>(f.points.size()));
+    f.points.push_back(p.positions[i]);
+    for (int c = 0; c < 3; c++) f.colours.push_back(i < p.colours.size() ? byteOf(p.colours[i][c]) : 200);
+    f.ids.push_back(i < p.ids.size() ? static_cast<std::int64_t>(p.ids[i]) : -1);
+  }
+  const std::size_t before = f.points.size() - n;
+  append(f.normals, std::vector<Vec3f>(), n, zero, before);
+  append(f.velocities, p.velocities, n, zero, before);
+  append(f.temperatures, p.temperatures, n, none, before);
+  append(f.liquid, p.liquid, n, none, before);
+  f.objects.resize(f.points.size(), -1);
+}
+
+/// Returns the values of a field, or `lacking` for each point.
+template<class T>
+std::vector<T> valuesOf(const std::optional<std::vector<T>>& field, std::size_t points, const T& lacking) {
+  return field ? *field : std::vector<T>(points, lacking);
+}
+
+}  // namespace
+
+VtkHdfFrame vtkHdfFrameOf(const ExportScene& scene) {
+  VtkHdfFrame f;
+  f.time = scene.time;
+  std::int32_t number = 0;
+  for (const ComponentMesh& part : placedParts(scene)) addMesh(f, part, number++);
+  if (scene.points) addPoints(f, *scene.points);
+  return f;
+}
+
+VtkHdfSeries::VtkHdfSeries(const std::filesystem::path& file)
+    : file_(file, {"/VTKHDF", "/VTKHDF/PointData", "/VTKHDF/CellData", "/VTKHDF/FieldData", "/VTKHDF/Steps",
+                   "/VTKHDF/Steps/PointDataOffsets", "/VTKHDF/Steps/CellDataOffsets"}) {}
+
+void VtkHdfSeries::create(const VtkHdfFrame& first) {
+  normals_ = first.normals.has_value(), velocities_ = first.velocities.has_value();
+  temperatures_ = first.temperatures.has_value(), liquid_ = first.liquid.has_value();
+  const auto create = [&](const std::string& name, Element element, int components, std::uint64_t chunk) {
+    file_.createDataset("/VTKHDF/" + name, {element, chunk, components});
+  };
+  create("Points", Element::F32, 3, pointsOfChunk);
+  create("Connectivity", Element::I64, 0, 4 * pointsOfChunk);
+  create("Offsets", Element::I64, 0, 2 * pointsOfChunk);
+  create("Types", Element::U8, 0, 2 * pointsOfChunk);
+  for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
+    create(name, Element::I64, 0, 256);
+  create("Steps/Values", Element::F64, 0, 256);
+  for (const char* name :
+       {"PartOffsets", "NumberOfParts", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
+    create(std::string("Steps/") + name, Element::I64, 0, 256);
+  const auto field = [&](const std::string& name, Element element, int components) {
+    create("PointData/" + name, element, components, pointsOfChunk);
+    create("Steps/PointDataOffsets/" + name, Element::I64, 0, 256);
+  };
+  field("color", Element::U8, 3);
+  field("object", Element::I32, 0);
+  field("id", Element::I64, 0);
+  if (normals_) field("normal", Element::F32, 3);
+  if (velocities_) field("velocity", Element::F32, 3);
+  if (temperatures_) field("temperature", Element::F32, 0);
+  if (liquid_) field("liquid", Element::F32, 0);
+}
+
+void VtkHdfSeries::addSteps(const VtkHdfFrame& f, std::int64_t cells) {
+  const auto one = [&](const std::string& name, std::int64_t value) {
+    file_.append("/VTKHDF/" + name, 1, &value);
+  };
+  one("NumberOfPoints", static_cast<std::int64_t>(f.points.size()));
+  one("NumberOfCells", cells);
+  one("NumberOfConnectivityIds", static_cast<std::int64_t>(f.connectivity.size()));
+  file_.append("/VTKHDF/Steps/Values", 1, &f.time);
+  one("Steps/PartOffsets", frames_);
+  one("Steps/NumberOfParts", 1);
+  one("Steps/PointOffsets", points_);
+  one("Steps/CellOffsets", cells_);
+  one("Steps/ConnectivityIdOffsets", connectivity_);
+}
+
+void VtkHdfSeries::add(const VtkHdfFrame& f) {
+  if (frames_ == 0) create(f);
+  const std::size_t n = f.points.size();
+  const auto particles = static_cast<std::int64_t>(f.connectivity.size()) - 3 * f.triangles,
+             cells = f.triangles + particles;
+  std::vector<std::int64_t> offsets{0};
+  for (std::int64_t c = 0; c < cells; c++) offsets.push_back(offsets.back() + (c < f.triangles ? 3 : 1));
+  std::vector<std::uint8_t> types(static_cast<std::size_t>(cells), vertexCell);
+  std::fill_n(types.begin(), f.triangles, triangleCell);
+  addSteps(f, cells);
+  file_.append("/VTKHDF/Points", n, f.points.data());
+  file_.append("/VTKHDF/Connectivity", f.connectivity.size(), f.connectivity.data());
+  file_.append("/VTKHDF/Offsets", offsets.size(), offsets.data());
+  file_.append("/VTKHDF/Types", types.size(), types.data());
+  const auto field = [&](const std::string& name, const void* values) {
+    file_.append("/VTKHDF/Steps/PointDataOffsets/" + name, 1, &points_);
+    file_.append("/VTKHDF/PointData/" + name, n, values);
+  };
+  field("color", f.colours.data());
+  field("object", f.objects.data());
+  field("id", f.ids.data());
+  if (normals_) field("normal", valuesOf(f.normals, n, zero).data());
+  if (velocities_) field("velocity", valuesOf(f.velocities, n, zero).data());
+  if (temperatures_) field("temperature", valuesOf(f.temperatures, n, none).data());
+  if (liquid_) field("liquid", valuesOf(f.liquid, n, none).data());
+  frames_++;
+  points_ += static_cast<std::int64_t>(n);
+  cells_ += cells;
+  connectivity_ += static_cast<std::int64_t>(f.connectivity.size());
+}
+
+void VtkHdfSeries::finish() {
+  file_.finish([&](H5File& file) {
+    file.setIntegers("/VTKHDF", "Version", {2, 0});
+    file.setText("/VTKHDF", "Type", "UnstructuredGrid");
+    file.setInteger("/VTKHDF/Steps", "NSteps", frames_);
+  });
+}
+
+}  // namespace thaw

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Local changes of a closed triangle mesh: collapse and flip of an edge, cut of a neck.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/basic/triangle_mesh.hpp"
+
+namespace thaw {
+
+/// A triangle mesh with the triangles around each vertex. Removed triangles and vertices stay in the lists
+/// until `compact`.
+///
+/// Requires: a closed mesh, with two triangles along each edge. Every change keeps it closed and oriented.
+class TriangleEdits {
+ public:
+  using Triangle = std::array<std::uint32_t, 3>;
+  static constexpr std::uint32_t removed = 0xffffffffu;  ///< first vertex of a removed triangle
+
+  explicit TriangleEdits(TriangleMesh& mesh);
+
+  TriangleMesh& mesh() { return *mesh_; }
+  const std::vector<std::uint32_t>& around(std::uint32_t vertex) const { return around_[vertex]; }
+  const Triangle& triangle(std::uint32_t t) const { return mesh_->triangles[t]; }
+  bool exists(std::uint32_t t) const { return mesh_->triangles[t][0] != removed; }
+
+  /// Lists the neighbours of a vertex, ascending.
+  void neighboursOf(std::uint32_t vertex, std::vector<std::uint32_t>& list) const;
+
+  /// The two triangles along an edge, and their opposite vertices. first: runs from a to b.
+  struct Edge {
+    std::uint32_t first = removed, second = removed, left = removed, right = removed;
+    bool found() const { return first != removed && second != removed; }
+  };
+  Edge edge(std::uint32_t a, std::uint32_t b) const;
+
+  /// Returns whether the collapse of an edge keeps the mesh a surface (the link condition of DEGN99).
+  bool mayCollapse(std::uint32_t from, std::uint32_t to);
+  /// Removes vertex `from` and the two triangles of its edge to `to`.
+  void collapse(std::uint32_t from, std::uint32_t to);
+
+  /// Returns whether the other diagonal of an edge's quadrangle is no edge yet, and no vertex loses its third
+  /// triangle.
+  bool mayFlip(std::uint32_t a, std::uint32_t b, const Edge& e) const;
+  /// Replaces an edge by the other diagonal of its quadrangle.
+  void flip(std::uint32_t a, std::uint32_t b, const Edge& e);
+
+  /// Returns the third vertex of a neck at an edge: a cycle of three edges that is no triangle. `removed` if
+  /// there is none.
+  std::uint32_t neckAt(std::uint32_t a, std::uint32_t b);
+  /// Cuts the mesh along a neck and closes both ends with a triangle. Appends copies of the three vertices,
+  /// in this order. Returns false, without a change, if the edges are no neck.
+  bool cutNeck(const Triangle& neck);
+
+  /// Drops removed triangles and unused vertices. Returns the old index of each vertex that is kept.
+  std::vector<std::uint32_t> compact();
+
+ private:
+  void drop(std::uint32_t vertex, std::uint32_t triangle);
+  /// Lists the triangles around a vertex from its edge to `first` counter-clockwise to its edge to `last`.
+  /// Returns false if they do not lead there.
+  bool sector(std::uint32_t vertex, std::uint32_t first, std::uint32_t last,
+              std::vector<std::uint32_t>& list) const;
+  TriangleMesh* mesh_;
+  std::vector<std::vector<std::uint32_t>> around_;
+  std::vector<std::uint32_t> near_, other_;
+};
+
+}  // namespace thaw
