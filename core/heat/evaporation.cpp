@@ -10,6 +10,7 @@
 #include "core/kernels/lattice.hpp"
 #include "core/kernels/with_kernel.hpp"
 #include "core/materials/enthalpy.hpp"
+#include "core/materials/rest_density.hpp"
 #include "core/materials/state_equation.hpp"
 #include "core/scene/temperature_table.hpp"
 
@@ -29,7 +30,7 @@ bool evaporates(const Scene& s, const Continuum& p, std::size_t i) {
 }
 
 double volumeOf(const Scene& s, const Continuum& p, std::size_t i) {
-  return p.mass[i] / s.materials[p.material[i]].density;
+  return p.mass[i] / restDensityOf(p, s.materials, i);
 }
 
 /// Calls row(i, neighbours) for the selected owned rows; neighbours(pair) calls pair(j, (x_i - x_j) / h, q^2)
@@ -266,7 +267,7 @@ void findVapour(const EvaporationView& v, double dt) {
     // The rest leaves at the end, and its latent heat is taken here.
     const double mass = std::min((1 - leastVapourFraction) * rate * dt, p.mass[i]);
     p.vapour[i] = mass;
-    p.vapourEnergy[i] = mass / m.density * energyPerVolume(v, i, neighbours);
+    p.vapourEnergy[i] = mass / restDensityOf(p, s.materials, i) * energyPerVolume(v, i, neighbours);
   });
 }
 

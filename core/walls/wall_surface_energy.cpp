@@ -70,7 +70,7 @@ SurfaceState stateOf(const SurfaceContext& x, const SurfaceParticle& p) {
 double forceAlong(const SurfaceContext& x, const WallContact& c, const SurfaceState& state) {
   const WallView& w = x.world;
   const WallColour t = atWall(w.scene, w.grid, c);
-  const double V = w.particles.mass[c.row] / w.scene.materials[w.particles.material[c.row]].density;
+  const double V = w.particles.mass[c.row] / restDensityOf(w.particles, w.scene.materials, c.row);
   return -V * c.share / w.grid.support *
          (dot(state.byGradient, c.normal) * t.bend + state.byColour * t.slope);
 }
@@ -172,7 +172,7 @@ void recordTensionChange(const SurfaceContext& x, const WallContacts& contacts) 
     const auto near = w.modules.contactAngle ? contactsOf(contacts, i) : std::span<const WallContact>();
     const double energy = surfaceEnergyOf(
         x, {i, after - before, {p.surfaceGradient[i], p.surfaceColour[i]}, near});
-    w.ledger.phaseJump.add(-f * energy * p.mass[i] / m.density);
+    w.ledger.phaseJump.add(-f * energy * p.mass[i] / restDensityOf(p, w.scene.materials, i));
   }
 }
 
