@@ -169,7 +169,7 @@ struct Layer {
   }
 };
 
-constexpr std::size_t sheets = 10;  // of the profile
+constexpr std::size_t sheets = 10;  // in the profile
 
 /// Records sums of velocities and counts of particles by height.
 void watchLayer(Trial& r) {

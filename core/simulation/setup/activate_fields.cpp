@@ -7,43 +7,58 @@
 
 namespace thaw {
 
+namespace {
+
+void turnOn(Continuum& p, bool needed, std::initializer_list<AnyColumn*> columns) {
+  if (needed)
+    for (AnyColumn* c : columns) p.activate(*c);
+}
+
+void activateFluid(Continuum& p, const Modules& m) {
+  turnOn(p, m.fluid, {&p.relativeDensity});
+  turnOn(p, m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
+  turnOn(p, m.viscosityCorrection, {&p.viscosityCorrection});
+  turnOn(p, m.flowLaw, {&p.apparentViscosity});
+  turnOn(p, m.continuity, {&p.compression});
+  turnOn(p, m.bulkDamping || (m.phaseDensity && m.continuity), {&p.compressionRate});
+  turnOn(p, m.corrected, {&p.midCorrection, &p.correction});
+  turnOn(p, m.continuity && m.substeps, {&p.stepMeanVelocity});
+  turnOn(p, m.xsph || m.shifting, {&p.shiftingVelocity});
+  turnOn(p, m.shifting && !m.continuity, {&p.concentrationGradient});
+  turnOn(p, m.shifting && m.continuity, {&p.atSurface});
+  turnOn(p, m.shifting && m.continuity && m.solid, {&p.relief});
+  turnOn(p, m.incompressible,
+         {&p.densityPressure, &p.divergencePressure, &p.pressureImpulse, &p.drag, &p.trialPressure,
+          &p.trialVelocity});
+  turnOn(p, m.surfaceEnergy,
+         {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
+  turnOn(p, m.tensionTable, {&p.surfaceTension});
+  turnOn(p, m.buoyancy, {&p.buoyancy});
+  turnOn(p, m.phaseDensity, {&p.restDensity});
+}
+
+void activateHeat(Continuum& p, const Modules& m) {
+  turnOn(p, m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
+  turnOn(p, m.lamps, {&p.absorbed});
+  turnOn(p, m.contactConductance, {&p.contactNormal});
+  turnOn(p, m.evaporation, {&p.freeSurfaceIndicator, &p.exposure, &p.vapour, &p.vapourEnergy});
+  turnOn(p, m.mushDrag, {&p.mushRate, &p.solidVelocity});
+  turnOn(p, m.melting, {&p.liquid, &p.softening});
+  turnOn(p, m.surfaceHeat, {&p.freeSurfaceIndicator});
+}
+
+}  // namespace
+
 void activateFields(World& w, StepTools& t) {
   Continuum& p = w.particles;
   const Modules& m = w.modules;
-  const auto on = [&](bool needed, std::initializer_list<AnyColumn*> columns) {
-    if (needed)
-      for (AnyColumn* c : columns) p.activate(*c);
-  };
+  const auto on = [&](bool needed, std::initializer_list<AnyColumn*> columns) { turnOn(p, needed, columns); };
   on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated,
             &p.cell, &p.phase, &p.dissipation, &p.interaction});
-  on(m.fluid, {&p.relativeDensity});
-  on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
   on(!t.outside.empty(), {&p.outsideForce});
   for (const auto& added : p.added) p.activate(*added);
-  on(m.viscosityCorrection, {&p.viscosityCorrection});
-  on(m.flowLaw, {&p.apparentViscosity});
-  on(m.continuity, {&p.compression});
-  on(m.bulkDamping || (m.phaseDensity && m.continuity), {&p.compressionRate});
-  on(m.corrected, {&p.midCorrection, &p.correction});
-  on(m.continuity && m.substeps, {&p.stepMeanVelocity});
-  on(m.xsph || m.shifting, {&p.shiftingVelocity});
-  on(m.shifting && !m.continuity, {&p.concentrationGradient});
-  on(m.shifting && m.continuity, {&p.atSurface});
-  on(m.shifting && m.continuity && m.solid, {&p.relief});
-  on(m.incompressible, {&p.densityPressure, &p.divergencePressure, &p.pressureImpulse, &p.drag,
-                        &p.trialPressure, &p.trialVelocity});
-  on(m.surfaceHeat, {&p.freeSurfaceIndicator});
-  on(m.surfaceEnergy,
-     {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
-  on(m.tensionTable, {&p.surfaceTension});
-  on(m.buoyancy, {&p.buoyancy});
-  on(m.phaseDensity, {&p.restDensity});
-  on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
-  on(m.lamps, {&p.absorbed});
-  on(m.contactConductance, {&p.contactNormal});
-  on(m.evaporation, {&p.freeSurfaceIndicator, &p.exposure, &p.vapour, &p.vapourEnergy});
-  on(m.mushDrag, {&p.mushRate, &p.solidVelocity});
-  on(m.melting, {&p.liquid, &p.softening});
+  activateFluid(p, m);
+  activateHeat(p, m);
   on(m.surface, {&p.surfacePosition, &p.component});
   on(m.surface && m.solid, {&p.surfaceStartPosition});
   on(m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceVolumeRatio});

@@ -201,8 +201,8 @@ TEST(Plasticity, LossIsWorkLessStoredEnergy) {
   }
 }
 
-// Shear whose plane turns while the plastic strain is at its limit. Large steps, so that the stress changes by
-// several times the yield stress in each.
+// Shear whose plane turns while the plastic strain is at its limit. In each step, the stress changes by
+// several times the yield stress.
 TEST(Plasticity, LossAtTheLimitIsWorkLessStoredEnergy) {
   ElasticConstants c = yielding(ElasticLaw::NeoHookean, 0.01);
   c.maxPlastic = 0.2;
