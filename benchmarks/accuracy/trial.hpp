@@ -70,7 +70,7 @@ std::vector<Case> flowCases();       ///< pressure: columns, dam breaks, vortice
 std::vector<Case> stretchedCases();  ///< liquids without walls, deformed by their own flow
 std::vector<Case> viscousCases();    ///< viscosity and surface tension
 std::vector<Case> yieldCases();      ///< flow laws
-std::vector<Case> tensionCases();  ///< contact angles, thermocapillary flow
+std::vector<Case> tensionCases();    ///< contact angles, thermocapillary flow
 std::vector<Case> solidCases();
 std::vector<Case> heatCases();
 std::vector<Case> sourceCases();  ///< lasers that move
