@@ -40,7 +40,7 @@ SurfaceKernelValue sumsWithout(const SurfaceContext& x, const SurfaceParticle& p
 template<class Action> void eachAngle(const SurfaceContext& x, const SurfaceParticle& p, Action&& action) {
   for (std::size_t k = 0; k < p.contacts.size(); k++) {
     const double wetting = wettingAt(x.world, p.contacts[k]);
-    bool skip = false;
+    bool skip = wetting == 0;
     for (std::size_t before = 0; before < k && !skip; before++)
       skip = wettingAt(x.world, p.contacts[before]) == wetting;
     if (skip) continue;
@@ -90,6 +90,7 @@ void addForces(const SurfaceContext& x, const SurfaceParticle& p, const SurfaceS
         w.ledger.wallWork.add(dot(force, wallVelocity(wall, w.particles.position[p.row])) * dt);
     }
   };
+  addAt(0, all);
   eachAngle(x, p, [&](double wetting, const SurfaceState& without) {
     SurfaceState moving = all;
     add(moving, wetting, without);
@@ -100,10 +101,8 @@ void addForces(const SurfaceContext& x, const SurfaceParticle& p, const SurfaceS
 }  // namespace
 
 double wettingOf(const Material& m, const Obstacle& wall) {
-  // Drops of R / dx = 12 that are shaken until they keep their angle have a cosine of -0.077 + 1.32 times the
-  // weight: the energy of their free surface falls as particles find better places.
-  constexpr double offset = 0.058, gain = 0.76;
-  return offset + gain * std::cos(wall.contactAngle < never ? wall.contactAngle : m.contactAngle);
+  const double wetting = std::cos(wall.contactAngle < never ? wall.contactAngle : m.contactAngle);
+  return std::abs(wetting) < 1e-12 ? 0 : wetting;
 }
 
 void updateSurfaceTension(const WallView& w) {

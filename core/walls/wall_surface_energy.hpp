@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surface energy of liquids at walls (core/fluid/laws/surface_energy.hpp).
 //
-// Without contact angles a wall counts as liquid. Else a particle has
-//   E = E(with walls) - w (E(without) - E(with walls)),
-// where `without` leaves out the walls of one angle theta. The difference is the surface that the wall
-// covers, so covered area costs -gamma w. In Young's law w is cos(theta); wettingOf has the calibration.
-// Forces are the derivatives, so energy is conserved.
+// A wall counts as liquid, which gives a contact angle of 90 degrees. At an angle theta a particle has
+//   E = E(with walls) - cos(theta) (E(without) - E(with walls)),
+// where `without` leaves out the walls of that angle. The difference is the surface that the wall covers, so
+// the covered area costs -gamma cos(theta), as in Young's law. Forces are the derivatives, so energy is
+// conserved.
 #pragma once
 #include <span>
 
@@ -14,7 +14,7 @@
 
 namespace thaw {
 
-/// Weight w of the covered area at a contact angle: the wall's angle, else that of the material.
+/// Cosine of the contact angle: the wall's angle, else that of the material. 0 at 90 degrees.
 double wettingOf(const Material& material, const Obstacle& wall);
 
 /// Updates Continuum::surfaceTension of owned particles. Requires: Modules::tensionTable.
