@@ -280,6 +280,7 @@ std::vector<std::uint32_t> removeVapour(const HeatView& v, const RecordContext& 
     const double loss = p.vapour[i];
     if (loss == 0) continue;
     p.vapour[i] = 0;
+    if (p.phase[i] != Liquid) continue;
     const double left = p.mass[i] - loss;
     if (left < leastVapourFraction * s.materials[p.material[i]].density * cube) {
       gone.push_back(static_cast<std::uint32_t>(i));

@@ -42,8 +42,9 @@ void findExposure(const EvaporationView& view);
 void findVapour(const EvaporationView& view, double dt);
 
 /// Removes Continuum::vapour from the particles, with its momentum and energy, into Ledger::left and
-/// evaporated. Returns the rows of which too little remains, ascending; the caller removes and records them.
-/// dt (s): step that ends now. Velocities are those of its middle.
+/// evaporated. A particle that froze keeps its mass: its volume as a solid is known. Returns the rows of
+/// which too little remains, ascending; the caller removes and records them. dt (s): step that ends now.
+/// Velocities are those of its middle.
 std::vector<std::uint32_t> removeVapour(const HeatView& view, const RecordContext& records, double dt);
 
 }  // namespace thaw

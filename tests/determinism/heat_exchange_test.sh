@@ -17,31 +17,31 @@ density = 2000
 viscosity = 0.5
 sound_speed = 20
 surface_tension = 1
-conductivity = 400
+conductivity = 2e4
 heat_capacity = 500
 latent_heat = 2e4
 melts = [600, 640]
 hysteresis = 0.3
-contact_conductance = 2e4
-evaporation = [[660, 0], [680, 400]]
-evaporation_heat = 1e5
+contact_conductance = 1e6
+evaporation = [[610, 0], [645, 20000]]
+evaporation_heat = 1e4
 mush_drag = 1e5
 [material.mould]
 young = "80 kPa"
 density = 1500
-conductivity = 200
+conductivity = 2e4
 heat_capacity = 800
-contact_conductance = 1e4
+contact_conductance = 5e5
 [[body]]
 name = "mould"
 material = "mould"
-temperature = 400
+temperature = 200
 box = { size = [0.28, 0.28, 0.06] }
 place = { move = [0, 0, 0.03] }
 [[body]]
 name = "melt"
 material = "metal"
-temperature = 700
+temperature = 650
 velocity = [0.5, 0.2, 0]
 box = { size = [0.16, 0.16, 0.16] }
 place = { move = [0, 0, 0.15] }
