@@ -64,8 +64,6 @@ TEST(TextureCoordinates, TrianglesAcrossASeamAreNotSmeared) {
   for (std::size_t t = 0; t < corners.size(); t++)
     for (std::size_t k = 0; k < 3; k++) {
       EXPECT_LT(std::abs(corners[t][k][0] - corners[t][0][0]), 0.1);
-      if (t < 38 || t > 39) {
-        EXPECT_EQ(corners[t][k], uv[strip.triangles[t][k]]);
-      }
+      if (t < 38 || t > 39) { EXPECT_EQ(corners[t][k], uv[strip.triangles[t][k]]); }
     }
 }
