@@ -167,6 +167,8 @@ class Improver {
     const auto count = static_cast<std::uint32_t>(m_.mesh.vertices.size());
     for (std::uint32_t a = 0; a < count; a++) {
       edits_.neighboursOf(a, list);
+      std::erase_if(list, [&](std::uint32_t b) { return !(length(at(b) - at(a)) < shortEdge * spacing_); });
+      if (list.empty()) continue;
       // shortest first, so that few collapses suffice
       const auto size = [&](std::uint32_t b) { return length(at(b) - at(a)); };
       std::sort(list.begin(), list.end(), [&](std::uint32_t b, std::uint32_t c) {
@@ -174,7 +176,6 @@ class Improver {
         return lb != lc ? lb < lc : b < c;
       });
       for (const std::uint32_t b : list) {
-        if (size(b) > shortEdge * spacing_) break;
         if (dot(m_.normals[a], m_.normals[b]) < 0.6f && size(b) > 0.2 * spacing_) continue;
         const Target best = bestCollapse(a, b);
         if (best.sharpest > 0.97 || makesLongEdge(best.from, best.x)) continue;

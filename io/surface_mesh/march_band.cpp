@@ -32,11 +32,19 @@ struct BandMarcher {
     return {low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2)};
   }
 
+  /// Edge of a cube from p, and the values at its ends.
+  struct EdgeValues {
+    Vec3d p, along;
+    double from, to;
+  };
+
   /// Returns the crossing of the surface along an edge, 0 to 1, and the surface near it. It iterates, since
-  /// values are not linear where the surface is curved.
-  double zeroOn(const Vec3d& p, const Vec3d& along, double from, double to, PlaneHeight& here) {
-    double low = 0, high = 1, t = crossing(from, to);
-    for (int k = 0; k < 3; k++) {
+  /// values are not linear where the surface is curved. One iteration is enough for vertices that
+  /// improveTriangles projects.
+  double zeroOn(const EdgeValues& edge, int iterations, PlaneHeight& here) {
+    const Vec3d &p = edge.p, &along = edge.along;
+    double from = edge.from, to = edge.to, low = 0, high = 1, t = crossing(from, to);
+    for (int k = 0; k < iterations; k++) {
       here = planes.at(p + t * along);
       if (!here.known) break;
       if ((here.value < 0) == (from < 0)) low = t, from = here.value;
@@ -84,8 +92,9 @@ struct BandMarcher {
     if (!fresh) return number;
     const Vec3d p = grid.place(from), along = grid.place(to) - p;
     PlaneHeight here;
-    const double t = zeroOn(p, along, value[e.from], value[e.to], here);
-    add(p + t * along, here.normal, here.colour, grid.onCut(from) & grid.onCut(to));
+    const int fixedAxes = grid.onCut(from) & grid.onCut(to);
+    const double t = zeroOn({p, along, value[e.from], value[e.to]}, fixedAxes != 0 ? 3 : 1, here);
+    add(p + t * along, here.normal, here.colour, fixedAxes);
     return number;
   }
 
@@ -155,6 +164,8 @@ void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing
     volume[sets.find(t[0])] += dot(mesh.vertices[t[0]] - from,
                                    cross(mesh.vertices[t[1]] - from, mesh.vertices[t[2]] - from)) /
                                6;
+  std::vector<std::uint8_t> onDisc(volume.size());
+  for (std::size_t v = 0; v < onDisc.size(); v++) onDisc[v] = planes.onDisc(mesh.vertices[v], m.normals[v]);
   std::vector<double> area(volume.size(), 0.0), onDiscs(volume.size(), 0.0);
   for (const auto& t : mesh.triangles) {
     if (band.fixedAxes[t[0]] & band.fixedAxes[t[1]] & band.fixedAxes[t[2]]) continue;  // on a cut
@@ -163,7 +174,7 @@ void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing
         cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
     area[shell] += 3 * size;
     for (const std::uint32_t v : t)
-      if (planes.onDisc(mesh.vertices[v], m.normals[v])) onDiscs[shell] += size;
+      if (onDisc[v]) onDiscs[shell] += size;
   }
   double largest = 0;
   for (const double v : volume) largest = std::max(largest, std::abs(v));

@@ -12,11 +12,10 @@ TriangleEdits::TriangleEdits(TriangleMesh& mesh) : mesh_(&mesh), around_(mesh.ve
 
 void TriangleEdits::neighboursOf(std::uint32_t vertex, std::vector<std::uint32_t>& list) const {
   list.clear();
-  for (const std::uint32_t t : around_[vertex])
-    for (const std::uint32_t v : triangle(t))
-      if (v != vertex) list.push_back(v);
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+  for (const std::uint32_t t : around_[vertex]) {
+    const Triangle& c = triangle(t);
+    list.push_back(c[0] == vertex ? c[1] : c[1] == vertex ? c[2] : c[0]);
+  }
 }
 
 TriangleEdits::Edge TriangleEdits::edge(std::uint32_t a, std::uint32_t b) const {
@@ -38,7 +37,7 @@ bool TriangleEdits::mayCollapse(std::uint32_t from, std::uint32_t to) {
   neighboursOf(from, near_);
   neighboursOf(to, other_);
   std::size_t common = 0;
-  for (const std::uint32_t v : near_) common += std::binary_search(other_.begin(), other_.end(), v);
+  for (const std::uint32_t v : near_) common += std::find(other_.begin(), other_.end(), v) != other_.end();
   return common == 2;
 }
 
@@ -80,7 +79,7 @@ std::uint32_t TriangleEdits::neckAt(std::uint32_t a, std::uint32_t b) {
   neighboursOf(a, near_);
   neighboursOf(b, other_);
   for (const std::uint32_t v : near_)
-    if (v != b && v != e.left && v != e.right && std::binary_search(other_.begin(), other_.end(), v))
+    if (v != b && v != e.left && v != e.right && std::find(other_.begin(), other_.end(), v) != other_.end())
       return v;
   return removed;
 }

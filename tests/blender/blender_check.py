@@ -89,6 +89,29 @@ def checkParticles():
     render('particles.png', False)
 
 
+def checkMeshObstacles():
+    """An obstacle that is a mesh has its place of the first frame, here in the middle of its motion."""
+    fresh()
+    from thaw_io import obstacles
+
+    def turned(points, angle):
+        c, s = math.cos(angle), math.sin(angle)
+        return points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+
+    motion = [{'time': 0}, {'time': '1 s', 'move': ['1 m', 0, 0], 'rotate': [0, 0, 1]}]
+    scene = {'obstacle': [{'name': 'rock', 'mesh': 'rock.obj', 'motion': motion}, {'mesh': 'lost.obj'}]}
+    rest = np.array([[0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1], [0, 0, 0]])
+    triangles = np.array([[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]])
+    seen = turned(rest, 0.5) + (0.5, 0, 0)
+    meshes = obstacles.Meshes(lambda: {'rock': (seen, triangles)}, 0.5)
+    assert obstacles.addObstacles(scene, lambda time: 1 + 10 * time, meshes) == ['obstacle 1']
+    rock = bpy.data.objects['rock']
+    for frame, angle, move in ((1, 0, 0), (11, 1, 1)):
+        bpy.context.scene.frame_set(frame)
+        places = np.array([rock.matrix_world @ v.co for v in rock.data.vertices])
+        assert np.abs(places - turned(rest, angle) - (move, 0, 0)).max() < 1e-5, (frame, places)
+
+
 def checkRefusals():
     fresh()
     for arguments in ({'directory': FOLDER}, {'directory': RUN, 'what': 'sheet'}):
@@ -153,6 +176,7 @@ bpy.ops.preferences.addon_install(filepath=ZIP)
 try:
     checkSurface()
     checkParticles()
+    checkMeshObstacles()
     checkRefusals()
     checkExport()
 except BaseException:

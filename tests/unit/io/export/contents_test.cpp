@@ -194,7 +194,7 @@ TEST_F(ExportContents, WrongRequestsAreReported) {
             std::string::npos)
       << said;
   EXPECT_EQ(write(frame, "ply", "particles", folder / "a.ply"), 2);
-  EXPECT_NE(said.find("particles are exported as usd, usda, bgeo, vdb or html, not as ply"),
+  EXPECT_NE(said.find("particles are exported as usd, usda, vtkhdf, bgeo, vdb or html, not as ply"),
             std::string::npos)
       << said;
   EXPECT_EQ(write(frame, "usd", "", folder / "a.ply"), 2);

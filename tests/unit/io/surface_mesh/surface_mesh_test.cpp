@@ -110,7 +110,7 @@ TEST(SurfaceMesh, FollowsABust) {
 
 TEST(SurfaceMesh, TrianglesHaveNoSmallAngles) {
   SurfelSamples bust, ball, box;
-  sampleMesh(bust, bustMesh(), 0.01, true, 1);
+  sampleMesh(bust, bustMesh(), 0.015, true, 1);
   sampleBall(ball, {0.1, 0.2, 0.3}, 0.5, 0.04, 1);
   sampleMesh(box, boxMesh({-0.5, -0.5, 0}, {0.5, 0.5, 0.1}), 0.05, false, 1);
   for (const SurfelSamples* s : {&bust, &ball, &box}) {
