@@ -88,7 +88,9 @@ def table(rows):
             "" if b is None else "0" if float(threshold) == 0 else f"{100 * (b / a - 1):+.2f} %"
             for a, b in zip(elastic[scene], own)
         ]
-        lines.append("| " + " | ".join([scene, str(threshold), str(steps), f"{float(spent):.2f}"] + errors) + " |")
+        lines.append(
+            "| " + " | ".join([scene, str(threshold), str(steps), f"{float(spent):.2f}"] + errors) + " |"
+        )
     return "\n".join(lines)
 
 

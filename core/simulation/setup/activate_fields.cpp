@@ -7,6 +7,22 @@
 
 namespace thaw {
 
+namespace {
+
+void activatePieceFields(World& w) {
+  Continuum& p = w.particles;
+  const auto on = [&](std::initializer_list<AnyColumn*> columns) {
+    for (AnyColumn* c : columns) p.activate(*c);
+  };
+  on({&p.piece, &p.bodyPosition, &p.pieceRow, &p.pieceLabel});
+  activatePieces(w.pieces);
+  if (w.modules.rigidify) return on({&p.restTime, &p.constraintForce});
+  on({&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
+  if (w.modules.surface) on({&p.exposed});
+}
+
+}  // namespace
+
 void activateFields(World& w, StepTools& t) {
   Continuum& p = w.particles;
   const Modules& m = w.modules;
@@ -51,12 +67,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.solid, {&p.slot});
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.contactOffset});
-  on(m.rigid, {&p.piece, &p.bodyPosition, &p.pieceRow, &p.pieceLabel});
-  on(m.rigidify, {&p.restTime, &p.constraintForce});
-  const bool pieces = m.rigid && !m.rigidify;  // pieces of rigid materials
-  on(pieces, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
-  on(pieces && m.surface, {&p.exposed});
-  if (m.rigid) activatePieces(w.pieces);
+  if (m.rigid) activatePieceFields(w);
   on(m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows
     for (AnyColumn* c :
