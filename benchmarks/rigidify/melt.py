@@ -73,6 +73,27 @@ def measure(ledger, progress, impact, rebound):
     return rise, topple, volume, residual
 
 
+def table(rows):
+    """Markdown table of rows (COLUMNS) relative to the elastic run of the same scene."""
+    lines = [
+        "| scene | threshold (1/s) | steps | time (s) | bounce | toppling | volume |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    elastic = {}
+    for scene, threshold, steps, spent, *values, _ in rows:
+        own = [float(x) if x not in ("", None) else None for x in values]
+        if float(threshold) == 0:
+            elastic[scene] = own
+        errors = [
+            "" if b is None else "0" if float(threshold) == 0 else f"{100 * (b / a - 1):+.2f} %"
+            for a, b in zip(elastic[scene], own)
+        ]
+        lines.append(
+            "| " + " | ".join([scene, str(threshold), str(steps), f"{float(spent):.2f}"] + errors) + " |"
+        )
+    return "\n".join(lines)
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -97,6 +118,7 @@ def main():
                 rise, topple, volume, residual = measure(ledger, progress, *times)
                 rows.append([name, threshold, ledger[-1]["step"], spent, rise, topple, volume, residual])
                 print(*rows[-1], flush=True)
+    print(table(rows))
     with open(o.csv, "w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(COLUMNS)

@@ -11,9 +11,11 @@
 namespace thaw {
 namespace {
 
-/// Steps between comparisons of strain rates. A pressure wave travels less than a spacing in this time, so a
-/// piece gets elastic ahead of it.
+/// Steps between comparisons of strain rates of rigid particles. A pressure wave travels less than a spacing
+/// in this time, so a piece gets elastic ahead of it.
 constexpr std::int64_t rateEvery = 2;
+/// Steps between comparisons of strain rates of elastic particles, which rest for many more.
+constexpr std::int64_t elasticRateEvery = 16;
 /// Steps between searches for particles that may become rigid.
 constexpr std::int64_t restEvery = 32;
 /// Temperature (K) below the solidus from which a particle that is woken with others counts as softening, so
@@ -156,12 +158,14 @@ void wakeNearBodies(const RigidifyView& v) {
   });
 }
 
-void wakeStretching(const RigidifyView& v) {
+void wakeStretching(const RigidifyView& v, std::int64_t step) {
   Continuum& p = v.rigid.particles;
   const double limit = v.rigid.scene.numerics.rigidify;
   for (std::size_t s = 0; s < v.solids.owned; s++) {
     if (isPassive(v.elastic, s)) continue;
-    float& rest = p.restTime[v.solids.particle[s]];
+    const std::uint32_t i = v.solids.particle[s];
+    if (p.piece[i] == notRigid && step % elasticRateEvery != 0) continue;
+    float& rest = p.restTime[i];
     if (rest > 0 && strainRate2(bondRates(v, s)) > limit * limit) rest = 0;
   }
 }
@@ -194,7 +198,7 @@ bool findDeforming(const RigidifyView& v, double dt) {
   wakeTouching(v);
   wakeNearBodies(v);
   const std::int64_t step = v.clock.step + 1;
-  if (step % rateEvery == 0) wakeStretching(v);
+  if (step % rateEvery == 0) wakeStretching(v, step);
   bool wakes = false, rests = false;
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool rigid = isToBeRigid(scene, p, i);

@@ -47,6 +47,16 @@ void activateHeat(Continuum& p, const Modules& m) {
   turnOn(p, m.surfaceHeat, {&p.freeSurfaceIndicator});
 }
 
+void activatePieceFields(World& w) {
+  Continuum& p = w.particles;
+  const Modules& m = w.modules;
+  turnOn(p, true, {&p.piece, &p.bodyPosition, &p.pieceRow, &p.pieceLabel});
+  activatePieces(w.pieces);
+  turnOn(p, m.rigidify, {&p.restTime, &p.constraintForce});
+  turnOn(p, !m.rigidify, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
+  turnOn(p, !m.rigidify && m.surface, {&p.exposed});
+}
+
 }  // namespace
 
 void activateFields(World& w, StepTools& t) {
@@ -66,12 +76,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.solid, {&p.slot});
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.contactOffset});
-  on(m.rigid, {&p.piece, &p.bodyPosition, &p.pieceRow, &p.pieceLabel});
-  on(m.rigidify, {&p.restTime, &p.constraintForce});
-  const bool pieces = m.rigid && !m.rigidify;  // pieces of rigid materials
-  on(pieces, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
-  on(pieces && m.surface, {&p.exposed});
-  if (m.rigid) activatePieces(w.pieces);
+  if (m.rigid) activatePieceFields(w);
   on(m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows
     for (AnyColumn* c :

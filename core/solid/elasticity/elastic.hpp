@@ -71,7 +71,8 @@ struct ElasticWork {
   // Sleep (core/sleep/sleep.hpp).
   bool sleeping = false;  ///< active groups are innerAwake and boundaryAwake
   std::vector<std::uint32_t> innerAwake, boundaryAwake;
-  std::vector<std::uint8_t> held;     ///< by owned slot: plastic strain is fixed
+  std::vector<std::uint8_t> held;     ///< by owned slot: plastic strain is fixed; with numerics.rigidify: it
+                                      ///< is passive (active_slots.hpp)
   std::vector<double> groupStretch2;  ///< by group: largest squared stretch of the last evaluation
   // Velocity and drag by row, if bonds are damped; float or double by precision.
   AlignedVector<float> velocityDrag;
