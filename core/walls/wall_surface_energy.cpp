@@ -168,6 +168,10 @@ void recordTensionChange(const SurfaceContext& x, const WallContacts& contacts) 
     const double f = liquidOf(p, i), before = tensionOfParticle(w, i),
                  after = static_cast<double>(static_cast<float>(surfaceTensionAt(m, p.temperature[i])));
     if (after == before || !(f > 0 && before > 0)) continue;
+    // A particle without liquid at the evaluation had no surface energy, and its sums may be missing.
+    if (p.surfaceEnergyByColour[i] == 0 &&
+        dot(p.surfaceEnergyByGradient[i], p.surfaceEnergyByGradient[i]) == 0)
+      continue;
     const auto near = w.modules.contactAngle ? contactsOf(contacts, i) : std::span<const WallContact>();
     const double energy = surfaceEnergyOf(
         x, {i, after - before, {p.surfaceGradient[i], p.surfaceColour[i]}, near});

@@ -55,5 +55,5 @@ place         = { bottom = [0.016, 0, -0.001] }
 contact_angle = "130 deg"
 motion        = [{ time = 0, move = [0, 0, 0] }, { time = 1, move = [-0.02, 0, 0] }]
 T
-sameOnAllRanks wet 120 "40 80" "$work/wet.toml"
+sameOnAllRanks wet 75 "25 50" "$work/wet.toml"
 finish
