@@ -6,6 +6,19 @@
 #include "core/simulation/setup/prepare_surface.hpp"
 
 namespace thaw {
+namespace {
+
+/// Activates the fields of contact conductance, evaporation and mush.
+void activateHeatExchange(Continuum& p, const Modules& m) {
+  if (m.contactConductance) p.activate(p.contactNormal);
+  if (m.evaporation)
+    for (AnyColumn* c :
+         std::initializer_list<AnyColumn*>{&p.freeSurfaceIndicator, &p.exposure, &p.vapour, &p.vapourEnergy})
+      p.activate(*c);
+  if (m.mushDrag) p.activate(p.mushRate), p.activate(p.solidVelocity);
+}
+
+}  // namespace
 
 void activateFields(World& w, StepTools& t) {
   Continuum& p = w.particles;
@@ -40,9 +53,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.phaseDensity, {&p.restDensity});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.lamps, {&p.absorbed});
-  on(m.contactConductance, {&p.contactNormal});
-  on(m.evaporation, {&p.freeSurfaceIndicator, &p.exposure, &p.vapour, &p.vapourEnergy});
-  on(m.mushDrag, {&p.mushRate, &p.solidVelocity});
+  activateHeatExchange(p, m);
   on(m.melting, {&p.liquid, &p.softening});
   on(m.surface, {&p.surfacePosition, &p.component});
   on(m.surface && m.solid, {&p.surfaceStartPosition});
