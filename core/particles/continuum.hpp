@@ -173,11 +173,12 @@ struct Continuum : Table {
       "impulse of that contact; first guess of the next solve", Rows::Owned};
   // Rest (core/sleep/sleep.hpp).
   Column<float> restTime{*this, "restTime", "s", Keep::State,
-      "time since it last moved, accelerated or warmed"};
+      "time since it last moved, accelerated or warmed; with numerics.rigidify, since it last deformed"};
   Column<u8> sleep{*this, "sleep", "1", Keep::State,
       "0: awake; 1, 2: sleeping, fixed in place; 3: sleeping, and its sums are skipped"};
   Column<Vec3d> constraintForce{*this, "constraintForce", "N", Keep::State,
-      "constraint force of a sleeping particle: balances its weight and all forces except those of walls"};
+      "constraint force of a sleeping particle: balances its weight and all forces except those of walls; "
+      "with numerics.rigidify, the load on it as its energy became constant, in the body frame"};
   // Bond forming in a running simulation (bond_forming.hpp). Exchanged only after a particle froze.
   Column<Mat3d> frame{*this, "frame", "1", Keep::Transient,
       "deformation gradient F; the identity if the particle has just frozen"};
