@@ -6,19 +6,6 @@
 #include "core/simulation/setup/prepare_surface.hpp"
 
 namespace thaw {
-namespace {
-
-/// Activates the fields of contact conductance, evaporation and mush.
-void activateHeatExchange(Continuum& p, const Modules& m) {
-  if (m.contactConductance) p.activate(p.contactNormal);
-  if (m.evaporation)
-    for (AnyColumn* c :
-         std::initializer_list<AnyColumn*>{&p.freeSurfaceIndicator, &p.exposure, &p.vapour, &p.vapourEnergy})
-      p.activate(*c);
-  if (m.mushDrag) p.activate(p.mushRate), p.activate(p.solidVelocity);
-}
-
-}  // namespace
 
 namespace {
 
@@ -80,33 +67,8 @@ void activateFields(World& w, StepTools& t) {
             &p.cell, &p.phase, &p.dissipation, &p.interaction});
   on(!t.outside.empty(), {&p.outsideForce});
   for (const auto& added : p.added) p.activate(*added);
-<<<<<<< HEAD
   activateFluid(p, m);
   activateHeat(p, m);
-=======
-  on(m.viscosityCorrection, {&p.viscosityCorrection});
-  on(m.flowLaw, {&p.apparentViscosity});
-  on(m.continuity, {&p.compression});
-  on(m.bulkDamping || (m.phaseDensity && m.continuity), {&p.compressionRate});
-  on(m.corrected, {&p.midCorrection, &p.correction});
-  on(m.continuity && m.substeps, {&p.stepMeanVelocity});
-  on(m.xsph || m.shifting, {&p.shiftingVelocity});
-  on(m.shifting && !m.continuity, {&p.concentrationGradient});
-  on(m.shifting && m.continuity, {&p.atSurface});
-  on(m.shifting && m.continuity && m.solid, {&p.relief});
-  on(m.incompressible, {&p.densityPressure, &p.divergencePressure, &p.pressureImpulse, &p.drag,
-                        &p.trialPressure, &p.trialVelocity});
-  on(m.surfaceHeat, {&p.freeSurfaceIndicator});
-  on(m.surfaceEnergy,
-     {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
-  on(m.tensionTable, {&p.surfaceTension});
-  on(m.buoyancy, {&p.buoyancy});
-  on(m.phaseDensity, {&p.restDensity});
-  on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
-  on(m.lamps, {&p.absorbed});
-  activateHeatExchange(p, m);
-  on(m.melting, {&p.liquid, &p.softening});
->>>>>>> 81d3697ea1769710d97d77b4d7e56f7a3293c642
   on(m.surface, {&p.surfacePosition, &p.component});
   on(m.surface && m.solid, {&p.surfaceStartPosition});
   on(m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceVolumeRatio});
