@@ -104,7 +104,11 @@ void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum&
   // The incompressible solver stops liquids at walls (stopAtWalls); the spring of the state equation is too
   // stiff for its steps.
   const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[at.row]].stiffness;
-  const double k = (at.material.young.at(f) + f * liquid) * dx;
+  // A particle that evaporates keeps the frequency of a full one.
+  const double filled = x.world.modules.evaporation
+                            ? m / (restDensityOf(p, x.world.scene.materials, at.row) * dx * dx * dx)
+                            : 1;
+  const double k = (at.material.young.at(f) + f * liquid) * dx * filled;
   if (k <= 0) return;
   const double restitution = f < 1 ? std::min(at.wall.restitution, at.material.restitution) : 0.2;
   const double un = dot(at.velocity, n), spring = k * gap;
@@ -114,8 +118,8 @@ void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum&
   act.resist(n * dash, at.velocity);
   p.interaction[at.row] += 0.5 * k * gap * gap;
   if (p.softening.active)
-    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + liquid) * dx * gap *
-                               gap -
+    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + liquid) * dx * filled *
+                               gap * gap -
                            (rest - 0.25) * dx * k * gap;
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);

@@ -45,7 +45,8 @@ struct Block {
     liquids = liquidMaterials(scene);
     grid = makeGrid(scene);
     Continuum& p = particles;
-    for (AnyColumn* c : p.columns) p.activate(*c);
+    for (AnyColumn* c : p.columns)
+      if (c != &p.restDensity) p.activate(*c);
     const std::size_t N = static_cast<std::size_t>(n) * n * n;
     p.resize(N, 0);
     for (std::size_t q = 0; q < N; q++) {

@@ -40,7 +40,8 @@ struct WallRig {
     s.materials.push_back(m);
     s.bodies.emplace_back();
     for (AnyColumn* c : w.particles.columns)
-      if (c != &w.particles.shiftingVelocity && c != &w.particles.clamped && c != &w.particles.drag)
+      if (c != &w.particles.shiftingVelocity && c != &w.particles.clamped && c != &w.particles.drag &&
+          c != &w.particles.restDensity)
         w.particles.activate(*c);
   }
 

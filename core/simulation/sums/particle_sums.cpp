@@ -34,7 +34,7 @@ ColumnList ghostColumns(World& w) {
   if (p.stepMeanVelocity.active) c.push_back(&p.stepMeanVelocity);
   if (p.atSurface.active) c.push_back(&p.atSurface);
   if (p.viscosityCorrection.active) c.push_back(&p.viscosityCorrection);
-  if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
+  if ((w.modules.incompressible || p.relief.active) && p.clamped.active) c.push_back(&p.clamped);
   if (w.modules.sleep) c.push_back(&p.restTime);
   if (w.modules.sleep) c.push_back(&p.sleep);
   for (const auto& added : p.added)

@@ -211,9 +211,9 @@ void checkTension(TableReader& r, const Material& m) {
 void checkMaterial(TableReader& r, const Material& m) {
   checkExpansion(r, m);
   checkTension(r, m);
-  if (hasPhaseDensities(m) && !(m.melts() && m.canBeSolid()))
+  if (hasPhaseDensities(m) && !m.melts())
     r.fail("density", "only a material that melts has two densities: give it melts, or one density",
-           {"melts", "young"});
+           {"melts"});
   if (r.has("melts") && !m.canBeSolid())
     r.fail("melts",
            "a material that melts is a solid below its melting temperature: give it a Young's modulus "

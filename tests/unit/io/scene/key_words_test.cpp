@@ -20,10 +20,10 @@ KeyDescription keyOf(const std::string& table, const std::string& key) {
 bool says(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
 
 TEST(KeyWords, NameTheKeysWithTwoValues) {
-  for (const char* key :
-       {"viscosity", "young", "poisson", "yield_strain", "creep_rate", "conductivity", "heat_capacity"})
+  for (const char* key : {"viscosity", "young", "poisson", "yield_strain", "creep_rate", "conductivity",
+                          "heat_capacity", "density"})
     EXPECT_TRUE(says(keyOf("material.NAME", key).range, "{ solid = ..., liquid = ... }")) << key;
-  for (const char* key : {"density", "damping", "friction"})
+  for (const char* key : {"damping", "friction"})
     EXPECT_FALSE(says(keyOf("material.NAME", key).range, "solid =")) << key;
 }
 

@@ -98,6 +98,7 @@ Scene wholeScene() {
     Material& m = s.materials.emplace_back();
     m.solidus = m.liquidus = 300;
     if (k == 1) m.viscosityTable = {{300, 1}};
+    m.evaporation = {{300, 1e-3}};
     m.flowLaw.law = FlowLaw::Bingham;
     m.flowLaw.yieldStress = m.flowLaw.consistency = {{0, 1}};
     if (k == 1) m.flowLaw.yieldStress = {{300, 2}, {400, 1}};
