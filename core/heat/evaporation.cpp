@@ -119,9 +119,9 @@ Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, N
   return size > 0 ? direction * (gate / size) : own * (gate / std::max(length(own), 1e-300));
 }
 
-/// Free surface (m^2) of a particle. The parts V g.n of particles along a line through the surface, some of
-/// them negative, are shared anew in proportion to sqrt(V) g.n where that is positive: small particles then
-/// leave in a finite time.
+/// Free surface (m^2) of a particle. Redistributes V g.n, which may be negative, among the particles along a
+/// line through the surface, in proportion to sqrt(V) g.n where that is positive. Small particles then leave
+/// in a finite time.
 template<class Neighbours>
 double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
   const Scene& s = v.heat.scene;
@@ -184,7 +184,7 @@ double energyPerVolume(const EvaporationView& v, std::uint32_t i, Neighbours&& n
 void recordVapour(const HeatView& v, std::size_t i, double dm, double dt) {
   const Continuum& p = v.particles;
   const Vec3d &x = p.position[i], &u = p.velocity[i], L = cross(x, u);
-  const Vec3d kick = p.acceleration[i] * (0.5 * dt);  // the second half kick, as for all that stays
+  const Vec3d kick = p.acceleration[i] * (0.5 * dt);  // the second half kick, as for particles that remain
   ExactBalance& left = v.ledger.left;
   left.mass.add(dm);
   for (int a = 0; a < 3; a++) {

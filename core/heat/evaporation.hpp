@@ -12,7 +12,7 @@
 
 namespace thaw {
 
-/// Fraction of the mass of a full particle, density times spacing^3, below which it leaves.
+/// Fraction of the mass of a full particle, density times spacing^3; lighter particles are removed.
 inline constexpr double leastVapourFraction = 0.02;
 
 struct EvaporationView {
@@ -34,17 +34,18 @@ double meanRate(const TemperatureTable& rate, double T, double cooling, double d
 /// Requires: Continuum::freeSurfaceIndicator, of pairs alone; positions and masses of ghosts.
 void findExposure(const EvaporationView& view);
 
-/// Finds the mass that evaporates over the step of dt (s) that ends now, into Continuum::vapour and
-/// vapourEnergy, and takes its latent heat from heatFlow; recorded in Ledger::heatIn and vapourHeat. The
-/// area of a particle is its volume times the component of the gradient along the surface's normal. It is
-/// exact for a flat surface in any arrangement of particles, since gradients of pairs cancel in the sum.
+/// Sets Continuum::vapour, the mass that evaporates over the step of dt (s) that ends now, and vapourEnergy.
 /// Requires: exposure, relativeDensity and derivatives of the surface energy of ghosts.
+/// Ensures: heatFlow lacks the latent heat, which Ledger::heatIn and vapourHeat record.
+/// The area of a particle is its volume times the component of the gradient along the surface's normal. It is
+/// exact for a flat surface in any arrangement of particles, since gradients of pairs cancel in the sum.
 void findVapour(const EvaporationView& view, double dt);
 
-/// Removes Continuum::vapour from the particles, with its momentum and energy, into Ledger::left and
-/// evaporated. A particle that froze keeps its mass: its volume as a solid is known. Returns the rows of
-/// which too little remains, ascending; the caller removes and records them. dt (s): step that ends now.
-/// Velocities are those of its middle.
+/// Removes Continuum::vapour from the particles and returns the rows of which too little remains, ascending.
+/// Requires: dt (s) of the step that ends now, and velocities of its middle. The caller removes the returned
+/// rows and records them.
+/// Ensures: Ledger::left and evaporated have the mass, momentum and energy of the vapour. A particle that
+/// froze keeps its mass, since its volume as a solid is known.
 std::vector<std::uint32_t> removeVapour(const HeatView& view, const RecordContext& records, double dt);
 
 }  // namespace thaw

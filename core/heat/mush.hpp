@@ -13,7 +13,7 @@ namespace thaw {
 double mushRateOf(const Material& material, double liquidFraction);
 
 /// Sets Continuum::mushRate and solidVelocity: the drag is relative to the mean velocity of the solid
-/// neighbours, and there is none without solid neighbours, where crystals float with the liquid.
+/// neighbours. Without solid neighbours the rate is 0.
 /// Requires: positions, velocities and phases of ghosts.
 void findMush(const HeatView& view, const CellGrid& grid, const NeighbourLists& neighbours);
 

@@ -40,9 +40,9 @@ double pressureTerm(const RecordContext& x, const Continuum& p, std::size_t i, d
   return pressureOf(n.eos, x.liquids[p.material[i]].stiffness, 1 + y, n.tensileLimit) / ((1 + y) * (1 + y));
 }
 
-/// Changes a carried density with the volume, by the share of the flow that it sees among neighbours of its
-/// own liquid fraction (pairs count by f_i + f_j - f_i f_j). Returns the work (J) that the flow of the next
-/// step does not do: its first half kick still has the pressure before the change.
+/// Changes a carried density with the volume to the exponent f(2-f), its pairs' weight in the density rate
+/// among neighbours of the same liquid fraction (f_i + f_j - f_i f_j). Returns the work (J) that the flow of
+/// the next step does not do: its first half kick still has the pressure before the change.
 double changeCompression(const RecordContext& x, Continuum& p, std::size_t i, double ratio, double dt) {
   const double f = liquidFraction(p, i), before = p.compression[i],
                after = (1 + before) * std::pow(ratio, f * (2 - f)) - 1;

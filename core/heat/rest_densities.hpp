@@ -7,10 +7,11 @@
 namespace thaw {
 
 /// Moves densities at rest of owned, awake particles towards their targets (targetRestDensity), over a step
-/// of dt (s). A volume changes at most at a rate of restDensityRate c / h, so that a particle that melts at
-/// once does not start a sound wave. A carried relative density changes by the ratio of the volumes, so the
-/// pressure moves the neighbours. The change of compression and surface energy is recorded in
-/// Ledger::phaseJump: exact for carried densities, else to first order in the differences between neighbours.
+/// of dt (s). The equations are in docs/theory/density.md.
+/// - A volume changes at most at a rate of restDensityRate c / h, so melting starts no sound wave.
+/// - A carried relative density changes with the volume, so the pressure moves the neighbours.
+/// - Ledger::phaseJump records the change of compression and surface energy. It is exact for carried
+///   densities, else of first order in the differences between neighbours.
 void updateRestDensities(const HeatView& view, const RecordContext& records, double dt);
 
 /// Largest rate of volume change over speed of sound and support radius.

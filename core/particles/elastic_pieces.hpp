@@ -9,7 +9,7 @@ namespace thaw {
 /// Returns true if pieces are parts of elastic solids. Their particles keep bonds and contact forces.
 inline bool piecesAreElastic(const Continuum& p) { return p.piece.active && !p.faceNormal.active; }
 
-/// Returns true if a particle touches others as part of a piece, by impulses (core/rigid/contact/).
+/// Returns true if a particle has impulse contacts, as part of a rigid piece (core/rigid/contact/).
 inline bool touchesAsPiece(const Continuum& p, std::size_t i) {
   return isRigid(p, i) && !piecesAreElastic(p);
 }

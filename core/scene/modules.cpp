@@ -200,7 +200,7 @@ Modules modulesOf(const Scene& s) {
       f.on(m.contactConductance, "contact conductance",
            "heat from " + who + " to other bodies meets a resistance");
     if (m.melting && x.melts() && x.mushDrag > 0)
-      f.on(m.mushDrag, "mush drag", who + " stops its liquid between solidus and liquidus");
+      f.on(m.mushDrag, "mush drag", who + " slows its liquid beside solids between solidus and liquidus");
     if (liquid && m.heat && expands(x) && hasBuoyancy(s))
       f.on(m.buoyancy, "buoyancy",
            "the density of " + who + " depends on the temperature; " +

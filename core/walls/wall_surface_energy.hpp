@@ -33,7 +33,7 @@ struct SurfaceParticle {
   std::uint32_t row;
   double tension;                         ///< N/m
   SurfaceKernelValue sums;                ///< over neighbours and walls
-  std::span<const WallContact> contacts;  ///< with walls; none where all angles are 90 degrees
+  std::span<const WallContact> contacts;  ///< with walls; empty if all angles are 90 degrees
 };
 
 /// Surface energy per volume (J/m^3) of a particle.

@@ -62,13 +62,13 @@ void addColdTemperatures(const Scene& s, std::vector<std::string>& lines) {
     if (o.temperature) look(o.where, "obstacle '" + o.name + "': its temperature", *o.temperature);
 }
 
-/// Warns of tables of surface tension: resting surfaces resist the flow that they cause.
+/// Warns of tables of surface tension: surfaces at rest suppress the flow that the table drives.
 void addSlowSurfaceFlow(const Scene& s, std::vector<std::string>& lines) {
   for (const Material& m : s.materials)
     if (!m.surfaceTensionTable.empty())
       lines.push_back(fmt::format(
-          "{}: material '{}': flow that differences of surface tension cause (Marangoni) is far too "
-          "slow, or stops, since particles of a calm surface resist like a soft solid",
+          "{}: material '{}': flow driven by gradients of surface tension (Marangoni) is far too slow; see "
+          "docs/validation/limitations.md",
           at(m.where), m.name));
 }
 

@@ -12,18 +12,18 @@ namespace thaw {
 namespace {
 
 constexpr int rounds = 4;
-/// The first rounds leave vertices off the surface by less than the height of a facet.
+/// The first rounds project only to within the height of a facet.
 constexpr int roundsWithoutProjection = 2;
 /// Edges below this length, in cubes, collapse.
 constexpr double shortEdge = 0.55;
 /// A collapse makes no edge longer than this, in cubes.
 constexpr double longEdge = 1.4;
-/// Least cosine between the normals of a triangle before and after a change: in the rounds, and for each pass
-/// over the triangles that remain sharp.
+/// Least cosine between the normals of a triangle before and after a change: first in the rounds, then in
+/// each repair pass.
 constexpr double leastTurn = 0.7;
 constexpr double leastTurnOfRepairs[] = {0.7, 0.7, 0.5, 0.5, 0.2, 0.2, -0.2, -0.2, -0.5, -0.5};
 /// Cosines of 20 and 12 degrees. Triangles with sharper angles are repaired one by one; those below 12
-/// degrees also where triangles turn.
+/// degrees even if triangles rotate.
 constexpr double sharp = 0.9397, verySharp = 0.9781;
 /// Necks with no edge above this length, in cubes, are cut.
 constexpr double widestNeck = 0.5;
@@ -77,7 +77,8 @@ class Improver {
     return dot(mean, after) > 0.3 * length(mean) * l;
   }
 
-  /// Returns the sharpest cosine around a vertex that moves to x, except for triangles with vertex `without`.
+  /// Returns the cosine of the smallest angle around a vertex that moves to x, without triangles of
+  /// `without`.
   double sharpestAround(std::uint32_t v, const Vec3d& x, std::uint32_t without) const {
     double sharpest = -1;
     for (const std::uint32_t t : edits_.around(v)) {
@@ -133,7 +134,7 @@ class Improver {
     double sharpest = 1;
   };
 
-  /// Returns whether the edge may collapse to the target, and sets its sharpest cosine.
+  /// Returns whether the edge may collapse to the target, and sets the cosine of its smallest angle.
   bool accepts(Target& t) {
     if (!keepsDirections(t.from, t.x, t.to) || !keepsDirections(t.to, t.x, t.from)) return false;
     t.sharpest = std::max(sharpestAround(t.from, t.x, t.to), sharpestAround(t.to, t.x, t.from));

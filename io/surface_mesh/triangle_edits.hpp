@@ -25,7 +25,7 @@ class TriangleEdits {
   const Triangle& triangle(std::uint32_t t) const { return mesh_->triangles[t]; }
   bool exists(std::uint32_t t) const { return mesh_->triangles[t][0] != removed; }
 
-  /// Lists the neighbours of a vertex, once each: every one of its triangles has the next one around it.
+  /// Lists the neighbours of a vertex, once each: each triangle gives the next neighbour around the vertex.
   void neighboursOf(std::uint32_t vertex, std::vector<std::uint32_t>& list) const;
 
   /// The two triangles along an edge, and their opposite vertices. first: runs from a to b.

@@ -12,18 +12,18 @@ namespace thaw {
 namespace {
 
 /// Steps between comparisons of strain rates of rigid particles. A pressure wave travels less than a spacing
-/// in this time, so a piece gets elastic ahead of it.
+/// in this time, so a piece becomes elastic ahead of the wave.
 constexpr std::int64_t rateEvery = 2;
-/// Steps between comparisons of strain rates of elastic particles, which rest for many more.
+/// Steps between comparisons of strain rates of elastic particles: their rest time spans many more steps.
 constexpr std::int64_t elasticRateEvery = 16;
 /// Steps between searches for particles that may become rigid.
 constexpr std::int64_t restEvery = 32;
-/// Temperature (K) below the solidus from which a particle that is woken with others counts as softening, so
-/// that a melting front wakes whole layers.
+/// Distance (K) to the solidus. Particles nearer to it become elastic together with those that soften now, so
+/// a melting front changes whole layers.
 constexpr double soonMelts = 0.5;
 
-/// Distance (spacings) of a particle of another body from which a particle is not rigid. It is more than that
-/// of contact, so contacts act on elastic particles.
+/// Particles closer than this (spacings) to another body stay elastic. Larger than the contact distance, so
+/// contacts act on elastic particles.
 constexpr double nearBody = 1.5;
 
 /// Smallest and largest value of the solids in a cell.
@@ -193,7 +193,8 @@ bool findDeforming(const RigidifyView& v, double dt) {
   Continuum& p = v.rigid.particles;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.phase[i] != Solid || p.slot[i] == noSlot || isSoft(scene, p, i, 0)) p.restTime[i] = 0;
-    else if (p.restTime[i] > 0 || p.piece[i] == notRigid)  // else its load changed in this evaluation
+    // A rest time of 0 of a rigid particle means that its load changed in this evaluation.
+    else if (p.restTime[i] > 0 || p.piece[i] == notRigid)
       p.restTime[i] = static_cast<float>(static_cast<double>(p.restTime[i]) + dt);
   wakeTouching(v);
   wakeNearBodies(v);

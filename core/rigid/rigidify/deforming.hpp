@@ -11,10 +11,10 @@ namespace thaw {
 /// Returns true if a particle of an elastic solid is to be part of a rigid piece.
 bool isToBeRigid(const Scene& scene, const Continuum& particles, std::size_t row);
 
-/// Lets the next evaluation find bodies of the start rigid where they do not deform.
+/// Makes bodies eligible for rigid pieces at the first evaluation.
 void restAtStart(const Scene& scene, Continuum& particles);
 
-/// Wakes particles that are about to soften, with those that do so now.
+/// Makes particles near the solidus elastic together with those that soften now.
 void wakeSoftening(const RigidifyView& view);
 
 /// Updates Continuum::restTime after a step of dt (s). Returns true if a particle of this rank is to change

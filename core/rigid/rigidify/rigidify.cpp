@@ -64,7 +64,7 @@ void labelBonded(const RigidifyView& v, const Halos& halos, SlotPieces& labels) 
   }
 }
 
-/// Removes the labels of small pieces. Their particles may try again after another rest.
+/// Removes the labels of small pieces. Their particles become eligible again after sleep_after.
 void dropSmall(const RigidifyView& v, Reducer& all, SlotPieces& labels) {
   const Solids& s = v.solids;
   std::vector<std::uint64_t> ids;

@@ -19,8 +19,9 @@ struct SlotPieces : Table {
 /// Requires: pieces of owned and remote rows, and bond data of the present bonds.
 void chooseActiveSlots(ElasticWork& work, Solids& solids, const Bonds& bonds, const SlotPieces& pieces);
 
-/// Discards the choice, since bonds or pieces changed; and whether one is known.
+/// Discards the choice, since bonds or pieces changed.
 inline void forgetActiveSlots(ElasticWork& work) { work.held.clear(); }
+/// Returns true if the active slots are chosen.
 inline bool activeSlotsKnown(const ElasticWork& work, const Solids& solids) {
   return work.held.size() == solids.owned;
 }

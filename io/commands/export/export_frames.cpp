@@ -64,7 +64,7 @@ std::vector<fs::path> surfacesUpTo(const std::vector<FrameGroup>& groups) {
 /// Finds the texture coordinates of surfels.
 void startUv(ExportRun& run) {
   if (!(run.job.contents & surfaceContent) || run.groups.back().surface.empty())
-    throw std::invalid_argument("--uv: expected frames of a surface");
+    throw std::invalid_argument("--uv applies to frames of a surface; add surface to --what");
   std::vector<std::string> warnings;
   const auto stored = run.scenes.of(run.groups[0].first(), warnings);
   for (const std::string& line : warnings) fmt::print(stderr, "thaw export: {}\n", line);

@@ -13,7 +13,7 @@
 
 namespace thaw {
 
-/// Texture coordinates by id of surfel. A surfel keeps its own for life.
+/// Texture coordinates by id of surfel. A surfel keeps its own throughout the run.
 class SurfaceUv {
  public:
   /// Samples the bodies again, as at the start of the run. A body without texture coordinates has none.

@@ -136,7 +136,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
             {m.where,
              fmt::format("material.{}: convection, emissivity and evaporation need numerics.support of 2 at "
                          "least, got {:g}: with "
-                         "fewer neighbours inner particles look like surface particles and would cool, too",
+                         "fewer neighbours, inner particles would count as surface particles",
                          m.name, n.support)});
   checkBuoyancy(x, errors);
   checkTension(s, errors);

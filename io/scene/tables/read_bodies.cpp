@@ -98,7 +98,7 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
            "set the material's as well");
   r.flag("slip", o.slip, "liquids slip along it freely; false: they stick");
   r.number("contact_angle", o.contactAngle, "rad", Range{0, std::numbers::pi, false, false, true},
-           "contact angle of all liquids at it; \"never\": that of their material");
+           "contact angle of all liquids at it; \"never\": each liquid has the angle of its material");
   r.number("until", o.until, "s", orNever(notNegative()), "time at which it disappears");
   int look = static_cast<int>(o.look);
   r.as(Restart::Free)

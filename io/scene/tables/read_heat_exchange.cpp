@@ -7,10 +7,9 @@
 namespace thaw {
 
 void readHeatExchange(TableReader& r, Material& m) {
-  r.number(
-      "contact_conductance", m.contactConductance, "W/(m^2 K)", orNever(positive()),
-      "heat conductance of its contacts with other bodies, where not both are liquid: the smaller of the "
-      "two counts; \"never\": no resistance");
+  r.number("contact_conductance", m.contactConductance, "W/(m^2 K)", orNever(positive()),
+           "heat conductance of its contacts with other bodies, if at most one is liquid. The smaller "
+           "value of the two materials holds; \"never\": no resistance");
   readByTemperature(r,
                     {"evaporation", "kg/(m^2 s)", notNegative(),
                      "mass that evaporates per time and area of free surfaces of the liquid; or a table of "
@@ -18,19 +17,20 @@ void readHeatExchange(TableReader& r, Material& m) {
                     m.evaporation);
   r.number("evaporation_heat", m.evaporationHeat, "J/kg", notNegative(), "latent heat of evaporation");
   r.number("mush_drag", m.mushDrag, "kg/(m^3 s)", notNegative(),
-           "coefficient C of the drag C (1 - f)^2 / (f^3 + 0.001) of its liquid beside solids while the "
-           "liquid fraction f is below 1; 0: none");
+           "coefficient C of the drag C (1 - f)^2 / (f^3 + 0.001) on the liquid by solid neighbours "
+           "while the liquid fraction f is below 1; 0: none");
 }
 
 void checkHeatExchange(TableReader& r, const Material& m, bool paper) {
   for (const char* key : {"contact_conductance", "evaporation"})
-    if (paper && r.has(key)) r.fail(key, "numerics.heat = \"paper\" has none: use \"enthalpy\"");
+    if (paper && r.has(key)) r.fail(key, "not available with numerics.heat = \"paper\"; use \"enthalpy\"");
   if (r.has("evaporation") && !canBeLiquid(m))
-    r.fail("evaporation", "only liquids evaporate, and this material is always solid", {"young", "phase"});
+    r.fail("evaporation",
+           "only liquids evaporate, and this material is always solid: remove it, or give melts",
+           {"young", "phase"});
   if (r.has("evaporation_heat") && !r.has("evaporation"))
-    r.fail("evaporation_heat", "only a material that evaporates has one: give evaporation, too");
-  if (r.has("mush_drag") && !r.has("melts"))
-    r.fail("mush_drag", "only a material that melts is a mush: give melts, too");
+    r.fail("evaporation_heat", "has no effect without evaporation; give both");
+  if (r.has("mush_drag") && !r.has("melts")) r.fail("mush_drag", "has no effect without melts; give both");
 }
 
 }  // namespace thaw

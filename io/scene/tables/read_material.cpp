@@ -43,11 +43,11 @@ void readDensityAtRest(TableReader& r, Material& m) {
   Blend density = byPhase ? Blend{} : Blend{solidDensityOf(m), m.density};
   r.orAs(KeyForm::Type::Pairs)
       .blend({"density", "kg/m^3", positive(), Liquid::Same,
-              "density at rest. Solid and liquid may differ where the material melts: volumes then change as "
-              "particles melt and freeze, and masses do not. Or a table of the liquid's density by "
-              "temperature for its buoyancy, `[[\"0 degC\", \"999.84 kg/m^3\"], [\"4 degC\", \"999.97 "
-              "kg/m^3\"]]`, interpolated linearly; the density at rest is then its value at "
-              "`expansion_from`"},
+              "density at rest. One value: that of solid and liquid. Two values: those of solid and "
+              "liquid, where the material melts; volumes then change as particles melt and freeze, and "
+              "masses do not. Table: density of the liquid by temperature for its buoyancy, `[[\"0 "
+              "degC\", \"999.84 kg/m^3\"], [\"4 degC\", \"999.97 kg/m^3\"]]`, interpolated linearly; the "
+              "density at rest is then its value at `expansion_from`"},
              density);
   if (byPhase && (density.solid == 0 || density.liquid == 0))
     return r.fail("density", "expected the densities of both phases, { solid = ..., liquid = ... }");
@@ -76,8 +76,9 @@ void readTension(TableReader& r, Material& m) {
                 "surface tension of the liquid; or a table by temperature, `[[\"20 degC\", \"72.7 mN/m\"], "
                 "[\"80 degC\", \"62.7 mN/m\"]]`, interpolated linearly");
   r.number("contact_angle", m.contactAngle, "rad", between(0, std::numbers::pi),
-           "angle in the liquid between its surface and walls, at obstacles without a contact_angle and at "
-           "sides of the domain: \"30 deg\" wets, \"150 deg\" beads; solid bodies always have 90 degrees");
+           "angle between the liquid's surface and a wall, measured in the liquid; used at sides of "
+           "the domain and at obstacles without their own: \"30 deg\" wets, \"150 deg\" beads. Solid "
+           "bodies always have 90 degrees");
   if (r.reading() && !m.surfaceTensionTable.empty()) m.surfaceTension = largestTension(m.surfaceTensionTable);
 }
 
@@ -199,8 +200,7 @@ void checkExpansion(TableReader& r, const Material& m) {
 
 void checkTension(TableReader& r, const Material& m) {
   if (r.has("contact_angle") && !(m.surfaceTension > 0))
-    r.fail("contact_angle", "only a liquid with surface tension has one: give surface_tension, too",
-           {"surface_tension"});
+    r.fail("contact_angle", "has no effect without surface_tension; give both", {"surface_tension"});
   if (!m.surfaceTensionTable.empty() && !canBeLiquid(m))
     r.fail("surface_tension",
            "only liquids have surface tension, and this material is always solid: remove it, or give melts",

@@ -194,19 +194,19 @@ void readNumerics(TableReader& r, Numerics& n) {
            "place, at little cost, until something wakes them. Progress lines show how many sleep and what "
            "keeps the others awake. 0: never. Not with sheets, oriented bodies, elastic_substeps, an "
            "incompressible or an implicit solver");
-  r.number(
-      "sleep_after", n.sleepAfter, "s", positive(),
-      "time at rest before a solid sleeps; an acceleration that reaches sleep_speed within this time, or "
-      "half of gravity, keeps it awake or wakes it. With less, a solid with weak vibrations sleeps sooner");
+  r.number("sleep_after", n.sleepAfter, "s", positive(),
+           "time at rest before a solid sleeps, or before a part of it becomes rigid (rigidify). An "
+           "acceleration that reaches sleep_speed within this time, or half of gravity, keeps a solid "
+           "awake or wakes it. With a shorter time, a solid with weak vibrations sleeps sooner");
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(),
            "rate of change of the temperature that keeps a solid awake or wakes it");
-  r.number(
-      "rigidify", n.rigidify, "1/s", notNegative(),
-      "parts of elastic solids whose rate of strain stays below this for sleep_after move as rigid "
-      "pieces, until they deform, soften, or come near an obstacle or another body. They cost no elastic "
-      "sums; while all solids are rigid, the elastic limit of the step does not hold. It must be below "
-      "the rates of vibrations that matter, for example 0.1 for stiff bodies; 0: off. Not with rigid, "
-      "yielding or breaking materials, extension laws, sleep_speed or elastic_substeps");
+  r.number("rigidify", n.rigidify, "1/s", notNegative(),
+           "parts of elastic solids whose rate of strain stays below this for the time sleep_after "
+           "move as rigid pieces. They become elastic when they deform, soften, or come near an "
+           "obstacle or another body. No elastic forces are computed for them. While all solids are "
+           "rigid, the elastic limit of the step does not hold. The value must be below the rates of "
+           "vibrations that matter, for example 0.1 for stiff bodies. Not with rigid, yielding or "
+           "breaking materials, extension laws, sleep_speed or elastic_substeps. 0: off");
   r.restart(Restart::Free);
   r.whole("retry_every", n.retryEvery, 0, 1000000000,
           "steps between snapshots in memory; a run that fails goes back to the last one and continues with "
@@ -243,12 +243,11 @@ void readOutput(TableReader& r, Scene& s) {
   r.number("ledger_every", o.ledgerEvery, "s", notNegative(),
            "simulated time between additional rows of ledger.csv, which has one per frame; a row is written "
            "at the first step at or after its time and changes no step; 0: none");
-  r.words(
-      "fields", o.fields, known,
-      "fields of the frames of bodies and emitters; frames of oriented bodies and sheets have all their "
-      "fields. The six numbers of stress (Cauchy's), strain (Green's) and plastic_strain are xx, yy, zz, "
-      "xy, yz, xz, each off-diagonal one once, not doubled. surface_velocity adds the velocity of surfels to "
-      "the frames of a surface");
+  r.words("fields", o.fields, known,
+          "fields of the frames of bodies and emitters; frames of oriented bodies and sheets have all their "
+          "fields. The six numbers of stress (Cauchy's), strain (Green's) and plastic_strain are xx, yy, zz, "
+          "xy, yz, xz; off-diagonal components are listed once, not doubled. surface_velocity adds the "
+          "velocity of surfels to the frames of a surface");
   if (r.has("fields")) o.fieldsWhere = r.placeOf("fields");
   r.number("checkpoint", o.checkpoint, "s", positive(),
            "wall-clock time between checkpoints; the last two are kept");

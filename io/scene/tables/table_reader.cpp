@@ -236,7 +236,7 @@ void TableReader::words(const char* key, std::vector<std::string>& value,
     if (s && std::find(allowed.begin(), allowed.end(), s->get()) != allowed.end()) value.push_back(s->get());
     else if (s)
       refuse(key, e,
-             fmt::format("there is no {}{}; there are {}", quoted(s->get()),
+             fmt::format("there is no {0}; expected any of {2}{1}", quoted(s->get()),
                          suggestion(s->get(), {allowed.begin(), allowed.end()}), listOf(allowed)));
     else refuse(key, e, "expected a text in quotes, got " + shown(e));
   }
@@ -289,7 +289,9 @@ void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>
   if (!n) return;
   const std::string pair = fmt::format("[{}, {}]", *k.unit1 ? k.unit1 : "number",
                                        *k.unit2 ? k.unit2 : "number");
-  if (!a || a->size() < 2) return fail(k.key, "expected a list of at least two pairs " + pair);
+  if (!a || a->size() < 2)
+    return fail(k.key,
+                "expected a list of at least two pairs " + pair + ", such as [[300, 0.5], [400, 0.7]]");
   value.clear();
   for (const toml::node& e : *a) {
     const toml::array* p = e.as_array();

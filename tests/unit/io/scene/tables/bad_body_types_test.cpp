@@ -104,7 +104,8 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:6:1: error: sheet 'sheet 0': wrap_to: 'a' is the name of two things in this scene: expected "
        "another name for one of them"},
       {cloth + "wrap = 1\nwrap_in_time = [[0, 1]]\n",
-       "s.toml:9:16: error: sheet.0.wrap_in_time: expected a list of at least two pairs [s, number]"},
+       "s.toml:9:16: error: sheet.0.wrap_in_time: expected a list of at least two pairs [s, number], "
+       "such as [[300, 0.5], [400, 0.7]]"},
       {cloth + "warp_in_time = [[0, 1], [1, 2]]\n",
        "s.toml:8:16: error: sheet.0.warp_in_time: is a factor of warp, which is 0"},
       {cloth + "damping = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nbending = 3\n",
