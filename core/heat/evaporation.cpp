@@ -21,6 +21,9 @@ namespace {
 // the mean over neighbours.
 constexpr double leastExposure = 0.05, noise[2] = {0.4, 0.7}, meanNoise[2] = {0.06, 0.12};
 
+/// Largest part of its absolute temperature that a particle loses in a step by a rate that cold does not end.
+constexpr double mostCooling = 0.1;
+
 double ramp(double x, const double (&between)[2]) {
   return std::clamp((x - between[0]) / (between[1] - between[0]), 0.0, 1.0);
 }
@@ -259,7 +262,9 @@ void findVapour(const EvaporationView& v, double dt) {
     if (area == 0) return;
     const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : 1,
                  capacity = p.mass[i] * heatCapacityOf(s.numerics.heat, m, f),
-                 rate = area * meanRate(m.evaporation, T, area * m.evaporationHeat / capacity, dt),
+                 most = mostCooling * capacity * T / (m.evaporationHeat * dt),
+                 rate = std::min(area * meanRate(m.evaporation, T, area * m.evaporationHeat / capacity, dt),
+                                 m.evaporationHeat > 0 && dt > 0 ? most : never),
                  heat = rate * m.evaporationHeat;
     p.heatFlow[i] -= heat;
     v.heat.ledger.heatIn.add(-heat * dt);

@@ -72,6 +72,17 @@ void addSlowSurfaceFlow(const Scene& s, std::vector<std::string>& lines) {
           at(m.where), m.name));
 }
 
+/// Warns of evaporation that takes heat at any temperature.
+void addEndlessCooling(const Scene& s, std::vector<std::string>& lines) {
+  for (const Material& m : s.materials)
+    if (m.evaporationHeat > 0 && !m.evaporation.empty() && m.evaporation.front().second > 0)
+      lines.push_back(
+          fmt::format("{}: material '{}': cold liquid evaporates, too, and cools towards 0 K; give "
+                      "evaporation as a table "
+                      "that begins with a rate of 0",
+                      at(m.where), m.name));
+}
+
 /// Warns of materials that melt in a scene without any heat.
 void addMaterialsWithoutHeat(const Scene& s, std::vector<std::string>& lines) {
   if (s.numerics.heat == HeatModel::Paper || !s.thermostats.empty() || !s.lamps.empty() ||
@@ -192,6 +203,7 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   addMaterialsWithoutHeat(s, lines);
   addCrushedSolids(s, lines);
   addWeightlessLiquid(s, lines);
+  addEndlessCooling(s, lines);
   addSlowSurfaceFlow(s, lines);
   for (const std::string& line : surfaceAdvice(s)) lines.push_back(line);
   return lines;

@@ -60,6 +60,29 @@ sameOnAllRanks $scene 260 "60 130 200" "$work/$scene.toml"
 for count in melted frozen; do
   [ "$(value "$work/$scene.1/summary.json" $count)" -gt 0 ] || fail "$scene: nothing $count"
 done
+# A body in free fall takes steps longer than the elastic limit, also after a restart.
+cat >"$work/fall.toml" <<'SCENE'
+spacing = "1 cm"
+end = "0.1 s"
+[domain]
+min = [0, 0, 0]
+max = ["12 cm", "12 cm", "26 cm"]
+[material.steel]
+law = "neo-hookean"
+young = "1 GPa"
+density = 7800
+[[body]]
+material = "steel"
+box = { size = ["6 cm", "6 cm", "6 cm"] }
+place = { bottom = ["6 cm", "6 cm", "8 cm"] }
+[numerics]
+rigidify = 0.5
+[output]
+every = 0.01
+SCENE
+same() { sameRuns "$1" "$2" "$3" "frames/fall.hdf.series"; }
+sameOnAllRanks fall 60 "30 45" "$work/fall.toml"
+same() { sameRuns "$1" "$2" "$3" "frames/rigid_parts.hdf.series"; }
 # Coupling of rigid parts to the incompressible and the implicit viscosity solver
 sameOnAllRanks ${scene}_solvers 40 "16 27" "$work/$scene.toml" --set numerics.pressure_solver=incompressible \
   --set numerics.viscosity_solver=implicit

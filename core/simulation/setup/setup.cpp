@@ -349,6 +349,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   StepLimits limits = t.fixedLimits;
   if (w.modules.substeps)
     limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
+  // The step of rigid parts may be longer, and obeys these limits from the next step on.
+  if (w.modules.rigidify) limits[Limit::Elastic] = limits[Limit::Contact] = never;
   w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
 }
 
