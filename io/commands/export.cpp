@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <new>
 #include <stdexcept>
@@ -77,6 +79,10 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
 int exportCommand(const ExportOptions& options) {
   try {
     const ExportFormat& format = exportFormatNamed(options.as);
+    constexpr std::array withUv = {"ply", "obj", "vtp", "usd", "usda"};
+    if (options.uv && std::ranges::find(withUv, options.as) == withUv.end())
+      throw std::invalid_argument("--uv: '" + options.as +
+                                  "' has no texture coordinates; expected --as ply, obj, vtp, usd or usda");
     if (options.min && options.max && !(*options.max > *options.min))
       throw std::invalid_argument("the range of the colours is empty: --max must be above --min");
     colourMapNamed(options.map);

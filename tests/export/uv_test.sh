@@ -60,6 +60,8 @@ grep -q '^vt ' "$work"/run/export/uv_surface_000001.obj || fail "obj has no text
 grep -qE '^f [0-9]+/[0-9]+/[0-9]+ ' "$work"/run/export/uv_surface_000001.obj || fail "faces of obj"
 export --as usda --uv --out "$work/run.usda"; expectExit 0 "usda"
 grep -q 'texCoord2f\[\] primvars:st' "$work/run.usda" || fail "usda has no texture coordinates"
+export --as vdb --uv; expectExit 2 "a format without texture coordinates"
+expectMessage "expected --as ply, obj, vtp, usd or usda" "a format without texture coordinates"
 rm "$work/cube.obj"
 export --as ply --uv; expectExit 2 "without the mesh"
 expectMessage 'cube.obj: there is no such file' "without the mesh"
