@@ -2,7 +2,9 @@
 // The sums of contact_heat.hpp, compiled once per instruction set.
 #include "core/heat/contact_heat.hpp"
 
+#include "core/fluid/terms/choose_types.hpp"
 #include "core/fluid/terms/term.hpp"
+#include "core/simd/isa_name.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
@@ -116,34 +118,20 @@ void heatWith(const PairSums& in, const ContactHeatSums& out, GroupRange range) 
   sweep(*in.lists, range, term, Groups::All);
 }
 
-/// Calls action with the kernel and the precision of the scene as types.
-template<class Action> void choose(const PairSums& in, Action action) {
-  const auto withReal = [&](auto real) {
-    switch (in.kernel) {
-      case KernelKind::WendlandC2: action(real, WendlandC2{}); break;
-      case KernelKind::Mcg03: action(real, Mcg03{}); break;
-      case KernelKind::CubicSpline: action(real, CubicSpline{}); break;
-    }
-  };
-  if (in.precision == Precision::Single) withReal(float{});
-  else withReal(double{});
-}
-
 void normals(const PairSums& in, const ContactHeatSums& out, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) { normalsWith<decltype(real), decltype(kernel)>(in, out, range); });
+  chooseTypes(in,
+              [&](auto real, auto kernel) { normalsWith<decltype(real), decltype(kernel)>(in, out, range); });
 }
 void heat(const PairSums& in, const ContactHeatSums& out, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) { heatWith<decltype(real), decltype(kernel)>(in, out, range); });
+  chooseTypes(in,
+              [&](auto real, auto kernel) { heatWith<decltype(real), decltype(kernel)>(in, out, range); });
 }
-
-#define THAW_STRING_(x) #x
-#define THAW_STRING(x) THAW_STRING_(x)
 
 }  // namespace
 
 const ContactHeatKernels& contactHeatKernelSet();
 const ContactHeatKernels& contactHeatKernelSet() {
-  static constexpr ContactHeatKernels set{THAW_STRING(THAW_ISA) + 4, normals, heat};
+  static constexpr ContactHeatKernels set{isaName, normals, heat};
   return set;
 }
 

@@ -32,9 +32,7 @@ bool evaporates(const Scene& s, const Continuum& p, std::size_t i) {
   return p.phase[i] == Liquid && !s.materials[p.material[i]].evaporation.empty();
 }
 
-double volumeOf(const Scene& s, const Continuum& p, std::size_t i) {
-  return p.mass[i] / restDensityOf(p, s.materials, i);
-}
+double volumeOf(const Scene& s, const Continuum& p, std::size_t i) { return restVolumeOf(p, s.materials, i); }
 
 /// Calls row(i, neighbours) for the selected owned rows; neighbours(pair) calls pair(j, (x_i - x_j) / h, q^2)
 /// for the neighbours j within the support radius, in the order of their list.
@@ -97,11 +95,6 @@ Vec3d withWalls(const EvaporationView& v, const std::vector<double>& hidden, std
   return e;
 }
 
-Vec3d exposureOf(const Continuum& p, std::size_t i) {
-  const Vec3f& e = p.exposure[i];
-  return {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)};
-}
-
 /// Direction of the mean exposure around a particle, times the degree to which it is at a surface, 0 to 1.
 template<class Neighbours>
 Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
@@ -113,8 +106,8 @@ Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, N
            withKernel(s.numerics.kernel, [&](auto kernel) { return kernel.w(q2); });
   };
   Vec3d mean{};
-  neighbours([&](std::uint32_t j, const Vec3d&, double q2) { mean += exposureOf(p, j) * weight(j, q2); });
-  const Vec3d own = exposureOf(p, i);
+  neighbours([&](std::uint32_t j, const Vec3d&, double q2) { mean += wide(p.exposure[j]) * weight(j, q2); });
+  const Vec3d own = wide(p.exposure[i]);
   const double alone = ramp(length(own) / flat, noise),
                gate = std::max(alone, ramp(length(mean) / flat, meanNoise));
   const Vec3d direction = mean + own * (alone * weight(i, 0));
@@ -122,9 +115,9 @@ Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, N
   return size > 0 ? direction * (gate / size) : own * (gate / std::max(length(own), 1e-300));
 }
 
-/// Free surface (m^2) of a particle. Redistributes V g.n, which may be negative, among the particles along a
-/// line through the surface, in proportion to sqrt(V) g.n where that is positive. Small particles then leave
-/// in a finite time.
+/// Free surface (m^2) of a particle, times spacing and latticeGradient. Redistributes V g.n, which may be
+/// negative, among the particles along a line through the surface, in proportion to sqrt(V) g.n where that is
+/// positive. Small particles then leave in a finite time.
 template<class Neighbours>
 double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
   const Scene& s = v.heat.scene;
@@ -137,15 +130,15 @@ double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours
   const auto add = [&](std::uint32_t j, const Vec3d& d) {
     const Vec3d aside = d - n * dot(d, n);
     const double near = 1 - dot(aside, aside), V = volumeOf(s, p, j),
-                 part = near * near * dot(exposureOf(p, j), n);
+                 part = near * near * dot(wide(p.exposure[j]), n);
     all += V * part;
     shares += std::sqrt(V) * std::max(part, 0.0);
   };
   add(i, {});
   neighbours([&](std::uint32_t j, const Vec3d& d, double) { add(j, d); });
-  const double own = std::sqrt(volumeOf(s, p, i)) * dot(exposureOf(p, i), n);
+  const double own = std::sqrt(volumeOf(s, p, i)) * dot(wide(p.exposure[i]), n);
   if (!(own > 0 && all > 0)) return 0;
-  return gate * own * (all / shares) / (s.spacing * latticeGradient(s.numerics));
+  return gate * own * (all / shares);
 }
 
 /// d(stored energy)/d(volume of the particle) (J/m^3), of pairs, compression and surface. A carried density
@@ -239,15 +232,14 @@ void findExposure(const EvaporationView& v) {
     neighbours([&](std::uint32_t j, const Vec3d& d, double q2) {
       sum += d * (volumeOf(s, p, j) * withKernel(s.numerics.kernel, [&](auto k) { return k.slope(q2); }));
     });
-    const Vec3d e = withWalls(v, hidden, i, sum * scale);
-    p.exposure[i] = {static_cast<float>(e.x), static_cast<float>(e.y), static_cast<float>(e.z)};
+    p.exposure[i] = single(withWalls(v, hidden, i, sum * scale));
   });
 }
 
 void findVapour(const EvaporationView& v, double dt) {
   const Scene& s = v.heat.scene;
   Continuum& p = v.heat.particles;
-  const double flat = flatLatticeIndicator(s.numerics);
+  const double flat = flatLatticeIndicator(s.numerics), depth = s.spacing * latticeGradient(s.numerics);
   std::fill_n(p.vapour.data(), p.owned, 0.0);
   std::fill_n(p.vapourEnergy.data(), p.owned, 0.0);
   const auto select = [&](std::uint32_t i) {
@@ -258,10 +250,9 @@ void findVapour(const EvaporationView& v, double dt) {
     const Material& m = s.materials[p.material[i]];
     const double T = p.temperature[i];
     if (!(valueAt(m.evaporation, T, Interpolation::Linear) > 0)) return;
-    const double area = areaOf(v, i, flat, neighbours);
+    const double area = areaOf(v, i, flat, neighbours) / depth;
     if (area == 0) return;
-    const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : 1,
-                 capacity = p.mass[i] * heatCapacityOf(s.numerics.heat, m, f),
+    const double capacity = p.mass[i] * heatCapacityOf(s.numerics.heat, m, liquidFraction(p, i)),
                  most = mostCooling * capacity * T / (m.evaporationHeat * dt),
                  rate = std::min(area * meanRate(m.evaporation, T, area * m.evaporationHeat / capacity, dt),
                                  m.evaporationHeat > 0 && dt > 0 ? most : never),

@@ -25,4 +25,9 @@ inline double restDensityOf(const Continuum& p, const std::vector<Material>& mat
   return p.restDensity.active ? p.restDensity[i] : materials[p.material[i]].density;
 }
 
+/// Volume at rest (m^3) of a particle.
+inline double restVolumeOf(const Continuum& p, const std::vector<Material>& materials, std::size_t i) {
+  return p.mass[i] / restDensityOf(p, materials, i);
+}
+
 }  // namespace thaw

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/geometry/meshes/mesh_edges.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/neighbours/rows_around.hpp"
 
@@ -32,20 +31,21 @@ DisjointSets joinRows(const RigidView& v, bool atStart) {
   return sets;
 }
 
-/// Gives each set the smallest label of its rows. Returns true if a label changed.
-bool spreadLabels(Continuum& p, DisjointSets& sets) {
-  std::vector<std::uint64_t> least(p.size(), ~std::uint64_t{0});
-  for (std::uint32_t i = 0; i < p.size(); i++)
-    if (p.pieceLabel[i] != notRigid) {
+/// Gives each set the smallest label of its rows here. Returns true if a label of an owned row changed.
+bool spreadHere(Column<std::uint64_t>& labels, std::size_t owned, DisjointSets& sets) {
+  const std::size_t rows = sets.parent.size();
+  std::vector<std::uint64_t> least(rows, ~std::uint64_t{0});
+  for (std::uint32_t i = 0; i < rows; i++)
+    if (labels[i] != notRigid) {
       std::uint64_t& l = least[sets.find(i)];
-      l = std::min(l, p.pieceLabel[i]);
+      l = std::min(l, labels[i]);
     }
   bool changed = false;
-  for (std::uint32_t i = 0; i < p.owned; i++) {
-    if (p.pieceLabel[i] == notRigid) continue;
+  for (std::uint32_t i = 0; i < owned; i++) {
+    if (labels[i] == notRigid) continue;
     const std::uint64_t l = least[sets.find(i)];
-    changed = changed || l != p.pieceLabel[i];
-    p.pieceLabel[i] = l;
+    changed = changed || l != labels[i];
+    labels[i] = l;
   }
   return changed;
 }
@@ -58,11 +58,16 @@ void labelPieces(const RigidView& v, const Halos& halos, bool atStart) {
     p.pieceLabel[i] = belongsToPiece(v.scene, p, i) ? p.id[i] + 1 : notRigid;
   refresh(halos.cells, p, ColumnList{&p.pieceLabel, &p.piece}).wait();
   DisjointSets sets = joinRows(v, atStart);
+  spreadLabels(p.pieceLabel, p.owned, sets, halos.all,
+               [&] { refresh(halos.cells, p, ColumnList{&p.pieceLabel}).wait(); });
+}
+
+void spreadLabels(Column<std::uint64_t>& labels, std::size_t owned, DisjointSets& sets, Reducer& all,
+                  const std::function<void()>& exchange) {
   for (double changed = 1; changed > 0;) {
-    changed = spreadLabels(p, sets) ? 1 : 0;
-    halos.all.maximum({&changed, 1});
-    if (!(changed > 0)) break;
-    refresh(halos.cells, p, ColumnList{&p.pieceLabel}).wait();
+    changed = spreadHere(labels, owned, sets) ? 1 : 0;
+    all.maximum({&changed, 1});
+    if (changed > 0) exchange();
   }
 }
 

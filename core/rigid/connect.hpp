@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Connected particles of rigid materials.
 #pragma once
+#include <functional>
+
+#include "core/geometry/meshes/mesh_edges.hpp"
 #include "core/halo/halos.hpp"
 #include "core/rigid/rigid_view.hpp"
 
@@ -21,5 +24,11 @@ inline bool belongsToPiece(const Scene& scene, const Continuum& p, std::size_t i
 /// particles connected to them, and of others to 0. Connected are particles of one piece (at the start: of
 /// one body) and particles in touch of which one has no piece yet. Requires: ghosts. Collective.
 void labelPieces(const RigidView& view, const Halos& halos, bool atStart);
+
+/// Gives all rows of a set, on all ranks, the smallest of their labels. Sets are over the owned rows and the
+/// copies of other ranks' rows; rows labelled notRigid are in none. exchange: sends the labels to the copies.
+/// Collective.
+void spreadLabels(Column<std::uint64_t>& labels, std::size_t owned, DisjointSets& sets, Reducer& all,
+                  const std::function<void()>& exchange);
 
 }  // namespace thaw

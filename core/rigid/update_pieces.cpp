@@ -344,8 +344,7 @@ void remakePieces(const RigidView& v, const Halos& halos, bool atStart) {
   Continuum& c = v.particles;
   ColumnList changed{&c.piece, &c.phase};
   if (elements)
-    for (AnyColumn* column : {static_cast<AnyColumn*>(&c.faceNormal), static_cast<AnyColumn*>(&c.faceOffset),
-                              static_cast<AnyColumn*>(&c.faceRadius)})
+    for (AnyColumn* column : std::initializer_list<AnyColumn*>{&c.faceNormal, &c.faceOffset, &c.faceRadius})
       changed.push_back(column);
   refresh(halos.cells, c, changed).wait();
   linkPieces(v, halos, PieceUsers::Owned);

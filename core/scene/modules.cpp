@@ -2,12 +2,12 @@
 #include "core/scene/modules.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <numbers>
 
 #include "core/scene/buoyancy.hpp"
+#include "core/scene/contact_angle.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/phase_density.hpp"
 
@@ -102,7 +102,7 @@ void findAngles(Finder& f, const Material& liquid) {
     std::snprintf(degrees, sizeof degrees, "%.4g", angle * (180 / std::numbers::pi));
     return std::string(degrees) + " degrees";
   };
-  if (std::abs(std::cos(liquid.contactAngle)) > 1e-12)
+  if (wettingOf(liquid.contactAngle) != 0)
     f.on(f.m.contactAngle, "contact angles", who + " meets walls at " + text(liquid.contactAngle));
   for (const Obstacle& o : f.s.obstacles)
     if (o.contactAngle < never)

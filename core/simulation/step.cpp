@@ -87,8 +87,7 @@ void heatAndMelt(World& w, StepTools& t, double dt) {
   if (w.modules.tensionTable) recordTensionChange({wallView(w), t.surface}, t.wallContacts);
   PhaseChanges changes;
   if (w.modules.melting) changes = changePhase(w.scene, w.particles, w.counters);  // solid <-> liquid
-  if (w.modules.phaseDensity)
-    updateRestDensities(heatView(w), {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps}, dt);
+  if (w.modules.phaseDensity) updateRestDensities(heatView(w), recordContext(w, t), dt);
   t.phaseChangedHere = changes.melted || changes.frozen;
   t.frozeAnywhere = changes.frozen;  // both are reduced by reduceStep
   if (w.modules.rigidify && findDeforming(rigidifyView(w, t), dt)) t.rigid.changedHere = true;

@@ -162,7 +162,7 @@ double wallDrag(const WallContext& x, const WallContact& contact) {
   if (f == 0 || w.walls.list[contact.wall].properties.slip) return 0;
   const Material& m = w.scene.materials[p.material[i]];
   const double mu = viscosityOfParticle(m, p, i, f);
-  return f * mu * (p.mass[i] / restDensityOf(p, w.scene.materials, i)) * x.tables(contact.distance / h).drag *
+  return f * mu * restVolumeOf(p, w.scene.materials, i) * x.tables(contact.distance / h).drag *
          contact.share / (h * h);
 }
 
@@ -275,7 +275,7 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
     if (!o.temperature || x.sleeps(c.row)) continue;
     const Material& m = w.scene.materials[p.material[c.row]];
     const double f = liquidFraction(p, c.row), k = conductivityOf(model, m, f),
-                 V = p.mass[c.row] / restDensityOf(p, w.scene.materials, c.row);
+                 V = restVolumeOf(p, w.scene.materials, c.row);
     if (k <= 0) continue;
     double conductance = k * V * t.conduct * c.heatShare / (h * h);  // W/K
     if (o.conductance < never)

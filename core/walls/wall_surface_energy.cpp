@@ -2,10 +2,11 @@
 #include "core/walls/wall_surface_energy.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/fluid/laws/particle_pressure.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/materials/surface_tension.hpp"
+#include "core/scene/contact_angle.hpp"
 
 namespace thaw {
 namespace {
@@ -13,10 +14,6 @@ namespace {
 WallColour atWall(const Scene& scene, const CellGrid& grid, const WallContact& c) {
   const double h = grid.support, dx = scene.spacing / h;
   return wallColour(dx, std::max(c.distance / h, -0.5 * dx));
-}
-
-double liquidOf(const Continuum& p, std::size_t i) {
-  return p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
 }
 
 double wettingAt(const WallView& w, const WallContact& c) {
@@ -70,7 +67,7 @@ SurfaceState stateOf(const SurfaceContext& x, const SurfaceParticle& p) {
 double forceAlong(const SurfaceContext& x, const WallContact& c, const SurfaceState& state) {
   const WallView& w = x.world;
   const WallColour t = atWall(w.scene, w.grid, c);
-  const double V = w.particles.mass[c.row] / restDensityOf(w.particles, w.scene.materials, c.row);
+  const double V = restVolumeOf(w.particles, w.scene.materials, c.row);
   return -V * c.share / w.grid.support *
          (dot(state.byGradient, c.normal) * t.bend + state.byColour * t.slope);
 }
@@ -101,8 +98,7 @@ void addForces(const SurfaceContext& x, const SurfaceParticle& p, const SurfaceS
 }  // namespace
 
 double wettingOf(const Material& m, const Obstacle& wall) {
-  const double wetting = std::cos(wall.contactAngle < never ? wall.contactAngle : m.contactAngle);
-  return std::abs(wetting) < 1e-12 ? 0 : wetting;
+  return wettingOf(wall.contactAngle < never ? wall.contactAngle : m.contactAngle);
 }
 
 void updateSurfaceTension(const WallView& w) {
@@ -135,7 +131,7 @@ void findSurfaceEnergy(const WallContext& walls, const SurfaceMeasure& measure,
   for (std::uint32_t i = 0; i < p.owned; i++) {
     const std::size_t begin = next;
     while (angles && next < contacts.list.size() && contacts.list[next].row == i) next++;
-    const double tension = liquidOf(p, i) * tensionOfParticle(w, i);
+    const double tension = liquidFraction(p, i) * tensionOfParticle(w, i);
     p.surfaceEnergyByGradient[i] = {};
     p.surfaceEnergyByColour[i] = 0;
     if (!(tension > 0)) continue;
@@ -154,7 +150,7 @@ void findSurfaceEnergy(const WallContext& walls, const SurfaceMeasure& measure,
 double surfaceForceOfWall(const Scene& scene, const CellGrid& grid, const Continuum& p,
                           const WallContact& c) {
   const WallColour t = atWall(scene, grid, c);
-  const double V = p.mass[c.row] / restDensityOf(p, scene.materials, c.row);
+  const double V = restVolumeOf(p, scene.materials, c.row);
   return -V * c.share / grid.support *
          (dot(p.surfaceEnergyByGradient[c.row], c.normal) * t.bend +
           p.surfaceEnergyByColour[c.row] * t.slope);
@@ -165,7 +161,7 @@ void recordTensionChange(const SurfaceContext& x, const WallContacts& contacts) 
   const Continuum& p = w.particles;
   for (std::uint32_t i = 0; i < p.owned; i++) {
     const Material& m = w.scene.materials[p.material[i]];
-    const double f = liquidOf(p, i), before = tensionOfParticle(w, i),
+    const double f = liquidFraction(p, i), before = tensionOfParticle(w, i),
                  after = static_cast<double>(static_cast<float>(surfaceTensionAt(m, p.temperature[i])));
     if (after == before || !(f > 0 && before > 0)) continue;
     // A particle without liquid at the evaluation had no surface energy, and its sums may be missing.

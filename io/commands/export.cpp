@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <new>
 #include <stdexcept>
@@ -79,8 +77,7 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
 int exportCommand(const ExportOptions& options) {
   try {
     const ExportFormat& format = exportFormatNamed(options.as);
-    constexpr std::array withUv = {"ply", "obj", "vtp", "usd", "usda"};
-    if (options.uv && std::ranges::find(withUv, options.as) == withUv.end())
+    if (options.uv && !format.keepsUv)
       throw std::invalid_argument("--uv: '" + options.as +
                                   "' has no texture coordinates; expected --as ply, obj, vtp, usd or usda");
     if (options.min && options.max && !(*options.max > *options.min))

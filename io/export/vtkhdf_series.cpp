@@ -2,8 +2,9 @@
 #include "io/export/vtkhdf_series.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "io/export/colour_byte.hpp"
 
 namespace thaw {
 
@@ -11,8 +12,6 @@ namespace {
 
 constexpr std::uint8_t vertexCell = 1, triangleCell = 5;  // vtkCellType.h
 constexpr std::uint64_t pointsOfChunk = 16384;
-
-std::uint8_t byteOf(float c) { return static_cast<std::uint8_t>(std::lround(std::clamp(c, 0.0f, 255.0f))); }
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 constexpr Vec3f zero{0, 0, 0};
@@ -37,7 +36,7 @@ void addMesh(VtkHdfFrame& f, const ComponentMesh& m, std::int32_t number) {
     for (const std::uint32_t v : t) f.connectivity.push_back(first + v);
   f.triangles += static_cast<std::int64_t>(m.mesh.triangles.size());
   for (std::size_t v = 0; v < n; v++)
-    for (int c = 0; c < 3; c++) f.colours.push_back(v < m.colours.size() ? byteOf(m.colours[v][c]) : 200);
+    for (int c = 0; c < 3; c++) f.colours.push_back(v < m.colours.size() ? colourByte(m.colours[v][c]) : 200);
   const std::size_t before = f.points.size() - n;
   append(f.normals, m.normals, n, zero, before);
   append(f.velocities, m.velocities, n, zero, before);
@@ -52,7 +51,7 @@ void addPoints(VtkHdfFrame& f, const ExportPoints& p) {
   for (std::size_t i = 0; i < n; i++) {
     f.connectivity.push_back(static_cast<std::int64_t>(f.points.size()));
     f.points.push_back(p.positions[i]);
-    for (int c = 0; c < 3; c++) f.colours.push_back(i < p.colours.size() ? byteOf(p.colours[i][c]) : 200);
+    for (int c = 0; c < 3; c++) f.colours.push_back(i < p.colours.size() ? colourByte(p.colours[i][c]) : 200);
     f.ids.push_back(i < p.ids.size() ? static_cast<std::int64_t>(p.ids[i]) : -1);
   }
   const std::size_t before = f.points.size() - n;

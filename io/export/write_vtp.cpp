@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <functional>
 #include <numeric>
 #include <string>
 
+#include "io/export/colour_byte.hpp"
 #include "io/export/export_surface.hpp"
 #include "io/export/out_file.hpp"
 
@@ -166,13 +166,10 @@ void writeMeshVtp(const std::filesystem::path& file, double time, const std::vec
   std::vector<std::uint32_t> components;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const auto append = [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
-  const auto byte = [](float c) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(c, 0.0f, 255.0f)));
-  };
   for (const ComponentMesh& m : meshes) {
     const auto first = static_cast<std::uint32_t>(points.size());
     for (const Vec3d& x : m.mesh.vertices) points.push_back(single(x));
-    for (const Vec3f& c : m.colours) colours.push_back({byte(c.x), byte(c.y), byte(c.z)});
+    for (const Vec3f& c : m.colours) colours.push_back({colourByte(c.x), colourByte(c.y), colourByte(c.z)});
     for (const auto& t : m.mesh.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
     components.resize(points.size(), static_cast<std::uint32_t>(&m - meshes.data()));
     append(m.normals, normals), append(m.velocities, velocities);

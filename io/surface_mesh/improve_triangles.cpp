@@ -54,7 +54,7 @@ class Improver {
   using Triangle = TriangleEdits::Triangle;
 
   const Vec3d& at(std::uint32_t v) const { return m_.mesh.vertices[v]; }
-  Vec3d normalOf(std::uint32_t v) const { return {m_.normals[v].x, m_.normals[v].y, m_.normals[v].z}; }
+  Vec3d normalOf(std::uint32_t v) const { return wide(m_.normals[v]); }
   bool isFixed(std::uint32_t v) const { return band_.fixedAxes[v] != 0; }
 
   static Vec3d areaNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }
@@ -111,7 +111,7 @@ class Improver {
     if (!projects_) return true;
     here = planes_.at(x);
     if (!here.known || std::abs(here.value) > 0.3 * spacing_) return false;
-    const Vec3d n{here.normal.x, here.normal.y, here.normal.z};
+    const Vec3d n = wide(here.normal);
     const double l = length(n);
     if (!(l > 0) || dot(n, normalOf(v)) < 0.5 * l) return false;
     x -= here.value / l * n;

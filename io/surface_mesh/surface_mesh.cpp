@@ -133,9 +133,8 @@ void turnNormalsOutward(ComponentMesh& m) {
     for (const std::uint32_t v : t) sums[v] += normal;
   }
   for (std::size_t v = 0; v < sums.size(); v++) {
-    const Vec3f& n = m.normals[v];
     const double size = length(sums[v]);
-    if (size > 0 && dot(sums[v], Vec3d{n.x, n.y, n.z}) < 0) m.normals[v] = single(sums[v] / size);
+    if (size > 0 && dot(sums[v], wide(m.normals[v])) < 0) m.normals[v] = single(sums[v] / size);
   }
 }
 

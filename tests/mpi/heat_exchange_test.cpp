@@ -2,20 +2,12 @@
 // Contact conductance, evaporation and mush: the same bits on any number of ranks.
 #include <gtest/gtest.h>
 
-#include <bit>
-
-#include "core/math/hash_random.hpp"
-#include "core/simulation/body_types/cell_costs.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/rebalanced_run.hpp"
 
 using namespace thaw;
 using namespace thaw::test;
 
 namespace {
-
-std::uint64_t mixed(std::uint64_t h, double x) { return mixBits(h + std::bit_cast<std::uint64_t>(x)); }
 
 /// Sums over ranks: hashes of all particles, and counts.
 struct State {
@@ -40,29 +32,13 @@ State stateOf(const World& w, std::int64_t mushy, Reducer& all) {
 }
 
 State runOn(MPI_Comm group, const Scene& scene, int steps) {
-  const Communicator comm(group);
-  MpiReducer all(comm);
-  World w;
-  w.scene = scene;
-  StepTools tools;
-  prepareWorld(w, tools, {});
-  MpiCellHalo cells(comm, w.grid);
-  MpiBondHalo bonds(comm);
-  const Halos halos{all, cells, bonds};
-  startWorld(w, halos, tools, {});
   std::int64_t mushy = 0;
-  for (int k = 0; k < steps; k++) {
-    if (k % 20 == 15) {
-      const CellCosts costs = countCells(w);
-      tools.newPartition = cells.rebalance(costs.cells, costs.cost, true);
-    }
-    if (!step(w, halos, tools, {}).finite) {
-      ADD_FAILURE() << "step " << k << " is not finite";
-      break;
-    }
-    for (std::size_t i = 0; i < w.particles.owned; i++) mushy += w.particles.mushRate[i] > 0;
-  }
-  return stateOf(w, mushy, all);
+  return runRebalanced(
+      group, scene, steps,
+      [&](const World& w) {
+        for (std::size_t i = 0; i < w.particles.owned; i++) mushy += w.particles.mushRate[i] > 0;
+      },
+      [&](const World& w, Reducer& all) { return stateOf(w, mushy, all); });
 }
 
 /// A melt that boils away on a cold mould and freezes on it.

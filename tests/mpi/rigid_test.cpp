@@ -2,20 +2,13 @@
 // Rigid pieces that melt, fall apart, freeze and touch: the same bits on any number of ranks.
 #include <gtest/gtest.h>
 
-#include <bit>
-
-#include "core/math/hash_random.hpp"
-#include "core/simulation/body_types/cell_costs.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
+#include "tests/support/rebalanced_run.hpp"
 #include "tests/support/rigid/scenes.hpp"
 
 using namespace thaw;
 using namespace thaw::test;
 
 namespace {
-
-std::uint64_t mixed(std::uint64_t h, double x) { return mixBits(h + std::bit_cast<std::uint64_t>(x)); }
 
 /// Sum of the hashes of all particles and of all pieces, over ranks.
 struct StateHash {
@@ -47,27 +40,8 @@ StateHash hashOf(const World& w, Reducer& all) {
 }
 
 StateHash runOn(MPI_Comm group, const Scene& scene, int steps) {
-  const Communicator comm(group);
-  MpiReducer all(comm);
-  World w;
-  w.scene = scene;
-  StepTools tools;
-  prepareWorld(w, tools, {});
-  MpiCellHalo cells(comm, w.grid);
-  MpiBondHalo bonds(comm);
-  const Halos halos{all, cells, bonds};
-  startWorld(w, halos, tools, {});
-  for (int k = 0; k < steps; k++) {
-    if (k % 20 == 15) {
-      const CellCosts costs = countCells(w);
-      tools.newPartition = cells.rebalance(costs.cells, costs.cost, true);
-    }
-    if (!step(w, halos, tools, {}).finite) {
-      ADD_FAILURE() << "step " << k << " is not finite";
-      break;
-    }
-  }
-  return hashOf(w, all);
+  return runRebalanced(
+      group, scene, steps, [](const World&) {}, hashOf);
 }
 
 TEST(Rigid, piecesHaveTheSameBitsOnAnyNumberOfRanks) {

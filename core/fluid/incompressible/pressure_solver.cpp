@@ -111,13 +111,13 @@ template<class Record> void recordReactions(const PressureSystem& x, Record reco
   };
   for (const WallSlope& wall : x.pressure.walls) {
     if (p.clamped.active && p.clamped[wall.row]) continue;  // its constraint has to bear this too
-    const double V = p.mass[wall.row] / restDensityOf(p, x.scene.materials, wall.row);
+    const double V = restVolumeOf(p, x.scene.materials, wall.row);
     give(wall.row, wall.slope * (-V * static_cast<double>(p.trialPressure[wall.row])), wall.velocity);
   }
   if (!p.clamped.active) return;
   for (const WallSlope& wall : x.pressure.walls) {  // pairs only: the impulse of a wall on a clamped
                                                     // particle acts between two constraints
-    const double V = p.mass[wall.row] / restDensityOf(p, x.scene.materials, wall.row);
+    const double V = restVolumeOf(p, x.scene.materials, wall.row);
     if (p.clamped[wall.row])
       x.pressure.impulse[wall.row] += wall.slope * (V * static_cast<double>(p.trialPressure[wall.row]));
   }

@@ -34,7 +34,7 @@ void sumWith(const PressureSystem& x, AnyColumn& column, Pack pack, Sweep sweep)
 }
 
 double volumeOf(const PressureSystem& x, std::size_t i) {
-  return x.particles.mass[i] / restDensityOf(x.particles, x.scene.materials, i);
+  return restVolumeOf(x.particles, x.scene.materials, i);
 }
 
 /// Gradients of the relative density due to walls, for all particles that are or can be liquid.

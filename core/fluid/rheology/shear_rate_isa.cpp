@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sums of shear_sums.hpp, compiled once per instruction set.
 #include "core/fluid/rheology/shear_sums.hpp"
+#include "core/fluid/terms/choose_types.hpp"
 #include "core/fluid/terms/term.hpp"
+#include "core/simd/isa_name.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
@@ -55,32 +57,21 @@ template<class Real, class Kernel> struct ShearRate {
   }
 };
 
-template<class Real, class Kernel> void sumWith(const PairSums& in, const ShearSums& out, GroupRange range) {
-  ShearRate<Real, Kernel> term{records<Real>(in.positionVolume), records<Real>(in.velocityViscosity),
-                               records<Real>(in.pressurePhaseHeat), &out};
-  sweep(*in.lists, range, term, Groups::Fluid);
-}
-
-template<class Real> void sumOf(const PairSums& in, const ShearSums& out, GroupRange range) {
-  switch (in.kernel) {
-    case KernelKind::WendlandC2: return sumWith<Real, WendlandC2>(in, out, range);
-    case KernelKind::Mcg03: return sumWith<Real, Mcg03>(in, out, range);
-    case KernelKind::CubicSpline: return sumWith<Real, CubicSpline>(in, out, range);
-  }
-}
-
 void sum(const PairSums& in, const ShearSums& out, GroupRange range) {
-  in.precision == Precision::Single ? sumOf<float>(in, out, range) : sumOf<double>(in, out, range);
+  chooseTypes(in, [&](auto real, auto kernel) {
+    using Real = decltype(real);
+    ShearRate<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
+                                           records<Real>(in.velocityViscosity),
+                                           records<Real>(in.pressurePhaseHeat), &out};
+    sweep(*in.lists, range, term, Groups::Fluid);
+  });
 }
-
-#define THAW_STRING_(x) #x
-#define THAW_STRING(x) THAW_STRING_(x)
 
 }  // namespace
 
 const ShearKernels& shearKernelSet();
 const ShearKernels& shearKernelSet() {
-  static constexpr ShearKernels set{THAW_STRING(THAW_ISA) + 4, sum};
+  static constexpr ShearKernels set{isaName, sum};
   return set;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/fluid/terms/artificial_viscosity.hpp"
 #include "core/fluid/terms/carried_density.hpp"
+#include "core/fluid/terms/choose_types.hpp"
 #include "core/fluid/terms/close_pairs.hpp"
 #include "core/fluid/terms/colour_field.hpp"
 #include "core/fluid/terms/conduction.hpp"
@@ -18,24 +19,11 @@
 #include "core/fluid/terms/uniform_forces.hpp"
 #include "core/fluid/terms/viscosity_correction.hpp"
 #include "core/fluid/terms/viscous_operator.hpp"
+#include "core/simd/isa_name.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
 namespace {
-
-/// Calls action with the kernel and the precision of the scene as types.
-template<class Action> void choose(const PairSums& in, Action action) {
-  const auto withReal = [&](auto real) {
-    using Real = decltype(real);
-    switch (in.kernel) {
-      case KernelKind::WendlandC2: action(Real{}, WendlandC2{}); break;
-      case KernelKind::Mcg03: action(Real{}, Mcg03{}); break;
-      case KernelKind::CubicSpline: action(Real{}, CubicSpline{}); break;
-    }
-  };
-  if (in.precision == Precision::Single) withReal(float{});
-  else withReal(double{});
-}
 
 template<class Real, class Kernel> void carriedDensity(const PairSums& in, GroupRange range, double scale) {
   using L = Lanes<Real>;
@@ -65,7 +53,7 @@ template<class Real, class Kernel> void carriedDensity(const PairSums& in, Group
 }
 
 void density(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
+  chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double scale = in.relativeDensityScale * in.support * in.support * in.support;
     if (in.carried) return carriedDensity<Real, decltype(kernel)>(in, range, scale);
@@ -89,7 +77,7 @@ void density(const PairSums& in, GroupRange range) {
 
 template<bool Viscous, bool Laplacian, bool Heat, bool Carried, bool Relief = false>
 void forcesIn(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
+  chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.relativeDensityScale * h * h * h;
@@ -163,7 +151,7 @@ void forces(const PairSums& in, GroupRange range) {
 }
 
 void viscosityCorrection(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
+  chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     ViscosityCorrection<Real, decltype(kernel)> term{
         records<Real>(in.positionVolume),    records<Real>(in.velocityViscosity),
@@ -226,7 +214,7 @@ void surfaceForces(const PairSums& in, GroupRange range) {
 }
 
 void artificialViscosity(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
+  chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     Artificial<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
                                             records<Real>(in.velocityViscosity), records<Real>(in.surface),
@@ -236,7 +224,7 @@ void artificialViscosity(const PairSums& in, GroupRange range) {
 }
 
 void smoothing(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
+  chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     Smoothing<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
                                            records<Real>(in.velocityViscosity), records<Real>(in.surface),
@@ -246,7 +234,7 @@ void smoothing(const PairSums& in, GroupRange range) {
 }
 
 void freeSurfaceIndicator(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
+  chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     FreeSurfaceIndicator<Real, decltype(kernel)> term{records<Real>(in.positionVolume), &in};
     sweep(*in.lists, range, term, Groups::All);
@@ -264,7 +252,7 @@ void closePairs(const PairSums& in, GroupRange range, ClosePairs& pairs) {
 }
 
 void compression(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
+  chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
     Compression<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
@@ -275,7 +263,7 @@ void compression(const PairSums& in, GroupRange range) {
 }
 
 void impulse(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
+  chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
     Impulse<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
@@ -286,7 +274,7 @@ void impulse(const PairSums& in, GroupRange range) {
 }
 
 void response(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
+  chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
     Response<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
@@ -296,31 +284,16 @@ void response(const PairSums& in, GroupRange range) {
   });
 }
 
-#define THAW_STRING_(x) #x
-#define THAW_STRING(x) THAW_STRING_(x)
-
 }  // namespace
 
 void searchNeighbours(const SearchInput&, Part, SearchBuffers&, NeighbourLists&);  // search_isa.cpp
 
 const PairKernels& pairKernelSet();
 const PairKernels& pairKernelSet() {
-  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4,
-                                   searchNeighbours,
-                                   density,
-                                   forces,
-                                   tension,
-                                   surfaceColours,
-                                   surfaceForces,
-                                   artificialViscosity,
-                                   smoothing,
-                                   freeSurfaceIndicator,
-                                   closePairs,
-                                   viscosityCorrection,
-                                   viscous,
-                                   compression,
-                                   impulse,
-                                   response};
+  static constexpr PairKernels set{isaName,   searchNeighbours,     density,       forces,
+                                   tension,   surfaceColours,       surfaceForces, artificialViscosity,
+                                   smoothing, freeSurfaceIndicator, closePairs,    viscosityCorrection,
+                                   viscous,   compression,          impulse,       response};
   return set;
 }
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/geometry/meshes/mesh_edges.hpp"
 #include "core/halo/exchange.hpp"
+#include "core/rigid/connect.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/rigidify/deforming.hpp"
@@ -29,24 +29,6 @@ DisjointSets joinBonded(const RigidifyView& v, const SlotPieces& labels) {
   return sets;
 }
 
-/// Gives each set the smallest label of its rows. Returns true if a label of an owned slot changed.
-bool spreadLabels(const Solids& s, SlotPieces& labels, DisjointSets& sets) {
-  std::vector<std::uint64_t> least(s.size(), ~std::uint64_t{0});
-  for (std::uint32_t i = 0; i < s.size(); i++)
-    if (labels.piece[i] != notRigid) {
-      std::uint64_t& l = least[sets.find(i)];
-      l = std::min(l, labels.piece[i]);
-    }
-  bool changed = false;
-  for (std::uint32_t i = 0; i < s.owned; i++) {
-    if (labels.piece[i] == notRigid) continue;
-    const std::uint64_t l = least[sets.find(i)];
-    changed = changed || l != labels.piece[i];
-    labels.piece[i] = l;
-  }
-  return changed;
-}
-
 /// Labels pieces by 1 + the smallest id of all particles that bonds connect.
 void labelBonded(const RigidifyView& v, const Halos& halos, SlotPieces& labels) {
   const Continuum& p = v.rigid.particles;
@@ -57,11 +39,8 @@ void labelBonded(const RigidifyView& v, const Halos& halos, SlotPieces& labels) 
   }
   refresh(halos.bonds, s, ColumnList{&labels.piece}).wait();
   DisjointSets sets = joinBonded(v, labels);
-  for (double changed = 1; changed > 0;) {
-    changed = spreadLabels(s, labels, sets) ? 1 : 0;
-    halos.all.maximum({&changed, 1});
-    if (changed > 0) refresh(halos.bonds, s, ColumnList{&labels.piece}).wait();
-  }
+  spreadLabels(labels.piece, s.owned, sets, halos.all,
+               [&] { refresh(halos.bonds, s, ColumnList{&labels.piece}).wait(); });
 }
 
 /// Removes the labels of small pieces. Their particles become eligible again after sleep_after.

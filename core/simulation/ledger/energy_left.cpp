@@ -145,7 +145,7 @@ double compressionLost(const World& w, const StepTools& t, const Lost& lost) {
 void recordNeighbourhoods(World& w, const StepTools& t) {
   const Continuum& p = w.particles;
   for (const Lost& lost : lostSums(w, t)) {
-    const double V = p.mass[lost.row] / restDensityOf(p, w.scene.materials, lost.row);
+    const double V = restVolumeOf(p, w.scene.materials, lost.row);
     const double density = surfaceLost(w, t, lost) + compressionLost(w, t, lost);
     w.ledger.left.potential.add(liquidFraction(p, lost.row) * V * density);
   }

@@ -62,39 +62,39 @@ void activatePieceFields(World& w) {
 void activateFields(World& w, StepTools& t) {
   Continuum& p = w.particles;
   const Modules& m = w.modules;
-  const auto on = [&](bool needed, std::initializer_list<AnyColumn*> columns) { turnOn(p, needed, columns); };
-  on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated,
-            &p.cell, &p.phase, &p.dissipation, &p.interaction});
-  on(!t.outside.empty(), {&p.outsideForce});
+  turnOn(p, true,
+         {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated,
+          &p.cell, &p.phase, &p.dissipation, &p.interaction});
+  turnOn(p, !t.outside.empty(), {&p.outsideForce});
   for (const auto& added : p.added) p.activate(*added);
   activateFluid(p, m);
   activateHeat(p, m);
-  on(m.surface, {&p.surfacePosition, &p.component});
-  on(m.surface && m.solid, {&p.surfaceStartPosition});
-  on(m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceVolumeRatio});
-  on(m.surface && anyInitialFill(w.scene), {&p.initialFill});
-  on(m.solid, {&p.slot});
-  on(m.substeps, {&p.fastAcceleration});
-  on(m.freezing, {&p.contactOffset});
+  turnOn(p, m.surface, {&p.surfacePosition, &p.component});
+  turnOn(p, m.surface && m.solid, {&p.surfaceStartPosition});
+  turnOn(p, m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceVolumeRatio});
+  turnOn(p, m.surface && anyInitialFill(w.scene), {&p.initialFill});
+  turnOn(p, m.solid, {&p.slot});
+  turnOn(p, m.substeps, {&p.fastAcceleration});
+  turnOn(p, m.freezing, {&p.contactOffset});
   if (m.rigid) activatePieceFields(w);
-  on(m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
+  turnOn(p, m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows
     for (AnyColumn* c :
          std::initializer_list<AnyColumn*>{&p.relativeDensity, &p.freeSurfaceIndicator, &p.contactNormal})
       c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
-  on(clamped, {&p.clamped});
+  turnOn(p, clamped, {&p.clamped});
   p.nextCell.shareWith(p.dissipation);  // valid from the drift to the sort; dissipation is then summed anew
                                         // until the kick
   // Contacts with sheets and oriented bodies read the last acceleration during force sums. For clamped and
   // sleeping particles it does not follow from the force.
-  if (clamped || m.sheet || m.orientedContact || m.sleep) on(true, {&p.force});
+  if (clamped || m.sheet || m.orientedContact || m.sleep) turnOn(p, true, {&p.force});
   else p.force.shareWith(p.acceleration);
   activateBodyTypes(w);
   bool faces = false;
   for (const SheetPlan& s : w.sheets.plans) faces = faces || s.byFaces;
-  on(faces, {&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
+  turnOn(p, faces, {&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
   if (m.surface) activateSurfaceFields(w.surface, m, !w.walls.list.empty());
   if (p.initialFill.active) w.surface.particles.activate(w.surface.particles.fill);
   if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);

@@ -54,7 +54,7 @@ void gatherParticles(const SurfaceView& w, int rank) {
     c.volumeRatio[i] = p.surfaceVolumeRatio.active && p.surfaceVolumeRatio[i] > 0 ? p.surfaceVolumeRatio[i]
                                                                                   : 1;
     if (p.surfaceVolumeRatio.active) c.volumeRatio[i] *= deformedVolumeRatio(w, i);
-    c.volume[i] = p.mass[i] / restDensityOf(p, w.scene.materials, i);
+    c.volume[i] = restVolumeOf(p, w.scene.materials, i);
     if (c.fill.active) c.fill[i] = p.initialFill[i];
     if (c.liquid.active)
       c.liquid[i] = p.liquid.active ? p.liquid[i] : static_cast<float>(p.phase[i] == Liquid);

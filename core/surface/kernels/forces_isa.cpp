@@ -3,6 +3,7 @@
 // neighbours in the order of the group's list. Eight adjacent surfels share a list, so that a neighbour is
 // loaded once for all lanes. This is faster than a list for each surfel.
 #include "core/math/vec3.hpp"
+#include "core/simd/isa_name.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
 
@@ -138,9 +139,6 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
 }
 void overSurfels(const ForceSums& in) { in.plane ? overSurfelsOf<true>(in) : overSurfelsOf<false>(in); }
 
-#define THAW_STRING_(x) #x
-#define THAW_STRING(x) THAW_STRING_(x)
-
 }  // namespace
 
 void carry(const CarrySums&, std::size_t, double*);  // carry_isa.cpp
@@ -155,16 +153,8 @@ std::uint32_t nearBox(const NearBox&, const float*, const float*, const float*, 
 
 const SurfaceKernels& surfaceKernelSet();
 const SurfaceKernels& surfaceKernelSet() {
-  static constexpr SurfaceKernels set{THAW_STRING(THAW_ISA) + 4,
-                                      overParticles,
-                                      overSurfels,
-                                      carry,
-                                      bend,
-                                      areas,
-                                      openPlaces,
-                                      covered,
-                                      betweenDiscs,
-                                      nearBox};
+  static constexpr SurfaceKernels set{isaName, overParticles, overSurfels, carry,        bend,
+                                      areas,   openPlaces,    covered,     betweenDiscs, nearBox};
   return set;
 }
 

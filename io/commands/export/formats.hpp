@@ -30,6 +30,7 @@ struct ExportFormat {
   bool keepsTables;        ///< sheets or oriented particles alone are written with all their fields
   bool holdsAllByDefault;  ///< default of --what: all contents, with particles only if there is no surface;
                            ///< else the first content of the run
+  bool keepsUv;            ///< --uv: texture coordinates of a surface
   double bytesPerSurfel;   ///< expected size per surfel of a frame; particles take a quarter
   /// Writes one frame. Throws IoError.
   void (*writeFrame)(const std::filesystem::path& file, const ExportScene& scene);

@@ -17,6 +17,7 @@ namespace thaw {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
+
 }  // namespace
 
 SurfaceUv::SurfaceUv(const Scene& scene) {

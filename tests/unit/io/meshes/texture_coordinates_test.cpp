@@ -47,7 +47,7 @@ TEST(TextureCoordinates, AreInterpolatedOnTheSurface) {
 
 TEST(TextureCoordinates, TrianglesAcrossASeamAreNotSmeared) {
   TriangleMesh strip;
-  std::vector<TextureUv> uv;
+  std::vector<Uv> uv;
   for (std::uint32_t k = 0; k < 40; k++) {
     strip.vertices.push_back({0.1 * k, 0, 0});
     strip.vertices.push_back({0.1 * k, 0.1, 0});
