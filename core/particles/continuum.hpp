@@ -33,8 +33,7 @@ struct Continuum : Table {
       "from the last force evaluation; the next half kick uses it", Rows::Owned};
   Column<Vec3d> fastAcceleration{*this, "fastAcceleration", "m/s^2", Keep::State,
       "part that substeps apply: bonds, and contacts of solids with walls", Rows::Owned};
-  Column<double> mass{*this, "mass", "kg", Keep::State,
-      "constant, except in liquids that evaporate"};
+  Column<double> mass{*this, "mass", "kg", Keep::State, "constant, except in liquids that evaporate"};
   Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::State,
@@ -45,8 +44,8 @@ struct Continuum : Table {
       "key of the current cell, valid from the drift to the sort; shares the memory of "
       "`dissipation`", Rows::Owned};
   Column<u8> clamped{*this, "clamped", "1", Keep::State,
-      "1: fixed in place; 2: driven by its emitter at constant velocity; 3: part of a rigid piece with "
-      "fixed particles"};
+      "1: fixed in place; 2: driven by its emitter at constant velocity; 3: part of a rigid piece with fixed "
+      "particles"};
   Column<double> restDensity{*this, "restDensity", "kg/m^3", Keep::State,
       "density at rest, of materials whose phases differ in density"};
   // Fluid.

@@ -2,7 +2,6 @@
 #include "core/solid/fracture.hpp"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "core/solid/elasticity/slot_state.hpp"
@@ -24,20 +23,6 @@ bool beyondLimit(const ElasticWork& work, const Solids& solids, const Bonds& bon
          length2 > limit * limit * std::max(dot(v.reference, v.reference), dot(v.reverse, v.reverse));
 }
 
-/// Stored energy (J) of the slot's bonds at the positions before the drift of this step.
-double energyBeforeDrift(const ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot,
-                         double dt) {
-  std::vector<std::pair<std::uint32_t, Vec3d>> places{
-      {static_cast<std::uint32_t>(slot), solids.position[slot]}};
-  for (int k = 0; k < bonds.capacity; k++)
-    if (const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)]; bonds.hasBond(slot, k))
-      places.emplace_back(other, solids.position[other]);
-  for (const auto& [row, place] : places) solids.position[row] = place - solids.velocity[row] * dt;
-  const double energy = slotEnergy(work, solids, bonds, slot);
-  for (const auto& [row, place] : places) solids.position[row] = place;
-  return energy;
-}
-
 }  // namespace
 
 std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
@@ -55,8 +40,7 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
         if (bonds.hasBond(s, k) && beyondLimit(work, solids, bonds, s, k)) lost.push_back(k);
       if (lost.empty()) continue;
       solids.markExposed(s);
-      const double before = slotEnergy(work, solids, bonds, s),
-                   stored = before - energyBeforeDrift(work, solids, bonds, s, step.dt);
+      const DriftEnergy before = driftEnergy(work, solids, bonds, s, step.dt);
       for (const int k : lost) {
         count += solids.id[s] < solids.id[bonds.neighbour[bonds.at(s, k)]];
         bonds.cut(s, k);
@@ -66,12 +50,8 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
       // then reduced so that a break never adds energy; otherwise one crack triggers the next until all is
       // dust.
       const double after = slotEnergy(work, solids, bonds, s);
-      if (after > before) solids.volume[s] *= before / after;
-      const double left = after > before ? slotEnergy(work, solids, bonds, s) : after;
-      phaseJump.add(before - left);
-      // The half kick that ends this step uses the forces of the remaining bonds, the drift used the forces
-      // of all. Without the difference of their work the energy balance is of first order in dt.
-      phaseJump.add(-0.5 * (stored - (left - energyBeforeDrift(work, solids, bonds, s, step.dt))));
+      if (after > before.now) solids.volume[s] *= before.now / after;
+      recordJump(before, driftEnergy(work, solids, bonds, s, step.dt), phaseJump);
       any = true;
     }
     if (any) broken.push_back(static_cast<std::uint32_t>(g));

@@ -33,6 +33,7 @@ std::int64_t dropMeltedBonds(ElasticWork& work, const Continuum& p, Solids& soli
     if (!dropBonds(solids, bonds, s, work.bondCount[s / lanes])) continue;
     refreshSlot(work, solids, bonds, s);
     if (solids.liquid.active) solids.liquid[s] = p.liquid[solids.particle[s]];
+    if (solids.lastGradient.active) solids.lastGradient[s] = slotGradient(work, solids, bonds, s);
     const double after = solids.melted[s] ? 0 : slotEnergy(work, solids, bonds, s);
     phaseJump.add(solids.energy[s] - after);
     solids.energy[s] = after;

@@ -121,10 +121,11 @@ TEST(Fields, YieldFractureAndDampingAddTheirOwn) {
   Scene plastic = block(true);
   plastic.materials[0].yieldStrain = {0.1, 0.1};
   plastic.materials[0].maxPlasticStrain = 0.1;
-  EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticInverse", "solid.dissipated"}));
+  EXPECT_EQ(added(plastic, block(true)),
+            (Names{"solid.plasticInverse", "solid.lastGradient", "solid.dissipated"}));
   plastic.materials[0].maxPlasticStrain = never;
   EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticInverse", "solid.referenceGradient",
-                                                "solid.dissipated", "solid.rereferenced"}));
+                                                "solid.velocity", "solid.dissipated", "solid.rereferenced"}));
   Scene hard = plastic;
   hard.materials[0].hardening = 1e5;
   EXPECT_EQ(added(hard, plastic), (Names{"solid.plasticPath"}));

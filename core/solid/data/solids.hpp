@@ -42,12 +42,16 @@ struct Solids : Table {
   Column<Mat3d> referenceGradient{*this, "referenceGradient", "1", Keep::State,
       "F - 1 from the first reference configuration to the present one; only where references follow plastic "
       "flow"};
+  Column<Mat3d> lastGradient{*this, "lastGradient", "1", Keep::State,
+      "F - 1 of the last evaluation with the present bonds, for the work of plastic flow; -1: unknown; only "
+      "with a limit of plastic strain"};
   Column<double> plasticPath{*this, "plasticPath", "1", Keep::State,
       "equivalent plastic strain; only where a material hardens"};
   // Copies of the continuum particle, set at the start of a step (owned rows) or received (remote rows).
   Column<Vec3d> position{*this, "position", "m", Keep::Transient, "position of the particle"};
   Column<Vec3d> velocity{*this, "velocity", "m/s", Keep::Transient,
-      "velocity of the particle; only with bond damping"};
+      "velocity of the particle in the drift of this step; only with bond damping, fracture, new references "
+      "or rigidify"};
   Column<float> liquid{*this, "liquid", "1", Keep::Transient,
       "liquid fraction of the particle; only where a material melts"};
   // Computed from bonds.

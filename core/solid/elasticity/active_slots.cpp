@@ -34,6 +34,7 @@ void clearSlot(Solids& solids, std::size_t slot) {
   solids.force[slot] = {};
   if (!(determinant(solids.deformation[slot]) > 0))  // unknown: the slot came from a file or another rank
     solids.deformation[slot] = identity3<double>();
+  if (solids.lastGradient.active) solids.lastGradient[slot] = -1.0 * identity3<double>();  // it may turn
   if (solids.drag.active) solids.drag[slot] = 0;
   if (solids.dissipated.active) solids.dissipated[slot] = 0;
 }

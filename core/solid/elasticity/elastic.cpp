@@ -65,6 +65,7 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   a.perWeight = work.perWeight.data();
   a.volume = solids.volume.data();
   a.plasticInverse = work.plastic ? solids.plasticInverse.data() : nullptr;
+  a.lastGradient = solids.lastGradient.active ? solids.lastGradient.data() : nullptr;
   a.referenceGradient = solids.referenceGradient.active ? solids.referenceGradient.data() : nullptr;
   a.plasticPath = solids.plasticPath.active ? solids.plasticPath.data() : nullptr;
   a.flows = solids.rereferenced.active ? work.flows.data() : nullptr;
@@ -164,21 +165,32 @@ void putLane(const Mat3d& m, int lane, double out[9][8]) {
 
 }  // namespace
 
+/// Returns the work (Pa) of a flow that ends with F - 1 = g.
+static double lossOf(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const Mat3d& g,
+                     const PlasticFlow& flow) {
+  if (!a.lastGradient) return flow.loss;
+  const Mat3d& last = a.lastGradient[slot];
+  const bool known = determinant(identity3<double>() + last) > 0;
+  return workOfFlow(c, {known ? last : g, a.plasticInverse[slot]}, {g, flow.state.inverse});
+}
+
 void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
               int lane, PlasticLanes& out) {
   Mat3d& inverse = a.plasticInverse[slot];
   const Mat3d g = laneMatrix(gradU, lane);
+  const bool passive = a.passive && a.passive[slot], held = passive || (a.held && a.held[slot]);
   PlasticFlow flow{{inverse, a.plasticPath ? a.plasticPath[slot] : 0}, {}, 0, false};
-  if (a.flow && c.yield < never && !(a.held && a.held[slot])) {
+  if (a.flow && c.yield < never && !held) {
     flow = plasticFlow(c, g, flow.state, a.referenceGradient ? a.referenceGradient[slot] : Mat3d{}, a.dt);
     if (flow.flows) {
+      a.dissipated[slot] += a.volume[slot] * lossOf(a, c, slot, g, flow);
       inverse = flow.state.inverse;
       if (a.plasticPath) a.plasticPath[slot] = flow.state.path;
-      a.dissipated[slot] += a.volume[slot] * flow.loss;
     }
   } else {
     flow.elastic = elasticGradient(g, inverse);
   }
+  if (a.lastGradient && !passive) a.lastGradient[slot] = g;
   if (a.flows && a.flow) a.flows[slot] = flow.flows;
   putLane(flow.elastic, lane, out.elastic);
   putLane(inverse, lane, out.inverse);

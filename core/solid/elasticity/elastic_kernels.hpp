@@ -45,6 +45,7 @@ struct ElasticArrays {
   const std::uint8_t* rank = nullptr;
   const double *perTrace = nullptr, *perWeight = nullptr, *volume = nullptr;
   Mat3d* plasticInverse = nullptr;
+  Mat3d* lastGradient = nullptr;             ///< null: no limit of plastic strain
   const Mat3d* referenceGradient = nullptr;  ///< null: all slots have the first reference
   double* plasticPath = nullptr;             ///< null: no hardening
   std::uint8_t* flows = nullptr;             ///< set where plastic strain changed; null: not needed

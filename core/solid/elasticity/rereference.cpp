@@ -68,9 +68,9 @@ std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const 
     for (std::size_t s = first; s < last; s++) {
       if (!takesReference(work, solids, bonds, s)) continue;
       solids.rereferenced[s] = 1;
-      const double before = slotEnergy(work, solids, bonds, s);
+      const DriftEnergy before = driftEnergy(work, solids, bonds, s, step.dt);
       takeReference(work, solids, bonds, s);
-      phaseJump.add(before - slotEnergy(work, solids, bonds, s));
+      recordJump(before, driftEnergy(work, solids, bonds, s, step.dt), phaseJump);
       count++;
       const auto g = static_cast<std::uint32_t>(s / lanes);
       if (groups.empty() || groups.back() != g) groups.push_back(g);

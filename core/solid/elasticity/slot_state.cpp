@@ -2,6 +2,7 @@
 #include "core/solid/elasticity/slot_state.hpp"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/solid/elasticity/reference_kernels.hpp"
@@ -181,6 +182,20 @@ SlotStrain slotStrain(const ElasticWork& work, const Solids& solids, const Bonds
     errors += v.weight * dot(e, e);
   }
   return strainWith(work, solids, slot, gradU, errors);
+}
+
+DriftEnergy driftEnergy(const ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot,
+                        double dt) {
+  const double now = slotEnergy(work, solids, bonds, slot);
+  std::vector<std::pair<std::uint32_t, Vec3d>> places{
+      {static_cast<std::uint32_t>(slot), solids.position[slot]}};
+  for (int k = 0; k < bonds.capacity; k++)
+    if (const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)]; bonds.hasBond(slot, k))
+      places.emplace_back(other, solids.position[other]);
+  for (const auto& [row, place] : places) solids.position[row] = place - solids.velocity[row] * dt;
+  const double before = slotEnergy(work, solids, bonds, slot);
+  for (const auto& [row, place] : places) solids.position[row] = place;
+  return {now, before};
 }
 
 SlotStrain slotStrainAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,

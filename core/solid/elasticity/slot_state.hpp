@@ -32,6 +32,21 @@ Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& b
 
 /// Returns the stored energy (J) of one owned slot at Solids::position: law, volume and hourglass.
 double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
+/// Stored energy of a slot now and at the positions before the drift of this step.
+struct DriftEnergy {
+  double now, before;  ///< J
+};
+/// Requires: Solids::velocity of the drift (m/s) of owned and remote rows. dt: s.
+DriftEnergy driftEnergy(const ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot,
+                        double dt);
+/// Records the energy that a change of bonds or references takes. The half kick that ends this step uses the
+/// forces after the change, the drift used those before it. Without the difference of their work the energy
+/// balance is of first order in dt.
+inline void recordJump(const DriftEnergy& from, const DriftEnergy& to, ExactSum& phaseJump) {
+  phaseJump.add(from.now - to.now);
+  phaseJump.add(-0.5 * ((from.now - from.before) - (to.now - to.before)));
+}
+
 /// Gradient and energy together.
 struct SlotStrain {
   Mat3d gradU;

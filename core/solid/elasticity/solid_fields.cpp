@@ -19,7 +19,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   work.periodic = grid.periodic[0] || grid.periodic[1] || grid.periodic[2];
   work.plastic = modules.plastic;
   work.touch = modules.contact ? contactDistance * scene.spacing : 0;
-  bool rereferences = false, hardens = false;
+  bool rereferences = false, hardens = false, limited = false;
   for (const Material& m : work.materials) {
     work.solidConstants.push_back(elasticConstants(m, 0));
     if (!m.canBeSolid()) continue;
@@ -27,6 +27,8 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     work.damping = work.damping || m.damping > 0;
     rereferences = rereferences || (modules.plastic && work.solidConstants.back().yield < never &&
                                     m.maxPlasticStrain > work.rereference);
+    limited = limited ||
+              (modules.plastic && work.solidConstants.back().yield < never && m.maxPlasticStrain < never);
     hardens = hardens || (modules.plastic && m.hardening > 0);
   }
   // If references are ever renewed, each bond has its own. Otherwise all bonds share the initial
@@ -52,6 +54,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     solids.activate(*c);
   if (!vectors) solids.activate(solids.reference);
   if (work.plastic) solids.activate(solids.plasticInverse);
+  if (limited) solids.activate(solids.lastGradient);
   if (hardens) solids.activate(solids.plasticPath);
   if (work.plastic || work.damping) solids.activate(solids.dissipated);
   if (rereferences) {
@@ -72,7 +75,8 @@ std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work) 
                                   &solids.force};
   columns.push_back(work.precision == Precision::Single ? static_cast<AnyColumn*>(&solids.end)
                                                         : &solids.endDouble);
-  if (work.damping || work.minBreakStretch < never) columns.push_back(&solids.velocity);
+  if (work.damping || work.minBreakStretch < never || solids.rereferenced.active)
+    columns.push_back(&solids.velocity);
   if (work.damping) columns.push_back(&solids.drag);
   return columns;
 }

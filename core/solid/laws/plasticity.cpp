@@ -66,17 +66,6 @@ bool surelyBelow(const ElasticConstants& c, const Sym3d& strain, double yield) {
   return size < 0.1 && norm(deviator(strain)) * (c.mu + (8 * c.mu + 4 * c.lambda) * size) < yield * c.mu;
 }
 
-/// Work (Pa) of a flow from one elastic gradient to another: the final stress times the strain. The energy
-/// between both is larger by half of the change of stress, which the forces of a step have not worked
-/// against.
-double workOfFlow(const ElasticConstants& c, const Mat3d& trial, const Mat3d& final) {
-  const ElasticResponse from = elasticResponse(c, trial), to = elasticResponse(c, final);
-  const Mat3d stress = from.stress - to.stress, strain = trial - final;
-  double half = 0;
-  for (int k = 0; k < 3; k++) half += 0.5 * dot(stress.row[k], strain.row[k]);
-  return from.energy - to.energy - half;
-}
-
 /// Limits the norm of the total plastic strain to gamma_max, or to its previous value if that is larger.
 void limitPlasticStrain(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
                         const Mat3d& reference, PlasticFlow& flow) {
@@ -93,7 +82,7 @@ void limitPlasticStrain(const ElasticConstants& c, const Mat3d& gradU, const Pla
                     std::sqrt(2.0 / 3) * norm(plasticStrain(flow.state.inverse, reference) - first);
   const Mat3d trial = elasticGradient(gradU, before.inverse);
   flow.elastic = elasticGradient(gradU, flow.state.inverse);
-  flow.loss = workOfFlow(c, trial, flow.elastic);
+  flow.flows = elasticResponse(c, flow.elastic).energy < elasticResponse(c, trial).energy;
 }
 
 }  // namespace
@@ -137,7 +126,17 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
   flow.elastic = elasticGradient(gradU, flow.state.inverse);  // same bits as an evaluation without flow
                                                               // (repeatDeformation)
   if (c.maxPlastic < never) limitPlasticStrain(c, gradU, before, referenceGradient, flow);
-  return flow.loss > 0 ? flow : none;
+  return flow.flows ? flow : none;
+}
+
+double workOfFlow(const ElasticConstants& c, const PlasticDeformation& before,
+                  const PlasticDeformation& after) {
+  const ElasticResponse from = elasticResponse(c, before.gradU, before.plasticInverse),
+                        to = elasticResponse(c, after.gradU, after.plasticInverse);
+  const Mat3d stress = from.stress + to.stress, change = after.gradU - before.gradU;
+  double work = from.energy - to.energy;
+  for (int k = 0; k < 3; k++) work += 0.5 * dot(stress.row[k], change.row[k]);
+  return work;
 }
 
 Sym3d plasticStrain(const Mat3d& plasticInverse, const Mat3d& referenceGradient) {

@@ -31,7 +31,8 @@ struct PlasticState {
 struct PlasticFlow {
   PlasticState state;
   Mat3d elastic{};  ///< 1, Fe - 1
-  double loss = 0;  ///< Pa, work of the flow: final stress times its strain
+  double loss = 0;  ///< Pa, work of the flow, if the stress hardly changes in a step: final stress times
+                    ///< plastic strain
   bool flows = false;
 };
 
@@ -42,6 +43,16 @@ struct PlasticFlow {
 /// strain at a Poisson's ratio of 0.3 is unstable below 0.67 of the volume.
 PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
                         const Mat3d& referenceGradient, double dt);
+
+/// Deformation F and its plastic part.
+struct PlasticDeformation {
+  Mat3d gradU, plasticInverse;  ///< 1, F - 1 and Fp^-1 - 1
+};
+/// Returns the work (Pa) lost in a step from one deformation to another: the mean of both stresses times the
+/// change of F, as the forces of the step work, minus the change of the stored energy. Where plastic strain
+/// is at its limit, the stress changes by a multiple of the yield stress in a step.
+double workOfFlow(const ElasticConstants& c, const PlasticDeformation& before,
+                  const PlasticDeformation& after);
 
 /// Returns ln Up of the total plastic deformation Fp F_ref = R Up, F_ref = 1 + referenceGradient: the
 /// logarithmic plastic strain along the axes of the first reference configuration.
