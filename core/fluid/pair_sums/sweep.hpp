@@ -41,6 +41,7 @@ THAW_INLINE void addNeighbours(const Term& term, const typename Term::Data& own,
 /// - pair(own, other, entries, sum): adds one neighbour in each lane. Lanes of short lists get the dummy row.
 ///   Or, where the latency of a pair is long: begin(own, other), which returns a Pair, and add(own, pair,
 ///   sum). The next pair then begins before the last one is added.
+/// - optional: prefetch(rows), called before the neighbours are added, for columns that finish uses.
 /// - finish(rows, own, sum, dummy): writes the sums. Lanes with rows[l] == dummy hold no particle.
 template<class Term>
 THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, Groups groups) {
@@ -52,6 +53,7 @@ THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term
     alignas(32) std::uint32_t ownEntries[8];
     for (int l = 0; l < 8; l++) ownEntries[l] = 2 * rows[l];
     const typename Term::Data own = term.load(ownEntries);
+    if constexpr (requires { term.prefetch(rows); }) term.prefetch(rows);
     typename Term::Sum sum{};
     addNeighbours(term, own, list + lists.first[g], lists.count[g], sum);
     const typename Term::Sum total = sum;  // read lane by lane from memory, so that sum itself stays in

@@ -50,6 +50,19 @@ struct CarriedDensity {
     if constexpr (Carried && Mixed) d.pressurePhaseHeat = loadListed(pressurePhaseHeat, entries);
     return d;
   }
+  THAW_INLINE void prefetch(const std::uint32_t* rows) const {
+    if constexpr (!Carried) return;
+    const CarryStep& c = *in->carry;
+    prefetchRows(c.mass, rows);
+    prefetchRows(c.compression, rows);
+    prefetchRows(c.dissipated, rows);
+    prefetchRows(c.compressionRate, rows);
+    if constexpr (Surfaces) prefetchRows(c.shiftingVelocity, rows);
+    if constexpr (Corrected) {
+      prefetchRows(c.midCorrection, rows);
+      prefetchRows(c.correction, rows);
+    }
+  }
   /// A neighbour before its sums. Differences are other - own.
   struct Pair {
     Vector3<L> d, u;  ///< unit, m/s: at mid-step, and of the velocities

@@ -68,6 +68,10 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     return v;
   }
   THAW_INLINE void findLanes() {
+    if (!Mixed && !x.steady) {
+      awake = wet = (1u << at.count) - 1;
+      return;
+    }
     for (int l = 0; l < at.count; l++) {
       const bool isAwake = !x.steady || !x.steady[at.row[l]];
       awake |= unsigned{isAwake} << l;
@@ -286,9 +290,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   }
 
   THAW_INLINE void store(const Tensor<L>& now, const Tensor<L>& next, Wide end) {
-    if constexpr (Surfaces)
-      for (int l = 0; l < at.count; l++)
-        if (awake >> l & 1) x.atSurface[at.row[l]] = atSurface[l] > 0;
+    if constexpr (Surfaces) writeFlags(at, awake, toFloats(atSurface), x.atSurface);
     write(at, wet, end, x.compression);
     write(at, wet, toFloats(Wide(1.0) + end + lead), in.relativeDensity);
     if constexpr (Corrected) {

@@ -10,6 +10,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
+typedef double Pair64 __attribute__((vector_size(16)));
+
 THAW_INLINE void setLane(LanesF& v, int l, double x) { v.v[l] = static_cast<float>(x); }
 THAW_INLINE void setLane(LanesD& v, int l, double x) { l < 4 ? v.lo[l] = x : v.hi[l - 4] = x; }
 THAW_INLINE LanesF narrowed(LanesD a, LanesF) {
@@ -52,6 +54,14 @@ THAW_INLINE GroupRows groupRows(const std::uint32_t* rows, int count) {
   return {rows, count, consecutive};
 }
 
+/// Prefetches a column at the rows of a group, which are mostly consecutive. Null: nothing.
+template<class T> THAW_INLINE void prefetchRows(const T* column, const std::uint32_t* rows) {
+  if (!column) return;
+  const char* const at = reinterpret_cast<const char*>(column + rows[0]);
+  constexpr std::size_t line = 64;
+  for (std::size_t byte = 0; byte < 8 * sizeof(T); byte += line) __builtin_prefetch(at + byte);
+}
+
 /// Lanes that are written, as bits.
 using LaneBits = unsigned;
 
@@ -61,6 +71,18 @@ template<class Real> THAW_INLINE void write(const GroupRows& r, LaneBits lanes, 
   } else {
     for (int l = 0; l < r.count; l++)
       if (lanes >> l & 1) column[r.row[l]] = v[l];
+  }
+}
+
+/// Writes 1 where v is above 0, else 0. v is 0 or 1.
+THAW_INLINE void writeFlags(const GroupRows& r, LaneBits lanes, LanesF v, std::uint8_t* column) {
+  if (r.consecutive && lanes == 0xff) {
+    typedef std::uint8_t Bytes __attribute__((vector_size(8)));
+    const Bytes flags = __builtin_convertvector(__builtin_convertvector(v.v, Vec8i), Bytes);
+    __builtin_memcpy(column + r.row[0], &flags, sizeof flags);
+  } else {
+    for (int l = 0; l < r.count; l++)
+      if (lanes >> l & 1) column[r.row[l]] = v[l] > 0;
   }
 }
 
@@ -83,9 +105,10 @@ template<class L> THAW_INLINE Tensor<L> tensors(const GroupRows& r, const Sym3f*
   Vec4f four[8], two[8];
   for (int l = 0; l < 8; l++) {
     const char* const from = reinterpret_cast<const char*>(column + r.row[l]);
-    two[l] = Vec4f{};
+    double last;  // one load into a register: half of a vector would pass through memory
     __builtin_memcpy(&four[l], from, 16);
-    __builtin_memcpy(&two[l], from + 16, 8);
+    __builtin_memcpy(&last, from + 16, 8);
+    two[l] = reinterpret_cast<Vec4f>(Pair64{last, 0});
   }
   const auto both = [](const Vec4f(&v)[8], int l) {
     return __builtin_shufflevector(v[l], v[l + 4], 0, 1, 2, 3, 4, 5, 6, 7);
@@ -107,7 +130,11 @@ template<class L> THAW_INLINE void write(const GroupRows& r, LaneBits lanes, L x
     for (int l = 0; l < 8; l++)
       if (lanes >> l & 1) {
         const Vec4d wide = __builtin_convertvector(rowOf(v, l), Vec4d);
-        __builtin_memcpy(reinterpret_cast<char*>(column + r.row[l]), &wide, sizeof(Vec3d));
+        const Pair64 first = __builtin_shufflevector(wide, wide, 0, 1);
+        char* const to = reinterpret_cast<char*>(column + r.row[l]);
+        __builtin_memcpy(to, &first, 16);
+        const double third = wide[2];
+        __builtin_memcpy(to + 16, &third, 8);
       }
   } else {
     for (int l = 0; l < 8; l++)
