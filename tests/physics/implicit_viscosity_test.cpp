@@ -208,4 +208,27 @@ TEST(ImplicitViscosity, StartsWhereNothingElseLimitsTheStep) {
   for (std::size_t i = 0; i < p.owned; i++) EXPECT_NEAR(p.velocity[i].z, -9.81 * run.w.clock.time, 1e-3);
 }
 
+TEST(ImplicitViscosity, LedgerClosesWithIncompressiblePressure) {
+  // The pressure changes velocities between both half kicks of a viscous force. Without that change, a fifth
+  // of this impact's energy is unexplained.
+  Scene s = emptyScene(0.01, {0, 0, 0}, {0.3, 0.3, 0.3});
+  s.domain.side[2][0] = Side::Wall;
+  s.domain.gravity = {0, 0, -9.81};
+  Material m;
+  m.density = 930;
+  m.viscosity = {200, 200};
+  m.soundSpeed = 2;
+  s.materials.push_back(m);
+  s.numerics.viscositySolver = ViscositySolver::Implicit;
+  s.numerics.solver = PressureSolver::Incompressible;
+  addBox(s, {0.1, 0.1, 0.01}, {0.2, 0.2, 0.11}).velocity = {0, 0, -1.3};
+  s.end = 0.08;
+  Simulation run(s);
+  const double kinetic = run.ledgerReport().now.kinetic;
+  ASSERT_TRUE(run.run());
+  const LedgerReport r = run.ledgerReport();
+  EXPECT_LT(r.now.kinetic, 0.1 * kinetic);
+  EXPECT_LT(std::abs(r.energyResidual), 0.02 * r.energyScale);
+}
+
 }  // namespace thaw::test

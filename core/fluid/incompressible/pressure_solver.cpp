@@ -159,13 +159,17 @@ void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
 
 /// Corrects the dissipation of resistive forces, which was recorded at the drift velocity v. The force acts
 /// in the past half kick at mean velocity v + a dt/4, and in the next one at v + a dt/2 + pressure change + a
-/// next/4. The difference is significant for steps near the viscous limit.
+/// next/4. The difference is significant for steps near the viscous limit. Implicit viscous forces were
+/// recorded at the mean velocity of both half kicks, so they lack the pressure change alone.
 void recordResistance(Continuum& p, const std::vector<Vec3d>& before, double dt, double next) {
   const double both = (dt + next) * (dt + next) / 8, half = 0.5 * next;
-  for (std::size_t i = 0; i < p.owned; i++)
-    if (!(p.clamped.active && p.clamped[i]))
-      p.dissipated[i] -= dot(
-          p.drag[i], (p.velocity[i] + p.pressureImpulse[i] - before[i]) * half + p.acceleration[i] * both);
+  const bool implicit = p.viscousAcceleration.active;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.clamped.active && p.clamped[i]) continue;
+    const Vec3d pressure = (p.velocity[i] + p.pressureImpulse[i] - before[i]) * half;
+    p.dissipated[i] -= dot(p.drag[i], pressure + p.acceleration[i] * both);
+    if (implicit) p.dissipated[i] -= p.mass[i] * dot(p.viscousAcceleration[i], pressure);
+  }
 }
 
 /// Changes the velocity by `change`; the loss of kinetic energy is dissipated.
