@@ -51,7 +51,13 @@ double speedOff(const CarryContext& x, const WallContact& c) {
 std::span<const WallContact> atMidStep(const CarryContext& x, std::span<const WallContact> now) {
   std::vector<WallContact>& mid = x.carry.midContacts;
   mid.assign(now.begin(), now.end());
-  for (WallContact& c : mid) c.distance -= 0.5 * x.dt * speedOff(x, c);
+  const Continuum& p = x.particles;
+  for (WallContact& c : mid) {
+    double speed = speedOff(x, c);
+    if (p.shiftingVelocity.active && !(p.clamped.active && p.clamped[c.row]))
+      speed += dot(p.shiftingVelocity[c.row], c.normal);
+    c.distance -= 0.5 * x.dt * speed;
+  }
   if (mid.size() > 1)
     for (std::size_t k = 0; k < mid.size(); k++)
       mid[k].share = pressureShare({x.wallTables, x.grid.support}, mid, k);

@@ -69,6 +69,31 @@ MaterialParameters localParameters(HeatModel model, const Material& m, double f,
 /// bonds.
 bool sumsOverPairs(const Modules& m) { return m.fluid || m.heat || m.contact; }
 
+/// Velocity (m/s) with which a particle moved in the last step: without shifting, and with it.
+struct StepVelocity {
+  Vec3d flow, all;
+};
+StepVelocity stepVelocity(const Continuum& p, std::size_t i, bool substeps) {
+  if (substeps && takesSubsteps(p, i)) return {p.stepMeanVelocity[i], p.stepMeanVelocity[i]};
+  const Vec3d& v = p.velocity[i];
+  const bool shifts = p.shiftingVelocity.active && !(p.clamped.active && p.clamped[i]);
+  return {v, shifts ? v + p.shiftingVelocity[i] : v};
+}
+
+template<class Real>
+void packPlace(const CellGrid& grid, const FixedPlaces& fixedPlace, const Vec3d& at, double volume,
+               Four<Real>& to) {
+  if constexpr (sizeof(Real) == 8) {
+    const Vec3d d = at - grid.origin;
+    const double perSupport = 1 / grid.support;
+    to = {d.x * perSupport, d.y * perSupport, d.z * perSupport, volume};
+  } else {
+    Words words = fixedPlace(at);
+    words[3] = std::bit_cast<std::uint32_t>(static_cast<float>(volume));
+    std::memcpy(&to, &words, sizeof words);
+  }
+}
+
 template<class Real>
 void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const CellGrid grid = x.grid;
@@ -99,11 +124,13 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     positionVolume[3] = std::bit_cast<std::uint32_t>(static_cast<float>(marked));
     std::memcpy(&fixed[i], &positionVolume, sizeof positionVolume);
     if constexpr (sizeof(Real) == 8)
-      rows<double>(r.positionVolume)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h),
-                                           (at.z - grid.origin.z) * (1 / h), marked};
+      packPlace(grid, fixedPlace, at, marked, rows<double>(r.positionVolume)[i]);
     if (!sums) continue;
+    const StepVelocity moved = stepVelocity(p, i, substeps);
+    if (carried)
+      packPlace(grid, fixedPlace, at - moved.all * (0.5 * x.elapsed), marked, rows<Real>(r.middle)[i]);
     if (uniform && !surface) {
-      put(rows<Real>(r.velocityViscosity)[i], p.velocity[i],
+      put(rows<Real>(r.velocityViscosity)[i], moved.flow,
           carried ? static_cast<Real>(p.compression[i])
           : heat  ? static_cast<Real>(p.temperature[i])
                   : Real(0));
@@ -116,8 +143,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty())
                                          ? localParameters(x.scene.numerics.heat, m, f, T)
                                          : r.constant[k];
-    put(rows<Real>(r.velocityViscosity)[i],
-        substeps && takesSubsteps(p, i) ? p.stepMeanVelocity[i] : p.velocity[i],
+    put(rows<Real>(r.velocityViscosity)[i], moved.flow,
         static_cast<Real>(local.viscosity *
                           (corrected ? 1 + static_cast<double>(p.viscosityCorrection[i]) : 1)));
     const double wet = surfaces && p.atSurface[i] ? -f : f;
@@ -243,11 +269,14 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
                        (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);
   else r.surface.clear();
-  if (x.modules.continuity) resizeBytes(r.pressureDiagonal, n + 1, each);
+  if (x.modules.continuity) {
+    resizeBytes(r.middle, n + 1, each);
+    resizeBytes(r.pressureDiagonal, n + 1, each);
+  }
   if (x.modules.continuity && !x.modules.uniform) resizeBytes(r.pressureOffDiagonal, n + 1, each);
   if (x.modules.surfaceEnergy) resizeBytes(r.surfaceEnergyDerivatives, n + 1, each);
   for (AlignedVector<std::byte>* v :
-       {&r.fixed, &r.positionVolume, &r.velocityViscosity, &r.pressurePhaseHeat, &r.surface,
+       {&r.fixed, &r.middle, &r.positionVolume, &r.velocityViscosity, &r.pressurePhaseHeat, &r.surface,
         &r.pressureDiagonal, &r.pressureOffDiagonal, &r.surfaceEnergyDerivatives}) {
     const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
     if (!v->empty()) std::memset(v->data() + n * record, 0, record);

@@ -19,8 +19,10 @@ struct MaterialParameters {
 
 /// Records of all rows and the dummy row behind them; bytes, because they are float or double.
 struct PairRecords {
-  AlignedVector<std::byte> fixed;  ///< fixed-point positions and V0 / h^3, float; positionVolume of single
-                                   ///< precision
+  AlignedVector<std::byte> fixed;   ///< fixed-point positions and V0 / h^3, float; positionVolume of single
+                                    ///< precision
+  AlignedVector<std::byte> middle;  ///< positionVolume halfway along the last step; only with carried
+                                    ///< densities
   AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePosition)
   AlignedVector<std::byte> positionVolume, velocityViscosity, pressurePhaseHeat, surface, pressureDiagonal,
       pressureOffDiagonal, surfaceEnergyDerivatives;
@@ -36,7 +38,8 @@ struct RecordContext {
   const Modules& modules;
   const CellGrid& grid;
   const std::vector<LiquidMaterial>& liquids;
-  int substeps = 1;  ///< substeps of solids in the last step
+  int substeps = 1;    ///< substeps of solids in the last step
+  double elapsed = 0;  ///< s, last step
 };
 
 /// Packs rows [begin, end): positions, volumes, velocities, liquid fraction, temperature and material

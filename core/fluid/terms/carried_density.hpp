@@ -17,7 +17,7 @@ enum class Mix { One, Liquids, Solids };
 /// so pairs conserve energy (BL99).
 /// Carry::Corrected: instead the sums for the corrected rate (terms/carry.hpp).
 /// Both: density diffusion (MC09 eq. 11) minus its hydrostatic part (F19 eq. 10), and the step of the carried
-/// density. Gradients are those at mid-step: pressure work then equals the loss of compression energy to
+/// density. Positions are those at mid-step: pressure work then equals the loss of compression energy to
 /// second order. Several liquids or solids: the diffusing quantity is the pressure over a common stiffness.
 /// Surfaces: also the sums of the free surface.
 template<class Real, class Kernel, Carry carry, bool Surfaces = false, Mix mix = Mix::Solids>
@@ -31,7 +31,6 @@ struct CarriedDensity {
   const PairSums* in;
   double scale;
   L weight[3];  ///< h g; not Mixed: over c^2
-  L half;       ///< s/m, half of the last step over h, over unit
   struct Data {
     Lanes4<Real> positionVolume, velocityViscosity, pressurePhaseHeat;
   };
@@ -65,7 +64,7 @@ struct CarriedDensity {
   }
   /// A neighbour before its sums. Differences are other - own.
   struct Pair {
-    Vector3<L> d, u;  ///< unit, m/s: at mid-step, and of the velocities
+    Vector3<L> d, u;  ///< unit, m/s
     L r2, q;
     L volume;                   ///< V; negative: one liquid, at the free surface
     L mark;                     ///< Mixed: liquid fraction; negative: at the free surface
@@ -81,7 +80,6 @@ struct CarriedDensity {
     if constexpr (Carried) {
       p.u = {j.velocityViscosity.a - i.velocityViscosity.a, j.velocityViscosity.b - i.velocityViscosity.b,
              j.velocityViscosity.c - i.velocityViscosity.c};
-      addScaled(p.d, -half, p.u.x, p.u.y, p.u.z);
       if constexpr (Mixed) {
         p.mark = j.pressurePhaseHeat.b;
         p.compression = j.pressurePhaseHeat.a;

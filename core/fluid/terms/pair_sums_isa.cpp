@@ -36,8 +36,7 @@ template<class Real, class Kernel> void carriedDensity(const PairSums& in, Group
                                                             records<Real>(in.pressurePhaseHeat),
                                                             &in,
                                                             scale,
-                                                            {L(down.x), L(down.y), L(down.z)},
-                                                            L(0.5 * x.dt / in.support / lengthUnit<Real>)};
+                                                            {L(down.x), L(down.y), L(down.z)}};
     sweep(*in.lists, range, term, Groups::Fluid);
   };
   const auto withSurfaces = [&]<Carry carry, Mix mix>() {
@@ -64,8 +63,7 @@ void density(const PairSums& in, GroupRange range) {
           nullptr,
           &in,
           scale,
-          {Lanes<Real>(0.0), Lanes<Real>(0.0), Lanes<Real>(0.0)},
-          Lanes<Real>(0.0)};
+          {Lanes<Real>(0.0), Lanes<Real>(0.0), Lanes<Real>(0.0)}};
       return sweep(*in.lists, range, term, Groups::Fluid);
     }
     Density<Real, decltype(kernel)> term{records<Real>(in.positionVolume), in.relativeDensity, in.coincident,

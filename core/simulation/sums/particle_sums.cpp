@@ -32,6 +32,7 @@ ColumnList ghostColumns(World& w) {
   if (p.restDensity.active) c.push_back(&p.restDensity);
   if (p.compression.active) c.push_back(&p.compression);
   if (p.stepMeanVelocity.active) c.push_back(&p.stepMeanVelocity);
+  if (p.compression.active && p.shiftingVelocity.active) c.push_back(&p.shiftingVelocity);
   if (p.atSurface.active) c.push_back(&p.atSurface);
   if (p.viscosityCorrection.active) c.push_back(&p.viscosityCorrection);
   if ((w.modules.incompressible || p.relief.active) && p.clamped.active) c.push_back(&p.clamped);
@@ -155,7 +156,8 @@ void sumContactHeat(const World& w, StepTools& t, const PairSums& sums, GroupRan
 
 void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
   Continuum& p = w.particles;
-  const RecordContext x = recordContext(w, t);
+  RecordContext x = recordContext(w, t);
+  x.elapsed = elapsed;
   NeighbourLists& lists = w.neighbours;
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
@@ -181,7 +183,11 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
       PairSums sums = pairSumsOf(w, t);
       const CarryContext context = carryContext(w, t, elapsed);
       CarryStep carry;
-      if (sums.carried) carry = carryStepOf(context), sums.carry = &carry;
+      if (sums.carried) {
+        carry = carryStepOf(context);
+        sums.carry = &carry;
+        sums.positionVolume = t.records.middle.data();
+      }
       t.kernels->density(sums, range);
     }
     if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);
