@@ -32,7 +32,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:8:9: error: oriented.0.place: is for shapes, patches and discs only: points, control and "
        "curve have positions of their own"},
       {patch + "[[oriented.anchor]]\nsphere = { radius = 0.1 }\nposition = false\n",
-       "s.toml:9:1: error: oriented.a.anchor.0: it holds nothing: expected position = true, normal = true, "
+       "s.toml:9:1: error: oriented.a.anchor.0: constrains nothing: expected position = true, normal = true, "
        "or both"},
       {patch + "[[oriented.event]]\nkind = \"weld\"\nother = \"a\"\n",
        "s.toml:9:1: error: oriented body 'a': it cannot be welded to itself: expected the name of another "
