@@ -55,7 +55,8 @@ std::vector<std::string> reversedArguments(int argc, char** argv) {
 
 /// Returns the command of this name, or null.
 const CLI::App* findCommand(const CLI::App& app, const std::string& name) {
-  return app.get_subcommand_no_throw(name);
+  const auto all = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; });
+  return all.empty() ? nullptr : all.front();
 }
 
 /// Refuses an unknown command with a suggestion and the list of commands. CLI11 only reports a missing
@@ -69,7 +70,7 @@ void checkCommand(const CLI::App& app, const std::string& given) {
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
   throw CLI::ValidationError(
-      given, "there is no such command" + thaw::suggestion(given, words) + "; expected one of " + names);
+      given, "there is no such command; expected one of " + names + thaw::suggestion(given, words));
 }
 
 /// Refuses unknown long options of the command with a suggestion.
@@ -90,7 +91,7 @@ void checkOptions(const CLI::App& app, int argc, char** argv) {
 CLI::ValidationError unexpectedArguments(const CLI::App& app) {
   std::string all;
   for (const std::string& text : app.remaining(true)) all += (all.empty() ? "" : " ") + text;
-  return {all, "not expected; `--help` lists the arguments"};
+  return CLI::ValidationError(all, "not expected; `--help` lists the arguments");
 }
 
 /// Refuses rank options of run and relax, and names mpirun. CLI11 only reports an unexpected argument.

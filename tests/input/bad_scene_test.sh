@@ -69,9 +69,11 @@ rejects "unknown override" "^--set spacng=3: error: unknown key 'spacng'; did yo
 rejects "override without a value" 'expected key=value' 2 check "$good" --set spacing
 rejects "wrong unit" 'spacing: expected a length such as "2 mm", got "2 kg"' 2 check "$good" \
   --set 'spacing=2 kg'
-rejects "unknown body in an override" "'body' has no entry with the name or number 'blok'; did you mean 'block'\?" \
+rejects "unknown body in an override" \
+  "'body' has no entry with the name or number 'blok'; did you mean 'block'\?" \
   2 check "$good" --set body.blok.velocity='[0, 0, 1]'
-rejects "other name of an obstacle" 'wall\.toml:[0-9]+:[0-9]+: error: wall: unknown table: expected \[\[obstacle\]\]' \
+rejects "other name of an obstacle" \
+  'wall\.toml:[0-9]+:[0-9]+: error: wall: unknown table: expected \[\[obstacle\]\]' \
   2 check "$(scene wall 's/^\[\[obstacle\]\]/[[wall]]/')"
 rejects "other name of a thermostat" 'error: tempering: unknown table: expected \[\[thermostat\]\]' \
   2 check "$(scene tempering '$a [[tempering]]\ntemperature = 300')"
@@ -149,10 +151,12 @@ printf 'include = "nowhere.toml"\n' >"$work/lost.toml"
 rejects "missing include" "nowhere\.toml': no such file" 2 run "$work/lost.toml"
 
 # the command line
-rejects "no such option" 'thaw: error: --frobnicate: `thaw run` has no such option$' 2 run "$good" --frobnicate
-rejects "similar option" "error: --step: \`thaw run\` has no such option; did you mean '--steps'\?" 2 run "$good" \
-  --step 5
-rejects "similar command" "error: rum: there is no such command; did you mean 'run'\?; expected one of" 2 rum "$good"
+rejects "no such option" 'thaw: error: --frobnicate: `thaw run` has no such option$' 2 run "$good" \
+  --frobnicate
+rejects "similar option" "error: --step: \`thaw run\` has no such option; did you mean '--steps'\?" 2 run \
+  "$good" --step 5
+rejects "similar command" \
+  "error: rum: there is no such command; expected one of new, run, .*; did you mean 'run'\?" 2 rum "$good"
 rejects "arguments without an option" 'error: b.toml c.toml: not expected' 2 check "$good" b.toml c.toml
 rejects "a picture of a scene" \
   'thaw render: error: .*good.toml is a scene; use `thaw preview .*good.toml`, or render its run out/good$' \
@@ -162,5 +166,6 @@ rejects "a setting without --set" "end=1: each key=value needs its own --set: --
   --set spacing=0.02 end=1
 rejects "negative steps" '--steps' 2 run "$good" --steps -1
 rejects "ranks as an option" 'ranks are started by mpirun: mpirun -n 4 thaw run SCENE' 2 run "$good" --ranks 4
-rejects "restart of nothing" '--restart needs a checkpoint.*: leave out --restart, or use --resume' 2 run "$good" --restart
+rejects "restart of nothing" '--restart needs a checkpoint.*: leave out --restart, or use --resume' \
+  2 run "$good" --restart
 allCases

@@ -29,7 +29,7 @@ struct RunSummary {
   double particleSteps = 0;                  ///< sum over ranks, by this process
   std::map<std::string, RankSpread> phases;  ///< s per rank
   double imbalance = 1;                      ///< largest over mean working time of ranks
-  CommunicationSummary communication;        ///< of this process
+  CommunicationSummary communication;        ///< communication of this process
   double peakMemory = 0;                     ///< bytes, largest over ranks
   double particleSpread = 1;                 ///< largest over mean number of particles per rank
   std::vector<std::string> warnings;
