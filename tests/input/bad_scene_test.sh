@@ -158,9 +158,6 @@ rejects "similar option" "error: --step: \`thaw run\` has no such option; did yo
 rejects "similar command" \
   "error: rum: there is no such command; expected one of new, run, .*; did you mean 'run'\?" 2 rum "$good"
 rejects "arguments without an option" 'error: b.toml c.toml: not expected' 2 check "$good" b.toml c.toml
-rejects "a picture of a scene" \
-  'thaw render: error: .*good.toml is a scene; use `thaw preview .*good.toml`, or render its run out/good$' \
-  2 render "$good"
 # a second setting needs its own --set
 rejects "a setting without --set" "end=1: each key=value needs its own --set: --set 'end=1'" 2 run "$good" \
   --set spacing=0.02 end=1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # A first start that is refused leaves its summary with the status "refused", and no empty folders. A scene
-# with errors leaves nothing.
+# with errors leaves nothing. `thaw render` names the commands for a scene.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/block.toml" <<'END'
 spacing = 0.05
@@ -41,4 +41,9 @@ launch 2 run block.toml "${outside[@]}" --out own >"$work/log" 2>&1; expectExit 
 [ "$(value own/summary.refused.json status)" = refused ] || fail "no summary of the refusal"
 launch 1 run block.toml --restart --out nothing >"$work/log" 2>&1; expectExit 2 "restart of nothing"
 expectMessage 'there is none: leave out --restart, or use --resume' "restart of nothing"
+
+"$thaw" render block.toml >"$work/log" 2>&1; expectExit 2 "a picture of a scene"
+expectMessage \
+  '^thaw render: error: block.toml is a scene; use `thaw preview block.toml`, or render its run out/block$' \
+  "a picture of a scene"
 finish

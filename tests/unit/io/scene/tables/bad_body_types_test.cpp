@@ -68,9 +68,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {cloth + "stiffness = 1\nplasticity = 0.5\n",
        "s.toml:9:14: error: sheet.0.plasticity: needs elastic_limit: without one all is elastic"},
       {cloth + "stiffness = 1\nelastic_limit = 0.01\n",
-       "s.toml:9:17: error: sheet.0.elastic_limit: has no effect without plasticity: set plasticity above "
-       "0displacement "
-       "beyond it"},
+       "s.toml:9:17: error: sheet.0.elastic_limit: has no effect without plasticity: set plasticity above 0"},
       {patch + "normals = [[0, 0, 1]]\n", "s.toml:9:11: error: oriented.a.normals: is for points only"},
       {patch + "sphere = { radius = 0.2 }\n",
        "s.toml:9:10: error: oriented.a.sphere: a second source of particles; give one of patch, disc, curve, "
