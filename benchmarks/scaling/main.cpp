@@ -161,7 +161,7 @@ int measure(const Options& o, const Communicator& world) {
   MpiReducer everyone(world);
   MPI_Barrier(world.handle());
   const PhaseTimes before = r.tools.times;
-  const CommunicationStatistics before = r.comm.statistics();
+  const CommunicationStatistics statisticsBefore = r.comm.statistics();
   Measured m, alone;
   double windowWork = workOf(before);
   const int block = o.copies ? 10 : look;
@@ -189,7 +189,7 @@ int measure(const Options& o, const Communicator& world) {
   const Over balanced = over(r.tools.times[StepPhase::Balance] - before[StepPhase::Balance], everyone),
              stepTime = over(median(m.steps), everyone);
   const Over owned = over(m.owned / n, everyone), halo = over(m.owned > 0 ? m.ghosts / m.owned : 0, everyone);
-  const CommunicationSummary t = gatherCommunication(after, before, everyone);
+  const CommunicationSummary t = gatherCommunication(after, statisticsBefore, everyone);
   double copiesRate = 0, efficiency = 0;
   if (o.copies) {
     std::vector<double> ratios;
