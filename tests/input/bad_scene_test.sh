@@ -70,8 +70,8 @@ rejects "override without a value" 'expected key=value' 2 check "$good" --set sp
 rejects "wrong unit" 'spacing: expected a length such as "2 mm", got "2 kg"' 2 check "$good" \
   --set 'spacing=2 kg'
 rejects "unknown body in an override" \
-  "'body' has no entry with the name or number 'blok'; did you mean 'block'\?" \
-  2 check "$good" --set body.blok.velocity='[0, 0, 1]'
+  "'body' has no entry with the name or number 'blocks'; did you mean 'block'\?" \
+  2 check "$good" --set body.blocks.velocity='[0, 0, 1]'
 rejects "other name of an obstacle" \
   'wall\.toml:[0-9]+:[0-9]+: error: wall: unknown table: expected \[\[obstacle\]\]' \
   2 check "$(scene wall 's/^\[\[obstacle\]\]/[[wall]]/')"

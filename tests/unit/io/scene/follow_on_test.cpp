@@ -40,8 +40,8 @@ TEST(FollowOnErrors, UnknownKeyOfAMaterialHidesItsChecks) {
 TEST(FollowOnErrors, UnknownKeyHidesTheMissingOne) {
   expectOnly(start + "[material.wax]\nviscosity = 1\n" + body + "[[lamp]]\npwoer = 3\nposition = [0, 0, 1]\n",
              "unknown key 'pwoer' in lamp.0; did you mean 'power'?");
-  expectOnly(start + "[material.wax]\nviscosity = 1\n[[body]]\nbox = {}\nmaterail = 'wax'\n",
-             "unknown key 'materail' in body.0; did you mean 'material'?");
+  expectOnly(start + "[material.wax]\nviscosity = 1\n[[body]]\nbox = {}\nmaterials = 'wax'\n",
+             "unknown key 'materials' in body.0; did you mean 'material'?");
 }
 
 TEST(FollowOnErrors, UnknownKeyHidesMissingShapes) {
@@ -56,8 +56,8 @@ TEST(FollowOnErrors, UnknownKeyOfNumericsHidesChecksOfItsOtherKeys) {
 }
 
 TEST(FollowOnErrors, UnknownTableHidesMissingNames) {
-  expectOnly(start + "[materail.wax]\nviscosity = 1\n" + body,
-             "unknown key 'materail'; did you mean 'material'?");
+  expectOnly(start + "[materials.wax]\nviscosity = 1\n" + body,
+             "unknown key 'materials'; did you mean 'material'?");
 }
 
 TEST(FollowOnErrors, OtherTablesAndValuesAreStillReported) {
