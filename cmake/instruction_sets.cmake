@@ -2,8 +2,9 @@
 # thaw_instruction_sets(TARGET FILE...): compiles the files once for each instruction set, with THAW_ISA as
 # the name of its namespace, and adds them to the target. THAW_CHOOSE (core/simd/choose.hpp) chooses among the
 # sets at run time. All sets give the same bits. The files may include only headers for lanes
-# (core/simd/lanes.hpp, core/fluid/terms/pair_force_term.hpp, core/solid/laws/extension_law_lanes.hpp), and
-# must use no containers of the standard library: the linker would mix up their copies.
+# (core/simd/lanes.hpp, core/fluid/terms/extension_pair_force_term.hpp,
+# core/solid/laws/extension_law_lanes.hpp). They must use no containers of the standard library: the linker
+# would mix up their copies.
 function(thaw_instruction_sets target)
   set(flags_base "")
   set(flags_avx2 -mavx2 -mfma -mbmi -mbmi2)

@@ -4,7 +4,7 @@
 cmake_policy(VERSION 3.22)  # the oldest that CMakeLists.txt accepts
 set(public
   core/domain/extensions.hpp          # forces, fields, laws and shapes with keys in scenes
-  core/fluid/terms/pair_force_term.hpp
+  core/fluid/terms/extension_pair_force_term.hpp
   core/simd/choose.hpp
   core/solid/laws/extension_law_lanes.hpp
   core/halo/serial.hpp                # halos of one process

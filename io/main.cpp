@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line of thaw.
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +25,7 @@
 #include "io/hdf5/parallel_file.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_for_all.hpp"
+#include "io/scene/text/nearest_word.hpp"
 #include "io/text/version.hpp"
 #include "parallel/communicator.hpp"
 
@@ -49,14 +53,45 @@ std::vector<std::string> reversedArguments(int argc, char** argv) {
   return all;
 }
 
-/// Refuses an unknown command with the list of commands. CLI11 only reports a missing command.
+/// Returns the command of this name, or null.
+const CLI::App* findCommand(const CLI::App& app, const std::string& name) {
+  const auto all = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; });
+  return all.empty() ? nullptr : all.front();
+}
+
+/// Refuses an unknown command with a suggestion and the list of commands. CLI11 only reports a missing
+/// command.
 void checkCommand(const CLI::App& app, const std::string& given) {
+  if (findCommand(app, given)) return;
   std::string names;
+  std::set<std::string> words;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == given) return;
+    words.insert(command->get_name());
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
-  throw CLI::ValidationError(given, "there is no such command; expected one of " + names);
+  throw CLI::ValidationError(
+      given, "there is no such command; expected one of " + names + thaw::suggestion(given, words));
+}
+
+/// Refuses unknown long options of the command with a suggestion.
+void checkOptions(const CLI::App& app, int argc, char** argv) {
+  std::set<std::string> words;
+  for (const CLI::Option* option : findCommand(app, argv[1])->get_options())
+    for (const std::string& name : option->get_lnames()) words.insert("--" + name);
+  for (int a = 2; a < argc; a++) {
+    const std::string text = argv[a], name = text.substr(0, text.find('='));
+    if (name == "--") return;  // The others are no options.
+    if (name.rfind("--", 0) == 0 && !words.count(name))
+      throw CLI::ValidationError(
+          name, fmt::format("`thaw {}` has no such option{}", argv[1], thaw::suggestion(name, words)));
+  }
+}
+
+/// Returns the error for arguments that no option takes. That of CLI11 has them in reverse order.
+CLI::ValidationError unexpectedArguments(const CLI::App& app) {
+  std::string all;
+  for (const std::string& text : app.remaining(true)) all += (all.empty() ? "" : " ") + text;
+  return CLI::ValidationError(all, "not expected; `--help` lists the arguments");
 }
 
 /// Refuses rank options of run and relax, and names mpirun. CLI11 only reports an unexpected argument.
@@ -79,12 +114,25 @@ void checkSettings(int argc, char** argv) {
   }
 }
 
+/// Parses the command line. Throws CLI::ParseError.
+void parseInOrder(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(reversedArguments(argc, argv));
+  } catch (const CLI::ExtrasError&) { throw unexpectedArguments(app); }
+}
+
+/// Returns the text of a usage error.
+std::string usageText(const CLI::App*, const CLI::Error& e) {
+  return fmt::format("thaw: error: {}\nRun with --help for more information.\n", e.what());
+}
+
 /// Parses the command line. Returns false when the program ends now, with `code`: 2 for every usage error.
 bool parsed(CLI::App& app, int argc, char** argv, int& code) {
   try {
     if (argc > 1 && argv[1][0] != '-')
-      checkCommand(app, argv[1]), checkRanks(argc, argv), checkSettings(argc, argv);
-    app.parse(reversedArguments(argc, argv));
+      checkCommand(app, argv[1]), checkRanks(argc, argv), checkOptions(app, argc, argv),
+          checkSettings(argc, argv);
+    parseInOrder(app, argc, argv);
     return true;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e), code = 0, false;  // --help, --version
@@ -129,6 +177,7 @@ int main(int argc, char** argv) {
                "thaw");
   app.set_version_flag("--version", std::string("thaw ") + versionNumber() + " (" + versionCommit() + ")");
   app.require_subcommand(1);
+  app.failure_message(usageText);
   RunOptions run;
   CheckOptions check;
   RenderOptions render;

@@ -28,10 +28,11 @@ RowCosts costsOf(const World& w, const PhaseTimes& spent) {
   const Continuum& p = w.particles;
   const double n = static_cast<double>(p.owned);
   RowCosts costs;
-  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& r, const CellTable&) {
-    costs.kind[kind] = r.owned > 0 ? spent[kind == orientedType ? StepPhase::Oriented : StepPhase::Sheet] /
-                                         static_cast<double>(r.owned)
-                                   : 0;
+  forEachBodyType(w, [&](std::size_t type, const BodyTypeRows& r, const CellTable&) {
+    costs.bodyType[type] = r.owned > 0
+                               ? spent[type == orientedType ? StepPhase::Oriented : StepPhase::Sheet] /
+                                     static_cast<double>(r.owned)
+                               : 0;
   });
   if (p.owned == 0) {
     costs.liquid = costs.solid = 0;

@@ -33,7 +33,7 @@ const MpiBondHalo::Found* MpiBondHalo::findPendingRecord(std::uint64_t id) const
 
 void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migration& m) {
   if (!p.active) return;
-  if (moved_) throw std::logic_error("solid particles migrate twice without a relink between");
+  if (moved_) throw std::logic_error("solid particles migrate twice without a rebuild of bonds in between");
   for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) {
     p.slot[i] = noSlot;
     solidArrived_ = solidArrived_ || !p.unbonded(i);  // it may have frozen before it migrated, which no rank

@@ -41,7 +41,7 @@ inline constexpr std::size_t largestChunk = std::size_t{1} << 30;
 inline constexpr std::size_t smallestChunk = 64;
 
 /// A duplicated communicator, which isolates the program's messages. All halos share it; it counts their
-/// traffic.
+/// messages and bytes.
 class Communicator {
  public:
   /// chunk: largest number of bytes sent at once (64 B to 1 GiB; small values are for tests), equal on all
@@ -62,7 +62,7 @@ class Communicator {
   /// Alternates the tag between sparse exchanges, so that messages of a rank one exchange ahead are not
   /// received early.
   int nextTag(int tag) const { return 2 * tag + static_cast<int>(exchanges_++ & 1u); }
-  /// Traffic of this rank over this communicator so far. Senders add to it.
+  /// Communication statistics of this rank so far. Senders add to them.
   CommunicationStatistics& statistics() const { return statistics_; }
   /// Trace of waits and exchanges (not owned), or null.
   StepTrace* trace() const { return trace_; }
@@ -97,8 +97,8 @@ class WaitMark {
   StepTrace::Clock::time_point start_;
 };
 
-/// Records an exchange from its first message to its end, with the traffic in between. Does nothing without a
-/// trace.
+/// Records an exchange from its first message to its end, with the messages and bytes in between. Does
+/// nothing without a trace.
 class ExchangeMark {
  public:
   void begin(const Communicator& comm, MessagesFor purpose) {

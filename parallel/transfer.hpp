@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages between two ranks that both know the length. MPI counts bytes in 32 bits, so long messages are
+// Messages between two ranks, with a length known on both. MPI counts bytes in 32 bits, so long messages are
 // split into chunks. Chunks of one tag between two ranks arrive in order.
 #pragma once
 #include <cstddef>

@@ -108,8 +108,8 @@ void shake(Trial& r) {
   }
 }
 
-/// Lets the drop come to rest, shakes it, and lets it come to rest again: at rest, surface particles resist
-/// like a soft solid and keep the drop from its angle, as roughness does (vibrated drops, DG96).
+/// Lets the drop come to rest twice, and shakes it in between. Without shaking, surface particles resist like
+/// a soft solid, and the drop stops short of its angle, as on a rough wall (DG96).
 void watchDrop(Trial& r) {
   const Clock& c = r.world.clock;
   if (c.time < still * c.end) return;

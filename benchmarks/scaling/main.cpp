@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/simulation/setup/setup.hpp"
-#include "io/run/reports/traffic_summary.hpp"
+#include "io/run/reports/communication_summary.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "parallel/balance.hpp"
 #include "parallel/bond_halo.hpp"
@@ -161,7 +161,7 @@ int measure(const Options& o, const Communicator& world) {
   MpiReducer everyone(world);
   MPI_Barrier(world.handle());
   const PhaseTimes before = r.tools.times;
-  const CommunicationStatistics trafficBefore = r.comm.statistics();
+  const CommunicationStatistics statisticsBefore = r.comm.statistics();
   Measured m, alone;
   double windowWork = workOf(before);
   const int block = o.copies ? 10 : look;
@@ -189,14 +189,14 @@ int measure(const Options& o, const Communicator& world) {
   const Over balanced = over(r.tools.times[StepPhase::Balance] - before[StepPhase::Balance], everyone),
              stepTime = over(median(m.steps), everyone);
   const Over owned = over(m.owned / n, everyone), halo = over(m.owned > 0 ? m.ghosts / m.owned : 0, everyone);
-  const TrafficSummary t = gatherTraffic(after, trafficBefore, everyone);
+  const CommunicationSummary t = gatherCommunication(after, statisticsBefore, everyone);
   double copiesRate = 0, efficiency = 0;
   if (o.copies) {
     std::vector<double> ratios;
     for (std::size_t k = 0; k < m.rates.size(); k++) ratios.push_back(m.rates[k] / alone.rates[k]);
     copiesRate = median(alone.rates), efficiency = median(ratios);
   }
-  const auto at = [&](MessagesFor p) -> const TrafficSummary::Of& {
+  const auto at = [&](MessagesFor p) -> const CommunicationSummary::Of& {
     return t.of[static_cast<std::size_t>(p)];
   };
   if (world.rank() != 0) return 0;

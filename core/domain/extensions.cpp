@@ -11,7 +11,7 @@ namespace {
 
 using Extensions = std::map<std::string, Extension>;
 
-/// Returns the extensions of the library itself, which all programs know.
+/// Returns the extensions of the library itself, available in all programs.
 std::vector<Extension> ownExtensions() { return {}; }
 
 void enter(Extension e, Extensions& all) {
@@ -60,7 +60,8 @@ const Extension* ownerOf(const std::string& field) {
 
 void checkField(const Extension& e, const ExtensionField& f) {
   const std::string field = "extension '" + e.name + "': field '" + f.name + "' ";
-  if (!isName(f.name)) throw std::invalid_argument(field + "needs a name of letters, digits, underscores");
+  if (!isName(f.name))
+    throw std::invalid_argument(field + "expected a name of letters, digits and underscores");
   if (f.components < 1 || f.components > 9)
     throw std::invalid_argument(field + "has " + std::to_string(f.components) +
                                 " components; expected 1 to 9");

@@ -8,7 +8,7 @@
 
 #include "core/domain/field_update.hpp"
 #include "core/domain/outside_forces.hpp"
-#include "core/fluid/pair_sums/pair_force.hpp"
+#include "core/fluid/pair_sums/extension_pair_force.hpp"
 #include "core/geometry/basic/extension_shape.hpp"
 #include "core/materials/extension_law.hpp"
 #include "core/scene/scene.hpp"

@@ -12,7 +12,7 @@
 
 namespace thaw {
 
-/// Cells of the owner's box that the receiver sees shifted by `shift` domains.
+/// Cells of the owner's box, shifted by `shift` domains at the receiver.
 struct ImageLink {
   CellBox region;
   Vec3i shift;
@@ -28,7 +28,7 @@ struct RowRun {
 /// boxes change.
 struct CellCopies {
   std::vector<ImageLink> links;
-  std::vector<std::uint64_t> keys;    ///< keys of the cells as the receiver sees them
+  std::vector<std::uint64_t> keys;    ///< keys of the cells at the receiver
   std::vector<std::uint32_t> counts;  ///< number of rows of each cell
   std::vector<RowRun> runs;           ///< rows of all these cells, in order
   std::size_t rows = 0;

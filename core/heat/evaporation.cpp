@@ -34,8 +34,8 @@ bool evaporates(const Scene& s, const Continuum& p, std::size_t i) {
 
 double volumeOf(const Scene& s, const Continuum& p, std::size_t i) { return restVolumeOf(p, s.materials, i); }
 
-/// Calls row(i, neighbours) for the selected owned rows; neighbours(pair) calls pair(j, (x_i - x_j) / h, q^2)
-/// for the neighbours j within the support radius, in the order of their list.
+/// Calls row(i, neighbours) for the selected owned rows. neighbours(pair) calls pair(j, (x_i - x_j) / h, q^2)
+/// for each neighbour j within the support radius, in list order.
 template<class Select, class Row> void eachRow(const EvaporationView& v, Select&& select, Row&& row) {
   const Continuum& p = v.heat.particles;
   const NeighbourLists& lists = v.neighbours;

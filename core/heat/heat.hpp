@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heat of particles: sources, losses at free surfaces, enthalpy update, melting and freezing.
+// Heat of particles: sources, losses at free surfaces, enthalpy update, melting and freezing. Conduction
+// between particles, equal and opposite in each pair: `conducted` in core/fluid/terms/term.hpp.
 #pragma once
 #include <cstdint>
 #include <vector>

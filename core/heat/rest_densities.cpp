@@ -23,8 +23,8 @@ double tensionByVolume(const RecordContext& x, const Continuum& p, std::size_t i
                         p.surfaceEnergyByColour[i] * p.surfaceColour[i]);
 }
 
-/// Work (J) of the pressure on a volume that grows by the ratio, with a summed density: neighbours are taken
-/// to have the particle's own pressure.
+/// Pressure work (J) on a volume that grows by the ratio, with a summed density. Assumes that neighbours have
+/// the particle's own pressure.
 double workOfGrowth(const RecordContext& x, const Continuum& p, std::size_t i, double ratio) {
   const double relativeDensity = static_cast<double>(p.relativeDensity[i]);
   if (x.modules.incompressible || !(relativeDensity > 0)) return 0;
@@ -40,9 +40,9 @@ double pressureTerm(const RecordContext& x, const Continuum& p, std::size_t i, d
   return pressureOf(n.eos, x.liquids[p.material[i]].stiffness, 1 + y, n.tensileLimit) / ((1 + y) * (1 + y));
 }
 
-/// Changes a carried density with the volume to the exponent f(2-f), its pairs' weight in the density rate
-/// among neighbours of the same liquid fraction (f_i + f_j - f_i f_j). Returns the work (J) that the flow of
-/// the next step does not do: its first half kick still has the pressure before the change.
+/// Scales a carried density by ratio^(f (2 - f)). The exponent is the pair weight f_i + f_j - f_i f_j of the
+/// density rate for equal liquid fractions. Returns the work (J) that the flow of the next step does not do:
+/// its first half kick still has the pressure before the change.
 double changeCompression(const RecordContext& x, Continuum& p, std::size_t i, double ratio, double dt) {
   const double f = liquidFraction(p, i), before = p.compression[i],
                after = (1 + before) * std::pow(ratio, f * (2 - f)) - 1;

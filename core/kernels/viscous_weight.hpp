@@ -7,10 +7,10 @@
 
 namespace thaw {
 
-/// scale (1 - q), q = r / h: sum_j V_j weight(q) (u_ij.x_ij) x_ij / r^2 / h^2 is the Laplacian of a
-/// divergence-free velocity, with the scale from viscousWeight() (core/kernels/lattice.hpp). In the continuum
-/// it is 225 / pi. M05 eq. 8.9 has 10 |slope| instead. At h = 2 dx a lattice then resists shear along its
-/// axes with 0.59 of the viscosity, along its diagonals with 1.57.
+/// Weight scale (1 - q) of pairwise viscosity, q = r / h. The sum over j of V_j weight(q) (u_ij.x_ij) x_ij /
+/// r^2 / h^2 is the Laplacian of a divergence-free velocity. viscousWeight() (core/kernels/lattice.hpp)
+/// returns the scale, 225 / pi in the continuum. The weight of M05 eq. 8.9 is 10 |slope|: at h = 2 dx a
+/// lattice then has 0.59 of the viscosity in shear along its axes, and 1.57 along its diagonals.
 struct ViscousWeight {
   double scale = 225 / std::numbers::pi;
 };

@@ -31,7 +31,8 @@ struct SourceSums {
 /// Flows since the start, on this rank only; the sum over ranks is meaningful. In every checkpoint.
 struct Ledger {
   ExactBalance entered, left;  ///< emitters, open sides
-  ExactSum dissipated;  ///< J, of particles that left or changed ranks; the rest is in Continuum::dissipated
+  ExactSum dissipated;  ///< J, of particles that left, and of rigid pieces; the rest is in the `dissipated`
+                        ///< columns of particles
   ExactSum wallWork;    ///< J, work on particles by moving obstacles, emitters and forces from outside
   ExactSum wallImpulse[3];  ///< N s, impulse on particles from obstacles, constraints and forces from outside
   ExactSum wallForce[3];    ///< N, current force of these; half of the next kick is outstanding

@@ -15,7 +15,7 @@ struct BodyTypeRows : Table {
   Column<Vec3d> position{*this, "position", "m", Keep::State, "centre"};
   Column<Vec3d> velocity{*this, "velocity", "m/s", Keep::State, "velocity of the centre"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "constant"};
-  Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into the scene's bodies of this kind"};
+  Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into the scene's bodies of this type"};
   Column<double> energy{*this, "energy", "J", Keep::State,
       "potential energy of internal forces and contacts, with its half of pairs"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::State, "accumulated dissipation"};

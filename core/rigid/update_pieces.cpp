@@ -252,7 +252,7 @@ void recordJoining(const RigidView& v, std::size_t row, const ExactSum* sums) {
   for (int a = 0; a < 3 && p.fixed[row]; a++) v.ledger.wallImpulse[a].add(-sums[6 + a].value());
 }
 
-/// Energy of the own rotation of particles that melted: they have none any more.
+/// Records the energy of the own rotation that particles of pieces lose when they melt.
 void recordMelted(const RigidView& v) {
   const Continuum& p = v.particles;
   for (std::size_t i = 0; i < p.owned; i++) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pieces after their particles melted, froze or left: what hangs together, and its mass properties.
+// Pieces after their particles melted, froze or left: connected pieces and their mass properties.
 #pragma once
 #include "core/halo/halos.hpp"
 #include "core/rigid/rigid_view.hpp"

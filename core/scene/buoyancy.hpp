@@ -26,7 +26,7 @@ struct ValueRange {
   double width() const { return empty() ? 0 : high - low; }
 };
 
-/// Returns the range of temperatures (K) of bodies, emitters, obstacles, temperings, and of the ambient if a
+/// Returns the range of temperatures (K) of bodies, emitters, obstacles, thermostats, and of the ambient if a
 /// material exchanges heat with it. Temperature fields of bodies count from set-up on.
 ValueRange temperatureRange(const Scene& scene);
 

@@ -70,7 +70,7 @@ void findHeat(Finder& f) {
   for (const Obstacle& o : s.obstacles)
     if (o.temperature && conducts)
       f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
-  if (!s.thermostats.empty()) f.on(f.m.heat, "heat", "a [[tempering]] changes the temperature");
+  if (!s.thermostats.empty()) f.on(f.m.heat, "heat", "a [[thermostat]] changes the temperature");
   const auto source = [&](const auto& list, const char* kind) {
     for (const auto& one : list) {
       f.on(f.m.heat, "heat", std::string(kind) + " " + quoted(one.name) + " heats bodies");

@@ -278,8 +278,8 @@ void keepSteady(const SleepView& w, std::size_t first, std::size_t count) {
   for (std::size_t i = first; p.clamped.active && i < first + count; i++) {
     if (!p.clamped[i]) continue;
     // The known forces may be complete or none: the recorded force is exact in both cases.
-    const Vec3d booked = p.force[i] + w.scene.domain.gravity * p.mass[i];
-    for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(booked[a]);
+    const Vec3d recorded = p.force[i] + w.scene.domain.gravity * p.mass[i];
+    for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(recorded[a]);
   }
 }
 

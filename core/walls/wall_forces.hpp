@@ -35,14 +35,15 @@ struct WallSupport {
   const WallTables& tables;
   double support;  ///< m
 };
-/// WallContact::share of one of the contacts of a particle: the part of its push that the others leave.
+/// Returns WallContact::share of a contact: the fraction of its pressure force that other contacts of the
+/// particle do not cover.
 double pressureShare(const WallSupport& support, std::span<const WallContact> contacts, std::size_t contact);
 
 /// Returns the contacts of a row. Requires: the list is ordered by rows, as findWallContacts leaves it.
 std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint32_t row);
 
 /// Contribution of the walls that touch a particle to the sum over V W. At corners, contributions of several
-/// walls overlap as if independent: 1 - prod(1 - filling_k). added: room for a value per contact.
+/// walls overlap as if independent: 1 - prod(1 - delta_k). added: room for a value per contact.
 double wallRelativeDensity(const WallSupport& support, std::span<const WallContact> contacts,
                            std::vector<double>& added);
 

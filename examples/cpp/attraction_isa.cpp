@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pair function of attraction.cpp, compiled once for each instruction set.
-#include "core/fluid/terms/pair_force_term.hpp"
+#include "core/fluid/terms/extension_pair_force_term.hpp"
 
 namespace attraction {
 namespace THAW_ISA {

@@ -304,11 +304,11 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   w.watch = h.watch;
 
   if (h.solids > 0 && !w.solids.id.active)
-    throw IoError(h.path, "has solid particles, and the scene has none: it was written for another scene");
+    throw IoError(h.path, "has solid particles, but the scene has none: it was written for another scene");
   if (h.solids > 0 && w.bonds.vectors && !h.twoFrames)
     throw IoError(h.path,
-                  "has bonds without references of their own, and in the scene bonds form or take new "
-                  "references: it was written for another scene");
+                  "does not fit the scene: its bonds have no references of their own, but the scene needs "
+                  "them. It was written for another scene");
   std::vector<const AnyColumn*> state;
   for (const AnyColumn* c : w.solids.columns)
     if (h.solids > 0 && c->active && c->keep == Keep::State) state.push_back(&sameColumn(s.solids, *c));

@@ -10,6 +10,7 @@
 
 #include "io/checkpoint/damaged_rows.hpp"
 #include "io/compare/compare.hpp"
+#include "io/text/command_error.hpp"
 
 namespace thaw {
 namespace {
@@ -96,9 +97,9 @@ int compareCommand(const CompareArguments& arguments) {
     const bool equal = compareFiles(arguments.a, arguments.b, arguments, true);
     const bool equalFrames = !arguments.frames || compareFrames(arguments);
     return equal && equalFrames ? 0 : 1;
-  } catch (const IoError& e) {
-    fmt::print(stderr, "thaw compare: {}\n", e.what());
-  } catch (const std::bad_alloc&) { fmt::print(stderr, "thaw compare: out of memory\n"); }
+  } catch (const IoError& e) { printCommandError("compare", e.what()); } catch (const std::bad_alloc&) {
+    printCommandError("compare", "out of memory");
+  }
   return exitInputOutput;
 }
 

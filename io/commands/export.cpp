@@ -10,6 +10,7 @@
 
 #include "io/commands/export/export_frames.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/text/command_error.hpp"
 
 namespace thaw {
 
@@ -81,19 +82,19 @@ int exportCommand(const ExportOptions& options) {
       throw std::invalid_argument("--uv: '" + options.as +
                                   "' has no texture coordinates; expected --as ply, obj, vtp, usd or usda");
     if (options.min && options.max && !(*options.max > *options.min))
-      throw std::invalid_argument("the range of the colours is empty: --max must be above --min");
+      throw std::invalid_argument("--max must be above --min");
     colourMapNamed(options.map);
     if (format.writeSequence) format.writeSequence(options.out, options);
     else exportFrames(options, format);
     return 0;
   } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "thaw export: {}\n", error.what());
+    printCommandError("export", error.what());
     return 2;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "thaw export: {}: not enough memory\n", options.input.string());
+    printCommandError("export", options.input.string() + ": not enough memory");
     return exitInputOutput;
   } catch (const std::runtime_error& error) {  // IoError or a file system error
-    fmt::print(stderr, "thaw export: {}\n", error.what());
+    printCommandError("export", error.what());
     return exitInputOutput;
   }
 }

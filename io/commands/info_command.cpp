@@ -19,6 +19,7 @@
 #include "io/frames/series.hpp"
 #include "io/run/reports/progress.hpp"
 #include "io/run/run_lock.hpp"
+#include "io/text/command_error.hpp"
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -239,13 +240,11 @@ int infoCommand(const InfoArguments& arguments) {
     else printShort(j);
     if (!j.contains("damaged")) return 0;
     const std::string damage = damageText(j["damaged"].get<std::vector<std::string>>());
-    fmt::print(stderr, "thaw info: {}: {}\n", arguments.path, damage);
-  } catch (const IoError& e) {
-    fmt::print(stderr, "thaw info: {}\n", e.what());
-  } catch (const Json::exception& e) {
-    fmt::print(stderr, "thaw info: {}: summary.json was not written by this program: {}\n", arguments.path,
-               e.what());
-  } catch (const std::bad_alloc&) { fmt::print(stderr, "thaw info: out of memory\n"); }
+    printCommandError("info", arguments.path + ": " + damage);
+  } catch (const IoError& e) { printCommandError("info", e.what()); } catch (const Json::exception& e) {
+    printCommandError("info", fmt::format("{}: summary.json was not written by this program: {}",
+                                          arguments.path, e.what()));
+  } catch (const std::bad_alloc&) { printCommandError("info", "out of memory"); }
   return exitInputOutput;
 }
 

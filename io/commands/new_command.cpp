@@ -12,6 +12,7 @@
 #include "io/commands/starting_scenes.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/read_scene.hpp"
+#include "io/text/command_error.hpp"
 
 namespace fs = std::filesystem;
 
@@ -69,12 +70,13 @@ int newCommand(const NewOptions& o) {
     if (path.filename().empty() || path.filename() == "." || path.filename() == "..")
       throw IoError(path.string(), "expected the name of a file");
     if (path.extension() != ".toml") path += ".toml";
-    if (fs::exists(path)) throw IoError(path.string(), "already exists, and is not overwritten");
+    if (fs::exists(path))
+      throw IoError(path.string(), "already exists, and is not overwritten: choose another name");
     const fs::path schema = path.parent_path() / schemaName;
     if (o.schema && !fs::exists(schema)) writeNew(schema, sceneSchema());
     writeNew(path, sceneText(o, path.stem().string()));
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
+    printCommandError("new", e.what());
     return exitInputOutput;
   }
   fmt::print("written: {}\nnext:    thaw run {}\n", path.string(), path.string());

@@ -13,6 +13,7 @@
 
 #include "io/commands/plot_script.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/text/command_error.hpp"
 #include "io/text/shell_word.hpp"
 
 namespace fs = std::filesystem;
@@ -70,7 +71,7 @@ int plotCommand(const PlotOptions& o) {
     draw(o);
     return 0;
   } catch (const std::runtime_error& e) {
-    fmt::print(stderr, "{}\n", e.what());
+    printCommandError("plot", e.what());
     return exitInputOutput;
   }
 }

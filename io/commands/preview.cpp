@@ -19,6 +19,7 @@
 #include "io/render/scene_marks.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "io/simulation/simulation.hpp"
+#include "io/text/command_error.hpp"
 #include "io/view/page/export_page.hpp"
 #include "io/view/page/page_file.hpp"
 
@@ -271,16 +272,17 @@ int previewCommand(const PreviewOptions& options) {
     if (rank == 0) fmt::print(stderr, "{}\n", message);
     return code;
   };
-  if (ranks > 1) return failed("thaw preview: expected one rank: start it without mpirun", exitUsage);
+  if (ranks > 1)
+    return failed(commandError("preview", "expected one rank: start it without mpirun"), exitUsage);
   if (!options.html.empty())
     if (const std::string problem = pageProblem(); !problem.empty())
-      return failed("thaw preview: " + problem, exitUsage);
+      return failed(commandError("preview", problem), exitUsage);
   try {
     preview(options);
     return exitDone;
   } catch (const std::exception& e) {
     if (const auto refusal = refusalOf(e)) return failed(refusal->message, refusal->code);
-    return failed("thaw preview: " + options.scene + ": " + e.what(), exitInputOutput);
+    return failed(commandError("preview", options.scene + ": " + e.what()), exitInputOutput);
   }
 }
 

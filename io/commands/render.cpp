@@ -14,6 +14,7 @@
 #include "io/render/frame_source.hpp"
 #include "io/render/movie.hpp"
 #include "io/render/scene_job.hpp"
+#include "io/text/command_error.hpp"
 
 namespace thaw {
 
@@ -82,8 +83,8 @@ FrameJob jobOfRun(const fs::path& frame) {
   try {
     return jobOfScene(sceneOfText(kept.text, kept.name));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "thaw render: the scene in {} is not used for the pictures: {}\n", frame.string(),
-               error.what());
+    fmt::print(stderr, "thaw render: warning: the scene in {} is not used for the pictures: {}\n",
+               frame.string(), error.what());
     return {};
   }
 }
@@ -95,7 +96,16 @@ FrameKind kindOf(const std::string& what) {
   throw std::invalid_argument("unknown --what " + what + "; expected surface, particles or automatic");
 }
 
+/// Refuses the file of a scene, and names the commands for it.
+void refuseScene(const fs::path& input) {
+  if (input.extension() != ".toml") return;
+  const std::string scene = input.string(), run = "out/" + input.stem().string();
+  throw std::invalid_argument(
+      fmt::format("{0} is a scene; use `thaw preview {0}`, or render its run {1}", scene, run));
+}
+
 FrameJob jobOf(const RenderOptions& options) {
+  refuseScene(options.input);
   std::vector<fs::path> frames = findFrames(options.input, kindOf(options.what));
   if (options.latest) frames.erase(frames.begin(), frames.end() - 1);
   FrameJob job = jobOfRun(frames.back());
@@ -111,8 +121,7 @@ FrameJob jobOf(const RenderOptions& options) {
   job.field = fieldFor(options, job.field, fieldsOf(frames.back(), !surfels), drawnAsSurface(frames.back()));
   if (options.min) job.min = options.min;
   if (options.max) job.max = options.max;
-  if (job.min && job.max && !(*job.max > *job.min))
-    throw std::invalid_argument("the range of the colours is empty: --max must be above --min");
+  if (job.min && job.max && !(*job.max > *job.min)) throw std::invalid_argument("--max must be above --min");
   job.map = colourMapNamed(options.map);
   if (options.width > 0) job.width = options.width;
   if (options.height > 0) job.height = options.height;
@@ -133,10 +142,11 @@ void filmOf(std::vector<fs::path> pictures, const RenderOptions& options) {
   const fs::path file = pictures[0].parent_path() / (name + ".mp4");
   if (makeMovie(pictures, file, options.rate)) fmt::print("{}\n", file.string());
   else
-    fmt::print(stderr,
-               "thaw render: no movie: ffmpeg is not installed (Debian: apt-get install ffmpeg); with it, "
-               "make one from the pictures:\n  {}\n",
-               movieCommand(pictures, file, options.rate));
+    fmt::print(
+        stderr,
+        "thaw render: warning: no movie: ffmpeg is not installed (Debian: apt-get install ffmpeg); with it, "
+        "make one from the pictures:\n  {}\n",
+        movieCommand(pictures, file, options.rate));
 }
 
 }  // namespace
@@ -220,16 +230,16 @@ int renderCommand(const RenderOptions& options) {
       filmOf({written.begin(), written.begin() + static_cast<std::ptrdiff_t>(pictures)}, options);
     return 0;
   } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "thaw render: {}\n", error.what());
+    printCommandError("render", error.what());
     return 2;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "thaw render: {}: not enough memory\n", options.input.string());
+    printCommandError("render", options.input.string() + ": not enough memory");
     return exitInputOutput;
   } catch (const fs::filesystem_error& error) {
-    fmt::print(stderr, "thaw render: {}: {}\n", error.path1().string(), error.code().message());
+    printCommandError("render", error.path1().string() + ": " + error.code().message());
     return exitInputOutput;
   } catch (const std::runtime_error& error) {  // IoError
-    fmt::print(stderr, "thaw render: {}\n", error.what());
+    printCommandError("render", error.what());
     return exitInputOutput;
   }
 }

@@ -9,6 +9,7 @@
 #include "io/frames/run_folder.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/scene_for_all.hpp"
+#include "io/text/command_error.hpp"
 #include "io/view/page/page_file.hpp"
 #include "io/view/server/serve.hpp"
 
@@ -27,14 +28,14 @@ int viewCommand(const ViewOptions& options) {
   std::string problem = serverProblem();
   if (problem.empty()) problem = pageProblem();
   if (!problem.empty()) {
-    fmt::print(stderr, "thaw view: {}\n", problem);
+    printCommandError("view", problem);
     return exitUsage;
   }
   try {
     serveRun({runFolder(options.run), options.port, options.open});
     return exitDone;
   } catch (const std::runtime_error& error) {  // IoError or a file system error
-    fmt::print(stderr, "thaw view: {}\n", error.what());
+    printCommandError("view", error.what());
     return exitInputOutput;
   }
 }

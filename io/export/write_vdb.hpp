@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Writes grids in metres with voxels of the particle spacing (half of it for the surface):
+/// Writes grids in metres. Voxels have the particle spacing, or half of it for the surface:
 /// - surface: level set of the surface, in scene coordinates, negative inside
 /// - density: fog volume of the particles, 1 in their bulk
 /// - temperature (K), liquid (1): means over the particles near each voxel of the fog volume

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cstring>
 
 #include "io/frames/frame.hpp"
@@ -24,10 +26,13 @@ std::uint64_t countPoints(const H5File& file, std::uint64_t& pieces) {
   std::uint64_t sum = 0;
   for (std::int64_t n : sizes) {
     if (n < 0 || static_cast<std::uint64_t>(n) > rows - sum)
-      throw IoError(file.path(), "is damaged: the pieces have more points than there are");
+      throw IoError(file.path(),
+                    fmt::format("is damaged: its pieces have more points than the dataset, {}", rows));
     sum += static_cast<std::uint64_t>(n);
   }
-  if (sum != rows) throw IoError(file.path(), "is damaged: the pieces have fewer points than there are");
+  if (sum != rows)
+    throw IoError(file.path(),
+                  fmt::format("is damaged: its pieces have {} points, the dataset {}", sum, rows));
   pieces = sizes.size();
   return rows;
 }

@@ -41,10 +41,7 @@ bool isSurfaceFrame(const FrameInfo& info) {
 
 SurfaceFrame readSurfaceFrame(const std::string& path,
                               const std::function<bool(const std::string&)>& wanted) {
-  if (!isSurfaceFrame(readFrameInfo(path)))
-    throw IoError(path,
-                  "is not a frame of a surface: it has no fields normal and radius (frames of surfels are "
-                  "called NAME_surface_000000.hdf)");
+  if (!isSurfaceFrame(readFrameInfo(path))) throw IoError(path, noSurfaceFrame);
   FrameData data = readFrame(path, [&](const std::string& name) {
     return std::find(std::begin(own), std::end(own), name) != std::end(own) || !wanted || wanted(name);
   });

@@ -28,6 +28,11 @@ struct SurfaceFrame {
 /// Returns whether a frame has the fields of surfels: `normal` with 3 components and `radius`.
 bool isSurfaceFrame(const FrameInfo& info);
 
+/// The error for other frames.
+inline constexpr const char* noSurfaceFrame =
+    "is not a frame of a surface: it has no fields normal and radius (frames of surfels are called "
+    "NAME_surface_000000.hdf)";
+
 /// Reads a frame of surfels. wanted: selects the other fields; an empty function selects all. Throws IoError
 /// as readFrame, and for other frames.
 SurfaceFrame readSurfaceFrame(const std::string& path,

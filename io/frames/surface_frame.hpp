@@ -14,7 +14,7 @@ std::string surfaceName(const std::string& scene);
 /// green, blue. velocities: m/s, one per surfel, added as `velocity`; or none.
 Frame surfaceFrameOf(const World& world, const std::vector<Vec3d>& velocities = {});
 
-/// Returns whether the scene wants velocities of surfels in frames (`surface_velocity` in output.fields).
+/// Returns whether frames of the scene have velocities of surfels (`surface_velocity` in output.fields).
 bool wantsSurfelVelocities(const Scene& scene);
 
 /// Returns whether the points of a frame are surfels.

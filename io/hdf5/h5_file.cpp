@@ -51,7 +51,7 @@ H5File H5File::create(const std::string& path) {
 H5File H5File::openToAdd(const std::string& path) {
   const H5Handle access = accessList();
   const hid_t id = access.valid() ? H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()) : -1;
-  if (id < 0) throw IoError(path, "cannot open the file to write to it" + h5Reason());
+  if (id < 0) throw IoError(path, "cannot be opened for writing" + h5Reason());
   return {path, id, true};
 }
 
@@ -78,7 +78,7 @@ H5File H5File::openToFill(const std::string& path, MPI_Comm comm) {
   if (access.valid() && size > 1 && H5Pset_fapl_mpio(access.id(), comm, MPI_INFO_NULL) < 0)
     throw IoError(path, "cannot use MPI-IO" + h5Reason());
   const hid_t id = access.valid() ? H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()) : -1;
-  if (id < 0) throw IoError(path, "cannot open the file to write to it" + h5Reason());
+  if (id < 0) throw IoError(path, "cannot be opened for writing" + h5Reason());
   return {path, id, false};
 }
 

@@ -111,7 +111,7 @@ constexpr std::uint64_t largestText = std::uint64_t(1) << 30;
 template<class Read>
 std::string fixedText(hid_t type, Read&& read, const std::string& path, const std::string& what) {
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)
-    throw IoError(path, what + " is not a text of fixed length");
+    throw IoError(path, what + " is not a fixed-length string");
   const std::size_t length = H5Tget_size(type);
   std::error_code error;
   if (length > largestText || length > std::filesystem::file_size(path, error))

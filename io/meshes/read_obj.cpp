@@ -95,8 +95,7 @@ struct ObjReader {
       n += count + 1;
     }
     if (n > most.index) most = {n, text.line()};
-    if (n > mostVertices)
-      text.fail(kind + " index " + std::to_string(n) + " is larger than 32 bits can count");
+    if (n > mostVertices) text.fail(kind + " index " + std::to_string(n) + " exceeds 32 bits");
     return static_cast<std::uint32_t>(n);
   }
 

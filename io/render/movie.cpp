@@ -42,23 +42,24 @@ bool makeMovie(const std::vector<fs::path>& pictures, const fs::path& file, doub
       ("command -v ffmpeg >/dev/null || exit 127; " + encoder(part, rate)).c_str(), "w");
   if (!pipe) throw IoError(file.string(), "cannot start ffmpeg");
   auto* const before = std::signal(SIGPIPE, SIG_IGN);  // ffmpeg may exit before it has read all
-  bool read = true;
+  fs::path unreadable;
   for (const fs::path& picture : pictures) {
     std::ifstream in(picture, std::ios::binary);
     char bytes[1 << 16];
     while (in.read(bytes, sizeof bytes), in.gcount() > 0)
       std::fwrite(bytes, 1, static_cast<std::size_t>(in.gcount()), pipe);
-    read = read && in.eof();
+    if (!in.eof() && unreadable.empty()) unreadable = picture;
   }
   const int status = ::pclose(pipe), code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
   std::signal(SIGPIPE, before);
   if (code == notFound) return false;
+  const bool read = unreadable.empty();
   std::error_code error;
   if (code == 0 && read) fs::rename(part, file, error);
   if (code == 0 && read && !error) return true;
   const std::string cause = error  ? "cannot be written: " + error.message()
                             : read ? fmt::format("ffmpeg failed with exit code {}", code)
-                                   : "a picture cannot be read";
+                                   : "picture " + unreadable.string() + " cannot be read";
   fs::remove(part, error);
   throw IoError(file.string(), cause);
 }

@@ -29,7 +29,6 @@ std::vector<std::string> prepareRun(Run& r, const MeshLoader& load) {
   }
   r.name = std::filesystem::path(r.options.scene).stem().string();
   onDisk(r, [&] {
-    makeOutputFolders(r.options.out);
     std::error_code code;
     std::filesystem::remove(r.options.out + "/stop", code);  // left by the previous run
   });
@@ -67,8 +66,8 @@ void warnOfThinLiquid(Run& r) {
   const char* const keys =
       "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
   r.warn(
-      fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or spread in a "
-                  "layer of a few particles; if it should hold together, {}",
+      fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or a layer of "
+                  "few particles. If it should stay connected, {}",
                   density, summed && !r.world.modules.solid ? keys : "choose a smaller spacing"));
 }
 

@@ -9,8 +9,8 @@
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "io/hdf5/collective_error.hpp"
+#include "io/run/body_type_failure.hpp"
 #include "io/run/body_type_run.hpp"
-#include "io/run/body_type_suspect.hpp"
 #include "io/run/failure_text.hpp"
 #include "io/run/ledger_log.hpp"
 #include "io/run/reports/progress.hpp"
@@ -144,10 +144,10 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
   const MonitorState watch = w.watch;
   findStoredEnergy(w, r.tools);
   const FailingParticle s = findFailingParticle(w, failed.failure, failed.limitedBy, r.all);
-  const std::string ofKinds = bodyTypeSuspect(w, r.tools, failed, r.all);  // on at most one rank
-  double found = ofKinds.empty() ? 0 : 1;
+  const std::string ofBodyTypes = bodyTypeFailure(w, r.tools, failed, r.all);  // on at most one rank
+  double found = ofBodyTypes.empty() ? 0 : 1;
   r.all.maximum({&found, 1});
-  std::string what = broadcastFromOwner(r.comm, found > 0 ? ofKinds
+  std::string what = broadcastFromOwner(r.comm, found > 0 ? ofBodyTypes
                                                 : s.here  ? failureText(w, r.tools, failed, s)
                                                           : std::string());
   if (what.empty()) what = failedCheck(w, r.tools, failed) + "; no single particle is responsible";

@@ -26,8 +26,8 @@ bool atSnapshot(const Run& run);
 void writeLastSnapshot(Run& run);
 
 /// Responds to a failure in the last step. Returns true after a rollback to the last snapshot, with half the
-/// step; later frames are written again. Returns false if the retries are used up. `why` then tells what
-/// failed and what was tried, and the last snapshot is a checkpoint.
+/// step; later frames are written again. Returns false if the retries are used up. `why` then
+/// describes the failure and the retries, and the last snapshot is written as a checkpoint.
 bool rollBack(Run& run, const StepOutcome& failed, std::string& why);
 
 }  // namespace thaw

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -102,8 +103,8 @@ bool create(const std::string& path, const std::string& text) {
 }
 
 /// Replaces the lock `old` by a new one. Returns false if it is no longer there. The kernel's lock on the old
-/// file excludes other processes. Without such locks the last writer wins; the other sees a different
-/// text.
+/// file excludes other processes. Without such locks the last text remains, and the
+/// other process reads a text that is not its own.
 bool replace(const std::string& path, const LockHolder& old, const std::string& text) {
   const File file(::open(path.c_str(), O_RDWR));
   if (file.fd < 0 && errno == ENOENT) return false;
@@ -123,6 +124,17 @@ bool replace(const std::string& path, const LockHolder& old, const std::string& 
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   std::ifstream last(path);
   return std::string{std::istreambuf_iterator<char>(last), {}} == text;
+}
+
+/// Makes a folder with those around it. Returns those that did not exist, the innermost first.
+std::vector<std::string> makeFolders(const std::string& folder) {
+  std::vector<std::string> made;
+  std::error_code error;
+  for (std::filesystem::path p = folder; !p.empty() && !std::filesystem::exists(p, error);
+       p = p.parent_path())
+    if (p.has_filename()) made.push_back(p.string());
+  makeFolder(folder);
+  return made;
 }
 
 constexpr const char* advice = "wait until it ends, stop it, or choose another --out";
@@ -161,7 +173,7 @@ std::string lockText(const Json& j) {
 }
 
 std::string RunLock::take(const LockRequest& q) {
-  makeFolder(q.out);
+  made_ = makeFolders(q.out);
   const std::string path = pathOf(q.out), text = ownText(q.ranks);
   const auto start = Wait::now();
   const auto waited = [&] { return std::chrono::duration<double>(Wait::now() - start).count(); };
@@ -205,6 +217,9 @@ void RunLock::release() noexcept {
   } catch (const std::exception&) {  // The file stays, as after a kill.
   }
   path_.clear();
+  std::error_code error;
+  for (const std::string& folder : made_)
+    if (!std::filesystem::remove(folder, error)) break;  // not empty
 }
 
 }  // namespace thaw

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/run/reports/process_identity.hpp"
 
@@ -46,11 +47,13 @@ class RunLock {
   /// Takes the lock. Returns a note if it replaces the lock of an ended process, or one by force, else "".
   /// Throws IoError if another process holds the lock.
   std::string take(const LockRequest& request);
-  /// Removes the file, unless another process has taken it by force.
+  /// Removes the file, unless another process has taken it by force. Also removes folders that take made, if
+  /// they are empty, as after a scene with errors.
   void release() noexcept;
 
  private:
   std::string path_, text_;
+  std::vector<std::string> made_;  ///< folders made for the lock, the innermost first
 };
 
 }  // namespace thaw

@@ -152,8 +152,8 @@ std::string rigidText(Run& r) {
   return fmt::format("  rigid {}", rigid[0]);
 }
 
-/// Returns "  asleep 8000 (awake: 12 move, 340 have awake neighbours)": particles whose sums were skipped in
-/// the last step, and the reasons of the others. Returns "" if no particle may sleep. Collective.
+/// Returns "  sleeping 8000 (awake: 12 move, 340 have awake neighbours)": particles whose sums were skipped
+/// in the last step, and the reasons of the others. Returns "" if no particle may sleep. Collective.
 std::string sleepText(Run& r) {
   if (r.world.modules.rigidify) return rigidText(r);
   if (!r.world.modules.sleep) return "";
@@ -170,8 +170,8 @@ std::string sleepText(Run& r) {
     if (counts[2 + k] > 0)
       why += fmt::format("{}{} {}", why.empty() ? " (awake: " : ", ", counts[2 + k], words[k]);
   }
-  if (held > 0) why += fmt::format("{}{} at rest, but not yet asleep", why.empty() ? " (" : "; ", held);
-  return fmt::format("  asleep {}{}", counts[0], why.empty() ? "" : why + ")");
+  if (held > 0) why += fmt::format("{}{} at rest, but not yet sleeping", why.empty() ? " (" : "; ", held);
+  return fmt::format("  sleeping {}{}", counts[0], why.empty() ? "" : why + ")");
 }
 
 }  // namespace
@@ -296,7 +296,7 @@ void summariseFailure(Run& r, const std::string& message, bool together) {
   try {
     if (together && r.begun) return summarise(r, "failed", message);
   } catch (const std::exception&) { return; }
-  summariseWithoutState(r, "failed", message);
+  summariseWithoutState(r, r.begun ? "failed" : "refused", message);
 }
 
 void summariseStoppedRelaxation(Run& r, const std::string& message) {
@@ -316,6 +316,7 @@ namespace {
   if (about.size() > most)
     lines.push_back(
         fmt::format("  and {} more; the checkpoint may be of another scene", about.size() - most));
+  lines.push_back("  repeat the --set of the first run, or start again in another --out");
   throw SceneErrors(lines);
 }
 
@@ -325,7 +326,8 @@ std::unique_ptr<CheckpointSlice> checkpointToContinue(Run& r) {
   auto slice = readNewestCheckpoint(r.options.out, r.comm.handle());
   if (r.options.restart && !slice)
     throw SceneErrors({r.options.out +
-                       ": error: --restart needs a checkpoint in its folder checkpoint/, and there is none"});
+                       ": error: --restart needs a checkpoint in its folder checkpoint/, and there is none: "
+                       "leave out --restart, or use --resume"});
   return slice;
 }
 
@@ -346,7 +348,7 @@ void restoreState(Run& r, const CheckpointSlice& slice, const SceneChanges& chan
     if (!changes.any()) throw;
     std::vector<std::string> lines = changes.coefficients;
     lines.insert(lines.end(), changes.settings.begin(), changes.settings.end());
-    refuseScene(r, std::string("A change needs data that the run has not stored: ") + e.what(), lines);
+    refuseScene(r, std::string("A changed key needs data that the checkpoint lacks: ") + e.what(), lines);
   }
   if (const std::vector<std::string> strange = checkpointMismatches(w, r.all); !strange.empty())
     refuseScene(r, "The checkpoint does not match it", strange);
@@ -360,7 +362,7 @@ void warnOfChanges(Run& r, const CheckpointHeader& then, const SceneChanges& cha
   for (const std::string& change : pastEventChanges(then.values, scene, then.clock.time))
     r.warn("changed at the restart, without effect, since its time has passed: " + change);
   for (const std::string& change : initialStateChanges(then.values, scene))
-    r.warn("changed at the restart, without effect, since it sets only how the run begins: " + change);
+    r.warn("changed at the restart, without effect, since it only sets the initial state: " + change);
 }
 
 /// Continues the run of a checkpoint. Collective.
@@ -378,6 +380,7 @@ void continueRun(Run& r, const CheckpointSlice& slice, const MeshLoader& load) {
   const SceneChanges changes{coefficientChanges(then.values, w.scene),
                              settingChanges(then.values, w.scene, then.clock.time)};
   restoreState(r, slice, changes);
+  onDisk(r, [&] { makeOutputFolders(r.options.out); });
   warnOfChanges(r, then, changes);
   // Retries with other settings do not count.
   if (changes.any()) w.watch.failures = 0;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <tuple>
 
@@ -41,6 +42,30 @@ std::vector<std::string> linesOf(std::vector<SceneError> errors) {
     if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
   }
   return lines;
+}
+
+/// Drops errors of checks that an unknown key of their table may explain. first: number of the first error
+/// that concerns several tables. These are dropped at a table with an unknown key, and if the file has one
+/// outside of all tables.
+void dropFollowOnErrors(std::vector<SceneError>& errors, std::size_t first) {
+  using Kind = SceneError::Kind;
+  std::set<std::string> tables;
+  std::vector<SourcePlace> places;
+  for (const SceneError& e : errors)
+    if (e.kind == Kind::UnknownKey) {
+      tables.insert(e.table);
+      places.insert(places.end(), e.places.begin(), e.places.end());
+    }
+  const auto at = [](const SourcePlace& p) { return std::tie(p.file, p.line, p.column); };
+  std::vector<SceneError> kept;
+  for (std::size_t k = 0; k < errors.size(); k++) {
+    const SceneError& e = errors[k];
+    const bool here = std::ranges::any_of(places, [&](const SourcePlace& p) { return at(p) == at(e.where); });
+    const bool follows = k < first ? e.kind == Kind::Check && tables.count(e.table) > 0
+                                   : here || tables.count("") > 0;
+    if (!follows) kept.push_back(e);
+  }
+  errors = std::move(kept);
 }
 
 constexpr const char* givenMark = "# given: ";
@@ -81,7 +106,9 @@ Scene readScene(const SceneFiles& files, const std::vector<std::string>& overrid
     TableReader top(table, "", errors);
     readSections(top, reading);
     top.finish();
+    const std::size_t first = errors.size();
     if (whole) checkScene(reading, errors);  // otherwise a missing key may be in an unreadable file
+    dropFollowOnErrors(errors, first);
   }
   if (!errors.empty()) throw SceneErrors(linesOf(std::move(errors)));
   s.text = resolvedText(table, files, overrides);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/geometry/builtin/builtin_meshes.hpp"
+#include "io/scene/text/nearest_word.hpp"
 #include "io/scene/text/syntax_hint.hpp"
 
 namespace thaw {
@@ -15,8 +16,8 @@ namespace {
 using std::filesystem::path;
 
 bool isJoined(std::string_view key) {
-  return key == "body" || key == "emitter" || key == "obstacle" || key == "wall" || key == "tempering" ||
-         key == "oriented" || key == "sheet" || key == "lamp" || key == "laser" || key == "heated_region";
+  return key == "body" || key == "emitter" || key == "obstacle" || key == "thermostat" || key == "oriented" ||
+         key == "sheet" || key == "lamp" || key == "laser" || key == "heated_region";
 }
 
 /// Moves the content of `from` into `to`. Moved nodes keep their places; copies would not.
@@ -33,6 +34,12 @@ void merge(toml::table& to, toml::table& from, bool top) {
       to.insert(key, std::move(node));
     }
   }
+}
+
+/// Returns the message of a parser without its first word "Error": the line of the error has the word.
+std::string complaintOf(const toml::parse_error& e) {
+  const std::string_view text = e.description(), first = "Error ";
+  return std::string(text.starts_with(first) ? text.substr(first.size()) : text);
 }
 
 struct Resolver {
@@ -62,7 +69,7 @@ struct Resolver {
       t = toml::parse(text->second, file);
     } catch (const toml::parse_error& e) {
       const auto& at = e.source().begin;
-      const std::string complaint(e.description());
+      const std::string complaint = complaintOf(e);
       return errors.push_back({{file, static_cast<int>(at.line), static_cast<int>(at.column)},
                                complaint + syntaxHint(text->second, static_cast<int>(at.line), complaint)});
     }
@@ -105,6 +112,15 @@ std::vector<std::string> keysOf(const std::string& dotted) {
   for (const std::string& k : keys)
     if (k.empty() || quote || keys.size() > 32) return {};
   return keys;
+}
+
+/// Returns the names of the tables of a list.
+std::set<std::string> namesIn(const toml::array& a) {
+  std::set<std::string> names;
+  for (const toml::node& e : a)
+    if (const toml::table* t = e.as_table())
+      if (const auto* name = t->get_as<std::string>("name")) names.insert(name->get());
+  return names;
 }
 
 /// Returns the table of a list with this name or number.
@@ -169,7 +185,9 @@ void applyOverride(toml::table& top, const std::string& setting, std::vector<Sce
       if (k + 2 >= keys.size())
         return wrong("'" + keys[k] + "' is a list: expected the name or number of an entry, then a key");
       t = findTable(*list, keys[k + 1]);
-      if (!t) return wrong("'" + keys[k] + "' has no entry with the name or number '" + keys[k + 1] + "'");
+      if (!t)
+        return wrong("'" + keys[k] + "' has no entry with the name or number '" + keys[k + 1] + "'" +
+                     suggestion(keys[k + 1], namesIn(*list)));
       k++;
     } else {
       t = n->as_table();

@@ -157,7 +157,7 @@ class SchemaWriter {
   Json property(const KeyDescription& k) {
     Json to{{"description", description(k)}};
     to.update(k.form.alternative ? either({form(k), alternative(k)}) : form(k));
-    if (k.standard != "none") to["default"] = defaultOf(k.standard);
+    if (isValue(k.standard)) to["default"] = defaultOf(k.standard);
     return to;
   }
 
@@ -198,6 +198,10 @@ class SchemaWriter {
       case Type::Other: break;
     }
     return formOfText(k);
+  }
+
+  static bool isValue(const std::string& standard) {
+    return standard != noDefault && standard != defaultByScene && standard != defaultRequired;
   }
 
   static Json wholeForm(const Range& range) {

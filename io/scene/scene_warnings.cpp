@@ -118,6 +118,13 @@ void addCrushedSolids(const Scene& s, std::vector<std::string>& lines) {
   }
 }
 
+/// Warns of an interval of frames longer than the run.
+void addRareFrames(const Scene& s, std::vector<std::string>& lines) {
+  if (s.end > 0 && s.output.every > s.end)
+    lines.push_back(fmt::format("{}: output.every ({:g} s) exceeds end ({:g} s): the only frame is the first",
+                                s.file, s.output.every, s.end));
+}
+
 /// Warns of a subtracted weight if the liquid may have a free surface.
 void addWeightlessLiquid(const Scene& s, std::vector<std::string>& lines) {
   if (s.numerics.buoyancy == Buoyancy::Boussinesq && !liquidFillsClosedDomain(s))
@@ -198,6 +205,7 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   if (!s.surface.on && std::find(fields.begin(), fields.end(), surfaceVelocityField) != fields.end())
     lines.push_back(fmt::format("{}: output.fields: {} has no effect without a table [surface]",
                                 at(s.output.fieldsWhere), surfaceVelocityField));
+  addRareFrames(s, lines);
   addUnusedMaterials(s, lines);
   addColdTemperatures(s, lines);
   addMaterialsWithoutHeat(s, lines);

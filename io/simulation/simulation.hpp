@@ -108,7 +108,7 @@ class Simulation {
   /// records the change as work, impulse and heat from outside.
   Continuum& beginEdit();
   bool endEdit();
-  /// Asks all ranks to stop after the next step; one rank suffices.
+  /// Requests that all ranks stop after the next step; one rank suffices.
   void requestStop();
   /// Lets a simulation go on after a stop request.
   void resume();

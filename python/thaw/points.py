@@ -17,7 +17,7 @@ DATA = '/VTKHDF/PointData'
 
 
 class Field(NamedTuple):
-    """What is known of a field without reading its values."""
+    """Metadata of a field, without its values."""
 
     unit: str
     meaning: str

@@ -5,7 +5,7 @@
 # without effect is reported as such. thaw compare works on runs with all body types.
 . "$(dirname "$0")/../support/run.sh"
 . "$(dirname "$0")/../support/contact_scene.sh"
-{ meetingScene; clothOver; } >"$work/all.toml"
+{ contactScene; clothOver; } >"$work/all.toml"
 options=(--set 'body.block.velocity=[0, 0, -0.4]' --set numerics.retry_every=20)
 # begins FOLDER
 begins() {

@@ -17,8 +17,8 @@ $(value "$work/$1.1/summary.json" oriented_deaths) deaths"
 . "$(dirname "$0")/../support/contact_scene.sh"
 # A block falls on a surface that is held at its rim. Then a cloth lies on the surface and the block on the
 # cloth, while a patch flies out of the domain.
-meetingScene >"$work/meeting.toml"
-{ meetingScene; clothOver; cat <<'EOF'
+contactScene >"$work/contact.toml"
+{ contactScene; clothOver; cat <<'EOF'
 [[oriented]]
 name = "patch"
 patch = { width = 0.3, depth = 0.3 }
@@ -30,10 +30,11 @@ patch = { width = 0.1, depth = 0.1 }
 place = { move = [0.4, 0, 0.3] }
 velocity = [4, 0, 0]
 EOF
-} >"$work/draping.toml"
+} >"$work/sheet_contact.toml"
 # each copy goes with its runs
-for copy in blow sunken tumbling; do cp "$work/meeting.toml" "$work/$copy.toml"; done
-known="meeting blow sunken tumbling draping control relax_plane relax_sphere open_cap weld cut crease"
+for copy in blow interpenetration tumbling; do cp "$work/contact.toml" "$work/$copy.toml"; done
+known="contact blow interpenetration tumbling sheet_contact control relax_plane relax_sphere open_cap weld cut
+crease"
 known+=" interpolate curve2d rk4 implicit retry"
 for which in ${SCENES:-$known}; do
   case $which in
@@ -61,26 +62,26 @@ for which in ${SCENES:-$known}; do
       echo "retry: $(value "$work/retry.1/summary.json" retries) retries, \
 $(value "$work/retry.1/summary.json" step) steps"
       ;;
-    meeting) try meeting "$work/meeting.toml" 150 ;;
+    contact) try contact "$work/contact.toml" 150 ;;
     blow)  # stiff, heavy and fast on a light surface: the contact barrier, and steps that follow it
       try blow "$work/blow.toml" 150 --set material.jelly.density=1000 --set material.jelly.young=1e5 \
         --set oriented.net.density=1 --set oriented.net.stiffness=10 --set body.block.velocity=[0.2,0,-2] \
         --set body.block.place.move=[0.02,0,0.075]
       ;;
-    sunken)  # a block that begins inside the surface: one warning, with the same text on all ranks
-      scene=sunken
+    interpenetration)  # a block that begins inside the surface: one warning, with the same text on all ranks
+      scene=interpenetration
       for ranks in 1 3 7; do
-        launch $ranks run "$work/sunken.toml" --set 'numerics.overlap="keep"' \
+        launch $ranks run "$work/interpenetration.toml" --set 'numerics.overlap="keep"' \
           --set body.block.velocity=[0,0,0] --set body.block.place.move=[0.02,0,0.01] \
-          --set numerics.retry_every=5 --steps 20 --out "$work/sunken.$ranks" >"$work/log" 2>&1
+          --set numerics.retry_every=5 --steps 20 --out "$work/interpenetration.$ranks" >"$work/log" 2>&1
         expectExit 0 "a block in a surface on $ranks ranks"
-        grep '^warning: .*are inside body' "$work/log" | sort -u >"$work/sunken.$ranks.told"
-        [ "$(wc -l <"$work/sunken.$ranks.told")" = 1 ] ||
-          fail "a block in a surface on $ranks ranks: $(wc -l <"$work/sunken.$ranks.told") warnings"
-        cmp "$work/sunken.1.told" "$work/sunken.$ranks.told" ||
+        grep '^warning: .*are inside body' "$work/log" | sort -u >"$work/interpenetration.$ranks.warnings"
+        [ "$(wc -l <"$work/interpenetration.$ranks.warnings")" = 1 ] ||
+          fail "a block in a surface on $ranks ranks: not one warning"
+        cmp "$work/interpenetration.1.warnings" "$work/interpenetration.$ranks.warnings" ||
           fail "a block in a surface: the warnings on 1 and $ranks ranks differ"
       done
-      cat "$work/sunken.1.told" ;;
+      cat "$work/interpenetration.1.warnings" ;;
     # the block turns in contact, so that its rows change order in steps whose contacts read the last step's
     # data
     tumbling)
@@ -88,7 +89,7 @@ $(value "$work/retry.1/summary.json" step) steps"
         --set body.block.spin=[9,12,6] --set body.block.box.size=[0.16,0.16,0.16] \
         --set body.block.place.move=[0.02,0,0.11]
       ;;
-    draping) try draping "$work/draping.toml" 150 ;;
+    sheet_contact) try sheet_contact "$work/sheet_contact.toml" 150 ;;
     rk4) settings cut; try rk4 "$scenes/cut.toml" 40 "${set[@]}" --set 'oriented.cloth.integrator="rk4"' ;;
     implicit)
       settings weld

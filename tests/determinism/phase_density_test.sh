@@ -55,7 +55,7 @@ material = "wax"
 temperature = 345
 box = { size = [0.2, 0.2, 0.15] }
 place = { move = [0.25, 0.15, 0.175] }
-[[tempering]]
+[[thermostat]]
 start = 0.03
 over = 0.01
 temperature = 300

@@ -46,7 +46,7 @@ temperature = 290
 spin = [3, 1, 2]
 box = { size = [0.2, 0.2, 0.15] }
 place = { move = [0.25, 0.15, 0.175] }
-[[tempering]]
+[[thermostat]]
 start = 0.03
 over = 0.01
 temperature = 300

@@ -43,7 +43,7 @@ place = { move = [0.1, 0, 0.9] }
 name = "plate"
 plane = { point = [0, 0, 0], normal = [0, 0, 1] }
 temperature = 500
-[[tempering]]
+[[thermostat]]
 start = 0.12
 over = 0.005
 temperature = 300

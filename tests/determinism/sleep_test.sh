@@ -58,7 +58,7 @@ expectSleepers() {
   [ "${slept:-0}" -gt 0 ] || fail "$scene: nothing sleeps at the end"
 }
 expectSleepers
-grep -q 'asleep 0 (awake: [0-9]* accelerate)' "$work/$scene.log.1" ||
+grep -q 'sleeping 0 (awake: [0-9]* accelerate)' "$work/$scene.log.1" ||
   fail "$scene: no report at the start of why blocks are awake"
 # A coefficient that changes at a restart wakes all blocks. Sleepers with old constraint forces would be
 # pushed.

@@ -69,6 +69,14 @@ rejects "unknown override" "^--set spacng=3: error: unknown key 'spacng'; did yo
 rejects "override without a value" 'expected key=value' 2 check "$good" --set spacing
 rejects "wrong unit" 'spacing: expected a length such as "2 mm", got "2 kg"' 2 check "$good" \
   --set 'spacing=2 kg'
+rejects "unknown body in an override" \
+  "'body' has no entry with the name or number 'blocks'; did you mean 'block'\?" \
+  2 check "$good" --set body.blocks.velocity='[0, 0, 1]'
+rejects "other name of an obstacle" \
+  'wall\.toml:[0-9]+:[0-9]+: error: wall: unknown table: expected \[\[obstacle\]\]' \
+  2 check "$(scene wall 's/^\[\[obstacle\]\]/[[wall]]/')"
+rejects "other name of a thermostat" 'error: tempering: unknown table: expected \[\[thermostat\]\]' \
+  2 check "$(scene tempering '$a [[tempering]]\ntemperature = 300')"
 rejects "no such material" "there is no material 'jely'; did you mean 'jelly'\?" \
   2 run "$(scene material 's/material = .*/material = "jely"/')"
 rejects "same name twice" "a second obstacle is called 'floor'" \
@@ -77,7 +85,7 @@ rejects "nothing to do" 'there is nothing to simulate' 2 run "$(scene nothing '/
 
 # likely causes of parser errors
 rejects "a quote forgotten" \
-  'quote\.toml:2:[0-9]+: error: .*; the closing quote is missing on this line' \
+  'quote\.toml:2:[0-9]+: error: while parsing .*; the closing quote is missing on this line' \
   2 run "$(scene quote 's/^spacing.*/spacing = "2 cm/')"
 rejects "a unit without quotes" 'unit\.toml:2:[0-9]+: error: .*; a quantity with a unit is a text: "2 cm"' \
   2 run "$(scene unit 's/^spacing.*/spacing = 2 cm/')"
@@ -91,6 +99,10 @@ did you mean 'jelly'\?" 0 check "$good" --set 'material.jely.young=2e5'
 rejects "degrees without their unit" \
   "^warning: .*body 'block': its temperature is 30 K; a temperature without a unit is in kelvin" \
   0 check "$good" --set body.block.temperature=30
+
+rejects "frames longer than the run" \
+  '^warning: .*good.toml: output.every \(0.04 s\) exceeds end \(0.02 s\): the only frame is the first' \
+  0 check "$good"
 
 # buoyancy
 liquid=$(scene liquid 's/^young.*/expansion = 2e-4/')
@@ -139,11 +151,18 @@ printf 'include = "nowhere.toml"\n' >"$work/lost.toml"
 rejects "missing include" "nowhere\.toml': no such file" 2 run "$work/lost.toml"
 
 # the command line
-rejects "no such option" '--frobnicate' 2 run "$good" --frobnicate
+rejects "no such option" 'thaw: error: --frobnicate: `thaw run` has no such option$' 2 run "$good" \
+  --frobnicate
+rejects "similar option" "error: --step: \`thaw run\` has no such option; did you mean '--steps'\?" 2 run \
+  "$good" --step 5
+rejects "similar command" \
+  "error: rum: there is no such command; expected one of new, run, .*; did you mean 'run'\?" 2 rum "$good"
+rejects "arguments without an option" 'error: b.toml c.toml: not expected' 2 check "$good" b.toml c.toml
 # a second setting needs its own --set
 rejects "a setting without --set" "end=1: each key=value needs its own --set: --set 'end=1'" 2 run "$good" \
   --set spacing=0.02 end=1
 rejects "negative steps" '--steps' 2 run "$good" --steps -1
 rejects "ranks as an option" 'ranks are started by mpirun: mpirun -n 4 thaw run SCENE' 2 run "$good" --ranks 4
-rejects "restart of nothing" '--restart needs a checkpoint' 2 run "$good" --restart
+rejects "restart of nothing" '--restart needs a checkpoint.*: leave out --restart, or use --resume' \
+  2 run "$good" --restart
 allCases

@@ -15,7 +15,8 @@ done
 
 sha256sum melt.toml >sum
 "$thaw" new melt >"$work/log" 2>&1; expectExit 3 "a file that exists"
-expectMessage 'melt.toml: already exists, and is not overwritten' "the file that exists"
+expectMessage '^thaw new: error: .*melt.toml: already exists, and is not overwritten: choose another name' \
+  "the file that exists"
 sha256sum -c --quiet sum || fail "melt.toml is overwritten"
 "$thaw" new other --kind lava >"$work/log" 2>&1; expectExit 2 "an unknown kind"
 expectMessage 'melt' "the known kinds"

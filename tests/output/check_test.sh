@@ -24,7 +24,7 @@ name = "brick"
 box = { size = [0.1, 0.1, 0.04] }
 material = "wax"
 place = { move = [0, 0, 0.2] }
-[[tempering]]
+[[thermostat]]
 temperature = 400
 over = 0.05
 [surface]
@@ -76,7 +76,7 @@ assert 0 < step['start'] < 1 and step['limited_by'] in step['material_limits'] a
 assert step['sound_speeds'][0]['material'] == 'wax' and len(report['modules']) > 3
 assert any('hourglass' in line for line in report['settings'])
 PYTHON
-sed -i '/melts/d; /tempering/,/over/d' "$work/s.toml"
+sed -i '/melts/d; /thermostat/,/over/d' "$work/s.toml"
 launch 1 check "$work/s.toml" >"$work/log" 2>&1; expectExit 0 "check of a solid"
 grep -q 'breaks up' "$work/log" && fail "a solid that falls apart into drops"
 # a setting whose trial is refused, since the domain would be too short for its support

@@ -104,7 +104,7 @@ expectMessage '^  sheet.cloth.mesh: 121 vertices .* -> 49 vertices .*' \
   "another mesh under the same name"
 mv "$work/kept.obj" "$work/cloth.obj"
 again 2 2 "heat, where there was none" --set sheet.cloth.conductance=5
-expectMessage "cannot continue.*A change needs data that the run has not stored: .*no field 'enthalpy'" \
+expectMessage "cannot continue.*A changed key needs data that the checkpoint lacks: .*no field 'enthalpy'" \
   "heat, where there was none"
 expectMessage '^  sheet.cloth.conductance: 0 -> 5' "heat, where there was none"
 grep -q '^warning: changed at the restart' "$work/log" &&

@@ -65,7 +65,7 @@ for _ in $(seq 100); do grep -q '^oriented: iteration' "$work/log" && break; sle
 kill -TERM "$(ranksOf "$work/cut" | tail -n 1)"
 wait "$launched"; expectExit 75 "SIGTERM in relaxation"
 [ "$(value "$work/cut/summary.json" status)" = stopped ] &&
-  [ -z "$(ls "$work/cut/frames" "$work/cut/checkpoint" | grep hdf)" ] ||
+  [ -z "$(find "$work/cut" -name '*.hdf')" ] ||
   fail "SIGTERM in relaxation: something was written"
 launch 2 run "$scenes/oriented/weld.toml" --set oriented.left.relax=1 --steps 1 --resume --out "$work/cut" \
   >"$work/log" 2>&1
@@ -122,7 +122,7 @@ expectMessage "cannot continue" "another scene"
 launch 2 run "$scenes/beam.toml" --set spacing=0 --out "$work/steps" >"$work/log" 2>&1
 expectExit 2 "a mistake in the scene"
 [ "$(cksum <"$work/steps/summary.json")" = "$before" ] &&
-  [ "$(value "$work/steps/summary.refused.json" status)" = failed ] ||
+  [ "$(value "$work/steps/summary.refused.json" status)" = refused ] ||
   fail "what is refused changes the summary of the run that is there"
 run steps --restart --resume; expectExit 2 "--restart and --resume"
 
@@ -143,7 +143,7 @@ for file in "$work/steps/checkpoint"/?.hdf; do truncate -s 3000 "$file"; done
 run steps --restart
 expectExit 3 "both are truncated"
 expectMessage "no checkpoint can be read" "both are truncated"
-[ "$(value "$work/steps/summary.refused.json" status)" = failed ] ||
+[ "$(value "$work/steps/summary.refused.json" status)" = refused ] ||
   fail "both are truncated: summary.refused.json says '$(value "$work/steps/summary.refused.json" status)'"
 [ "$(value "$work/steps/summary.json" status)" != failed ] ||
   fail "both are truncated: the summary of the run is lost"

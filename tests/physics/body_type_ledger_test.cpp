@@ -25,7 +25,7 @@ TEST(BodyTypeLedger, ClosesForADampedSheetThatLeavesTheDomain) {
 }
 
 /// A fully clamped block, and a cloth or a net of oriented particles that falls on it.
-Scene heldBlock() {
+Scene clampedBlock() {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.domain.gravity = {0, 0, -9.81};
   s.materials.push_back({});
@@ -41,7 +41,7 @@ Scene heldBlock() {
 }
 
 TEST(BodyTypeLedger, ClampRecordsTheImpulseOfAClothOnItsBlock) {
-  Scene s = heldBlock();
+  Scene s = clampedBlock();
   s.sheets = test::sheetScene(SheetMesh::Grid).sheets;
   s.sheets[0].warp = s.sheets[0].weft = 50, s.sheets[0].damping = 1;
   s.sheets[0].shape.move = {0, 0, 0.33};
@@ -53,7 +53,7 @@ TEST(BodyTypeLedger, ClampRecordsTheImpulseOfAClothOnItsBlock) {
 }
 
 TEST(BodyTypeLedger, ClampRecordsTheImpulseOfANetOnItsBlock) {
-  Scene s = heldBlock();
+  Scene s = clampedBlock();
   s.oriented.emplace_back();
   OrientedBody& b = s.oriented.back();
   b.name = "net";

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Scenes with several body types for script tests.
-meetingScene() {  # a block falls on a surface that is held at its rim
+contactScene() {  # a block falls on a surface that is held at its rim
   cat <<'SCENE'
 spacing = "2 cm"
 end = "1 s"

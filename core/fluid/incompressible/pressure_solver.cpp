@@ -157,10 +157,10 @@ void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
     pressure[i] = static_cast<float>(static_cast<double>(p.trialPressure[i]) / dt);
 }
 
-/// Corrects the dissipation of resistive forces, which was recorded at the drift velocity v. The force acts
-/// in the past half kick at mean velocity v + a dt/4, and in the next one at v + a dt/2 + pressure change + a
-/// next/4. The difference is significant for steps near the viscous limit. Implicit viscous forces were
-/// recorded at the mean velocity of both half kicks, so they lack the pressure change alone.
+/// Corrects the dissipation of resistive forces, which was recorded at the drift velocity v. In the past half
+/// kick the mean velocity is v + a dt/4. In the next one it is v + a dt/2 + pressure change + a next/4. The
+/// difference is significant for steps near the viscous limit. Implicit viscous forces were recorded at the
+/// mean velocity of both half kicks, so they lack the pressure change alone.
 void recordResistance(Continuum& p, const std::vector<Vec3d>& before, double dt, double next) {
   const double both = (dt + next) * (dt + next) / 8, half = 0.5 * next;
   const bool implicit = p.viscousAcceleration.active;

@@ -23,8 +23,8 @@ Calibration calibrationOf(double support) {
 }
 
 /// Cost of missing colour, and its derivative. It is quadratic where little is missing, as at a flat surface.
-/// A single layer misses twice as much, a single particle all of it; squares would give them 2.4 and 11 sigma
-/// dx^2 instead of about 2 and 4.8.
+/// A single layer lacks twice as much, a single particle all of it. Their costs are about 2 and 4.8 sigma
+/// dx^2; a quadratic cost would give 2.4 and 11.
 struct ColourDeficit {
   double cost, slope;
 };

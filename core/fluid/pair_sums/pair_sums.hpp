@@ -62,9 +62,9 @@ struct PairSums {
   const void* positionVolume = nullptr;     ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3
                                             ///< with the printed pressure)
   const void* velocityViscosity = nullptr;  ///< velocity (m/s), viscosity (Pa s)
-  /// Pressure term (Pa): f p / (relative density)^2, printed: f p (for densities: carried compression in
-  /// units of stiffness); liquid fraction f (for densities: -f at the free surface); temperature (K);
-  /// conductivity (W/(m K)).
+  /// Four values: pressure term (Pa), liquid fraction f, temperature (K), conductivity (W/(m K)). The
+  /// pressure term is f p / (relative density)^2, or f p with the printed pressure. In sums of densities it
+  /// is the carried compression in units of stiffness, and f is negative at the free surface.
   const void* pressurePhaseHeat = nullptr;
   const void* surface = nullptr;  ///< square root of the liquid's surface tension (N/m)^1/2; 1 if solid, else
                                   ///< 0; artificial viscosity (Pa s); XSPH factor

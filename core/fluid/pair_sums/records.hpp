@@ -64,11 +64,11 @@ void packPressure(const RecordContext& context, Continuum& particles, std::size_
 void packSurfaceEnergyDerivatives(const RecordContext& context, const Continuum& particles, std::size_t begin,
                                   std::size_t end, PairRecords& records);
 
-/// Sets pressure terms of 1 Pa, all liquid, no viscosity, to relax the packing of bodies.
+/// Sets pressure terms of 1 Pa, all liquid, no viscosity, for the relaxation of body packings.
 void setUnitPressure(const RecordContext& context, std::size_t rows, PairRecords& records);
 
-/// Sets pressure terms (Pa) after that: the relative density of liquid particles above 1, 0 for others. Used
-/// to relax the packing of bodies.
+/// Sets pressure terms (Pa) after that: the relative density of liquid particles above 1, 0 for others. For
+/// the relaxation of body packings.
 void setExcessPressure(const RecordContext& context, const Continuum& particles, PairRecords& records);
 
 }  // namespace thaw

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pressure, viscosity and heat conduction of liquids. One term of the pair sums (term.hpp).
+// Pressure, viscosity and heat conduction of liquids. One term of the pair sums (term.hpp). One liquid:
+// uniform_forces.hpp. Incompressible: incompressible.hpp. Walls: core/walls/.
 #pragma once
 #include "core/fluid/terms/term.hpp"
 #include "core/kernels/viscous_weight.hpp"

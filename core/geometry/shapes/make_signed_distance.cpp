@@ -118,7 +118,7 @@ Placement placementOf(const Shape& s, const ShapePart& part) {
     p.move = {};
     const Bounds b = PlacedDistance(part, p).bounds();
     p.move = *s.bottom - Vec3d{0.5 * (b.min.x + b.max.x), 0.5 * (b.min.y + b.max.y), b.min.z};
-    if (!finite(p.move)) throw ShapeError("a shape without finite bounds has no bottom to place", s.where);
+    if (!finite(p.move)) throw ShapeError("place.bottom: the shape is infinite; use place.move", s.where);
   }
   return p;
 }

@@ -175,10 +175,10 @@ void recordObstacleWork(const OrientedView& w, double dt) {
   Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
     const Vec3d field = fieldForce(w, i).force;
-    const bool booked = w.scene.oriented.front().integrator != OrientedIntegrator::RungeKutta &&
-                        !(o.flags[i] & fixedPosition);
+    const bool recorded = w.scene.oriented.front().integrator != OrientedIntegrator::RungeKutta &&
+                          !(o.flags[i] & fixedPosition);
     Vec3d impulse = field * dt;
-    double work = booked ? 0 : dot(field, o.velocity[i]) * dt;
+    double work = recorded ? 0 : dot(field, o.velocity[i]) * dt;
     for (const Wall& wall : w.walls.list) {
       const WallReaction push = wallReaction(w, wall, i);
       impulse += push.force * dt;

@@ -30,7 +30,7 @@ std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points);
 /// reach or the interpolant has no surface.
 bool projectOnInterpolant(const PointInterpolant& given, Vec3d& place, Vec3d& normal);
 
-/// Thin plate through points (D77): height over the plane of best fit; see sampleControl.
+/// Thin plate through points (D77): height over the plane of best fit; see thinPlate.
 struct ThinPlate {
   Vec3d origin{}, u{}, v{}, n{};
   std::vector<double> x, y, weight;  ///< m, coordinates of the points in the plane, and spline weights

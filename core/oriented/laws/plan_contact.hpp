@@ -29,8 +29,8 @@ struct OrientedContact {
 /// - the strength of bonds that pull the surface into a body.
 std::vector<OrientedContact> planOrientedContact(const Scene& scene, std::span<const LiquidMaterial> liquids);
 
-/// Contact of an oriented body with obstacles: a spring of OrientedBody::contact times its stiffness from
-/// `thickness` on, and a barrier of energy b depth^4 / (2 room^2).
+/// Contact of an oriented body with obstacles: a spring and a barrier. The spring starts at `thickness` and
+/// has OrientedBody::contact times the stiffness. The barrier has the energy b depth^4 / (2 room^2).
 struct ObstacleContact {
   double keep = 0;  ///< m, distance at which contact begins
   double room = 0;  ///< m, depth up to which the barrier grows, that of a particle on the obstacle's surface;

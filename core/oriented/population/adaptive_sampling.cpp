@@ -175,8 +175,8 @@ void recordGravityImpulse(const OrientedView& w, std::size_t i, double time) {
       w.ledger.gravityImpulse[a].add(impulse);
 }
 
-/// Returns for each body the largest candidate rank (63 bits) for which its size stays within `most` on all
-/// ranks together; no limit for bodies with room.
+/// Returns for each body the largest candidate rank (63 bits) that keeps its total size within `most`. Bodies
+/// with room for all candidates have no limit.
 std::vector<std::uint64_t> rankLimits(const Oriented& o, const Scene& scene,
                                       const std::vector<std::int64_t>& members,
                                       const std::vector<std::uint32_t>& parents, Reducer& all) {

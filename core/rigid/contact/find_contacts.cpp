@@ -164,8 +164,8 @@ bool replaces(const Search& s, const PlacedElement& a, const Candidate& o, const
 /// 2: edges and corners, 1: curved surfaces, 0: planes.
 int bend(const PlacedElement& e) { return e.round() ? 2 : e.plane() ? 0 : 1; }
 
-/// Returns true if the search from particle i lists its contact with j. The particle that is more bent sees
-/// the faces and edges around the other one.
+/// Returns true if the search from particle i lists its contact with j. The search from the more curved
+/// element finds the faces and edges around the other one.
 bool lists(const PlacedElement& a, const PlacedElement& b, bool smaller) {
   return bend(a) != bend(b) ? bend(a) > bend(b) : smaller;
 }

@@ -5,10 +5,10 @@
 
 namespace thaw {
 
-/// Sets Continuum::restTime of passive particles to 0 if their load changed since they became passive by more
-/// than the force that strains them by numerics.rigidify * numerics.sleep_after: that strain times Young's
-/// modulus and the area of a particle. Continuum::constraintForce keeps the load in the body frame. Requires:
-/// all forces of the evaluation, which are loads alone for passive particles.
+/// Sets Continuum::restTime of passive particles to 0 if their load has changed too much since they became
+/// passive. The limit is the strain numerics.rigidify * numerics.sleep_after times Young's modulus and the
+/// area of a particle. Continuum::constraintForce keeps the load in the body frame. Requires: all forces of
+/// the evaluation, which are loads alone for passive particles.
 void compareLoads(const RigidifyView& view);
 
 }  // namespace thaw

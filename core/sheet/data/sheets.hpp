@@ -84,8 +84,8 @@ struct SheetBodies {
   double stiffestParticle = 0;  ///< 1/s^2, largest slope of vertex contact over particle mass on this rank
   double fastest2 = 0;  ///< m^2/s^2, largest squared speed of this rank's vertices that can touch anything
   double largestAcceleration = 0;  ///< m/s^2, largest acceleration of these by loads
-  double impactRate = 0;   ///< 1/s, largest rate of contact over the step that impacts allow it, on this rank
-                           ///< (blowRate in touch.hpp)
+  double impactRate = 0;   ///< 1/s, inverse of the longest step that impacts allow, on this rank (blowRate in
+                           ///< touch.hpp)
   double closingRate = 0;  ///< 1/s, largest approach speed over distance of touching vertices, triangles and
                            ///< edges, on this rank
   std::shared_ptr<MeshSearch> search;  ///< current contact search (mesh_pairs.hpp), kept to reuse memory; not

@@ -76,8 +76,8 @@ std::vector<double> triangleAreas(const TriangleMesh& mesh) {
   for (const auto& tri : mesh.triangles) {
     for (const std::uint32_t v : tri) {
       if (v >= n)
-        throw ShapeError("a triangle of a sheet's mesh names vertex " + std::to_string(v) + " of " +
-                         std::to_string(n));
+        throw ShapeError("a triangle of a sheet's mesh refers to vertex " + std::to_string(v) +
+                         ", but the mesh has only " + std::to_string(n));
       used[v] = 1;
     }
     const Vec3d& a = mesh.vertices[tri[0]];

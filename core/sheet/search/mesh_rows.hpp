@@ -36,7 +36,7 @@ inline bool beside(const Vec3i& a, const Vec3i& b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 && std::abs(a.z - b.z) <= 1;
 }
 
-/// Returns whether all rows lie in equal or adjacent cells. Then each owner sees all of them. Other
+/// Returns whether all rows lie in equal or adjacent cells. Then each owner has all of them. Other
 /// combinations are ignored, on any number of ranks.
 bool allAdjacent(const MeshRows& m, std::span<const std::uint32_t> rows);
 

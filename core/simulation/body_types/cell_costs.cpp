@@ -38,9 +38,9 @@ CellCosts costOfCells(const World& w, const RowCosts& costs) {
     return sum;
   };
   addCells(w.particles, w.cells, ofParticles, list);
-  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows& r, const CellTable& cells) {
+  forEachBodyType(w, [&](std::size_t type, const BodyTypeRows& r, const CellTable& cells) {
     addCells(
-        r, cells, [&](std::size_t c) { return costs.kind[kind] * static_cast<double>(cells.count[c]); },
+        r, cells, [&](std::size_t c) { return costs.bodyType[type] * static_cast<double>(cells.count[c]); },
         list);
   });
   const auto before = [](const CellCost& a, const CellCost& b) { return a.key < b.key; };

@@ -16,8 +16,8 @@ struct CellCosts {
 /// Cost of a row in any unit, > 0: of liquid and solid continuum particles, and of each body type.
 struct RowCosts {
   double liquid = 1, solid = 1;
-  std::array<double, bodyTypeCount> kind;
-  RowCosts() { kind.fill(1); }
+  std::array<double, bodyTypeCount> bodyType;
+  RowCosts() { bodyType.fill(1); }
 };
 CellCosts costOfCells(const World& world, const RowCosts& costs);
 

@@ -38,8 +38,8 @@ void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, Bo
 }  // namespace
 
 void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
-  forEachBodyType(w, [&](std::size_t kind, BodyTypeRows& r, CellTable& cells) {
-    halos.bodyTypes[kind]->follow(halos.cells);
+  forEachBodyType(w, [&](std::size_t type, BodyTypeRows& r, CellTable& cells) {
+    halos.bodyTypes[type]->follow(halos.cells);
     if (r.ghosts > 0) r.resize(r.owned, 0);
     for (std::size_t i = 0; i < r.owned; i++)
       if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0)
@@ -47,15 +47,15 @@ void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
     computeCellKeys(w.grid, r);
     // evaluateOriented removes oriented rows, after it has the energy of their pairs
     t.leaving.clear();
-    if (kind != orientedType) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
-    if (kind == sheetType) finaliseRemoved(sheetView(w), t.leaving, dt);
+    if (type != orientedType) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
+    if (type == sheetType) finaliseRemoved(sheetView(w), t.leaving, dt);
     for (const std::uint32_t i : t.leaving) {
-      addBodyTypeRow(w, kind, i, w.ledger.left);
+      addBodyTypeRow(w, type, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);
       countLeaving(w.scene.domain, r.position[i], w.counters);
     }
-    if (kind == sheetType) clearSlotsAtStart(w.sheets, !t.leaving.empty());
-    redistributeRows(w, halos, t, kind, r, cells);
+    if (type == sheetType) clearSlotsAtStart(w.sheets, !t.leaving.empty());
+    redistributeRows(w, halos, t, type, r, cells);
   });
 }
 

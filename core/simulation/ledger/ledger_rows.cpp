@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-void addBodyTypeRow(const World& w, std::size_t kind, std::size_t i, ExactBalance& b) {
-  if (kind == orientedType) addOrientedRow(w.oriented.rows, i, w.scene.domain.gravity, b);
+void addBodyTypeRow(const World& w, std::size_t type, std::size_t i, ExactBalance& b) {
+  if (type == orientedType) addOrientedRow(w.oriented.rows, i, w.scene.domain.gravity, b);
   else addBodyTypeRow(w.sheets.rows, i, {}, w.scene.domain.gravity, b);
 }
 

@@ -8,6 +8,6 @@ namespace thaw {
 
 /// Adds row i of a body type (core/simulation/world/body_types.hpp) to a balance: mass, momentum, kinetic
 /// energy with rotation, gravitational potential, and BodyTypeRows::energy as elastic energy.
-void addBodyTypeRow(const World& world, std::size_t kind, std::size_t i, ExactBalance& balance);
+void addBodyTypeRow(const World& world, std::size_t type, std::size_t i, ExactBalance& balance);
 
 }  // namespace thaw

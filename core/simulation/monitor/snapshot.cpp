@@ -52,7 +52,7 @@ void copySurface(const Surface& from, Surface& to) {
   to.lastStep = from.lastStep;
 }
 
-void copyKinds(const World& from, World& to) {
+void copyBodyTypes(const World& from, World& to) {
   if (from.oriented.rows.id.active)
     copyState(from.oriented.rows, to.oriented.rows, from.oriented.rows.owned, 0);
   if (from.sheets.rows.id.active) copyState(from.sheets.rows, to.sheets.rows, from.sheets.rows.owned, 0);
@@ -75,7 +75,7 @@ void takeSnapshot(const World& w, WorldSnapshot& good) {
   copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts);
   kept.bonds = w.bonds;
   copySurface(w.surface, kept.surface);
-  copyKinds(w, kept);
+  copyBodyTypes(w, kept);
   copyLedRows(w.pieces, kept.pieces);
   copyLedger(w, kept);
 }
@@ -103,7 +103,7 @@ std::vector<std::byte> restoreSnapshot(const WorldSnapshot& good, World& w) {
   unpackState(good.particles, p);
   if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
   copySurface(kept.surface, w.surface);
-  copyKinds(kept, w);
+  copyBodyTypes(kept, w);
   copyLedRows(kept.pieces, w.pieces);
   copyLedger(kept, w);
   SolidRecords records;

@@ -34,8 +34,10 @@ void lower(StepTools& t, double limit) {
 
 void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSettings& settings) {
   if (!w.modules.fluid)
-    throw std::runtime_error("extension '" + e.name +
-                             "' is a force between liquid particles, and the scene has none");
+    throw std::runtime_error(
+        "extension '" + e.name +
+        "' is a force between liquid particles, but no material of the scene can be liquid: "
+        "remove the table, or give the scene a liquid");
   if (w.modules.emitters) declareNewborn(w.particles);
   PairForceWork work;
   work.force = &e.pairForce;
@@ -55,7 +57,7 @@ void addExtensions(World& w, StepTools& t) {
     if (e.heats && !w.modules.heat)
       throw std::runtime_error(
           "extension '" + e.name +
-          "' is a source of heat, and nothing else in the scene heats or cools: give bodies "
+          "' is a source of heat, but heat is off: nothing else in the scene heats or cools. Give bodies "
           "different temperatures, or a material a heat_source");
     if (e.load) t.outside.push_back(e.load(settings));
     if (e.update) t.fieldUpdates.push_back(e.update(settings));

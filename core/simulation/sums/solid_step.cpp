@@ -65,7 +65,7 @@ void updateBondData(World& w, Halos& halos, StepTools& t) {
   fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
   if (w.modules.sleep) forgetChangedSlots(w.solids, t.sleep);
   forgetActiveSlots(t.elastic);
-  refresh(halos.bonds, w.solids, remoteColumnsAfterRelink(w.solids)).wait();
+  refresh(halos.bonds, w.solids, remoteColumnsAfterRebuild(w.solids)).wait();
   w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
 }
 

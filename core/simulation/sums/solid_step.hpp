@@ -28,7 +28,7 @@ Exchange sendPositions(World& world, Halos halos, const StepTools& tools);
 /// Exchanges in flight when solids deform.
 struct SolidExchanges {
   Exchange positions;   ///< from sendPositions
-  Exchange& densities;  ///< ghost densities; waited for early if bonds form, which needs ghosts of its own
+  Exchange& densities;  ///< ghost densities; completed early if bonds form, since that exchanges other ghosts
 };
 
 /// Computes deformation, plastic flow and stress. Then bonds break, form (at the start and after freezing),

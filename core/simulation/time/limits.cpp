@@ -104,8 +104,8 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * leastDensityOf(m) / mu);
     }
     if (modules.fluid && canBeLiquid(m)) {
-      // The surface energy is stiff where few particles interact: an inviscid drop gains 26 % of its energy
-      // in 6 s at 0.2, 0.8 % in 3 s at 0.1.
+      // The surface energy is stiff where few particles interact. An inviscid drop gains 26 % of its energy
+      // in 6 s with a factor of 0.2, and 0.8 % in 3 s with 0.1.
       const double stiff = modules.surfaceEnergy ? 0.12 : 1;
       if (m.surfaceTension > 0)
         take(Limit::Tension,

@@ -13,7 +13,7 @@
 #include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
-#include "core/fluid/pair_sums/pair_force.hpp"
+#include "core/fluid/pair_sums/extension_pair_force.hpp"
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/fluid/pair_sums/records.hpp"

@@ -61,7 +61,8 @@ void BondGraph::dropBroken(const SolidTables& t) {
 }
 
 void BondGraph::leave(const Bonds& b, std::uint32_t slot) {
-  if (slot >= owned_) throw std::logic_error("rows were added to the table of solids outside of relink");
+  if (slot >= owned_)
+    throw std::logic_error("rows were added to the table of solids outside of a rebuild of bonds");
   for (int k = 0; k < used_[slot]; k++) {
     const std::uint32_t n = b.neighbour[b.at(slot, k)];
     if (--references_[n] == 0 && n >= owned_) unnamed_.push_back(n);
@@ -103,7 +104,8 @@ void BondGraph::markOthers(const Bonds& b, std::uint32_t slot) {
 void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std::size_t remotesToCome) {
   Bonds& b = t.bonds;
   if (t.solids.owned != owned_ || t.solids.size() != before_)
-    throw std::logic_error("rows were added to or removed from the table of solids outside of relink");
+    throw std::logic_error(
+        "rows were added to or removed from the table of solids outside of a rebuild of bonds");
   std::sort(leaving_.begin(), leaving_.end());
   fresh_.assign(fresh.begin(), fresh.end());
   newOwned_ = owned_ - leaving_.size() + fresh.size();

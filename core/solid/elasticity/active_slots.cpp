@@ -51,7 +51,7 @@ void chooseActiveSlots(ElasticWork& work, Solids& solids, const Bonds& bonds, co
     clearSlot(solids, s);
   }
   if (!work.sleeping) return;
-  packPositions(work, solids, 0, solids.owned);  // sums also load passive ends
+  packPositions(work, solids, 0, solids.owned);  // the sums also read the passive ends of bonds
   // The owner of a remote end decides whether it is passive, so all groups with remote ends are active.
   const auto pulls = [&](std::uint32_t end) { return end >= solids.owned || !work.held[end]; };
   const auto choose = [&](const std::vector<std::uint32_t>& all, std::vector<std::uint32_t>& active) {

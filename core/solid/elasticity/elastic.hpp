@@ -120,7 +120,7 @@ std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work);
 ///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary;
 ///   breakBonds (fracture.hpp); rereference (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish;
 ///   phase 2 Boundary; addSolidForces.
-ColumnList remoteColumnsAfterRelink(Solids& solids);
+ColumnList remoteColumnsAfterRebuild(Solids& solids);
 ColumnList remoteColumnsBeforeDeformation(Solids& solids);
 ColumnList remoteColumnsBeforeForces(Solids& solids);
 
@@ -136,7 +136,7 @@ void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork&
 void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& particles, double dt);
 
 /// Updates A^-1 and the other bond data in `work`, for slots with `changed` set, or for all slots if `all`
-/// (for bonds made by hand). Call it after every bond update and the exchange of remoteColumnsAfterRelink,
+/// (for bonds made by hand). Call it after every bond update and the exchange of remoteColumnsAfterRebuild,
 /// which sets `changed` also for renumbered slots and where a bond's other end became remote or owned. The
 /// bits do not depend on which slots are recomputed. Clears `changed`. Returns the number of owned slots with
 /// rank < 3.

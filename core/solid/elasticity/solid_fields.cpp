@@ -81,7 +81,7 @@ std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work) 
   return columns;
 }
 
-ColumnList remoteColumnsAfterRelink(Solids& solids) {
+ColumnList remoteColumnsAfterRebuild(Solids& solids) {
   if (solids.reference.active) return {&solids.material, &solids.reference};
   return {&solids.material};
 }

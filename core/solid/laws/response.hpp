@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy and stress of a material at one particle: law, plastic flow and volume force.
+// Energy and stress of a material at one particle: law, plastic flow and volume force. Vector form:
+// core/solid/elasticity/law_lanes.hpp. To add a law: docs/developer/extend.md.
 #pragma once
 #include "core/materials/elastic_constants.hpp"
 #include "core/math/mat3.hpp"

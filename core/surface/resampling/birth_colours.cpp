@@ -16,7 +16,7 @@ struct Nearest {
   double d2 = std::numeric_limits<double>::infinity();
   std::uint64_t id = 0;
   std::uint32_t colour = 0;
-  void offer(double r2, std::uint64_t i, std::uint32_t c) {
+  void update(double r2, std::uint64_t i, std::uint32_t c) {
     if (r2 < d2 || (r2 == d2 && i < id)) *this = {r2, i, c};
   }
   bool found() const { return d2 < std::numeric_limits<double>::infinity(); }
@@ -49,7 +49,7 @@ void findNearest(const Surface& surface, const Bins& bins, const SurfelRow& r, d
     const Vec3d p = f.position[j] - particle;
     if (dot(p, p) > around * around) return;
     const bool same = f.component[j] == r.component;
-    (same ? own : any).offer(d2, f.id[j], f.colour[j]);
+    (same ? own : any).update(d2, f.id[j], f.colour[j]);
     if (same) mean.add(1 - d2 / (reach * reach), f.colour[j]);
   });
 }

@@ -58,14 +58,14 @@ void seedAround(const SurfaceView& w, FieldProbe& probe, std::size_t i, SeedDire
   }
 }
 
-/// Appends surfels around all owned particles selected by `bare`.
-void seedAll(const SurfaceView& w, const SurfaceTools& t, const std::function<bool(std::size_t)>& bare,
+/// Appends surfels around all owned particles selected by `exposed`.
+void seedAll(const SurfaceView& w, const SurfaceTools& t, const std::function<bool(std::size_t)>& exposed,
              std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
   SeedDirections seeds(w.scene, w.surface);
   FieldProbe probe(w.scene, w.surface, t);
   for (std::size_t i = 0; i < p.owned; i++)
-    if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour)
+    if (exposed(i) && p.component[i] != noComponent && p.colour[i] < innerColour)
       seedAround(w, probe, i, seeds, rows);
 }
 
@@ -164,10 +164,10 @@ void markAroundDeleted(Surface& s, CellHalo& halo, SurfaceTools& t, const std::v
 }  // namespace
 
 void growSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t,
-                 const std::function<bool(std::size_t)>& bare) {
+                 const std::function<bool(std::size_t)>& exposed) {
   prepareParticles(w.scene, w.surface, halos, t);
   std::vector<SurfelRow> rows;
-  seedAll(w, t, bare, rows);
+  seedAll(w, t, exposed, rows);
   w.surface.surfels.resize(w.surface.surfels.owned, 0);
   addSurfels(w.surface.surfels, rows, w.scene.seed, halos.all);
 }
@@ -209,10 +209,10 @@ void resampleOnParticles(const SurfaceView& w, SurfaceHalos halos, SurfaceTools&
 
 namespace {
 
-/// Grows the surfaces of the particles selected by `bare` and relaxes them.
+/// Grows the surfaces of the particles selected by `exposed` and relaxes them.
 void growAndRelax(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t,
-                  const std::function<bool(std::size_t)>& bare) {
-  growSurfels(w, halos, t, bare);
+                  const std::function<bool(std::size_t)>& exposed) {
+  growSurfels(w, halos, t, exposed);
   std::int64_t grown = static_cast<std::int64_t>(w.surface.surfels.owned);
   halos.all.sum({&grown, 1});
   if (grown == 0) return;
@@ -242,16 +242,16 @@ void growBodies(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
                                         : NarrowGaps{};
   const std::vector<std::uint64_t>& near = gaps.solid;
   t.mergedSheets = gaps.liquid;
-  const auto bare = [&](std::size_t i, bool isNear) {
+  const auto exposed = [&](std::size_t i, bool isNear) {
     return !isSampled(w.scene, s.particles.body[i]) &&
            std::binary_search(near.begin(), near.end(), s.particles.component[i]) == isNear;
   };
-  growAndRelax(w, halos, t, [&](std::size_t i) { return bare(i, false); });
+  growAndRelax(w, halos, t, [&](std::size_t i) { return exposed(i, false); });
   if (near.empty()) return;
   t.relax.only = near;
   s.particleSupport = narrow;
   t.relax.particlesPrepared = false;
-  growAndRelax(w, halos, t, [&](std::size_t i) { return bare(i, true); });
+  growAndRelax(w, halos, t, [&](std::size_t i) { return exposed(i, true); });
   s.particleSupport = wide;
   t.relax.particlesPrepared = false;
   t.relax.only.clear();

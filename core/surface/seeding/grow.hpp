@@ -11,12 +11,12 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Grows surfels around the owned particle copies selected by `bare` (row). Seeds in all directions around
+/// Grows surfels around the owned particle copies selected by `exposed` (row). Seeds in all directions around
 /// each particle are projected onto the iso-surface of their component's colour field. Seeds that end far
 /// from their particle are dropped, so inner particles have none. No forces act. The surface is oversampled
 /// until resample thins it. Requires: placed particles. Surfels have no valid cells afterwards. Collective.
 void growSurfels(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools,
-                 const std::function<bool(std::size_t)>& bare);
+                 const std::function<bool(std::size_t)>& exposed);
 
 /// Grows the initial surfaces of all bodies that are not sampled (isSampled). Surfels relax first by the
 /// implicit force alone, then by the scene's forces, with resampling between. Requires: no surfels.

@@ -48,7 +48,7 @@ struct Nearest {
   double d2 = std::numeric_limits<double>::infinity();
   std::uint64_t id = ~std::uint64_t{0};
   std::uint32_t row = 0xffffffffu;
-  void offer(double r2, std::uint64_t i, std::uint32_t at) {
+  void update(double r2, std::uint64_t i, std::uint32_t at) {
     if (r2 < d2 || (r2 == d2 && i < id)) *this = {r2, i, at};
   }
   bool found() const { return row != 0xffffffffu; }
@@ -121,11 +121,11 @@ void findNearestParticles(const Scene& scene, Surface& s, ComponentTools& t) {
       const Vec3d d = block.at[k] - f.position[i];
       const double d2 = dot(d, d);
       if (d2 <= first * first && d2 <= best.d2 && mayLink(f, i, p, block.row[k]))
-        best.offer(d2, p.id[block.row[k]], block.row[k]);
+        best.update(d2, p.id[block.row[k]], block.row[k]);
     }
     if (!best.found())
       forRowsWithin(t.particleBins, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
-        if (mayLink(f, i, p, j)) best.offer(d2, p.id[j], j);
+        if (mayLink(f, i, p, j)) best.update(d2, p.id[j], j);
       });
     f.nearest[i] = best.id;
     if (best.found()) f.toNearest[i] = p.position[best.row] - f.position[i];
@@ -219,7 +219,7 @@ void joinBoth(const Surface& s, UnionFind& sets) {
 }
 
 /// Exchanges part labels until the parts of all ranks agree.
-void settleParts(Surface& s, SurfaceHalos halos, UnionFind& sets) {
+void unifyParts(Surface& s, SurfaceHalos halos, UnionFind& sets) {
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   const auto offset = static_cast<std::uint32_t>(f.size());
@@ -254,7 +254,7 @@ void labelNewParticles(const Scene& scene, Surface& s, SurfaceHalos halos, Compo
     for (std::size_t k = 0; k < fresh.size(); k++) {
       Nearest best;
       forRowsWithin(t.particleBins, p.position[fresh[k]], link, [&](std::uint32_t j, double d2) {
-        if (p.component[j] != noComponent && mayTake(scene, s, fresh[k], j)) best.offer(d2, p.id[j], j);
+        if (p.component[j] != noComponent && mayTake(scene, s, fresh[k], j)) best.update(d2, p.id[j], j);
       });
       if (!best.found()) continue;
       found[k] = p.component[best.row];
@@ -276,8 +276,8 @@ void labelNewParticles(const Scene& scene, Surface& s, SurfaceHalos halos, Compo
     const std::uint64_t body = bodyOf(f.id[i]);
     Nearest own, any;
     forRowsWithin(t.particleBins, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
-      any.offer(d2, p.id[j], j);
-      if (p.body[j] == body) own.offer(d2, p.id[j], j);
+      any.update(d2, p.id[j], j);
+      if (p.body[j] == body) own.update(d2, p.id[j], j);
     });
     if (!any.found()) continue;
     f.component[i] = p.component[own.found() ? own.row : any.row];
@@ -301,14 +301,14 @@ void findParts(const Scene& scene, Surface& s, SurfaceHalos halos, ComponentTool
   for (std::size_t i = 0; i < p.size(); i++) sets.add(p.id[i] + 1);
   joinParticles(scene, s, t, sets);
   joinBoth(s, sets);
-  settleParts(s, halos, sets);
+  unifyParts(s, halos, sets);
   const std::vector<std::uint8_t> mixed = multiLabelBins(t.surfelBins, f.part.data(), t.surfelBins,
                                                          f.part.data(), s.surfelSupport);
   if (!onAnyRank(halos.all, std::find(mixed.begin(), mixed.end(), 1) != mixed.end())) return;
   findReach(s, t, mixed);
   refreshGhosts(halos.surfels, f, ColumnList{&f.linkRadius2});
   joinSurfels(scene, s, t, mixed, sets);
-  settleParts(s, halos, sets);
+  unifyParts(s, halos, sets);
 }
 
 }  // namespace thaw

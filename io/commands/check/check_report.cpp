@@ -203,7 +203,8 @@ constexpr auto replaceInvalid = Json::error_handler_t::replace;  // paths may no
 }  // namespace
 
 void printReport(const CheckReport& r) {
-  fmt::print("{}: {}\n", r.path, shortText(r.title, longestTitle));
+  const std::string title = shortText(r.title, longestTitle);
+  fmt::print("{}{}\n", r.path, title.empty() ? "" : ": " + title);
   fmt::print(
       "spacing {:g} m, support radius {:g} m, grid {} x {} x {} cells, end {:g} s, a frame every {:g} s\n",
       r.spacing, r.support, r.cells[0], r.cells[1], r.cells[2], r.end, r.every);

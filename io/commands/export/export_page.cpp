@@ -29,7 +29,8 @@ fs::path pageFile(const fs::path& out, const fs::path& run) {
 
 PageExport requestOf(const fs::path& out, const ExportOptions& options) {
   if (!options.what.empty())
-    throw std::invalid_argument("a page contains all types of frames: expected no --what with --as html");
+    throw std::invalid_argument(
+        "--what: not available with --as html, since a page contains all types of frames");
   PageExport request;
   request.budget = bytesOfText(options.size);
   request.run = runFolder(options.input);

@@ -127,9 +127,7 @@ std::vector<FrameGroup> findFrameGroups(const ExportOptions& options, const Expo
       options, ofFrames != 0 ? ofFrames : static_cast<unsigned>(allContent), main);
   if (named == 0) {
     if (main == particleContent && !(format.holds & main))
-      throw IoError(frames.front().string(),
-                    "is not a frame of a surface: it has no fields normal and radius (frames of surfels are "
-                    "called NAME_surface_000000.hdf)");
+      throw IoError(frames.front().string(), noSurfaceFrame);
     if (!(format.holds & main))
       throw std::invalid_argument(fmt::format("{} are exported as {}, not as {}", contentText(main),
                                               formatsHolding(main), format.name));

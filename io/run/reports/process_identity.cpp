@@ -71,7 +71,7 @@ Json processJson() {
 }
 
 std::string runningText(const Json& summary) {
-  if (!summary.contains("process")) return "running, or killed,";  // written by an earlier version
+  if (!summary.contains("process")) return "running, or killed,";  // no entry: older file format
   const Json& j = summary["process"];
   const ProcessIdentity p{j.at("host").get<std::string>(), j.at("pid").get<long>(),
                           j.at("began_ticks").get<long long>()};

@@ -39,7 +39,7 @@ std::vector<std::string> profileLines(const Profile& p, const PhaseTimes& times,
                                       std::int64_t particles, const Communicator& comm) {
   const double wallHere = std::chrono::duration<double>(std::chrono::steady_clock::now() - p.start).count();
   MpiReducer all(comm);
-  const TrafficSummary t = gatherTraffic(comm.statistics(), p.statistics, all);
+  const CommunicationSummary t = gatherCommunication(comm.statistics(), p.statistics, all);
   const double steps = static_cast<double>(std::max<std::int64_t>(1, stepsDone)),
                wall = over(wallHere, all).mean;
   std::vector<std::string> lines;
@@ -74,7 +74,7 @@ std::vector<std::string> profileLines(const Profile& p, const PhaseTimes& times,
                                 1e3 * waited.most / steps));
   };
   for (std::size_t k = 0; k < purposes; k++)
-    if (const TrafficSummary::Of& of = t.of[k]; of.messages.most > 0 || of.waited.most > 0)
+    if (const CommunicationSummary::Of& of = t.of[k]; of.messages.most > 0 || of.waited.most > 0)
       sent(purposeName(static_cast<MessagesFor>(k)), of.messages, of.bytes, of.waited);
   sent("all", t.messages, t.bytes, t.waited);
   lines.push_back(fmt::format("  {:.2f} collectives per step", static_cast<double>(t.collectives) / steps));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/time/phase_times.hpp"
-#include "io/run/reports/traffic_summary.hpp"
+#include "io/run/reports/communication_summary.hpp"
 #include "parallel/communicator.hpp"
 
 namespace thaw {

@@ -73,8 +73,8 @@ double peakMemory() {
 }
 
 void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times,
-                   const CommunicationStatistics& traffic, Reducer& all) {
-  s.traffic = gatherTraffic(traffic, {}, all);
+                   const CommunicationStatistics& statistics, Reducer& all) {
+  s.communication = gatherCommunication(statistics, {}, all);
   std::vector<double> most, least;
   std::vector<std::int64_t> sum;
   double work = 0;
@@ -146,9 +146,9 @@ void writeSummary(const std::string& out, const RunSummary& s, const std::string
     j["phases_s_per_rank"][name] = {{"min", p.least}, {"mean", p.mean}, {"max", p.most}};
   j["imbalance"] = s.imbalance;
   j["particles_max_over_mean"] = s.particleSpread;
-  j["messages_sent"] = s.traffic.allMessages;
-  j["bytes_sent"] = s.traffic.allBytes;
-  j["traffic"] = trafficJson(s.traffic);
+  j["messages_sent"] = s.communication.allMessages;
+  j["bytes_sent"] = s.communication.allBytes;
+  j["traffic"] = communicationJson(s.communication);
   j["peak_memory_bytes"] = s.peakMemory;
   const LedgerReport& l = s.ledger;
   j["ledger"] = {{"initial", balance(l.initial)},

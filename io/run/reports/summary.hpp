@@ -10,14 +10,14 @@
 #include "core/simulation/world/world.hpp"
 #include "core/time/phase_times.hpp"
 
+#include "io/run/reports/communication_summary.hpp"
 #include "io/run/reports/solver_use.hpp"
 #include "io/run/reports/surface_summary.hpp"
-#include "io/run/reports/traffic_summary.hpp"
 
 namespace thaw {
 
 struct RunSummary {
-  std::string status = "running";  ///< "done", "stopped", "failed"
+  std::string status = "running";  ///< "done", "stopped", "failed", "refused"
   std::string message;             ///< reason of a stop or failure
   std::string sceneFile, title;
   int ranks = 1;
@@ -29,7 +29,7 @@ struct RunSummary {
   double particleSteps = 0;                  ///< sum over ranks, by this process
   std::map<std::string, RankSpread> phases;  ///< s per rank
   double imbalance = 1;                      ///< largest over mean working time of ranks
-  TrafficSummary traffic;                    ///< communication of this process
+  CommunicationSummary communication;        ///< communication of this process
   double peakMemory = 0;                     ///< bytes, largest over ranks
   double particleSpread = 1;                 ///< largest over mean number of particles per rank
   std::vector<std::string> warnings;
@@ -40,7 +40,7 @@ struct RunSummary {
 
 /// Gathers phases, imbalance, bytes, memory and counters over ranks. Collective.
 void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times,
-                   const CommunicationStatistics& traffic, Reducer& all);
+                   const CommunicationStatistics& statistics, Reducer& all);
 
 inline constexpr const char* summaryName = "summary.json";
 /// Summary of a start that is refused, in a folder that holds a run. The summary of that run stays as it is.

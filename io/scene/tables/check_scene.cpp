@@ -56,8 +56,8 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   for (std::size_t e = 0; e < s.emitters.size(); e++)
     resolve(x.emitterMaterials[e], "emitter '" + s.emitters[e].name + "'", s.emitters[e].material);
   for (std::size_t t = 0; t < s.thermostats.size(); t++)
-    if (!x.temperingMaterials[t].name.empty())
-      resolve(x.temperingMaterials[t], "tempering", s.thermostats[t].material);
+    if (!x.thermostatMaterials[t].name.empty())
+      resolve(x.thermostatMaterials[t], "thermostat", s.thermostats[t].material);
   for (std::size_t k = 0; k < s.heatedRegions.size(); k++)
     if (!x.regionMaterials[k].name.empty())
       resolve(x.regionMaterials[k], "heated region '" + s.heatedRegions[k].name + "'",
@@ -154,7 +154,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
     errors.push_back(
         {placeOf(x, {"tensile_limit", "shifting"}),
          "numerics.tensile_limit above 0 needs numerics.shifting above 0 (0.2 is recommended, with density = "
-         "\"continuity\"): without shifting, negative pressure makes particles clump"});
+         "\"continuity\"): without shifting, negative pressure makes particles form clusters"});
   else if (n.density != DensityForm::Continuity)
     errors.push_back({placeOf(x, {"tensile_limit", "density"}),
                       "numerics.tensile_limit above 0 needs numerics.density = \"continuity\": a summed "

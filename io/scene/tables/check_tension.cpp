@@ -12,9 +12,8 @@ namespace thaw {
 void checkTension(const Scene& s, std::vector<SceneError>& errors) {
   const bool energy = s.numerics.tension == TensionForm::SurfaceEnergy;
   const auto refuse = [&](const SourcePlace& where, const std::string& key, const char* what) {
-    errors.push_back(
-        {where, fmt::format("{}: {} numerics.tension = \"surface energy\": choose it, or remove {}", key,
-                            what, key)});
+    errors.push_back({where, fmt::format("{}: {} numerics.tension = \"surface energy\": set it, or remove {}",
+                                         key, what, key)});
   };
   for (const Material& m : s.materials) {
     if (energy) continue;

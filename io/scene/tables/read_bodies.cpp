@@ -22,24 +22,25 @@ void readBody(TableReader& r, Body& b, SceneReading& x) {
   r.as(Restart::Free).text("name", b.name, "for messages and `--set`; none: \"body\" and its number");
   r.restart(Restart::State);
   readShape(r, b.shape);
-  readMaterialName(r, x, b.material, x.bodyMaterials, "material of the body; required");
+  r.needed();
+  readMaterialName(r, x, b.material, x.bodyMaterials, "material of the body");
   r.restart(Restart::Start);
   readVelocity(r, b.velocity, b.velocityField,
-               "velocity at the start: three numbers, or a table of x, y, z with expressions of position, as "
-               "{ x = \"-100*x\", y = \"100*y\" } (default 0)");
+               "velocity at the start. Three numbers, or a table of x, y, z with expressions of position, "
+               "such as { x = \"-100*x\", y = \"100*y\" }; missing components are 0");
   readVelocityGradient(r, b.velocityField,
                        "velocity gradient about the middle of the bounding box, added to the velocity; row i "
                        "has the derivatives of component i");
   r.vector("spin", b.spin, "rad/s", "angular velocity about the middle of the bounding box");
   readTemperature(
       r, b.temperature, b.temperatureField,
-      "temperature at the start; the value of an expression of position, as \"300 + 20*z\", is in K");
+      "temperature at the start; the value of an expression of position, such as \"300 + 20*z\", is in K");
   r.vector("temperature_gradient", b.temperatureGradient, "K/m",
            "temperature gradient about the middle of the bounding box, added to the temperature");
   r.restart(Restart::State);
   r.choice("packing", b.packing, {"lattice", "relaxed"},
-           "arrangement of its particles: a cubic lattice, or jittered and relaxed (the default if liquid "
-           "fills a periodic box)");
+           "arrangement of its particles. lattice: a cubic lattice. relaxed: jittered and relaxed; the "
+           "default if liquid fills a periodic box");
   x.open.packing = !r.has("packing");  // used for a single body only
   readClamps(r, b.clamp, "particles in one of these at the start are fixed");
   if (!r.reading()) return;
@@ -52,10 +53,11 @@ void readEmitter(TableReader& r, Emitter& e, SceneReading& x) {
   r.as(Restart::Free).text("name", e.name, "for messages and `--set`; none: \"emitter\" and its number");
   // It numbers its particles by their count since its start, so its schedule is part of the state.
   r.restart(Restart::State);
-  readMaterialName(r, x, e.material, x.emitterMaterials, "material of the emitted particles; required");
-  if (r.has("disc") && r.has("rectangle")) r.fail("rectangle", "an emitter is a disc or a rectangle");
+  r.needed();
+  readMaterialName(r, x, e.material, x.emitterMaterials, "material of the emitted particles");
+  if (r.has("disc") && r.has("rectangle")) r.fail("rectangle", "give disc or rectangle, not both");
   r.table("disc", "round opening; the default", e.disc,
-          [&](TableReader& t) { t.number("radius", e.radius, "m", positive(), "radius"); });
+          [&](TableReader& t) { t.number("radius", e.radius, "m", positive(), "radius of the disc"); });
   r.table("rectangle", "rectangular opening instead of a disc", !e.disc, [&](TableReader& t) {
     e.disc = false;
     t.number("width", e.width, "m", positive(), "first edge");
@@ -65,16 +67,17 @@ void readEmitter(TableReader& r, Emitter& e, SceneReading& x) {
   r.vector("direction", e.direction, "", "direction of the flow; any length but 0");
   r.number("speed", e.speed, "m/s", {0, fastestStart, true, false, false}, "speed of the flow");
   r.number("rate", e.rate, "kg/s", notNegative(), "mass flow; 0: the flow at this speed");
-  readVelocityField(r, e.velocityField,
-                    "velocity by position in the opening, added to the flow, as { x = \"-5*y\", y = \"5*x\" "
-                    "} for a swirl; without a component along direction, since a layer leaves as a whole");
+  readVelocityField(
+      r, e.velocityField,
+      "velocity by position in the opening, added to the flow, such as { x = \"-5*y\", y = \"5*x\" } for a "
+      "swirl. It has no component along `direction`, since a layer leaves as a whole");
   readVelocityGradient(
       r, e.velocityField,
       "velocity gradient about the centre of the opening; row i has the derivatives of component i");
   r.restart(Restart::Setting);
   readTemperature(r, e.temperature, e.temperatureField,
                   "temperature of emitted particles; the value of an expression of the position in the "
-                  "opening, as \"300 + 20*z\", is in K");
+                  "opening, such as \"300 + 20*z\", is in K");
   r.as(Restart::State).number("start", e.start, "s", notNegative(), "time at which it starts");
   r.number("end", e.end, "s", orNever(notNegative()), "time at which it ends");
   if (!r.reading()) return;
@@ -91,10 +94,10 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
   r.number("conductance", o.conductance, "W/(m^2 K)", orNever(positive()),
            "heat conductance of the contact; \"never\": no resistance");
   r.number("friction", o.friction, "", between(0, 10),
-           "Coulomb friction on solids; below its limit it is a drag of at most sqrt(young spacing m) per "
-           "touching particle, so that solids creep on a slope, stiffer ones less");
+           "Coulomb friction on solids. Below its limit it is a drag of at most sqrt(young spacing m) in "
+           "kg/s for a touching particle of mass m. Solids thus creep on a slope, stiffer ones less");
   r.number("restitution", o.restitution, "", between(0, 1),
-           "restitution of solids that hit it: the smaller of this and the material's counts, so above 0.5 "
+           "restitution of solids that hit it: the smaller of this and the material's applies, so above 0.5 "
            "set the material's as well");
   r.flag("slip", o.slip, "liquids slip along it freely; false: they stick");
   r.number("contact_angle", o.contactAngle, "rad", Range{0, std::numbers::pi, false, false, true},
@@ -114,10 +117,10 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
   if (o.name.empty()) o.name = "obstacle " + std::to_string(x.scene->obstacles.size());
 }
 
-void readTempering(TableReader& r, Thermostat& t, SceneReading& x) {
+void readThermostat(TableReader& r, Thermostat& t, SceneReading& x) {
   r.restart(Restart::Setting);
-  readMaterialName(r, x, t.material, x.temperingMaterials, "material that it acts on; none: all");
-  r.number("temperature", t.temperature, "K", positive(), "temperature at the end");
+  readMaterialName(r, x, t.material, x.thermostatMaterials, "material that it acts on; none: all");
+  r.needed().number("temperature", t.temperature, "K", positive(), "temperature at the end");
   r.number("start", t.start, "s", notNegative(), "time at which it starts");
   r.number("over", t.over, "s", notNegative(), "duration; 0: one step");
   if (r.reading() && !r.has("temperature")) r.fail("temperature", "is missing");

@@ -25,7 +25,7 @@ void readNumberOrField(TableReader& r, const NumberKey& k, double& value, Positi
   const toml::node* n = r.node(k.key, k.unit, "", k.about);
   Expression e = parseExpression(text);
   if (!e.error.empty())
-    return r.fail(
+    return r.refuseValue(
         k.key,
         fmt::format("expected an expression of x, y and z (m, without units; its value is in {}), got {}: {}",
                     k.unit, quoted(text), e.error));
@@ -55,7 +55,7 @@ void readVelocity(TableReader& r, Vec3d& velocity, VelocityField& field, const c
   if (!r.isTable("velocity")) {
     r.orAs(KeyForm::Type::Expression).vector("velocity", velocity, "m/s", about);
     for (int a = 0; a < 3; a++)
-      if (!isStartSpeed(velocity[a])) return r.fail("velocity", expectedSpeeds);
+      if (!isStartSpeed(velocity[a])) return r.refuseValue("velocity", expectedSpeeds);
     return;
   }
   r.table("velocity", about, [&](TableReader& t) { readComponents(t, velocity, field); });
@@ -87,10 +87,11 @@ void readVelocityGradient(TableReader& r, VelocityField& field, const char* abou
   if (!n) return;
   const toml::array* rows = n->as_array();
   const auto refuse = [&](const std::string& got) {
-    r.fail(key,
-           "expected three lists of three quantities, [[dvx/dx, dvx/dy, dvx/dz], [dvy/dx, ...], [dvz/dx, "
-           "...]], got " +
-               got);
+    r.refuseValue(
+        key,
+        "expected three lists of three quantities, [[dvx/dx, dvx/dy, dvx/dz], [dvy/dx, ...], [dvz/dx, "
+        "...]], got " +
+            got);
   };
   if (!rows || rows->size() != 3) return refuse(rows ? fmt::format("a list of {}", rows->size()) : shown(*n));
   for (std::size_t i = 0; i < 3; i++) {

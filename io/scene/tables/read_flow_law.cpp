@@ -7,12 +7,10 @@ namespace thaw {
 namespace {
 
 void readKeys(TableReader& r, FlowLawSettings& f) {
-  r.choice(
-      "law", f.law, {"newtonian", "bingham", "herschel_bulkley", "power_law", "carreau"},
-      "stress as a function of the shear rate g: \"bingham\": yield_stress + viscosity g; "
-      "\"herschel_bulkley\": yield_stress + viscosity g^n with n = exponent and g in 1/s; \"power_law\": "
-      "the same without yield stress; \"carreau\": the viscosity falls from viscosity to "
-      "infinite_viscosity");
+  r.choice("law", f.law, {"newtonian", "bingham", "herschel_bulkley", "power_law", "carreau"},
+           "stress at a shear rate g. \"bingham\": yield_stress + viscosity g. \"herschel_bulkley\": "
+           "yield_stress + viscosity g^n with n = exponent and g in 1/s. \"power_law\": the same without "
+           "yield stress. \"carreau\": the viscosity falls from `viscosity` to `infinite_viscosity`");
   readByTemperature(r,
                     {"yield_stress", "Pa", notNegative(),
                      "shear stress below which the liquid does not flow; or a table of pairs by temperature, "
@@ -20,8 +18,8 @@ void readKeys(TableReader& r, FlowLawSettings& f) {
                     f.yieldStress);
   readByTemperature(r,
                     {"viscosity", "Pa s", positive(),
-                     "bingham: plastic viscosity; herschel_bulkley and power_law: consistency, which is the "
-                     "viscosity at a shear rate of 1/s without the yield stress; carreau: viscosity at rest. "
+                     "bingham: plastic viscosity. herschel_bulkley and power_law: consistency, which is the "
+                     "viscosity at a shear rate of 1/s without the yield stress. carreau: viscosity at rest. "
                      "Or a table of pairs by temperature, interpolated logarithmically"},
                     f.consistency);
   r.number("exponent", f.exponent, "", between(0.1, 3),
@@ -32,7 +30,7 @@ void readKeys(TableReader& r, FlowLawSettings& f) {
            "carreau: inverse of the shear rate at which thinning begins");
   r.number("least_rate", f.leastRate, "1/s", notNegative(),
            "shear rate below which the law is regularised: a liquid below its yield stress creeps at most at "
-           "this rate; 0: 1e-4 of the expected speed (at least 1 mm/s) over the longest side of the domain");
+           "this rate. 0: 1e-4 of the expected speed (at least 1 mm/s) over the longest side of the domain");
   r.number("largest_viscosity", f.largestViscosity, "Pa s", notNegative(), "limit of the viscosity; 0: none");
 }
 
@@ -56,7 +54,7 @@ void checkKeys(TableReader& r, FlowLaw law) {
               {"least_rate", !carreau, false}};
   for (const auto& k : keys) {
     if (r.has(k.key) && !k.has)
-      r.fail(k.key, "flow.law = \"" + r.textOf("law") + "\" has none: remove it, or choose another law");
+      r.fail(k.key, "not used by flow.law = \"" + r.textOf("law") + "\": remove it, or choose another law");
     if (!r.has(k.key) && k.needs) r.fail(k.key, "required by flow.law = \"" + r.textOf("law") + "\"");
   }
 }

@@ -8,8 +8,8 @@ namespace thaw {
 
 void readHeatExchange(TableReader& r, Material& m) {
   r.number("contact_conductance", m.contactConductance, "W/(m^2 K)", orNever(positive()),
-           "heat conductance of its contacts with other bodies, if at most one is liquid. The smaller "
-           "value of the two materials holds; \"never\": no resistance");
+           "heat conductance of its contacts with other bodies, if at most one is liquid. The smaller value "
+           "of the two materials applies. \"never\": no resistance");
   readByTemperature(r,
                     {"evaporation", "kg/(m^2 s)", notNegative(),
                      "mass that evaporates per time and area of free surfaces of the liquid; or a table of "
@@ -17,8 +17,8 @@ void readHeatExchange(TableReader& r, Material& m) {
                     m.evaporation);
   r.number("evaporation_heat", m.evaporationHeat, "J/kg", notNegative(), "latent heat of evaporation");
   r.number("mush_drag", m.mushDrag, "kg/(m^3 s)", notNegative(),
-           "coefficient C of the drag C (1 - f)^2 / (f^3 + 0.001) on the liquid by solid neighbours "
-           "while the liquid fraction f is below 1; 0: none");
+           "coefficient C of the drag C (1 - f)^2 / (f^3 + 0.001) of solid neighbours on the liquid. It acts "
+           "while the liquid fraction f is below 1. 0: none");
 }
 
 void checkHeatExchange(TableReader& r, const Material& m, bool paper) {

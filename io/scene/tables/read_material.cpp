@@ -29,7 +29,7 @@ void readColourKey(TableReader& r, std::uint32_t& colour, const char* about) {
   std::string text;
   r.as(Restart::Free).text("colour", text, about, "\"#rrggbb\"");
   if (!text.empty() && !readColour(text, colour))
-    r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+    r.refuseValue("colour", "expected six hexadecimal digits such as \"#e8c890\"");
 }
 
 namespace {
@@ -43,11 +43,11 @@ void readDensityAtRest(TableReader& r, Material& m) {
   Blend density = byPhase ? Blend{} : Blend{solidDensityOf(m), m.density};
   r.orAs(KeyForm::Type::Pairs)
       .blend({"density", "kg/m^3", positive(), Liquid::Same,
-              "density at rest. One value: that of solid and liquid. Two values: those of solid and "
-              "liquid, where the material melts; volumes then change as particles melt and freeze, and "
-              "masses do not. Table: density of the liquid by temperature for its buoyancy, `[[\"0 "
-              "degC\", \"999.84 kg/m^3\"], [\"4 degC\", \"999.97 kg/m^3\"]]`, interpolated linearly; the "
-              "density at rest is then its value at `expansion_from`"},
+              "density at rest. One value: that of solid and liquid. Two values: those of solid and liquid, "
+              "where the material melts. Volumes then change as particles melt and freeze, and masses do "
+              "not. Table: density of the liquid by temperature for its buoyancy, `[[\"0 degC\", \"999.84 "
+              "kg/m^3\"], [\"4 degC\", \"999.97 kg/m^3\"]]`, interpolated linearly. The density at rest is "
+              "then its value at `expansion_from`"},
              density);
   if (byPhase && (density.solid == 0 || density.liquid == 0))
     return r.fail("density", "expected the densities of both phases, { solid = ..., liquid = ... }");
@@ -75,10 +75,11 @@ void readTension(TableReader& r, Material& m) {
         .number("surface_tension", m.surfaceTension, "N/m", notNegative(),
                 "surface tension of the liquid; or a table by temperature, `[[\"20 degC\", \"72.7 mN/m\"], "
                 "[\"80 degC\", \"62.7 mN/m\"]]`, interpolated linearly");
-  r.number("contact_angle", m.contactAngle, "rad", between(0, std::numbers::pi),
-           "angle between the liquid's surface and a wall, measured in the liquid; used at sides of "
-           "the domain and at obstacles without their own: \"30 deg\" wets, \"150 deg\" beads. Solid "
-           "bodies always have 90 degrees");
+  r.defaultAs("\"90 deg\"")
+      .number("contact_angle", m.contactAngle, "rad", between(0, std::numbers::pi),
+              "angle between the liquid's surface and a wall, measured in the liquid: \"30 deg\" wets, \"150 "
+              "deg\" beads. It applies at sides of the domain and at obstacles without their own angle. "
+              "Solid bodies always have 90 degrees");
   if (r.reading() && !m.surfaceTensionTable.empty()) m.surfaceTension = largestTension(m.surfaceTensionTable);
 }
 
@@ -101,14 +102,15 @@ void readLiquid(TableReader& r, Material& m) {
       "sound_speed", m.soundSpeed, "m/s", notNegative(),
       "speed of sound of the equation of state; 0: from the largest expected speed and max_density_error");
   r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
-  r.number("bulk_damping", m.bulkDamping, "", between(0, 0.05),
-           "damping of sound in liquids with density = \"continuity\": the pressure is taken at the density "
-           "a time ahead, this number times h / sound_speed with the support radius h. Default: 0.02 where "
-           "artificial_viscosity has one, else 0");
-  r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10),
-           "Monaghan's alpha for approaching pairs. Default with density = \"continuity\": 0.02, or 0.005 in "
-           "scenes with a solid material, minus the alpha that equals the liquid's viscosity. Default with "
-           "surface tension, quality = \"preview\", or one box of liquid in a periodic domain: 0");
+  r.byScene().number("bulk_damping", m.bulkDamping, "", between(0, 0.05),
+                     "damping of sound in liquids with density = \"continuity\". The pressure is that of the "
+                     "density a time ahead: this number times h / sound_speed, with the support radius h. "
+                     "Default: 0.02 where artificial_viscosity has one, else 0");
+  r.byScene().number(
+      "artificial_viscosity", m.artificialViscosity, "", between(0, 10),
+      "Monaghan's alpha for approaching pairs. Default with density = \"continuity\": 0.02, or 0.005 in "
+      "scenes with a solid material, minus the alpha that is equivalent to the liquid's viscosity. Default "
+      "with surface tension, quality = \"preview\", or one box of liquid in a periodic domain: 0");
 }
 
 void readSolid(TableReader& r, Material& m) {
@@ -119,8 +121,8 @@ void readSolid(TableReader& r, Material& m) {
   r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
   readLaw(r, m);
   r.blend({"yield_strain", "", orNever(positive()), Liquid::Same,
-           "yield stress as a strain (gamma_yield): the material flows if the norm of the deviatoric stress "
-           "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": no plasticity"},
+           "yield stress as a strain (gamma_yield). The material flows if the norm of the deviatoric stress "
+           "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield. \"never\": no plasticity"},
           m.yieldStrain);
   r.blend({"creep_rate", "1/s", orNever(notNegative()), Liquid::Same,
            "rate at which stress above the yield stress decays at a fixed deformation (gamma_creep); its "
@@ -140,11 +142,11 @@ void readSolid(TableReader& r, Material& m) {
            "rate at which velocity differences of bonded particles decay");
   r.flag("weld", m.weld, "solids of this material that touch after freezing weld together");
   r.number("friction", m.friction, "", between(0, 10),
-           "Coulomb friction between separate solids: the smaller of the two counts; at an obstacle, the "
-           "obstacle's counts");
+           "Coulomb friction between separate solids: the smaller of the two applies. At an obstacle, that "
+           "of the obstacle applies");
   r.number("restitution", m.restitution, "", between(0, 1),
            "restitution of contacts between separate solids and with obstacles: the smaller of the two "
-           "counts, so above 0.5 set both");
+           "applies, so above 0.5 set both");
 }
 
 void readHeat(TableReader& r, Material& m) {
@@ -168,7 +170,7 @@ void readHeat(TableReader& r, Material& m) {
           r.quantity(*a->get(1), "melts", "K", T, m.liquidus) && m.liquidus < m.solidus)
         r.fail("melts", "the liquidus (second) must not be below the solidus (first)");
     } else if (a) {
-      r.fail("melts", "expected one temperature or [solidus, liquidus]");
+      r.refuseValue("melts", "expected one temperature or [solidus, liquidus]");
     } else if (r.quantity(*n, "melts", "K", T, m.solidus)) {
       m.liquidus = m.solidus;
     }
@@ -240,7 +242,7 @@ void checkMaterial(TableReader& r, const Material& m) {
       if (r.has(key))
         r.fail(key, "a rigid solid (law = \"rigid\") has none: remove it, or choose another law");
   if (m.hardening > 0 && !r.has("yield_strain"))
-    r.fail("hardening", "only a material that yields hardens: give yield_strain, too");
+    r.fail("hardening", "needs yield_strain: only a material that yields can harden");
 }
 
 }  // namespace

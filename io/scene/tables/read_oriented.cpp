@@ -22,7 +22,7 @@ void readPoints(TableReader& r, const PointsKey& k, std::vector<Vec3d>& points) 
   const toml::node* n = r.node(key, unit, "list of [x, y, z]", about, listText(texts));
   if (!n) return;
   const toml::array* list = n->as_array();
-  if (!list) return r.fail(key, "expected a list of points [x, y, z]");
+  if (!list) return r.refuseValue(key, "expected a list of points [x, y, z]");
   for (const toml::node& e : *list) {
     const toml::array* p = e.as_array();
     if (!p || p->size() != 3)
@@ -43,13 +43,13 @@ bool readsFile(const Shape& s) {
 void readAnchor(TableReader& r, OrientedAnchor& a) {
   r.restart(Restart::State);  // particles refer to anchors by their places in the list
   readShape(r, a.region);
-  r.flag("position", a.position, "holds particle positions");
-  r.flag("normal", a.normal, "holds particle orientations");
+  r.flag("position", a.position, "fixes particle positions");
+  r.flag("normal", a.normal, "fixes particle orientations");
   r.restart(Restart::Coefficient);
   r.number("until", a.until, "s", orNever(notNegative()), "time at which the particles are released");
-  readMotion(r, "keyframes of the held particles; linear in between", a.motion);
+  readMotion(r, "keyframes of the constrained particles; linear in between", a.motion);
   if (!a.position && !a.normal)
-    r.fail(r.place(), r.path() + ": it holds nothing: expected position = true, normal = true, or both");
+    r.fail(r.place(), r.path() + ": constrains nothing: expected position = true, normal = true, or both");
 }
 
 void readField(TableReader& r, OrientedField& f) {
@@ -58,7 +58,7 @@ void readField(TableReader& r, OrientedField& f) {
   r.vector("point", f.point, "m", "target point of pull");
   r.number("pull", f.pull, "m/s^2", anyNumber(),
            "largest acceleration toward the point; below 0: away from it. At u = distance / radius it is "
-           "3.494 u (1 - u^2)^2 times this, the gradient of an energy, with its maximum at u = 0.447");
+           "3.494 u (1 - u^2)^2 times this, with its maximum at u = 0.447. It is the gradient of an energy");
   r.number("radius", f.radius, "m", positive(), "radius at which pull ends");
   r.number("pressure", f.pressure, "Pa", anyNumber(), "pressure along the normals");
   r.number("from", f.from, "s", notNegative(), "start time");
@@ -91,10 +91,10 @@ bool isParallelStroke(const OrientedEvent& e) {
 
 void readEvent(TableReader& r, OrientedEvent& e) {
   r.restart(Restart::Setting);
-  r.choice(
-      "kind", e.kind, {"weld", "cut", "crease", "smooth"},
-      "weld joins another body to this one, whose name later events use; cut ends all interaction across it; "
-      "crease removes the orientation from the forces along a line; smooth restores it within its SHAPE");
+  r.choice("kind", e.kind, {"weld", "cut", "crease", "smooth"},
+           "weld: joins another body to this one, whose name later events use. cut: ends all interaction "
+           "across it. crease: removes the orientation from the forces along a line. smooth: restores it "
+           "within its SHAPE");
   r.number("time", e.time, "s", notNegative(), "time of the event; 0: at the start, after relaxation");
   r.text("other", e.other, "weld: the body that is joined to this one", "name of an oriented body");
   const bool cut = e.kind == OrientedEventKind::Cut;
@@ -111,8 +111,8 @@ void readEvent(TableReader& r, OrientedEvent& e) {
   r.vector("direction", e.direction, "", "cut by a stroke: direction of extrusion; any length but 0");
   readPoints(r, {"along", "m", "crease: the line", !cut}, e.path);
   r.number("radius", e.radius, "m", notNegative(),
-           "crease: distance from the line within which particles are creased, 0: a spacing; stroke: "
-           "distance within which particles are cut, 0: a support radius");
+           "crease: distance from the line within which particles are creased; 0: a spacing. stroke: "
+           "distance within which particles are cut; 0: a support radius");
   const bool smooth = e.kind == OrientedEventKind::Smooth;
   const bool shaped = smooth || (cut && !r.has("plane") && e.path.empty());
   if (r.reading() ? shaped : r.describing() || e.tool == CutTool::Box) {
@@ -170,7 +170,7 @@ void readSource(TableReader& r, OrientedBody& b) {
           });
   r.table("disc", "flat disc in its own z = 0", from(OrientedSource::Disc), [&](TableReader& t) {
     b.source = OrientedSource::Disc;
-    t.number("radius", b.radius, "m", positive(), "radius");
+    t.number("radius", b.radius, "m", positive(), "radius of the disc");
   });
   r.table("curve", "2D: particles along a parabola in the plane y = constant, in which they stay (planar)",
           from(OrientedSource::Curve), [&](TableReader& t) {
@@ -184,7 +184,7 @@ void readSource(TableReader& r, OrientedBody& b) {
           });
   readPoints(r,
              {"points", "m",
-              "a surface through these points; growth = \"borders\" holds them and fills holes between them",
+              "a surface through these points; growth = \"borders\" fixes them and fills holes between them",
               from(OrientedSource::Points)},
              b.points);
   const bool points = r.has("points");
@@ -195,7 +195,7 @@ void readSource(TableReader& r, OrientedBody& b) {
              b.normals);
   readPoints(r,
              {"control", "m",
-              "a thin plate through a few control points; particles within 2.2 spacings of one are held in "
+              "a thin plate through a few control points. Particles within 2.2 spacings of one are fixed in "
               "position and normal, and the others hang from them",
               from(OrientedSource::Control)},
              b.points);
@@ -238,10 +238,10 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
           "\"#rrggbb\"");
   if (std::uint32_t value = 0; !colour.empty()) {
     if (readColour(colour, value)) b.colour = value;
-    else r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+    else r.refuseValue("colour", "expected six hexadecimal digits such as \"#e8c890\"");
   }
   r.number("thin", b.thin, "", between(1e-4, 1),
-           "share of its particles that is kept and held; growth = \"borders\" adds the others again");
+           "fraction of its particles that is kept and fixed; growth = \"borders\" adds the others again");
   r.number("spacing", b.spacing, "m", notNegative(), "particle spacing; 0: that of the scene");
   r.restart(Restart::Start);
   r.number("jitter", b.jitter, "", between(0, 1),
@@ -250,8 +250,9 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
   r.vector("velocity", b.velocity, "m/s", "velocity at the start");
   r.restart(Restart::State);  // particles keep their mass and inertia
   r.number("density", b.density, "kg/m^2", positive(),
-           "mass per area. A patch or a disc has this times its full area (less with thin below 1, until it "
-           "has grown); a particle of another source has this times the cell of a hexagonal lattice");
+           "mass per area. The mass of a patch or a disc is this times its full area; with thin below 1 it "
+           "is less until the body has grown. A particle of another source has this times the cell of a "
+           "hexagonal lattice");
   r.number("inertia", b.inertia, "", positive(),
            "moment of inertia of a particle, divided by its mass and the square of the spacing");
   r.restart(Restart::Coefficient);
@@ -283,15 +284,16 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "pressure along the normals; below 0: contracts the surface around its content");
   r.vector("push", b.push, "m/s^2", "uniform acceleration in addition to gravity");
   r.number("contact", b.contact, "", positive(),
-           "stiffness of contacts as a multiple of `stiffness`; contacts with bodies and obstacles have in "
-           "addition a barrier that follows from the scene's speeds and masses. There is no restitution; "
-           "`damping` dissipates motion");
+           "stiffness of contacts as a multiple of `stiffness`. Contacts with bodies and obstacles also have "
+           "a barrier, which follows from the scene's speeds and masses. There is no restitution; `damping` "
+           "dissipates motion");
   r.number("thickness", b.thickness, "", notNegative(), "distance kept from obstacles, spacings");
   r.number("friction", b.friction, "", between(0, 10),
-           "Coulomb friction on obstacles; the larger of this and theirs counts");
-  r.choice("integrator", b.integrator, {"symplectic", "rk4", "semi-implicit"},
-           "integrator of all oriented bodies, set by the first one: symplectic Euler, Runge-Kutta of fourth "
-           "order, or linearised backward Euler, which takes far longer steps");
+           "Coulomb friction on obstacles; the larger of this and theirs applies");
+  r.choice(
+      "integrator", b.integrator, {"symplectic", "rk4", "semi-implicit"},
+      "integrator of all oriented bodies, set by the first one. symplectic: symplectic Euler. rk4: "
+      "Runge-Kutta of fourth order. semi-implicit: linearised backward Euler, which takes far longer steps");
   r.restart(Restart::Setting);
   r.number("cfl", b.cfl, "", between(1e-4, 10),
            "step as a fraction of the stability limit of the stiffest particle (semi-implicit: of ten times "
@@ -311,7 +313,7 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "distance (spacings) below which one of two particles is removed; 0: never");
   r.whole("every", b.every, 1, 100000, "steps between checks of gaps, borders and crowding");
   r.whole("most", b.most, 1, INT64_C(1) << 32, "number of particles at which this body stops growing");
-  r.tables("anchor", "holds the particles in its SHAPE at the start", b.anchors, readAnchor);
+  r.tables("anchor", "constrains the particles that are in its SHAPE at the start", b.anchors, readAnchor);
   r.tables("field",
            "external field, in addition to push and pressure, on the particles that are in its SHAPE (none: "
            "on all) at that time",

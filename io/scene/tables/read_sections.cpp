@@ -31,6 +31,16 @@ void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
   open.viscosityCorrection = !numerics.has("viscosity_correction");
 }
 
+/// Refuses other names of tables, with the right one.
+void refuseOtherNames(TableReader& top) {
+  constexpr const char* names[][2] = {{"wall", "obstacle"}, {"tempering", "thermostat"}};
+  for (const auto& [other, name] : names)
+    if (top.reading() && top.has(other)) {
+      top.node(other, "", "", "");
+      top.fail(other, "unknown table: expected [[" + std::string(name) + "]]");
+    }
+}
+
 /// Reads lamps, lasers and heated regions.
 void readSources(TableReader& top, SceneReading& x) {
   Scene& s = *x.scene;
@@ -94,12 +104,11 @@ void readSections(TableReader& top, SceneReading& x) {
   top.as(Restart::State)
       .tables("sheet", "a sheet whose vertices are exact damped springs", s.sheets, in(readSheet));
   top.as(Restart::State).tables("emitter", "an opening that emits particles", s.emitters, in(readEmitter));
-  top.tables("obstacle", "a rigid object that particles cannot enter; [[wall]] means the same", s.obstacles,
-             in(readObstacle));
-  top.tables("tempering", "brings particles to a temperature, regardless of position", s.thermostats,
-             in(readTempering));
+  top.tables("obstacle", "a rigid object that particles cannot enter", s.obstacles, in(readObstacle));
+  top.tables("thermostat", "brings particles to a temperature, regardless of position", s.thermostats,
+             in(readThermostat));
   readSources(top, x);
-  if (top.reading()) top.tables("wall", "", s.obstacles, in(readObstacle));
+  refuseOtherNames(top);
   if (top.describing())
     top.table("SHAPE", "keys of bodies, obstacles and clamps; not a table of its own", describeShapes);
   top.as(Restart::State)

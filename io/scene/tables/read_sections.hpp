@@ -21,8 +21,8 @@ struct SceneReading {
   std::map<std::string, SourcePlace> numerics;  ///< keys of [numerics] in the scene
   bool materials = true;  ///< all materials are tables, so an unknown name is an error of its own
   OpenChoices open;       ///< choices of [numerics] that the scene leaves open
-  /// one per element of Scene::bodies, emitters, temperings, heatedRegions
-  std::vector<MaterialName> bodyMaterials, emitterMaterials, temperingMaterials, regionMaterials;
+  /// one per element of Scene::bodies, emitters, thermostats, heatedRegions
+  std::vector<MaterialName> bodyMaterials, emitterMaterials, thermostatMaterials, regionMaterials;
 };
 
 /// Reads all keys of a scene file.
@@ -52,7 +52,7 @@ void readBody(TableReader& reader, Body& body, SceneReading& reading);
 void readOriented(TableReader& reader, OrientedBody& body, SceneReading& reading);
 void readSheet(TableReader& reader, SheetBody& body, SceneReading& reading);
 void readEmitter(TableReader& reader, Emitter& emitter, SceneReading& reading);
-void readTempering(TableReader& reader, Thermostat& tempering, SceneReading& reading);
+void readThermostat(TableReader& reader, Thermostat& thermostat, SceneReading& reading);
 void readLamp(TableReader& reader, Lamp& lamp, SceneReading& reading);
 void readLaser(TableReader& reader, Laser& laser, SceneReading& reading);
 void readHeatedRegion(TableReader& reader, HeatedRegion& region, SceneReading& reading);

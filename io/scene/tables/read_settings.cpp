@@ -23,9 +23,9 @@ void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
   const toml::node* n = r.node(
       key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]",
       "type of the two sides across this axis. open: leaving particles are recorded in the ledger. periodic: "
-      "leaving particles enter at the other side. A body may be placed across a periodic side, with its mesh "
-      "and surface, if it does not overlap its own image; a sheet or an oriented body may not. A periodic "
-      "axis is at least three support radii long: 6 spacings if `numerics.support` is 2",
+      "leaving particles enter at the other side. A body may lie across a periodic side, with its mesh and "
+      "surface, if it does not overlap its own image. A sheet or an oriented body may not. A periodic axis "
+      "is at least three support radii long: 6 spacings if `numerics.support` is 2",
       r.describing() ? "\"open\""
       : periodic     ? "periodic"
                      : "not periodic");
@@ -40,8 +40,8 @@ void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
                                sideOf(pair->get(1), sides[1])
                          : sideOf(n, sides[0]) && sideOf(n, sides[1]);
   if (!good)
-    r.fail(key,
-           "expected \"open\", \"wall\" or \"periodic\", or a pair of them such as [\"wall\", \"open\"]");
+    r.refuseValue(
+        key, "expected \"open\", \"wall\" or \"periodic\", or a pair of them such as [\"wall\", \"open\"]");
   else if ((sides[0] == Side::Periodic) != (sides[1] == Side::Periodic))
     r.fail(key, "expected both sides of an axis to be periodic, or none");
 }
@@ -56,7 +56,7 @@ void readDomain(TableReader& r, Domain& d) {
   r.vector("max", d.max, "m", "high corner, above the low one");
   r.table("sides",
           "types of the domain's sides, open by default. Bodies and obstacles may lie across periodic sides: "
-          "the part beyond acts at the other side. At a restart open and wall may change",
+          "the part beyond acts at the other side. At a restart, open and wall may change",
           [&](TableReader& s) {
             readSides(s, "x", d.side[0]);
             readSides(s, "y", d.side[1]);
@@ -82,51 +82,58 @@ void readNumerics(TableReader& r, Numerics& n) {
            "ones need shorter steps in irregular arrangements");
   r.restart(Restart::Coefficient);
   r.choice("kernel", n.kernel, {"wendland", "mcg03", "cubic"},
-           "Wendland C2; poly6, spiky and viscosity kernel of Mueller et al. 2003; cubic spline");
+           "wendland: Wendland C2. mcg03: poly6, spiky and viscosity kernels of Mueller et al. 2003. cubic: "
+           "cubic spline");
   r.choice("precision", n.precision, {"single", "double"},
            "precision of sums over pairs; the state is double");
   r.choice("elastic_precision", n.elasticPrecision, {"single", "double"},
            "precision of sums over bonds of solids; single is accurate to 1e-6 of the strain");
   r.choice("pressure", n.pressure, {"consistent", "printed"},
-           "consistent pair form, or the sum as printed in Keiser et al. 2005 (half the gradient)");
-  r.choice("density", n.density, {"summation", "continuity", "plain"},
-           "density of liquids: summed over positions and consistent with compression; integrated from the "
-           "divergence of the flow; or the plain sum. Default: \"continuity\", except with surface tension, "
-           "quality = \"preview\", pressure = \"printed\" or the incompressible solver");
+           "consistent: pair form that conserves energy. printed: the sum in Keiser et al. 2005, which has "
+           "half the gradient");
+  r.byScene().choice("density", n.density, {"summation", "continuity", "plain"},
+                     "density of liquids. summation: a sum over positions, consistent with compression. "
+                     "continuity: integrated from the divergence of the flow. plain: the plain sum. Default: "
+                     "\"continuity\"; \"summation\" with surface tension, quality = \"preview\", pressure = "
+                     "\"printed\" or the incompressible solver");
   r.flag("corrected_gradients", n.correctedGradients,
          "gradients of the continuity form are exact for linear fields inside the liquid (Bonet & Lok 1999)");
   r.number("density_diffusion", n.densityDiffusion, "", between(0, 1),
            "density diffusion of the continuity form");
-  r.number("shifting", n.shifting, "", between(0, 0.3),
-           "largest speed at which particles of a liquid are shifted down the gradient of their "
-           "concentration C, as a multiple of the speed of sound times h grad C. With the continuity form it "
-           "scales with strain and tension, and particles at the free surface are not shifted. 0: no "
-           "shifting. Default with density = \"continuity\": 0.07 with gravity, 0.2 without");
+  r.byScene().number(
+      "shifting", n.shifting, "", between(0, 0.3),
+      "largest speed of shifting: particles of a liquid move down the gradient of their concentration C. It "
+      "is a multiple of the speed of sound times h grad C. With the continuity form it scales with strain "
+      "and tension, and particles at the free surface are not shifted. 0: no shifting. Default with density "
+      "= \"continuity\": 0.07 with gravity, 0.2 without");
   r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure as a function of the density");
-  r.number("tensile_limit", n.tensileLimit, "", between(0, 1),
-           "share of negative pressure that is kept; requires density = \"continuity\" and shifting above 0, "
-           "and is then 1 by default");
+  r.byScene().number(
+      "tensile_limit", n.tensileLimit, "", between(0, 1),
+      "fraction of negative pressure that is kept. Above 0 it requires density = \"continuity\" and shifting "
+      "above 0. Default: 1 with both, except with surface tension or quality = \"preview\"");
   r.choice("pressure_solver", n.solver, {"state equation", "incompressible"},
-           "pressure from the density, or solved for so that liquids keep their volume (steps are limited by "
-           "the speed of the flow, not of sound)");
+           "state equation: pressure from the density. incompressible: solved for, so that liquids keep "
+           "their volume; the speed of the flow limits the step, not that of sound");
   r.restart(Restart::Setting);
   r.number("density_tolerance", n.densityTolerance, "", {0, 0.1, true, false, false},
-           "incompressible: the solver stops when the mean remaining compression of a step is below it; "
-           "earlier compression is undone over the time that the flow takes for a spacing");
+           "incompressible: the solver stops when the mean remaining compression of a step is below this. "
+           "Earlier compression is undone in the time that the flow takes for one spacing");
   r.number("divergence_tolerance", n.divergenceTolerance, "", {0, 0.1, true, false, false},
            "incompressible: mean rate of compression, times the step, at which it stops");
   r.whole("max_iterations", n.maxIterations, 1, 100000,
           "incompressible: largest number of iterations per solve; the summary counts solves that reach it");
   r.restart(Restart::Coefficient);
   r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"},
-           "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");
-  r.flag("viscosity_correction", n.viscosityCorrection,
-         "corrects pairwise viscosity for particle disorder, which changes it by a few per cent while layers "
-         "slide past each other. Default: true where viscosity limits explicit steps more than sound does, "
-         "except with quality = \"preview\"");
+           "pairwise: along the line between two particles, which keeps angular momentum. laplacian: as "
+           "printed in Keiser et al. 2005");
+  r.byScene().flag(
+      "viscosity_correction", n.viscosityCorrection,
+      "corrects pairwise viscosity for particle disorder, which changes it by a few per cent while layers "
+      "slide past each other. Default: true where viscosity limits explicit steps more than sound does, "
+      "except with quality = \"preview\"");
   r.choice("viscosity_solver", n.viscositySolver, {"explicit", "implicit"},
-           "explicit: viscosity limits the step; implicit: a linear system in each step, without this limit "
-           "(recommended if viscosity sets the step)");
+           "explicit: viscosity limits the step. implicit: a linear system in each step, without this limit; "
+           "recommended if viscosity limits the step");
   r.restart(Restart::Setting);
   r.number("viscosity_tolerance", n.viscosityTolerance, "", between(1e-10, 0.1),
            "implicit solver: relative error of a step's velocity change by viscosity");
@@ -147,36 +154,36 @@ void readNumerics(TableReader& r, Numerics& n) {
               "closed containers full of one liquid: a free surface would be weightless. density: the whole "
               "weight acts. automatic: boussinesq where liquid of one density fills a closed domain, "
               "else density");
-  r.choice("tension", n.tension, {"pairwise", "colour field", "surface energy"},
-           "cohesion of pairs: cheap, but drops behave like soft crystals; as printed in Keiser et al. 2005; "
-           "or an energy of the free surface: drops have Laplace's pressure and oscillate like liquids");
+  r.choice(
+      "tension", n.tension, {"pairwise", "colour field", "surface energy"},
+      "pairwise: cohesion of pairs, cheap, but drops behave like soft crystals. colour field: as printed in "
+      "Keiser et al. 2005. surface energy: drops have Laplace's pressure and oscillate like liquids");
   r.as(Restart::State)
       .choice("heat", n.heat, {"enthalpy", "paper"},
-              "enthalpy with latent heat, or the plain temperature of Keiser et al. 2005");
+              "enthalpy: with latent heat. paper: the plain temperature of Keiser et al. 2005");
   r.choice("conduction", n.conduction, {"normalised", "plain"},
-           "the sum for heat conduction: exact for a quadratic temperature on the lattice, or with the "
-           "kernel's own constant");
+           "sum for heat conduction. normalised: exact for a quadratic temperature on the lattice. plain: "
+           "with the kernel's own constant");
   r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");
   r.number("max_density_error", n.maxDensityError, "", {0, 0.2, true, false, false},
            "compression that the automatic sound speed allows");
   r.as(Restart::Start)
-      .choice(
-          "overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"},
-          "treatment of the particles of two bodies that overlap; a sheet or an oriented body that begins "
-          "inside a solid one is an error except with \"keep\"");
+      .choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"},
+              "treatment of the particles of two bodies that overlap. A sheet or an oriented body that "
+              "begins inside a solid one is an error, except with \"keep\"");
   r.restart(Restart::Setting);
   r.number("fixed_step", n.fixedStep, "s", notNegative(),
-           "longest time step, at most `end`, shortened to a whole number of steps per frame; 0: as large as "
-           "the limits allow");
+           "constant time step, at most `end`, shortened to a whole number of steps per frame. Stability "
+           "limits and max_step are then not applied. 0: the step follows the limits");
   r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
   r.number("cfl_sound", n.cflSound, "", factor(),
            "step limit as a multiple of h / c, with the support radius h");
   r.number("cfl_viscous", n.cflViscous, "", factor(),
-           "step limit as a multiple of the largest dt that is stable on a lattice: 0.044 h^2 rho / mu for "
-           "the pairwise form at a support of 2 (a clump stiffens it)");
+           "step limit as a multiple of the largest stable dt on a lattice: 0.044 h^2 rho / mu for the "
+           "pairwise form with support = 2. Clumped particles need shorter steps");
   r.number("cfl_heat", n.cflHeat, "", factor(),
-           "step limit as a multiple of the largest dt that is stable on a lattice: 0.078 h^2 / diffusivity "
-           "for the wendland kernel at a support of 2");
+           "step limit as a multiple of the largest stable dt on a lattice: 0.078 h^2 / diffusivity for the "
+           "wendland kernel with support = 2");
   r.number("cfl_elastic", n.cflElastic, "", factor(),
            "step limit as a multiple of spacing / speed of pressure waves");
   r.number("cfl_tension", n.cflTension, "", factor(),
@@ -185,7 +192,7 @@ void readNumerics(TableReader& r, Numerics& n) {
            "step limit as a multiple of sqrt(h / a), with the acceleration a");
   std::int64_t substeps = n.elasticSubsteps;
   r.whole("elastic_substeps", substeps, 0, 64,
-          "largest number of substeps of solids within a step, if their elastic limit is the shortest; 0: 4 "
+          "largest number of substeps of solids within a step, if their elastic limit is the shortest. 0: 4 "
           "with liquid and without contact of solids, else 1. Above 8 the liquid may pump energy into solids "
           "without damping");
   n.elasticSubsteps = static_cast<int>(substeps);
@@ -201,34 +208,34 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(),
            "rate of change of the temperature that keeps a solid awake or wakes it");
   r.number("rigidify", n.rigidify, "1/s", notNegative(),
-           "parts of elastic solids whose rate of strain stays below this for the time sleep_after "
-           "move as rigid pieces. They become elastic when they deform, soften, or come near an "
-           "obstacle or another body. No elastic forces are computed for them. While all solids are "
-           "rigid, the elastic limit of the step does not hold. The value must be below the rates of "
-           "vibrations that matter, for example 0.1 for stiff bodies. Not with rigid, yielding or "
-           "breaking materials, extension laws, sleep_speed or elastic_substeps. 0: off");
+           "parts of elastic solids whose rate of strain stays below this for the time sleep_after move as "
+           "rigid pieces. They become elastic when they deform, soften, or come near an obstacle or another "
+           "body. No elastic forces are computed for them. While all solids are rigid, the elastic limit of "
+           "the step does not apply. The value must be below the rates of vibrations that matter, such as "
+           "0.1 for stiff bodies. Not with rigid, yielding or breaking materials, extension laws, "
+           "sleep_speed or elastic_substeps. 0: off");
   r.restart(Restart::Free);
   r.whole("retry_every", n.retryEvery, 0, 1000000000,
-          "steps between snapshots in memory; a run that fails goes back to the last one and continues with "
-          "half the step; 0: no snapshots, and a failure stops the run");
+          "steps between snapshots in memory. A run that fails goes back to the last one and continues with "
+          "half the step. 0: no snapshots, and a failure stops the run");
   r.whole("retries", n.retries, 0, 40,
-          "largest number of active retries, each with half the step of the one before; the next failure "
+          "largest number of active retries, each with half the step of the one before. The next failure "
           "stops the run with exit code 4 and the last snapshot as a checkpoint. A retry is active until the "
           "step has doubled again, `retry_every` full steps after the failure at the earliest");
   r.number("watch_speed", n.watchSpeed, "", orNever(positive()),
-           "speed that counts as failure, as a multiple of the sum of the expected speed (from start, "
-           "gravity, emitters and obstacles) and 0.1 of the largest wave speed");
+           "speed above which a step has failed, as a multiple of the expected speed plus 0.1 of the largest "
+           "wave speed. The expected speed follows from start, gravity, emitters and obstacles");
   r.number("watch_density", n.watchDensity, "", orNever(positive()),
-           "density of a liquid that counts as failure, as a multiple of the rest density");
+           "density of a liquid above which a step has failed, as a multiple of the rest density");
   r.number("watch_step", n.watchStep, "", {0, 1, true, false, false},
-           "time step that counts as failure, as a fraction of the materials' limit (without one: of 1e-5 "
-           "`end`); no retry takes a shorter step; 0: none");
+           "time step below which a run has failed, as a fraction of the materials' limit (without one: of "
+           "1e-5 `end`). No retry takes a shorter step. 0: none");
   r.number("watch_inverted", n.watchInverted, "", orNever(positive()),
-           "share of inverted solid particles (det F <= 0) that counts as failure, for materials that do not "
-           "recover from inversion: law \"green\" without volume_stiffness");
+           "fraction of inverted solid particles (det F <= 0) above which a step has failed. It concerns "
+           "materials that do not recover from inversion: law \"green\" without volume_stiffness");
   r.number("watch_energy", n.watchEnergy, "", orNever(positive()),
-           "unexplained gain of mechanical energy that counts as failure, as a multiple of the largest term "
-           "of the ledger, within `retry_every` steps or since the run began");
+           "unexplained gain of mechanical energy above which a step has failed, as a multiple of the "
+           "largest term of the ledger. It is the gain within `retry_every` steps or since the start");
   r.as(Restart::Setting)
       .number("plastic_rereference", n.plasticRereference, "", positive(),
               "norm of the plastic strain above which the reference follows the flow");
@@ -241,8 +248,8 @@ void readOutput(TableReader& r, Scene& s) {
   // Otherwise new frames would have the numbers of existing ones.
   r.as(Restart::State).number("every", o.every, "s", positive(), "simulated time between frames");
   r.number("ledger_every", o.ledgerEvery, "s", notNegative(),
-           "simulated time between additional rows of ledger.csv, which has one per frame; a row is written "
-           "at the first step at or after its time and changes no step; 0: none");
+           "simulated time between additional rows of ledger.csv, which has one per frame. A row is written "
+           "at the first step at or after its time and changes no step. 0: none");
   r.words("fields", o.fields, known,
           "fields of the frames of bodies and emitters; frames of oriented bodies and sheets have all their "
           "fields. The six numbers of stress (Cauchy's), strain (Green's) and plastic_strain are xx, yy, zz, "
@@ -263,7 +270,7 @@ void readOutput(TableReader& r, Scene& s) {
   std::set<std::string> words(known.begin(), known.end());
   words.insert({"speed", "surface", "glow", "detail"});
   if (!o.colour.empty() && !words.count(o.colour))
-    r.fail("colour", "there is no field '" + o.colour + "'" + suggestion(o.colour, words));
+    r.refuseValue("colour", "there is no field '" + o.colour + "'" + suggestion(o.colour, words));
   r.number("colour_min", o.colourMin, "", anyNumber(),
            "SI value of the lowest colour; none: the lowest of all frames");
   r.number("colour_max", o.colourMax, "", anyNumber(),
@@ -275,12 +282,12 @@ void readOutput(TableReader& r, Scene& s) {
          "\"#rrggbb\"");
   if (std::uint32_t colour = 0; !background.empty()) {
     if (readColour(background, colour)) o.background = colour;
-    else r.fail("background", "expected six hexadecimal digits such as \"#202830\"");
+    else r.refuseValue("background", "expected six hexadecimal digits such as \"#202830\"");
   }
   r.vector("sun", o.sun, "",
            "direction from the scene to the sun of pictures, of any length; default: over the camera's left "
            "shoulder");
-  if (o.sun && !(o.sun->z > 0)) r.fail("sun", "expected a direction above the horizon: z > 0");
+  if (o.sun && !(o.sun->z > 0)) r.refuseValue("sun", "expected a direction above the horizon: z > 0");
   std::int64_t width = o.width, height = o.height;
   r.whole("width", width, 64, 16384, "width of pictures, in pixels");
   r.whole("height", height, 64, 16384, "height of pictures, in pixels");

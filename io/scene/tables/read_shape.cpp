@@ -52,9 +52,9 @@ bool meshEnding(std::string path) {
 
 constexpr const char* aboutMesh =
     "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or "
-    "\"builtin:head\", both 1 m tall. Its surfels have the normals of the file (PLY nx ny nz, OBJ vn); "
-    "smooth normals from the triangles replace missing ones, and those that are 0 or point to the other "
-    "side of their triangle (the run reports how many)";
+    "\"builtin:head\", both 1 m tall. Its surfels have the normals of the file (PLY nx ny nz, OBJ vn). "
+    "Smooth normals from the triangles replace missing ones, and those that are 0 or point to the other side "
+    "of their triangle. The run reports how many";
 
 void checkMeshPath(TableReader& r, const std::string& path) {
   if (path.empty()) {
@@ -75,10 +75,10 @@ void readSolids(TableReader& r, Shape& s) {
       t.fail("size", "edge lengths must be > 0 m");
   });
   r.table("sphere", "ball around its own origin", s.kind == ShapeKind::Sphere,
-          [&](TableReader& t) { t.number("radius", s.radius, "m", positive(), "radius"); });
+          [&](TableReader& t) { t.number("radius", s.radius, "m", positive(), "radius of the sphere"); });
   r.table("cylinder", "cylinder around its own origin, along z", s.kind == ShapeKind::Cylinder,
           [&](TableReader& t) {
-            t.number("radius", s.radius, "m", positive(), "radius");
+            t.number("radius", s.radius, "m", positive(), "radius of the cylinder");
             t.number("height", s.height, "m", positive(), "length along z");
           });
   r.table("torus", "ring around its own origin, in the plane z = 0", s.kind == ShapeKind::Torus,
@@ -89,8 +89,8 @@ void readSolids(TableReader& r, Shape& s) {
           });
   r.table("glass", "drinking glass standing on its own z = 0, open at the top", s.kind == ShapeKind::Glass,
           [&](TableReader& t) {
-            t.number("radius", s.radius, "m", positive(), "outer radius");
-            t.number("height", s.height, "m", positive(), "height");
+            t.number("radius", s.radius, "m", positive(), "outer radius of the glass");
+            t.number("height", s.height, "m", positive(), "height of the glass");
             t.number("thickness", s.thickness, "m", positive(), "thickness of wall and floor");
             if (s.thickness >= std::min(s.radius, s.height))
               t.fail("thickness", "must be less than radius and height");

@@ -48,7 +48,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
             t.number("depth", b.depth, "m", positive(), "along y");
           });
   r.table("sphere", "closed sphere around its own origin", is(SheetMesh::Sphere),
-          [&](TableReader& t) { t.number("radius", b.radius, "m", positive(), "radius"); });
+          [&](TableReader& t) { t.number("radius", b.radius, "m", positive(), "radius of the sphere"); });
   r.table(
       "head", "closed head around its own origin, looking along -y", is(SheetMesh::Head),
       [&](TableReader& t) { t.number("height", b.height, "m", positive(), "height from chin to crown"); });
@@ -56,7 +56,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
     std::int64_t ribs = b.ribs;
     t.number("radius", b.radius, "m", positive(), "radius of the border");
     t.number("height", b.height, "m", positive(), "height of the middle");
-    t.whole("ribs", ribs, 0, 1000, "radial ribs, as of a scallop");
+    t.whole("ribs", ribs, 0, 1000, "radial ribs, such as those of a scallop");
     t.number("rib_height", b.ribHeight, "m", notNegative(), "height from groove to ridge");
     b.ribs = static_cast<int>(ribs);
   });
@@ -94,11 +94,11 @@ void readExactStep(TableReader& r, SheetBody& b) {
   r.number("stiffness", b.stiffness, "N/m^3", notNegative(),
            "stiffness per area of the springs that pull each vertex to its rest position");
   r.number("plasticity", b.plasticity, "", between(0, 1),
-           "permanent share of the displacement beyond the elastic limit; 0: elastic, 1: plastic");
+           "permanent fraction of the displacement beyond the elastic limit; 0: elastic, 1: plastic");
   r.number("elastic_limit", b.elasticLimit, "m", orNever(positive()),
            "largest elastic displacement from rest; \"never\": no limit");
   r.tables("region",
-           "part of the sheet with other coefficients: its vertices in a SHAPE at the start; where regions "
+           "part of the sheet with other coefficients: its vertices in a SHAPE at the start. Where regions "
            "overlap, all factors are those of the last one",
            b.regions, [&](TableReader& t, SheetRegion& g) {
              t.restart(Restart::State);  // vertices refer to their region by its place in the list
@@ -141,8 +141,8 @@ void readInner(TableReader& r, SheetBody& b) {
 void readOuter(TableReader& r, SheetBody& b) {
   r.vector("wind", b.wind, "m/s", "velocity of the air");
   r.number("wind_density", b.windDensity, "kg/m^3", notNegative(),
-           "density of the air times a drag coefficient: pressure divided by the squared normal velocity; 0: "
-           "no air; without `wind` the air is at rest and drags");
+           "density of the air times a drag coefficient: pressure divided by the squared normal velocity. 0: "
+           "no air. Without `wind` the air is at rest and drags");
   r.number("wrap", b.wrap, "Pa", anyNumber(),
            "pressure that shrinks the sheet: against its normal, or toward `wrap_to`");
   r.text("wrap_to", b.wrapTo,
@@ -165,9 +165,9 @@ void readOuter(TableReader& r, SheetBody& b) {
   r.number("contact_rate", b.contactRate, "1/s", notNegative(),
            "angular frequency of the contact spring; 0: from the speeds and pressures of the scene");
   r.number("friction", b.friction, "", between(0, 10),
-           "Coulomb friction; the larger of two in contact counts");
+           "Coulomb friction; the larger of two in contact applies");
   r.number("restitution", b.restitution, "", between(0, 1),
-           "restitution; the smaller of two in contact counts");
+           "restitution; the smaller of two in contact applies");
   r.flag("self_contact", b.selfContact, "contact of the sheet with itself");
 }
 
@@ -213,7 +213,7 @@ void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
   r.as(Restart::Free)
       .text("colour", colour, "colour in pictures and exports; default: a pale one", "\"#rrggbb\"");
   if (!colour.empty() && !readColour(colour, b.colour))
-    r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+    r.refuseValue("colour", "expected six hexadecimal digits such as \"#e8c890\"");
   r.as(Restart::Start).number("temperature", b.temperature, "K", positive(), "temperature at the start");
   r.number("heat_capacity", b.heatCapacity, "J/(m^2 K)", positive(), "heat capacity per area");
   r.number("conductance", b.conductance, "W/(m^2 K)", notNegative(),
@@ -229,12 +229,11 @@ void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
   if (b.pullReach > 0 && b.pull == 0)
     r.fail("pull_reach", "needs pull: without it nothing acts within this reach", {"pull"});
   if (b.plasticity > 0 && b.stiffness == 0)
-    r.fail("plasticity", "needs stiffness: without it there is no rest position that could move",
-           {"stiffness"});
+    r.fail("plasticity", "needs stiffness: without it a vertex has no rest position", {"stiffness"});
   if (b.plasticity > 0 && !r.has("elastic_limit"))
     r.fail("plasticity", "needs elastic_limit: without one all is elastic");
   if (r.has("elastic_limit") && !r.has("plasticity"))
-    r.fail("elastic_limit", "needs plasticity, the permanent share of the displacement beyond it");
+    r.fail("elastic_limit", "has no effect without plasticity: set plasticity above 0");
   if (length(b.wind) > 0 && b.windDensity == 0)
     r.fail("wind", "needs wind_density: air without mass does not push", {"wind_density"});
   if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "must be above 0 with pull", {"pull"});

@@ -53,13 +53,16 @@ void readLamp(TableReader& r, Lamp& l, SceneReading& x) {
   r.restart(Restart::Setting);
   r.as(Restart::Free).text("name", l.name, "for messages and `--set`; none: \"lamp\" and its number");
   r.choice("kind", l.kind, {"point", "direction", "area"},
-           "point: shines equally in all directions; direction: parallel light, such as sunlight; area: a "
+           "point: shines equally in all directions. direction: parallel light, such as sunlight. area: a "
            "rectangle that shines to one side by Lambert's law");
-  r.number("power", l.power, "W", positive(), "emitted power of kinds point and area");
-  r.number("irradiance", l.irradiance, "W/m^2", positive(),
-           "power per area perpendicular to the light, of kind direction");
-  r.vector("position", l.position, "m", "position of a point, centre of an area");
-  readDirection(r, l.direction, "direction of the light, for an area its normal; any length but 0");
+  r.needed().number("power", l.power, "W", positive(), "emitted power of kinds \"point\" and \"area\"");
+  r.needed().number("irradiance", l.irradiance, "W/m^2", positive(),
+                    "power per area perpendicular to the light, of kind \"direction\"");
+  r.needed().vector("position", l.position, "m",
+                    "position of a lamp of kind \"point\", centre of one of kind \"area\"");
+  r.needed();
+  readDirection(r, l.direction,
+                "direction of the light of kind \"direction\", normal of kind \"area\"; any length but 0");
   r.number("width", l.width, "m", positive(), "horizontal edge of an area; along x if it shines along z");
   r.number("depth", l.depth, "m", positive(), "other edge of an area");
   readTimes(r, l);
@@ -70,11 +73,11 @@ void readLamp(TableReader& r, Lamp& l, SceneReading& x) {
 void readLaser(TableReader& r, Laser& l, SceneReading& x) {
   r.restart(Restart::Setting);
   r.as(Restart::Free).text("name", l.name, "for messages and `--set`; none: \"laser\" and its number");
-  r.number("power", l.power, "W", positive(), "power of the beam; required");
-  r.number("radius", l.radius, "m", positive(),
-           "radius of the beam, where its intensity is 1/e^2 (13.5 %) of that on the axis; required");
-  r.vector("position", l.position, "m",
-           "a point on the axis of the beam, such as where it meets the body; required");
+  r.needed().number("power", l.power, "W", positive(), "power of the beam");
+  r.needed().number("radius", l.radius, "m", positive(),
+                    "radius of the beam, where its intensity is 1/e^2 (13.5 %) of that on the axis");
+  r.needed().vector("position", l.position, "m",
+                    "a point on the axis of the beam, such as where it meets the body");
   readDirection(r, l.direction, "direction of the light; any length but 0");
   r.number("absorption_depth", l.absorptionDepth, "m", notNegative(),
            "depth below the exposed surface at which the absorbed light has fallen to 1/e (Beer and "
@@ -90,8 +93,8 @@ void readHeatedRegion(TableReader& r, HeatedRegion& h, SceneReading& x) {
   r.as(Restart::Free)
       .text("name", h.name, "for messages and `--set`; none: \"heated region\" and its number");
   readShape(r, h.shape);
-  r.number("power", h.power, "W", positive(),
-           "power that the particles inside share in proportion to their mass; required");
+  r.needed().number("power", h.power, "W", positive(),
+                    "power that the particles inside receive in proportion to their mass");
   readMaterialName(r, x, h.material, x.regionMaterials, "material that it heats; none: all");
   readTimes(r, h);
   if (r.reading()) require(r, "power");

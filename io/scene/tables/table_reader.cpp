@@ -54,7 +54,7 @@ std::string TableReader::textOf(const std::string& key) const {
   return s ? s->get() : std::string();
 }
 void TableReader::fail(const SourcePlace& where, const std::string& text) {
-  if (errors_) errors_->push_back({where, text});
+  if (errors_) errors_->push_back({where, text, SceneError::Kind::Check, path_});
 }
 void TableReader::fail(const std::string& key, const std::string& text,
                        std::initializer_list<const char*> others) {
@@ -64,10 +64,14 @@ void TableReader::fail(const std::string& key, const std::string& text,
   refused_.insert(key);
   fail(placeOf(key), named(key) + ": " + text);
 }
+void TableReader::refuseValue(const std::string& key, const std::string& text) {
+  if (!errors_ || !refused_.insert(key).second) return;
+  errors_->push_back({placeOf(key), named(key) + ": " + text});
+}
 /// Adds an error at a node of the value of a key; several nodes may be wrong.
 void TableReader::refuse(const std::string& key, const toml::node& n, const std::string& text) {
   refused_.insert(key);
-  fail(placeOfNode(n), named(key) + ": " + text);
+  if (errors_) errors_->push_back({placeOfNode(n), named(key) + ": " + text});
 }
 
 const toml::node* TableReader::get(const std::string& key) {
@@ -79,7 +83,9 @@ void TableReader::describe(KeyDescription k, KeyForm form) {
   known_.insert(k.key);
   const std::optional<Restart> once = std::exchange(once_, std::nullopt);
   form.alternative = std::exchange(alternative_, std::nullopt);
+  const char* const shown = std::exchange(default_, nullptr);
   if (reading()) return;
+  if (describing() && shown) k.standard = shown;
   k.table = path_;
   k.form = std::move(form);
   if (!k.restart) k.restart = once ? once : restart_;
@@ -177,7 +183,8 @@ void TableReader::whole(const char* key, std::int64_t& value, std::int64_t low, 
   if (!n) return;
   const auto* i = n->as_integer();
   if (!i || i->get() < low || i->get() > high)
-    return fail(key, fmt::format("expected a whole number from {} to {}, got {}", low, high, shown(*n)));
+    return refuse(key, *n,
+                  fmt::format("expected a whole number from {} to {}, got {}", low, high, shown(*n)));
   value = i->get();
 }
 
@@ -187,8 +194,9 @@ bool TableReader::readVector(const char* key, const char* unit, Vec3d& value) {
   if (!n) return false;
   const toml::array* a = n->as_array();
   if (!a || a->size() != 3) {
-    fail(key, fmt::format("expected a list of three quantities such as [0, 0, 0], got {}",
-                          a ? fmt::format("{}", a->size()) : shown(*n)));
+    refuse(key, *n,
+           fmt::format("expected a list of three quantities such as [0, 0, 0], got {}",
+                       a ? fmt::format("{}", a->size()) : shown(*n)));
     return true;
   }
   for (std::size_t k = 0; k < 3; k++)
@@ -211,7 +219,7 @@ void TableReader::flag(const char* key, bool& value, const char* about) {
   const toml::node* n = get(key);
   if (!n) return;
   if (const auto* b = n->as_boolean()) value = b->get();
-  else fail(key, "expected true or false, got " + shown(*n));
+  else refuse(key, *n, "expected true or false, got " + shown(*n));
 }
 
 void TableReader::text(const char* key, std::string& value, const char* about, const char* range) {
@@ -219,7 +227,7 @@ void TableReader::text(const char* key, std::string& value, const char* about, c
   const toml::node* n = get(key);
   if (!n) return;
   if (const auto* s = n->as_string()) value = s->get();
-  else fail(key, "expected a text in quotes, got " + shown(*n));
+  else refuse(key, *n, "expected a text in quotes, got " + shown(*n));
 }
 
 void TableReader::words(const char* key, std::vector<std::string>& value,
@@ -229,7 +237,7 @@ void TableReader::words(const char* key, std::vector<std::string>& value,
   const toml::node* n = get(key);
   if (!n) return;
   const toml::array* a = n->as_array();
-  if (!a) return fail(key, "expected a list of texts, got " + shown(*n));
+  if (!a) return refuse(key, *n, "expected a list of texts, got " + shown(*n));
   value.clear();
   for (const toml::node& e : *a) {
     const auto* s = e.as_string();
@@ -251,10 +259,11 @@ void TableReader::choice(const char* key, int& value, const std::vector<std::str
   const auto* s = n->as_string();
   const auto at = s ? std::find(words.begin(), words.end(), s->get()) : words.end();
   if (at == words.end())
-    return fail(
-        key, fmt::format("expected {}{}, got {}", words.size() == 2 ? "" : "one of ",
-                         words.size() == 2 ? "\"" + words[0] + "\" or \"" + words[1] + "\"" : listOf(words),
-                         shown(*n)));
+    return refuse(
+        key, *n,
+        fmt::format("expected {}{}, got {}", words.size() == 2 ? "" : "one of ",
+                    words.size() == 2 ? "\"" + words[0] + "\" or \"" + words[1] + "\"" : listOf(words),
+                    shown(*n)));
   value = static_cast<int>(at - words.begin());
 }
 
@@ -290,8 +299,8 @@ void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>
   const std::string pair = fmt::format("[{}, {}]", *k.unit1 ? k.unit1 : "number",
                                        *k.unit2 ? k.unit2 : "number");
   if (!a || a->size() < 2)
-    return fail(k.key,
-                "expected a list of at least two pairs " + pair + ", such as [[300, 0.5], [400, 0.7]]");
+    return refuse(k.key, *n,
+                  "expected a list of at least two pairs " + pair + ", such as [[300, 0.5], [400, 0.7]]");
   value.clear();
   for (const toml::node& e : *a) {
     const toml::array* p = e.as_array();
@@ -318,7 +327,7 @@ const toml::node* TableReader::node(const char* key, const char* unit, const cha
 void TableReader::readTable(const toml::node& n, const std::string& path,
                             const std::function<void(TableReader&)>& read) {
   const toml::table* t = n.as_table();
-  if (!t) return fail(placeOfNode(n), path + ": expected a table, got " + shown(n));
+  if (!t) return errors_->push_back({placeOfNode(n), path + ": expected a table, got " + shown(n)});
   TableReader r(*t, path, *errors_);
   read(r);
   r.finish();
@@ -340,7 +349,7 @@ void TableReader::eachTable(const char* key, const char* about,
   };
   if (n->is_table()) return readTable(*n, nameOf(*n, 0), read);
   const toml::array* a = n->as_array();
-  if (!a) return fail(key, "expected a table or a list of tables, got " + shown(*n));
+  if (!a) return refuse(key, *n, "expected a table or a list of tables, got " + shown(*n));
   std::size_t k = 0;
   for (const toml::node& e : *a) {
     readTable(e, nameOf(e, k), read);
@@ -373,12 +382,18 @@ void TableReader::eachNamedTable(const char* key, const char* about,
   const toml::node* n = get(key);
   if (!n) return;
   const toml::table* t = n->as_table();
-  if (!t) return fail(key, fmt::format("expected tables such as [{}.NAME], got {}", key, shown(*n)));
+  if (!t) return refuse(key, *n, fmt::format("expected tables such as [{}.NAME], got {}", key, shown(*n)));
   for (const auto& [name, node] : *t) {
     const std::string word(name.str());
     if (!node.is_table()) refused_.insert(key);
     readTable(node, named(key) + "." + word, [&](TableReader& r) { read(word, r); });
   }
+}
+
+std::vector<SourcePlace> TableReader::placesOfTable() const {
+  std::vector<SourcePlace> places{place()};
+  for (const auto& [key, where] : placesOfKeys()) places.push_back(where);
+  return places;
 }
 
 void TableReader::finish() {
@@ -390,8 +405,10 @@ void TableReader::finish() {
     const SourcePlace where = s.path ? SourcePlace{*s.path, static_cast<int>(s.begin.line),
                                                    static_cast<int>(s.begin.column)}
                                      : placeOfNode(node);
-    fail(where, fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_,
-                            suggestion(name, known_)));
+    errors_->push_back({where,
+                        fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_,
+                                    suggestion(name, known_)),
+                        SceneError::Kind::UnknownKey, path_, placesOfTable()});
   }
 }
 

@@ -25,6 +25,10 @@ namespace thaw {
 struct SceneError {
   SourcePlace where;
   std::string text;
+  /// Source: a value, an unknown key of a table, or a check of a table that assumes that its keys are known.
+  enum class Kind { Value, UnknownKey, Check } kind = Kind::Value;
+  std::string table{};                ///< path of the table of an unknown key or a check; "": the file
+  std::vector<SourcePlace> places{};  ///< places of the table of an unknown key and of all its values
 };
 
 /// Effect of a change of a key between a checkpoint and the run that continues it.
@@ -60,10 +64,13 @@ struct KeyForm {
   std::optional<Type> alternative{};  ///< a second form that the reader accepts
 };
 
+/// Words for defaults that are not values.
+inline constexpr const char *noDefault = "none", *defaultByScene = "by scene", *defaultRequired = "required";
+
 /// A key as docs/scene.md shows it, or with its value in a scene.
 struct KeyDescription {
   std::string table, key, unit, range;
-  std::string standard;  ///< default, or value, as in a scene file; "none" without one
+  std::string standard;  ///< default, or value, as in a scene file; or words for none
   std::string about;
   std::optional<Restart> restart{};  ///< none: a table, or a key of shapes, which have that of their table
   SourcePlace where{};               ///< table of a recorded key; without a line if unknown
@@ -86,6 +93,12 @@ class TableReader {
   void restart(Restart effect) { restart_ = effect; }
   /// Sets it for the next key alone. Before a table or a list it concerns their presence and order.
   TableReader& as(Restart effect) { return once_ = effect, *this; }
+  /// Describes the default of the next key by `words`, such as a value in another unit. It has no effect on
+  /// reading and recording.
+  TableReader& defaultAs(const char* words) { return default_ = words, *this; }
+  /// The same for a default that follows from the scene, and for a key that has none.
+  TableReader& byScene() { return defaultAs(defaultByScene); }
+  TableReader& needed() { return defaultAs(defaultRequired); }
   /// Describes a second form of the value of the next key.
   TableReader& orAs(KeyForm::Type alternative) { return alternative_ = alternative, *this; }
   const std::string& path() const { return path_; }
@@ -103,10 +116,13 @@ class TableReader {
     return table_ != nullptr && table_->get_as<toml::table>(key) != nullptr;
   }
   std::string textOf(const std::string& key) const;  ///< a text value, or ""
+  /// Adds an error of a check of this table.
   void fail(const SourcePlace& where, const std::string& text);
-  /// Adds an error at a key, with its path. A key gets one message: nothing is added if it, or one of
-  /// `others` on which the check depends, was refused before.
+  /// Adds an error of a check at a key, with its path. A key gets one message: nothing is added if it, or one
+  /// of `others` on which the check depends, was refused before.
   void fail(const std::string& key, const std::string& text, std::initializer_list<const char*> others = {});
+  /// Adds an error of the value of a key alone, with its path.
+  void refuseValue(const std::string& key, const std::string& text);
   bool refused(const std::string& key) const { return refused_.count(key) > 0; }
 
   // Each function reads a key into `value` if it exists, else leaves the default, which is described.
@@ -214,6 +230,7 @@ class TableReader {
   void readTable(const toml::node& node, const std::string& path,
                  const std::function<void(TableReader&)>& read);
   void refuse(const std::string& key, const toml::node& node, const std::string& text);
+  std::vector<SourcePlace> placesOfTable() const;
 
   static constexpr std::size_t mostRecorded = 100;  // elements of a list with keys of their own; for more of
                                                     // them the record would be too long
@@ -225,6 +242,7 @@ class TableReader {
   std::vector<KeyDescription>* keys_ = nullptr;
   std::optional<Restart> restart_, once_;
   std::optional<KeyForm::Type> alternative_;
+  const char* default_ = nullptr;
   SourcePlace where_;
   std::set<std::string> known_, refused_;
 };

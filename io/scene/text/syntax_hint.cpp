@@ -39,7 +39,7 @@ std::string syntaxHint(const std::string& text, int line, const std::string& com
     return "; the closing quote is missing on this line";
   std::smatch m;
   static const std::regex table(
-      R"(^\s*\[\s*(body|emitter|obstacle|wall|oriented|sheet|tempering|lamp|laser|heated_region)\s*\])"),
+      R"(^\s*\[\s*(body|emitter|obstacle|oriented|sheet|thermostat|lamp|laser|heated_region)\s*\])"),
       quantity(R"(=\s*([-+]?[0-9][-+0-9.eE_]*)\s*([A-Za-z%][^#,\]}]*))");
   if (std::regex_search(here, m, table))
     return "; a table of a list is written [[" + m.str(1) + "]], with two brackets";

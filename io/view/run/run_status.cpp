@@ -56,7 +56,7 @@ void setState(const fs::path& run, const Json& summary, Json& status) {
     }
   }
   if (written == "running") return set("killed", "killed: there is no lock", false);
-  if (written == "done" || written == "stopped" || written == "failed")
+  if (written == "done" || written == "stopped" || written == "failed" || written == "refused")
     return set(written.c_str(), message.empty() ? written : written + ": " + message, false);
   set("unknown", "there is no summary.json", false);
 }

@@ -6,10 +6,10 @@
 
 namespace thaw {
 
-/// Returns `state` ("running", "done", "stopped", "failed", "killed", "unknown"), `text` for it, `live`, and
-/// whether a stop is requested. Also the seconds since the last progress line, and that line by column.
-/// `summary` has the entries of summary.json except counters and times by phase. Missing and damaged files
-/// leave their entries out.
+/// Returns `state` ("running", "done", "stopped", "failed", "refused", "killed", "unknown"), `text` for it,
+/// `live`, and whether a stop is requested. Also the seconds since the last progress line, and that line by
+/// column. `summary` has the entries of summary.json except counters and times by phase. Missing and damaged
+/// files leave their entries out.
 nlohmann::ordered_json runStatus(const std::filesystem::path& run);
 
 }  // namespace thaw

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Functions of test extensions on lanes (kernels_isa.cpp).
 #pragma once
-#include "core/fluid/pair_sums/pair_force.hpp"
+#include "core/fluid/pair_sums/extension_pair_force.hpp"
 #include "core/materials/extension_law.hpp"
 
 namespace thaw::test {

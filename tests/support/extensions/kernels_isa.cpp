@@ -3,7 +3,7 @@
 // Neo-Hookean law, a spring with a dashpot between liquid particles, and a copy of the pairwise surface
 // tension.
 #include "core/fluid/laws/cohesion.hpp"
-#include "core/fluid/terms/pair_force_term.hpp"
+#include "core/fluid/terms/extension_pair_force_term.hpp"
 #include "core/solid/laws/extension_law_lanes.hpp"
 #include "core/solid/laws/neo_hookean.hpp"
 #include "tests/support/extensions/kernels.hpp"

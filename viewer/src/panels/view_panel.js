@@ -257,7 +257,7 @@ export class ViewPanel {
     });
   }
 
-  /// Shows the line that was copied, or is to be copied by hand.
+  /// Shows the line that was copied, or that the user must copy by hand.
   showCamera(line, copied) {
     this.camera.hidden = false;
     this.camera.value = line;

@@ -64,7 +64,7 @@ conductance = 50
 name = "cup"
 glass = { radius = 0.05, height = 0.1, thickness = 0.02 }
 place = { move = [0.3, 0.3, 0] }
-[[tempering]]
+[[thermostat]]
 material = "wax"
 temperature = 300
 [[lamp]]

@@ -202,7 +202,7 @@ TEST(StepLimits, HeatFollowsTheBetterConductor) {
   const double alone = heat();
   s.materials.push_back(s.materials[0]);
   s.materials[1].conductivity = {1e6, 1e6};
-  s.materials[1].heatCapacity = {1e12, 1e12};  // so that it does not set the limit itself
+  s.materials[1].heatCapacity = {1e12, 1e12};  // so that heat does not set the limit
   s.bodies.emplace_back();
   s.bodies[1].material = 1;
   EXPECT_NEAR(heat(), alone / 2, 1e-5 * alone);

@@ -166,8 +166,8 @@ TEST(RecordedKeys, ValuesAreThoseOfTheScene) {
     return at == keys.end() ? "" : at->standard;
   };
   EXPECT_EQ(valueOf("material.NAME.young"), "{ solid = 200000, liquid = 1000 }");
-  EXPECT_EQ(valueOf("tempering.0.temperature"), "321");
-  EXPECT_EQ(valueOf("tempering.0.material"), "\"NAME\"");
+  EXPECT_EQ(valueOf("thermostat.0.temperature"), "321");
+  EXPECT_EQ(valueOf("thermostat.0.material"), "\"NAME\"");
   EXPECT_EQ(valueOf("emitter.NAME.velocity"), "[\"x\", 0, 0]");
   EXPECT_EQ(valueOf("sheet.NAME.warp_in_time"), "[[0, 1]]");
   EXPECT_EQ(valueOf("oriented.NAME.event.2.along"), "[[0, 0, 0], [0, 0, 1]]");

@@ -21,7 +21,7 @@ Scene sample() {
   return s;
 }
 
-TEST(SceneMarks, AllowedChangesAreAccepted) {
+TEST(RestartRecord, AllowedChangesAreAccepted) {
   const CheckpointValues then = restartRecordOf(sample());
   Scene s = sample();
   EXPECT_TRUE(restartConflicts(then, s).empty());
@@ -35,7 +35,7 @@ TEST(SceneMarks, AllowedChangesAreAccepted) {
   EXPECT_TRUE(restartConflicts(then, s).empty());
 }
 
-TEST(SceneMarks, OtherChangesAreRefused) {
+TEST(RestartRecord, OtherChangesAreRefused) {
   const CheckpointValues then = restartRecordOf(sample());
   const auto refused = [&](auto&& change) {
     Scene s = sample();
@@ -54,7 +54,7 @@ TEST(SceneMarks, OtherChangesAreRefused) {
   EXPECT_TRUE(refused([](Scene& s) { s.emitters[0].rate = 2; }));
 }
 
-TEST(SceneMarks, BodyTypeCoefficientsMayChangeAndAreReported) {
+TEST(RestartRecord, BodyTypeCoefficientsMayChangeAndAreReported) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.oriented.emplace_back().name = "film";
@@ -72,7 +72,7 @@ TEST(SceneMarks, BodyTypeCoefficientsMayChangeAndAreReported) {
   EXPECT_FALSE(restartConflicts(then, s).empty());
 }
 
-TEST(SceneMarks, SourcesOfOrientedBodiesMayNotChange) {
+TEST(RestartRecord, SourcesOfOrientedBodiesMayNotChange) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   s.oriented[0].source = OrientedSource::Patch;
@@ -96,7 +96,7 @@ TEST(SceneMarks, SourcesOfOrientedBodiesMayNotChange) {
   EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].normal = true; }));
 }
 
-TEST(SceneMarks, AreReportedInTheWordsOfTheScene) {
+TEST(RestartRecord, AreReportedInTheWordsOfTheScene) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   s.oriented[0].source = OrientedSource::Control;
@@ -112,7 +112,7 @@ TEST(SceneMarks, AreReportedInTheWordsOfTheScene) {
   EXPECT_EQ(changes, std::vector<std::string>{"sheet.shell.elastic_limit: 0.01 m -> \"never\""});
 }
 
-TEST(SceneMarks, InitialStatesAreReportedAsWithoutEffect) {
+TEST(RestartRecord, InitialStatesAreReportedAsWithoutEffect) {
   Scene s = sample();
   for (Material& m : s.materials) m.soundSpeed = 10;
   s.oriented.emplace_back().name = "film";
@@ -128,7 +128,7 @@ TEST(SceneMarks, InitialStatesAreReportedAsWithoutEffect) {
   EXPECT_EQ(changes[1], "oriented.film.relax: 0 -> 7");
 }
 
-TEST(SceneMarks, AutomaticSoundSpeedIsACoefficient) {
+TEST(RestartRecord, AutomaticSoundSpeedIsACoefficient) {
   Scene s = sample();
   s.domain.gravity = {};
   const CheckpointValues then = restartRecordOf(s);
@@ -137,7 +137,7 @@ TEST(SceneMarks, AutomaticSoundSpeedIsACoefficient) {
   EXPECT_EQ(changes, std::vector<std::string>{"numerics.expected_speed: 1 -> 3 m/s"});
 }
 
-TEST(SceneMarks, MaterialCoefficientsAreReported) {
+TEST(RestartRecord, MaterialCoefficientsAreReported) {
   Scene s = sample();
   const CheckpointValues then = restartRecordOf(s);
   s.materials[0].young.solid = 2e5;
@@ -145,7 +145,7 @@ TEST(SceneMarks, MaterialCoefficientsAreReported) {
             std::vector<std::string>{"material.wax.young: 0 -> { solid = 200000, liquid = 0 } Pa"});
 }
 
-TEST(SceneMarks, ClampsMayNotChange) {
+TEST(RestartRecord, ClampsMayNotChange) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.sheets[0].clamp.emplace_back();
@@ -161,7 +161,7 @@ TEST(SceneMarks, ClampsMayNotChange) {
   EXPECT_TRUE(initialStateChanges(restartRecordOf(held), held).empty());
 }
 
-TEST(SceneMarks, SurfaceSettingsAreReported) {
+TEST(RestartRecord, SurfaceSettingsAreReported) {
   Scene s = sample();
   s.surface.on = true;
   const CheckpointValues then = restartRecordOf(s);
@@ -173,7 +173,7 @@ TEST(SceneMarks, SurfaceSettingsAreReported) {
 }
 
 /// Choices are reported by the words of the scene file.
-TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
+TEST(RestartRecord, ChoicesAreReportedByTheirWords) {
   Scene s = sample();
   s.surface.on = true;
   s.sheets.emplace_back().name = "cloth";
@@ -241,7 +241,7 @@ TEST(SceneMarks, ChoicesAreReportedByTheirWords) {
           "body.bust.torus.tube was not in the scene then"}));
 }
 
-TEST(SceneMarks, MessageNamesTheKeyAndBothValues) {
+TEST(RestartRecord, MessageNamesTheKeyAndBothValues) {
   Scene s = sample();
   const CheckpointValues then = restartRecordOf(s);
   s.spacing = 0.02;
@@ -249,7 +249,7 @@ TEST(SceneMarks, MessageNamesTheKeyAndBothValues) {
   EXPECT_EQ(restartConflicts(then, s)[0], "spacing: 0.01 -> 0.02 m");
 }
 
-TEST(SceneMarks, FractionsAreRoundedUnlessTheyThenAgree) {
+TEST(RestartRecord, FractionsAreRoundedUnlessTheyThenAgree) {
   Scene s = sample();
   s.spacing = 0.1 + 0.2;  // 0.30000000000000004
   CheckpointValues then = restartRecordOf(s);
@@ -259,7 +259,7 @@ TEST(SceneMarks, FractionsAreRoundedUnlessTheyThenAgree) {
   EXPECT_EQ(restartConflicts(then, s), std::vector<std::string>{"spacing: 0.30000000000000004 -> 0.3 m"});
 }
 
-TEST(SceneMarks, HalfSpacesAreComparedByPointAndNormal) {
+TEST(RestartRecord, HalfSpacesAreComparedByPointAndNormal) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.sheets[0].regions.emplace_back().shape.kind = ShapeKind::HalfSpace;
@@ -275,7 +275,7 @@ TEST(SceneMarks, HalfSpacesAreComparedByPointAndNormal) {
   EXPECT_EQ(restartConflicts(then, other).size(), 1u);
 }
 
-TEST(SceneMarks, MeshesAreComparedByContent) {
+TEST(RestartRecord, MeshesAreComparedByContent) {
   TriangleMesh cloth{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, moved = cloth, turned = cloth;
   moved.vertices[2].y = 1.1;
   turned.triangles[0] = {0, 2, 1};
@@ -294,7 +294,7 @@ TEST(SceneMarks, MeshesAreComparedByContent) {
   EXPECT_EQ(restartConflicts(then, sceneOf("/a/cloth.obj", turned)).size(), 1u);
 }
 
-TEST(SceneMarks, ExternalActionsAreReported) {
+TEST(RestartRecord, ExternalActionsAreReported) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
   s.sheets[0].brushes.emplace_back();
@@ -323,7 +323,7 @@ TEST(SceneMarks, ExternalActionsAreReported) {
   EXPECT_EQ(reported([](Scene& o) { o.materials[0].emissivity = 1; }), 1u);
 }
 
-TEST(SceneMarks, PastEventsAreReportedAsWithoutEffect) {
+TEST(RestartRecord, PastEventsAreReportedAsWithoutEffect) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   const CheckpointValues then = restartRecordOf(s);
@@ -338,7 +338,7 @@ TEST(SceneMarks, PastEventsAreReportedAsWithoutEffect) {
   EXPECT_FALSE(settingChanges(restartRecordOf(later), s, 1.5).empty());  // it was to happen and will not
 }
 
-TEST(SceneMarks, ChangesAmongManyBodiesAreFound) {
+TEST(RestartRecord, ChangesAmongManyBodiesAreFound) {
   Scene s = sample();
   for (int k = 0; k < 150; k++) s.bodies.emplace_back().name = "ball " + std::to_string(k);
   const CheckpointValues then = restartRecordOf(s);
@@ -350,7 +350,9 @@ TEST(SceneMarks, ChangesAmongManyBodiesAreFound) {
   EXPECT_EQ(initialStateChanges(then, other).size(), 1u);
 }
 
-TEST(SceneMarks, CheckpointWithoutRecordIsRefused) { EXPECT_FALSE(restartConflicts({}, sample()).empty()); }
+TEST(RestartRecord, CheckpointWithoutRecordIsRefused) {
+  EXPECT_FALSE(restartConflicts({}, sample()).empty());
+}
 
 }  // namespace
 }  // namespace thaw

@@ -39,9 +39,9 @@ struct Restored {
   std::size_t strange() { return checkpointMismatches(w, all).size(); }
 };
 
-TEST(FitsScene, AcceptsTheSceneItself) { EXPECT_EQ(Restored().strange(), 0u); }
+TEST(RestartValidation, AcceptsTheSceneItself) { EXPECT_EQ(Restored().strange(), 0u); }
 
-TEST(FitsScene, CountsVerticesBeyondTheMesh) {
+TEST(RestartValidation, CountsVerticesBeyondTheMesh) {
   Restored r;
   Sheets& s = r.w.sheets.rows;
   const auto with = [&](auto& value, auto other) {
@@ -59,7 +59,7 @@ TEST(FitsScene, CountsVerticesBeyondTheMesh) {
   EXPECT_EQ(r.strange(), 0u);
 }
 
-TEST(FitsScene, CountsMissingAnchorsAndBodies) {
+TEST(RestartValidation, CountsMissingAnchorsAndBodies) {
   Restored r;
   r.w.oriented.rows.anchor[0] = 1;
   EXPECT_EQ(r.strange(), 1u);
@@ -72,7 +72,7 @@ TEST(FitsScene, CountsMissingAnchorsAndBodies) {
   EXPECT_EQ(r.strange(), 1u);
 }
 
-TEST(FitsScene, CountsFutureCutsWithTheNumberOfAnEarlierOne) {
+TEST(RestartValidation, CountsFutureCutsWithTheNumberOfAnEarlierOne) {
   Restored r;
   r.w.oriented.rows.cutSides[0] = 2;
   EXPECT_EQ(r.strange(), 1u);

@@ -32,7 +32,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:8:9: error: oriented.0.place: is for shapes, patches and discs only: points, control and "
        "curve have positions of their own"},
       {patch + "[[oriented.anchor]]\nsphere = { radius = 0.1 }\nposition = false\n",
-       "s.toml:9:1: error: oriented.a.anchor.0: it holds nothing: expected position = true, normal = true, "
+       "s.toml:9:1: error: oriented.a.anchor.0: constrains nothing: expected position = true, normal = true, "
        "or both"},
       {patch + "[[oriented.event]]\nkind = \"weld\"\nother = \"a\"\n",
        "s.toml:9:1: error: oriented body 'a': it cannot be welded to itself: expected the name of another "
@@ -68,8 +68,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {cloth + "stiffness = 1\nplasticity = 0.5\n",
        "s.toml:9:14: error: sheet.0.plasticity: needs elastic_limit: without one all is elastic"},
       {cloth + "stiffness = 1\nelastic_limit = 0.01\n",
-       "s.toml:9:17: error: sheet.0.elastic_limit: needs plasticity, the permanent share of the displacement "
-       "beyond it"},
+       "s.toml:9:17: error: sheet.0.elastic_limit: has no effect without plasticity: set plasticity above 0"},
       {patch + "normals = [[0, 0, 1]]\n", "s.toml:9:11: error: oriented.a.normals: is for points only"},
       {patch + "sphere = { radius = 0.2 }\n",
        "s.toml:9:10: error: oriented.a.sphere: a second source of particles; give one of patch, disc, curve, "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep of an extension's pair force (core/fluid/pair_sums/pair_force.hpp). An extension includes this in
-// a source file that is compiled once per instruction set (thaw_instruction_sets() in CMake).
+// The sweep of an extension's pair force (core/fluid/pair_sums/extension_pair_force.hpp). An extension
+// includes this in a source file that is compiled once per instruction set (thaw_instruction_sets() in
+// CMake).
 //
 // A Law is made from PairConstants, and has
 //   static constexpr bool moves;  // whether it reads velocities
@@ -8,7 +9,7 @@
 // with L = Lanes<float> or Lanes<double>, eight pairs at once. Each factor must be symmetric in both
 // particles to the last bit, so that momentum is conserved.
 #pragma once
-#include "core/fluid/pair_sums/pair_force.hpp"
+#include "core/fluid/pair_sums/extension_pair_force.hpp"
 #include "core/fluid/terms/term.hpp"
 
 namespace thaw {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/run/body_type_suspect.hpp"
+#include "io/run/body_type_failure.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ std::string text(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})"
 
 }  // namespace
 
-std::string bodyTypeSuspect(const World& w, const StepTools& t, const StepOutcome& failed, Reducer& all) {
+std::string bodyTypeFailure(const World& w, const StepTools& t, const StepOutcome& failed, Reducer& all) {
   const Failure failure = failed.failure;
   const Limit limitedBy = failed.limitedBy;
   if (!w.modules.bodyTypes()) return {};

@@ -14,7 +14,7 @@ namespace thaw {
 /// the row, "" on the others. Names the row whose position or velocity is not finite. In scenes without
 /// continuum, or if the body type limits the step, it names the fastest row. Returns "" if no row failed.
 /// Collective; the same row on any number of ranks.
-std::string bodyTypeSuspect(const World& world, const StepTools& tools, const StepOutcome& failed,
+std::string bodyTypeFailure(const World& world, const StepTools& tools, const StepOutcome& failed,
                             Reducer& all);
 
 }  // namespace thaw

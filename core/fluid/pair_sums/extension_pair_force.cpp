@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/pair_sums/pair_force.hpp"
+#include "core/fluid/pair_sums/extension_pair_force.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces between pairs of liquid particles that extensions bring (core/domain/extensions.hpp). The pair
-// function is written once on lanes (core/fluid/terms/pair_force_term.hpp).
+// function is written once on lanes (core/fluid/terms/extension_pair_force_term.hpp).
 #pragma once
 #include <array>
 #include <functional>

@@ -14,7 +14,7 @@ struct RankSpread {
   double least = 0, mean = 0, most = 0;
 };
 
-struct TrafficSummary {
+struct CommunicationSummary {
   struct Of {
     RankSpread messages, bytes, waited;
   };  ///< per rank; waited in s
@@ -24,10 +24,10 @@ struct TrafficSummary {
   std::int64_t collectives = 0;                ///< largest over ranks
 };
 
-/// Returns the traffic since `before`. Collective.
-TrafficSummary gatherTraffic(const CommunicationStatistics& now, const CommunicationStatistics& before,
-                             Reducer& all);
+/// Returns the communication statistics since `before`. Collective.
+CommunicationSummary gatherCommunication(const CommunicationStatistics& now,
+                                         const CommunicationStatistics& before, Reducer& all);
 
-nlohmann::ordered_json trafficJson(const TrafficSummary& traffic);
+nlohmann::ordered_json communicationJson(const CommunicationSummary& summary);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/run/reports/traffic_summary.hpp"
+#include "io/run/reports/communication_summary.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -14,8 +14,8 @@ nlohmann::ordered_json json(const RankSpread& s) {
 
 }  // namespace
 
-TrafficSummary gatherTraffic(const CommunicationStatistics& now, const CommunicationStatistics& before,
-                             Reducer& all) {
+CommunicationSummary gatherCommunication(const CommunicationStatistics& now,
+                                         const CommunicationStatistics& before, Reducer& all) {
   std::vector<double> mine;
   const auto add = [&](const CommunicationStatistics::Sum& a, const CommunicationStatistics::Sum& b) {
     mine.push_back(static_cast<double>(a.messages - b.messages));
@@ -35,7 +35,7 @@ TrafficSummary gatherTraffic(const CommunicationStatistics& now, const Communica
   const auto spread = [&](std::size_t k) {
     return RankSpread{-least[k], static_cast<double>(sum[k]) * (k % 3 == 2 ? 1e-9 : 1) / all.size(), most[k]};
   };
-  TrafficSummary t;
+  CommunicationSummary t;
   for (std::size_t p = 0; p < purposes; p++) t.of[p] = {spread(3 * p), spread(3 * p + 1), spread(3 * p + 2)};
   const std::size_t total = 3 * purposes;
   t.messages = spread(total);
@@ -47,14 +47,14 @@ TrafficSummary gatherTraffic(const CommunicationStatistics& now, const Communica
   return t;
 }
 
-nlohmann::ordered_json trafficJson(const TrafficSummary& t) {
+nlohmann::ordered_json communicationJson(const CommunicationSummary& t) {
   nlohmann::ordered_json j;
   j["collectives"] = t.collectives;
   j["messages_per_rank"] = json(t.messages);
   j["bytes_per_rank"] = json(t.bytes);
   j["waited_s_per_rank"] = json(t.waited);
   for (std::size_t p = 0; p < purposes; p++) {
-    const TrafficSummary::Of& of = t.of[p];
+    const CommunicationSummary::Of& of = t.of[p];
     if (of.messages.most > 0 || of.waited.most > 0)
       j["of"][purposeName(static_cast<MessagesFor>(p))] = {{"messages_per_rank", of.messages.mean},
                                                            {"bytes_per_rank", of.bytes.mean},
