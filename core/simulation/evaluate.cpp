@@ -23,7 +23,7 @@
 #include "core/simulation/step.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/sums/solid_step.hpp"
-#include "core/simulation/world/rigidify_views.hpp"
+#include "core/simulation/views/rigidify_views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 

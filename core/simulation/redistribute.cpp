@@ -12,7 +12,7 @@
 #include "core/simulation/ledger/energy_left.hpp"
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 
 namespace thaw {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/simulation/step.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/step_reduction.hpp"
-#include "core/simulation/world/rigidify_views.hpp"
+#include "core/simulation/views/rigidify_views.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/frame_times.hpp"
 

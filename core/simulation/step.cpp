@@ -23,8 +23,8 @@
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/integrate.hpp"
-#include "core/simulation/world/rigidify_views.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/rigidify_views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 

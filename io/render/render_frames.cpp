@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "io/render/image/annotate.hpp"
-#include "io/render/image/parallel_for.hpp"
+#include "io/image/annotate.hpp"
+#include "io/image/parallel_for.hpp"
 #include "io/render/light/surface_normals.hpp"
 #include "io/render/obstacle_faces.hpp"
 

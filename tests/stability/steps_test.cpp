@@ -3,7 +3,7 @@
 #include "core/heat/heat.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/materials/enthalpy.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "tests/support/hashed.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/periodic_block.hpp"

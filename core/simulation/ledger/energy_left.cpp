@@ -10,8 +10,8 @@
 #include "core/materials/rest_density.hpp"
 #include "core/neighbours/rows_around.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/views.hpp"
 #include "core/simulation/world/world.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 

@@ -46,7 +46,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/time/limits.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/solid/elasticity/active_slots.hpp"
 #include "core/time/frame_times.hpp"
 

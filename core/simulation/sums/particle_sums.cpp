@@ -16,7 +16,7 @@
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/rigid/piece_joint.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 
 namespace thaw {
 ColumnList ghostColumns(World& w) {

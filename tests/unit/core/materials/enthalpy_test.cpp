@@ -5,7 +5,7 @@
 
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 
 namespace thaw::test {
 namespace {

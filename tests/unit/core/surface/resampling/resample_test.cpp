@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {

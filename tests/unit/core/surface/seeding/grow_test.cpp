@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/measures/measure.hpp"
 #include "core/surface/seeding/drop_sphere.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/advection/gather_particles.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/update_components.hpp"
