@@ -227,7 +227,7 @@ struct Numerics {
   bool selfContact = true;        // pieces of one solid collide with each other
   double maxDensityError = 0.01;  // 1, compression that the automatic sound speed allows
   OverlapRule overlap = OverlapRule::Error;
-  // Time step factors (docs/validation/stability.md B10).
+  // Time step factors (docs/validation/stability.md, row 10).
   double fixedStep = 0;    // s; 0: the largest step that the limits allow
   double maxStep = never;  // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25,

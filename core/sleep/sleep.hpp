@@ -4,7 +4,7 @@
 // numerics.sleep_speed.
 //
 // A particle is at rest in a step if it is solid, slower than sleep_speed, accelerates by less than
-// sleep_speed / sleep_after and warms by less than sleep_heating. Continuum::calm is its rest time. If
+// sleep_speed / sleep_after and warms by less than sleep_heating. Continuum::restTime is its rest time. If
 // everything in the 27 surrounding cells has a rest time of sleep_after, it falls asleep in three stages:
 //   1  Its velocity is set to 0 (recorded as dissipated); position and temperature are fixed. Forces are
 // still computed and can wake it.

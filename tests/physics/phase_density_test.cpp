@@ -76,7 +76,7 @@ double residualOf(const LedgerReport& r) { return std::abs(r.energyResidual) / r
 
 }  // namespace
 
-TEST(PhaseDensity, volumesOfBothPhasesAddUp) {
+TEST(PhaseDensity, VolumesOfBothPhasesAddUp) {
   Material m = ice();
   EXPECT_EQ(targetRestDensity(m, Solid, 0), 917);
   EXPECT_EQ(targetRestDensity(m, Solid, 0.7), 917) << "a solid keeps its volume until it melts";
@@ -88,7 +88,7 @@ TEST(PhaseDensity, volumesOfBothPhasesAddUp) {
   EXPECT_EQ(targetRestDensity(m, Liquid, 0.3), 1000);
 }
 
-TEST(PhaseDensity, onlyScenesWithSolidsOfAnotherDensityHaveTheField) {
+TEST(PhaseDensity, OnlyScenesWithSolidsOfAnotherDensityHaveTheField) {
   Scene s = column(ice(), 4, 260);
   s.end = 1;
   EXPECT_TRUE(Simulation(s).particles().restDensity.active);
@@ -99,7 +99,7 @@ TEST(PhaseDensity, onlyScenesWithSolidsOfAnotherDensityHaveTheField) {
   EXPECT_FALSE(Simulation(s).particles().restDensity.active) << "nothing can freeze without heat";
 }
 
-TEST(PhaseDensity, bothPhasesStartWithTheVolumeOfACell) {
+TEST(PhaseDensity, BothPhasesStartWithTheVolumeOfACell) {
   Scene s = column(ice(), 4, 260);
   addBox(s, {0, 0, 4 * dx}, {6 * dx, 6 * dx, 8 * dx}).temperature = 300;
   s.materials[0].conductivity = {1, 1};
@@ -127,7 +127,7 @@ double growthOfMelt(const Material& m, const Numerics& n, double& residual) {
   return after / before;
 }
 
-TEST(PhaseDensity, meltGrowsByTheRatioOfDensities) {
+TEST(PhaseDensity, MeltGrowsByTheRatioOfDensities) {
   Material wax = ice();
   wax.solidDensity = 900;
   wax.density = 780;
@@ -154,7 +154,7 @@ double growthOfSolid(Material m, double& residual) {
   return after / before;
 }
 
-TEST(PhaseDensity, freezingMeltShrinksOrGrowsByTheRatioOfDensities) {
+TEST(PhaseDensity, FreezingMeltShrinksOrGrowsByTheRatioOfDensities) {
   double residual = 1;
   EXPECT_NEAR(growthOfSolid(ice(), residual), 1 / 0.917, 0.01);
   EXPECT_LT(residual, 0.01);
@@ -217,7 +217,7 @@ struct Tank {
   }
 };
 
-TEST(PhaseDensity, iceFloatsInItsMeltAndTheLevelStaysWhenItMelts) {
+TEST(PhaseDensity, IceFloatsInItsMeltAndTheLevelStaysWhenItMelts) {
   Tank tank;
   const double mass = totalMass(tank.sim.w, tank.sim.all);
   EXPECT_NEAR(tank.meanUntil(0.4, 1, [&] { return tank.draught(); }), 0.917, 0.02 * 0.917);

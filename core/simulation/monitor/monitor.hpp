@@ -41,7 +41,7 @@ Failure checkEnergyBudget(const World& world, const MonitorLimits& bounds, const
 /// Returns the factor of the next step, one step closer to 2^-halvings.
 double nextFactor(const MonitorState& watch);
 
-/// Accepts the state as a snapshot. After MonitorState::patience snapshots since the latest failure, and past
+/// Accepts the state as a snapshot. After MonitorState::requiredSnapshots snapshots since the latest failure, and past
 /// the time MonitorState::passed, the step doubles and the number of counted failures decreases.
 void acceptState(World& world, const LedgerReport& budget);
 

@@ -61,7 +61,7 @@ double largestViscosity(const Scene& s, const Material& m) {
 }
 
 /// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
-/// velocity change depends on their own mass alone (docs/validation/stability.md B12). Between liquids of the
+/// velocity change depends on their own mass alone (docs/validation/stability.md, row 12). Between liquids of the
 /// pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as large.
 /// Yet the fastest wave among equal particles, with opposite motion of neighbours, is as fast
 /// (tests/stability: LightParticlesInAThickLiquid). The arithmetic mean of the printed form has no such
@@ -90,7 +90,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
     const Material& m = s.materials[k];
     // A wider support does not soften the lattice: supports beyond 2 spacings count as 2. A light particle,
     // liquid or solid, among those of a stiffer liquid oscillates with their stiffness and its own mass
-    // (docs/validation/stability.md B12).
+    // (docs/validation/stability.md, row 12).
     if (stiffest > 0 && !modules.incompressible) {
       const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0,
                    near = std::sqrt(stiffest / leastDensityOf(m));

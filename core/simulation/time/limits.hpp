@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The largest stable time step (docs/validation/stability.md B10; M92, MFZ97).
+// The largest stable time step (docs/validation/stability.md, row 10; M92, MFZ97).
 #pragma once
 #include "core/materials/liquid_materials.hpp"
 #include "core/simulation/time/step_limits.hpp"

@@ -60,7 +60,7 @@ double returnTo(const RadialPath& path, double target, double high, double most)
 }
 
 /// Returns true if the stress is certainly below the yield stress, which saves the eigenvalues. The factor
-/// bounds |dev sigma|/2G over |dev E| for all built-in laws (test Plasticity.WhatIsNotLookedAtIsBelowYield).
+/// bounds |dev sigma|/2G over |dev E| for all built-in laws (test Plasticity.SkippedGroupsAreBelowYield).
 bool surelyBelow(const ElasticConstants& c, const Sym3d& strain, double yield) {
   const double size = norm(strain);
   return size < 0.1 && norm(deviator(strain)) * (c.mu + (8 * c.mu + 4 * c.lambda) * size) < yield * c.mu;

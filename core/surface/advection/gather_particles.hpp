@@ -15,7 +15,7 @@ void gatherParticles(const SurfaceView& view, int rank);
 /// displacement gradients.
 void fadeFill(SurfaceParticles& particles);
 
-/// Sets Continuum::surfaceShare to 1 for molten particles of shape-sampled bodies. Call it before particles
+/// Sets Continuum::surfaceVolumeRatio to 1 for molten particles of shape-sampled bodies. Call it before particles
 /// are gathered for an update.
 void resetMeltedShares(const Scene& scene, Continuum& particles);
 

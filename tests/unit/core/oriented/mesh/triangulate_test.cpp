@@ -161,7 +161,7 @@ TEST(PointTree, NearestEqualAPlainSearch) {
   }
 }
 
-TEST(GivenSurface, NormalsOfASphereAllPointOutward) {  // B17
+TEST(GivenSurface, NormalsOfASphereAllPointOutward) {  // stability row 17
   const std::vector<Vec3d> points = onSphere(400), normals = normalsOf(points);
   for (std::size_t k = 0; k < points.size(); k++) EXPECT_GT(dot(points[k], normals[k]), 0.98);
 }

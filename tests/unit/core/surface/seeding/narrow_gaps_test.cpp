@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces of one solid that are closer to each other than the width of the colour field
-// (docs/validation/stability.md B20, B22).
+// (docs/validation/stability.md, rows 20 and 22).
 #include "core/surface/seeding/narrow_gaps.hpp"
 
 #include <gtest/gtest.h>
