@@ -181,7 +181,7 @@ std::vector<Figure> measureLaplace(Trial& r) {
           {"mismatch of forces", in.mismatch / (sigma * w.scene.spacing)}};
 }
 
-/// Second mode: omega^2 = 8 sigma / (rho R^3), damped at 5 nu / R^2 (Lamb 1932, art. 275 and 355).
+/// Second mode: omega^2 = 8 sigma / (rho R^3), damped at 5 nu / R^2 (L32, art. 275 and 355).
 struct SecondMode {
   double omega, damping, rest;  // rad/s, 1/s, s of damping before the mode starts
   explicit SecondMode(Trial& r) {

@@ -70,7 +70,7 @@ struct Material {
   double hardening = 0;             // Pa, d(yield stress)/d(equivalent plastic strain)
   double maxPlasticStrain = never;  // 1, gamma_max: norm of the logarithmic plastic strain
   double volumeStiffness = 0;       // Pa, k_v of the volume force (MKN04)
-  double hourglass = 1.25;  // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015); 1.25 also
+  double hourglass = 1.25;  // 1, alpha of the penalty on zero-energy modes (G15); 1.25 also
                             // compensates the error of short waves (elastic.hpp)
   double breakStretch = never;  // 1, stretch above which a bond breaks
   double damping = 0;           // 1/s, decay rate of velocity differences between bonded particles
@@ -207,7 +207,7 @@ struct Numerics {
   PairForm pressure = PairForm::Consistent;
   DensityForm density = DensityForm::Summation;
   bool correctedGradients = true;  // for the continuity form
-  double densityDiffusion = 0.1;   // 1, for the continuity form: delta of Molteni & Colagrossi 2009
+  double densityDiffusion = 0.1;   // 1, for the continuity form: delta of MC09
   double shifting = 0;             // 1, shifting velocity towards lower concentration over c h |grad C|
   EquationOfState eos = EquationOfState::Linear;
   double tensileLimit = 0;  // 1, fraction of negative pressure that is kept (0: clamped at 0)

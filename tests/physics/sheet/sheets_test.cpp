@@ -51,8 +51,7 @@ TEST(Sheets, ForcesAreGradientsOfEnergies) {
 }
 
 /// A stretched net that is released oscillates at the scale of its mesh, the worst case for the energy
-/// budget. Leap-frog conserves a modified energy (Hairer, Lubich & Wanner 2006, "Geometric Numerical
-/// Integration", IX.3), which differs by dt^2 (v U'' v / 12 - f^2 / 24 m). The residual equals that
+/// budget. Leap-frog conserves a modified energy (HLW06, IX.3), which differs by dt^2 (v U'' v / 12 - f^2 / 24 m). The residual equals that
 /// difference up to fourth order, so no entry is missing.
 TEST(Sheets, SpringResidualIsTheLeapFrogEnergy) {
   double worst[2];
