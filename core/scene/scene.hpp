@@ -70,13 +70,13 @@ struct Material {
   double hardening = 0;             // Pa, d(yield stress)/d(equivalent plastic strain)
   double maxPlasticStrain = never;  // 1, gamma_max: norm of the logarithmic plastic strain
   double volumeStiffness = 0;       // Pa, k_v of the volume force (MKN04)
-  double hourglass = 1.25;  // 1, alpha of the penalty on zero-energy modes (G15); 1.25 also
-                            // compensates the error of short waves (elastic.hpp)
-  double breakStretch = never;  // 1, stretch above which a bond breaks
-  double damping = 0;           // 1/s, decay rate of velocity differences between bonded particles
-  bool weld = false;            // solids of this material weld where they touch
-  double friction = 0.3;        // 1, Coulomb, between separate solids
-  double restitution = 0.5;     // 1, of contacts between separate solids
+  double hourglass = 1.25;          // 1, alpha of the penalty on zero-energy modes (G15); 1.25 also
+                                    // compensates the error of short waves (elastic.hpp)
+  double breakStretch = never;      // 1, stretch above which a bond breaks
+  double damping = 0;               // 1/s, decay rate of velocity differences between bonded particles
+  bool weld = false;                // solids of this material weld where they touch
+  double friction = 0.3;            // 1, Coulomb, between separate solids
+  double restitution = 0.5;         // 1, of contacts between separate solids
   // heat
   Blend conductivity{0, 0};                  // W/(m K)
   Blend heatCapacity{1000, 1000};            // J/(kg K)

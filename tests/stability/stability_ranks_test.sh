@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Rows 29 and 30 of docs/validation/stability.md. Row 29: ranks without particles, one particle on four ranks,
 # all particles on one rank, a scene that begins empty. No deadlock, no minimum of an empty set, and the bits
-# of one rank. Row 30: a ring and a long bar across all ranks stay in one piece, bit by bit, and break into the
-# same pieces.
+# of one rank. Row 30: a ring and a long bar across all ranks stay in one piece, bit by bit, and break into
+# the same pieces.
 . "$(dirname "$0")/../support/run.sh"
 
 steps=100000
@@ -68,7 +68,9 @@ printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "wax"\n'\
 # all particles leave
 printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "water"\nvelocity = [-20, 0, 0]\n'\
 'place = { move = [-0.45, 0, 0.1] }\n' "$head" >"$work/row29_all_leave.toml"
-for scene in row29_one_liquid row29_one_solid row29_none_at_first row29_all_in_a_corner; do same $scene 2 4; done
+for scene in row29_one_liquid row29_one_solid row29_none_at_first row29_all_in_a_corner; do
+  same $scene 2 4
+done
 same row29_all_leave 4
 # one piece over all ranks; the bar is hit hard enough to break
 printf '%s[[body]]\ntorus = { radius = 0.2, tube = 0.02 }\nmaterial = "wax"\n'\

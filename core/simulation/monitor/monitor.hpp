@@ -41,8 +41,8 @@ Failure checkEnergyBudget(const World& world, const MonitorLimits& bounds, const
 /// Returns the factor of the next step, one step closer to 2^-halvings.
 double nextFactor(const MonitorState& watch);
 
-/// Accepts the state as a snapshot. After MonitorState::requiredSnapshots snapshots since the latest failure, and past
-/// the time MonitorState::passed, the step doubles and the number of counted failures decreases.
+/// Accepts the state as a snapshot. After MonitorState::requiredSnapshots snapshots since the latest failure,
+/// and past the time MonitorState::passed, the step doubles and the number of counted failures decreases.
 void acceptState(World& world, const LedgerReport& budget);
 
 /// Returns true if a failed run may retry with half the step: not after Numerics::retries, and not with a

@@ -61,9 +61,9 @@ double largestViscosity(const Scene& s, const Material& m) {
 }
 
 /// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
-/// velocity change depends on their own mass alone (docs/validation/stability.md, row 12). Between liquids of the
-/// pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as large.
-/// Yet the fastest wave among equal particles, with opposite motion of neighbours, is as fast
+/// velocity change depends on their own mass alone (docs/validation/stability.md, row 12). Between liquids of
+/// the pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as
+/// large. Yet the fastest wave among equal particles, with opposite motion of neighbours, is as fast
 /// (tests/stability: LightParticlesInAThickLiquid). The arithmetic mean of the printed form has no such
 /// bound; solids interact with liquids only.
 double viscosityOfStep(const Scene& s, std::size_t k, double mu) {

@@ -15,8 +15,8 @@ void gatherParticles(const SurfaceView& view, int rank);
 /// displacement gradients.
 void fadeFill(SurfaceParticles& particles);
 
-/// Sets Continuum::surfaceVolumeRatio to 1 for molten particles of shape-sampled bodies. Call it before particles
-/// are gathered for an update.
+/// Sets Continuum::surfaceVolumeRatio to 1 for molten particles of shape-sampled bodies. Call it before
+/// particles are gathered for an update.
 void resetMeltedShares(const Scene& scene, Continuum& particles);
 
 /// Returns components (and fills) of the copies to the particles, records current positions as those of the

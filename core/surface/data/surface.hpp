@@ -59,7 +59,7 @@ struct SurfaceCounters {
   std::int64_t updates = 0, iterations = 0, births = 0, deaths = 0, splits = 0, merges = 0;
   std::int64_t lost = 0;         ///< deleted surfels without particles around (stability row 15)
   std::int64_t flipped = 0;      ///< normals that pointed against the colour field (stability row 16)
-  std::int64_t keptNormals = 0;  ///< neighbourhoods without a plane, whose normals were kept (stability row 23)
+  std::int64_t keptNormals = 0;  ///< neighbourhoods without a plane, with kept normals (stability row 23)
   std::int64_t capped = 0;       ///< updates with more births than allowed (stability row 18)
   std::int64_t unfinished = 0;   ///< updates that ended at the largest number of iterations
 };

@@ -38,9 +38,9 @@ bool volumesDeviate(const Surface& surface, bool start);
 /// each update would draw the surface back to its level.
 void listIsoOffsets(const Scene& scene, const Surface& surface, std::vector<ComponentIsoOffset>& isoOffset);
 
-/// Records Continuum::surfaceVolumeRatio at the start, and the share of the copies: the volume of the surfaces of
-/// sampled bodies over that of their particles, 1 for other bodies. Requires: measured Surface::components;
-/// particle copies. Collective.
+/// Records Continuum::surfaceVolumeRatio at the start, and the share of the copies: the volume of the
+/// surfaces of sampled bodies over that of their particles, 1 for other bodies. Requires: measured
+/// Surface::components; particle copies. Collective.
 void recordStartVolumes(const Scene& scene, Continuum& particles, Surface& surface, SurfaceHalos halos);
 
 }  // namespace thaw

@@ -51,8 +51,8 @@ TEST(Sheets, ForcesAreGradientsOfEnergies) {
 }
 
 /// A stretched net that is released oscillates at the scale of its mesh, the worst case for the energy
-/// budget. Leap-frog conserves a modified energy (HLW06, IX.3), which differs by dt^2 (v U'' v / 12 - f^2 / 24 m). The residual equals that
-/// difference up to fourth order, so no entry is missing.
+/// budget. Leap-frog conserves a modified energy (HLW06, IX.3), which differs by dt^2 (v U'' v / 12 - f^2 /
+/// 24 m). The residual equals that difference up to fourth order, so no entry is missing.
 TEST(Sheets, SpringResidualIsTheLeapFrogEnergy) {
   double worst[2];
   for (const bool half : {false, true}) {
