@@ -155,7 +155,7 @@ std::vector<Case> beamCases() {
            measureFrequency},
           {"cantilever_modes",
            "the same beam shaken at random: no lines between bending and torsion "
-           "(docs/validation/stability.md B2)",
+           "(docs/validation/stability.md, row 2)",
            nullptr,
            {},
            shake,
