@@ -119,10 +119,10 @@ double growthOfMelt(const Material& m, const Numerics& n, double& residual) {
   s.numerics = n;
   s.end = 1.5;
   Simulation sim(s);
-  const double before = meanHeight(sim.particles()), mass = totalMass(sim.w, sim.all);
+  const double before = meanHeight(sim.particles()), mass = totalMass(sim.w.particles, sim.all);
   const double after = finalMeanHeight(sim);
   EXPECT_EQ(sim.w.counters.melted, static_cast<std::int64_t>(sim.particles().owned));
-  EXPECT_EQ(totalMass(sim.w, sim.all), mass);
+  EXPECT_EQ(totalMass(sim.w.particles, sim.all), mass);
   residual = residualOf(sim.ledgerReport());
   return after / before;
 }
@@ -192,7 +192,7 @@ struct Tank {
     s.end = 2.4;
     return s;
   }
-  Tank() : sim(scene()), exactLevel(totalMass(sim.w, sim.all) / 1000 / area) {}
+  Tank() : sim(scene()), exactLevel(totalMass(sim.w.particles, sim.all) / 1000 / area) {}
 
   /// Draught of the cube over its edge, where the water fills the tank up to its level around the cube.
   double draught() {
@@ -219,12 +219,12 @@ struct Tank {
 
 TEST(PhaseDensity, IceFloatsInItsMeltAndTheLevelStaysWhenItMelts) {
   Tank tank;
-  const double mass = totalMass(tank.sim.w, tank.sim.all);
+  const double mass = totalMass(tank.sim.w.particles, tank.sim.all);
   EXPECT_NEAR(tank.meanUntil(0.4, 1, [&] { return tank.draught(); }), 0.917, 0.02 * 0.917);
   const double level = tank.meanUntil(2, 2.4, [&] { return 2 * meanHeight(tank.sim.particles()); });
   EXPECT_EQ(tank.sim.w.counters.melted, 1000);
   EXPECT_NEAR(level, tank.exactLevel, 0.005 * tank.exactLevel);
-  EXPECT_EQ(totalMass(tank.sim.w, tank.sim.all), mass);
+  EXPECT_EQ(totalMass(tank.sim.w.particles, tank.sim.all), mass);
   EXPECT_LT(residualOf(tank.sim.ledgerReport()), 0.01);
 }
 

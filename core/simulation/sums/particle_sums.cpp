@@ -42,8 +42,7 @@ ColumnList ghostColumns(World& w) {
   return c;
 }
 
-void clearRates(World& w, bool pairsSet) {
-  Continuum& p = w.particles;
+void clearRates(Continuum& p, bool pairsSet) {
   std::fill_n(p.interaction.data(), p.owned, 0.0);
   if (!pairsSet) {
     std::fill_n(p.force.data(), p.owned, Vec3d{});
@@ -151,19 +150,16 @@ void sumContactHeat(const World& w, StepTools& t, const PairSums& sums, GroupRan
   addContactHeat(sums, t.contactHeat, range);
 }
 
-}  // namespace
-
-void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
-  Continuum& p = w.particles;
+/// Packs the records of a density pass, and searches the neighbours of its rows.
+void searchNeighbours(World& w, StepTools& t, Part part) {
+  const Continuum& p = w.particles;
   const RecordContext x = recordContext(w, t);
-  NeighbourLists& lists = w.neighbours;
-  const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
-  if (pass == NeighbourPass::InnerDensity) {
+  if (part == Part::Inner) {
     resizeRecords(x, p.owned + t.ghostRoom, t.records);
     for (const RowSpan& rows : rowsToSee(w.modules, p, t.sleep))
       packRecords(x, p, rows.begin, rows.end, t.records);
     searchInner(w, t);
-  } else if (pass == NeighbourPass::BoundaryDensity) {
+  } else {
     if (p.ghosts > t.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to rows
                                    // that are now ghosts
       t.ghostRoom = p.ghosts + p.ghosts / 8;
@@ -174,20 +170,24 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     search(w, t, Part::Boundary);
     t.times.lap(StepPhase::Search);
   }
-  const bool inner = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces;
-  const GroupRange range{inner ? 0 : lists.innerGroups, inner ? lists.innerGroups : lists.groups};
-  if (density) {
-    if (w.modules.fluid) {
-      PairSums sums = pairSumsOf(w, t);
-      const CarryContext context = carryContext(w, t, elapsed);
-      CarryStep carry;
-      if (sums.carried) carry = carryStepOf(context), sums.carry = &carry;
-      t.kernels->density(sums, range);
-    }
-    if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);
-    t.times.lap(StepPhase::Density);
-    return;
+}
+
+/// elapsed: s, last step, over which liquids carry their density.
+void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
+  if (w.modules.fluid) {
+    PairSums sums = pairSumsOf(w, t);
+    const CarryContext context = carryContext(w, t, elapsed);
+    CarryStep carry;
+    if (sums.carried) carry = carryStepOf(context), sums.carry = &carry;
+    t.kernels->density(sums, range);
   }
+  if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);
+  t.times.lap(StepPhase::Density);
+}
+
+void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
+  Continuum& p = w.particles;
+  const RecordContext x = recordContext(w, t);
   if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
     pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records)
                                        : packPressure(x, p, p.owned, p.size(), t.records);
@@ -221,6 +221,18 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   if (pass == NeighbourPass::BoundaryForces && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
   t.times.lap(StepPhase::Forces);
+}
+
+}  // namespace
+
+void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
+  const bool inner = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces;
+  const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
+  if (density) searchNeighbours(w, t, inner ? Part::Inner : Part::Boundary);
+  const NeighbourLists& lists = w.neighbours;
+  const GroupRange range{inner ? 0 : lists.innerGroups, inner ? lists.innerGroups : lists.groups};
+  if (density) sumDensities(w, t, range, elapsed);
+  else sumForces(w, t, pass, range);
 }
 
 namespace {
@@ -326,8 +338,7 @@ void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
 namespace {
 
 /// Modules for the packing of bodies, independent of the scene's.
-Modules packingModules(const World& w) {
-  Modules m = w.modules;
+Modules packingModules(Modules m) {
   m.fluid = m.neighbours = true;
   m.heat = m.melting = m.uniform = false;
   return m;
@@ -345,7 +356,7 @@ PairSums packingSums(World& w, StepTools& t) {
 
 void sumUnitPressure(World& w, StepTools& t) {
   Continuum& p = w.particles;
-  const Modules modules = packingModules(w);
+  const Modules modules = packingModules(w.modules);
   const RecordContext x{w.scene, modules, w.grid, t.liquids};
   resizeRecords(x, p.size(), t.records);
   packRecords(x, p, 0, p.size(), t.records);
@@ -369,7 +380,7 @@ void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
   const PairSums s = packingSums(w, t);
   t.kernels->density(s, all);
   refresh(halo, p, ColumnList{&p.relativeDensity}).wait();
-  const Modules modules = packingModules(w);
+  const Modules modules = packingModules(w.modules);
   setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.records);
   std::fill_n(p.force.data(), p.owned, Vec3d{});
   t.kernels->forces(s, all);

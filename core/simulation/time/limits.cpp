@@ -148,8 +148,7 @@ double largestViscosityHere(const World& w, std::size_t material) {
 
 }  // namespace
 
-LargestRates largestRates(const World& w) {
-  const Continuum& p = w.particles;
+LargestRates largestRates(const Continuum& p) {
   LargestRates largest;
   for (std::size_t i = 0; i < p.owned; i++) {
     largest.speed2 = std::max(largest.speed2, dot(p.velocity[i], p.velocity[i]));
