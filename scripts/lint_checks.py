@@ -42,7 +42,7 @@ def known(name):
 
 def longLines(files):
     for file in files:
-        if not (isCpp(file) or isScript(file)):
+        if not (isCpp(file) or isScript(file) or file.endswith('.toml')):
             continue
         for number, line in enumerate(readLines(file), 1):
             if len(line) > MOST_COLUMNS and not re.search(r'https?://\S{60}', line):

@@ -78,15 +78,18 @@ plantTree
 sed -i 1d "$dir/tree/$square"
 printf '#!/bin/sh\necho\n' >"$dir/tree/scripts/say"
 printf 'project(tree)\n' >"$dir/tree/CMakeLists.txt"
+printf 'name: ci\n' >"$dir/tree/scripts/ci.yml"
 lint
 finds 'a header without an SPDX line' "^$square:1: no line \"// $licence\" at the top"
 finds 'a script without an SPDX line' "^scripts/say:1: no line \"# $licence\" at the top"
 finds 'a CMake list without an SPDX line' '^CMakeLists.txt:1: no line'
+finds 'a recipe without an SPDX line' '^scripts/ci.yml:1: no line'
 "$dir/tree/scripts/lint" --fix
 passes 'SPDX lines that --fix has added'
 begins "$square" "// $licence" '// Squares (docs/page.md).'
 begins scripts/say '#!/bin/sh' "# $licence" echo
 begins CMakeLists.txt "# $licence" 'project(tree)'
+begins scripts/ci.yml "# $licence" 'name: ci'
 "$dir/tree/scripts/lint" --fix
 begins scripts/say '#!/bin/sh' "# $licence" echo
 begins core/heat/heat.cpp "// $licence" "#include \"$square\""
