@@ -37,6 +37,14 @@ install(DIRECTORY python/thaw DESTINATION ${THAW_PYTHON_DIR} COMPONENT python OP
 install(FILES ${PROJECT_BINARY_DIR}/generated/_version.py DESTINATION ${THAW_PYTHON_DIR}/thaw COMPONENT
   python)
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/thaw OPTIONAL)
+# Results of the accuracy suite, which `thaw check` reads: beside the program in the build, and installed.
+install(FILES docs/accuracy/frontier.csv DESTINATION ${CMAKE_INSTALL_DATADIR}/thaw)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/thaw)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/docs/accuracy/frontier.csv
+  ${PROJECT_BINARY_DIR}/share/thaw/frontier.csv SYMBOLIC)
+file(RELATIVE_PATH data_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/thaw)
+set_source_files_properties(io/commands/check/frontier_file.cpp PROPERTIES COMPILE_DEFINITIONS
+  THAW_DATA_FOLDER="${data_folder}")
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/thaw)

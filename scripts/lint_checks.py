@@ -24,6 +24,8 @@ from lint_files import (
     trackedFiles,
     withoutComments,
 )
+from lint_includes import circles, upwardIncludes
+from lint_names import unknownMembers, unknownPapers, unknownTests, unstyledTests
 
 MOST_COLUMNS = 110
 MOST_FILES = 30
@@ -40,7 +42,7 @@ def known(name):
 
 def longLines(files):
     for file in files:
-        if not (isCpp(file) or isScript(file)):
+        if not (isCpp(file) or isScript(file) or file.endswith('.toml')):
             continue
         for number, line in enumerate(readLines(file), 1):
             if len(line) > MOST_COLUMNS and not re.search(r'https?://\S{60}', line):
@@ -52,37 +54,6 @@ def withoutLicence(files):
         expected = licenceLine(file)
         if expected and expected not in readLines(file)[:2]:
             yield file, 1, 'files', f'no line "{expected}" at the top: run scripts/lint --fix'
-
-
-def levels():
-    lines = (ROOT / 'core/include_order.txt').read_text().splitlines()
-    return [line for line in lines if line and not line.startswith('#')]
-
-
-def level(order, path):
-    fits = [entry for entry in order if path == entry or path.startswith(entry + '/')]
-    return order.index(max(fits, key=len)) if fits else None
-
-
-def upwardIncludes(files):
-    order = levels()
-    for file in filter(isCpp, files):
-        for number, line in enumerate(readLines(file), 1):
-            include = re.match(r'\s*#include "([^"]+)"', line)
-            if not include:
-                continue
-            own, other = level(order, file), level(order, include[1])
-            if own is None or other is None:
-                lost = file if own is None else include[1]
-                yield file, number, None, f'{lost} is under no entry of core/include_order.txt'
-            elif other > own:
-                yield (
-                    file,
-                    number,
-                    f'{file} {include[1]}',
-                    f'includes {include[1]}: '
-                    f'{order[other]} is above {order[own]} (core/include_order.txt)',
-                )
 
 
 def fullFolders(files):
@@ -296,6 +267,7 @@ CHECKS = {
         upwardIncludes,
         f'Includes against core/include_order.txt: count, file and include. {SHRINKS}',
     ),
+    'circles': (circles, None),
     'folders': (fullFolders, f'Source files above {MOST_FILES} in a folder: count and folder. {SHRINKS}'),
     'functions': (
         longFunctions,
@@ -307,6 +279,10 @@ CHECKS = {
         f'zero: count and file. {SHRINKS}',
     ),
     'links': (deadLinks, None),
+    'papers': (unknownPapers, None),
+    'members': (unknownMembers, None),
+    'tests': (unknownTests, None),
+    'test_names': (unstyledTests, None),
     'references': (
         deadReferences,
         f'References in comments to files that do not exist: count, file and name. {SHRINKS}',

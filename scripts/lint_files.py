@@ -47,7 +47,10 @@ def isScript(file):
 
 def licenceLine(file):
     """The line of a file that names its licence, or None for files of other types, which have none."""
-    return f'// {LICENCE}' if isCpp(file) else f'# {LICENCE}' if isScript(file) else None
+    if isCpp(file):
+        return f'// {LICENCE}'
+    recipe = file.endswith(('.yml', '.yaml', '.def', 'Containerfile'))
+    return f'# {LICENCE}' if recipe or isScript(file) else None
 
 
 @functools.lru_cache(None)

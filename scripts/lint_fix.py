@@ -152,9 +152,9 @@ def withLicence(file, lines):
 
 def main():
     for file in trackedFiles():
-        fix = fixCpp if isCpp(file) else fixCMake if isCMake(file) else fixScript if isScript(file) else None
-        lines = readLines(file) if fix else ()
-        fixed = withLicence(file, fix(lines)) if fix else []
+        fix = fixCpp if isCpp(file) else fixCMake if isCMake(file) else fixScript if isScript(file) else list
+        lines = readLines(file) if licenceLine(file) else ()
+        fixed = withLicence(file, fix(lines)) if lines else []
         if fixed != list(lines):
             (ROOT / file).write_text('\n'.join(fixed), encoding='utf-8')
 

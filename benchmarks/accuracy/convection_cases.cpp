@@ -10,7 +10,7 @@
 namespace thaw::accuracy {
 namespace {
 
-/// A line of references/cavity.csv (de Vahl Davis 1983).
+/// A line of references/cavity.csv (DVD83).
 struct BenchMark {
   double rayleigh = 0, nusselt = 0, along = 0, rise = 0;
 };

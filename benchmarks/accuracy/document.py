@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes docs/validation/accuracy.md from text.md and the figures: document.py ACCURACY.csv [MODULES.csv]
 
+It also writes the table of `thaw check` (frontier.py).
+
 Every number in the document comes from the files. In text.md:
   {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise;
       SETTINGS as in the CSV file; `count` writes a zero as "none"
@@ -25,6 +27,8 @@ import re
 import shutil
 import subprocess
 import sys
+
+import frontier
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DOCS = os.path.join(HERE, "..", "..", "docs")
@@ -252,6 +256,7 @@ def main(path, modules=None):
     for source, name in ((path, "accuracy.csv"), (modules, "modules.csv")):
         if source and os.path.abspath(source) != os.path.abspath(os.path.join(folder, name)):
             shutil.copy(source, os.path.join(folder, name))
+    frontier.write(rowsOf(path))
     document = Document(rowsOf(path), rowsOf(modules) if modules else [])
     text = document.text(template())
     with open(os.path.join(DOCS, "validation", "accuracy.md"), "w") as f:

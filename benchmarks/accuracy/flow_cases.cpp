@@ -84,7 +84,7 @@ double recordedAt(const Trial& r, double time) {
   return r.series.back().value[0];
 }
 
-/// Ritter 1892: (2 sqrt(gH) - x/t)^2 / 9g in the fan; H = g = 1.
+/// Ritter (R92): (2 sqrt(gH) - x/t)^2 / 9g in the fan; H = g = 1.
 double ritterDepth(double x, double t) { return x < -t ? 1 : x > 2 * t ? 0 : (2 - x / t) * (2 - x / t) / 9; }
 
 std::vector<Figure> measureRitter(Trial& r) {
@@ -116,7 +116,7 @@ std::vector<Figure> measureRitter(Trial& r) {
 }
 
 /// Root mean square of Z / Zexp - 1 from point `from` on, with T shifted by `shift`; `worst` receives the
-/// largest. Martin & Moyce 1952, n^2 = 2, a = 2.25 in: T = t sqrt(2g/a), Z = front / a.
+/// largest. MM52, n^2 = 2, a = 2.25 in: T = t sqrt(2g/a), Z = front / a.
 double frontError(const Trial& r, const std::vector<std::array<double, 2>>& points, double shift,
                   std::size_t from, double& worst) {
   constexpr double a = 0.05715;

@@ -1,20 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes io/commands/check/frontier_points.cpp, the table of `thaw check`: frontier.py ACCURACY.csv
+"""Writes docs/accuracy/frontier.csv, the table of `thaw check`, for document.py.
 
 The table covers each case that represents a part of the model (NORMS), at the spacing where settings vary
 (plan.py). The defaults come first, then every setting with its keys as `--set` takes them. A mark shows the
 settings that no other one beats in both error and time. The error is -1 where a run blew up, or where its
 ledger does not close although that of the defaults does.
 """
-import csv
 import os
-import sys
 
 import plan
 
 TARGET = os.path.join(
-    os.path.dirname(os.path.abspath(__file__)), "..", "..", "io", "commands", "check", "frontier_points.cpp"
+    os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "accuracy", "frontier.csv"
 )
 
 NORMS = {
@@ -83,31 +81,13 @@ def points(rows):
 
 
 def source(rows):
-    """The text of frontier_points.cpp."""
-    text = (
-        "// SPDX-License-Identifier: Apache-2.0\n"
-        "// Written by benchmarks/accuracy/frontier.py from docs/accuracy/accuracy.csv; do not edit.\n"
-        "#include \"io/commands/check/frontier.hpp\"\n\nnamespace thaw {\nnamespace {\n\n"
-    )
-    text += "constexpr FrontierPoint points[] = {\n"
+    """The text of frontier.csv."""
+    text = "case,norm,settings,error,time,best\n"
     for case, norm, settings, error, cost, best in points(rows):
-        onFrontier = "true" if best else "false"
-        text += f'    {{"{case}", "{norm}", "{settings}", {error:.3g}, {cost:.2g}, {onFrontier}}},\n'
-    return text + (
-        "};\n\n}  // namespace\n\n"
-        "std::span<const FrontierPoint> frontierPoints() { return points; }\n\n"
-        "}  // namespace thaw\n"
-    )
+        text += f"{case},{norm},{settings},{error:.3g},{cost:.2g},{best:d}\n"
+    return text
 
 
-def main(path):
-    with open(path, newline="") as f:
-        rows = list(csv.DictReader(f))
+def write(rows):
     with open(TARGET, "w") as out:
         out.write(source(rows))
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        raise SystemExit(__doc__)
-    main(sys.argv[1])

@@ -10,8 +10,8 @@ thaw, is not repeated: an interrupted matrix continues where it stopped. With --
 cases stay, whatever their version. To repeat some cases, start from docs/accuracy/accuracy.csv. No run starts
 after --minutes; the same command continues.
 Afterwards benchmarks/accuracy/document.py FIGURES.csv docs/accuracy/modules.csv writes
-docs/validation/accuracy.md and its pictures, and frontier.py writes the table of `thaw check`. Tests check
-that both follow from docs/accuracy/accuracy.csv. Final particles of some cases (plan.PICTURES) go to
+docs/validation/accuracy.md, its pictures, and the table of `thaw check` in docs/accuracy/frontier.csv. Tests
+check that both follow from docs/accuracy/accuracy.csv. Final particles of some cases (plan.PICTURES) go to
 points/CASE.csv next to the file.
 Columns: case, settings, norm, error, target, order, core_seconds, steps, particles, version, machine.
 Settings are "default" and the spacing, or the differences from the defaults. The order is that from the next
@@ -171,8 +171,8 @@ class Matrix:
 def main():
     parser = argparse.ArgumentParser(
         description="The matrix of the accuracy suite: accuracy against time.",
-        epilog="docs/validation/accuracy.md is written from the figures by benchmarks/accuracy/document.py, "
-        "what thaw check knows by frontier.py.",
+        epilog="docs/validation/accuracy.md and the table of thaw check are written from the figures by "
+        "benchmarks/accuracy/document.py.",
     )
     parser.add_argument("--csv", required=True, help="file of the figures")
     parser.add_argument(

@@ -22,7 +22,7 @@ struct Track {
   Vec3d size = s.bodies[0].shape.size, centre = s.bodies[0].shape.move;             // m, block
   Vec3d beamAt(double t) const { return laser.position + Vec3d{speed * t, 0, 0}; }  // m
 
-  /// Rise of the temperature (K) by a moving point source on a half-space (Rosenthal 1946).
+  /// Rise of the temperature (K) by a moving point source on a half-space (R46).
   double rosenthal(const Vec3d& x, double t) const {
     const Vec3d d = x - beamAt(t);
     const double r = length(d);
@@ -39,7 +39,7 @@ struct Track {
     return sum / std::sqrt(2 * pi * v);
   }
 
-  /// Rise (K) by a Gaussian source since time 0 (Eagar & Tsai 1983), in a block with insulating faces. The
+  /// Rise (K) by a Gaussian source since time 0 (ET83), in a block with insulating faces. The
   /// integral over the age runs over its square root, which removes the singularity.
   double eagarTsai(const Vec3d& x, double t) const {
     const Vec3d low = centre - size * 0.5, high = centre + size * 0.5;
@@ -115,11 +115,11 @@ std::vector<Figure> measureEagarTsai(Trial& r) {
 
 std::vector<Case> sourceCases() {
   return {{.name = "rosenthal",
-           .about = "moving point source on a block, outside of two spacings (Rosenthal 1946)",
+           .about = "moving point source on a block, outside of two spacings (R46)",
            .measure = measureRosenthal,
            .adapt = [](Scene& s) { s.lasers[0].radius = 0.5 * s.spacing; }},
           {.name = "eagar_tsai",
-           .about = "moving Gaussian source on a block (Eagar & Tsai 1983)",
+           .about = "moving Gaussian source on a block (ET83)",
            .measure = measureEagarTsai}};
 }
 

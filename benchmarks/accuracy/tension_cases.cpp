@@ -162,7 +162,7 @@ struct Layer {
     from = s.domain.min.x + 0.4 * length;
     to = s.domain.min.x + 0.6 * length;
   }
-  /// Velocity (m/s) along x at a height (m): Birikh 1966.
+  /// Velocity (m/s) along x at a height (m) (B66).
   double exact(double height) const {
     const double z = height / depth;
     return stress * depth / viscosity * (0.75 * z * z - 0.5 * z);

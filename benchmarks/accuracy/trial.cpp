@@ -7,7 +7,7 @@
 #include "benchmarks/accuracy/made_meshes.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/simulation/sums/solid_step.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/frame_times.hpp"
 #include "io/scene/scene_for_all.hpp"

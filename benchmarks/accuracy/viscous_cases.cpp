@@ -21,7 +21,7 @@ struct Channel {
     fastest = s.domain.gravity.x * height * height / (8 * nu);
   }
   double steady(double z) const { return 4 * fastest * z * (height - z) / (height * height); }
-  /// Fourier series of the flow from rest (Morris, Fox & Zhu 1997 eq. 21).
+  /// Fourier series of the flow from rest (MFZ97 eq. 21).
   double starting(double z, double t) const {
     double u = steady(z);
     for (int n = 1; n < 200; n += 2) {

@@ -86,7 +86,7 @@ void watchSlump(Trial& r) {
 }
 
 /// s' = 1 - a tau' (1 - ln a tau'), tau' = tau_y / (rho g H). The yield criterion of Tresca has a = 2
-/// (Pashias et al. 1996), that of von Mises, which the flow laws have, a = sqrt(3).
+/// (P96), that of von Mises, which the flow laws have, a = sqrt(3).
 double slumpBy(double a, double yield) { return 1 - a * yield * (1 - std::log(a * yield)); }
 
 std::vector<Figure> measureLiquidSlump(Trial& r) {
@@ -137,7 +137,7 @@ std::vector<Case> yieldCases() {
            measureYieldChannel,
            thicken},
           {"yield_slump",
-           "slump of a cylinder of a Bingham liquid on a floor (Pashias et al. 1996)",
+           "slump of a cylinder of a Bingham liquid on a floor (P96)",
            nullptr,
            {},
            {},

@@ -78,7 +78,7 @@ void rungeKutta4(System& s, State& x, double dt, int steps) {
   }
 }
 
-/// Backward Euler, linearised once a step (Baraff & Witkin 1998). The products of the conjugate gradient
+/// Backward Euler, linearised once a step (BW98). The products of the conjugate gradient
 /// method are differences of forces.
 void implicitEuler(System& s, State& x, double dt, int steps) {
   const std::size_t n = x.q.size();

@@ -10,7 +10,7 @@
 
 #include "core/halo/serial.hpp"
 #include "core/simulation/setup/setup.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/solid/bonds/serial_bond_halo.hpp"
 #include "core/surface/update_surface.hpp"
 #include "io/scene/read_scene.hpp"

@@ -145,7 +145,7 @@ double frontError(const std::vector<Look>& looks) {
 }
 
 /// Error of half the lowest tip position in the first swing, against a beam at rest. The centre of the tip's
-/// layer is half a spacing before the end. Shear after Timoshenko (1921) with kappa of Cowper (1966).
+/// layer is half a spacing before the end. Shear after Timoshenko (T21) with kappa of Cowper (C66).
 double beamError(const std::vector<Look>& looks) {
   const double E = 5e6, nu = 0.33, H = 0.4, L = 1.6, q = 1000 * 9.81 * H * H, x = L - 0.01,
                EI = E * std::pow(H, 4) / 12;

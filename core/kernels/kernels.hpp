@@ -29,7 +29,7 @@ template<class Kernel> struct OfSquare {
 };
 
 /// Wendland C2 function (W95), support h: positive Fourier transform, no pairing
-/// (docs/validation/stability.md B6). The default kernel.
+/// (docs/validation/stability.md, row 6). The default kernel.
 struct WendlandC2 : OfSquare<WendlandC2> {
   using OfSquare<WendlandC2>::w, OfSquare<WendlandC2>::slope, OfSquare<WendlandC2>::laplace;
   template<class T> static THAW_INLINE T w(T q, T) {

@@ -9,7 +9,7 @@ namespace thaw {
 
 /// Pressure (Pa). Linear: p = c^2 rho0 (delta - 1) (K05 3.2, DC96: k = c^2). Tait: p = rho0 c^2 / 7 (delta^7
 /// - 1) (M94). Negative pressure is multiplied by tensileLimit, since the summed density is too low
-/// at a free surface (docs/validation/stability.md B6, B7).
+/// at a free surface (docs/validation/stability.md, rows 6 and 7).
 inline double pressureOf(EquationOfState eos, double stiffness, double relativeDensity, double tensileLimit) {
   double p = 0;
   if (eos == EquationOfState::Linear) {

@@ -13,8 +13,8 @@ enum class PieceUsers {
 };
 
 /// Makes the rows of pieces match the particles of this rank, and sets Continuum::pieceRow. Requires: for
-/// each piece with particles on some rank, a rank has its row. It has particles of the piece, listed it in
-/// RigidWork::departed, or has all rows of RigidWork::adopted. Collective.
+/// each piece with particles on some rank, a rank has its row. It has particles of the piece, or listed it in
+/// RigidWork::departed. Collective.
 void linkPieces(const RigidView& view, const Halos& halos, PieceUsers users);
 
 /// Copies the rows that this rank leads: each piece once over all ranks.

@@ -124,12 +124,10 @@ bool isUniform(const Scene& s, const Modules& m) {
          s.numerics.viscosity == ViscosityForm::Pairwise;
 }
 
-}  // namespace
-
-Modules modulesOf(const Scene& s) {
-  Finder f{s, {}};
+/// Activates surfaces, further body types and emitters.
+void findBodyTypes(Finder& f) {
+  const Scene& s = f.s;
   Modules& m = f.m;
-  findHeat(f);
   if (s.surface.on) f.on(m.surface, "surface", "the scene has a table [surface]");
   if (!s.oriented.empty())
     f.on(m.oriented, "oriented particles", namesOf("oriented body", "oriented bodies", s.oriented));
@@ -144,8 +142,13 @@ Modules modulesOf(const Scene& s) {
          namesOf("sheet", "sheets", warmed) + (warmed.size() > 1 ? " exchange" : " exchanges") +
              " heat with the bodies that " + (warmed.size() > 1 ? "they touch" : "it touches"));
   if (!s.emitters.empty()) f.on(m.emitters, "emitters", namesOf("emitter", "emitters", s.emitters));
+}
 
-  std::vector<bool> used(s.materials.size(), false);
+/// Activates solid, fluid and melting. Sets used[k] for the materials of bodies and emitters. Returns the
+/// number of solid bodies.
+int findPhases(Finder& f, std::vector<bool>& used) {
+  const Scene& s = f.s;
+  Modules& m = f.m;
   int solidBodies = 0;
   const auto source = [&](const auto& from, const std::string& who, bool body) {
     const Material& x = s.materials[static_cast<std::size_t>(from.material)];
@@ -166,56 +169,69 @@ Modules modulesOf(const Scene& s) {
   };
   for (const Body& b : s.bodies) source(b, "body " + quoted(b.name), true);
   for (const Emitter& e : s.emitters) source(e, "emitter " + quoted(e.name), false);
+  return solidBodies;
+}
 
-  if (m.fluid && s.numerics.density == DensityForm::Continuity)
-    f.on(m.continuity, "density by continuity", "liquid with numerics.density = \"continuity\"");
-  if (m.continuity && s.numerics.correctedGradients)
-    f.on(m.corrected, "corrected gradients", "numerics.corrected_gradients");
-  if (m.fluid && s.numerics.shifting > 0) f.on(m.shifting, "shifting of particles", "numerics.shifting");
-  for (std::size_t k = 0; k < s.materials.size(); k++) {
-    const Material& x = s.materials[k];
-    if (!used[k]) continue;
-    const std::string who = "material " + quoted(x.name);
-    const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
-    if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
-    if (m.tension && s.numerics.tension == TensionForm::SurfaceEnergy)
-      f.on(m.surfaceEnergy, "surface tension as an energy", "numerics.tension");
-    if (m.surfaceEnergy && liquid && !x.surfaceTensionTable.empty())
-      f.on(m.tensionTable, "tension by temperature", "the surface tension of " + who + " is a table");
-    if (m.surfaceEnergy && liquid && x.surfaceTension > 0) findAngles(f, x);
-    if (liquid && hasFlowLaw(x))
-      f.on(m.flowLaw, "flow law", "the viscosity of " + who + " depends on the shear rate");
-    const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty() ||
-                         hasFlowLaw(x);
-    if (liquid && viscous && s.numerics.viscositySolver == ViscositySolver::Implicit)
-      f.on(m.implicitViscosity, "implicit viscosity", who);
-    if (liquid && viscous && s.numerics.viscosityCorrection)
-      f.on(m.viscosityCorrection, "corrected viscosity", who);
-    if (liquid && x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
-    if (liquid && x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
-    if (liquid && m.continuity && x.bulkDamping > 0) f.on(m.bulkDamping, "bulk damping", who);
-    if (liquid && !x.evaporation.empty())
-      f.on(m.evaporation, "evaporation", who + " loses mass at free surfaces of its liquid");
-    if (m.heat && x.contactConductance < never && s.bodies.size() + s.emitters.size() > 1)
-      f.on(m.contactConductance, "contact conductance",
-           "heat from " + who + " to other bodies meets a resistance");
-    if (m.melting && x.melts() && x.mushDrag > 0)
-      f.on(m.mushDrag, "mush drag", who + " slows its liquid beside solids between solidus and liquidus");
-    if (liquid && m.heat && expands(x) && hasBuoyancy(s))
-      f.on(m.buoyancy, "buoyancy",
-           "the density of " + who + " depends on the temperature; " +
-               (s.numerics.buoyancy == Buoyancy::Boussinesq
-                    ? "only differences of density act (numerics.buoyancy = \"boussinesq\")"
-                    : "its weight acts, too (numerics.buoyancy = \"density\")"));
-    if (!m.solid || !x.canBeSolid()) continue;
-    if (hasPhaseDensities(x))
-      f.on(m.phaseDensity, "density by phase", "solid and liquid of " + who + " differ in density");
-    if (x.yieldStrain.solid < never || x.yieldStrain.liquid < never)
-      f.on(m.plastic, "plastic flow", who + " yields");
-    if (x.breakStretch < never) f.on(m.fracture, "fracture", "bonds of " + who + " break");
-    if (x.melts() && m.melting) f.on(m.freezing, "freezing", who + " can freeze again");
-  }
-  bool elastic = false;  // some solid has bonds
+/// Activates what the liquid of a material needs, if the scene can have it.
+void findLiquidLaws(Finder& f, const Material& x, const std::string& who) {
+  const Numerics& n = f.s.numerics;
+  Modules& m = f.m;
+  const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
+  if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
+  if (m.tension && n.tension == TensionForm::SurfaceEnergy)
+    f.on(m.surfaceEnergy, "surface tension as an energy", "numerics.tension");
+  if (!liquid) return;
+  if (m.surfaceEnergy && !x.surfaceTensionTable.empty())
+    f.on(m.tensionTable, "tension by temperature", "the surface tension of " + who + " is a table");
+  if (m.surfaceEnergy && x.surfaceTension > 0) findAngles(f, x);
+  if (hasFlowLaw(x)) f.on(m.flowLaw, "flow law", "the viscosity of " + who + " depends on the shear rate");
+  const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty() ||
+                       hasFlowLaw(x);
+  if (viscous && n.viscositySolver == ViscositySolver::Implicit)
+    f.on(m.implicitViscosity, "implicit viscosity", who);
+  if (viscous && n.viscosityCorrection) f.on(m.viscosityCorrection, "corrected viscosity", who);
+  if (x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
+  if (x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
+  if (m.continuity && x.bulkDamping > 0) f.on(m.bulkDamping, "bulk damping", who);
+  if (!x.evaporation.empty())
+    f.on(m.evaporation, "evaporation", who + " loses mass at free surfaces of its liquid");
+}
+
+/// Activates contact conductance, drag of mushes and buoyancy.
+void findHeatLaws(Finder& f, const Material& x, const std::string& who) {
+  const Scene& s = f.s;
+  Modules& m = f.m;
+  const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
+  if (m.heat && x.contactConductance < never && s.bodies.size() + s.emitters.size() > 1)
+    f.on(m.contactConductance, "contact conductance",
+         "heat from " + who + " to other bodies meets a resistance");
+  if (m.melting && x.melts() && x.mushDrag > 0)
+    f.on(m.mushDrag, "mush drag", who + " slows its liquid beside solids between solidus and liquidus");
+  if (liquid && m.heat && expands(x) && hasBuoyancy(s))
+    f.on(m.buoyancy, "buoyancy",
+         "the density of " + who + " depends on the temperature; " +
+             (s.numerics.buoyancy == Buoyancy::Boussinesq
+                  ? "only differences of density act (numerics.buoyancy = \"boussinesq\")"
+                  : "its weight acts, too (numerics.buoyancy = \"density\")"));
+}
+
+/// Activates what the solid of a material needs.
+void findSolidLaws(Finder& f, const Material& x, const std::string& who) {
+  Modules& m = f.m;
+  if (!m.solid || !x.canBeSolid()) return;
+  if (hasPhaseDensities(x))
+    f.on(m.phaseDensity, "density by phase", "solid and liquid of " + who + " differ in density");
+  if (x.yieldStrain.solid < never || x.yieldStrain.liquid < never)
+    f.on(m.plastic, "plastic flow", who + " yields");
+  if (x.breakStretch < never) f.on(m.fracture, "fracture", "bonds of " + who + " break");
+  if (x.melts() && m.melting) f.on(m.freezing, "freezing", who + " can freeze again");
+}
+
+/// Activates rigid pieces. Returns true if some solid has bonds.
+bool findRigid(Finder& f, const std::vector<bool>& used) {
+  const Scene& s = f.s;
+  Modules& m = f.m;
+  bool elastic = false;
   for (std::size_t k = 0; k < s.materials.size() && m.solid; k++) {
     const Material& x = s.materials[k];
     if (!used[k] || !x.canBeSolid()) continue;
@@ -227,6 +243,13 @@ Modules modulesOf(const Scene& s) {
     f.on(m.rigid, "rigid pieces", "numerics.rigidify is given");
   }
   if (m.rigid) f.on(m.neighbours, "neighbour search", "rigid pieces can touch");
+  return elastic;
+}
+
+/// Activates contact of solids and welding.
+void findContact(Finder& f, const std::vector<bool>& used, int solidBodies) {
+  const Scene& s = f.s;
+  Modules& m = f.m;
   if (m.solid) {
     if (solidBodies > 1) f.on(m.contact, "contact of solids", "there are several solid bodies");
     if (m.freezing) f.on(m.contact, "contact of solids", "frozen pieces can touch");
@@ -236,6 +259,12 @@ Modules modulesOf(const Scene& s) {
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid())
         f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
+}
+
+/// Activates sleep, and substeps of solids. elastic: some solid has bonds.
+void findSubsteps(Finder& f, bool elastic) {
+  const Scene& s = f.s;
+  Modules& m = f.m;
   if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
   // Contact of solids limits the step of all particles, so substeps gain nothing there.
   m.mostSubsteps = s.numerics.elasticSubsteps > 0                                ? s.numerics.elasticSubsteps
@@ -246,8 +275,11 @@ Modules modulesOf(const Scene& s) {
          s.numerics.elasticSubsteps > 0
              ? "numerics.elastic_substeps is " + std::to_string(m.mostSubsteps)
              : "the scene also has liquid: up to " + std::to_string(m.mostSubsteps));
-  if (m.fluid && s.numerics.solver == PressureSolver::Incompressible)
-    f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver");
+}
+
+/// Activates the neighbour search for modules that need it, and contacts between body types.
+void findNeighbourUse(Finder& f) {
+  Modules& m = f.m;
   if (m.fluid) f.on(m.neighbours, "neighbour search", "there is liquid");
   if (m.contact) f.on(m.neighbours, "neighbour search", "solids can touch");
   if (m.oriented && (m.fluid || m.solid)) {
@@ -258,6 +290,35 @@ Modules modulesOf(const Scene& s) {
     f.on(m.sheetContact, "contact of sheets and oriented particles", "the scene has both");
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
   if (m.sleep) f.on(m.neighbours, "neighbour search", "moving bodies wake sleeping neighbours");
+}
+
+}  // namespace
+
+Modules modulesOf(const Scene& s) {
+  Finder f{s, {}};
+  Modules& m = f.m;
+  findHeat(f);
+  findBodyTypes(f);
+  std::vector<bool> used(s.materials.size(), false);
+  const int solidBodies = findPhases(f, used);
+  if (m.fluid && s.numerics.density == DensityForm::Continuity)
+    f.on(m.continuity, "density by continuity", "liquid with numerics.density = \"continuity\"");
+  if (m.continuity && s.numerics.correctedGradients)
+    f.on(m.corrected, "corrected gradients", "numerics.corrected_gradients");
+  if (m.fluid && s.numerics.shifting > 0) f.on(m.shifting, "shifting of particles", "numerics.shifting");
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    if (!used[k]) continue;
+    const std::string who = "material " + quoted(s.materials[k].name);
+    findLiquidLaws(f, s.materials[k], who);
+    findHeatLaws(f, s.materials[k], who);
+    findSolidLaws(f, s.materials[k], who);
+  }
+  const bool elastic = findRigid(f, used);
+  findContact(f, used, solidBodies);
+  findSubsteps(f, elastic);
+  if (m.fluid && s.numerics.solver == PressureSolver::Incompressible)
+    f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver");
+  findNeighbourUse(f);
   m.uniform = isUniform(s, m);
   return f.m;
 }

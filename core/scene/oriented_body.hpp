@@ -81,10 +81,10 @@ struct OrientedBody {
   double stiffness = 10;  // N/m; energies are weights times stiffness times the squared spacing
   double attract = 1, plane = 1, normal = 0.5, circle = 1;  // 1, weights of the four potentials
   std::int64_t repelPower = 12, attractPower = 6;           // n, m of Lennard-Jones
-  double core = 0.7;  // 1, distance in spacings below which Lennard-Jones continues linearly (B33)
+  double core = 0.7;  // 1, distance in spacings below which Lennard-Jones is linear (stability row 33)
   double across = 1, along = 0.5;  // 1, a and b of the weighting function, spacings
   double support = 3;              // 1, radius of the pair forces, spacings
-  bool facing = true;              // particles with opposing normals do not interact (B33)
+  bool facing = true;              // particles with opposing normals do not interact (stability row 33)
   bool planar = false;             // moves and rotates in y = constant only
   // Loads, contact and time integration.
   double damping = 1, spinDamping = 1;  // 1/s

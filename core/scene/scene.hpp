@@ -70,13 +70,13 @@ struct Material {
   double hardening = 0;             // Pa, d(yield stress)/d(equivalent plastic strain)
   double maxPlasticStrain = never;  // 1, gamma_max: norm of the logarithmic plastic strain
   double volumeStiffness = 0;       // Pa, k_v of the volume force (MKN04)
-  double hourglass = 1.25;  // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015); 1.25 also
-                            // compensates the error of short waves (elastic.hpp)
-  double breakStretch = never;  // 1, stretch above which a bond breaks
-  double damping = 0;           // 1/s, decay rate of velocity differences between bonded particles
-  bool weld = false;            // solids of this material weld where they touch
-  double friction = 0.3;        // 1, Coulomb, between separate solids
-  double restitution = 0.5;     // 1, of contacts between separate solids
+  double hourglass = 1.25;          // 1, alpha of the penalty on zero-energy modes (G15); 1.25 also
+                                    // compensates the error of short waves (elastic.hpp)
+  double breakStretch = never;      // 1, stretch above which a bond breaks
+  double damping = 0;               // 1/s, decay rate of velocity differences between bonded particles
+  bool weld = false;                // solids of this material weld where they touch
+  double friction = 0.3;            // 1, Coulomb, between separate solids
+  double restitution = 0.5;         // 1, of contacts between separate solids
   // heat
   Blend conductivity{0, 0};                  // W/(m K)
   Blend heatCapacity{1000, 1000};            // J/(kg K)
@@ -207,7 +207,7 @@ struct Numerics {
   PairForm pressure = PairForm::Consistent;
   DensityForm density = DensityForm::Summation;
   bool correctedGradients = true;  // for the continuity form
-  double densityDiffusion = 0.1;   // 1, for the continuity form: delta of Molteni & Colagrossi 2009
+  double densityDiffusion = 0.1;   // 1, for the continuity form: delta of MC09
   double shifting = 0;             // 1, shifting velocity towards lower concentration over c h |grad C|
   EquationOfState eos = EquationOfState::Linear;
   double tensileLimit = 0;  // 1, fraction of negative pressure that is kept (0: clamped at 0)
@@ -227,7 +227,7 @@ struct Numerics {
   bool selfContact = true;        // pieces of one solid collide with each other
   double maxDensityError = 0.01;  // 1, compression that the automatic sound speed allows
   OverlapRule overlap = OverlapRule::Error;
-  // Time step factors (docs/validation/stability.md B10).
+  // Time step factors (docs/validation/stability.md, row 10).
   double fixedStep = 0;    // s; 0: the largest step that the limits allow
   double maxStep = never;  // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25,

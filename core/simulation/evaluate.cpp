@@ -23,7 +23,7 @@
 #include "core/simulation/step.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/sums/solid_step.hpp"
-#include "core/simulation/world/rigidify_views.hpp"
+#include "core/simulation/views/rigidify_views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
@@ -71,7 +71,7 @@ void sumDensities(Evaluation& e) {
   if (e.neighbours) ghosts = sendGhosts(e.halos.cells, w.particles, w.cells, ghostColumns(w));
   if (m.solid) e.solidPositions = sendPositions(w, e.halos, t);
   t.times.lap(StepPhase::Exchange);
-  clearRates(w, m.uniform);
+  clearRates(w.particles, m.uniform);
   if (e.neighbours) {
     if (m.continuity) beginCarry(carryContext(w, t, e.dt));
     markInner(w, e.halos.cells, t);
@@ -191,7 +191,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Walls);
   if (w.modules.sleep) beginSleep(sleepView(w, t), dt);
   const std::int64_t coincident = w.counters.coincidentPairs;
-  e.neighbours = needsNeighbours(w, t);
+  e.neighbours = needsNeighbours(w.modules, t);
   const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;
   sumDensities(e);
   if (w.modules.rigid && t.rigid.atStart) updatePieces(rigidView(w, t), halos, true);

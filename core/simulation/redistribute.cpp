@@ -12,7 +12,7 @@
 #include "core/simulation/ledger/energy_left.hpp"
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 
 namespace thaw {
 namespace {
@@ -99,45 +99,21 @@ void addLeaving(std::span<const std::uint32_t> rows, Continuum& p, std::vector<s
   leaving = std::move(all);
 }
 
-/// Frees buffers sized for the old partition.
-void freeOldBuffers(World& w, StepTools& t) {
-  w.particles.shrink(1.0 / 64);
-  w.neighbours = {};
-  t.records = {};
-  t.sort = {};
-}
-
-}  // namespace
-
-bool needsOrder(const World& w, const StepTools& t) {
-  return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.bodyTypes() || w.modules.surface;
-}
-
-bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
-  Continuum& p = w.particles;
-  if (p.ghosts > 0) p.resize(p.owned, 0);
-  // The clock still shows the beginning of the step.
-  if (w.modules.emitters) releaseDriven(w.scene, t.emitters, w.clock.time + dt, p);
-  const std::size_t emitted = w.modules.emitters
-                                  ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst)
-                                  : 0;
-  t.emitFirst = false;
+/// Records what emitted particles, the last owned rows, bring into the domain.
+void recordEmitted(World& w, StepTools& t, std::size_t emitted) {
+  const Continuum& p = w.particles;
   std::vector<std::uint32_t> fresh;
   for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
     fresh.push_back(static_cast<std::uint32_t>(i));
     if (p.phase[i] == Solid) t.phaseChangedHere = true;  // emitted as solid: needs a slot
   }
   addToBalance(w, fresh, w.ledger.entered);
+}
 
-  // Without neighbour sums particles may stay on their first rank, so that bonds, which follow their ends
-  // across ranks, need not migrate.
-  const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
-  const bool partitioned = std::exchange(t.newPartition, false);
-  if (std::exchange(t.looseMemory, partitioned)) trimFreedMemory();
-  const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
-  t.mayLeave = true;
-  findCells(w, t.leaving, moves, open);
-  if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
+/// Adds evaporated particles to those that leave, records and counts them all. Returns true if one of them
+/// has a slot. Collective.
+bool takeLeaving(World& w, Halos& halos, StepTools& t, double dt) {
+  Continuum& p = w.particles;
   const std::vector<std::uint32_t> vapour = w.modules.evaporation && dt > 0
                                                 ? removeVapour(heatView(w), recordContext(w, t), dt)
                                                 : std::vector<std::uint32_t>{};
@@ -153,6 +129,13 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
     t.rigid.changedHere = t.rigid.changedHere || isRigid(p, i);
     leftSlots = leftSlots || (p.slot.active && p.slot[i] != noSlot);
   }
+  return leftSlots;
+}
+
+/// Migrates particles by their cells, and bonds with them. Returns the moves with the particles that leave
+/// the domain. Collective.
+Migration migrateParticles(World& w, Halos& halos, StepTools& t, bool moves) {
+  Continuum& p = w.particles;
   const std::size_t before = p.owned;
   Migration m;
   if (moves) m = halos.cells.migrate(p, {p.nextCell.data(), p.owned});
@@ -171,12 +154,56 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.sleep)
     for (std::size_t i = before; i < p.owned; i++)
       t.sleep.recomputeAll = t.sleep.recomputeAll || p.sleep[i] == asleep;
-  m.arrivals += emitted;
-  ColumnList stale{};  // columns that this step recomputes before they are read
+  return m;
+}
+
+/// Returns the columns that the step recomputes before they are read.
+ColumnList staleColumns(World& w, double dt) {
+  ColumnList stale{};
   // Both contacts read the last acceleration.
-  if (dt > 0 && !w.modules.sheet && !w.modules.orientedContact) stale.push_back(&p.acceleration);
-  if (!w.modules.sleep) stale.push_back(&p.interaction);
-  if (ordered) sortByCell(p, m, t.sort, w.cells, stale);
+  if (dt > 0 && !w.modules.sheet && !w.modules.orientedContact) stale.push_back(&w.particles.acceleration);
+  if (!w.modules.sleep) stale.push_back(&w.particles.interaction);
+  return stale;
+}
+
+/// Frees buffers sized for the old partition.
+void freeOldBuffers(World& w, StepTools& t) {
+  w.particles.shrink(1.0 / 64);
+  w.neighbours = {};
+  t.records = {};
+  t.sort = {};
+}
+
+}  // namespace
+
+bool needsOrder(const World& w, const StepTools& t) {
+  return needsNeighbours(w.modules, t) || !w.walls.list.empty() || w.modules.bodyTypes() || w.modules.surface;
+}
+
+bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
+  Continuum& p = w.particles;
+  if (p.ghosts > 0) p.resize(p.owned, 0);
+  // The clock still shows the beginning of the step.
+  if (w.modules.emitters) releaseDriven(w.scene, t.emitters, w.clock.time + dt, p);
+  const std::size_t emitted = w.modules.emitters
+                                  ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst)
+                                  : 0;
+  t.emitFirst = false;
+  recordEmitted(w, t, emitted);
+
+  // Without neighbour sums particles may stay on their first rank, so that bonds, which follow their ends
+  // across ranks, need not migrate.
+  const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
+  const bool partitioned = std::exchange(t.newPartition, false);
+  if (std::exchange(t.looseMemory, partitioned)) trimFreedMemory();
+  const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
+  t.mayLeave = true;
+  findCells(w, t.leaving, moves, open);
+  if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
+  const bool leftSlots = takeLeaving(w, halos, t, dt);
+  Migration m = migrateParticles(w, halos, t, moves);
+  m.arrivals += emitted;
+  if (ordered) sortByCell(p, m, t.sort, w.cells, staleColumns(w, dt));
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
   if (partitioned) freeOldBuffers(w, t);
   t.times.lap(StepPhase::Sort);

@@ -11,7 +11,7 @@
 #include "core/simulation/step.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/step_reduction.hpp"
-#include "core/simulation/world/rigidify_views.hpp"
+#include "core/simulation/views/rigidify_views.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/frame_times.hpp"
 
@@ -20,7 +20,8 @@ namespace {
 
 /// Values of this rank.
 StepReduction reductionHere(World& w, StepTools& t, const StepOutcome& here, Requests wanted) {
-  StepLimits own = particleLimits(w, here.largest ? *here.largest : largestRates(w), t.stableViscousStep);
+  StepLimits own = particleLimits(w, here.largest ? *here.largest : largestRates(w.particles),
+                                  t.stableViscousStep);
   own[Limit::Sound] = t.fixedLimits[Limit::Sound] / soundStiffening(w);  // the minimum over ranks belongs to
                                                                          // the most compressed particle
   // Wall contacts are stiffer than the lattice behind cfl_sound. Here omega dt is at most 1.2; 2 is stable.
@@ -48,7 +49,7 @@ StepReduction reductionHere(World& w, StepTools& t, const StepOutcome& here, Req
   }
   if (w.modules.solid) reduction.strainBound = largestStrainBound(t.elastic, w.solids);
   if (w.modules.substeps) reduction.negatedFastLimit = -fastAccelerationLimit(w);
-  if (w.modules.fluid) reduction.relativeDensity = largestRelativeDensity(w);
+  if (w.modules.fluid) reduction.relativeDensity = largestRelativeDensity(w.particles);
   if (w.modules.surface) reduction.surfaceMove2 = largestSurfaceMove2(w.grid, w.particles, w.surface);
   return reduction;
 }

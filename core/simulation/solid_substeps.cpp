@@ -7,7 +7,7 @@
 
 #include "core/domain/sides.hpp"
 #include "core/halo/exchange.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_forces.hpp"
 

@@ -23,8 +23,8 @@
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/integrate.hpp"
-#include "core/simulation/world/rigidify_views.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/rigidify_views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
@@ -142,9 +142,9 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   return all;
 }
 
-double totalMass(const World& w, Reducer& all) {
+double totalMass(const Continuum& p, Reducer& all) {
   ExactSum mass;
-  for (std::size_t i = 0; i < w.particles.owned; i++) mass.add(w.particles.mass[i]);
+  for (std::size_t i = 0; i < p.owned; i++) mass.add(p.mass[i]);
   mass.carry();
   all.sum(mass.digit);
   return mass.value();

@@ -48,6 +48,6 @@ void finishPieces(World& world, Halos halos, StepTools& tools);
 StepOutcome step(World& world, Halos halos, StepTools& tools, Requests wanted);
 
 /// Returns the exact total mass (kg) of all ranks. Collective.
-double totalMass(const World& world, Reducer& all);
+double totalMass(const Continuum& particles, Reducer& all);
 
 }  // namespace thaw

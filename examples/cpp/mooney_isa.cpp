@@ -8,7 +8,7 @@ namespace {
 
 namespace lanes = thaw::THAW_ISA;
 
-/// Compressible Mooney-Rivlin material (Ciarlet 1988, section 4.10): psi = a (|F|^2 - 3) + b (|cof F|^2 - 3)
+/// Compressible Mooney-Rivlin material (C88, section 4.10): psi = a (|F|^2 - 3) + b (|cof F|^2 - 3)
 /// + c (J^2 - 1) - d ln J. Its coefficients obey a + b = mu / 2, b + c = lambda / 4 and d = lambda / 2 + mu.
 template<class T> struct Constants {
   T a, b, c, d;

@@ -22,7 +22,7 @@
 #include "core/time/frame_times.hpp"
 #include "io/commands/check/check_report.hpp"
 #include "io/commands/check/check_surface.hpp"
-#include "io/commands/check/frontier.hpp"
+#include "io/commands/check/frontier_file.hpp"
 #include "io/commands/check/setting_trials.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/run/mpi_halos.hpp"
@@ -101,7 +101,7 @@ double emittedAtEnd(const Scene& s, const StepTools& t) {
 /// Returns suggestions for the scene with the results of their trials. Collective.
 std::vector<std::string> testedSuggestions(const Communicator& comm, const CheckOptions& o, const World& w,
                                            double particles, std::vector<std::string>& warnings) {
-  const std::vector<Suggestion> all = frontierAdvice(w.scene, w.modules);
+  const std::vector<Suggestion> all = frontierAdvice(frontierForAll(comm), w.scene, w.modules);
   std::vector<std::string> lines;
   if (all.empty()) return lines;
   SettingTrials trials(comm, {o.scene, o.overrides, particles});
@@ -216,7 +216,7 @@ void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface,
   const int size = c.comm.size(), ranks = o.ranks > 0 ? o.ranks : size;
   r.surface = surface.lines(onSurface, ranks);
   r.allSettings = o.settings;
-  r.advice = o.settings ? frontierLines(w.scene, w.modules)
+  r.advice = o.settings ? frontierLines(frontierForAll(c.comm), w.scene, w.modules)
                         : testedSuggestions(c.comm, o, w, total, r.warnings);
   // Emitted particles raise memory and run time.
   const double most = total / particles / ranks, mean = (0.5 + 0.5 * total / particles) / ranks;

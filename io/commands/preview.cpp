@@ -12,9 +12,9 @@
 
 #include "core/geometry/basic/signed_distance.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/image/text.hpp"
 #include "io/render/draw_lines.hpp"
 #include "io/render/frame_source.hpp"
-#include "io/render/image/text.hpp"
 #include "io/render/scene_job.hpp"
 #include "io/render/scene_marks.hpp"
 #include "io/scene/scene_for_all.hpp"

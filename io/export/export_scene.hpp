@@ -9,7 +9,7 @@
 #include "core/scene/scene.hpp"
 #include "io/frames/frame.hpp"
 #include "io/frames/read_surface_frame.hpp"
-#include "io/render/image/render_style.hpp"
+#include "io/image/render_style.hpp"
 #include "io/surface_mesh/surface_mesh.hpp"
 
 namespace thaw {

@@ -8,7 +8,7 @@ namespace thaw {
 Frame bodyTypeFrameOf(const World& w, std::size_t kind) {
   const BodyTypeRows& r = kind == orientedType ? static_cast<const BodyTypeRows&>(w.oriented.rows)
                                                : w.sheets.rows;
-  Frame f = startFrame(w, r);
+  Frame f = startFrame(w.clock, r);
   addRows<float>(f, "velocity", "m/s", 3, [&r](std::size_t i, float* to) { put3(r.velocity[i], to); });
   addRows<std::uint16_t>(f, std::string(bodyTypeNames[kind]) + "_body", "1", 1,
                          [&r](std::size_t i, std::uint16_t* to) { *to = r.body[i]; });

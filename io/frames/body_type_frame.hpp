@@ -23,7 +23,7 @@ void addSheetFields(const World& world, Frame& frame);
 
 /// Adds the triangles of the sheets. firstRow: number over all ranks of the first row of this rank.
 /// Collective.
-void addSheetTriangles(World& world, BondHalo& edges, std::uint64_t firstRow, Frame& frame);
+void addSheetTriangles(SheetBodies& sheets, BondHalo& edges, std::uint64_t firstRow, Frame& frame);
 
 /// Returns what the points of a frame are: "particles", "surfels", "oriented" or "sheet". Frames of the last
 /// two have a field "<type>_body".

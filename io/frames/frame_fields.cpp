@@ -160,7 +160,7 @@ std::vector<std::string> knownFrameFields() {
 }
 
 Frame frameOf(const World& w, int rank) {
-  Frame f = startFrame(w, w.particles);
+  Frame f = startFrame(w.clock, w.particles);
   std::vector<std::string> done;
   for (const std::string& name : w.scene.output.fields) {
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // listed twice

@@ -27,10 +27,10 @@ template<class V> void put3(const V& v, float* to) {
 }
 
 /// Returns a frame of the current time with the positions and ids of a table's owned rows.
-template<class Rows> Frame startFrame(const World& w, const Rows& rows) {
+template<class Rows> Frame startFrame(const Clock& clock, const Rows& rows) {
   Frame f;
-  f.time = w.clock.time;
-  f.step = w.clock.step;
+  f.time = clock.time;
+  f.step = clock.step;
   f.count = rows.owned;
   addRows<float>(f, "position", "m", 3, [&rows](std::size_t i, float* to) { put3(rows.position[i], to); });
   f.positions = std::move(f.fields[0]);

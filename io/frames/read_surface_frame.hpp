@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/frames/frame.hpp"
-#include "io/render/image/image.hpp"
+#include "io/image/image.hpp"
 
 namespace thaw {
 

@@ -24,8 +24,7 @@ void addSheetFields(const World& w, Frame& f) {
                    [&s](std::size_t i, float* to) { *to = static_cast<float>(s.temperature[i]); });
 }
 
-void addSheetTriangles(World& w, BondHalo& halo, std::uint64_t firstRow, Frame& f) {
-  SheetBodies& b = w.sheets;
+void addSheetTriangles(SheetBodies& b, BondHalo& halo, std::uint64_t firstRow, Frame& f) {
   Solids& e = b.edges.ends;
   f.meshed = true;
   // Send the row numbers by the exchange of positions. Forces send the positions again before they need them.

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/geometry/shapes/pose.hpp"
-#include "io/export/obstacle_mesh.hpp"
 #include "io/render/mesh_faces.hpp"
 #include "io/render/oriented_view.hpp"
+#include "io/surface_mesh/obstacle_mesh.hpp"
 
 namespace thaw {
 

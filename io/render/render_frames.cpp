@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "io/render/image/annotate.hpp"
-#include "io/render/image/parallel_for.hpp"
+#include "io/image/annotate.hpp"
+#include "io/image/parallel_for.hpp"
 #include "io/render/light/surface_normals.hpp"
 #include "io/render/obstacle_faces.hpp"
 
@@ -94,7 +94,7 @@ std::vector<std::size_t> sheetFrames(std::size_t count, int cells) {
 /// Returns the sheet with the common colour bar at the right.
 Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> labels, int columns,
                    const ColourScale* colours) {
-  const Image sheet = contactSheet(cells, columns, labels);
+  Image sheet = contactSheet(cells, columns, labels);
   if (!colours) return sheet;
   const Rgb ground = sheet.at(0, 0);
   const int wide = std::min(std::max(150, cells[0].width / 2), 200), tall = std::min(sheet.height, 760);

@@ -13,7 +13,7 @@ void writeBodyTypeFrames(Run& r) {
     const std::string name = bodyTypeFrameName(r.name, kind), file = frameName(name, w.clock.frame);
     Frame f = bodyTypeFrameOf(w, kind);
     if (kind == sheetType)
-      addSheetTriangles(w, *r.tables.edges, spreadRows(r.comm.handle(), f.count).mine.first, f);
+      addSheetTriangles(w.sheets, *r.tables.edges, spreadRows(r.comm.handle(), f.count).mine.first, f);
     writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
     onDisk(r, [&] {
       r.bodyTypeSeries[kind].push_back({file, w.clock.time});

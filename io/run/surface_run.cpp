@@ -2,7 +2,7 @@
 #include "io/run/surface_run.hpp"
 
 #include "core/simulation/sums/solid_step.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/solid/elasticity/active_slots.hpp"
 #include "core/surface/surfel_velocities.hpp"
 #include "io/frames/surface_frame.hpp"

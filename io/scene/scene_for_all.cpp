@@ -9,9 +9,8 @@
 #include "io/scene/read_scene.hpp"
 
 namespace thaw {
-namespace {
 
-void broadcast(const Communicator& comm, std::string& text) {
+void broadcastText(const Communicator& comm, std::string& text) {
   std::uint64_t n = text.size();
   MPI_Bcast(&n, 1, MPI_UINT64_T, 0, comm.handle());
   text.resize(n);
@@ -19,8 +18,6 @@ void broadcast(const Communicator& comm, std::string& text) {
     MPI_Bcast(text.data() + done, static_cast<int>(std::min(comm.chunk(), n - done)), MPI_CHAR, 0,
               comm.handle());
 }
-
-}  // namespace
 
 std::optional<Refusal> refusalOf(const std::exception& e) {
   if (const auto* shape = dynamic_cast<const ShapeError*>(&e); shape && shape->where.line > 0) {
@@ -38,7 +35,7 @@ Scene sceneForAll(const Communicator& comm, const std::string& path,
                   const std::vector<std::string>& overrides) {
   std::string files;
   if (comm.rank() == 0) files = packSceneFiles(loadSceneFiles(path));
-  broadcast(comm, files);
+  broadcastText(comm, files);
   return readScene(unpackSceneFiles(files), overrides);
 }
 

@@ -22,6 +22,9 @@ struct Refusal {
 };
 std::optional<Refusal> refusalOf(const std::exception& e);
 
+/// Replaces the text by that of rank 0. Collective.
+void broadcastText(const Communicator& comm, std::string& text);
+
 /// Reads the files of the scene on rank 0 and sends them to the others; all parse them. Throws SceneErrors,
 /// alike on all ranks. Collective.
 Scene sceneForAll(const Communicator& comm, const std::string& path,

@@ -187,7 +187,7 @@ class CommittedTest(unittest.TestCase):
     def test_frontier(self):
         self.assertEqual(
             frontier.source(document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "accuracy.csv"))),
-            self.read("io", "commands", "check", "frontier_points.cpp"),
+            self.read("docs", "accuracy", "frontier.csv"),
         )
 
     def test_frontier_of_known_points(self):

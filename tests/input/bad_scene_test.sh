@@ -5,7 +5,7 @@
 
 accepts "the scene that works" run "$good" --steps 2
 
-# docs/validation/stability.md B26: zero or negative time, extreme steps
+# docs/validation/stability.md, row 26: zero or negative time, extreme steps
 accepts "end = 0" run "$good" --set end=0
 accepts "frames more frequent than steps" run "$good" --set output.every=1e-6 --steps 3
 rejects "negative end" 'end: must be >= 0 s, got -1' 2 run "$good" --set end=-1
@@ -18,7 +18,7 @@ rejects "endless frames" 'more than ten million frames' 2 run "$good" --set outp
 rejects "a run of months" "^warning: the run takes more than a month: check the end \(1e\+10 s\)" \
   0 check "$good" --set end=1e10 --set output.every=1e5
 
-# B27: particles outside of the domain
+# Row 27: particles outside of the domain
 rejects "body outside" \
   "body 'block': 125 of its 125 particles lie outside of the domain, up to 8.54 m beyond its side z = 0.5 m; \
 enlarge" 2 run "$good" --set 'body.block.place.move=[0, 0, 9]'
@@ -41,7 +41,7 @@ rejects "body half outside" \
 up to 0.04 m beyond its side x = 0.5 m and 0.09 m beyond its side y = -0.5 m; enlarge" 2 check "$good" \
   --set 'body.block.place.move=[0.5, -0.55, 0.2]'
 
-# B28: values that spread
+# Row 28: values that spread
 rejects "NaN" 'nan\.toml:2:11: error: spacing: must be a finite number, got nan' \
   2 run "$(scene nan 's/^spacing.*/spacing = nan/')"
 rejects "infinity" 'inf\.toml:[0-9]+:[0-9]+: error: .*finite' 2 run "$(scene inf 's/young.*/young = inf/')"
@@ -58,7 +58,7 @@ rejects "a liquid that yields" \
 rejects "below 0 K" 'temperature: must be > 0 K' \
   2 check "$(scene cold 's/^name = "block"/&\ntemperature = "-300 degC"/')"
 
-# B29: fewer particles than ranks
+# Row 29: fewer particles than ranks
 accepts "one particle on three ranks" run "$good" --set 'body.block.box.size=[0.02, 0.02, 0.02]' --steps 3
 
 # keys

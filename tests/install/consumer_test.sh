@@ -13,7 +13,8 @@ fail() { echo "FAILED: $*"; exit 1; }
 
 cmake --install "$build" --prefix "$prefix" >/dev/null
 "$prefix/bin/thaw" --help >/dev/null
-for file in share/man/man1/thaw.1 share/bash-completion/completions/thaw share/thaw/scenes/dam_break.toml; do
+for file in share/man/man1/thaw.1 share/bash-completion/completions/thaw share/thaw/frontier.csv \
+  share/thaw/scenes/dam_break.toml; do
   [ -s "$prefix/$file" ] || fail "$file is not installed"
 done
 for header in core/solid/elasticity/elastic_lanes.hpp io/commands/run.hpp; do  # no part of the interface

@@ -23,8 +23,10 @@ plantTree() {
   cp "$root"/.clang-format "$dir/tree/"
   cp "$root"/core/include_order.txt "$dir/tree/core/"
   printf '# Contributing\n' >"$dir/tree/CONTRIBUTING.md"
-  cp "$root"/scripts/{lint,lib.sh,lint_checks.py,lint_files.py,lint_fix.py,lint_words.txt} \
+  cp "$root"/scripts/{lint,lib.sh,lint_{checks,files,fix,includes,names}.py,lint_words.txt} \
     "$dir/tree/scripts/"
+  printf '# Bibliography\n\n| key | reference |\n|---|---|\n| K05 | Keiser, Adams 2005. A paper |\n' \
+    >"$dir/tree/docs/bibliography.md"
   printf '# Page\n## A part\nSee [the part](#a-part) and [the script](../scripts/lint).\n' \
     >"$dir/tree/docs/page.md"
   {
@@ -76,30 +78,33 @@ plantTree
 sed -i 1d "$dir/tree/$square"
 printf '#!/bin/sh\necho\n' >"$dir/tree/scripts/say"
 printf 'project(tree)\n' >"$dir/tree/CMakeLists.txt"
+printf 'name: ci\n' >"$dir/tree/scripts/ci.yml"
 lint
 finds 'a header without an SPDX line' "^$square:1: no line \"// $licence\" at the top"
 finds 'a script without an SPDX line' "^scripts/say:1: no line \"# $licence\" at the top"
 finds 'a CMake list without an SPDX line' '^CMakeLists.txt:1: no line'
+finds 'a recipe without an SPDX line' '^scripts/ci.yml:1: no line'
 "$dir/tree/scripts/lint" --fix
 passes 'SPDX lines that --fix has added'
 begins "$square" "// $licence" '// Squares (docs/page.md).'
 begins scripts/say '#!/bin/sh' "# $licence" echo
 begins CMakeLists.txt "# $licence" 'project(tree)'
+begins scripts/ci.yml "# $licence" 'name: ci'
 "$dir/tree/scripts/lint" --fix
 begins scripts/say '#!/bin/sh' "# $licence" echo
 begins core/heat/heat.cpp "// $licence" "#include \"$square\""
 
 # Faults of C++ and Python that --fix corrects, and a listed include against the order.
 plantTree
-sed -i '3a #include "core/heat/heat.hpp"' "$dir/tree/$square"
+sed -i '3a #include "core/walls/wall.hpp"' "$dir/tree/$square"
 printf '\n// %s\n' "$long" >>"$dir/tree/$square"
 printf '# %s\nx  = 1\n' "$licence" >"$dir/tree/scripts/one.py"
 lint
-finds 'an upward include' "^$square:4: includes core/heat/heat.hpp: core/heat is above core/math"
+finds 'an upward include' "^$square:4: includes core/walls/wall.hpp: core/walls is above core/math"
 finds 'a long comment in C++' "^$square:[0-9]+:.* not formatted"
 finds 'Python that is not formatted' '^scripts/one.py:1: not formatted'
 "$dir/tree/scripts/lint" --fix
-printf '1 %s core/heat/heat.hpp\n' "$square" >"$dir/tree/scripts/lint_known_includes.txt"
+printf '1 %s core/walls/wall.hpp\n' "$square" >"$dir/tree/scripts/lint_known_includes.txt"
 passes 'a long comment that --fix has wrapped, and a listed include'
 
 # One fault of every other kind, each in a file of its own.
@@ -121,5 +126,36 @@ finds 'a comment that begins with "of"' '^core/math/half.hpp:1: a comment begins
 finds 'a decimal without its zero' '^core/math/half.hpp:2: a decimal without its leading zero'
 finds 'a long function' '^core/heat/long.cpp:1: steps has 72 lines, at most 70'
 finds 'a full folder' '^core/math:1: 33 source files, at most 30'
+
+# A circle of folders that entries for single files hide, and names that do not exist.
+plantTree
+printf '%s\n' core/math core/heat core/math/late.hpp tests >"$dir/tree/core/include_order.txt"
+{
+  printf '// %s\n// Late (K05): Late::now, Late::gone.\n#pragma once\n' "$licence"
+  printf '#include "core/heat/early.hpp"\n\nstruct Late {\n  int now;\n};\n'
+} >"$dir/tree/core/math/late.hpp"
+{
+  printf '// %s\n// Early (Q99), after Keiser et al. 2005.\n#pragma once\n' "$licence"
+  printf '#include "core/math/square.hpp"\n'
+} >"$dir/tree/core/heat/early.hpp"
+mkdir "$dir/tree/tests"
+{
+  printf '// %s\n// Late.IsNow and Late.IsGone.\n\n' "$licence"
+  printf 'TEST(Late, IsNow) {}\nTEST(Late, isSmall) {}\n'
+} >"$dir/tree/tests/late_test.cpp"
+printf 'After Keiser et al. 2005, Nobody 1999 and stability row 7.\n' >>"$dir/tree/docs/page.md"
+lint
+finds 'a circle of folders' '^core/math/late.hpp:4: core/math includes core/heat, which includes core/math'
+finds 'an unknown key' '^core/heat/early.hpp:2: docs/bibliography.md has no key Q99'
+finds 'an author in a comment' '^core/heat/early.hpp:2: cites "Keiser et al. 2005": name its key'
+finds 'an unknown author' '^docs/page.md:4: docs/bibliography.md does not list "Nobody 1999"'
+finds 'an unknown row' '^docs/page.md:4: docs/validation/stability.md has no row 7'
+finds 'an unknown member' '^core/math/late.hpp:2: Late::gone does not exist'
+finds 'an unknown test' '^tests/late_test.cpp:2: test Late.IsGone does not exist'
+finds 'the style of a test' '^tests/late_test.cpp:5: test Late.isSmall: isSmall is not in CapitalisedWords'
+if grep -E 'Late::now|Late.IsNow|K05|list "Keiser' <<<"$output"; then
+  printf 'FAILED: names that exist are findings\n'
+  failures=$((failures + 1))
+fi
 
 [ "$failures" -eq 0 ] || { printf '%s checks failed\n' "$failures"; exit 1; }

@@ -75,7 +75,7 @@ Scene boilingMelt() {
   return s;
 }
 
-TEST(HeatExchange, hasTheSameBitsOnAnyNumberOfRanks) {
+TEST(HeatExchange, HasTheSameBitsOnAnyNumberOfRanks) {
   for (const DensityForm density : {DensityForm::Summation, DensityForm::Continuity}) {
     Scene scene = boilingMelt();
     scene.numerics.density = density;

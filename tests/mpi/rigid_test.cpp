@@ -44,7 +44,7 @@ StateHash runOn(MPI_Comm group, const Scene& scene, int steps) {
       group, scene, steps, [](const World&) {}, hashOf);
 }
 
-TEST(Rigid, piecesHaveTheSameBitsOnAnyNumberOfRanks) {
+TEST(Rigid, PiecesHaveTheSameBitsOnAnyNumberOfRanks) {
   const Scene scene = waxPieces();
   const StateHash alone = runOn(MPI_COMM_SELF, scene, 60), together = runOn(MPI_COMM_WORLD, scene, 60);
   EXPECT_GT(alone.melted, 0);

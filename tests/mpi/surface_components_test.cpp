@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Components of bodies across ranks have the labels, events and measures of a single process, bit by bit
-// (docs/validation/stability.md B30).
+// (docs/validation/stability.md, row 30).
 #include <map>
 
 #include "core/math/hash_random.hpp"

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/advection/displace.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/relaxation/blend.hpp"

@@ -8,7 +8,7 @@
 
 #include "core/halo/serial.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/resampling/resample.hpp"
 #include "core/surface/seeding/sample_mesh.hpp"

@@ -47,6 +47,16 @@ expectMessage ' to .* for the surface)$' "a range of times"
 launch 2 check "$work/s.toml" --ranks 5 --settings >"$work/log" 2>&1; expectExit 0 "check --ranks --settings"
 expectMessage '^run time: about .* with 5 ranks' "--ranks"
 expectMessage '^  liquid at rest (hydrostatic): defaults' "--settings"
+# A program without its file of settings gives no advice. A damaged file is refused.
+mkdir -p "$work/alone/share/thaw"
+cp "$thaw" "$work/alone/thaw"
+(thaw=$work/alone/thaw && launch 2 check "$work/s.toml" >"$work/log" 2>&1)
+expectExit 0 "check without the file"
+grep -q 'settings from similar cases' "$work/log" && fail "advice without the file of settings"
+sed '3s/,/;/' "$source_dir/docs/accuracy/frontier.csv" >"$work/alone/share/thaw/frontier.csv"
+(thaw=$work/alone/thaw && launch 2 check "$work/s.toml" >"$work/log" 2>&1)
+expectExit 3 "a damaged file"
+expectMessage 'alone/share/thaw/frontier.csv:3: expected the fields case,norm,' "a damaged file"
 # --json has all of it, as numbers
 launch 2 check "$work/s.toml" --json --set nonsense=1 >"$work/log" 2>"$work/errors"
 expectExit 2 "a bad scene"

@@ -142,9 +142,9 @@ TEST(ImplicitViscosity, SpinningDropKeepsAngularMomentum) {
   }
 }
 
-// docs/validation/stability.md B11: neighbours with viscosities that differ by up to six decades. Two layers
-// between plates under a steady force along the plates have the exact steady flow of a contrast. The stress
-// is continuous across the interface.
+// docs/validation/stability.md, row 11: neighbours with viscosities that differ by up to six decades. Two
+// layers between plates under a steady force along the plates have the exact steady flow of a contrast. The
+// stress is continuous across the interface.
 TEST(ImplicitViscosity, ContrastOfSixDecades) {
   for (const double contrast : {1e2, 1e4, 1e6}) {
     const int n = 12;

@@ -12,7 +12,8 @@
 namespace thaw::test {
 namespace {
 
-/// Mean excess of the relative density over the value from which liquid resists (PressureWork::full).
+/// Mean excess of the relative density over the value from which liquid resists
+/// (PressureWork::targetRelativeDensity).
 double compression(const Simulation& run) {
   const Continuum& p = run.w.particles;
   double sum = 0;

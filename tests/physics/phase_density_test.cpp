@@ -76,7 +76,7 @@ double residualOf(const LedgerReport& r) { return std::abs(r.energyResidual) / r
 
 }  // namespace
 
-TEST(PhaseDensity, volumesOfBothPhasesAddUp) {
+TEST(PhaseDensity, VolumesOfBothPhasesAddUp) {
   Material m = ice();
   EXPECT_EQ(targetRestDensity(m, Solid, 0), 917);
   EXPECT_EQ(targetRestDensity(m, Solid, 0.7), 917) << "a solid keeps its volume until it melts";
@@ -88,7 +88,7 @@ TEST(PhaseDensity, volumesOfBothPhasesAddUp) {
   EXPECT_EQ(targetRestDensity(m, Liquid, 0.3), 1000);
 }
 
-TEST(PhaseDensity, onlyScenesWithSolidsOfAnotherDensityHaveTheField) {
+TEST(PhaseDensity, OnlyScenesWithSolidsOfAnotherDensityHaveTheField) {
   Scene s = column(ice(), 4, 260);
   s.end = 1;
   EXPECT_TRUE(Simulation(s).particles().restDensity.active);
@@ -99,7 +99,7 @@ TEST(PhaseDensity, onlyScenesWithSolidsOfAnotherDensityHaveTheField) {
   EXPECT_FALSE(Simulation(s).particles().restDensity.active) << "nothing can freeze without heat";
 }
 
-TEST(PhaseDensity, bothPhasesStartWithTheVolumeOfACell) {
+TEST(PhaseDensity, BothPhasesStartWithTheVolumeOfACell) {
   Scene s = column(ice(), 4, 260);
   addBox(s, {0, 0, 4 * dx}, {6 * dx, 6 * dx, 8 * dx}).temperature = 300;
   s.materials[0].conductivity = {1, 1};
@@ -119,15 +119,15 @@ double growthOfMelt(const Material& m, const Numerics& n, double& residual) {
   s.numerics = n;
   s.end = 1.5;
   Simulation sim(s);
-  const double before = meanHeight(sim.particles()), mass = totalMass(sim.w, sim.all);
+  const double before = meanHeight(sim.particles()), mass = totalMass(sim.w.particles, sim.all);
   const double after = finalMeanHeight(sim);
   EXPECT_EQ(sim.w.counters.melted, static_cast<std::int64_t>(sim.particles().owned));
-  EXPECT_EQ(totalMass(sim.w, sim.all), mass);
+  EXPECT_EQ(totalMass(sim.w.particles, sim.all), mass);
   residual = residualOf(sim.ledgerReport());
   return after / before;
 }
 
-TEST(PhaseDensity, meltGrowsByTheRatioOfDensities) {
+TEST(PhaseDensity, MeltGrowsByTheRatioOfDensities) {
   Material wax = ice();
   wax.solidDensity = 900;
   wax.density = 780;
@@ -154,7 +154,7 @@ double growthOfSolid(Material m, double& residual) {
   return after / before;
 }
 
-TEST(PhaseDensity, freezingMeltShrinksOrGrowsByTheRatioOfDensities) {
+TEST(PhaseDensity, FreezingMeltShrinksOrGrowsByTheRatioOfDensities) {
   double residual = 1;
   EXPECT_NEAR(growthOfSolid(ice(), residual), 1 / 0.917, 0.01);
   EXPECT_LT(residual, 0.01);
@@ -192,7 +192,7 @@ struct Tank {
     s.end = 2.4;
     return s;
   }
-  Tank() : sim(scene()), exactLevel(totalMass(sim.w, sim.all) / 1000 / area) {}
+  Tank() : sim(scene()), exactLevel(totalMass(sim.w.particles, sim.all) / 1000 / area) {}
 
   /// Draught of the cube over its edge, where the water fills the tank up to its level around the cube.
   double draught() {
@@ -217,14 +217,14 @@ struct Tank {
   }
 };
 
-TEST(PhaseDensity, iceFloatsInItsMeltAndTheLevelStaysWhenItMelts) {
+TEST(PhaseDensity, IceFloatsInItsMeltAndTheLevelStaysWhenItMelts) {
   Tank tank;
-  const double mass = totalMass(tank.sim.w, tank.sim.all);
+  const double mass = totalMass(tank.sim.w.particles, tank.sim.all);
   EXPECT_NEAR(tank.meanUntil(0.4, 1, [&] { return tank.draught(); }), 0.917, 0.02 * 0.917);
   const double level = tank.meanUntil(2, 2.4, [&] { return 2 * meanHeight(tank.sim.particles()); });
   EXPECT_EQ(tank.sim.w.counters.melted, 1000);
   EXPECT_NEAR(level, tank.exactLevel, 0.005 * tank.exactLevel);
-  EXPECT_EQ(totalMass(tank.sim.w, tank.sim.all), mass);
+  EXPECT_EQ(totalMass(tank.sim.w.particles, tank.sim.all), mass);
   EXPECT_LT(residualOf(tank.sim.ledgerReport()), 0.01);
 }
 

@@ -14,7 +14,7 @@ constexpr double spacing = 0.1, slope = 0.5;
 
 Vec3d along(double angle) { return {9.81 * std::sin(angle), 0, -9.81 * std::cos(angle)}; }
 
-TEST(RigidContact, aBoxOnAnInclineHoldsOrSlides) {
+TEST(RigidContact, ABoxOnAnInclineHoldsOrSlides) {
   for (const double friction : {0.2, 0.5, 0.6}) {
     RigidRig rig(spacing, 6, 1e-3);
     rig.setFriction(friction, 0);
@@ -28,7 +28,7 @@ TEST(RigidContact, aBoxOnAnInclineHoldsOrSlides) {
   }
 }
 
-TEST(RigidContact, aBallRollsWithoutBumps) {
+TEST(RigidContact, ABallRollsWithoutBumps) {
   for (const bool onSlab : {false, true}) {
     RigidRig rig(spacing, 6, 1e-3);
     rig.setFriction(0.5, 0);
@@ -53,7 +53,7 @@ TEST(RigidContact, aBallRollsWithoutBumps) {
   }
 }
 
-TEST(RigidContact, reboundFollowsTheRestitution) {
+TEST(RigidContact, ReboundFollowsTheRestitution) {
   for (const bool box : {false, true})
     for (const double restitution : {0.3, 0.8}) {
       RigidRig rig(spacing, 3, 1e-3);
@@ -72,7 +72,7 @@ TEST(RigidContact, reboundFollowsTheRestitution) {
     }
 }
 
-TEST(RigidContact, aStackOfTenBoxesRests) {
+TEST(RigidContact, AStackOfTenBoxesRests) {
   RigidRig rig(spacing, 6, 2e-3);
   rig.setFriction(0.5, 0);
   for (int i = 0; i < 10; i++) {
@@ -87,7 +87,7 @@ TEST(RigidContact, aStackOfTenBoxesRests) {
   EXPECT_LT(rig.iterations, 1000 * 150);
 }
 
-TEST(RigidContact, theEnergyOfAPileOnlyFalls) {
+TEST(RigidContact, TheEnergyOfAPileOnlyFalls) {
   RigidRig rig(spacing, 6, 1e-3);
   for (const double side : {-1.0, 1.0}) {
     rig.addWall({0.8 * side, 0, 0}, {-side, 0, 0});

@@ -36,7 +36,7 @@ Scene turningBar() {
   return s;
 }
 
-TEST(Rigid, tumblingKeepsEnergyAndAngularMomentum) {
+TEST(Rigid, TumblingKeepsEnergyAndAngularMomentum) {
   Scene s = freeBox(stone(), 0.1, {0.6, 0.4, 0.2});
   s.bodies[0].spin = {0.01, 3, 0.02};  // about the middle axis, which is unstable
   s.numerics.fixedStep = 1e-3;
@@ -58,14 +58,14 @@ TEST(Rigid, tumblingKeepsEnergyAndAngularMomentum) {
   EXPECT_NEAR(sim.ledgerReport().energyResidual, 0, 1e-10 * energy);
 }
 
-TEST(Rigid, cubeOfParticlesHasTheInertiaOfTheCube) {
+TEST(Rigid, CubeOfParticlesHasTheInertiaOfTheCube) {
   Simulation sim(freeBox(stone(1000), 0.1, {0.5, 0.5, 0.5}));
   const Pieces& p = sim.w.pieces;
   EXPECT_NEAR(p.mass[0], 125, 1e-9);
   for (int a = 0; a < 3; a++) EXPECT_NEAR(p.inertia[0][a], 125 * 0.25 / 6, 1e-9);
 }
 
-TEST(Rigid, particlesKeepTheirPlacesInThePiece) {
+TEST(Rigid, ParticlesKeepTheirPlacesInThePiece) {
   Scene s = freeBox(stone(), 0.1, {0.4, 0.3, 0.2});
   s.bodies[0].spin = {1, 2, 3};
   s.domain.gravity = {0, 0, -1};
@@ -81,7 +81,7 @@ TEST(Rigid, particlesKeepTheirPlacesInThePiece) {
   EXPECT_NEAR(sim.w.pieces.centre[0].z, -0.5 * 0.5 * 0.5, 1e-12);  // leap-frog is exact in free fall
 }
 
-TEST(Rigid, meltingKeepsMomentumAndSplitsThePiece) {
+TEST(Rigid, MeltingKeepsMomentumAndSplitsThePiece) {
   Simulation sim(turningBar());
   for (int k = 0; k < 20; k++) ASSERT_TRUE(sim.step());
   const LedgerReport before = sim.ledgerReport();
@@ -101,7 +101,7 @@ TEST(Rigid, meltingKeepsMomentumAndSplitsThePiece) {
               1e-12 * before.now.kinetic);
 }
 
-TEST(Rigid, freezingJoinsPieces) {
+TEST(Rigid, FreezingJoinsPieces) {
   Simulation sim(turningBar());
   setColumn(sim.w.particles, 18, 8, 1e6);
   ASSERT_TRUE(sim.step());
@@ -118,7 +118,7 @@ TEST(Rigid, freezingJoinsPieces) {
   EXPECT_LT(std::abs(after.energyResidual - before.energyResidual), 1e-4 * before.now.kinetic);
 }
 
-TEST(Rigid, loneFrozenParticlesArePieces) {
+TEST(Rigid, LoneFrozenParticlesArePieces) {
   Scene s = turningBar();
   s.bodies[0].shape = boxOf({0, 0, 0}, {0.1, 0.1, 0.1});
   s.bodies[0].temperature = 400;
@@ -134,7 +134,7 @@ TEST(Rigid, loneFrozenParticlesArePieces) {
   EXPECT_NEAR(velocityOf(sim.w.pieces, 0).z, 0.1, 1e-12);
 }
 
-TEST(Rigid, clampedPiecesStayInPlace) {
+TEST(Rigid, ClampedPiecesStayInPlace) {
   Scene s = freeBox(stone(), 0.1, {0.6, 0.2, 0.2});
   s.domain.gravity = {0, 0, -9.81};
   s.bodies[0].clamp.push_back(boxOf({-0.4, -0.2, -0.2}, {-0.2, 0.2, 0.2}));
@@ -148,7 +148,7 @@ TEST(Rigid, clampedPiecesStayInPlace) {
   EXPECT_NEAR(sim.ledgerReport().momentumResidual.z, 0, 1e-9);
 }
 
-TEST(Rigid, periodicSidesCutNoPiece) {
+TEST(Rigid, PeriodicSidesCutNoPiece) {
   Scene s = freeBox(stone(), 0.1, {0.4, 0.4, 0.4});
   s.domain.min = {-0.5, -0.5, -0.5};
   s.domain.max = {0.5, 0.5, 0.5};
@@ -165,7 +165,7 @@ TEST(Rigid, periodicSidesCutNoPiece) {
   EXPECT_NEAR(sim.ledgerReport().now.kinetic, energy, 1e-12 * energy);
 }
 
-TEST(Rigid, snapshotsContinueWithTheSameBits) {
+TEST(Rigid, SnapshotsContinueWithTheSameBits) {
   const Scene s = waxPieces();
   Simulation straight(s), resumed(s);
   for (int k = 0; k < 36; k++) {
@@ -195,7 +195,7 @@ TEST(Rigid, snapshotsContinueWithTheSameBits) {
   }
 }
 
-TEST(Rigid, particlesThatLeaveTheDomainTakeTheirMomentum) {
+TEST(Rigid, ParticlesThatLeaveTheDomainTakeTheirMomentum) {
   Scene s = freeBox(stone(1000), 0.1, {0.4, 0.4, 0.4});
   s.domain.max.z = 0.25;
   s.domain.gravity = {0, 0, -9.81};
@@ -255,7 +255,7 @@ double draught(double density, double seconds, const Numerics& numerics = {}) {
   return sum / count;
 }
 
-TEST(Rigid, cubesFloatByArchimedes) {
+TEST(Rigid, CubesFloatByArchimedes) {
   constexpr double halfSpacing = 0.1;  // over the edge; the edge of the cube has five particles
   EXPECT_NEAR(draught(500, 1.5), 0.5, halfSpacing);
   EXPECT_NEAR(draught(900, 1.5), 0.9, halfSpacing);
@@ -268,7 +268,7 @@ TEST(Rigid, cubesFloatByArchimedes) {
   EXPECT_NEAR(draught(600, 1, implicitViscosity), 0.6, halfSpacing);
 }
 
-TEST(Rigid, scenesWithoutRigidMaterialHaveNoPieces) {
+TEST(Rigid, ScenesWithoutRigidMaterialHaveNoPieces) {
   Scene s = freeBox(wax(), 0.1, {0.4, 0.4, 0.4});
   s.bodies[0].temperature = 300;
   Simulation sim(s);

@@ -40,7 +40,7 @@ Scene fallingCube(double young) {
   return s;
 }
 
-TEST(Rigidify, bodyInFreeFallIsRigidAndTakesLongSteps) {
+TEST(Rigidify, BodyInFreeFallIsRigidAndTakesLongSteps) {
   Scene s = fallingCube(1e9);
   s.end = 0.2;
   Simulation x(s);
@@ -51,7 +51,7 @@ TEST(Rigidify, bodyInFreeFallIsRigidAndTakesLongSteps) {
   EXPECT_NEAR(x.ledgerReport().energyResidual, 0, 1e-9 * x.ledgerReport().energyScale);
 }
 
-TEST(Rigidify, bounceIsThatOfTheElasticBody) {
+TEST(Rigidify, BounceIsThatOfTheElasticBody) {
   double top[2] = {};
   std::int64_t steps[2] = {};
   for (const bool rigid : {false, true}) {
@@ -75,7 +75,7 @@ TEST(Rigidify, bounceIsThatOfTheElasticBody) {
   EXPECT_LT(steps[1], 0.9 * static_cast<double>(steps[0]));
 }
 
-TEST(Rigidify, turningBodyKeepsMomentumAsItGetsRigidAndElastic) {
+TEST(Rigidify, TurningBodyKeepsMomentumAsItGetsRigidAndElastic) {
   Scene s = emptyScene(0.1, {-2, -2, -2}, {2, 2, 2});
   s.materials.emplace_back();
   s.materials[0].name = "rubber";
@@ -103,7 +103,7 @@ TEST(Rigidify, turningBodyKeepsMomentumAsItGetsRigidAndElastic) {
   EXPECT_LT(std::abs(end.energyResidual), 1e-4 * end.energyScale);
 }
 
-TEST(Rigidify, bodiesThatMeetInTheAirWake) {
+TEST(Rigidify, BodiesThatMeetInTheAirWake) {
   Scene s = fallingCube(1e7);
   s.domain.gravity = {};
   s.obstacles.clear();
@@ -127,7 +127,7 @@ TEST(Rigidify, bodiesThatMeetInTheAirWake) {
   EXPECT_LT(std::abs(report.energyResidual), 2e-3 * report.energyScale);
 }
 
-TEST(Rigidify, liquidThatHitsABodyWakesIt) {
+TEST(Rigidify, LiquidThatHitsABodyWakesIt) {
   Scene s = fallingCube(1e6);
   s.domain.gravity = {};
   s.obstacles.clear();
@@ -151,7 +151,7 @@ TEST(Rigidify, liquidThatHitsABodyWakesIt) {
   EXPECT_LT(length(x.ledgerReport().momentumResidual), 1e-9 * x.ledgerReport().now.mass);
 }
 
-TEST(Rigidify, coldTopOfAMeltingBlockIsRigid) {
+TEST(Rigidify, ColdTopOfAMeltingBlockIsRigid) {
   double liquid[2] = {}, height[2] = {};
   for (const bool rigid : {false, true}) {
     Scene s = emptyScene(0.02, {-0.3, -0.3, -0.1}, {0.3, 0.3, 0.4});

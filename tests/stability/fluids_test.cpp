@@ -84,7 +84,7 @@ std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double onLattice, 
 
 }  // namespace
 
-TEST(Stability, B06_StretchedLiquid) {
+TEST(Stability, Row06StretchedLiquid) {
   // 8 % too thin everywhere: negative pressure pulls the particles into clumps, most with poly6 and a wide
   // support
   Nearest result[2];
@@ -116,7 +116,7 @@ TEST(Stability, B06_StretchedLiquid) {
   EXPECT_GT(result[1].least, 0.85);
 }
 
-TEST(Stability, B07_FreeSurfaceDensity) {
+TEST(Stability, Row07FreeSurfaceDensity) {
   double fastest[2], relativeDensity[3] = {};
   for (const bool naive : {true, false}) {
     Scene s = freeLiquid();
@@ -146,7 +146,7 @@ TEST(Stability, B07_FreeSurfaceDensity) {
   EXPECT_LT(fastest[1], 1e-4);
 }
 
-TEST(Stability, B08_PressureThatVanishesForClosePairs) {
+TEST(Stability, Row08PressureThatVanishesForClosePairs) {
   // pairs at a tenth of a spacing in a liquid that is 10 % too dense; pressure should part them
   std::vector<Vec3d> x;
   const int n = 6;
@@ -184,7 +184,7 @@ TEST(Stability, B08_PressureThatVanishesForClosePairs) {
   EXPECT_GT(ours.least, 0.4);
 }
 
-TEST(Stability, B09_CoincidentParticles) {
+TEST(Stability, Row09CoincidentParticles) {
   Scene s = periodicLiquid(8);
   s.materials[0].viscosity = {0.5, 0.5};
   s.materials[0].surfaceTension = 0.07;
@@ -208,7 +208,7 @@ TEST(Stability, B09_CoincidentParticles) {
   EXPECT_EQ(run.ledgerReport().massResidual, 0);
 }
 
-TEST(Stability, B12_DensityLayers) {
+TEST(Stability, Row12DensityLayers) {
   // a light liquid on one a thousand times as dense, both at rest
   Scene s = columnScene(dx, 0, 12 * dx);
   s.domain.side[2] = {Side::Wall, Side::Wall};

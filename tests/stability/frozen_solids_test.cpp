@@ -10,7 +10,7 @@
 
 namespace thaw::test {
 
-TEST(Stability, B13_PulledMoltenFlownFrozen) {
+TEST(Stability, Row13PulledMoltenFlownFrozen) {
   Scene s;
   s.spacing = 0.02;
   s.domain.min = {-1, -1, -1};
@@ -74,7 +74,7 @@ TEST(Stability, B13_PulledMoltenFlownFrozen) {
   EXPECT_LT(r.now.kinetic + r.now.elastic, 1.05 * (moving + frozen));
 }
 
-TEST(Stability, B09_CoincidentSolids) {
+TEST(Stability, Row09CoincidentSolids) {
   // two bodies in the same place, which only overlap = "keep" allows
   Scene s;
   s.spacing = 0.1;
@@ -96,7 +96,7 @@ TEST(Stability, B09_CoincidentSolids) {
   EXPECT_GT(run.w.counters.coincidentPairs, 0);
 }
 
-TEST(Stability, B21_LonelyParticlesAndSmallClusters) {
+TEST(Stability, Row21LonelyParticlesAndSmallClusters) {
   // Thrown solids and liquids of one to four particles: their centres of mass are ballistic, and all values
   // stay finite.
   const double dx = 0.01;

@@ -64,7 +64,7 @@ double largestResidual(Simulation& run, int steps, const std::function<double()>
 
 }  // namespace
 
-TEST(Stability, B10_LongElasticRuns) {
+TEST(Stability, Row10LongElasticRuns) {
   for (const Quality quality : {Quality::Standard, Quality::Preview, Quality::Reference})
     for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean}) {
       if (quality == Quality::Reference && law != ElasticLaw::Green) continue;
@@ -82,7 +82,7 @@ TEST(Stability, B10_LongElasticRuns) {
 
 // Naive: steps have the limit's length, and the last two before each frame are shortened to hit it, more in
 // every frame.
-TEST(Stability, B10_StepsCutAtFrames) {
+TEST(Stability, Row10StepsCutAtFrames) {
   double most[2];
   for (const bool naive : {true, false}) {
     Scene s = freeBlock(Quality::Preview, ElasticLaw::NeoHookean);
@@ -107,7 +107,7 @@ TEST(Stability, B10_StepsCutAtFrames) {
 
 // Far from the stability limit the energy of leap-frog oscillates with the square of the step, and nothing
 // grows.
-TEST(Stability, B10_ElasticStepsBeyondTheLimit) {
+TEST(Stability, Row10ElasticStepsBeyondTheLimit) {
   for (const double over : {1.0, 1.25, 1.5, 2.0}) {
     Scene s = freeBlock(Quality::Standard, ElasticLaw::NeoHookean);
     s.output.every = 0;

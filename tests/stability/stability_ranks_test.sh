@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Rows B29 and B30 of docs/validation/stability.md. B29: ranks without particles, one particle on four ranks,
+# Rows 29 and 30 of docs/validation/stability.md. Row 29: ranks without particles, one particle on four ranks,
 # all particles on one rank, a scene that begins empty. No deadlock, no minimum of an empty set, and the bits
-# of one rank. B30: a ring and a long bar across all ranks stay in one piece, bit by bit, and break into the
-# same pieces.
+# of one rank. Row 30: a ring and a long bar across all ranks stay in one piece, bit by bit, and break into
+# the same pieces.
 . "$(dirname "$0")/../support/run.sh"
 
 steps=100000
@@ -57,31 +57,33 @@ one() {
   printf '%s[[body]]\nbox = { size = [0.01, 0.01, 0.01] }\nmaterial = "%s"\n'\
 'place = { move = [0.1, 0.1, 0.02] }\n' "$head" "$1"
 }
-one water >"$work/B29_one_liquid.toml"
-one wax >"$work/B29_one_solid.toml"
+one water >"$work/row29_one_liquid.toml"
+one wax >"$work/row29_one_solid.toml"
 # no particles at first, then a few
 printf '%s[[emitter]]\nmaterial = "water"\ncentre = [0.2, 0.2, 0.2]\ndisc = { radius = 0.02 }\nspeed = 2\n'\
-'start = 0.02\n' "$head" >"$work/B29_none_at_first.toml"
+'start = 0.02\n' "$head" >"$work/row29_none_at_first.toml"
 # all particles in one corner, within one or two cells
 printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "wax"\n'\
-'place = { move = [0.4, 0.4, 0.02] }\n' "$head" >"$work/B29_all_in_a_corner.toml"
+'place = { move = [0.4, 0.4, 0.02] }\n' "$head" >"$work/row29_all_in_a_corner.toml"
 # all particles leave
 printf '%s[[body]]\nbox = { size = [0.03, 0.03, 0.03] }\nmaterial = "water"\nvelocity = [-20, 0, 0]\n'\
-'place = { move = [-0.45, 0, 0.1] }\n' "$head" >"$work/B29_all_leave.toml"
-for scene in B29_one_liquid B29_one_solid B29_none_at_first B29_all_in_a_corner; do same $scene 2 4; done
-same B29_all_leave 4
+'place = { move = [-0.45, 0, 0.1] }\n' "$head" >"$work/row29_all_leave.toml"
+for scene in row29_one_liquid row29_one_solid row29_none_at_first row29_all_in_a_corner; do
+  same $scene 2 4
+done
+same row29_all_leave 4
 # one piece over all ranks; the bar is hit hard enough to break
 printf '%s[[body]]\ntorus = { radius = 0.2, tube = 0.02 }\nmaterial = "wax"\n'\
-'place = { move = [0, 0, 0.03] }\nspin = [0, 0, 5]\n' "$head" >"$work/B30_ring.toml"
+'place = { move = [0, 0, 0.03] }\nspin = [0, 0, 5]\n' "$head" >"$work/row30_ring.toml"
 printf '%s[[body]]\nbox = { size = [0.8, 0.03, 0.03] }\nmaterial = "glass"\n'\
 'place = { move = [0, 0, 0.06] }\nvelocity = [0, 0, -1]\n[[obstacle]]\nname = "edge"\n'\
-'box = { size = [0.02, 0.2, 0.04] }\nplace = { move = [0, 0, 0.02] }\n' "$head" >"$work/B30_bar.toml"
-same B30_ring 2 7
-same B30_bar 2 7
+'box = { size = [0.02, 0.2, 0.04] }\nplace = { move = [0, 0, 0.02] }\n' "$head" >"$work/row30_bar.toml"
+same row30_ring 2 7
+same row30_bar 2 7
 # An impact presses pieces into the floor. Some particles are projected back onto it at the border of two
 # ranks, so that copies on other ranks must follow (random scene 410). Also over a restart while pieces leave
 # the domain.
-cat >"$work/B30_pieces.toml" <<'SCENE'
+cat >"$work/row30_pieces.toml" <<'SCENE'
 spacing = 0.163796
 end = 2.0977
 seed = 410
@@ -145,16 +147,16 @@ friction = 0.875
 
 SCENE
 steps=300
-same B30_pieces 3 4
-[ "$(value "$work/B30_pieces-1/summary.json" wall_projections)" -gt 0 ] ||
+same row30_pieces 3 4
+[ "$(value "$work/row30_pieces-1/summary.json" wall_projections)" -gt 0 ] ||
   fail "no particle was projected back onto the floor"
-launch 3 run "$work/B30_pieces.toml" --steps 281 --out "$work/parts" >"$work/log" 2>&1
+launch 3 run "$work/row30_pieces.toml" --steps 281 --out "$work/parts" >"$work/log" 2>&1
 expectExit 0 "first part"
-launch 2 run "$work/B30_pieces.toml" --steps 300 --restart --out "$work/parts" >"$work/log" 2>&1
+launch 2 run "$work/row30_pieces.toml" --steps 300 --restart --out "$work/parts" >"$work/log" 2>&1
 expectExit 0 "second part"
-"$thaw" compare "$work/B30_pieces-1" "$work/parts" >"$work/log" 2>&1 || {
-  fail "B30_pieces: a restart differs"
+"$thaw" compare "$work/row30_pieces-1" "$work/parts" >"$work/log" 2>&1 || {
+  fail "row30_pieces: a restart differs"
   head -n 5 "$work/log"
 }
-[ "$(value "$work/B30_bar-1/summary.json" broken_bonds)" -gt 0 ] || fail "the bar did not break"
+[ "$(value "$work/row30_bar-1/summary.json" broken_bonds)" -gt 0 ] || fail "the bar did not break"
 finish

@@ -3,7 +3,7 @@
 #include "core/heat/heat.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/materials/enthalpy.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "tests/support/hashed.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/periodic_block.hpp"
@@ -57,7 +57,7 @@ Growth growthOf(Scene s, double fixed, int steps, double jitter, double speed, d
 
 }  // namespace
 
-TEST(Stability, B10_StepTooLong) {
+TEST(Stability, Row10StepTooLong) {
   // Each limit of the step: stable with the default, unstable slightly beyond the stability limit.
   struct Case {
     const char* name;
@@ -94,7 +94,7 @@ TEST(Stability, B10_StepTooLong) {
   }
 }
 
-TEST(Stability, B10_TaitInStrongCompression) {
+TEST(Stability, Row10TaitInStrongCompression) {
   // A liquid compressed to 1.6 times its density oscillates in a periodic box, with noise. The box keeps the
   // compression, so that only the step decides whether the energy grows.
   for (const bool naive : {true, false}) {
@@ -134,7 +134,7 @@ TEST(Stability, B10_TaitInStrongCompression) {
   }
 }
 
-TEST(Stability, B12_LightParticlesInAThickLiquid) {
+TEST(Stability, Row12LightParticlesInAThickLiquid) {
   // Particles with a hundredth of the others' density, which are fifty times as viscous, at rest with noise:
   // in layers, in rows, single. In the pairwise form the light liquid's own viscosity limits the step, in the
   // printed form the arithmetic mean of both.
@@ -192,7 +192,7 @@ TEST(Stability, B12_LightParticlesInAThickLiquid) {
   }
 }
 
-TEST(Stability, B14_FreezeMeltPingPong) {
+TEST(Stability, Row14FreezeMeltPingPong) {
   // a lump at its melting point, heated and cooled by 0.1 K in turn, 1000 times
   std::int64_t flips[3];
   const double swing = 0.1 * 1000;

@@ -15,7 +15,7 @@ constexpr double dx = 0.01;
 
 }  // namespace
 
-TEST(Stability, B26_StrangeTimes) {
+TEST(Stability, Row26StrangeTimes) {
   // a step of 0 changes nothing
   Scene s = periodicBlock();
   s.materials[0].soundSpeed = 10;
@@ -52,7 +52,7 @@ TEST(Stability, B26_StrangeTimes) {
   measured("a step of 0 changes no bit; %d of 8 strange times refused", refused);
 }
 
-TEST(Stability, B27_ParticlesThatLeave) {
+TEST(Stability, Row27ParticlesThatLeave) {
   // A burst in all directions with half of the sides open: leaving particles are counted and recorded, the
   // others stay inside walls.
   Scene s;
@@ -101,7 +101,7 @@ TEST(Stability, B27_ParticlesThatLeave) {
   EXPECT_LT(length(r.momentumResidual), 1e-5 * length(r.left.momentum));
 }
 
-TEST(Stability, B28_NumbersThatSpread) {
+TEST(Stability, Row28NumbersThatSpread) {
   // during a run: one NaN is detected in its step, with the particle named
   const double nan = std::nan(""), inf = never;
   int seen = 0;

@@ -23,7 +23,7 @@ Body& addBall(Scene& s, double radius, const Vec3d& centre = {}) {
 
 }  // namespace
 
-TEST(Stability, B11_ViscosityRatio) {
+TEST(Stability, Row11ViscosityRatio) {
   // Two layers with viscosities 1 : 10^4 in the velocity field of their common shear flow. Measures the
   // stress across the interface over that of the flow.
   const double mu[2] = {1, 1e4}, rate = 10;  // Pa s, Pa: tau = mu du/dz
@@ -58,7 +58,7 @@ TEST(Stability, B11_ViscosityRatio) {
   EXPECT_NEAR(stress, 1, 0.35);
 }
 
-TEST(Stability, B11_ViscosityRatioImplicit) {
+TEST(Stability, Row11ViscosityRatioImplicit) {
   // The same layers in shear. The implicit solver takes acoustic steps, and its work per step is bounded.
   double dt[2][2], iterations = 0, fastest = 0;
   std::int64_t unfinished = 0;
@@ -98,7 +98,7 @@ TEST(Stability, B11_ViscosityRatioImplicit) {
   EXPECT_LT(fastest, 0.25);
 }
 
-TEST(Stability, B24_TensionOfInnerAndLonelyParticles) {
+TEST(Stability, Row24TensionOfInnerAndLonelyParticles) {
   // The printed colour field has no direction where its gradient vanishes. thaw leaves out
   // h < 0.3, and its own form has no normal.
   for (const TensionForm form : {TensionForm::ColourField, TensionForm::Pairwise}) {
@@ -147,7 +147,7 @@ TEST(Stability, B24_TensionOfInnerAndLonelyParticles) {
   }
 }
 
-TEST(Stability, B31_SpinningViscousDrop) {
+TEST(Stability, Row31SpinningViscousDrop) {
   // loss rate of the spin, times R^2 / nu
   double rate[2];
   const double R = 6 * dx, nu = 0.01;
@@ -169,7 +169,7 @@ TEST(Stability, B31_SpinningViscousDrop) {
   EXPECT_LT(std::abs(rate[1]), 1e-9);
 }
 
-TEST(Stability, B32_DropThatPropelsItself) {
+TEST(Stability, Row32DropThatPropelsItself) {
   // a pear-shaped drop: velocity of its centre of mass without external forces
   double speed[2];
   for (const bool naive : {true, false}) {

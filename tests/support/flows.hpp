@@ -22,7 +22,7 @@ struct PlateFlow {
     return s;
   }
   /// Velocity (m/s) along x at height z at the end of the scene: the parabola minus the start-up series
-  /// (Poiseuille flow, Morris et al. 1997).
+  /// (Poiseuille flow, MFZ97).
   double exact(double z) const {
     const double nu = kinematicViscosity, H = height;
     double u = gravity / (2 * nu) * z * (H - z);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/sheet/step_sheets.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {

@@ -6,7 +6,7 @@
 #include "core/neighbours/sort.hpp"
 #include "core/simulation/setup/make_grid.hpp"
 #include "core/simulation/time/integrate.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw::test {

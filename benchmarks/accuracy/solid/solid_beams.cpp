@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cantilevers of square section against the beam theory of Timoshenko (1921), kappa of Cowper (1966).
+// Cantilevers of square section against the beam theory of Timoshenko (T21), with kappa of Cowper (C66).
 #include "benchmarks/accuracy/solid/solid_trials.hpp"
 
 namespace thaw::accuracy {
@@ -27,7 +27,7 @@ struct Beam {
   }
 };
 
-/// First frequency (Hz) for length 5, height 1, E = 1e6, rho = 1000 (Timoshenko 1921).
+/// First frequency (Hz) for length 5, height 1, E = 1e6, rho = 1000 (T21).
 constexpr double firstFrequency = 0.1982;
 
 bool atTip(const World& w, std::size_t i) { return w.particles.position[i].x > 5 - w.scene.spacing; }
@@ -155,7 +155,7 @@ std::vector<Case> beamCases() {
            measureFrequency},
           {"cantilever_modes",
            "the same beam shaken at random: no lines between bending and torsion "
-           "(docs/validation/stability.md B2)",
+           "(docs/validation/stability.md, row 2)",
            nullptr,
            {},
            shake,

@@ -151,7 +151,7 @@ std::vector<Case> restingSurfaceCases() {
        {},
        measureBall},
       {"surface_cube",
-       "surface of a solid cube, one component with its edges; exact cube (docs/validation/stability.md B19)",
+       "surface of a solid cube, one component with its edges; exact cube (stability row 19)",
        nullptr,
        {},
        {},

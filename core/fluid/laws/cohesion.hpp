@@ -8,7 +8,7 @@ namespace thaw {
 namespace THAW_ISA {
 
 /// Surface tension as cohesion between pairs of liquid particles: central forces, so momentum and angular
-/// momentum are conserved (docs/validation/stability.md B32). The calibration uses the continuum surface
+/// momentum are conserved (docs/validation/stability.md, row 32). The calibration uses the continuum surface
 /// tension of a pair force (TP16 eq. 14): sigma = pi/8 n^2 int r^4 F(r) dr, with F = s phi(q). The factor phi
 /// = q (1-q)^2 (q - a) is repulsive below q = a.
 struct Cohesion {

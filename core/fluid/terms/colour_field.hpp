@@ -42,7 +42,7 @@ template<class Real> struct ColourField {
                      root = static_cast<double>(i.surface.a[l]);
         const Vec3d n{static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
         const double size = __builtin_sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-        if (size < 0.3) continue;  // |n| h: noise inside the liquid (docs/validation/stability.md B24)
+        if (size < 0.3) continue;  // |n| h: noise inside the liquid (docs/validation/stability.md, row 24)
         const double laplacian = static_cast<double>(s.laplacian[l]) -
                                  945 / (32 * pi) * 3 * static_cast<double>(i.positionVolume.d[l]);
         const double k = -root * root * laplacian / (h * h) * V / size;

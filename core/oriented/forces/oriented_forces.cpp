@@ -59,7 +59,7 @@ WallReaction wallReaction(const OrientedView& w, const Wall& wall, std::size_t i
 }
 
 /// Returns a small torque along a random direction shared by both particles. Antiparallel normals have no
-/// torque otherwise (docs/validation/stability.md B17).
+/// torque otherwise (docs/validation/stability.md, row 17).
 Vec3d antiparallelTorque(const Scene& scene, const PairPotential& p, std::uint64_t a, std::uint64_t b,
                          const Vec3d& n) {
   const double angle = 6.283185307179586 *

@@ -14,7 +14,7 @@ struct PairPotential {
   double fade = 2.25;  ///< m, distance at which the fade-out begins
   double scale = 1;    ///< J, stiffness times s^2
   double well = 1;     ///< m, distance of the Lennard-Jones minimum of a pair
-  double core = 0.7;   ///< m, Lennard-Jones is linear below it (docs/validation/stability.md B33)
+  double core = 0.7;   ///< m, Lennard-Jones is linear below it (docs/validation/stability.md, row 33)
   int n = 12, m = 6;   ///< powers of Lennard-Jones
   double attract = 1, plane = 1, normal = 1, circle = 1;  ///< weights
   double a = 1, b = 0.5;  ///< m, scales of the weighting function across and along the normal

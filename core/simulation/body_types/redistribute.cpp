@@ -10,8 +10,8 @@
 #include "core/sheet/prepare_sheets.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "core/simulation/ledger/ledger_rows.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/simulation/world/body_types.hpp"
-#include "core/simulation/world/views.hpp"
 
 namespace thaw {
 

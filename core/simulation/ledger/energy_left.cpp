@@ -10,8 +10,8 @@
 #include "core/materials/rest_density.hpp"
 #include "core/neighbours/rows_around.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/views.hpp"
 #include "core/simulation/world/world.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
@@ -26,8 +26,8 @@ double volumeOf(const World& w, std::size_t i) {
   return w.particles.mass[i] / (restDensityOf(w.particles, w.scene.materials, i) * h * h * h);
 }
 
-double rootTensionOf(const World& w, const StepTools& t, std::size_t i) {
-  return t.liquids[w.particles.material[i]].rootTension * liquidFraction(w.particles, i);
+double rootTensionOf(const Continuum& p, const StepTools& t, std::size_t i) {
+  return t.liquids[p.material[i]].rootTension * liquidFraction(p, i);
 }
 
 /// Positions of a leaver and of its periodic images within a support radius of the domain.
@@ -69,7 +69,7 @@ void recordCohesion(World& w, const StepTools& t) {
   using isa_base::Cohesion;
   const double h = w.grid.support;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
-    const double pair = l.volume * l.rootTension * volumeOf(w, j) * rootTensionOf(w, t, j) * h * h;
+    const double pair = l.volume * l.rootTension * volumeOf(w, j) * rootTensionOf(w.particles, t, j) * h * h;
     w.ledger.left.potential.add(0.5 * Cohesion::scale * pair * Cohesion::potential(length(d)));
   });
 }
@@ -172,7 +172,7 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
   for (const std::uint32_t i : t.leaving) {
     *to++ = std::bit_cast<std::int64_t>(w.particles.id[i]);
     const Vec3d& x = w.particles.position[i];
-    for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w, t, i)})
+    for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w.particles, t, i)})
       *to++ = std::bit_cast<std::int64_t>(value);
     for (const PairForceWork& work : t.pairForces)
       for (const double value : pairRecordOf(w.scene, w.particles, i, work))

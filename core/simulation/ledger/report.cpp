@@ -150,10 +150,11 @@ ExactBalance balanceHere(const World& w) {
   return now;
 }
 
-LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
-  findStoredEnergy(w, t);
+namespace {
+
+/// Returns this rank's part of all sums of a report, in the order in which unpackReport takes them.
+Pack packLedger(const World& w) {
   const Continuum& p = w.particles;
-  const ExactBalance now = balanceHere(w);
   ExactSum dissipated = w.ledger.dissipated, liquid, continuum, impulseInFlight[3];
   for (std::size_t i = 0; i < p.owned; i++) {
     dissipated.add(p.dissipated[i]);
@@ -169,7 +170,7 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   for (std::size_t i = 0; i < o.owned && o.external.active; i++)
     for (int a = 0; a < 3; a++) impulseInFlight[a].add(0.5 * w.clock.stepDt * o.external[i][a]);
   Pack pack;
-  pack.add(now);
+  pack.add(balanceHere(w));
   pack.add(w.ledger.entered);
   pack.add(w.ledger.left);
   for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump,
@@ -183,6 +184,17 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   for (const ExactSum& s : w.ledger.wallImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.gravityImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : impulseInFlight) pack.sums.push_back(s);
+  return pack;
+}
+
+/// Sums of a report over all ranks, and the numbers of rows.
+struct LedgerSums {
+  std::vector<ExactSum> sums;
+  std::vector<std::int64_t> counts;  ///< rows of each body type in the scene, then continuum particles
+};
+
+/// One reduction for all sums and counts. Collective.
+LedgerSums sumOverRanks(const World& w, Pack pack, Reducer& all) {
   std::vector<std::int64_t> digits;
   for (ExactSum& s : pack.sums) {
     s.carry();
@@ -191,17 +203,24 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
     digits.push_back(static_cast<std::int64_t>(r.owned));
   });
-  digits.push_back(static_cast<std::int64_t>(p.owned));
+  digits.push_back(static_cast<std::int64_t>(w.particles.owned));
   all.sum(digits);
   for (std::size_t k = 0; k < pack.sums.size(); k++)
     std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, pack.sums[k].digit.data());
+  digits.erase(digits.begin(),
+               digits.begin() + static_cast<std::ptrdiff_t>(pack.sums.size() * ExactSum::digits));
+  return {std::move(pack.sums), std::move(digits)};
+}
 
-  Unpack u{pack.sums};
+/// Returns the report without residuals and scales.
+LedgerReport unpackReport(const World& w, const LedgerSums& from) {
+  Unpack u{from.sums};
   LedgerReport r;
-  r.particles = digits.back();
-  std::size_t counted = pack.sums.size() * ExactSum::digits;
-  forEachBodyType(
-      w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) { r.rows[kind] = digits[counted++]; });
+  r.particles = from.counts.back();
+  std::size_t counted = 0;
+  forEachBodyType(w, [&](std::size_t kind, const BodyTypeRows&, const CellTable&) {
+    r.rows[kind] = from.counts[counted++];
+  });
   r.now = u.balance();
   r.entered = u.balance();
   r.left = u.balance();
@@ -223,6 +242,11 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   r.initial = w.ledger.initial;
   r.gravityImpulse = u.next3() + w.scene.domain.gravity * (r.initial.mass * w.clock.time);
   r.impulseInFlight = u.next3();
+  return r;
+}
+
+/// Sets the changes that no entry explains, and the energies that they are compared with.
+void findResiduals(const MonitorState& watch, LedgerReport& r) {
   r.massResidual = r.now.mass - (r.initial.mass + r.entered.mass - r.left.mass);
   r.momentumResidual = r.now.momentum + r.impulseInFlight -
                        (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse +
@@ -233,10 +257,18 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated),
                             std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic),
                             std::abs(r.wallWork), r.entered.kinetic, r.left.kinetic});
-  r.energyLargest = std::max(r.energyScale, w.watch.largest);
+  r.energyLargest = std::max(r.energyScale, watch.largest);
+  r.heatResidual = r.now.internal - (r.initial.internal + r.entered.internal - r.left.internal + r.heatIn);
+}
+
+}  // namespace
+
+LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
+  findStoredEnergy(w, t);
+  LedgerReport r = unpackReport(w, sumOverRanks(w, packLedger(w), all));
+  findResiduals(w.watch, r);
   r.heatScale = heatScaleOf(w, r);
   r.energyRounding = roundingOf(w, t, r);
-  r.heatResidual = r.now.internal - (r.initial.internal + r.entered.internal - r.left.internal + r.heatIn);
   return r;
 }
 

@@ -18,8 +18,8 @@ namespace {
 enum Part : std::size_t { Gravity, Compression, Tension, Contact, parts };
 using Sums = std::array<ExactSum, parts>;
 
-double gravityOf(const World& w, double mass, const Vec3d& place) {
-  return -mass * dot(w.scene.domain.gravity, place);
+double gravityOf(const Domain& domain, double mass, const Vec3d& place) {
+  return -mass * dot(domain.gravity, place);
 }
 
 /// The relative density of sleeping particles is unknown, since their sums may be skipped: all their stored
@@ -28,7 +28,7 @@ void addParticles(const World& w, const StepTools& t, Sums& sums) {
   const Continuum& p = w.particles;
   const RecordContext context{w.scene, w.modules, w.grid, t.liquids};
   for (std::size_t i = 0; i < p.owned; i++) {
-    sums[Gravity].add(gravityOf(w, p.mass[i], p.position[i]));
+    sums[Gravity].add(gravityOf(w.scene.domain, p.mass[i], p.position[i]));
     if (!p.interaction.active) continue;
     const bool known = p.relativeDensity.active && !(p.sleep.active && p.sleep[i] != awake);
     const double liquid = liquidFraction(p, i);
@@ -45,7 +45,8 @@ StoredParts storedParts(World& w, const StepTools& t, Reducer& all) {
   Sums sums;
   addParticles(w, t, sums);
   forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
-    for (std::size_t i = 0; i < r.owned; i++) sums[Gravity].add(gravityOf(w, r.mass[i], r.position[i]));
+    for (std::size_t i = 0; i < r.owned; i++)
+      sums[Gravity].add(gravityOf(w.scene.domain, r.mass[i], r.position[i]));
   });
   std::vector<std::int64_t> digits;
   for (ExactSum& s : sums) {

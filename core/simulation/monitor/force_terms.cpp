@@ -6,7 +6,7 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/time/integrate.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 
 namespace thaw {
 namespace {

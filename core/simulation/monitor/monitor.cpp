@@ -71,8 +71,7 @@ MonitorLimits monitorLimits(const Scene& s, const Modules& modules,
   return b;
 }
 
-double largestRelativeDensity(const World& w) {
-  const Continuum& p = w.particles;
+double largestRelativeDensity(const Continuum& p) {
   constexpr std::size_t lanes = 16;  // independent chains, to hide latency
   float most[lanes] = {};
   const auto see = [&](std::size_t i, std::size_t l) {

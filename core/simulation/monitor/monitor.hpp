@@ -18,7 +18,7 @@ MonitorLimits monitorLimits(const Scene& scene, const Modules& modules,
                             const std::vector<LiquidMaterial>& liquids, const StepLimits& materials);
 
 /// Returns the largest relative density of this rank's liquid particles.
-double largestRelativeDensity(const World& world);
+double largestRelativeDensity(const Continuum& particles);
 
 /// Checks reduced values after the time-step reduction. limits: of all ranks, before Numerics::fixedStep and
 /// MonitorState::factor; relativeDensity: largest relative density of all ranks. The result is equal on all

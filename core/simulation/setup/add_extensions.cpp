@@ -16,15 +16,15 @@ const Extension& extensionOf(const std::string& name) {
 }
 
 /// Adds a line of the run's description for an extension that is not in it.
-void describe(World& w, const Extension& e) {
+void describe(Modules& modules, const Extension& e) {
   const std::string line = "extension '" + e.name + "': " + e.about;
-  std::vector<std::string>& why = w.modules.why;
+  std::vector<std::string>& why = modules.why;
   if (std::find(why.begin(), why.end(), line) == why.end()) why.push_back(line);
 }
 
-void describeShape(World& w, const Shape& s) {
-  if (s.kind == ShapeKind::Extension) describe(w, extensionOf(s.extension.name));
-  for (const Shape& part : s.parts) describeShape(w, part);
+void describeShape(Modules& modules, const Shape& s) {
+  if (s.kind == ShapeKind::Extension) describe(modules, extensionOf(s.extension.name));
+  for (const Shape& part : s.parts) describeShape(modules, part);
 }
 
 void lower(StepTools& t, double limit) {
@@ -53,7 +53,7 @@ void addExtensions(World& w, StepTools& t) {
   declareFields(w.scene, w.particles);
   for (const ExtensionSettings& settings : w.scene.extensions) {
     const Extension& e = extensionOf(settings.name);
-    describe(w, e);
+    describe(w.modules, e);
     if (e.heats && !w.modules.heat)
       throw std::runtime_error(
           "extension '" + e.name +
@@ -65,11 +65,11 @@ void addExtensions(World& w, StepTools& t) {
     if (e.pairForce.kernels.sum) addPairForce(w, t, e, settings);
   }
   for (const Material& m : w.scene.materials)
-    if (m.law == ElasticLaw::Extension) describe(w, extensionOf(m.extensionLaw.name));
-  for (const Body& b : w.scene.bodies) describeShape(w, b.shape);
-  for (const Obstacle& o : w.scene.obstacles) describeShape(w, o.shape);
-  for (const OrientedBody& b : w.scene.oriented) describeShape(w, b.shape);
-  for (const HeatedRegion& r : w.scene.heatedRegions) describeShape(w, r.shape);
+    if (m.law == ElasticLaw::Extension) describe(w.modules, extensionOf(m.extensionLaw.name));
+  for (const Body& b : w.scene.bodies) describeShape(w.modules, b.shape);
+  for (const Obstacle& o : w.scene.obstacles) describeShape(w.modules, o.shape);
+  for (const OrientedBody& b : w.scene.oriented) describeShape(w.modules, b.shape);
+  for (const HeatedRegion& r : w.scene.heatedRegions) describeShape(w.modules, r.shape);
 }
 
 }  // namespace thaw

@@ -12,7 +12,7 @@
 #include "core/oriented/population/follow_interpolant.hpp"
 #include "core/oriented/population/redistribute_oriented.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 
 namespace thaw {
 namespace {

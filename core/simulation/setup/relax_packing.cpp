@@ -31,7 +31,7 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
   sortByCell(p, m, t.sort, w.cells);
   sendGhosts(halos.cells, p, w.cells, ghostColumns(w)).wait();
-  clearRates(w);
+  clearRates(w.particles);
   markInner(w, halos.cells, t);
   t.ghostRoom = std::max(t.ghostRoom, p.ghosts);
   sumUnitPressure(w, t);

@@ -46,7 +46,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/time/limits.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/solid/elasticity/active_slots.hpp"
 #include "core/time/frame_times.hpp"
 
@@ -74,8 +74,8 @@ void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
 }
 
 /// Frees the buffers of the first sorts, which cover all rows.
-void dropBuffersOfStart(World& w, StepTools& t) {
-  w.particles.shrink();
+void dropBuffersOfStart(Continuum& particles, StepTools& t) {
+  particles.shrink();
   t.sort = {};
   trimFreedMemory();
 }
@@ -106,32 +106,10 @@ double reachOfWalls(const World& w) {
   return reach;
 }
 
-/// Adds notes on the meshes of obstacles, and a warning for obstacles with a step at a periodic side.
-void addWallWarnings(const World& w, std::vector<SceneWarning>& warnings) {
-  for (const Wall& wall : w.walls.list) {
-    if (wall.isImage()) continue;
-    const auto add = [&](const std::string& text) {
-      warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "'" + text});
-    };
-    if (const std::string axes = unevenAxes(w.scene.domain, wall, w.grid.support); !axes.empty())
-      add(" is as long as the domain, or longer, along the periodic axis " + axes +
-          ", but differs at both sides: particles that cross that side hit a step");
-    std::vector<std::string> notes;  // repairs of meshes
-    wall.shape->addNotes(notes);
-    for (const std::string& note : notes) add(": " + note);
-  }
-}
-
-}  // namespace
-
-void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
-  completeExtensions(w.scene);
-  w.modules = modulesOf(w.scene);
-  w.grid = makeGrid(w.scene);
-  if (w.modules.surface) prepareSurface(w);
-  w.clock.end = w.scene.end;
-  w.clock.every = w.scene.output.every;
-  SceneProblems problems;  // unreadable meshes, all reported together with their places in the scene
+/// Adds the walls of obstacles and of the domain, and the shapes of bodies and heated regions. Throws with
+/// all unreadable meshes and their places in the scene.
+void makeShapes(World& w, StepTools& t, const MeshLoader& load) {
+  SceneProblems problems;
   for (const Obstacle& o : w.scene.obstacles) {
     Wall wall;
     wall.shape = makeSignedDistance(o.shape, load, "obstacle '" + o.name + "'", problems);
@@ -148,19 +126,11 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   for (const HeatedRegion& r : w.scene.heatedRegions)
     t.light->regions.push_back(makeSignedDistance(r.shape, load, "heated region '" + r.name + "'", problems));
   problems.raise();
-  t.shapes = shapes;
-  if (w.modules.sheet) prepareSheets(w.sheets, w.scene, load);
-  if (const double reach = std::max(faceContactReach(w.sheets.plans),
-                                    meshContactReach(w.scene, w.sheets.plans));
-      reach > w.grid.edge.x)
-    w.grid = makeGrid(w.scene, reach);
-  addWallImages(w.scene.domain, reachOfWalls(w), w.walls);
-  w.scene.fallHeight = fallHeightOf(w.scene, shapes);
-  t.emitters = planEmitters(w.scene);
-  w.scene.expected = expectedMotion(w.scene, shapes, w.walls, t.emitters);
+  t.shapes = std::move(shapes);
+}
 
-  if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
-  t.kernels = pairKernels();
+/// Sets the liquids, the contacts of body types with them, and the limits of the step.
+void planLiquidsAndLimits(World& w, StepTools& t) {
   t.liquids = liquidMaterials(w.scene);
   if (w.modules.sheet) planParticleContact(w.scene, t.liquids, w.sheets.plans);
   if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
@@ -169,14 +139,18 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   addExtensions(w, t);
   if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
   t.watch = monitorLimits(w.scene, w.modules, t.liquids, t.fixedLimits);
-  if (w.modules.fluid) {
-    t.viscousWeight = viscousWeight(w.scene.numerics);
-    t.stableViscousStep = stableViscousStep(w.scene.numerics);
-  }
-  t.conductionScale = conductionScale(w.scene.numerics);
-  t.wallTables = makeWallTables(w.scene.numerics);
-  const double h = w.grid.support;
+}
+
+/// Sets the constants of pair sums, which follow from kernel and spacing.
+void setScales(const World& w, StepTools& t) {
   const Numerics& n = w.scene.numerics;
+  if (w.modules.fluid) {
+    t.viscousWeight = viscousWeight(n);
+    t.stableViscousStep = stableViscousStep(n);
+  }
+  t.conductionScale = conductionScale(n);
+  t.wallTables = makeWallTables(n);
+  const double h = w.grid.support;
   const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
   t.inverseLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
   const double cellsInSupport = std::pow(h / w.scene.spacing, 3);
@@ -186,79 +160,38 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
     t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.inverseLatticeSum;
     if (liquidFillsTheBox(w.scene)) t.pressure.targetRelativeDensity += flowDensityExcess;
-    t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
-    t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
+    t.pressure.relaxation = 0.9 / largestPressureResponse(n);
+    t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(n.maxDensityError));
   }
-  if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(w.scene.numerics, w.scene.spacing);
+  if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
   t.relativeDensityScale = t.inverseLatticeSum / (h * h * h);
-  activateFields(w, t);
 }
 
-SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
-  const std::vector<std::shared_ptr<const SignedDistance>> shapes = std::exchange(t.shapes, {});
-  moveWalls(w.walls, 0);
-  SamplingReport report = sampleBodies(w, shapes, halos.all);
-  SceneProblems problems;
-  if (w.scene.numerics.overlap == OverlapRule::Error)
-    for (const std::string& pair : report.overlaps)
-      problems.add(report.overlapWhere, pair +
-                                            "; move them apart, or set numerics.overlap to \"keep\", "
-                                            "\"remove later\" or \"remove earlier\"");
-  for (std::size_t b = 0; b < shapes.size(); b++)
-    if (const Body& body = w.scene.bodies[b]; report.outside[b].count > 0)
-      problems.add(body.where, "body '" + body.name + "': " +
-                                   outsideText(report.outside[b], w.scene.domain, report.particles[b],
-                                               "particles", "body") +
-                                   sizeHint(w.scene, body.shape, shapes[b]->bounds()));
-  for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string why = misplacedOpening(w.scene, w.walls, w.scene.emitters[e], t.emitters[e]);
-        !why.empty())
-      problems.add(w.scene.emitters[e].where, why);
-  if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
-    problems.add(report.obstacleWhere, std::to_string(report.inObstacles) +
-                                           " particles lie inside obstacles (first: " + report.firstObstacle +
-                                           "); move them apart, or set numerics.overlap to \"keep\"");
-  problems.raise();
-  for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty())
-      report.warnings.push_back({w.scene.emitters[e].where, much});
-  for (SceneWarning& thick : thickFlows(w, t)) report.warnings.push_back(std::move(thick));
-  for (SceneWarning& thin : thinWalls(w, shapes, report.particles, halos.all))
-    report.warnings.push_back(std::move(thin));
-  // First partition, by the number of particles; they are still where they were sampled.
-  Continuum& p = w.particles;
-  const std::vector<std::vector<Vec3d>> oriented = sampleBodyTypes(w, halos, t, load, report.warnings);
-  if (w.modules.bodyTypes())
-    for (SceneWarning& warning : bodyTypeStartWarnings(w, shapes, oriented, halos.all, problems))
-      report.warnings.push_back(std::move(warning));
-  problems.raise();
-  addWallWarnings(w, report.warnings);
-  for (std::size_t b = 0; b < shapes.size(); b++) {
-    std::vector<std::string> notes;
-    shapes[b]->addNotes(notes);
-    for (const std::string& note : notes)
-      report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});
-  }
-  for (SceneWarning& warning : overlapsOfRegions(w.sheets, w.scene, load))
-    report.warnings.push_back(std::move(warning));
-  // Jitter may cross a seam by rounding.
-  for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);
-  computeCellKeys(w.grid, p);
-  Migration all;
-  all.arrivals = p.owned;
-  sortByCell(p, all, t.sort, w.cells);
-  const CellCosts costs = countCells(w);
-  halos.cells.rebalance(costs.cells, costs.cost, true);
-  t.newPartition = true;
-  relaxPacking(w, halos, t, shapes);
-  assignStartFields(w, shapes, halos.all, true);
-  if (w.modules.rigidify) restAtStart(w.scene, p);
-  else if (w.modules.rigid) {
-    markRigidParticles(w.scene, p);
-    elementsOfShapes(w.scene, shapes, p);
-  }
-  startFields(p, 0, p.owned);
-  return report;
+}  // namespace
+
+void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
+  completeExtensions(w.scene);
+  w.modules = modulesOf(w.scene);
+  w.grid = makeGrid(w.scene);
+  if (w.modules.surface) prepareSurface(w);
+  w.clock.end = w.scene.end;
+  w.clock.every = w.scene.output.every;
+  makeShapes(w, t, load);
+  if (w.modules.sheet) prepareSheets(w.sheets, w.scene, load);
+  if (const double reach = std::max(faceContactReach(w.sheets.plans),
+                                    meshContactReach(w.scene, w.sheets.plans));
+      reach > w.grid.edge.x)
+    w.grid = makeGrid(w.scene, reach);
+  addWallImages(w.scene.domain, reachOfWalls(w), w.walls);
+  w.scene.fallHeight = fallHeightOf(w.scene, t.shapes);
+  t.emitters = planEmitters(w.scene);
+  w.scene.expected = expectedMotion(w.scene, t.shapes, w.walls, t.emitters);
+
+  if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
+  t.kernels = pairKernels();
+  planLiquidsAndLimits(w, t);
+  setScales(w, t);
+  activateFields(w, t);
 }
 
 void initializeForces(World& w, Halos halos, StepTools& t) {
@@ -267,7 +200,7 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
   const double fixed = w.scene.numerics.fixedStep;
   // Used until particle limits are known.
   w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];
-  if (fieldsDeferred(w, t))
+  if (fieldsDeferred(w.bonds, t))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
   if (!w.modules.neighbours) {  // only needed for the bonds of the start
@@ -275,8 +208,8 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
     t.records = {};
     t.search = {};
   }
-  dropBuffersOfStart(w, t);
-  t.mass = totalMass(w, halos.all);
+  dropBuffersOfStart(w.particles, t);
+  t.mass = totalMass(w.particles, halos.all);
   const LedgerReport now = reportLedger(w, t, halos.all);
   w.ledger.initial = now.now;
   // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
@@ -335,8 +268,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
     redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
   if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
   t.oriented.time = w.clock.time;
-  dropBuffersOfStart(w, t);
-  t.mass = totalMass(w, halos.all);
+  dropBuffersOfStart(w.particles, t);
+  t.mass = totalMass(w.particles, halos.all);
   double froze = 0;
   if (p.justFrozen.active)
     for (std::size_t i = 0; i < p.owned; i++) froze = p.justFrozen[i] ? 1 : froze;

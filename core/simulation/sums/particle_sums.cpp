@@ -16,7 +16,7 @@
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/rigid/piece_joint.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 
 namespace thaw {
 ColumnList ghostColumns(World& w) {
@@ -43,8 +43,7 @@ ColumnList ghostColumns(World& w) {
   return c;
 }
 
-void clearRates(World& w, bool pairsSet) {
-  Continuum& p = w.particles;
+void clearRates(Continuum& p, bool pairsSet) {
   std::fill_n(p.interaction.data(), p.owned, 0.0);
   if (!pairsSet) {
     std::fill_n(p.force.data(), p.owned, Vec3d{});
@@ -152,20 +151,17 @@ void sumContactHeat(const World& w, StepTools& t, const PairSums& sums, GroupRan
   addContactHeat(sums, t.contactHeat, range);
 }
 
-}  // namespace
-
-void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
-  Continuum& p = w.particles;
+/// Packs the records of a density pass, and searches the neighbours of its rows. elapsed: s, last step.
+void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
+  const Continuum& p = w.particles;
   RecordContext x = recordContext(w, t);
   x.elapsed = elapsed;
-  NeighbourLists& lists = w.neighbours;
-  const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
-  if (pass == NeighbourPass::InnerDensity) {
+  if (part == Part::Inner) {
     resizeRecords(x, p.owned + t.ghostRoom, t.records);
     for (const RowSpan& rows : rowsToSee(w.modules, p, t.sleep))
       packRecords(x, p, rows.begin, rows.end, t.records);
     searchInner(w, t);
-  } else if (pass == NeighbourPass::BoundaryDensity) {
+  } else {
     if (p.ghosts > t.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to rows
                                    // that are now ghosts
       t.ghostRoom = p.ghosts + p.ghosts / 8;
@@ -176,24 +172,28 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     search(w, t, Part::Boundary);
     t.times.lap(StepPhase::Search);
   }
-  const bool inner = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces;
-  const GroupRange range{inner ? 0 : lists.innerGroups, inner ? lists.innerGroups : lists.groups};
-  if (density) {
-    if (w.modules.fluid) {
-      PairSums sums = pairSumsOf(w, t);
-      const CarryContext context = carryContext(w, t, elapsed);
-      CarryStep carry;
-      if (sums.carried) {
-        carry = carryStepOf(context);
-        sums.carry = &carry;
-        sums.positionVolume = t.records.middle.data();
-      }
-      t.kernels->density(sums, range);
+}
+
+/// elapsed: s, last step, over which liquids carry their density.
+void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
+  if (w.modules.fluid) {
+    PairSums sums = pairSumsOf(w, t);
+    const CarryContext context = carryContext(w, t, elapsed);
+    CarryStep carry;
+    if (sums.carried) {
+      carry = carryStepOf(context);
+      sums.carry = &carry;
+      sums.positionVolume = t.records.middle.data();
     }
-    if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);
-    t.times.lap(StepPhase::Density);
-    return;
+    t.kernels->density(sums, range);
   }
+  if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);
+  t.times.lap(StepPhase::Density);
+}
+
+void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
+  Continuum& p = w.particles;
+  const RecordContext x = recordContext(w, t);
   if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
     pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records)
                                        : packPressure(x, p, p.owned, p.size(), t.records);
@@ -227,6 +227,18 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   if (pass == NeighbourPass::BoundaryForces && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
   t.times.lap(StepPhase::Forces);
+}
+
+}  // namespace
+
+void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
+  const bool inner = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces;
+  const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
+  if (density) searchNeighbours(w, t, inner ? Part::Inner : Part::Boundary, elapsed);
+  const NeighbourLists& lists = w.neighbours;
+  const GroupRange range{inner ? 0 : lists.innerGroups, inner ? lists.innerGroups : lists.groups};
+  if (density) sumDensities(w, t, range, elapsed);
+  else sumForces(w, t, pass, range);
 }
 
 namespace {
@@ -332,8 +344,7 @@ void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
 namespace {
 
 /// Modules for the packing of bodies, independent of the scene's.
-Modules packingModules(const World& w) {
-  Modules m = w.modules;
+Modules packingModules(Modules m) {
   m.fluid = m.neighbours = true;
   m.heat = m.melting = m.uniform = false;
   return m;
@@ -351,7 +362,7 @@ PairSums packingSums(World& w, StepTools& t) {
 
 void sumUnitPressure(World& w, StepTools& t) {
   Continuum& p = w.particles;
-  const Modules modules = packingModules(w);
+  const Modules modules = packingModules(w.modules);
   const RecordContext x{w.scene, modules, w.grid, t.liquids};
   resizeRecords(x, p.size(), t.records);
   packRecords(x, p, 0, p.size(), t.records);
@@ -375,7 +386,7 @@ void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
   const PairSums s = packingSums(w, t);
   t.kernels->density(s, all);
   refresh(halo, p, ColumnList{&p.relativeDensity}).wait();
-  const Modules modules = packingModules(w);
+  const Modules modules = packingModules(w.modules);
   setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.records);
   std::fill_n(p.force.data(), p.owned, Vec3d{});
   t.kernels->forces(s, all);

@@ -16,14 +16,14 @@ PairSums pairSumsOf(World& world, StepTools& tools);
 
 /// Clears all accumulated rates. pairsSet: except those that the pair sums of one liquid (Modules::uniform)
 /// assign, which come first.
-void clearRates(World& world, bool pairsSet = false);
+void clearRates(Continuum& particles, bool pairsSet = false);
 
 /// Sets StepTools::inner of the present cells: 1 if sums need no ghosts.
 void markInner(const World& world, const CellHalo& halo, StepTools& tools);
 
 /// Gives coincident particles a tiny opposite impulse, with a direction derived from the id
-/// (docs/validation/stability.md B9). before: Counters::coincidentPairs before the sums. Called at the end of
-/// an evaluation; takes effect in the next step.
+/// (docs/validation/stability.md, row 9). before: Counters::coincidentPairs before the sums. Called at the
+/// end of an evaluation; takes effect in the next step.
 void separateCoincident(World& world, const StepTools& tools, std::int64_t before);
 
 /// Searches, and adds to Continuum::force the force of a uniform pressure of 1 Pa, -2 V_i sum V_j grad W (N).

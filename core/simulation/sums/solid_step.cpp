@@ -102,10 +102,10 @@ std::size_t solidGhosts(const Continuum& p) {
 
 /// Returns the number of parts in which all ranks make the initial bonds, such that the requests of one part
 /// fit a cache.
-std::size_t partsOfStart(const World& w, Halos& halos) {
+std::size_t partsOfStart(const NeighbourLists& lists, Reducer& all) {
   double listed = 0;
-  for (const std::uint16_t n : w.neighbours.neighbours) listed += n;
-  halos.all.maximum({&listed, 1});
+  for (const std::uint16_t n : lists.neighbours) listed += n;
+  all.maximum({&listed, 1});
   constexpr double together = 1 << 18;
   return static_cast<std::size_t>(std::clamp(listed / together, 8.0, 64.0));
 }
@@ -120,7 +120,7 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
   for (const std::uint16_t n : w.neighbours.neighbours) mostNeighbours = std::max<int>(mostNeighbours, n);
   const std::size_t remotes = solidGhosts(w.particles);
   w.solids.reserve(w.solids.owned + remotes);
-  const std::size_t parts = partsOfStart(w, halos);
+  const std::size_t parts = partsOfStart(w.neighbours, halos.all);
   const auto part = [&](std::size_t k) {
     return ListedGroups{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts};
   };
@@ -142,7 +142,7 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
     halos.bonds.rebuildBonds(bondedRows(w.particles), w.solids, w.bonds,
                              {requests, false, pairs, mostNeighbours, remotes});
   }
-  if (fieldsDeferred(w, t))
+  if (fieldsDeferred(w.bonds, t))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.activate(*c);
   updateBondData(w, halos, t);
   t.bondsAtStart = false;
@@ -167,7 +167,8 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
 void rebuildSolidBonds(World& w, Halos halos, StepTools& t, const BondUpdate& work) {
   t.times.lap(StepPhase::Sort);
   linkSlots(bondedRows(w.particles), w.solids);
-  if (halos.bonds.rebuildBonds(bondedRows(w.particles), w.solids, w.bonds, work) && !fieldsDeferred(w, t))
+  if (halos.bonds.rebuildBonds(bondedRows(w.particles), w.solids, w.bonds, work) &&
+      !fieldsDeferred(w.bonds, t))
     updateBondData(w, halos, t);
   t.times.lap(StepPhase::Bonds);
 }
@@ -200,7 +201,7 @@ void melt(World& w, Halos halos, StepTools& t) {
 }
 
 Exchange sendPositions(World& w, Halos halos, const StepTools& t) {
-  if (fieldsDeferred(w, t)) return {};
+  if (fieldsDeferred(w.bonds, t)) return {};
   copyToSolids(w.particles, w.solids);
   return refresh(halos.bonds, w.solids, remoteColumnsBeforeDeformation(w.solids));
 }
@@ -208,7 +209,7 @@ Exchange sendPositions(World& w, Halos halos, const StepTools& t) {
 Exchange deform(World& w, Halos halos, StepTools& t, double dt, SolidExchanges sent) {
   dt /= w.clock.substeps;  // the last of them
   ElasticStep now = elasticStep(t, dt);
-  if (!fieldsDeferred(w, t)) deformAll(w, halos, t, now, std::move(sent.positions));
+  if (!fieldsDeferred(w.bonds, t)) deformAll(w, halos, t, now, std::move(sent.positions));
   if (bondsForm(w, halos, t)) {
     const bool start = t.bondsAtStart;
     sent.densities.wait();  // since a halo has one refresh in flight

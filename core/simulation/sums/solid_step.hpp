@@ -18,8 +18,8 @@ void melt(World& world, Halos halos, StepTools& tools);
 /// Returns true at the start of a scene whose bonds have no vectors. Until the bonds exist, the fields of
 /// columnsOfSteps are unused. Their memory is better allocated once the lists of the start are freed and
 /// remote rows are known. Forming bonds with vectors reads F of their ends.
-inline bool fieldsDeferred(const World& world, const StepTools& tools) {
-  return tools.bondsAtStart && !world.bonds.vectors;
+inline bool fieldsDeferred(const Bonds& bonds, const StepTools& tools) {
+  return tools.bondsAtStart && !bonds.vectors;
 }
 
 /// Copies positions (velocities, liquid fractions) to the slots and sends them along the bonds. Collective.

@@ -61,9 +61,9 @@ double largestViscosity(const Scene& s, const Material& m) {
 }
 
 /// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
-/// velocity change depends on their own mass alone (docs/validation/stability.md B12). Between liquids of the
-/// pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as large.
-/// Yet the fastest wave among equal particles, with opposite motion of neighbours, is as fast
+/// velocity change depends on their own mass alone (docs/validation/stability.md, row 12). Between liquids of
+/// the pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as
+/// large. Yet the fastest wave among equal particles, with opposite motion of neighbours, is as fast
 /// (tests/stability: LightParticlesInAThickLiquid). The arithmetic mean of the printed form has no such
 /// bound; solids interact with liquids only.
 double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
@@ -90,7 +90,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
     const Material& m = s.materials[k];
     // A wider support does not soften the lattice: supports beyond 2 spacings count as 2. A light particle,
     // liquid or solid, among those of a stiffer liquid oscillates with their stiffness and its own mass
-    // (docs/validation/stability.md B12).
+    // (docs/validation/stability.md, row 12).
     if (stiffest > 0 && !modules.incompressible) {
       const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0,
                    near = std::sqrt(stiffest / leastDensityOf(m));
@@ -148,8 +148,7 @@ double largestViscosityHere(const World& w, std::size_t material) {
 
 }  // namespace
 
-LargestRates largestRates(const World& w) {
-  const Continuum& p = w.particles;
+LargestRates largestRates(const Continuum& p) {
   LargestRates largest;
   for (std::size_t i = 0; i < p.owned; i++) {
     largest.speed2 = std::max(largest.speed2, dot(p.velocity[i], p.velocity[i]));

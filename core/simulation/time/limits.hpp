@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The largest stable time step (docs/validation/stability.md B10; M92, MFZ97).
+// The largest stable time step (docs/validation/stability.md, row 10; M92, MFZ97).
 #pragma once
 #include "core/materials/liquid_materials.hpp"
 #include "core/simulation/time/step_limits.hpp"
@@ -17,7 +17,7 @@ StepLimits materialLimits(const Scene& scene, const Modules& modules,
 /// or for n > 1 at the largest rate that the scene resolves.
 double flowLawStepLimit(const Scene& scene, const Material& material);
 
-LargestRates largestRates(const World& world);
+LargestRates largestRates(const Continuum& particles);
 
 /// Returns the limits of this rank's particles: acceleration, speed, and viscosity of tables and flow laws,
 /// stable on the lattice up to dt nu / h^2 = stableViscousStep. The caller reduces them over ranks.

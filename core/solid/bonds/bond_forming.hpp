@@ -29,10 +29,10 @@ struct BondForming {
 };
 
 /// Sets the particle fields that bonds need. They are particle fields because slots are renumbered.
-/// Continuum::frame is set where active, Continuum::home with periodic sides. The frame is F of the slot at
-/// the last phase 1, or the identity if the particle just froze or has no slot yet. The order after freezing:
-/// set justFrozen and phase, prepareBondForming, rebuildBonds (makes the slots), refresh bondFormingColumns
-/// on ghosts, formBonds, rebuildBonds with the requests, refreshReference.
+/// Continuum::frame is set where active, Continuum::unwrappedPosition with periodic sides. The frame is F of
+/// the slot at the last phase 1, or the identity if the particle just froze or has no slot yet. The order
+/// after freezing: set justFrozen and phase, prepareBondForming, rebuildBonds (makes the slots), refresh
+/// bondFormingColumns on ghosts, formBonds, rebuildBonds with the requests, refreshReference.
 void prepareBondForming(Continuum& particles, const Solids& solids);
 /// Columns of ghosts that formBonds reads besides position.
 ColumnList bondFormingColumns(Continuum& particles);

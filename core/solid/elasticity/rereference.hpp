@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Absorbs large plastic flow into the reference configuration (MKN04 3.5), by push-forward so that the stress
-// rotates with the body (docs/validation/stability.md B13).
+// rotates with the body (docs/validation/stability.md, row 13).
 #pragma once
 #include "core/solid/elasticity/elastic.hpp"
 

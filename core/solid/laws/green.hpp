@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). It is exact under rotation, softens in
 // compression below 0.577 of the length and does not resist inversion, which the volume force does
-// (docs/validation/stability.md B4, B5).
+// (docs/validation/stability.md, rows 4 and 5).
 #pragma once
 #include "core/math/mat3.hpp"
 

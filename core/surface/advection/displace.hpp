@@ -24,9 +24,9 @@ void findDisplacementGradients(const CellGrid& grid, Surface& surface, SurfaceHa
 /// fraction (leastMotionWeight). Tangents turn by the exact gradient of this sum, and the normal follows from
 /// them. Liquid surfels use the mean gradient, because the iterations determine their normals. Exact for
 /// affine motion. A surfel without particles takes the mean displacement of neighbouring surfels.
-/// Without those it is deleted and counted (B15). Requires: gradients; surfels on the ranks of their cells.
-/// Afterwards surfels have no ghosts and no valid cells (placeRows). With a liquid fraction, `carried` and
-/// `carriedNormal` are set. Collective.
+/// Without those it is deleted and counted (stability row 15). Requires: gradients; surfels on the ranks of
+/// their cells. Afterwards surfels have no ghosts and no valid cells (placeRows). With a liquid fraction,
+/// `carried` and `carriedNormal` are set. Collective.
 void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Returns the interpolated displacement of each owned surfel, as in displaceSurfels, and moves none. Zero

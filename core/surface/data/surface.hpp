@@ -57,10 +57,10 @@ struct SurfaceEvent {
 /// Counts since the start over all ranks. Updates add exact sums, so that every rank has the same values.
 struct SurfaceCounters {
   std::int64_t updates = 0, iterations = 0, births = 0, deaths = 0, splits = 0, merges = 0;
-  std::int64_t lost = 0;         ///< deleted surfels without particles around (B15)
-  std::int64_t flipped = 0;      ///< normals that pointed against the colour field (B16)
-  std::int64_t keptNormals = 0;  ///< neighbourhoods without a plane, whose normals were kept (B23)
-  std::int64_t capped = 0;       ///< updates with more births than allowed (B18)
+  std::int64_t lost = 0;         ///< deleted surfels without particles around (stability row 15)
+  std::int64_t flipped = 0;      ///< normals that pointed against the colour field (stability row 16)
+  std::int64_t keptNormals = 0;  ///< neighbourhoods without a plane, with kept normals (stability row 23)
+  std::int64_t capped = 0;       ///< updates with more births than allowed (stability row 18)
   std::int64_t unfinished = 0;   ///< updates that ended at the largest number of iterations
 };
 

@@ -12,7 +12,7 @@
 
 namespace thaw {
 
-/// References to the data of a run on one rank. Made by surfaceView (core/simulation/world/views.hpp), and
+/// References to the data of a run on one rank. Made by surfaceView (core/simulation/views/views.hpp), and
 /// valid as long as that data.
 struct SurfaceView {
   const Scene& scene;

@@ -64,7 +64,8 @@ struct ForceSums {
   /// flags of groups with a finite gap cutoff; null: none
   const std::uint8_t* groupHasGapCutoff = nullptr;
   float perSide = 0;  ///< 1 / increase of the cosine over sameSide at which weights become 1
-  /// cosine of normals below which surfels are across a gap or a sheet and do not repel (B20, B22)
+  /// cosine of normals below which surfels are across a gap or a sheet and do not repel (stability rows 20
+  /// and 22)
   float apart = 0;
   bool plane = false;  ///< SmoothingForm::Plane
   // results: channel c of lane l of group g at (g * channels + c) * 8 + l

@@ -5,7 +5,7 @@
 
 namespace thaw {
 
-/// Largest number of particles of a drop with a spherical surface (docs/validation/stability.md B21).
+/// Largest number of particles of a drop with a spherical surface (docs/validation/stability.md, row 21).
 inline constexpr std::int64_t smallDrop = 4;
 
 /// Returns whether the component of a label was a small drop at the last update. Caches the last label, since

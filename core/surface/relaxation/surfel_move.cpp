@@ -41,7 +41,7 @@ struct Smooth {
 };
 
 /// Smooths to the plane of the surfel and its neighbours (K05). Without a gap between the two smallest
-/// eigenvalues there is no plane (B23).
+/// eigenvalues there is no plane (stability row 23).
 Smooth smoothToPlane(const SurfelSums& s, const Vec3d& normal) {
   // includes the surfel itself at the origin
   const double weight = s.surfel(Weight) + 1;

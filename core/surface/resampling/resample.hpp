@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Births and deaths of surfels, which keep the sampling density within bounds (K05 4.3;
-// docs/validation/stability.md B18).
+// docs/validation/stability.md, row 18).
 #pragma once
 #include <functional>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gap cutoffs between sheets of one component that face each other (docs/validation/stability.md B20, B22).
-// Particles beyond a gap do not belong to the body below a surfel.
+// Gap cutoffs between sheets of one component that face each other (docs/validation/stability.md, rows 20 and
+// 22). Particles beyond a gap do not belong to the body below a surfel.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Distinguishes neighbours on the same sheet from those on other sheets of a component
-// (docs/validation/stability.md B20, B22).
+// (docs/validation/stability.md, rows 20 and 22).
 #pragma once
 #include "core/math/vec3.hpp"
 

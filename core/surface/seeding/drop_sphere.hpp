@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spherical surfaces of drops that are too small for a colour field (docs/validation/stability.md B21).
+// Spherical surfaces of drops that are too small for a colour field (docs/validation/stability.md, row 21).
 #pragma once
 #include <vector>
 

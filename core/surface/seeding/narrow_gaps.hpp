@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Detects narrow gaps between sheets by their particles, since there are no surfels before surfaces are first
-// grown (docs/validation/stability.md B22).
+// grown (docs/validation/stability.md, row 22).
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -6,7 +6,7 @@
 //   Their nearest particles must be within 5/3 (liquids: 2) of the particle link length.
 //   Without this limit, the skin over a crack or a parting neck would stretch for long.
 // - A surfel and its nearest particle. S_rest alone would separate the faces of a cube
-//   (docs/validation/stability.md B19).
+//   (docs/validation/stability.md, row 19).
 // - Two particles closer than settings.linkLength * spacing.
 //
 // A component splits where no link remains.

@@ -10,7 +10,7 @@
 
 #include "core/materials/liquid_materials.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "io/run/require_memory.hpp"
 #include "io/text/bytes_text.hpp"
 #include "io/text/duration_text.hpp"

@@ -165,14 +165,14 @@ template<class Score> std::vector<std::string> choose(const Records& records, Sc
 }
 
 /// Returns the settings of the cases that the scene resembles.
-Records recordsOf(const Scene& s, const Modules& m) {
+Records recordsOf(FrontierPoints points, const Scene& s, const Modules& m) {
   Records records;
   for (const ReferenceCase& like : referenceCases()) {
     if (!like.has(s, m) || !like.fits(s)) continue;
     double usual = 0;
-    for (const FrontierPoint& p : frontierPoints()) {
+    for (const FrontierPoint& p : points) {
       if (like.cases != p.cases) continue;
-      const std::string set = p.settings;
+      const std::string& set = p.settings;
       if (set.empty()) usual = p.error;  // the defaults are the first point of a case
       else if (usable(set, s, m) && keyOf(set) != "quality" && !isChosen(keyOf(set), s.numerics))
         records[set].add({like.part, p.error < 0 ? never : usual > 0 ? p.error / usual : 1, p.cost});
@@ -197,13 +197,13 @@ std::string settingList(const std::vector<std::string>& settings, const char* be
   return text;
 }
 
-std::vector<std::string> frontierLines(const Scene& s, const Modules& m) {
+std::vector<std::string> frontierLines(FrontierPoints points, const Scene& s, const Modules& m) {
   std::vector<std::string> lines;
   for (const ReferenceCase& like : referenceCases()) {
     if (!like.has(s, m)) continue;
     std::string line;
-    for (const FrontierPoint& p : frontierPoints()) {
-      const std::string set = p.settings;
+    for (const FrontierPoint& p : points) {
+      const std::string& set = p.settings;
       if (like.cases != p.cases || !p.best || !usable(set, s, m)) continue;
       line += fmt::format("{}{} {:.2g} % ({})", line.empty() ? "" : "; ",
                           set.empty() ? "defaults" : settingList(ofScene(set, s), ""), 100 * p.error,
@@ -214,8 +214,8 @@ std::vector<std::string> frontierLines(const Scene& s, const Modules& m) {
   return lines;
 }
 
-std::vector<Suggestion> frontierAdvice(const Scene& s, const Modules& m) {
-  const Records records = recordsOf(s, m);
+std::vector<Suggestion> frontierAdvice(FrontierPoints points, const Scene& s, const Modules& m) {
+  const Records records = recordsOf(points, s, m);
   std::vector<Suggestion> all;
   const auto suggest = [&](const char* what, const std::vector<std::string>& settings, Gain Record::*gain) {
     for (const std::string& set : settings) {

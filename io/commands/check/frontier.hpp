@@ -14,17 +14,17 @@ namespace thaw {
 /// the defaults. error < 0: the run failed, or its ledger does not close. cost: core seconds over those of
 /// the defaults. best: no other point has both less error and less cost.
 struct FrontierPoint {
-  const char *cases, *norm, *settings;
-  double error, cost;
-  bool best;
+  std::string cases, norm, settings;
+  double error = 0, cost = 0;
+  bool best = false;
 };
 
-/// Returns the points of the reference cases. benchmarks/accuracy/frontier.py writes them.
-std::span<const FrontierPoint> frontierPoints();
+/// Points of the reference cases (frontier_file.hpp).
+using FrontierPoints = std::span<const FrontierPoint>;
 
 /// Returns a line for each case whose physics the scene has, with all settings on its frontier. Keys name the
 /// materials of the scene; keys without use in the scene are left out.
-std::vector<std::string> frontierLines(const Scene& scene, const Modules& modules);
+std::vector<std::string> frontierLines(FrontierPoints points, const Scene& scene, const Modules& modules);
 
 /// Returns settings ("key=value") on one line, quoted for a shell, each after `before`.
 std::string settingList(const std::vector<std::string>& settings, const char* before);
@@ -38,6 +38,6 @@ struct Suggestion {
 /// Returns a suggestion for each setting that gains accuracy or time in one of these cases and loses in none.
 /// The cases vary one setting at a time. Leaves out keys that the scene sets, and settings that exclude a
 /// better one.
-std::vector<Suggestion> frontierAdvice(const Scene& scene, const Modules& modules);
+std::vector<Suggestion> frontierAdvice(FrontierPoints points, const Scene& scene, const Modules& modules);
 
 }  // namespace thaw

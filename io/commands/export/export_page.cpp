@@ -11,7 +11,7 @@
 #include "io/commands/export/export_frames.hpp"
 #include "io/frames/run_folder.hpp"
 #include "io/hdf5/io_error.hpp"
-#include "io/render/image/colour_map.hpp"
+#include "io/image/colour_map.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "io/view/page/export_page.hpp"
 #include "io/view/page/page_file.hpp"

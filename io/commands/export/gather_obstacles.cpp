@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "io/commands/export/gather_scene.hpp"
-#include "io/export/obstacle_mesh.hpp"
+#include "io/surface_mesh/obstacle_mesh.hpp"
 
 namespace thaw {
 

@@ -9,7 +9,7 @@
 #include "io/commands/export/gather_scene.hpp"
 #include "io/export/export_surface.hpp"
 #include "io/hdf5/io_error.hpp"
-#include "io/render/image/parallel_for.hpp"
+#include "io/image/parallel_for.hpp"
 
 namespace thaw {
 

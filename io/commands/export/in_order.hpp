@@ -6,7 +6,7 @@
 #include <exception>
 #include <mutex>
 
-#include "io/render/image/parallel_for.hpp"
+#include "io/image/parallel_for.hpp"
 
 namespace thaw {
 

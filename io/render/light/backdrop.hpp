@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "io/render/image/linear_light.hpp"
+#include "io/image/linear_light.hpp"
 #include "io/render/light/lights.hpp"
 
 namespace thaw {

@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 
-#include "io/render/image/render_style.hpp"
+#include "io/image/render_style.hpp"
 #include "io/render/light/depth_map.hpp"
 
 namespace thaw {

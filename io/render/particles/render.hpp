@@ -5,8 +5,8 @@
 #include <span>
 
 #include "core/math/vec3.hpp"
-#include "io/render/image/image.hpp"
-#include "io/render/image/render_style.hpp"
+#include "io/image/image.hpp"
+#include "io/image/render_style.hpp"
 
 namespace thaw {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/render/image/view.hpp"
+#include "io/image/view.hpp"
 #include "io/render/light/depth_map.hpp"
 
 namespace thaw {

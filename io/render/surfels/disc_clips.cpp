@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/render/image/linear_light.hpp"
+#include "io/image/linear_light.hpp"
 #include "io/render/light/surface_normals.hpp"
 
 namespace thaw {

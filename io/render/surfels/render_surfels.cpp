@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "io/render/image/parallel_for.hpp"
+#include "io/image/parallel_for.hpp"
 #include "io/render/light/backdrop.hpp"
 #include "io/render/particles/glass.hpp"
 #include "io/render/surfels/curved_discs.hpp"

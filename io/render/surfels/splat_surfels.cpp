@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/render/image/parallel_for.hpp"
+#include "io/image/parallel_for.hpp"
 
 namespace thaw {
 

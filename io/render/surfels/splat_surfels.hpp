@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "io/render/image/linear_light.hpp"
-#include "io/render/image/view.hpp"
+#include "io/image/linear_light.hpp"
+#include "io/image/view.hpp"
 #include "io/render/surfels/disc_clips.hpp"
 
 namespace thaw {

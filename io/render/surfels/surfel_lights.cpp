@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/render/image/parallel_for.hpp"
+#include "io/image/parallel_for.hpp"
 
 namespace thaw {
 

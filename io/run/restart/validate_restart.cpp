@@ -28,8 +28,7 @@ std::int64_t countUnknownOriented(const World& w) {
   return n;
 }
 
-std::int64_t countUnknownVertices(const World& w) {
-  const SheetBodies& s = w.sheets;
+std::int64_t countUnknownVertices(const SheetBodies& s) {
   const auto known = [&](std::size_t i) {
     const std::uint64_t sheet = s.rows.id[i] >> 40, vertex = s.rows.id[i] & ((std::uint64_t{1} << 40) - 1);
     return sheet < s.plans.size() && s.rows.body[i] == sheet &&
@@ -67,7 +66,7 @@ void addCutNumberConflicts(const World& w, Reducer& all, std::vector<std::string
 std::vector<std::string> checkpointMismatches(const World& w, Reducer& all) {
   std::int64_t strange[3] = {w.particles.id.active ? countUnknownParticles(w) : 0,
                              w.modules.oriented ? countUnknownOriented(w) : 0,
-                             w.modules.sheet ? countUnknownVertices(w) : 0};
+                             w.modules.sheet ? countUnknownVertices(w.sheets) : 0};
   all.sum(strange);
   constexpr const char* rows[3] = {"particles belong to a body, an emitter or a material",
                                    "oriented particles belong to a body or an anchor",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Oriented bodies: momentum, energy, integrators, rest, mitigations of B17 and B33, operations.
+// Oriented bodies: momentum, energy, integrators, rest, mitigations of stability rows 17 and 33, operations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -110,7 +110,7 @@ TEST(Oriented, PatchRelaxesToAPlane) {
   EXPECT_LT(energy / (p.scale * static_cast<double>(o.owned)), 1e-10);
 }
 
-TEST(Oriented, AntiparallelPairTurns) {  // B17
+TEST(Oriented, AntiparallelPairTurns) {  // stability row 17
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Points;

@@ -99,7 +99,7 @@ TEST(ElasticBody, SpeedOfPressureWavesIsExact) {
 }
 
 TEST(ElasticBody, CheckerboardHasEnergy) {
-  // docs/validation/stability.md B2: without hourglass control the checkerboard mode has no energy inside
+  // docs/validation/stability.md, row 2: without hourglass control the checkerboard mode has no energy inside
   const auto points = lattice({8, 8, 8}, 0.1);
   for (const double alpha : {0.0, 0.1}) {
     Material m = elasticMaterial();

@@ -9,7 +9,7 @@
 #include "core/halo/serial.hpp"
 #include "core/simulation/setup/make_grid.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/update_components.hpp"
 #include "core/surface/update_surface.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene on one rank whose particles a test moves directly, with whole surface updates as in a run.
 #pragma once
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/update_surface.hpp"
 #include "tests/support/simulation.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colour maps of `thaw render` (io/render/image/colour_map.cpp): points of lightness, chroma and hue in Oklab
+// Colour maps of `thaw render` (io/image/colour_map.cpp): points of lightness, chroma and hue in Oklab
 // (OT20), with lightness in equal steps.
 
 // [position, lightness, chroma, hue in degrees]

@@ -17,8 +17,8 @@ struct ThickFlow {
   double leastRate, viscosity, step;
 };
 
-ThickFlow thickFlowOf(const World& w, const Material& m) {
-  return {leastRateOf(w.scene, m), largestFlowViscosity(w.scene, m), flowLawStepLimit(w.scene, m)};
+ThickFlow thickFlowOf(const Scene& s, const Material& m) {
+  return {leastRateOf(s, m), largestFlowViscosity(s, m), flowLawStepLimit(s, m)};
 }
 
 template<class Action> void forEachFlowLaw(const World& w, Action action) {
@@ -32,7 +32,7 @@ template<class Action> void forEachFlowLaw(const World& w, Action action) {
 std::vector<std::string> flowLawLines(const World& w) {
   std::vector<std::string> lines;
   forEachFlowLaw(w, [&](const Material& m) {
-    const ThickFlow flow = thickFlowOf(w, m);
+    const ThickFlow flow = thickFlowOf(w.scene, m);
     char text[320], rate[80] = "";
     if (m.flowLaw.law != FlowLaw::Carreau)
       std::snprintf(rate, sizeof rate, ", at rest below a shear rate of %.3g 1/s", flow.leastRate);
@@ -51,7 +51,7 @@ std::vector<SceneWarning> thickFlows(const World& w, const StepTools& t) {
   std::vector<SceneWarning> warnings;
   if (w.modules.implicitViscosity) return warnings;
   forEachFlowLaw(w, [&](const Material& m) {
-    const ThickFlow flow = thickFlowOf(w, m);
+    const ThickFlow flow = thickFlowOf(w.scene, m);
     const double times = t.fixedLimits.value[static_cast<std::size_t>(Limit::Sound)] / flow.step;
     if (!(times > 4 && times < never)) return;
     char text[400];

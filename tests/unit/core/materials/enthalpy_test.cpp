@@ -5,7 +5,7 @@
 
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 
 namespace thaw::test {
 namespace {
@@ -138,7 +138,7 @@ TEST(Phase, MeltsAtOneAndFreezesAtZero) {
   EXPECT_EQ(l.w.counters.frozen, 1);
 }
 
-// docs/validation/stability.md B14: an oscillating fraction does not change the phase.
+// docs/validation/stability.md, row 14: an oscillating fraction does not change the phase.
 TEST(Phase, HysteresisKeepsThePhaseOfOscillatingFractions) {
   Material m = wax();
   m.hysteresis = 0.3;  // melts at 0.7, freezes at 0.3

@@ -10,7 +10,7 @@
 #include "core/math/hash_random.hpp"
 #include "core/math/tangent.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/resampling/births.hpp"
 #include "core/surface/resampling/resample.hpp"

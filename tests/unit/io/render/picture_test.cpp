@@ -7,8 +7,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "io/render/image/annotate.hpp"
-#include "io/render/image/text.hpp"
+#include "io/image/annotate.hpp"
+#include "io/image/text.hpp"
 
 using namespace thaw;
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "io/render/image/parallel_for.hpp"
+#include "io/image/parallel_for.hpp"
 
 using namespace thaw;
 namespace fs = std::filesystem;

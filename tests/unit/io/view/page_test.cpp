@@ -30,7 +30,7 @@ std::vector<std::uint64_t> read(const std::vector<std::uint8_t>& planes, std::si
   return values;
 }
 
-TEST(BytePlanes, holdAllBitsOfWholeNumbers) {
+TEST(BytePlanes, HoldAllBitsOfWholeNumbers) {
   for (const int width : {1, 2, 4, 8}) {
     WholeRows rows{{}, 3, width};
     for (std::uint64_t k = 0; k < 300; k++) rows.values.push_back(mixBits(k) >> (64 - 8 * width));
@@ -38,7 +38,7 @@ TEST(BytePlanes, holdAllBitsOfWholeNumbers) {
   }
 }
 
-TEST(BytePlanes, quantisedNumbersAreWithinHalfAStep) {
+TEST(BytePlanes, QuantisedNumbersAreWithinHalfAStep) {
   std::vector<float> values;
   for (std::uint64_t k = 0; k < 1000; k++)
     values.push_back(static_cast<float>(mixBits(k) % 10007) * 1e-3f - 4);
@@ -50,7 +50,7 @@ TEST(BytePlanes, quantisedNumbersAreWithinHalfAStep) {
   EXPECT_LT(rows.step[0], 2e-4);
 }
 
-TEST(BytePlanes, numbersThatAreNotFiniteHaveTheLargestCode) {
+TEST(BytePlanes, NumbersThatAreNotFiniteHaveTheLargestCode) {
   const float inf = std::numeric_limits<float>::infinity();
   const QuantisedRows rows = quantised(std::vector<float>{1, NAN, 3, inf}, 1, 1, {254, 0});
   EXPECT_EQ(rows.codes.values, (std::vector<std::uint64_t>{0, 255, 254, 255}));
@@ -58,12 +58,12 @@ TEST(BytePlanes, numbersThatAreNotFiniteHaveTheLargestCode) {
   EXPECT_EQ(none.codes.values, (std::vector<std::uint64_t>{255}));
 }
 
-TEST(BytePlanes, aSmallestStepLeavesFewerCodes) {
+TEST(BytePlanes, ASmallestStepLeavesFewerCodes) {
   const QuantisedRows rows = quantised(std::vector<float>{0, 1}, 1, 2, {65534, 0.25});
   EXPECT_EQ(rows.codes.values, (std::vector<std::uint64_t>{0, 4}));
 }
 
-TEST(BytePlanes, octahedralCodesKeepDirections) {
+TEST(BytePlanes, OctahedralCodesKeepDirections) {
   for (std::uint64_t k = 0; k < 200; k++) {
     Vec3d n = normalized({static_cast<double>(mixBits(3 * k) % 2001) - 1000,
                           static_cast<double>(mixBits(3 * k + 1) % 2001) - 1000,
@@ -83,7 +83,7 @@ TEST(BytePlanes, octahedralCodesKeepDirections) {
   }
 }
 
-TEST(BytePlanes, aStreamIsReadByZlib) {
+TEST(BytePlanes, AStreamIsReadByZlib) {
   const std::string text(5000, 'x'), stream = deflated(text);
   EXPECT_LT(stream.size(), 100u);
   std::string back(5000, ' ');
@@ -94,7 +94,7 @@ TEST(BytePlanes, aStreamIsReadByZlib) {
   EXPECT_EQ(back, text);
 }
 
-TEST(BytePlanes, base64IsThatOfTheStandard) {
+TEST(BytePlanes, Base64IsThatOfTheStandard) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");
@@ -102,7 +102,7 @@ TEST(BytePlanes, base64IsThatOfTheStandard) {
   EXPECT_EQ(base64("\xff\xfe"), "//4=");
 }
 
-TEST(PageThinning, leavesOutTensorsThenFramesThenPoints) {
+TEST(PageThinning, LeavesOutTensorsThenFramesThenPoints) {
   const PageSizes sizes{240, 40000, true};
   Thinning t;
   EXPECT_TRUE(thinFurther(sizes, t));
@@ -116,7 +116,7 @@ TEST(PageThinning, leavesOutTensorsThenFramesThenPoints) {
   EXPECT_EQ(t.most, 20000u);
 }
 
-TEST(PageThinning, endsAndKeepsTheFirstAndTheLastFrame) {
+TEST(PageThinning, EndsAndKeepsTheFirstAndTheLastFrame) {
   const PageSizes sizes{101, 3000, false};
   Thinning t;
   int steps = 0;
@@ -126,7 +126,7 @@ TEST(PageThinning, endsAndKeepsTheFirstAndTheLastFrame) {
   EXPECT_FALSE(isKept(1, sizes, t));
 }
 
-TEST(ExportPage, readsSizes) {
+TEST(ExportPage, ReadsSizes) {
   EXPECT_EQ(bytesOfText("20MB"), 20'000'000u);
   EXPECT_EQ(bytesOfText("1.5 MB"), 1'500'000u);
   EXPECT_EQ(bytesOfText("800kB"), 800'000u);
@@ -135,7 +135,7 @@ TEST(ExportPage, readsSizes) {
     EXPECT_THROW(bytesOfText(wrong), std::invalid_argument) << wrong;
 }
 
-TEST(SceneMarks, haveEmittersClampsDomainAndCamera) {
+TEST(SceneMarks, HaveEmittersClampsDomainAndCamera) {
   Scene scene;
   scene.spacing = 0.1;
   Body body;

@@ -87,7 +87,7 @@ TEST(CreasedPair, ForcesAndTorquesAreDerivativesOfTheEnergy) {
   }
 }
 
-TEST(PairPotential, CloseParticlesHaveABoundedForce) {  // B33
+TEST(PairPotential, CloseParticlesHaveABoundedForce) {  // stability row 33
   const PairPotential p = pairPotential(OrientedBody{}, 1);
   const double atCore = length(pairForces(p, {p.core, 0, 0}, {0, 0, 1}, {0, 0, 1}).force);
   for (const double r : {0.5, 0.1, 1e-3, 1e-9}) {
@@ -98,7 +98,7 @@ TEST(PairPotential, CloseParticlesHaveABoundedForce) {  // B33
   }
 }
 
-TEST(PairPotential, OppositeSidesDoNotAct) {  // B33
+TEST(PairPotential, OppositeSidesDoNotAct) {  // stability row 33
   const PairPotential p = pairPotential(OrientedBody{}, 1);
   const PairResult f = pairForces(p, {0.2, 0, 0.8}, {0, 0, 1}, {0.3, 0, -0.95});
   EXPECT_EQ(f.energy, 0);

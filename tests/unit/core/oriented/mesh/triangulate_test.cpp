@@ -77,9 +77,9 @@ OrientedPoints foldOf(std::uint64_t seed, double steep, std::vector<Vec3d>& poin
   constexpr int n = foldSize;
   for (int j = 0; j < n; j++)
     for (int i = 0; i < n; i++) {
+      const std::uint64_t point = points.size();
       const auto off = [&](std::uint64_t a) {
-        return 0.5 *
-               (randomUniform(9 + 3 * seed + a, Purpose::Test, static_cast<std::uint64_t>(j * n + i)) - 0.5);
+        return 0.5 * (randomUniform(9 + 3 * seed + a, Purpose::Test, point) - 0.5);
       };
       const double x = i + 0.5 * (j % 2) - 0.5 * n + off(0), slope = x < 0 ? steep : -steep;
       points.push_back({x, 0.866 * j + off(1), -std::abs(steep * x) + 0.4 * off(2)});
@@ -161,7 +161,7 @@ TEST(PointTree, NearestEqualAPlainSearch) {
   }
 }
 
-TEST(GivenSurface, NormalsOfASphereAllPointOutward) {  // B17
+TEST(GivenSurface, NormalsOfASphereAllPointOutward) {  // stability row 17
   const std::vector<Vec3d> points = onSphere(400), normals = normalsOf(points);
   for (std::size_t k = 0; k < points.size(); k++) EXPECT_GT(dot(points[k], normals[k]), 0.98);
 }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double spacing = 0.1;
 
-TEST(SurfaceElements, ofABallHaveItsRadiusAndTouchIt) {
+TEST(SurfaceElements, OfABallHaveItsRadiusAndTouchIt) {
   const double radius = 0.5;
   const SphereDistance ball(radius);
   const RigPiece piece = pieceOf(ball, spacing, 1000);
@@ -37,7 +37,7 @@ TEST(SurfaceElements, ofABallHaveItsRadiusAndTouchIt) {
   EXPECT_GT(surface, 200);
 }
 
-TEST(SurfaceElements, ofABoxArePlanesWithRoundEdges) {
+TEST(SurfaceElements, OfABoxArePlanesWithRoundEdges) {
   const RigPiece piece = pieceOf(BoxDistance({0.6, 0.6, 0.6}), spacing, 1000);
   int planes = 0, round = 0;
   for (const SurfaceElement& e : piece.elements) {
@@ -50,7 +50,7 @@ TEST(SurfaceElements, ofABoxArePlanesWithRoundEdges) {
   EXPECT_EQ(round, 8 + 12 * 4);
 }
 
-TEST(SurfaceElements, fromNeighboursAreThoseOfTheLattice) {
+TEST(SurfaceElements, FromNeighboursAreThoseOfTheLattice) {
   const auto elementAt = [](int layersAbove, int besideX) {
     std::vector<Vec3d> around;
     for (int z = -1; z <= layersAbove; z++)
@@ -71,7 +71,7 @@ TEST(SurfaceElements, fromNeighboursAreThoseOfTheLattice) {
   EXPECT_FLOAT_EQ(lone.offset, 0.05F);
 }
 
-TEST(ElementPairs, theGapOfFacesDoesNotDependOnTheirOffset) {
+TEST(ElementPairs, TheGapOfFacesDoesNotDependOnTheirOffset) {
   const PlacedElement lower{{0, 0, 0}, {0, 0, 1}, 0.05, 1.0 / 0.0};
   for (const double x : {0.0, 0.03, 0.07}) {
     const PlacedElement upper{{x, 0.5 * x, 0.11}, {0, 0, -1}, 0.05, 1.0 / 0.0};
@@ -84,7 +84,7 @@ TEST(ElementPairs, theGapOfFacesDoesNotDependOnTheirOffset) {
   EXPECT_FALSE(contactOf(away, lower, spacing));
 }
 
-TEST(ElementPairs, spheresTouchOnTheLineOfTheirCentres) {
+TEST(ElementPairs, SpheresTouchOnTheLineOfTheirCentres) {
   const Vec3d n = normalized(Vec3d{1, 2, 3});
   const PlacedElement a{0.55 * n, -n, 0.05, 0.5}, b{-0.45 * n, n, 0.05, 0.4};
   const auto c = contactOf(a, b, spacing);
@@ -105,7 +105,7 @@ RigidRig twoCubes() {
   return rig;
 }
 
-TEST(FindContacts, facesTouchAlongTheirNormalAtTheirOutline) {
+TEST(FindContacts, FacesTouchAlongTheirNormalAtTheirOutline) {
   RigidRig rig = twoCubes();
   rig.step();
   int between = 0, onFloor = 0;
@@ -125,14 +125,14 @@ TEST(FindContacts, facesTouchAlongTheirNormalAtTheirOutline) {
   EXPECT_LE(between, 16);  // closed and open ones
 }
 
-TEST(FindContacts, impulsesAreFirstGuessesOfTheNextStep) {
+TEST(FindContacts, ImpulsesAreFirstGuessesOfTheNextStep) {
   RigidRig rig = twoCubes();
   for (int n = 0; n < 20; n++) rig.step();
   rig.step();
   EXPECT_LE(rig.last.iterations, 3);
 }
 
-TEST(ReduceContacts, theOutlineIsTheSameOnAnyRanks) {
+TEST(ReduceContacts, TheOutlineIsTheSameOnAnyRanks) {
   // a patch of 15 x 10 points in a plane, and a second one with another partner
   std::vector<FoundContact> patch;
   for (int i = 0; i < 15; i++)

@@ -80,7 +80,7 @@ double energyOf(const Problem& p) {
   return e;
 }
 
-TEST(SolveContacts, theOrderOfContactsDoesNotChangeABit) {
+TEST(SolveContacts, TheOrderOfContactsDoesNotChangeABit) {
   Problem a = randomNet(20, 60), b = a;
   std::shuffle(b.contacts.begin(), b.contacts.end(), std::mt19937(3));
   const Solution sa = solve(a, settingsOf()), sb = solve(b, settingsOf());
@@ -93,7 +93,7 @@ TEST(SolveContacts, theOrderOfContactsDoesNotChangeABit) {
   }
 }
 
-TEST(SolveContacts, theRanksOfContactsDoNotChangeABit) {
+TEST(SolveContacts, TheRanksOfContactsDoNotChangeABit) {
   const Problem start = randomNet(20, 60);
   Problem serial = start;
   ContactSettings settings = settingsOf();
@@ -136,7 +136,7 @@ TEST(SolveContacts, theRanksOfContactsDoNotChangeABit) {
   }
 }
 
-TEST(SolveContacts, contactsFulfilSignoriniAndCoulomb) {
+TEST(SolveContacts, ContactsFulfilSignoriniAndCoulomb) {
   Problem p = randomNet(20, 30);
   for (RigidContact& c : p.contacts) c.restitution = 0;
   const ContactSettings settings = settingsOf();
@@ -158,7 +158,7 @@ TEST(SolveContacts, contactsFulfilSignoriniAndCoulomb) {
   }
 }
 
-TEST(SolveContacts, momentumOfTwoPiecesIsConservedToRounding) {
+TEST(SolveContacts, MomentumOfTwoPiecesIsConservedToRounding) {
   Problem p = randomNet(2, 1);
   p.contacts[0].b = 1;
   p.contacts[0].armA = p.pieces[0].centre * -1.0;
@@ -174,7 +174,7 @@ TEST(SolveContacts, momentumOfTwoPiecesIsConservedToRounding) {
   EXPECT_LT(length(twist), 1e-14 * length(j));
 }
 
-TEST(SolveContacts, dissipationIsTheKineticEnergyThatIsMissing) {
+TEST(SolveContacts, DissipationIsTheKineticEnergyThatIsMissing) {
   Problem p = randomNet(20, 60);
   const double before = energyOf(p);
   const Solution s = solve(p, settingsOf());
@@ -182,7 +182,7 @@ TEST(SolveContacts, dissipationIsTheKineticEnergyThatIsMissing) {
   EXPECT_GT(s.result.dissipated, 0);
 }
 
-TEST(SolveContacts, aFreeParticleIsPushedWithItsMass) {
+TEST(SolveContacts, AFreeParticleIsPushedWithItsMass) {
   // a row without inertia of rotation: 1 kg at 1 m/s against 3 kg at rest, inelastic
   Problem p;
   p.pieces.resize(2);
@@ -198,7 +198,7 @@ TEST(SolveContacts, aFreeParticleIsPushedWithItsMass) {
   EXPECT_NEAR(p.pieces[1].velocity.x, 0.25, 1e-6);
 }
 
-TEST(SolveContacts, aMovingObstacleDoesWork) {
+TEST(SolveContacts, AMovingObstacleDoesWork) {
   Problem p;
   p.pieces.resize(1);
   p.pieces[0].inverseMass = 0.5;
@@ -213,7 +213,7 @@ TEST(SolveContacts, aMovingObstacleDoesWork) {
   EXPECT_NEAR(s.result.obstacleImpulse.z, 4, 1e-5);
 }
 
-TEST(SolveContacts, overlapIsRemovedWithoutVelocity) {
+TEST(SolveContacts, OverlapIsRemovedWithoutVelocity) {
   Problem p;
   p.pieces.resize(1);
   p.pieces[0].inverseMass = 1;
@@ -226,7 +226,7 @@ TEST(SolveContacts, overlapIsRemovedWithoutVelocity) {
   EXPECT_NEAR(s.changes[0].shift.z, 0.2 * (1e-3 - 1e-6), 2e-6);
 }
 
-TEST(SolveContacts, velocitiesThatAreNotFiniteAreReported) {
+TEST(SolveContacts, VelocitiesThatAreNotFiniteAreReported) {
   Problem p = randomNet(3, 3);
   p.pieces[0].velocity.x = NAN;
   const Solution s = solve(p, settingsOf());
@@ -266,7 +266,7 @@ int iterationsOfTower(double ratio, bool warm) {
   return iterations;
 }
 
-TEST(SolveContacts, towersConverge) {
+TEST(SolveContacts, TowersConverge) {
   EXPECT_LE(iterationsOfTower(1, false), 100);
   EXPECT_LE(iterationsOfTower(100, false), 400);
   EXPECT_LE(iterationsOfTower(1, true), 3);

@@ -276,15 +276,15 @@ TEST(StepLimits, UseTheRatesOfParticles) {
                        static_cast<AnyColumn*>(&p.material), static_cast<AnyColumn*>(&p.phase),
                        static_cast<AnyColumn*>(&p.temperature)})
     p.activate(*c);
-  EXPECT_EQ(particleLimits(w, largestRates(w), 0.04).smallest(), Limit::Sound);  // no limit at all
-  EXPECT_EQ(particleLimits(w, largestRates(w), 0.04).value[0], never);
+  EXPECT_EQ(particleLimits(w, largestRates(w.particles), 0.04).smallest(), Limit::Sound);  // no limit at all
+  EXPECT_EQ(particleLimits(w, largestRates(w.particles), 0.04).value[0], never);
   p.resize(2, 0);
   p.velocity[1] = {3, 0, 4};
   p.acceleration[0] = {0, 0, 8};
   p.temperature[0] = 350;
   p.temperature[1] = 450;
   p.phase[0] = p.phase[1] = Liquid;
-  StepLimits l = particleLimits(w, largestRates(w), 0.04);
+  StepLimits l = particleLimits(w, largestRates(w.particles), 0.04);
   EXPECT_DOUBLE_EQ(l[Limit::Speed], 0.25 * 0.02 / 5);
   EXPECT_DOUBLE_EQ(l[Limit::Acceleration], 0.25 * std::sqrt(0.02 / 8));
   // 350 K is half way between 10 and 50 Pa s

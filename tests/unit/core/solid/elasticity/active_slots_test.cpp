@@ -32,7 +32,7 @@ Load loadOf(const SolidBody& b, const SlotPieces& pieces, std::uint64_t piece) {
 
 class ActiveSlots : public testing::TestWithParam<std::tuple<ElasticLaw, bool>> {};
 
-TEST_P(ActiveSlots, sumsAreThoseOfAllSlots) {
+TEST_P(ActiveSlots, SumsAreThoseOfAllSlots) {
   const auto [law, freezing] = GetParam();
   const std::vector<Vec3d> points = lattice({14, 5, 5}, 0.1, 0.05);
   Material m = elasticMaterial(1e5, 0.3);
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, ActiveSlots,
                                                           ElasticLaw::Corotated),
                                           testing::Bool()));
 
-TEST(ActiveSlots, withoutPiecesAllAreActive) {
+TEST(ActiveSlots, WithoutPiecesAllAreActive) {
   const std::vector<Vec3d> points = lattice({4, 4, 4}, 0.1);
   const auto b = makeBody(points, {elasticMaterial()});
   SlotPieces pieces;

@@ -76,7 +76,7 @@ TEST(Relax, DegenerateNeighbourhoodsStayFinite) {
   }
 }
 
-TEST(Relax, NormalIsKeptWithoutAPlaneOfNeighbours) {  // B23
+TEST(Relax, NormalIsKeptWithoutAPlaneOfNeighbours) {  // stability row 23
   RelaxRig rig(0.5, 12, [](Scene& s) {
     s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5,
     s.surface.smoothing = SmoothingForm::Plane;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/advection/gather_particles.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/surface/surface_world.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {
@@ -103,7 +103,7 @@ TEST(Resample, StretchingFourTimesAndBackLeavesNoHole) {
   EXPECT_LT(static_cast<double>(rig.surfels().owned), 1.5 * law);
 }
 
-TEST(Resample, BirthsOfACallAreCappedAndCounted) {  // B18
+TEST(Resample, BirthsOfACallAreCappedAndCounted) {  // stability row 18
   SurfelRig rig(surfelScene(0.05));
   for (int y = -3; y <= 3; y++)
     for (int x = -3; x <= 3; x++) rig.add({0.05 * x, 0.05 * y, 0}, {0, 0, 1});

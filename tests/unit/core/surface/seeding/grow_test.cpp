@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/measures/measure.hpp"
 #include "core/surface/seeding/drop_sphere.hpp"
@@ -58,7 +58,7 @@ TEST(Grow, CoversABallOfParticlesWithoutAHole) {
   EXPECT_LT(static_cast<double>(s.owned), 1.5 * law);
 }
 
-TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
+TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // stability row 21
   for (const std::size_t n : {1u, 2u, 3u, 4u}) {
     SurfelRig rig(surfelScene(0.05));
     SurfaceParticles& p = rig.world.surface.particles;

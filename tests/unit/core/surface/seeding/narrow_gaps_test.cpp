@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces of one solid that are closer to each other than the width of the colour field
-// (docs/validation/stability.md B20, B22).
+// (docs/validation/stability.md, rows 20 and 22).
 #include "core/surface/seeding/narrow_gaps.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/advection/gather_particles.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/update_components.hpp"

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 #include "core/surface/measures/measure.hpp"
 #include "core/surface/seeding/grow.hpp"
 #include "core/surface/update_components.hpp"

@@ -9,7 +9,7 @@
 using namespace thaw;
 using namespace thaw::test;
 
-TEST(Components, ACubeIsOneBody) {  // B19: S_rest alone finds six
+TEST(Components, ACubeIsOneBody) {  // stability row 19: S_rest alone finds six
   SerialSurfaceRig rig;
   rig.box({-0.5, -0.5, -0.5}, {10, 10, 10});
   rig.update();
@@ -164,7 +164,7 @@ TEST(Components, NewParticlesFollowTheMergeRules) {  // four particles of anothe
   }
 }
 
-TEST(Components, AThinSheetIsOneBody) {  // B20: two layers of particles, sides closer than 2 h
+TEST(Components, AThinSheetIsOneBody) {  // stability row 20: two layers of particles, sides closer than 2 h
   SerialSurfaceRig rig;
   rig.box({-1, -1, 0}, {20, 20, 2});
   rig.update();

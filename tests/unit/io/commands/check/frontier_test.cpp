@@ -4,11 +4,27 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "core/scene/modules.hpp"
+#include "io/commands/check/frontier_file.hpp"
+#include "io/hdf5/io_error.hpp"
 #include "io/scene/read_scene.hpp"
 
 namespace thaw {
 namespace {
+
+std::string textOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+const std::vector<FrontierPoint>& points() {
+  static const std::vector<FrontierPoint> all = parseFrontier(
+      "frontier.csv", textOf(THAW_SOURCE_DIR "/docs/accuracy/frontier.csv"));
+  return all;
+}
 
 std::string linesOf(const std::string& rest) {
   SceneFiles files;
@@ -17,7 +33,7 @@ std::string linesOf(const std::string& rest) {
                              rest;
   const Scene s = readScene(files);
   std::string all;
-  for (const std::string& line : frontierLines(s, modulesOf(s))) all += line + "\n";
+  for (const std::string& line : frontierLines(points(), s, modulesOf(s))) all += line + "\n";
   return all;
 }
 
@@ -56,7 +72,7 @@ TEST(Frontier, AdviceIsShortAndKeepsExplicitChoices) {
     const Scene s = readScene(
         sceneFilesOf("test.toml", "spacing = 0.1\nend = 1\n[material.steel]\nyoung = 1e5\n" + rest));
     std::vector<std::string> lines;
-    for (const Suggestion& one : frontierAdvice(s, modulesOf(s))) lines.push_back(one.line);
+    for (const Suggestion& one : frontierAdvice(points(), s, modulesOf(s))) lines.push_back(one.line);
     return lines;
   };
   const std::string solid = body("a", "steel", 0);
@@ -84,7 +100,7 @@ TEST(Frontier, AdviceComesFromSimilarCases) {
         "test.toml", "spacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [2, 2, 2]\n" + domain +
                          "\n[material.water]\n[[body]]\nmaterial = 'water'\n" + liquid));
     std::string all;
-    for (const Suggestion& each : frontierAdvice(s, modulesOf(s))) all += each.line + "\n";
+    for (const Suggestion& each : frontierAdvice(points(), s, modulesOf(s))) all += each.line + "\n";
     return all;
   };
   const auto has = [](const std::string& text, const char* what) {
@@ -106,7 +122,7 @@ TEST(Frontier, KeepsThePackingOfTheScene) {
       "spacing = 0.1\nend = 1\n[domain]\ngravity = [0, 0, 0]\n[material.water]\nsurface_tension = 0.07\n" +
       body("a", "water", 0) + "packing = 'relaxed'\n";
   const Scene s = readScene(sceneFilesOf("test.toml", scene));
-  for (const Suggestion& one : frontierAdvice(s, modulesOf(s)))
+  for (const Suggestion& one : frontierAdvice(points(), s, modulesOf(s)))
     EXPECT_EQ(one.line.find("packing"), std::string::npos) << one.line;
 }
 
@@ -115,6 +131,28 @@ TEST(Frontier, SubstepsAreForSolidsWithoutContact) {
   EXPECT_NE(linesOf(water + body("a", "steel", 0)).find("elastic_substeps="), std::string::npos);
   EXPECT_EQ(linesOf(water + body("a", "steel", 0) + body("b", "steel", 0.6)).find("elastic_substeps="),
             std::string::npos);
+}
+
+TEST(Frontier, TheFileOfTheBuildIsThatOfTheTree) {
+  ASSERT_FALSE(frontierFile().empty());
+  EXPECT_EQ(textOf(frontierFile()), textOf(THAW_SOURCE_DIR "/docs/accuracy/frontier.csv"));
+  EXPECT_GT(points().size(), 90u);
+}
+
+TEST(Frontier, BadFilesAreRefusedWithTheLine) {
+  const std::string header = "case,norm,settings,error,time,best\n", good = "a,L2,quality=preview,0.1,1,1\n";
+  EXPECT_EQ(parseFrontier("f.csv", header + good).size(), 1u);
+  EXPECT_TRUE(frontierLines({}, {}, {}).empty());
+  for (const char* bad :
+       {"a,L2,quality=preview,0.1,1", "a,L2,quality=preview,0.1,1,2", "a,L2,quality,0.1,1,1",
+        "a,L2,quality=preview,,1,1", "a,L2,quality=preview,0.1,1x,1", ""})
+    try {
+      parseFrontier("f.csv", header + good + bad + "\n");
+      ADD_FAILURE() << bad;
+    } catch (const IoError& e) {
+      EXPECT_EQ(std::string(e.what()).rfind("f.csv:3: expected the fields case,norm", 0), 0u) << e.what();
+    }
+  EXPECT_THROW(parseFrontier("f.csv", good), IoError);
 }
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/render/image/text.hpp"
+#include "io/image/text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/render/image/image.hpp"
+#include "io/image/image.hpp"
 
 namespace thaw {
 

@@ -2,7 +2,7 @@
 // View for the choice of rigid parts of elastic solids.
 #pragma once
 #include "core/rigid/rigidify/rigidify_view.hpp"
-#include "core/simulation/world/views.hpp"
+#include "core/simulation/views/views.hpp"
 
 namespace thaw {
 

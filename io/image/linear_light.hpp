@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "core/math/vec3.hpp"
-#include "io/render/image/image.hpp"
+#include "io/image/image.hpp"
 
 namespace thaw {
 

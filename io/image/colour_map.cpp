@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/render/image/colour_map.hpp"
+#include "io/image/colour_map.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/export/obstacle_mesh.hpp"
+#include "io/surface_mesh/obstacle_mesh.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "core/geometry/builtin/polygonise.hpp"
 #include "core/geometry/meshes/mesh_normals.hpp"
 #include "core/geometry/shapes/shape_mesh.hpp"
-#include "io/render/image/image.hpp"
+#include "io/image/image.hpp"
 #include "io/scene/scene_for_all.hpp"
 
 namespace thaw {

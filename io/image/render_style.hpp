@@ -7,9 +7,9 @@
 
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/math/mat3.hpp"
-#include "io/render/image/colour_map.hpp"
-#include "io/render/image/image.hpp"
-#include "io/render/image/view.hpp"
+#include "io/image/colour_map.hpp"
+#include "io/image/image.hpp"
+#include "io/image/view.hpp"
 
 namespace thaw {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/render/image/annotate.hpp"
+#include "io/image/annotate.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "io/render/image/text.hpp"
+#include "io/image/text.hpp"
 
 namespace thaw {
 

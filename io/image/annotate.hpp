@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/render/image/colour_map.hpp"
-#include "io/render/image/image.hpp"
+#include "io/image/colour_map.hpp"
+#include "io/image/image.hpp"
 
 namespace thaw {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/render/image/image.hpp"
+#include "io/image/image.hpp"
 
 #include <algorithm>
 #include <cmath>

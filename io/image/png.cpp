@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/render/image/image.hpp"
+#include "io/image/image.hpp"
 
 namespace thaw {
 

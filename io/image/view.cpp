@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/render/image/view.hpp"
+#include "io/image/view.hpp"
 
 #include <algorithm>
 
