@@ -7,6 +7,7 @@
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/heat/heat.hpp"
+#include "core/heat/rest_densities.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/kernels/with_kernel.hpp"
 #include "core/materials/enthalpy.hpp"
@@ -287,9 +288,13 @@ std::vector<std::uint32_t> removeVapour(const HeatView& v, const RecordContext& 
     v.ledger.evaporated.add(loss);
     double energy = p.vapourEnergy[i];
     const double before = v.modules.continuity ? compressionOf(records, p, i, 1) : 0;
-    if (v.modules.continuity) p.compression[i] = (1 + p.compression[i]) * (left / p.mass[i]) - 1;
+    const double thinned = left / p.mass[i];
     p.mass[i] = left;
-    if (v.modules.continuity) energy += before - compressionOf(records, p, i, 1);
+    if (v.modules.continuity) {
+      const double compression = p.compression[i];
+      p.compression[i] = (1 + compression) * thinned - 1;
+      energy += before - compressionOf(records, p, i, 1) - workOfLateKick(records, p, i, compression, dt);
+    }
     v.ledger.left.potential.add(energy);
   }
   return gone;

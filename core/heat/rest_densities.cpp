@@ -41,15 +41,12 @@ double pressureTerm(const RecordContext& x, const Continuum& p, std::size_t i, d
 }
 
 /// Scales a carried density by ratio^(f (2 - f)). The exponent is the pair weight f_i + f_j - f_i f_j of the
-/// density rate for equal liquid fractions. Returns the work (J) that the flow of the next step does not do:
-/// its first half kick still has the pressure before the change.
+/// density rate for equal liquid fractions. Returns workOfLateKick.
 double changeCompression(const RecordContext& x, Continuum& p, std::size_t i, double ratio, double dt) {
   const double f = liquidFraction(p, i), before = p.compression[i],
                after = (1 + before) * std::pow(ratio, f * (2 - f)) - 1;
   p.compression[i] = after;
-  const double flow = static_cast<double>(p.compressionRate[i]) * dt;
-  return 0.5 * flow * p.mass[i] / p.restDensity[i] *
-         (pressureTerm(x, p, i, after) - pressureTerm(x, p, i, before));
+  return workOfLateKick(x, p, i, before, dt);
 }
 
 /// Changes a density at rest so that the volume grows by `ratio`. Returns the growth of stored energy (J).
@@ -63,6 +60,12 @@ double growVolume(const RecordContext& x, Continuum& p, std::size_t i, double ra
 }
 
 }  // namespace
+
+double workOfLateKick(const RecordContext& x, const Continuum& p, std::size_t i, double before, double dt) {
+  const double flow = static_cast<double>(p.compressionRate[i]) * dt;
+  return 0.5 * flow * restVolumeOf(p, x.scene.materials, i) *
+         (pressureTerm(x, p, i, p.compression[i]) - pressureTerm(x, p, i, before));
+}
 
 void updateRestDensities(const HeatView& w, const RecordContext& x, double dt) {
   Continuum& p = w.particles;

@@ -130,6 +130,23 @@ TEST(Incompressible, MomentumIsConserved) {
 // A layer of wax freezes from below under its weight. Frozen particles keep no pressure of their last step as
 // a liquid. Their pairs with other solids are summed only if a liquid shares their group of eight, and groups
 // depend on the number of ranks.
+TEST(Incompressible, ImpactAtTheStartIsDissipated) {
+  // Two halves of a block meet: the first pressure stops most of their motion.
+  Scene s = emptyScene(0.02, {-0.4, -0.4, -0.4}, {0.4, 0.4, 0.4});
+  s.numerics.solver = PressureSolver::Incompressible;
+  s.materials.push_back({});
+  s.materials[0].density = 1000;
+  s.materials[0].soundSpeed = 10;
+  addBox(s, {-0.1, -0.1, -0.1}, {0, 0.1, 0.1}).velocity = {1, 0, 0};
+  addBox(s, {0, -0.1, -0.1}, {0.1, 0.1, 0.1}).velocity = {-1, 0, 0};
+  s.end = 0.02;
+  Simulation run(s);
+  const double initial = run.w.ledger.initial.kinetic;
+  EXPECT_LT(run.ledgerReport().now.kinetic, 0.7 * initial);
+  ASSERT_TRUE(run.run());
+  EXPECT_LT(std::abs(run.ledgerReport().energyResidual), 0.02 * initial);
+}
+
 TEST(Incompressible, FrozenParticlesHaveNoPressure) {
   Scene s = emptyScene(0.01, {-0.03, -0.03, 0}, {0.03, 0.03, 0.2});
   for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};

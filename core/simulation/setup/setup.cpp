@@ -215,10 +215,11 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
   // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
   w.ledger.entered = w.ledger.left = {};
   reduceStep(w, halos, t, {}, {});
-  if (w.modules.incompressible) solvePressure(w, halos, t, nextStep(w.clock));
-  if (w.modules.rigid) finishPieces(w, halos, t);
   const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step records
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
+  // Dissipates the part of the initial velocities that would compress liquids.
+  if (w.modules.incompressible) solvePressure(w, halos, t, nextStep(w.clock));
+  if (w.modules.rigid) finishPieces(w, halos, t);
 }
 
 SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
