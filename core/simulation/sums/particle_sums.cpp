@@ -32,10 +32,12 @@ ColumnList ghostColumns(World& w) {
   if (p.restDensity.active) c.push_back(&p.restDensity);
   if (p.compression.active) c.push_back(&p.compression);
   if (p.stepMeanVelocity.active) c.push_back(&p.stepMeanVelocity);
-  if (p.compression.active && p.shiftingVelocity.active) c.push_back(&p.shiftingVelocity);
+  const bool carriedPaths = p.compression.active && p.shiftingVelocity.active;
+  if (carriedPaths) c.push_back(&p.shiftingVelocity);
   if (p.atSurface.active) c.push_back(&p.atSurface);
   if (p.viscosityCorrection.active) c.push_back(&p.viscosityCorrection);
-  if ((w.modules.incompressible || p.relief.active) && p.clamped.active) c.push_back(&p.clamped);
+  if ((w.modules.incompressible || p.relief.active || carriedPaths) && p.clamped.active)
+    c.push_back(&p.clamped);
   if (w.modules.sleep) c.push_back(&p.restTime);
   if (w.modules.sleep) c.push_back(&p.sleep);
   for (const auto& added : p.added)
