@@ -36,7 +36,7 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
       {"solids", bytesOf(static_cast<const Table&>(w.solids))},
       {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
       {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.fluid, n.neighbours)},
-      {"pair records", bytesOf(r.fixed, r.coarse[0], r.coarse[1], r.coarse[2], r.positionVolume,
+      {"pair records", bytesOf(r.fixed, r.middle, r.coarse[0], r.coarse[1], r.coarse[2], r.positionVolume,
                                r.velocityViscosity, r.pressurePhaseHeat, r.surface, r.pressureDiagonal,
                                r.pressureOffDiagonal, r.surfaceEnergyDerivatives)},
       {"bonds", static_cast<double>(b.bytes())},
