@@ -37,6 +37,7 @@ void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
     const std::string known = joined(extensionNames());
     r.fail(r.place(),
            r.path() + ": this program has no such extension" + (known.empty() ? "" : "; it has " + known));
+    r.ignoreKeys();
   }
   if (!e) return;
   r.restart(Restart::Coefficient);

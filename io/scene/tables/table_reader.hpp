@@ -192,6 +192,8 @@ class TableReader {
   bool quantity(const toml::node& node, const char* key, const char* unit, const Range& range, double& value);
   /// Refuses every key that was not read, with a suggestion.
   void finish();
+  /// Accepts every key of a table that is refused as a whole.
+  void ignoreKeys() { table_ = nullptr; }
 
  private:
   const toml::node* get(const std::string& key);

@@ -74,6 +74,11 @@ TEST(FollowOnErrors, ChecksAreReportedWithoutUnknownKeys) {
              "a material that melts is a solid below its melting temperature");
 }
 
+TEST(FollowOnErrors, AnUnknownExtensionHasNoUnknownKeys) {
+  expectOnly(start + "[material.wax]\nviscosity = 1\n[extension.lamp]\npower = 1\n" + body,
+             "extension.lamp: this program has no such extension");
+}
+
 TEST(OtherNames, AreRefusedWithTheNameOfTheTable) {
   const std::string wax = start + "[material.wax]\nviscosity = 1\n" + body;
   expectOnly(wax + "[[tempering]]\ntemperature = 300\n", "tempering: unknown table: expected [[thermostat]]");
