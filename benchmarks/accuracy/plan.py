@@ -145,8 +145,8 @@ CASES = {
     ),
     "herschel_bulkley_thick": (["0.1", "0.05", "0.025"], "0.05", {"viscosity_correction": ["false"]}),
     "yield_slump": (
-        ["0.01", "0.00833333"],
-        "0.01",
+        ["0.01", "0.00625"],
+        "0.00625",
         {
             "material.paste.flow.yield_stress": ["221", "294"],
             "material.paste.flow.least_rate": ["0.01", "1e-4"],

@@ -451,7 +451,7 @@ place = { move = [0, 0, 0.52] }
 TEST(ExtensionShapes, AreRefusedWithTheirPlace) {
   const std::string start = std::string(block) + "[[obstacle]]\nname = \"it\"\n";
   EXPECT_NE(messageOf(start + "ball = { radius = 1 }\n").find("unknown key 'radius'"), std::string::npos);
-  EXPECT_NE(messageOf(start + "bal = { size = 1 }\n").find("has no shape"), std::string::npos);
+  EXPECT_NE(messageOf(start + "bal = { size = 1 }\n").find("did you mean 'ball'"), std::string::npos);
   EXPECT_NE(messageOf(start + "ball = { size = 0.1 }\nsphere = { radius = 1 }\n").find("a second shape"),
             std::string::npos);
   EXPECT_NE(messageOf(start + "ball = { size = -1 }\n").find("ball.size"), std::string::npos);

@@ -130,7 +130,7 @@ TEST(Primitives, RefuseShapesWithoutVolume) {
             std::string::npos);
   EXPECT_NE(fails(ShapeKind::HalfSpace, [](Shape& s) { s.normal = {}; }).find("normal"), std::string::npos);
   EXPECT_NE(fails(ShapeKind::HalfSpace, [](Shape& s) { s.fitHeight = 1; }).find("height"), std::string::npos);
-  EXPECT_NE(fails(ShapeKind::HalfSpace, [](Shape& s) { s.bottom = Vec3d{}; }).find("bounds"),
+  EXPECT_NE(fails(ShapeKind::HalfSpace, [](Shape& s) { s.bottom = Vec3d{}; }).find("infinite"),
             std::string::npos);
   EXPECT_NE(fails(ShapeKind::Union, [](Shape&) {}).find("parts"), std::string::npos);
   EXPECT_NE(fails(ShapeKind::Mesh, [](Shape& s) { s.mesh = "x.obj"; }).find("x.obj"), std::string::npos);
