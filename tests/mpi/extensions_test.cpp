@@ -166,7 +166,7 @@ std::map<std::uint64_t, std::vector<double>> wholeStateOf(const Simulation& sim)
   const int count = static_cast<int>(mine.size());
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, sim.communicator());
   std::exclusive_scan(counts.begin(), counts.end(), first.begin(), 0);
-  all.resize(static_cast<std::size_t>(first.back() + counts.back()));
+  all.resize(static_cast<std::size_t>(first.back()) + static_cast<std::size_t>(counts.back()));
   MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), first.data(), MPI_DOUBLE,
                  sim.communicator());
   std::map<std::uint64_t, std::vector<double>> state;
