@@ -17,9 +17,9 @@ void updateRestDensities(const HeatView& view, const RecordContext& records, dou
 /// Largest rate of volume change over speed of sound and support radius.
 inline constexpr double restDensityRate = 1e-3;
 
-/// Returns the work (J) that the flow of a step does not do after a carried density has changed from 1 +
-/// `before` to 1 + compression between its drift and its forces: its first half kick had the pressure before
-/// the change. Requires: Continuum::compressionRate. dt: s, the step.
+/// Returns the work (J) by which the first half kick of a step differs from that of the present pressure. Its
+/// pressure was that of the compression `before`, since the carried density changed after the kick. Requires:
+/// Continuum::compressionRate of the last step. dt: s, the step.
 double workOfLateKick(const RecordContext& records, const Continuum& particles, std::size_t row,
                       double before, double dt);
 
