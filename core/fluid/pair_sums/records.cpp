@@ -69,12 +69,15 @@ MaterialParameters localParameters(HeatModel model, const Material& m, double f,
 /// bonds.
 bool sumsOverPairs(const Modules& m) { return m.fluid || m.heat || m.contact; }
 
+/// Returns true if a particle moved in substeps in the last step. Ghosts have no slot that would show it.
+bool movedInSubsteps(const Continuum& p, std::size_t i) { return p.stepMeanVelocity[i] != Vec3d{}; }
+
 /// Velocity (m/s) with which a particle moved in the last step: without shifting, and with it.
 struct StepVelocity {
   Vec3d flow, all;
 };
 StepVelocity stepVelocity(const Continuum& p, std::size_t i, bool substeps) {
-  if (substeps && takesSubsteps(p, i)) return {p.stepMeanVelocity[i], p.stepMeanVelocity[i]};
+  if (substeps && movedInSubsteps(p, i)) return {p.stepMeanVelocity[i], p.stepMeanVelocity[i]};
   const Vec3d& v = p.velocity[i];
   const bool shifts = p.shiftingVelocity.active && !(p.clamped.active && p.clamped[i]);
   return {v, shifts ? v + p.shiftingVelocity[i] : v};
@@ -195,7 +198,7 @@ void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::s
     pressurePhaseHeat.a = Real(relief.z);
     pressurePhaseHeat.b = std::abs(pressurePhaseHeat.b);  // the sign is for the density sums only
     if (p.relief.active && isFixedSolid(p, i)) pressurePhaseHeat.b = Real(-0.0);
-    if (substeps && takesSubsteps(p, i))
+    if (substeps && movedInSubsteps(p, i))
       put(rows<Real>(r.velocityViscosity)[i], p.velocity[i], rows<Real>(r.velocityViscosity)[i].d);
     if (recordsEnergy) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(pressurePhaseHeat.b));
   }
