@@ -97,7 +97,7 @@ sort -n "$folder/lines.txt" >"$folder/report.txt"
 while read -r seed _ _ _ _ _ what; do
   case $what in ok | blew\ up*) ;; *) fail "seed $seed: $what" ;; esac
 done <"$folder/report.txt"
-awk '{ n[$4]++ } $4 == 0 { r = $5 < 0 ? -$5 : $5; if (r > 0.05) large++; else if (r > 0.01) middle++ }
+awk '{ n[$4]++ } $4 == 0 { r = $5 + 0; if (r < 0) r = -r; if (r > 0.05) large++; else if (r > 0.01) middle++ }
   END {
     printf "%d done (%d with more than 5 %% of the energy unexplained, ", n[0], large
     printf "%d with 1 to 5 %%), %d blew up, %d refused\n", middle, n[4], n[2]
