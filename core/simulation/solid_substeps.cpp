@@ -7,6 +7,7 @@
 
 #include "core/domain/sides.hpp"
 #include "core/halo/exchange.hpp"
+#include "core/particles/shifted.hpp"
 #include "core/simulation/views/views.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/wall_forces.hpp"
@@ -25,7 +26,7 @@ void drift(World& w, double span, double far2) {
       p.velocity[i].x = std::numeric_limits<double>::quiet_NaN();
       continue;
     }
-    if (p.shiftingVelocity.active && !(p.clamped.active && p.clamped[i])) v += p.shiftingVelocity[i];
+    if (isShifted(p, i)) v += p.shiftingVelocity[i];
     p.position[i] += v * span;
     if (p.stepMeanVelocity.active) p.stepMeanVelocity[i] += v * share;
     if (const double potential = wrapPlace(w.grid, w.scene.domain, p.position[i]); potential != 0)

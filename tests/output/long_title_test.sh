@@ -4,22 +4,7 @@
 # rendered.
 . "$(dirname "$0")/../support/run.sh"
 title=$(printf 'a very long title of a scene %.0s' $(seq 35))
-cat >"$work/long.toml" <<END
-title = "$title"
-spacing = 0.05
-end = 0.01
-[domain]
-min = [-1, -1, -1]
-max = [1, 1, 1]
-[material.jelly]
-young = "20 kPa"
-[[body]]
-name = "block"
-material = "jelly"
-box = { size = [0.2, 0.2, 0.2] }
-[output]
-every = 0.01
-END
+{ echo "title = \"$title\"" && jellyBlock; } >"$work/long.toml"
 short() {  # checks the output of the last command in $work/log
   grep -q 'a very long title of a scene a very.*\.\.\.$' "$work/log" ||
     fail "$1 does not show the beginning of the title"

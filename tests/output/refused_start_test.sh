@@ -3,21 +3,7 @@
 # A first start that is refused leaves its summary with the status "refused", and no empty folders. A scene
 # with errors leaves nothing. `thaw render` names the commands for a scene.
 . "$(dirname "$0")/../support/run.sh"
-cat >"$work/block.toml" <<'END'
-spacing = 0.05
-end = 0.01
-[domain]
-min = [-1, -1, -1]
-max = [1, 1, 1]
-[material.jelly]
-young = "20 kPa"
-[[body]]
-name = "block"
-material = "jelly"
-box = { size = [0.2, 0.2, 0.2] }
-[output]
-every = 0.01
-END
+jellyBlock >"$work/block.toml"
 cd "$work" || exit 1
 outside=(--set 'body.block.place.move=[0, 0, 5]')
 for ranks in 1 2; do

@@ -209,8 +209,8 @@ TEST(ImplicitViscosity, StartsWhereNothingElseLimitsTheStep) {
 }
 
 TEST(ImplicitViscosity, LedgerClosesWithIncompressiblePressure) {
-  // The pressure changes velocities between both half kicks of a viscous force. Without that change, a fifth
-  // of this impact's energy is unexplained.
+  // The pressure changes velocities between both half kicks of a viscous force. Without that change, 20 % of
+  // this impact's energy is unexplained.
   Scene s = emptyScene(0.01, {0, 0, 0}, {0.3, 0.3, 0.3});
   s.domain.side[2][0] = Side::Wall;
   s.domain.gravity = {0, 0, -9.81};

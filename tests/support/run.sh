@@ -12,6 +12,23 @@ trap 'rm -rf "$work"' EXIT
 failures=0
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 mpi=(mpirun --allow-run-as-root --oversubscribe --bind-to none)
+jellyBlock() {  # prints a scene: a small elastic block, for some steps
+  cat <<'END'
+spacing = 0.05
+end = 0.01
+[domain]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+[material.jelly]
+young = "20 kPa"
+[[body]]
+name = "block"
+material = "jelly"
+box = { size = [0.2, 0.2, 0.2] }
+[output]
+every = 0.01
+END
+}
 launch() {  # launch RANKS ARGUMENTS: thaw under mpirun, for at most five minutes
   local ranks=$1
   shift

@@ -6,6 +6,7 @@
 #include "core/fluid/density/connected_density.hpp"
 #include "core/fluid/laws/free_surface.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/particles/shifted.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {
@@ -54,8 +55,7 @@ std::span<const WallContact> atMidStep(const CarryContext& x, std::span<const Wa
   const Continuum& p = x.particles;
   for (WallContact& c : mid) {
     double speed = speedOff(x, c);
-    if (p.shiftingVelocity.active && !(p.clamped.active && p.clamped[c.row]))
-      speed += dot(p.shiftingVelocity[c.row], c.normal);
+    if (isShifted(p, c.row)) speed += dot(p.shiftingVelocity[c.row], c.normal);
     c.distance -= 0.5 * x.dt * speed;
   }
   if (mid.size() > 1)

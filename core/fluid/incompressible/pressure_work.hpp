@@ -15,8 +15,8 @@ struct WallSlope {
   Vec3d velocity;  ///< m/s, of the wall
 };
 
-/// Extra target density for flow without a free surface, which would jam because it cannot expand. Vortices
-/// of Re 100 keep most energy at 0.02: 0.70, against 0.0016 at 0 and 0.69 at 0.03.
+/// Extra target density for flow without a free surface, which would jam because it cannot expand.
+/// Vortices of Re 100 keep most energy at 0.02: 0.70, against 0.0016 at 0 and 0.69 at 0.03.
 inline constexpr double flowDensityExcess = 0.02;
 
 struct PressureWork {

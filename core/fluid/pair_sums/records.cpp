@@ -9,6 +9,7 @@
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/materials/state_equation.hpp"
+#include "core/particles/shifted.hpp"
 
 namespace thaw {
 namespace {
@@ -79,8 +80,7 @@ struct StepVelocity {
 StepVelocity stepVelocity(const Continuum& p, std::size_t i, bool substeps) {
   if (substeps && movedInSubsteps(p, i)) return {p.stepMeanVelocity[i], p.stepMeanVelocity[i]};
   const Vec3d& v = p.velocity[i];
-  const bool shifts = p.shiftingVelocity.active && !(p.clamped.active && p.clamped[i]);
-  return {v, shifts ? v + p.shiftingVelocity[i] : v};
+  return {v, isShifted(p, i) ? v + p.shiftingVelocity[i] : v};
 }
 
 template<class Real>

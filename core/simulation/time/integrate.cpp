@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/domain/sides.hpp"
+#include "core/particles/shifted.hpp"
 #include "core/particles/sleep_stage.hpp"
 
 namespace thaw {
@@ -36,8 +37,7 @@ bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   const double half = 0.5 * dt;
   recordImpulses(w, half);
   const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces act for half a substep
-  const bool smoothed = p.shiftingVelocity.active, shifted = w.modules.shifting,
-             substeps = w.clock.substeps > 1;
+  const bool shifted = w.modules.shifting, substeps = w.clock.substeps > 1;
   const Vec3d g = w.scene.domain.gravity;
   const OpenBox box = openBox(w.scene.domain);
   bool leaves = false;
@@ -51,10 +51,8 @@ bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
         if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);
         if (takesSubsteps(p, i)) continue;
       }
-      const Vec3d x = p.position[i] + (smoothed && !(p.clamped.active && p.clamped[i])
-                                           ? p.velocity[i] + p.shiftingVelocity[i]
-                                           : p.velocity[i]) *
-                                          dt;
+      const Vec3d x = p.position[i] +
+                      (isShifted(p, i) ? p.velocity[i] + p.shiftingVelocity[i] : p.velocity[i]) * dt;
       p.position[i] = x;
       leaves |= box.leaves(x);
     }

@@ -163,16 +163,16 @@ void putLane(const Mat3d& m, int lane, double out[9][8]) {
     for (int q = 0; q < 3; q++) out[3 * r + q][lane] = m.row[r][q];
 }
 
-}  // namespace
-
 /// Returns the work (Pa) of a flow that ends with F - 1 = g.
-static double lossOf(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const Mat3d& g,
-                     const PlasticFlow& flow) {
+double lossOf(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const Mat3d& g,
+              const PlasticFlow& flow) {
   if (!a.lastGradient) return flow.loss;
   const Mat3d& last = a.lastGradient[slot];
   const bool known = determinant(identity3<double>() + last) > 0;
   return workOfFlow(c, {known ? last : g, a.plasticInverse[slot]}, {g, flow.state.inverse});
 }
+
+}  // namespace
 
 void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
               int lane, PlasticLanes& out) {
