@@ -266,9 +266,12 @@ void findSubsteps(Finder& f, bool elastic) {
   const Scene& s = f.s;
   Modules& m = f.m;
   if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
-  // Contact of solids limits the step of all particles, so substeps gain nothing there.
+  // Contact of solids limits the step of all particles, so substeps gain nothing there. Above two substeps
+  // the impulses of incompressible liquid come as often as the fastest elastic waves oscillate, and feed
+  // them.
+  const int byDefault = m.incompressible ? 2 : 4;
   m.mostSubsteps = s.numerics.elasticSubsteps > 0                                ? s.numerics.elasticSubsteps
-                   : elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? 4
+                   : elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? byDefault
                                                                                  : 1;
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids",
@@ -315,9 +318,9 @@ Modules modulesOf(const Scene& s) {
   }
   const bool elastic = findRigid(f, used);
   findContact(f, used, solidBodies);
-  findSubsteps(f, elastic);
   if (m.fluid && s.numerics.solver == PressureSolver::Incompressible)
     f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver");
+  findSubsteps(f, elastic);
   findNeighbourUse(f);
   m.uniform = isUniform(s, m);
   return f.m;

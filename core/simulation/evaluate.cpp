@@ -200,6 +200,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Contact);
   t.hooks.after(HookPhase::Density);
   sumForces(e);
+  recordProjections(e.walls, t.wallContacts);
   addContacts(e, justFrozen);
   finishForces(e);
   if (w.modules.rigidify) compareLoads(rigidifyView(w, t));

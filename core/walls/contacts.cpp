@@ -12,31 +12,53 @@
 namespace thaw {
 namespace {
 
+/// Spacings inside a wall beyond which particles are moved back. They are moved no farther: each jump changes
+/// the energies of all forces.
+constexpr double deepest = 0.5;
+
 Vec3d restPlace(const Wall& w, const Vec3d& x) { return toRest(w.pose, x); }
 
-/// Moves a particle deep inside a wall back to the surface and removes its velocity into the wall. Records
+/// A particle deep inside a wall.
+struct DeepContact {
+  std::size_t row;
+  double depth;  ///< m
+  Vec3d normal;  ///< out of the wall
+};
+
+/// Records what the contact of a particle with a wall loses as it is moved out. The half kick at the end of
+/// the step finds no velocity into the wall and does no work. into: m/s, the velocity that was there.
+void recordContactLoss(const WallContext& x, const DeepContact& c, double moved, double into) {
+  Continuum& p = x.world.particles;
+  const WallSpring spring = wallSpring(x, c.row);
+  const double gap = spring.length + c.depth, left = gap - moved;
+  const double dt = x.dt * (takesSubsteps(p, c.row) ? x.fast : 1), before = std::max(0.0, gap - into * dt);
+  p.dissipated[c.row] += 0.5 * spring.stiffness * (gap * before - left * left);
+}
+
+/// Moves a particle out until it is `deepest` inside, and removes its velocity into the wall. Records
 /// impulse, work and loss.
-void project(const WallView& w, std::size_t i, const Wall& wall, double depth, const Vec3d& n) {
+Projection project(const WallContext& x, const Wall& wall, const DeepContact& c) {
+  const WallView& w = x.world;
   Continuum& p = w.particles;
-  const double m = p.mass[i];
-  const Vec3d moved = n * depth;
-  p.position[i] += moved;
-  p.dissipated[i] += m * dot(w.scene.domain.gravity, moved);  // gain of potential energy
-  const Vec3d v = wallVelocity(wall, p.position[i]);
-  const double into = dot(p.velocity[i] - v, n);
-  if (into < 0) {
-    const Vec3d impulse = n * (-m * into);
-    p.velocity[i] -= n * into;
-    p.dissipated[i] += 0.5 * m * into * into;
-    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(impulse[a]);
-    w.ledger.wallWork.add(dot(impulse, v));
-  }
+  const double m = p.mass[c.row], out = c.depth - deepest * w.scene.spacing;
+  const Vec3d& n = c.normal;
+  p.position[c.row] += n * out;
   w.counters.wallProjections++;
+  const Vec3d v = wallVelocity(wall, p.position[c.row]);
+  const double into = std::max(0.0, -dot(p.velocity[c.row] - v, n));
+  const Vec3d impulse = n * (m * into);
+  p.velocity[c.row] += n * into;
+  p.dissipated[c.row] += 0.5 * m * into * into;
+  for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(impulse[a]);
+  w.ledger.wallWork.add(dot(impulse, v));
+  recordContactLoss(x, c, out, into);
+  return {static_cast<std::uint32_t>(c.row), n * out, n * -into};
 }
 
 /// Appends the particle's contacts. May project it out of walls; returns true if it did.
-bool listContacts(const WallView& w, std::size_t i, WallContacts& contacts, bool mayMove) {
-  const double h = w.grid.support, deep = 0.5 * w.scene.spacing;
+bool listContacts(const WallContext& x, std::size_t i, WallContacts& contacts, bool mayMove) {
+  const WallView& w = x.world;
+  const double h = w.grid.support, deep = deepest * w.scene.spacing;
   bool moved = false;
   for (const std::uint32_t k : contacts.reachable) {
     const Wall& wall = w.walls.list[k];
@@ -46,7 +68,8 @@ bool listContacts(const WallView& w, std::size_t i, WallContacts& contacts, bool
     if (faces.count == 0) continue;
     const double d = faces.face[0].distance;
     if (mayMove && d < -deep) {
-      project(w, i, wall, -d, directionFromRest(wall.pose, faces.face[0].normal));
+      contacts.projections.push_back(
+          project(x, wall, {i, -d, directionFromRest(wall.pose, faces.face[0].normal)}));
       moved = true;
     }
     for (std::size_t f = 0; f < faces.count; f++)
@@ -111,6 +134,7 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
   const WallView& w = x.world;
   Continuum& p = w.particles;
   contacts.list.clear();
+  contacts.projections.clear();
   for (ExactSum& s : w.ledger.wallForce) s = {};  // surface tension adds to it before all other forces
   bool any = false;
   for (const Wall& wall : w.walls.list) any = any || wall.present;
@@ -128,9 +152,9 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
     for (std::size_t i = w.cells.first[cell]; i < w.cells.first[cell] + w.cells.count[cell]; i++) {
       const std::size_t before = contacts.list.size();
       // A projected particle may have moved away from, or into, other walls.
-      if (listContacts(w, i, contacts, !(p.clamped.active && p.clamped[i]) && !isRigid(p, i))) {
+      if (listContacts(x, i, contacts, !(p.clamped.active && p.clamped[i]) && !isRigid(p, i))) {
         contacts.list.resize(before);
-        listContacts(w, i, contacts, false);
+        listContacts(x, i, contacts, false);
       }
       double nearest = never;
       for (std::size_t c = before; c < contacts.list.size(); c++)
@@ -138,6 +162,14 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
       if (freezing) updateContactOffset(p, w.scene, i, nearest);
       if (contacts.list.size() > before + 1) distributeShares(x, std::span(contacts.list).subspan(before));
     }
+  }
+}
+
+void recordProjections(const WallContext& x, const WallContacts& contacts) {
+  Continuum& p = x.world.particles;
+  for (const Projection& c : contacts.projections) {
+    const Vec3d force = p.force[c.row] + x.world.scene.domain.gravity * p.mass[c.row];
+    p.dissipated[c.row] += dot(force, c.moved + c.stopped * (0.5 * x.dt));
   }
 }
 

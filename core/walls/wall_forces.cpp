@@ -96,20 +96,11 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
 /// Adds a spring with dashpot (CS79) and Coulomb friction: for solids within half a spacing;
 /// for liquids, which pressure supports, only within a quarter.
 void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum& p, WallAction& act) {
-  const double dx = x.world.scene.spacing, f = at.liquid, m = p.mass[at.row];
-  const double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[at.row]) : 0.5;
-  const double gap = dx * (rest + f * (0.25 - rest)) - at.contact.distance;
-  if (gap <= 0) return;
+  const double f = at.liquid, m = p.mass[at.row];
+  const WallSpring wall = wallSpring(x, at.row);
+  const double gap = wall.length - at.contact.distance, k = wall.stiffness;
+  if (gap <= 0 || k <= 0) return;
   const Vec3d& n = at.contact.normal;
-  // The incompressible solver stops liquids at walls (stopAtWalls); the spring of the state equation is too
-  // stiff for its steps.
-  const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[at.row]].stiffness;
-  // A particle that evaporates keeps the frequency of a full one.
-  const double filled = x.world.modules.evaporation
-                            ? m / (restDensityOf(p, x.world.scene.materials, at.row) * dx * dx * dx)
-                            : 1;
-  const double k = (at.material.young.at(f) + f * liquid) * dx * filled;
-  if (k <= 0) return;
   const double restitution = f < 1 ? std::min(at.wall.restitution, at.material.restitution) : 0.2;
   const double un = dot(at.velocity, n), spring = k * gap;
   // A contact never pulls.
@@ -118,9 +109,7 @@ void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum&
   act.resist(n * dash, at.velocity);
   p.interaction[at.row] += 0.5 * k * gap * gap;
   if (p.softening.active)
-    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + liquid) * dx * filled *
-                               gap * gap -
-                           (rest - 0.25) * dx * k * gap;
+    p.softening[at.row] += 0.5 * wall.stiffnessByLiquid * gap * gap + wall.lengthByLiquid * k * gap;
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;
@@ -144,6 +133,27 @@ Vec3d halfKick(const WallContext& x, std::size_t i, bool substeps) {
 }
 
 }  // namespace
+
+WallSpring wallSpring(const WallContext& x, std::size_t row) {
+  const Continuum& p = x.world.particles;
+  const Scene& s = x.world.scene;
+  const double dx = s.spacing, f = liquidFraction(p, row);
+  const auto& young = s.materials[p.material[row]].young;
+  // The incompressible solver stops liquids at walls (stopAtWalls); the spring of the state equation is too
+  // stiff for its steps.
+  const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[row]].stiffness;
+  // A particle that evaporates keeps the frequency of a full one.
+  const double filled = x.world.modules.evaporation
+                            ? p.mass[row] / (restDensityOf(p, s.materials, row) * dx * dx * dx)
+                            : 1;
+  const double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[row]) : 0.5;
+  WallSpring spring;
+  spring.lengthByLiquid = dx * (0.25 - rest);
+  spring.length = dx * (rest + f * (0.25 - rest));
+  spring.stiffnessByLiquid = (young.liquid - young.solid + liquid) * dx * filled;
+  spring.stiffness = (young.at(f) + f * liquid) * dx * filled;
+  return spring;
+}
 
 void recordResistance(const WallContext& x, std::span<const DissipativeForce> dissipativeForce) {
   Continuum& p = x.world.particles;

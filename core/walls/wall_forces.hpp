@@ -26,10 +26,23 @@ struct WallContext {
   bool sleeps(std::size_t i) const { return steady && (*steady)[i]; }
 };
 
+/// Spring of a particle's contact with walls.
+struct WallSpring {
+  double length;             ///< m, distance below which it pushes
+  double stiffness;          ///< N/m
+  double lengthByLiquid;     ///< m, derivative by the liquid fraction
+  double stiffnessByLiquid;  ///< N/m, derivative by the liquid fraction
+};
+WallSpring wallSpring(const WallContext& context, std::size_t row);
+
 /// Lists the owned particles within a support radius of a wall. Particles deeper in a wall than half a
-/// spacing are projected to its surface without their velocity into it. Counters::wallProjections counts
-/// them; their kinetic energy is recorded as dissipated.
+/// spacing are moved back to that depth without their velocity into it. Counters::wallProjections counts
+/// them. The kinetic energy and the contact energy that they lose are recorded as dissipated.
 void findWallContacts(const WallContext& context, WallContacts& contacts);
+
+/// Records what weight, pressure and elastic forces gain or lose as findWallContacts moves and stops
+/// particles. Call it before forces of contacts are added.
+void recordProjections(const WallContext& context, const WallContacts& contacts);
 
 struct WallSupport {
   const WallTables& tables;

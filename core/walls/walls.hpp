@@ -64,10 +64,18 @@ struct WallContact {
   double heatShare = 1;  ///< 1, factor of heat; only walls with a temperature count
 };
 
+/// A particle that was moved out of a wall in this step.
+struct Projection {
+  std::uint32_t row;
+  Vec3d moved;    ///< m
+  Vec3d stopped;  ///< m/s, velocity into the wall, which it lost
+};
+
 /// Contacts of owned particles within a support radius, by row and then by wall: the order of sums. Reused in
 /// each step.
 struct WallContacts {
   std::vector<WallContact> list;
+  std::vector<Projection> projections;
   std::vector<std::uint32_t> reachable;  ///< walls within reach of the current cell
   std::vector<double> added;             ///< relative density added by each wall of the current particle
   ExactSum fast[3];                      ///< N, part of Ledger::wallForce that acts in every substep

@@ -90,6 +90,7 @@ struct WallRig {
       p.force[i] = {}, p.dissipation[i] = p.interaction[i] = p.heatFlow[i] = 0;
     const WallContext x{wallView(w), tables, liquids, dt, dt > 0 ? dt : firstStep};
     findWallContacts(x, contacts);
+    recordProjections(x, contacts);
     addWallForces(x, 1, contacts);
   }
 

@@ -102,6 +102,7 @@ void beginCarry(const CarryContext& x) {
   }
   if (storesSums(x)) work.summed.assign(rows, 0);
   x.counters.crowded = 0;
+  work.largestChange = 0;
 }
 
 CarryStep carryStepOf(const CarryContext& x) {
@@ -134,6 +135,7 @@ CarryStep carryStepOf(const CarryContext& x) {
   if (p.compressionRate.active) s.compressionRate = p.compressionRate.data();
   if (p.relief.active) s.relief = p.relief.data();
   if (storesSums(x)) s.summed = x.carry.summed.data();
+  s.largestChange = &x.carry.largestChange;
   s.crowded = &x.counters.crowded;
   return s;
 }

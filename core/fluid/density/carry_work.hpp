@@ -11,6 +11,7 @@ namespace thaw {
 struct CarryWork {
   std::vector<std::uint8_t> besideWall;  ///< by owned row; empty: no wall contacts
   std::vector<float> summed;             ///< CarryStep::summed
+  double largestChange = 0;              ///< CarryStep::largestChange
   std::vector<WallContact> midContacts;  ///< contacts of the current row at mid-step
 };
 

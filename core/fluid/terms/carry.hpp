@@ -272,8 +272,16 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     const Wide half = Wide(0.5) * spread;
     const Wide energy = half * restVolume * (pressureTerm(flow + half) + pressureTerm(before + half));
     const Wide end = flow + spread;
+    noteChange(end - before);
     write(at, wet, at.doubles(x.dissipated) - energy + (x.compressionRate ? damp(end) : zero), x.dissipated);
     return end;
+  }
+
+  THAW_INLINE void noteChange(Wide change) {
+    const Wide size = sizeOf(change);
+    if (!any(size > Wide(*x.largestChange))) return;
+    for (int l = 0; l < at.count; l++)
+      if (wet >> l & 1) *x.largestChange = std::max(*x.largestChange, size[l]);
   }
 
   /// Lets the pressure lead the density by a fixed time: p(y + t dy/dt), a volume viscosity. It damps sound

@@ -50,6 +50,7 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
     std::fill_n(p.velocity.data(), p.size(), Vec3d{});  // removes resistance
     packRecords({w.scene, w.modules, w.grid, t.liquids}, p, 0, p.size(), t.records);
     if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
+    if (p.positionForce.active) std::fill_n(p.positionForce.data(), p.owned, Vec3d{});
     take(f.pressure, forceOf(p, i, [&] {
            sumOverNeighbours(w, t, NeighbourPass::InnerForces);
            sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);

@@ -68,6 +68,7 @@ void activateFields(World& w, StepTools& t) {
   turnOn(p, !t.outside.empty(), {&p.outsideForce});
   for (const auto& added : p.added) p.activate(*added);
   activateFluid(p, m);
+  turnOn(p, m.shifting && m.continuity && (m.tension || !t.pairForces.empty()), {&p.positionForce});
   activateHeat(p, m);
   turnOn(p, m.surface, {&p.surfacePosition, &p.component});
   turnOn(p, m.surface && m.solid, {&p.surfaceStartPosition});

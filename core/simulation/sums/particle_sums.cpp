@@ -55,6 +55,7 @@ void clearRates(Continuum& p, bool pairsSet) {
   if (p.fastAcceleration.active) std::fill_n(p.fastAcceleration.data(), p.owned, Vec3d{});
   if (p.softening.active) std::fill_n(p.softening.data(), p.owned, 0.0);
   if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
+  if (p.positionForce.active) std::fill_n(p.positionForce.data(), p.owned, Vec3d{});
 }
 
 PairSums pairSumsOf(World& w, StepTools& t) {
@@ -205,7 +206,8 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
     pass == NeighbourPass::InnerForces ? packApparentViscosity(x, p, 0, p.owned, t.records)
                                        : packApparentViscosity(x, p, p.owned, p.size(), t.records);
   const PairSums s = pairSumsOf(w, t);
-  PairSums particleForces = s;
+  PairSums particleForces = s, tension = s;
+  if (p.positionForce.active) tension.force = p.positionForce.data();
   if (p.drag.active)
     particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
                                            // step
@@ -214,9 +216,9 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
   if (w.modules.surfaceEnergy) {
     pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
                                        : packSurfaceEnergyDerivatives(x, p, p.owned, p.size(), t.records);
-    t.kernels->surfaceForces(s, range);
+    t.kernels->surfaceForces(tension, range);
   } else if (w.modules.tension) {
-    t.kernels->tension(s, range);
+    t.kernels->tension(tension, range);
   }
   if (w.modules.artificialViscosity && !w.modules.uniform)
     t.kernels->artificialViscosity(particleForces, range);
@@ -228,6 +230,8 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
   }
   if (pass == NeighbourPass::BoundaryForces && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
+  if (pass == NeighbourPass::BoundaryForces && p.positionForce.active)
+    for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.positionForce[i];
   t.times.lap(StepPhase::Forces);
 }
 
@@ -267,7 +271,9 @@ void recordEntry(World& w, const PairSums& sums, PairForceWork& work, const Adde
 
 void sumPairForces(World& w, StepTools& t) {
   Continuum& p = w.particles;
-  const PairSums sums = pairSumsOf(w, t);
+  PairSums sums = pairSumsOf(w, t);
+  std::vector<Vec3d> pairForces(p.positionForce.active ? p.owned : 0);
+  if (p.positionForce.active) sums.force = pairForces.data();
   const AddedColumn* newborn = newbornOf(p);
   for (PairForceWork& work : t.pairForces) {
     resizePairForce(sums.precision, p.owned + t.ghostRoom, work);
@@ -280,6 +286,10 @@ void sumPairForces(World& w, StepTools& t) {
       if (p.liquid[i] > 0)  // the energy of a pair is proportional to both fractions
         p.softening[i] += 2 * work.energy[i] / static_cast<double>(p.liquid[i]);
     if (newborn) recordEntry(w, sums, work, *newborn);
+  }
+  for (std::size_t i = 0; i < pairForces.size(); i++) {
+    p.force[i] += pairForces[i];
+    p.positionForce[i] += pairForces[i];
   }
   t.times.lap(StepPhase::Forces);
 }

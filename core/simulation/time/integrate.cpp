@@ -37,15 +37,18 @@ bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   const double half = 0.5 * dt;
   recordImpulses(w, half);
   const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces act for half a substep
-  const bool shifted = w.modules.shifting, substeps = w.clock.substeps > 1;
+  const bool shifted = p.shiftingVelocity.active, carried = w.modules.continuity,
+             substeps = w.clock.substeps > 1;
   const Vec3d g = w.scene.domain.gravity;
   const OpenBox box = openBox(w.scene.domain);
   bool leaves = false;
   for (const RowSpan& range : rows)
     for (std::size_t i = range.begin; i < range.end; i++) {
-      if (shifted)  // work against position-dependent forces; not against pressure if the density is carried
-        p.dissipated[i] += p.mass[i] * dt *
-                           dot(w.modules.continuity ? g : p.acceleration[i], p.shiftingVelocity[i]);
+      if (shifted) {  // work against position-dependent forces; not against pressure if the density is
+                      // carried
+        p.dissipated[i] += p.mass[i] * dt * dot(carried ? g : p.acceleration[i], p.shiftingVelocity[i]);
+        if (p.positionForce.active) p.dissipated[i] += dt * dot(p.positionForce[i], p.shiftingVelocity[i]);
+      }
       p.velocity[i] += p.acceleration[i] * half;
       if (substeps) {
         if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);

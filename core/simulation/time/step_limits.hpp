@@ -10,6 +10,7 @@ namespace thaw {
 
 enum class Limit {
   Sound,
+  Density,
   Viscous,
   Heat,
   Elastic,
@@ -22,12 +23,15 @@ enum class Limit {
   Oriented,
   Sheet
 };
-inline constexpr std::array<const char*, 12> limitNames{
-    "sound", "viscosity", "heat",  "elastic waves", "surface tension",    "acceleration",
-    "speed", "contact",   "scene", "extensions",    "oriented particles", "sheets"};
+inline constexpr std::array<const char*, 13> limitNames{
+    "sound",           "density change",     "viscosity", "heat",    "elastic waves",
+    "surface tension", "acceleration",       "speed",     "contact", "scene",
+    "extensions",      "oriented particles", "sheets"};
 inline constexpr std::size_t bodyTypeLimits = 2;  ///< the last entries: further body types, reduced only in
                                                   ///< scenes that have them
 
+/// Largest change of a carried relative density in a step.
+inline constexpr double densityChangePerStep = 0.02;
 inline constexpr double supportsPerStep = 0.25;  ///< no particle crosses another particle, or a cell, in a
                                                  ///< step
 

@@ -193,8 +193,8 @@ void readNumerics(TableReader& r, Numerics& n) {
   std::int64_t substeps = n.elasticSubsteps;
   r.whole("elastic_substeps", substeps, 0, 64,
           "largest number of substeps of solids within a step, if their elastic limit is the shortest. 0: 4 "
-          "with liquid and without contact of solids, else 1. Above 8 the liquid may pump energy into solids "
-          "without damping");
+          "with liquid (2 if it is incompressible) and without contact of solids, else 1. Above 8, or 2 with "
+          "incompressible liquid, the liquid may pump energy into solids without damping");
   n.elasticSubsteps = static_cast<int>(substeps);
   r.number("sleep_speed", n.sleepSpeed, "m/s", notNegative(),
            "solids that are slower than this for sleep_after, like all their neighbours, sleep: they stay in "
