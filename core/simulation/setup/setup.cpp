@@ -222,8 +222,10 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
   if (w.modules.rigid) finishPieces(w, halos, t);
 }
 
-SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load,
+                          const ParticleChange& change) {
   SamplingReport report = sampleWorld(w, halos, t, load);
+  if (change) change(w.particles);
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
   t.rigid.atStart = w.modules.rigid && !w.modules.rigidify;
