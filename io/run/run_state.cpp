@@ -120,9 +120,7 @@ StopMonitor stopMonitorOf(const Run& r) {
   return watch;
 }
 
-void renewSurfaceHalos(Run& r) {
-  r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid);
-}
+void renewSurfaceHalos(Run& r) { r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid); }
 
 namespace {
 

@@ -46,8 +46,7 @@ double askedFor(bool solid) {
                             (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) -
                              1);
   });
-  return static_cast<double>(allocatedBytes - before) /
-         static_cast<double>(simulation.world.particles.owned);
+  return static_cast<double>(allocatedBytes - before) / static_cast<double>(simulation.world.particles.owned);
 }
 
 }  // namespace

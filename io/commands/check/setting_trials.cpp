@@ -68,7 +68,7 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
       r = {"", ledger.energyResidual, std::max(ledger.energyScale, ledger.energyRounding), w.counters.left,
            ledger.particles};
   }
-  all.sum({&r.left, 1});
+  simulation.all.sum({&r.left, 1});
   return r;
 }
 
