@@ -37,7 +37,7 @@ enum class ModulePhase {
   PhaseChange,  ///< heat, melting, freezing
   // Time-step reduction
   Limits,        ///< step limits of this rank's particles are known
-  CommonLimits,  ///< those of all ranks are known
+  CommonLimits,  ///< limits of all ranks are known
   NextStep,      ///< the length of the next step is known
   EndOfStep      ///< preparation of the next step; last phase
 };
