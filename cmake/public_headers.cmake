@@ -7,20 +7,16 @@ set(public
   core/fluid/terms/extension_pair_force_term.hpp
   core/simd/choose.hpp
   core/solid/laws/extension_law_lanes.hpp
-  core/halo/serial.hpp                # halos of one process
   core/simulation/world/body_types.hpp
   core/simulation/ledger/report.hpp   # energy, momentum and mass
   core/math/exact_sum.hpp
   core/scene/scene.hpp                # a scene as a plain struct
-  core/simulation/setup/setup.hpp     # from a scene to a world
-  core/solid/bonds/serial_bond_halo.hpp
+  core/simulation/setup/serial_simulation.hpp  # from a scene to its steps, in one process
   core/simulation/step.hpp            # one time step
   core/surface/update_surface.hpp
   core/time/frame_times.hpp           # frames due, and the next step
   parallel/balance.hpp
-  parallel/bond_halo.hpp
-  parallel/cell_halo.hpp
-  parallel/communicator.hpp
+  parallel/mpi_simulation.hpp         # the same on the ranks of a communicator
   parallel/row_scatter.hpp
   io/meshes/read_mesh.hpp
   io/scene/read_scene.hpp             # a scene from a file

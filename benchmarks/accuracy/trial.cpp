@@ -65,13 +65,10 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
   r.overrides = overrides;
   w.scene = sceneForAll(r.comm, file, overrides);
   if (c.adapt) c.adapt(w.scene);
-  prepareWorld(w, r.tools, suiteMeshes());
-  r.tables.make(w, r.comm);
-  sampleWorld(w, r.halos(), r.tools, suiteMeshes());
-  if (c.place) c.place(r);
-  r.tools.bondsAtStart = w.modules.solid;
-  r.tools.emitFirst = true;
-  initializeForces(w, r.halos(), r.tools);
+  r.prepare(suiteMeshes());
+  r.start(suiteMeshes(), [&](Continuum&) {
+    if (c.place) c.place(r);
+  });
   if (c.start) {
     c.start(r);
     initializeForces(w, r.halos(), r.tools);
@@ -81,7 +78,7 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
   if (w.modules.surface) beginSurface(r);
   if (c.watch) c.watch(r);
   while (w.clock.time < w.clock.end && r.finite) {
-    const StepOutcome o = step(w, r.halos(), r.tools, {});
+    const StepOutcome o = r.step();
     r.finite = o.finite;
     if (r.finite && w.modules.surface) surfaceAfterStep(r, o.surfaceMove2);
     if (c.watch) c.watch(r);

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "core/simulation/ledger/report.hpp"
-#include "core/simulation/setup/setup.hpp"
 #include "core/surface/update_surface.hpp"
-#include "io/run/mpi_halos.hpp"
+#include "parallel/mpi_simulation.hpp"
 #include "parallel/row_scatter.hpp"
 
 namespace thaw::accuracy {
@@ -28,16 +27,11 @@ struct Sample {
   std::vector<double> value;
 };
 
-struct Trial {
-  explicit Trial(const Communicator& c) : comm(c), all(c) {}
-  Halos halos() { return tables.with(all); }
+struct Trial : MpiSimulation {
+  explicit Trial(const Communicator& c) : MpiSimulation(c), comm(c) {}
   double spacing() const { return world.scene.spacing; }
 
   const Communicator& comm;
-  World world;
-  StepTools tools;
-  MpiReducer all;
-  MpiHalos tables;
   std::unique_ptr<SurfaceRanks> surface;  ///< null without a surface
   SurfaceTools surfaceTools;
   std::vector<Sample> series;           ///< values recorded by `watch`

@@ -13,12 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/setup/setup.hpp"
 #include "io/run/reports/communication_summary.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "parallel/balance.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
+#include "parallel/mpi_simulation.hpp"
 
 namespace {
 
@@ -80,37 +78,31 @@ constexpr const char* head =
 constexpr int look = 25;  // steps between balance checks, as in thaw run
 double since(WallClock::time_point t) { return std::chrono::duration<double>(WallClock::now() - t).count(); }
 
-/// A simulation on the ranks of a communicator.
+/// A simulation with a communicator of its own and balance checks.
 struct Run {
   Communicator comm;
-  World w;
-  StepTools tools;
-  bool byTime;    // cells are redistributed by their measured time
-  bool prepared;  // set before the halos, which need the grid
-  MpiReducer all;
-  MpiCellHalo cells;
-  MpiBondHalo bonds;
+  MpiSimulation simulation{comm};
+  World& w = simulation.world;
+  StepTools& tools = simulation.tools;
+  bool byTime;  // cells are redistributed by their measured time
   WorkMeter meter;
 
-  Run(MPI_Comm ranks, const Options& o)
-      : comm(ranks), byTime(!o.counts), prepared(prepare(o)), all(comm), cells(comm, w.grid), bonds(comm) {
-    startWorld(w, {all, cells, bonds}, tools, meshLoader());
-  }
-
-  bool prepare(const Options& o) {
+  Run(MPI_Comm ranks, const Options& o) : comm(ranks), byTime(!o.counts) {
     w.scene = sceneForAll(comm, std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + o.name + ".toml", sizes(o));
-    prepareWorld(w, tools, meshLoader());
-    return true;
+    simulation.prepare(meshLoader());
+    simulation.start(meshLoader());
   }
+  Run(const Run&) = delete;
+
   void step(bool balanceAfter) {
-    if (!thaw::step(w, {all, cells, bonds}, tools, {}).finite) {
+    if (!simulation.step().finite) {
       std::fprintf(stderr,
                    "scaling: the scene blew up; its parameters in benchmarks/scaling/scenes are unstable\n");
       MPI_Abort(MPI_COMM_WORLD, 4);
     }
     if (!balanceAfter || !byTime) return;
     tools.times.start();
-    balance(w, cells, tools, meter);
+    balance(w, *simulation.tables.cells, tools, meter);
     tools.times.lap(StepPhase::Balance);
   }
   void warm(int steps) {  // at least two balance checks

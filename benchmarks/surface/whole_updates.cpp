@@ -8,10 +8,8 @@
 #include <numbers>
 #include <string>
 
-#include "core/halo/serial.hpp"
-#include "core/simulation/setup/setup.hpp"
+#include "core/simulation/setup/serial_simulation.hpp"
 #include "core/simulation/views/views.hpp"
-#include "core/solid/bonds/serial_bond_halo.hpp"
 #include "core/surface/update_surface.hpp"
 #include "io/scene/read_scene.hpp"
 
@@ -47,16 +45,13 @@ void deform(World& w, bool molten, double bottom, double height, double step) {
 WholeUpdates wholeUpdates(bool molten, double surfels, double support, std::int64_t updates) {
   // a spacing of 5.5 mm gives 60,000 surfels
   const double spacing = 0.0055 * std::sqrt(60000 / surfels);
-  World w;
+  SerialSimulation simulation;
+  World& w = simulation.world;
   w.scene = readScene(
       std::string(THAW_BENCHMARK_FOLDER) + "/../../scenes/keiser/melting_fast.toml",
       {"surface.spacing=" + std::to_string(spacing), "surface.support=" + std::to_string(support)});
-  StepTools tools;
-  SerialReducer all;
-  prepareWorld(w, tools, {});
-  SerialCellHalo cells(w.grid);
-  SerialBondHalo bonds;
-  sampleWorld(w, {all, cells, bonds}, tools, {});
+  simulation.prepare({});
+  sampleWorld(w, simulation.halos(), simulation.tools, {});
   SerialSurfaceRanks ranks(w.surface.grid);
   SurfaceTools t;
   WholeUpdates out;

@@ -39,9 +39,9 @@ void evaluate(World& world, Halos halos, StepTools& tools, double dt);
 /// Reduces the limits of all ranks and sets the next step in the clock. Collective.
 StepOutcome reduceStep(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests wanted);
 
-/// Updates the rigid pieces whose particles melted, froze or left, and finds the impulses of contacts for the
-/// next step. Requires: its length in the clock. Collective.
-void finishPieces(World& world, Halos halos, StepTools& tools);
+/// The same in a step.
+void evaluate(StepContext& context);
+StepOutcome reduceStep(StepContext& context, StepOutcome here, Requests wanted);
 
 /// One leap-frog step of Clock::dt, shortened to hit the next frame time. Requires: accelerations, from one
 /// call of evaluate and reduceStep before the first step. Collective; the same bits on any number of ranks.

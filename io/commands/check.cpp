@@ -16,7 +16,6 @@
 #include "core/scene/phase_density.hpp"
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/memory.hpp"
-#include "core/simulation/setup/setup.hpp"
 #include "core/simulation/setup/warnings/thick_flow.hpp"
 #include "core/simulation/world/body_types.hpp"
 #include "core/time/frame_times.hpp"
@@ -25,15 +24,13 @@
 #include "io/commands/check/frontier_file.hpp"
 #include "io/commands/check/setting_trials.hpp"
 #include "io/hdf5/io_error.hpp"
-#include "io/run/mpi_halos.hpp"
 #include "io/run/reports/surface_summary.hpp"
 #include "io/run/require_memory.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "io/scene/scene_warnings.hpp"
 #include "io/text/above_zero.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
+#include "parallel/mpi_simulation.hpp"
 
 namespace thaw {
 namespace {
@@ -128,11 +125,12 @@ std::vector<std::string> testedSuggestions(const Communicator& comm, const Check
   return lines;
 }
 
-/// The world of a check and its tools.
+/// The simulation of a check.
 struct CheckedWorld {
   const Communicator& comm;
-  World w;
-  StepTools t;
+  MpiSimulation simulation{comm};
+  World& w = simulation.world;
+  StepTools& t = simulation.tools;
 };
 
 /// Adds the start of the scene: geometry, emitters, modules, step limits. Requires: no step has been taken.
@@ -187,13 +185,13 @@ void addIdle(const CheckedWorld& c, const std::vector<OrientedWork::Event>& idle
 }
 
 /// Takes steps for up to three seconds. Returns the seconds of each. Collective.
-double timeSteps(CheckedWorld& c, const Halos& halos, int& steps) {
+double timeSteps(CheckedWorld& c, int& steps) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   while (steps < 20 && seconds() < 3 && c.w.clock.time < c.w.clock.end) {
-    step(c.w, halos, c.t, {});
+    c.simulation.step();
     steps++;
   }
   return steps > 0 ? seconds() / steps : 0;
@@ -202,7 +200,7 @@ double timeSteps(CheckedWorld& c, const Halos& halos, int& steps) {
 /// Adds the estimated cost of the run, and the advice. Collective.
 void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface, double perStep,
                   CheckReport& r) {
-  MpiReducer all(c.comm);
+  MpiReducer& all = c.simulation.all;
   World& w = c.w;
   CheckedCost& cost = r.cost;
   const LedgerReport l = reportLedger(w, c.t, all);
@@ -232,24 +230,21 @@ void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface,
 }
 
 CheckReport makeReport(const Communicator& comm, const CheckOptions& o) {
-  CheckedWorld c{comm, {}, {}};
+  CheckedWorld c{comm};
   World& w = c.w;
   StepTools& t = c.t;
   CheckReport r;
   r.path = o.scene;
-  MpiReducer all(comm);
+  MpiReducer& all = c.simulation.all;
   w.scene = sceneForAll(comm, o.scene, o.overrides);
   r.relaxation = disableRelaxation(w.scene);
   const std::vector<std::string> large = requireMemoryForBodyTypes(comm, w.scene, meshLoader());
   if (o.json) r.warnings = large;
   else if (comm.rank() == 0)
     for (const std::string& line : large) std::printf("%s\n", line.c_str()), std::fflush(stdout);
-  prepareWorld(w, t, meshLoader());
+  c.simulation.prepare(meshLoader());
   requireMemory(comm, w, t.shapes);
-  MpiHalos tables;
-  tables.make(w, comm);
-  const Halos halos = tables.with(all);
-  const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
+  const SamplingReport sampled = c.simulation.start(meshLoader());
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // at the start
   const std::vector<OrientedWork::Field> unusedFields = t.oriented.unusedFields;
   // Emission and growth in the steps below change these counts.
@@ -257,7 +252,7 @@ CheckReport makeReport(const Communicator& comm, const CheckOptions& o) {
   countBodies(w, sampled, all, r);
   SurfaceTrial surface(comm, w, meshLoader());
   describeStart(c, sampled, r);
-  const double perStep = timeSteps(c, halos, r.cost.measuredSteps);
+  const double perStep = timeSteps(c, r.cost.measuredSteps);
   estimateCost(c, o, surface, perStep, r);
   addWarnings(c, surface, sampled, r);
   addIdle(c, idle, unusedFields, r);

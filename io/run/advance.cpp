@@ -14,7 +14,7 @@ namespace {
 StepOutcome tracedStep(Run& r, Requests wanted) {
   const auto begin = StepTrace::Clock::now();
   if (r.profile) r.profile->trace.beginStep(r.world.clock.step);
-  StepOutcome o = step(r.world, r.halos(), r.tools, wanted);
+  StepOutcome o = r.step(wanted);
   if (r.profile) r.profile->trace.add(TraceKind::Step, 0, begin, StepTrace::Clock::now());
   return o;
 }

@@ -33,9 +33,9 @@ std::vector<std::string> prepareRun(Run& r, const MeshLoader& load) {
     std::filesystem::remove(r.options.out + "/stop", code);  // left by the previous run
   });
   std::vector<std::string> slow = requireMemoryForBodyTypes(r.comm, r.world.scene, load);
-  prepareWorld(r.world, r.tools, load);
+  r.prepare(load);
   requireMemory(r.comm, r.world, r.tools.shapes);
-  renewHalos(r);
+  if (r.world.modules.surface) renewSurfaceHalos(r);
   return slow;
 }
 

@@ -33,7 +33,8 @@ void restoreLastSnapshot(Run& r) {
   if (!r.snapshotInMemory)
     slice = readCheckpoint(snapshotFilePath(r.options.out, w.watch.snapshotStep), r.comm.handle());
   emptyWorld(w, r.tools);
-  renewHalos(r);
+  r.makeHalos();
+  if (w.modules.surface) renewSurfaceHalos(r);
   std::vector<std::byte> records = slice ? restoreWorld(w, *slice, r.first()) : restoreSnapshot(r.good, w);
   if (w.modules.solid) r.tables.bonds->adopt(std::move(records));
   resumeWorld(w, r.halos(), r.tools);

@@ -59,7 +59,7 @@ void watchRelaxation(Run& r) {
       r.say(
           fmt::format("oriented: iteration {} of relaxation, largest force {:.2e} of stiffness times "
                       "spacing, {} particles, {:.1f} s",
-                      done, r.tools.oriented.unrest, r.tools.oriented.relaxing, since(r.start)));
+                      done, r.tools.oriented.unrest, r.tools.oriented.relaxing, since(r.startedAt)));
     }
     return !watch.reason().empty();
   };
@@ -115,15 +115,12 @@ StopMonitor stopMonitorOf(const Run& r) {
   if (r.first()) {
     if (r.writes()) watch.stopFile = r.options.out + "/stop";
     watch.timeLimit = r.options.timeLimit;
-    watch.start = r.start;
+    watch.start = r.startedAt;
   }
   return watch;
 }
 
-void renewHalos(Run& r) {
-  r.tables.make(r.world, r.comm);
-  if (r.world.modules.surface) r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid);
-}
+void renewSurfaceHalos(Run& r) { r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid); }
 
 namespace {
 
@@ -247,7 +244,7 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   s.status = status;
   s.message = message;
   s.ledger = reportLedger(r.world, r.tools, r.all);
-  s.wall = since(r.start);
+  s.wall = since(r.startedAt);
   s.stepsHere = r.world.clock.step - r.firstStep;
   double moved = static_cast<double>(s.ledger.particles);
   for (const std::int64_t rows : s.ledger.rows) moved += static_cast<double>(rows);
@@ -431,7 +428,7 @@ void beginAnew(Run& r, const MeshLoader& load) {
   if (r.options.resume)
     r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
   watchRelaxation(r);
-  const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
+  const SamplingReport sampled = r.start(load);
   fingerprintMeshes(w.scene, load);  // Unreadable files were reported before, with their body.
   reportBodies(r, sampled);
   reportBodyTypes(r);

@@ -11,15 +11,14 @@
 #include <utility>
 
 #include "core/simulation/monitor/snapshot.hpp"
-#include "core/simulation/setup/setup.hpp"
 #include "core/surface/update_surface.hpp"
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/frames/series.hpp"
-#include "io/run/mpi_halos.hpp"
 #include "io/run/reports/profile.hpp"
 #include "io/run/reports/summary.hpp"
 #include "io/run/run_options.hpp"
 #include "io/run/signals.hpp"
+#include "parallel/mpi_simulation.hpp"
 #include "parallel/row_scatter.hpp"
 
 namespace thaw {
@@ -29,14 +28,10 @@ inline double since(WallClock::time_point t) {
   return std::chrono::duration<double>(WallClock::now() - t).count();
 }
 
-/// State of a run beside the world.
-struct Run {
+/// A simulation with the state of its output.
+struct Run : MpiSimulation {
   const RunOptions& options;
   const Communicator& comm;
-  World world;
-  StepTools tools;
-  MpiReducer all;
-  MpiHalos tables;
   std::unique_ptr<SurfaceRanks> surface;                               // only if the scene has one
   std::array<std::vector<SeriesEntry>, bodyTypeCount> bodyTypeSeries;  // rank 0
   SurfaceTools surfaceTools;
@@ -44,7 +39,7 @@ struct Run {
   std::string name;                        // name of the scene, for file names
   std::vector<SeriesEntry> series;         // rank 0
   RunSummary summary;
-  WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
+  WallClock::time_point startedAt = WallClock::now(), lastReport = startedAt, lastCheckpoint = startedAt;
   std::int64_t firstStep = 0, stepAtReport = 0;
   WorldSnapshot good;           // the last snapshot
   LedgerReport snapshotLedger;  // ledger of the next snapshot
@@ -63,8 +58,7 @@ struct Run {
                                                        // and each frame
   bool stepping = false;                               // in the step loop, whose calls are collective
 
-  Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
-  Halos halos() { return tables.with(all); }
+  Run(const RunOptions& o, const Communicator& c) : MpiSimulation(c), options(o), comm(c) {}
   bool first() const { return comm.rank() == 0; }
   /// Prints a warning and adds it to the summary, once.
   void warn(const std::string& line) {
@@ -82,8 +76,8 @@ struct Run {
 /// Runs `work` on the first rank if the run has a folder. Throws its IoError on all ranks. Collective.
 void onDisk(const Run& run, const std::function<void()>& work);
 
-/// Makes new halos for particles, bonds and surface, at the start and at a rollback.
-void renewHalos(Run& run);
+/// Makes new halos for the surface, at the start and at a rollback.
+void renewSurfaceHalos(Run& run);
 
 /// Writes the next frame of each part of the scene, and its lines in the indices. A scene without continuum
 /// has no frame of particles.

@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/math/hash_random.hpp"
-#include "core/simulation/setup/setup.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
+#include "parallel/mpi_simulation.hpp"
 #include "tests/support/count_allocations.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/simulation.hpp"
@@ -36,25 +34,19 @@ Scene block(bool solid) {
 /// that numbers of bonds differ.
 double askedFor(bool solid) {
   const Communicator comm;
-  MpiReducer all(comm);
   const long before = allocatedBytes;
-  World w;
-  w.scene = block(solid);
-  StepTools tools;
-  prepareWorld(w, tools, {});
-  MpiCellHalo cells(comm, w.grid);
-  MpiBondHalo bonds(comm);
-  const Halos halos{all, cells, bonds};
-  sampleWorld(w, halos, tools, {});
-  Continuum& p = w.particles;
-  for (std::size_t i = 0; i < p.owned; i++)
-    for (int a = 0; a < 3; a++)
-      p.position[i][a] += 0.1 * w.scene.spacing *
-                          (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) -
-                           1);
-  tools.bondsAtStart = solid;
-  initializeForces(w, halos, tools);
-  return static_cast<double>(allocatedBytes - before) / static_cast<double>(p.owned);
+  MpiSimulation simulation(comm);
+  simulation.world.scene = block(solid);
+  simulation.prepare({});
+  const double most = 0.1 * simulation.world.scene.spacing;
+  simulation.start({}, [most](Continuum& p) {
+    for (std::size_t i = 0; i < p.owned; i++)
+      for (int a = 0; a < 3; a++)
+        p.position[i][a] += most *
+                            (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) -
+                             1);
+  });
+  return static_cast<double>(allocatedBytes - before) / static_cast<double>(simulation.world.particles.owned);
 }
 
 }  // namespace

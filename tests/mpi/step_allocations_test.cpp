@@ -2,9 +2,7 @@
 // A steady step allocates nothing: solid, liquid, heat, walls, contacts, surface tension.
 #include <gtest/gtest.h>
 
-#include "core/simulation/setup/setup.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
+#include "parallel/mpi_simulation.hpp"
 #include "tests/support/count_allocations.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -48,21 +46,16 @@ Scene blockInAPool() {
 
 void runSteady(const Scene& scene, int mostBusy = 10) {
   const Communicator comm;
-  MpiReducer all(comm);
-  World w;
-  w.scene = scene;
-  StepTools tools;
-  prepareWorld(w, tools, {});
-  MpiCellHalo cells(comm, w.grid);
-  MpiBondHalo bonds(comm);
-  const Halos halos{all, cells, bonds};
-  startWorld(w, halos, tools, {});
-  for (int k = 0; k < 150; k++) ASSERT_TRUE(step(w, halos, tools, {}).finite);
+  MpiSimulation simulation(comm);
+  simulation.world.scene = scene;
+  simulation.prepare({});
+  simulation.start({});
+  for (int k = 0; k < 150; k++) ASSERT_TRUE(simulation.step().finite);
   int busy = 0;  // steps with growth: a particle arrives at this rank, or a list exceeds its largest length
   long most = 0;
   for (int k = 0; k < 50; k++) {
     const long before = allocations;
-    ASSERT_TRUE(step(w, halos, tools, {}).finite);
+    ASSERT_TRUE(simulation.step().finite);
     const long made = allocations - before;
     busy += made > 0;
     most = std::max(most, made);

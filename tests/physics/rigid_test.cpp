@@ -177,7 +177,7 @@ TEST(Rigid, SnapshotsContinueWithTheSameBits) {
   WorldSnapshot kept;
   takeSnapshot(resumed.w, kept);
   emptyWorld(resumed.w, resumed.tools);
-  resumed.tables.make(resumed.w);
+  resumed.makeHalos();
   restoreSnapshot(kept, resumed.w);
   resumeWorld(resumed.w, resumed.halos(), resumed.tools);
   for (int k = 0; k < 14; k++) {

@@ -7,8 +7,7 @@
 
 #include "core/math/hash_random.hpp"
 #include "core/simulation/body_types/cell_costs.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
+#include "parallel/mpi_simulation.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {
@@ -21,27 +20,23 @@ inline std::uint64_t mixed(std::uint64_t h, double x) { return mixBits(h + std::
 template<class Each, class End>
 auto runRebalanced(MPI_Comm group, const Scene& scene, int steps, Each each, End end) {
   const Communicator comm(group);
-  MpiReducer all(comm);
-  World w;
+  MpiSimulation simulation(comm);
+  World& w = simulation.world;
   w.scene = scene;
-  StepTools tools;
-  prepareWorld(w, tools, {});
-  MpiCellHalo cells(comm, w.grid);
-  MpiBondHalo bonds(comm);
-  const Halos halos{all, cells, bonds};
-  startWorld(w, halos, tools, {});
+  simulation.prepare({});
+  simulation.start({});
   for (int k = 0; k < steps; k++) {
     if (k % 20 == 15) {
       const CellCosts costs = countCells(w);
-      tools.newPartition = cells.rebalance(costs.cells, costs.cost, true);
+      simulation.tools.newPartition = simulation.tables.cells->rebalance(costs.cells, costs.cost, true);
     }
-    if (!step(w, halos, tools, {}).finite) {
+    if (!simulation.step().finite) {
       ADD_FAILURE() << "step " << k << " is not finite";
       break;
     }
     each(w);
   }
-  return end(w, all);
+  return end(w, simulation.all);
 }
 
 }  // namespace thaw::test

@@ -1,36 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // A whole scene on one rank, stepped as in a run, for tests of exact solutions and the ledger.
 #pragma once
-#include "core/halo/serial.hpp"
 #include "core/simulation/ledger/report.hpp"
-#include "core/simulation/setup/setup.hpp"
-#include "core/simulation/world/world_halos.hpp"
-#include "core/solid/bonds/serial_bond_halo.hpp"
+#include "core/simulation/setup/serial_simulation.hpp"
 
 namespace thaw::test {
 
-struct Simulation {
-  World w;
-  StepTools tools;
-  SerialReducer all;
-  WorldHalos<SerialCellHalo, SerialBondHalo> tables;
+struct Simulation : SerialSimulation {
+  World& w = world;
   Limit limitedBy = Limit::Scene;
   double shortest = never;  ///< s, smallest dt so far
 
   SamplingReport report;  ///< report of the start
 
   explicit Simulation(const Scene& scene, const MeshLoader& load = {}) {
-    w.scene = scene;
-    prepareWorld(w, tools, load);
-    tables.make(w);
-    report = startWorld(w, halos(), tools, load);
+    world.scene = scene;
+    prepare(load);
+    report = start(load);
   }
-  Halos halos() { return tables.with(all); }
+  Simulation(const Simulation&) = delete;
   Continuum& particles() { return w.particles; }
 
   /// Takes one step. Returns false if a value is not finite.
   bool step() {
-    const StepOutcome o = thaw::step(w, halos(), tools, {});
+    const StepOutcome o = SerialSimulation::step();
     limitedBy = o.limitedBy;
     shortest = std::min(shortest, w.clock.stepDt);
     return o.finite;

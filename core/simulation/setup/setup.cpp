@@ -16,9 +16,7 @@
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/link_pieces.hpp"
-#include "core/rigid/rigidify/deforming.hpp"
 #include "core/rigid/surface_elements.hpp"
-#include "core/rigid/update_pieces.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/sheet/contact/face_contact.hpp"
 #include "core/sheet/contact/mesh_contact.hpp"
@@ -28,6 +26,7 @@
 #include "core/simulation/body_types/cell_costs.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/ledger/report.hpp"
+#include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/monitor/monitor.hpp"
 #include "core/simulation/setup/activate_fields.hpp"
 #include "core/simulation/setup/add_extensions.hpp"
@@ -42,7 +41,7 @@
 #include "core/simulation/setup/warnings/start_warnings.hpp"
 #include "core/simulation/setup/warnings/thick_flow.hpp"
 #include "core/simulation/setup/warnings/thin_walls.hpp"
-#include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/step_context.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/time/limits.hpp"
@@ -62,6 +61,12 @@ void evaluateNow(World& w, Halos halos, StepTools& t) {
   if (p.clamped.active)
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.clamped[i]) p.acceleration[i] = {};
+}
+
+/// Does what modules do at the end of each step.
+void prepareNextStep(World& w, Halos halos, StepTools& t) {
+  StepContext c = stepContext(w, halos, t, 0);
+  runPhase(ModulePhase::EndOfStep, c);
 }
 
 /// Adds `sign` times the stored energy of this rank, and the part that symplectic Euler has not yet
@@ -192,6 +197,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   planLiquidsAndLimits(w, t);
   setScales(w, t);
   activateFields(w, t);
+  t.phases = phasesOf(w, t);
 }
 
 void initializeForces(World& w, Halos halos, StepTools& t) {
@@ -217,13 +223,13 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
   reduceStep(w, halos, t, {}, {});
   const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step records
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
-  // Dissipates the part of the initial velocities that would compress liquids.
-  if (w.modules.incompressible) solvePressure(w, halos, t, nextStep(w.clock));
-  if (w.modules.rigid) finishPieces(w, halos, t);
+  prepareNextStep(w, halos, t);  // dissipates the part of the initial velocities that would compress liquids
 }
 
-SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load,
+                          const ParticleChange& change) {
   SamplingReport report = sampleWorld(w, halos, t, load);
+  if (change) change(w.particles);
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
   t.rigid.atStart = w.modules.rigid && !w.modules.rigidify;
@@ -300,8 +306,7 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   w.ledger.restartJump += jump;
   t.frozeAnywhere = false;  // newly frozen particles have bonds now
   reduceStep(w, halos, t, {}, {});
-  if (w.modules.incompressible) solvePressure(w, halos, t, nextStep(w.clock));
-  if (w.modules.rigid) finishPieces(w, halos, t);
+  prepareNextStep(w, halos, t);
 }
 
 }  // namespace thaw

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a scene to a world that is ready for its first step.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,8 +25,13 @@ SamplingReport sampleWorld(World& world, Halos halos, StepTools& tools, const Me
 /// Collective.
 void initializeForces(World& world, Halos halos, StepTools& tools);
 
-/// Calls sampleWorld, then initializeForces with bonds and the particles emitted at time 0. Collective.
-SamplingReport startWorld(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
+/// Changes the sampled particles of this rank before the start.
+using ParticleChange = std::function<void(Continuum&)>;
+
+/// Calls sampleWorld and `change`, relaxes oriented bodies, then calls initializeForces with bonds and the
+/// particles emitted at time 0. Collective.
+SamplingReport startWorld(World& world, Halos halos, StepTools& tools, const MeshLoader& load,
+                          const ParticleChange& change = {});
 
 /// Resumes a run after a restart, with particles and solid records on any rank: migrates and sorts them and
 /// prepares the next step. Collective.

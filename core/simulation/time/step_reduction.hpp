@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time-step reduction: values of all ranks after a step, reduced by one element-wise maximum.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <span>
@@ -21,7 +22,16 @@ struct StepReduction {
   double relativeDensity = 0;   ///< 1, largestRelativeDensity
   double surfaceMove2 = 0;      ///< m^2, squared largest displacement of a particle since the last surface
                                 ///< update; sent only with a surface or a further body type
-  std::array<double, bodyTypeLimits> negatedBodyTypeLimits{};  ///< s; sent only with a further body type
+  std::array<double, bodyTypeLimits> negatedBodyTypeLimits{-never, -never};  ///< s; sent only with a further
+                                                                             ///< body type
+
+  /// Lowers a limit to at most `seconds`.
+  void lower(Limit limit, double seconds) {
+    const std::size_t k = static_cast<std::size_t>(limit);
+    double& negated = k < negatedLimits.size() ? negatedLimits[k]
+                                               : negatedBodyTypeLimits[k - negatedLimits.size()];
+    negated = std::max(negated, -seconds);
+  }
 };
 
 /// Collective: one reduction.

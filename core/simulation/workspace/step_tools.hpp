@@ -30,6 +30,7 @@
 #include "core/simulation/time/monitor_limits.hpp"
 #include "core/simulation/time/step_limits.hpp"
 #include "core/simulation/workspace/step_hooks.hpp"
+#include "core/simulation/workspace/step_phases.hpp"
 #include "core/sleep/sleep.hpp"
 #include "core/solid/elasticity/elastic.hpp"
 #include "core/time/phase_times.hpp"
@@ -81,6 +82,7 @@ struct StepTools {
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce
   std::vector<PairForceWork> pairForces;
   std::vector<FieldUpdate> fieldUpdates;
+  StepPhases phases;  ///< calls of the scene's modules
   StepHooks hooks;
   std::vector<std::uint32_t> leaving;
   std::vector<Leaver> leavers;  ///< from all ranks; empty without surface tension

@@ -8,10 +8,9 @@
 #include <cmath>
 
 #include "core/simulation/ledger/report.hpp"
-#include "core/simulation/setup/setup.hpp"
 #include "io/run/failure_text.hpp"
-#include "io/run/mpi_halos.hpp"
 #include "io/scene/scene_for_all.hpp"
+#include "parallel/mpi_simulation.hpp"
 
 namespace thaw {
 namespace {
@@ -43,26 +42,23 @@ bool SettingTrials::outOfTime() const {
 
 SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& settings) {
   Result r;
-  MpiReducer all(comm_);
-  World w;
-  StepTools t;
+  MpiSimulation simulation(comm_);
+  World& w = simulation.world;
+  StepTools& t = simulation.tools;
   std::vector<std::string> overrides = scene_.overrides;
   overrides.insert(overrides.end(), settings.begin(), settings.end());
   w.scene = sceneForAll(comm_, scene_.path, overrides);
   w.scene.surface.on = false;  // the surface acts on no particle
   for (OrientedBody& b : w.scene.oriented) b.relax = 0;
-  prepareWorld(w, t, meshLoader());
-  MpiHalos tables;
-  tables.make(w, comm_);
-  const Halos halos = tables.with(all);
-  startWorld(w, halos, t, meshLoader());
+  simulation.prepare(meshLoader());
+  simulation.start(meshLoader());
   for (int n = 0; n < steps_ && w.clock.time < w.clock.end; n++) {
-    StepOutcome o = step(w, halos, t, {});
+    StepOutcome o = simulation.step();
     const bool last = n + 1 == steps_ || w.clock.time >= w.clock.end;
     LedgerReport ledger;
     if (last && o.failure == Failure::None) {
-      ledger = reportLedger(w, t, all);
-      o.failure = checkEnergyBudget(w, t.watch, ledger, all);
+      ledger = reportLedger(w, t, simulation.all);
+      o.failure = checkEnergyBudget(w, t.watch, ledger, simulation.all);
     }
     if (o.failure != Failure::None) {
       r.failure = fmt::format("step {}: {}", w.clock.step, failedCheck(w, t, o));
@@ -72,7 +68,7 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
       r = {"", ledger.energyResidual, std::max(ledger.energyScale, ledger.energyRounding), w.counters.left,
            ledger.particles};
   }
-  all.sum({&r.left, 1});
+  simulation.all.sum({&r.left, 1});
   return r;
 }
 

@@ -8,23 +8,21 @@
 namespace thaw::test {
 
 struct SurfaceWorld {
-  World w;
-  StepTools step;
-  SerialReducer all;
-  std::unique_ptr<SerialCellHalo> cells;
-  SerialBondHalo bonds;
+  SerialSimulation simulation;
+  World& w = simulation.world;
+  SerialReducer& all = simulation.all;
   std::unique_ptr<SerialSurfaceRanks> ranks;
   SurfaceTools tools;
 
   explicit SurfaceWorld(const Scene& scene, const MeshLoader& load = {}) {
     w.scene = scene;
-    prepareWorld(w, step, load);
-    cells = std::make_unique<SerialCellHalo>(w.grid);
-    startWorld(w, {all, *cells, bonds}, step, load);
+    simulation.prepare(load);
+    simulation.start(load);
     ranks = std::make_unique<SerialSurfaceRanks>(w.surface.grid);
     tools.load = load;
     startSurface(surfaceView(w), ranks->halos(), tools);
   }
+  SurfaceWorld(const SurfaceWorld&) = delete;
   Vec3d& place(std::size_t i) { return w.particles.position[i]; }
   void update() {
     w.clock.step++;

@@ -3,17 +3,15 @@
 // ten steps.
 #include <gtest/gtest.h>
 
-#include "core/halo/serial.hpp"
-#include "core/simulation/setup/setup.hpp"
-#include "core/solid/bonds/serial_bond_halo.hpp"
+#include "core/simulation/setup/serial_simulation.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace thaw {
 namespace {
 
 TEST(Shapes, AreBuiltOncePerBody) {
-  World w;
-  Scene& s = w.scene;
+  SerialSimulation simulation;
+  Scene& s = simulation.world.scene;
   s.spacing = 0.1;
   s.domain.min = {-2, -2, -2};
   s.domain.max = {2, 2, 2};
@@ -27,16 +25,12 @@ TEST(Shapes, AreBuiltOncePerBody) {
     made++;
     return ballMesh({}, 1, 0.2);
   };
-  StepTools tools;
-  prepareWorld(w, tools, load);
-  EXPECT_EQ(tools.shapes.size(), 1u);
-  SerialReducer all;
-  SerialCellHalo cells(w.grid);
-  SerialBondHalo bonds;
-  startWorld(w, {all, cells, bonds}, tools, load);
+  simulation.prepare(load);
+  EXPECT_EQ(simulation.tools.shapes.size(), 1u);
+  simulation.start(load);
   EXPECT_EQ(made, 1);
-  EXPECT_TRUE(tools.shapes.empty()) << "they are not kept";
-  EXPECT_NEAR(static_cast<double>(w.particles.owned), 4 * 3.14159 / 3 * 1000, 100);
+  EXPECT_TRUE(simulation.tools.shapes.empty()) << "they are not kept";
+  EXPECT_NEAR(static_cast<double>(simulation.world.particles.owned), 4 * 3.14159 / 3 * 1000, 100);
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/monitor/monitor.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/views/views.hpp"
+
+namespace thaw {
+
+StepModule summedDensity() {
+  return {"summed density",
+          [](const World& w, const StepTools&) { return w.modules.fluid && !w.modules.continuity; },
+          {{ModulePhase::Density, [](StepContext& c) {
+              addWallRelativeDensity(c.walls, c.t.inverseLatticeSum, c.t.wallContacts);
+              c.t.times.lap(StepPhase::Walls);
+            }}}};
+}
+
+StepModule carriedDensity() {
+  return {"density by continuity",
+          [](const World& w, const StepTools&) { return w.modules.continuity; },
+          {{ModulePhase::BeforeDensity, [](StepContext& c) { beginCarry(carryContext(c.w, c.t, c.dt)); }},
+           {ModulePhase::Density, [](StepContext& c) { finishCarry(carryContext(c.w, c.t, c.dt)); }}}};
+}
+
+StepModule shiftingInside() {
+  return {"shifting with summed densities",
+          [](const World& w, const StepTools&) { return w.modules.shifting && !w.modules.continuity; },
+          {{ModulePhase::Density, [](StepContext& c) { shiftInside(carryContext(c.w, c.t, c.dt)); }}}};
+}
+
+StepModule densityMonitor() {
+  return {"largest density of liquids",
+          [](const World& w, const StepTools&) { return w.modules.fluid; },
+          {{ModulePhase::Limits,
+            [](StepContext& c) { c.reduction.relativeDensity = largestRelativeDensity(c.w.particles); }}}};
+}
+
+}  // namespace thaw

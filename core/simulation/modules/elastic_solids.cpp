@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <utility>
+
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/solid_substeps.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/sums/solid_step.hpp"
+#include "core/simulation/time/limits.hpp"
+#include "core/solid/elasticity/elastic.hpp"
+
+namespace thaw {
+
+StepModule elasticSolids() {
+  return {
+      "solid",
+      [](const World& w, const StepTools&) { return w.modules.solid; },
+      {{ModulePhase::Redistributed,
+        [](StepContext& c) {
+          StepTools& t = c.t;
+          rebuildSolidBonds(c.w, c.halos, t, {{}, t.phaseChangedHere || c.leftBonds || t.bondsAtStart});
+        }},
+       {ModulePhase::GhostsSent, [](StepContext& c) { c.solidPositions = sendPositions(c.w, c.halos, c.t); }},
+       {ModulePhase::Deformation,
+        [](StepContext& c) {
+          // F and stress follow; bonds break, form and take new references.
+          c.stress = deform(c.w, c.halos, c.t, c.dt, {std::move(c.solidPositions), c.densities});
+        }},
+       {ModulePhase::ContinuumForce,
+        [](StepContext& c) { addElasticForces(c.w, c.t, c.dt, std::move(c.stress)); }},
+       {ModulePhase::Limits,
+        [](StepContext& c) {
+          c.reduction.stretch2 = c.t.maxStretch2;
+          c.reduction.strainBound = largestStrainBound(c.t.elastic, c.w.solids);
+          // Bonds break and references change in any step.
+          c.w.counters.singularNeighbourhoods = countSingular(c.t.elastic, c.w.solids);
+        }},
+       {ModulePhase::CommonLimits,
+        [](StepContext& c) {
+          // From the largest values of all ranks: the minimum of their limits would depend on the partition.
+          const StepReduction& all = c.reduction;
+          c.commonLimits[Limit::Elastic] = all.stretch2 > 0
+                                               ? elasticStepLimit(c.w.scene, all.stretch2, all.strainBound)
+                                               : never;
+        }},
+       {ModulePhase::EndOfStep, [](StepContext& c) {
+          // Here and not in the next step, so that checkpoints contain it.
+          if (c.dt > 0 && c.t.meltedAnywhere) melt(c.w, c.halos, c.t);
+        }}}};
+}
+
+StepModule solidSubsteps() {
+  return {"substeps of solids",
+          [](const World& w, const StepTools&) { return w.modules.substeps; },
+          {{ModulePhase::Drift,
+            [](StepContext& c) {
+              substepSolids(c.w, c.halos, c.t, c.dt);  // stiff solids: bonds only, in shorter steps
+            }},
+           {ModulePhase::Limits,
+            [](StepContext& c) { c.reduction.negatedFastLimit = -fastAccelerationLimit(c.w); }},
+           {ModulePhase::CommonLimits,
+            [](StepContext& c) {
+              StepLimits& limits = c.commonLimits;
+              c.longestSubstep = std::min(
+                  {limits[Limit::Elastic], c.t.longestContact, -c.reduction.negatedFastLimit});
+              limits[Limit::Elastic] = c.w.modules.mostSubsteps * c.longestSubstep;
+            }},
+           {ModulePhase::NextStep,
+            [](StepContext& c) { chooseSubsteps(c.w, c.t, c.w.watch.factor * c.longestSubstep); }}}};
+}
+
+}  // namespace thaw

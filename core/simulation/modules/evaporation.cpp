@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/views/views.hpp"
+
+namespace thaw {
+
+StepModule evaporation() {
+  return {"evaporation",
+          [](const World& w, const StepTools&) { return w.modules.evaporation; },
+          {{ModulePhase::Density,
+            [](StepContext& c) {
+              c.t.kernels->freeSurfaceIndicator(pairSumsOf(c.w, c.t), {0, c.w.neighbours.groups});
+              findExposure(evaporationView(c.w, c.t));
+            }},
+           {ModulePhase::AllForces, [](StepContext& c) { findVapour(evaporationView(c.w, c.t), c.dt); }}}};
+}
+
+}  // namespace thaw

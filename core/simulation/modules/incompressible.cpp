@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/fluid/incompressible/pressure_solver.hpp"
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
+#include "core/time/frame_times.hpp"
+
+namespace thaw {
+
+StepModule incompressiblePressure() {
+  return {"incompressible liquid",
+          [](const World& w, const StepTools&) { return w.modules.incompressible; },
+          {{ModulePhase::FirstKick,
+            [](StepContext& c) {
+              addPressureImpulse(c.w.particles);  // computed at the end of the last step
+            }},
+           {ModulePhase::EndOfStep, [](StepContext& c) {
+              // Removes compression from v and computes the next density-pressure impulse.
+              if (c.finite) solvePressure(c.w, c.halos, c.t, c.dt > 0 ? c.dt : nextStep(c.w.clock));
+            }}}};
+}
+
+}  // namespace thaw

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/heat/heat.hpp"
+#include "core/heat/rest_densities.hpp"
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/views/views.hpp"
+
+namespace thaw {
+
+StepModule melting() {
+  return {"melting",
+          [](const World& w, const StepTools&) { return w.modules.melting; },
+          {{ModulePhase::ContinuumForce,
+            [](StepContext& c) {
+              // Derivative of pair and contact energies with respect to the liquid fraction.
+              beginSoftening(c.w, c.t);
+            }},
+           {ModulePhase::PhaseChange, [](StepContext& c) {
+              const PhaseChanges changes = changePhase(c.w.scene, c.w.particles, c.w.counters);
+              c.t.phaseChangedHere = changes.melted || changes.frozen;
+              // On this rank; reduceStep makes them those of all ranks.
+              c.t.frozeAnywhere = changes.frozen;
+              c.t.meltedAnywhere = changes.melted;
+            }}}};
+}
+
+StepModule densityByPhase() {
+  return {"density by phase",
+          [](const World& w, const StepTools&) { return w.modules.phaseDensity; },
+          {{ModulePhase::PhaseChange,
+            [](StepContext& c) { updateRestDensities(heatView(c.w), recordContext(c.w, c.t), c.dt); }}}};
+}
+
+}  // namespace thaw

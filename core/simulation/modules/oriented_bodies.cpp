@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/oriented/forces/continuum_contact.hpp"
+#include "core/oriented/step_oriented.hpp"
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/views/views.hpp"
+
+namespace thaw {
+
+StepModule orientedContact() {
+  return {
+      "contact of oriented particles and the continuum",
+      [](const World& w, const StepTools&) { return w.modules.orientedContact; },
+      {{ModulePhase::Coupling, [](StepContext& c) { addContinuumContact(orientedView(c.w, c.t), c.dt); }}}};
+}
+
+StepModule orientedBodies() {
+  return {"oriented particles",
+          [](const World& w, const StepTools&) { return w.modules.oriented; },
+          {{ModulePhase::BeforeMotion,
+            [](StepContext& c) {
+              // With integrators of their own, and obstacles at their positions of the force evaluation.
+              stepOriented(orientedView(c.w, c.t), c.halos, c.dt);
+            }},
+           {ModulePhase::Redistributed,
+            [](StepContext& c) { evaluateOriented(orientedView(c.w, c.t), c.halos, c.dt); }},
+           {ModulePhase::Coupling,
+            [](StepContext& c) {
+              // Contacts of particles born in this step.
+              recordBirthContacts(c.w.oriented.rows, c.t.oriented, c.w.ledger);
+            }},
+           {ModulePhase::Limits, [](StepContext& c) {
+              c.reduction.lower(Limit::Oriented,
+                                orientedStepLimit(c.w.oriented.rows, c.w.scene, c.t.oriented));
+            }}}};
+}
+
+}  // namespace thaw

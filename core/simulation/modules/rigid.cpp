@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "core/rigid/contact_impulses.hpp"
+#include "core/rigid/link_pieces.hpp"
+#include "core/rigid/motion.hpp"
+#include "core/rigid/update_pieces.hpp"
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/views/views.hpp"
+#include "core/time/frame_times.hpp"
+
+namespace thaw {
+
+/// Motion of rigid pieces.
+StepModule rigidPieces() {
+  return {"rigid pieces",
+          [](const World& w, const StepTools&) { return w.modules.rigid; },
+          {{ModulePhase::Drift,
+            [](StepContext& c) {
+              driftPieces(rigidView(c.w, c.t), c.dt);
+              c.t.mayLeave = true;
+            }},
+           {ModulePhase::Density,
+            [](StepContext& c) {
+              const RigidView view = rigidView(c.w, c.t);
+              if (c.t.rigid.atStart) updatePieces(view, c.halos, true);
+              c.t.rigid.atStart = false;
+              linkPieces(view, c.halos, PieceUsers::AndGhosts);
+            }},
+           {ModulePhase::AllForces, [](StepContext& c) { sumPieceForces(rigidView(c.w, c.t), c.halos.all); }},
+           {ModulePhase::Kicked, [](StepContext& c) { kickPieces(rigidView(c.w, c.t), c.dt); }}}};
+}
+
+/// Pieces of rigid materials: they change where particles melt, freeze or leave, and touch by impulses.
+StepModule rigidBodies() {
+  return {"rigid materials",
+          [](const World& w, const StepTools&) { return w.modules.rigid && !w.modules.rigidify; },
+          {{ModulePhase::PhaseChange,
+            [](StepContext& c) {
+              if (c.t.rigid.changedHere) c.t.meltedAnywhere = true;
+            }},
+           {ModulePhase::EndOfStep, [](StepContext& c) {
+              if (!c.finite) return;
+              const RigidView view = rigidView(c.w, c.t);
+              if (c.t.meltedAnywhere || c.t.frozeAnywhere) {
+                updatePieces(view, c.halos, false);
+                c.t.rigid.changedHere = false;
+                linkPieces(view, c.halos, PieceUsers::AndGhosts);
+              }
+              // At the end of the scene no limit on the step exists.
+              const double planned = nextStep(c.w.clock);
+              findContactImpulses(view, c.halos, std::isfinite(planned) ? planned : c.w.clock.stepDt);
+              c.t.times.lap(StepPhase::Contact);
+            }}}};
+}
+
+}  // namespace thaw

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/views/views.hpp"
+
+namespace thaw {
+
+StepModule sleepOfSolids() {
+  return {"sleep",
+          [](const World& w, const StepTools&) { return w.modules.sleep; },
+          {{ModulePhase::WallContacts, [](StepContext& c) { beginSleep(sleepView(c.w, c.t), c.dt); }},
+           {ModulePhase::InnerRows, [](StepContext& c) { markSleepingInner(sleepView(c.w, c.t)); }},
+           {ModulePhase::BoundaryRows, [](StepContext& c) { markSleeping(sleepView(c.w, c.t)); }},
+           {ModulePhase::Density, [](StepContext& c) { dropSkippedContacts(c.t.sleep, c.t.wallContacts); }},
+           {ModulePhase::Contact,
+            [](StepContext& c) { recordConstraintForces(c.w.particles, c.w.scene, c.t.sleep); }},
+           {ModulePhase::SecondKick, [](StepContext& c) {
+              updateSleep(sleepView(c.w, c.t), c.dt);  // solids at rest are fixed from here on
+            }}}};
+}
+
+}  // namespace thaw

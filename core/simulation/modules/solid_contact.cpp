@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/contact/solid_contact.hpp"
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+
+namespace thaw {
+
+StepModule solidContact() {
+  return {
+      "contact of solids",
+      [](const World& w, const StepTools&) { return w.modules.contact; },
+      {{ModulePhase::WallContacts,
+        [](StepContext& c) { c.justFrozen = c.t.frozeAnywhere && c.w.modules.freezing && c.dt > 0; }},
+       {ModulePhase::Contact,
+        [](StepContext& c) {
+          World& w = c.w;
+          // Just frozen: records the jump of all contacts, as an evaluation with new coefficients does.
+          addSolidContacts(
+              {w.scene, w.grid, w.solids, w.bonds, c.walls.span, c.justFrozen ? &w.ledger.phaseJump : nullptr,
+               &c.t.contactResistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs},
+              c.t.closePairs, w.particles);
+        }},
+       {ModulePhase::AllForces, [](StepContext& c) { recordResistance(c.walls, c.t.contactResistance); }}}};
+}
+
+}  // namespace thaw

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Modules of the step: what each does in which phase. A scene without a module has none of its calls.
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "core/simulation/workspace/step_phases.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+struct ModuleCall {
+  ModulePhase phase;
+  PhaseCall call;
+};
+
+struct StepModule {
+  std::string_view name;
+  bool (*isOn)(const World&, const StepTools&);  ///< the world is prepared; constant over a run
+  std::vector<ModuleCall> calls;                 ///< at most one per phase
+};
+
+// In the order of stepModules().
+StepModule solidContact();
+StepModule sleepOfSolids();
+StepModule summedDensity();
+StepModule carriedDensity();
+StepModule shiftingInside();
+StepModule densityMonitor();
+StepModule implicitViscosity();
+StepModule heatFlow();
+StepModule contactConductance();
+StepModule evaporation();
+StepModule heatSources();
+StepModule surfaceEnergy();
+StepModule tensionByTemperature();
+StepModule flowLaws();
+StepModule energyOfLeaving();
+StepModule melting();
+StepModule densityByPhase();
+StepModule mushDrag();
+StepModule incompressiblePressure();
+StepModule outsideLoads();
+StepModule extensionPairForces();
+StepModule elasticSolids();
+StepModule solidSubsteps();
+StepModule buoyancy();
+StepModule rigidParts();
+StepModule rigidPieces();
+StepModule rigidBodies();
+StepModule viscosityCorrection();
+StepModule bodyTypes();
+StepModule sheets();
+StepModule orientedContact();
+StepModule orientedBodies();
+StepModule surfaceMotion();
+
+/// Returns all modules. In each phase they are called in this order.
+std::vector<StepModule> stepModules();
+
+/// Returns the calls of the modules that the scene has. Requires: the world is prepared.
+StepPhases phasesOf(const World& world, const StepTools& tools);
+
+}  // namespace thaw

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/ledger/energy_left.hpp"
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/views/views.hpp"
+#include "core/walls/wall_surface_energy.hpp"
+
+namespace thaw {
+
+StepModule surfaceEnergy() {
+  return {"surface tension as an energy",
+          [](const World& w, const StepTools&) { return w.modules.surfaceEnergy; },
+          {{ModulePhase::Density,
+            [](StepContext& c) { findSurfaceEnergy(c.walls, c.t.surface, c.t.wallContacts); }}}};
+}
+
+StepModule tensionByTemperature() {
+  return {"tension by temperature",
+          [](const World& w, const StepTools&) { return w.modules.tensionTable; },
+          {{ModulePhase::PhaseChange, [](StepContext& c) {
+              recordTensionChange({wallView(c.w), c.t.surface}, c.t.wallContacts);
+            }}}};
+}
+
+StepModule energyOfLeaving() {
+  return {"energy that leaving particles leave to others",
+          [](const World& w, const StepTools& t) { return w.modules.tension || !t.pairForces.empty(); },
+          {{ModulePhase::Density, [](StepContext& c) { recordEnergyLeft(c.w, c.t); }}}};
+}
+
+}  // namespace thaw

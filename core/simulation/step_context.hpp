@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// A step in progress.
+#pragma once
+#include "core/halo/exchange.hpp"
+#include "core/halo/halos.hpp"
+#include "core/simulation/time/step_reduction.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+#include "core/walls/wall_forces.hpp"
+
+namespace thaw {
+
+/// The data that the phases of a step, or of an evaluation of all forces, read and change.
+struct StepContext {
+  World& w;
+  Halos halos;
+  StepTools& t;
+  double dt;    ///< s, length of the step; 0 for an evaluation without a step
+  double time;  ///< s, at its end
+  WallContext walls;
+  bool leftBonds = false;   ///< a particle with bonds left the domain
+  bool justFrozen = false;  ///< particles froze in the last step: contacts record their jump of energy
+  Exchange solidPositions = {}, densities = {}, stress = {};  ///< in flight
+  StepLimits limits = {};                                     ///< s, of this rank's particles
+  StepReduction reduction = {};
+  StepLimits commonLimits = {};   ///< s, of all ranks
+  double longestSubstep = never;  ///< s
+  bool finite = true;             ///< all values of all ranks are finite
+};
+
+/// dt: see StepContext::dt. Requires: the clock at the beginning of the step.
+StepContext stepContext(World& world, Halos halos, StepTools& tools, double dt);
+
+/// Runs the calls of the scene's modules in this phase.
+inline void runPhase(ModulePhase phase, StepContext& context) { context.t.phases.run(phase, context); }
+
+}  // namespace thaw

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The phases of a step in which modules act (core/simulation/modules/).
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace thaw {
+
+struct StepContext;  // core/simulation/step_context.hpp
+
+/// Phases in their order. The step's own lines run between them (step.cpp, evaluate.cpp, reduce_step.cpp).
+enum class ModulePhase {
+  // Prediction
+  BeforeMotion,    ///< everything is at the end of the last step, obstacles too
+  FirstKick,       ///< before the first half kick, v += a dt/2
+  Drift,           ///< after the drift, x += v dt
+  ObstaclesMoved,  ///< obstacles are at the end of the step, too
+  // Redistribution
+  Redistributed,  ///< particles are on the ranks of their cells, sorted
+  WallContacts,   ///< contacts of particles with walls are known
+  // Density
+  GhostsSent,     ///< ghosts are on their way
+  BeforeDensity,  ///< rates are cleared; follows only if neighbours are searched
+  InnerRows,      ///< before the sums of rows without ghosts among their neighbours; only with a search
+  BoundaryRows,   ///< before the sums of the other rows, with ghosts present; only with a search
+  Density,        ///< sums over neighbours are known: densities, normals, viscosities
+  // Forces
+  Deformation,     ///< densities are on their way to ghosts: strain and stress of solids
+  ContinuumForce,  ///< pair forces are known: further forces of the continuum
+  Contact,         ///< contacts of solids
+  Coupling,        ///< wall forces are known: forces between body types
+  AllForces,       ///< all explicit forces are known: implicit ones, heat flows, loads from outside
+  // Integration
+  SecondKick,   ///< before the second half kick
+  Kicked,       ///< after it
+  PhaseChange,  ///< heat, melting, freezing
+  // Time-step reduction
+  Limits,        ///< step limits of this rank's particles are known
+  CommonLimits,  ///< limits of all ranks are known
+  NextStep,      ///< the length of the next step is known
+  EndOfStep      ///< preparation of the next step; last phase
+};
+inline constexpr std::size_t phaseCount = static_cast<std::size_t>(ModulePhase::EndOfStep) + 1;
+
+using PhaseCall = void (*)(StepContext&);
+
+/// The calls of a scene's modules, made once in set-up (phasesOf, core/simulation/modules/step_modules.hpp).
+struct StepPhases {
+  std::array<std::vector<PhaseCall>, phaseCount> calls;
+  void run(ModulePhase phase, StepContext& context) const {
+    for (const PhaseCall call : calls[static_cast<std::size_t>(phase)]) call(context);
+  }
+};
+
+}  // namespace thaw

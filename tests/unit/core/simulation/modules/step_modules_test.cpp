@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/modules/step_modules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace thaw {
+namespace {
+
+std::size_t callsOf(const StepPhases& phases) {
+  std::size_t n = 0;
+  for (const auto& calls : phases.calls) n += calls.size();
+  return n;
+}
+
+/// Calls of the named modules in a phase, in the order of the names.
+std::vector<PhaseCall> callsOf(const std::vector<std::string_view>& names, ModulePhase phase) {
+  std::vector<PhaseCall> calls;
+  for (const std::string_view name : names)
+    for (const StepModule& module : stepModules())
+      for (const ModuleCall& c : module.calls)
+        if (module.name == name && c.phase == phase) calls.push_back(c.call);
+  return calls;
+}
+
+}  // namespace
+
+TEST(StepModules, HaveNamesOfTheirOwnAndOneCallAPhase) {
+  std::set<std::string_view> names;
+  for (const StepModule& module : stepModules()) {
+    EXPECT_TRUE(names.insert(module.name).second) << module.name;
+    EXPECT_FALSE(module.calls.empty()) << module.name;
+    std::set<ModulePhase> phases;
+    for (const ModuleCall& c : module.calls) EXPECT_TRUE(phases.insert(c.phase).second) << module.name;
+  }
+}
+
+TEST(StepModules, SceneWithoutModulesHasOnlyTheLoadsOfPrograms) {
+  EXPECT_EQ(callsOf(phasesOf(World{}, StepTools{})), 3u);
+}
+
+TEST(StepModules, ActInTheOrderOfTheirList) {
+  World w;
+  w.modules.buoyancy = w.modules.sleep = w.modules.heat = true;
+  const StepPhases phases = phasesOf(w, StepTools{});
+  const auto in = [&](ModulePhase phase) { return phases.calls[static_cast<std::size_t>(phase)]; };
+  EXPECT_EQ(in(ModulePhase::SecondKick),
+            callsOf({"sleep", "loads from outside", "buoyancy"}, ModulePhase::SecondKick));
+  EXPECT_EQ(in(ModulePhase::AllForces), callsOf({"heat", "loads from outside"}, ModulePhase::AllForces));
+  EXPECT_TRUE(in(ModulePhase::EndOfStep).empty());
+}
+
+}  // namespace thaw
