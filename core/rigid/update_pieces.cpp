@@ -223,6 +223,8 @@ Vec3d vectorOf(const ExactSum* sums) { return {sums[0].value(), sums[1].value(),
 void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const ExactSum* sums) {
   p.id[row] = n.ids[k];
   p.count[row] = n.count[k];
+  p.contactLoad[row] = p.restTime[row] = 0;
+  p.asleep[row] = 0;
   p.mass[row] = n.mass[k];
   p.centre[row] = n.centre[k];
   p.fixed[row] = sums[19].value() > 0;

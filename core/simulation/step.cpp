@@ -10,7 +10,7 @@
 #include "core/heat/mush.hpp"
 #include "core/heat/rest_densities.hpp"
 #include "core/oriented/step_oriented.hpp"
-#include "core/rigid/contact_impulses.hpp"
+#include "core/rigid/breaking/break_pieces.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/motion.hpp"
 #include "core/rigid/rigidify/deforming.hpp"
@@ -111,7 +111,7 @@ void finishPieces(World& w, Halos halos, StepTools& t) {
   }
   // At the end of the scene no limit on the step exists.
   const double planned = nextStep(w.clock);
-  findContactImpulses(view, halos, std::isfinite(planned) ? planned : w.clock.stepDt);
+  touchAndBreak(view, halos, std::isfinite(planned) ? planned : w.clock.stepDt);
   t.times.lap(StepPhase::Contact);
 }
 

@@ -138,6 +138,7 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
     v = static_cast<double>(i->get());
   } else if (const auto* s = n.as_string()) {
     if (range.orNever && s->get() == "never") return value = never, true;
+    if (range.orOff && s->get() == "off") return value = 0, true;
     const Quantity q = parseQuantity(s->get());
     v = q.value;
     good = q.error.empty() && (!q.hasUnit || q.dimension == dimensionOf(unit));
@@ -147,8 +148,7 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
   }
   if (!good) {
     refuse(key, n,
-           fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.orNever ? " or \"never\"" : "",
-                       shown(n), why));
+           fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.words(), shown(n), why));
     return false;
   }
   if (!std::isfinite(v)) {
