@@ -23,9 +23,8 @@ bool onlyWeighs(const RigidView& v, std::size_t k) {
 
 bool anyObstacleVanishes(const RigidView& v, double dt) {
   const double from = v.clock.time - v.clock.stepDt, to = v.clock.time + dt;
-  return std::ranges::any_of(v.walls.list, [&](const Wall& w) {
-    return w.properties.until >= from && w.properties.until <= to;
-  });
+  return std::ranges::any_of(
+      v.walls.list, [&](const Wall& w) { return w.properties.until >= from && w.properties.until <= to; });
 }
 
 void wake(Pieces& p, std::size_t k) {
@@ -40,7 +39,7 @@ bool isAtRest(const RigidView& v, std::size_t k, const PieceMotion& after, doubl
   if (!onlyWeighs(v, k)) return false;
   const double slow = n.sleepSpeed, g = length(v.scene.domain.gravity), extent = extentOf(p, k),
                // as for elastic solids: a falling piece is not at rest
-               weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
+      weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
   // The velocity of the last drift: the second half kick followed it.
   const Vec3d before = (p.momentum[k] - p.force[k] * (0.5 * v.clock.stepDt)) / p.mass[k],
               spin = spinOf(p, k, p.angularMomentum[k]);

@@ -22,8 +22,8 @@ namespace thaw {
 /// Wakes all pieces.
 void wakePieces(Pieces& pieces);
 
-/// Wakes pieces with loads other than their weight, and all pieces if an obstacle vanishes about now. dt: next
-/// step (s).
+/// Wakes pieces with loads other than their weight, and all pieces if an obstacle vanishes about now. dt:
+/// next step (s).
 void wakeLoaded(const RigidView& view, double dt);
 
 /// Wakes sleeping pieces that a moving piece or obstacle touches. Returns true if some piece of any rank

@@ -19,8 +19,8 @@ namespace {
 
 /// A plane that cuts a piece.
 struct Cut {
-  double ratio = 1;         ///< principal stress over the strength; above 1
-  std::uint64_t particle;   ///< id
+  double ratio = 1;          ///< principal stress over the strength; above 1
+  std::uint64_t particle;    ///< id
   Vec3d origin{}, normal{};  ///< m, and a unit vector
 };
 
@@ -47,7 +47,8 @@ Vec3d mostStretched(const BondedPieces& b, std::size_t m, const BondedMotion& mo
     const Generalised f = bondForce(bond, b.member[m], b.spacing, motion);
     const Vec3d n = normalized(bond.arm);
     const double share = dot(n, along) * dot(n, along);
-    const double tension = share * (dot(f.linear, n) + 6 / b.spacing * length(f.angular - dot(f.angular, n) * n));
+    const double tension = share *
+                           (dot(f.linear, n) + 6 / b.spacing * length(f.angular - dot(f.angular, n) * n));
     if (!(tension > most)) continue;
     most = tension;
     middle = 0.5 * bond.arm;

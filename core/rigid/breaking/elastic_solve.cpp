@@ -178,8 +178,8 @@ std::vector<Generalised> balancedLoads(const RigidView& v, const BondedPieces& b
   };
   for (std::size_t k = 0; k < loads.records.size(); k++) {
     const std::uint32_t row = p.rowOf(loads.piece(k));
-    const auto system = static_cast<std::size_t>(
-        std::lower_bound(b.pieces.begin(), b.pieces.end(), row) - b.pieces.begin());
+    const auto system = static_cast<std::size_t>(std::lower_bound(b.pieces.begin(), b.pieces.end(), row) -
+                                                 b.pieces.begin());
     total[system].linear += loads.force(k);
     total[system].angular += loads.torque(k);
     const auto at = memberOf.find(loads.particle(k));
@@ -202,11 +202,14 @@ std::vector<Generalised> balancedLoads(const RigidView& v, const BondedPieces& b
 int solveBonds(const RigidView& v, const Halos& halos, const BondedPieces& b,
                std::span<const Generalised> loads, BondedMotion& motion) {
   const std::size_t members = b.member.size();
-  Iteration it{std::vector<Generalised>(members), {loads.begin(), loads.end()},
-               std::vector<Generalised>(members), {}, {}, std::vector<std::uint8_t>(b.pieces.size(), 0)};
+  Iteration it{std::vector<Generalised>(members),
+               {loads.begin(), loads.end()},
+               std::vector<Generalised>(members),
+               {},
+               {},
+               std::vector<std::uint8_t>(b.pieces.size(), 0)};
   motion.resize(v.particles.owned, v.particles.size() - v.particles.owned);
-  for (std::size_t m = 0; m < members; m++)
-    setRow(motion, b.member[m], preconditioned(b, m, it.residual[m]));
+  for (std::size_t m = 0; m < members; m++) setRow(motion, b.member[m], preconditioned(b, m, it.residual[m]));
   it.size = sumByPiece(v, b, halos.all, [&](std::size_t m) {
     return dotOf(it.residual[m], preconditioned(b, m, it.residual[m]));
   });
@@ -231,9 +234,12 @@ Sym3d stressOf(const BondedPieces& b, std::size_t m, std::uint32_t row, const Bo
   for (const BondedPieces::Bond& bond : b.of(m)) {
     const Generalised f = bondForce(bond, row, a, motion);
     const Vec3d &l = bond.arm, n = normalized(l), g = f.linear, along = dot(f.angular, n) * n;
-    sum = sum + (0.5 / (a * a * a)) *
-                    Sym3d{l.x * g.x, l.y * g.y, l.z * g.z, 0.5 * (l.x * g.y + l.y * g.x),
-                          0.5 * (l.y * g.z + l.z * g.y), 0.5 * (l.x * g.z + l.z * g.x)};
+    sum = sum + (0.5 / (a * a * a)) * Sym3d{l.x * g.x,
+                                            l.y * g.y,
+                                            l.z * g.z,
+                                            0.5 * (l.x * g.y + l.y * g.x),
+                                            0.5 * (l.y * g.z + l.z * g.y),
+                                            0.5 * (l.x * g.z + l.z * g.x)};
     // 6 M / a^3 at the surface of a square beam; each axis has two bonds
     const double bending = 3 * length(f.angular - along) / (a * a * a);
     sum = sum + bending * Sym3d{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};

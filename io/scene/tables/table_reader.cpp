@@ -147,8 +147,7 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
     good = false;
   }
   if (!good) {
-    refuse(key, n,
-           fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.words(), shown(n), why));
+    refuse(key, n, fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.words(), shown(n), why));
     return false;
   }
   if (!std::isfinite(v)) {
