@@ -223,7 +223,8 @@ Vec3d vectorOf(const ExactSum* sums) { return {sums[0].value(), sums[1].value(),
 void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const ExactSum* sums) {
   p.id[row] = n.ids[k];
   p.count[row] = n.count[k];
-  p.contactLoad[row] = p.restTime[row] = 0;
+  p.contactLoad[row] = 0;
+  p.restTime[row] = 0;
   p.asleep[row] = 0;
   p.mass[row] = n.mass[k];
   p.centre[row] = n.centre[k];
@@ -340,7 +341,10 @@ void remakePieces(const RigidView& v, const Halos& halos, bool atStart) {
     if (rows[k] == noPieceRow) rows[k] = static_cast<std::uint32_t>(end++);
   }
   p.resize(end, 0);
-  for (std::size_t k = 0; k < n.ids.size(); k++) setRow(p, rows[k], n, k, sums.data() + motionSums * k);
+  for (std::size_t k = 0; k < n.ids.size(); k++) {
+    setRow(p, rows[k], n, k, sums.data() + motionSums * k);
+    if (atStart) p.contactLoad[rows[k]] = unknownLoad;
+  }
   placeParticles(v, n, rows);
   adoptLabels(v.particles);
   Continuum& c = v.particles;

@@ -126,6 +126,8 @@ TEST(RigidSleep, PiecesOnAMeltingPieceWake) {
   for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
   s.bodies[0].material = 1;
   for (Body& b : s.bodies) b.temperature = 300;
+  s.thermostats.emplace_back();
+  s.thermostats[0].start = 100;
   s.materials[1].soundSpeed = 40;
   s.materials[1].viscosity = {50, 50};
   Simulation sim(s);

@@ -131,13 +131,21 @@ bool breakHit(const RigidView& v, const Halos& halos, std::span<const FoundConta
   return true;
 }
 
+/// Sets the loads that the impulses of an impact exceed. They fall slowly, so a contact that is lost for a step
+/// does not return as an impact.
+void recordLoads(Pieces& p, std::span<const double> sizes, double dt) {
+  constexpr double kept = 0.5;
+  for (std::size_t k = 0; k < p.owned; k++)
+    p.contactLoad[k] = std::max(sizes[k] / dt, kept * p.contactLoad[k]);
+}
+
 /// Solves contacts, and breaks pieces. Returns the contacts of the parts.
 SolvedContacts solveAndBreak(const RigidView& v, const Halos& halos, double dt) {
   for (int cuts = 0;; cuts++) {
     SolvedContacts solved = findContactImpulses(v, halos, dt);
     const std::vector<double> sizes = contactSizes(v, solved.contacts, halos.all);
     if (cuts < mostCuts && breakHit(v, halos, solved.contacts, findHit(v, sizes, dt))) continue;
-    for (std::size_t k = 0; k < v.pieces.owned; k++) v.pieces.contactLoad[k] = sizes[k] / dt;
+    recordLoads(v.pieces, sizes, dt);
     return solved;
   }
 }

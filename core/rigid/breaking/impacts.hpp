@@ -21,7 +21,7 @@ inline constexpr std::uint64_t leastToBreak = 16;
 std::vector<double> contactSizes(const RigidView& view, std::span<const FoundContact> contacts, Reducer& all);
 
 /// Returns the rows, ascending, of pieces that an impact may break: the impulses of their contacts over the
-/// step of dt (s) exceed twice those of the last step and of their weight, and the stress may reach the
+/// step of dt (s) exceed twice those of their known loads and of their weight, and the stress may reach the
 /// strength. Equal on all ranks with a row.
 std::vector<std::uint32_t> findHit(const RigidView& view, std::span<const double> sizes, double dt);
 
