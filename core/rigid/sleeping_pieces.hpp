@@ -7,7 +7,7 @@
 //   - a piece that moves touches it, in the same step and before impulses are found,
 //   - a moving obstacle touches it, or an obstacle vanishes,
 //   - it has another load, for example from liquid that appeared beside it,
-//   - its set of particles changes.
+//   - particles near it join or leave pieces.
 // All this follows from rows of pieces, which have the same bits on all ranks, and from sums over contacts.
 #pragma once
 #include <span>
@@ -25,6 +25,11 @@ void wakePieces(Pieces& pieces);
 /// Wakes pieces with loads other than their weight, and all pieces if an obstacle vanishes about now. dt:
 /// next step (s).
 void wakeLoaded(const RigidView& view, double dt);
+
+/// Wakes pieces near particles that join or leave pieces: they may have lost what they lie on. Requires:
+/// Continuum::pieceLabel of the new pieces, and rows of the former pieces of owned particles and ghosts.
+/// Collective.
+void wakeNearChanges(const RigidView& view, Reducer& all);
 
 /// Wakes sleeping pieces that a moving piece or obstacle touches. Returns true if some piece of any rank
 /// woke. Collective.

@@ -13,6 +13,7 @@
 #include "core/rigid/motion.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/rotation.hpp"
+#include "core/rigid/sleeping_pieces.hpp"
 #include "core/rigid/surface_elements.hpp"
 #include "core/solid/data/weight.hpp"
 
@@ -308,6 +309,7 @@ void markRigidParticles(const Scene& scene, Continuum& p) {
 
 void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
   labelPieces(v, halos, atStart);
+  if (v.modules.pieceSleep && !atStart) wakeNearChanges(v, halos.all);
   remakePieces(v, halos, atStart);
 }
 
