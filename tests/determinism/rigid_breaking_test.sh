@@ -6,7 +6,7 @@
 . "$(dirname "$0")/../support/run.sh"
 scene=bar_on_ridge
 cat >"$work/$scene.toml" <<'SCENE'
-spacing = 0.05
+spacing = 0.1
 end = 2
 [domain]
 min = [-1.5, -0.5, -0.5]
@@ -43,7 +43,7 @@ retry_every = 10
 [output]
 every = 0.02
 SCENE
-sameOnAllRanks $scene 80 "10 40" "$work/$scene.toml"
+sameOnAllRanks $scene 50 "10 30" "$work/$scene.toml"
 [ "$(value "$work/$scene.1/summary.json" broken_pieces)" -gt 0 ] || fail "$scene: nothing broke"
 grep -q 'sleeping [1-9]' "$work/$scene.log.1" || fail "$scene: nothing slept"
 finish
