@@ -35,6 +35,9 @@ struct Counters {
   std::int64_t connectedDensity = 0;   ///< 1e-6, sum of their summed relative densities
   std::int64_t asleep = 0;             ///< particles whose sums were skipped in the last step
   std::int64_t unsolvedPressures = 0;  ///< solves that reached the iteration limit; on the first rank only
+  std::int64_t contactIterations = 0;  ///< contacts of rigid pieces, all steps; on the first rank only
+  std::int64_t contactUnfinished = 0;  ///< steps without convergence; on the first rank only
+  std::int64_t brokenPieces = 0;       ///< rigid pieces that broke; on the first rank only
 };
 
 /// Iterations of the incompressible solver in the last step, equal on all ranks; not part of the state.

@@ -20,13 +20,13 @@ bool connected(const RigidView& v, std::size_t i, std::size_t j, bool atStart) {
 }
 
 /// Joins connected rows, owned ones and ghosts.
-DisjointSets joinRows(const RigidView& v, bool atStart) {
+DisjointSets joinRows(const RigidView& v, bool atStart, const PartedRows& parted) {
   Continuum& p = v.particles;
   DisjointSets sets(p.size());
   eachNear(v.cells, p.owned, v.cells, [&](std::uint32_t i, std::uint32_t j) {
     if (p.pieceLabel[i] == notRigid || p.pieceLabel[j] == notRigid || i == j) return;
     if (j < i && j < p.owned) return;  // seen from j
-    if (connected(v, i, j, atStart)) sets.join(i, j);
+    if (connected(v, i, j, atStart) && !(parted && parted(i, j))) sets.join(i, j);
   });
   return sets;
 }
@@ -52,12 +52,12 @@ bool spreadHere(Column<std::uint64_t>& labels, std::size_t owned, DisjointSets& 
 
 }  // namespace
 
-void labelPieces(const RigidView& v, const Halos& halos, bool atStart) {
+void labelPieces(const RigidView& v, const Halos& halos, bool atStart, const PartedRows& parted) {
   Continuum& p = v.particles;
   for (std::size_t i = 0; i < p.owned; i++)
     p.pieceLabel[i] = belongsToPiece(v.scene, p, i) ? p.id[i] + 1 : notRigid;
   refresh(halos.cells, p, ColumnList{&p.pieceLabel, &p.piece}).wait();
-  DisjointSets sets = joinRows(v, atStart);
+  DisjointSets sets = joinRows(v, atStart, parted);
   spreadLabels(p.pieceLabel, p.owned, sets, halos.all,
                [&] { refresh(halos.cells, p, ColumnList{&p.pieceLabel}).wait(); });
 }

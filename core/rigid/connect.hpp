@@ -22,8 +22,10 @@ inline bool belongsToPiece(const Scene& scene, const Continuum& p, std::size_t i
 
 /// Sets Continuum::pieceLabel of owned particles that belong to pieces to 1 + the smallest id of all
 /// particles connected to them, and of others to 0. Connected are particles of one piece (at the start: of
-/// one body) and particles in touch of which one has no piece yet. Requires: ghosts. Collective.
-void labelPieces(const RigidView& view, const Halos& halos, bool atStart);
+/// one body) and particles in touch of which one has no piece yet. parted: returns true for rows of a piece
+/// that a break separates; null: none. Requires: ghosts. Collective.
+using PartedRows = std::function<bool(std::uint32_t, std::uint32_t)>;
+void labelPieces(const RigidView& view, const Halos& halos, bool atStart, const PartedRows& parted = nullptr);
 
 /// Gives all rows of a set, on all ranks, the smallest of their labels. Sets are over the owned rows and the
 /// copies of other ranks' rows; rows labelled notRigid are in none. exchange: sends the labels to the copies.

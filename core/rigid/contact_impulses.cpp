@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/rigid/contact/find_contacts.hpp"
-#include "core/rigid/contact/solve_contacts.hpp"
 #include "core/rigid/piece_sums.hpp"
+#include "core/rigid/sleeping_pieces.hpp"
 
 namespace thaw {
 namespace {
@@ -51,28 +50,57 @@ ContactSettings settingsOf(const RigidView& v, double dt) {
   return s;
 }
 
+/// Finds contacts. Sleeping pieces that they wake take part.
+std::vector<FoundContact> contactsOfAwake(const RigidView& v, const Halos& halos, double dt,
+                                          std::vector<PieceMotion>& motions) {
+  const ContactSearch search{v.scene, v.grid, v.particles, v.cells, v.pieces, v.walls, dt};
+  if (!v.modules.pieceSleep) return findContacts(search, motions, halos.all);
+  wakeLoaded(v, dt);
+  for (;;) {
+    motions = nextMotions(v.pieces, dt);
+    holdSleeping(v.pieces, motions);
+    std::vector<FoundContact> found = findContacts(search, motions, halos.all);
+    if (!wakeTouched(v, found, halos.all)) return found;
+  }
+}
+
 }  // namespace
 
-void findContactImpulses(const RigidView& v, const Halos& halos, double dt) {
+SolvedContacts findContactImpulses(const RigidView& v, const Halos& halos, double dt) {
   Pieces& p = v.pieces;
-  std::vector<PieceMotion> motions = nextMotions(p, dt);
-  std::vector<FoundContact> found = findContacts({v.scene, v.grid, v.particles, v.cells, p, v.walls, dt},
-                                                 motions, halos.all);
+  SolvedContacts solved;
+  std::vector<PieceMotion>& motions = solved.after;
+  motions = nextMotions(p, dt);
+  solved.contacts = contactsOfAwake(v, halos, dt, motions);
   std::vector<RigidContact> contacts;
-  for (const FoundContact& f : found) contacts.push_back(f.contact);
+  for (const FoundContact& f : solved.contacts) contacts.push_back(f.contact);
   std::vector<PieceChange> changes(motions.size());
   RankPieceExchange exchange = exchangeOf(p, v.work, halos.all);
-  const ContactResult result = solveContacts(motions, contacts, settingsOf(v, dt), exchange, halos.all,
-                                             changes);
-  for (std::size_t k = 0; k < found.size(); k++) found[k].contact.impulse = contacts[k].impulse;
-  keepImpulses(found, v.particles);
+  const ContactSettings settings = settingsOf(v, dt);
+  solved.tolerance = settings.tolerance;
+  solved.result = solveContacts(motions, contacts, settings, exchange, halos.all, changes);
+  for (std::size_t k = 0; k < contacts.size(); k++) solved.contacts[k].contact.impulse = contacts[k].impulse;
+  keepImpulses(solved.contacts, p, v.particles);
   for (std::size_t k = 0; k < p.owned; k++) {
     p.contactImpulse[k] = changes[k].impulse;
     p.contactTwist[k] = changes[k].angularImpulse;
     p.contactShift[k] = changes[k].shift;
     p.contactTurn[k] = changes[k].turn;
   }
-  if (halos.all.rank() != 0) return;
+  return solved;
+}
+
+void acceptContacts(const RigidView& v, const SolvedContacts& solved, double dt, Reducer& all) {
+  const ContactResult& result = solved.result;
+  v.work.contacts = {result.iterations + result.correctionIterations, result.residual, solved.tolerance};
+  if (v.modules.pieceSleep) {
+    updateRest(v, {solved.contacts, solved.after, dt}, all);
+    balanceSleeping(v.pieces, dt);
+    v.counters.asleep = countAsleep(v.pieces);
+  }
+  if (all.rank() != 0) return;
+  v.counters.contactIterations += v.work.contacts.iterations;
+  v.counters.contactUnfinished += !result.converged;
   // The work on pieces raises their kinetic energy, which the drift subtracts from the dissipated one.
   v.ledger.wallWork.add(result.obstacleWork);
   v.ledger.dissipated.add(result.obstacleWork);

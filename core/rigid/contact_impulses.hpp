@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // Impulses of the contacts of pieces in the next step.
 #pragma once
+#include <vector>
+
 #include "core/halo/halos.hpp"
+#include "core/rigid/contact/find_contacts.hpp"
+#include "core/rigid/contact/solve_contacts.hpp"
 #include "core/rigid/rigid_view.hpp"
 
 namespace thaw {
 
+/// Contacts of a step with their impulses.
+struct SolvedContacts {
+  std::vector<FoundContact> contacts;  ///< each on one rank
+  std::vector<PieceMotion> after;      ///< motion of each row in the step, with the impulses
+  ContactResult result;
+  double tolerance = 0;  ///< m/s
+};
+
 /// Finds the contacts of all pieces at their present positions. Sets the impulses and displacements with
-/// which the next drift, over dt (s), leaves them without new overlap. Requires: rows of the pieces of owned
-/// particles and ghosts. Collective.
-void findContactImpulses(const RigidView& view, const Halos& halos, double dt);
+/// which the next drift, over dt (s), leaves them without new overlap. Sleeping pieces wake if they have to.
+/// Requires: rows of the pieces of owned particles and ghosts. Collective.
+SolvedContacts findContactImpulses(const RigidView& view, const Halos& halos, double dt);
+
+/// Records the contacts of the step of dt (s) that comes, and lets pieces fall asleep. Collective.
+void acceptContacts(const RigidView& view, const SolvedContacts& solved, double dt, Reducer& all);
 
 }  // namespace thaw

@@ -13,6 +13,7 @@
 #include "core/rigid/motion.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/rotation.hpp"
+#include "core/rigid/sleeping_pieces.hpp"
 #include "core/rigid/surface_elements.hpp"
 #include "core/solid/data/weight.hpp"
 
@@ -223,6 +224,9 @@ Vec3d vectorOf(const ExactSum* sums) { return {sums[0].value(), sums[1].value(),
 void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const ExactSum* sums) {
   p.id[row] = n.ids[k];
   p.count[row] = n.count[k];
+  p.contactLoad[row] = 0;
+  p.restTime[row] = 0;
+  p.asleep[row] = 0;
   p.mass[row] = n.mass[k];
   p.centre[row] = n.centre[k];
   p.fixed[row] = sums[19].value() > 0;
@@ -305,6 +309,7 @@ void markRigidParticles(const Scene& scene, Continuum& p) {
 
 void updatePieces(const RigidView& v, const Halos& halos, bool atStart) {
   labelPieces(v, halos, atStart);
+  if (v.modules.pieceSleep && !atStart) wakeNearChanges(v, halos.all);
   remakePieces(v, halos, atStart);
 }
 
@@ -338,7 +343,10 @@ void remakePieces(const RigidView& v, const Halos& halos, bool atStart) {
     if (rows[k] == noPieceRow) rows[k] = static_cast<std::uint32_t>(end++);
   }
   p.resize(end, 0);
-  for (std::size_t k = 0; k < n.ids.size(); k++) setRow(p, rows[k], n, k, sums.data() + motionSums * k);
+  for (std::size_t k = 0; k < n.ids.size(); k++) {
+    setRow(p, rows[k], n, k, sums.data() + motionSums * k);
+    if (atStart) p.contactLoad[rows[k]] = unknownLoad;
+  }
   placeParticles(v, n, rows);
   adoptLabels(v.particles);
   Continuum& c = v.particles;

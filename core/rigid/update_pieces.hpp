@@ -6,6 +6,9 @@
 
 namespace thaw {
 
+/// Pieces::contactLoad of the pieces of the start, until their contacts are solved.
+inline constexpr double unknownLoad = -1;
+
 /// Marks particles of rigid materials as pieces of their own, which have no bonds. Call it once, before the
 /// first evaluation.
 void markRigidParticles(const Scene& scene, Continuum& particles);

@@ -237,6 +237,8 @@ bool findRigid(Finder& f, const std::vector<bool>& used) {
     if (!used[k] || !x.canBeSolid()) continue;
     if (x.isRigid()) f.on(m.rigid, "rigid pieces", "the law of material " + quoted(x.name) + " is \"rigid\"");
     else elastic = true;
+    if (x.isRigid() && x.strength < never)
+      f.on(m.breaking, "breaking of rigid pieces", "material " + quoted(x.name) + " has a strength");
   }
   if (elastic && s.numerics.rigidify > 0) {
     f.on(m.rigidify, "rigid parts of elastic solids", "numerics.rigidify is given");
@@ -265,7 +267,8 @@ void findContact(Finder& f, const std::vector<bool>& used, int solidBodies) {
 void findSubsteps(Finder& f, bool elastic) {
   const Scene& s = f.s;
   Modules& m = f.m;
-  if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
+  if (m.solid && s.numerics.sleepSpeed > 0)
+    f.on(m.rigid && !elastic ? m.pieceSleep : m.sleep, "sleep", "numerics.sleep_speed is given");
   // Contact of solids limits the step of all particles, so substeps gain nothing there. Above two substeps
   // the impulses of incompressible liquid come as often as the fastest elastic waves oscillate, and feed
   // them.

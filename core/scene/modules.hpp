@@ -46,6 +46,8 @@ struct Modules {
   bool rigidify = false;            ///< elastic solids move as rigid pieces where they do not deform
   bool surfaceHeat = false;         ///< convection or radiation to the ambient
   bool sleep = false;               ///< solids at rest sleep: their sums are skipped (core/sleep/)
+  bool pieceSleep = false;          ///< rigid pieces at rest sleep (core/rigid/sleeping_pieces.hpp)
+  bool breaking = false;            ///< rigid pieces break in impacts (core/rigid/breaking/)
   bool neighbours = false;          ///< some sum over unbonded neighbours
   bool surface = false;             ///< surfels on the continuum bodies
   bool emitters = false;

@@ -73,6 +73,8 @@ struct Material {
   double hourglass = 1.25;          // 1, alpha of the penalty on zero-energy modes (G15); 1.25 also
                                     // compensates the error of short waves (elastic.hpp)
   double breakStretch = never;      // 1, stretch above which a bond breaks
+  double strength = never;          // Pa, tensile stress at which rigid pieces break; never: they do not
+  double impactModulus = 0;         // Pa, Young's modulus of rigid pieces that break, for their impacts
   double damping = 0;               // 1/s, decay rate of velocity differences between bonded particles
   bool weld = false;                // solids of this material weld where they touch
   double friction = 0.3;            // 1, Coulomb, between separate solids

@@ -149,10 +149,23 @@ std::string rigidText(Run& r) {
   return fmt::format("  rigid {}", rigid[0]);
 }
 
+/// Returns "  sleeping 9 of 10 pieces". Collective.
+std::string sleepingPiecesText(Run& r) {
+  const Pieces& p = r.world.pieces;
+  std::array<std::int64_t, 2> count{};
+  for (std::size_t k = 0; k < p.owned; k++) {
+    count[0] += p.leads[k] && p.asleep[k];
+    count[1] += p.leads[k];
+  }
+  r.all.sum(count);
+  return fmt::format("  sleeping {} of {}", count[0], counted(count[1], "piece"));
+}
+
 /// Returns "  sleeping 8000 (awake: 12 move, 340 have awake neighbours)": particles whose sums were skipped
 /// in the last step, and the reasons of the others. Returns "" if no particle may sleep. Collective.
 std::string sleepText(Run& r) {
   if (r.world.modules.rigidify) return rigidText(r);
+  if (r.world.modules.pieceSleep) return sleepingPiecesText(r);
   if (!r.world.modules.sleep) return "";
   std::array<std::int64_t, 2 + awakeReasons> counts{r.world.counters.asleep,
                                                     static_cast<std::int64_t>(r.world.particles.owned)};

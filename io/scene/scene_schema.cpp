@@ -55,7 +55,10 @@ Json quantityForm(const Range& range) {
     if (range.openHigh) to["exclusiveMaximum"] = true;
   }
   const std::string pattern = numberPattern;
-  to["pattern"] = range.orNever ? "^(" + pattern + "|never$)" : "^" + pattern;
+  std::string words;
+  if (range.orNever) words += "|never$";
+  if (range.orOff) words += "|off$";
+  to["pattern"] = words.empty() ? "^" + pattern : "^(" + pattern + words + ")";
   return to;
 }
 

@@ -54,4 +54,48 @@ TEST(Rigid, PiecesHaveTheSameBitsOnAnyNumberOfRanks) {
   EXPECT_EQ(alone.particles, together.particles);
 }
 
+/// A bar of glass falls on a ridge beside a block at rest, and breaks. Its parts hit the floor and the block.
+Scene barOnRidge() {
+  Scene s = emptyScene(0.1, {-1.5, -0.5, -0.5}, {1.5, 0.5, 1});
+  s.domain.gravity = {0, 0, -9.81};
+  for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
+  Material glass = stone();
+  glass.strength = 40e6;
+  glass.impactModulus = 70e9;
+  glass.restitution = 0.2;
+  s.materials.push_back(glass);
+  Body& bar = addBox(s, {-0.9, 0, 0.15}, {1.1, 0.2, 0.35});
+  bar.velocity = {0, 0, -6};
+  bar.spin = {0, 0.2, 0};
+  addBox(s, {-1, -0.2, -0.5}, {-0.6, 0.2, -0.1});
+  s.obstacles.emplace_back();
+  s.obstacles.back().name = "ridge";
+  s.obstacles.back().shape = boxOf({-0.1, -0.5, -0.5}, {0.1, 0.5, 0.05});
+  s.numerics.maxStep = 2e-3;
+  s.numerics.sleepSpeed = 0.05;
+  s.numerics.sleepAfter = 0.004;
+  return s;
+}
+
+TEST(Rigid, BreakingAndSleepHaveTheSameBitsOnAnyNumberOfRanks) {
+  const auto run = [](MPI_Comm group) {
+    bool slept = false;
+    const auto look = [&](const World& w) { slept = slept || w.counters.asleep > 0; };
+    const StateHash hash = runRebalanced(group, barOnRidge(), 45, look, [&](const World& w, Reducer& all) {
+      StateHash sum = hashOf(w, all);
+      double any = slept ? 1 : 0;
+      all.maximum({&any, 1});
+      slept = any > 0;
+      return sum;
+    });
+    EXPECT_TRUE(slept);
+    return hash;
+  };
+  const StateHash alone = run(MPI_COMM_SELF), together = run(MPI_COMM_WORLD);
+  EXPECT_GT(alone.pieceCount, 3);
+  EXPECT_EQ(alone.pieceCount, together.pieceCount);
+  EXPECT_EQ(alone.pieces, together.pieces);
+  EXPECT_EQ(alone.particles, together.particles);
+}
+
 }  // namespace

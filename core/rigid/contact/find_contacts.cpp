@@ -29,6 +29,8 @@ PlacedElement placed(const ContactSearch& s, std::size_t i) {
           static_cast<double>(p.faceOffset[i]), static_cast<double>(p.faceRadius[i])};
 }
 
+bool isAsleep(const ContactSearch& s, std::size_t i) { return s.pieces.asleep[s.particles.pieceRow[i]] != 0; }
+
 bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const RigidContact& c) {
   const Vec3d other = c.b == noPiece ? c.otherVelocity : velocityAtArm(motion[c.b], c.armB);
   const double approach = -dot(velocityAtArm(motion[c.a], c.armA) - other, c.normal);
@@ -40,6 +42,7 @@ struct SurfaceCells {
   std::vector<std::uint32_t> rows;
   CellTable cells;                       ///< cells with rows; first and count refer to `rows`
   std::vector<std::uint64_t> low, high;  ///< smallest and largest piece of each cell
+  std::vector<std::uint8_t> awake;       ///< 1: a piece in the cell is awake
 };
 
 SurfaceCells surfaceCells(const ContactSearch& s) {
@@ -47,11 +50,13 @@ SurfaceCells surfaceCells(const ContactSearch& s) {
   for (std::size_t c = 0; c < s.cells.key.size(); c++) {
     const auto first = static_cast<std::uint32_t>(t.rows.size());
     std::uint64_t low = ~std::uint64_t{0}, high = 0;
+    bool awake = false;
     for (std::uint32_t i = s.cells.first[c]; i < s.cells.first[c] + s.cells.count[c]; i++) {
       if (!hasSurface(s.particles, i)) continue;
       t.rows.push_back(i);
       low = std::min(low, s.particles.piece[i]);
       high = std::max(high, s.particles.piece[i]);
+      awake = awake || !isAsleep(s, i);
     }
     if (t.rows.size() == first) continue;
     t.cells.key.push_back(s.cells.key[c]);
@@ -59,21 +64,24 @@ SurfaceCells surfaceCells(const ContactSearch& s) {
     t.cells.count.push_back(static_cast<std::uint32_t>(t.rows.size()) - first);
     t.low.push_back(low);
     t.high.push_back(high);
+    t.awake.push_back(awake);
   }
   return t;
 }
 
-/// Lists the rows around a cell; returns true if they all belong to one piece.
-bool onePieceAround(const SurfaceCells& t, std::size_t c, std::vector<RowSpan>& ranges) {
+/// Lists the rows around a cell; returns true if they all belong to one piece, or to sleeping ones.
+bool nothingToTouch(const SurfaceCells& t, std::size_t c, std::vector<RowSpan>& ranges) {
   rowsAround(t.cells, t.cells.key[c], ranges);
   std::uint64_t low = t.low[c], high = t.high[c];
+  bool awake = t.awake[c] != 0;
   for (const RowSpan& r : ranges) {
     const auto at = std::lower_bound(t.cells.first.begin(), t.cells.first.end(), r.begin) -
                     t.cells.first.begin();
     low = std::min(low, t.low[static_cast<std::size_t>(at)]);
     high = std::max(high, t.high[static_cast<std::size_t>(at)]);
+    awake = awake || t.awake[static_cast<std::size_t>(at)] != 0;
   }
-  return low == high;
+  return low == high || !awake;
 }
 
 struct Search {
@@ -117,6 +125,7 @@ void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
   c.restitution = std::min(m.restitution, o.restitution);
   c.keyB = p.id[to.row];
   f.partner = p.piece[to.row];
+  f.other = to.row;
   if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
 }
 
@@ -186,12 +195,13 @@ void findPairsOf(Search& s, std::uint32_t i, const SurfaceCells& t, std::span<co
   const Continuum& p = s.in.particles;
   const PlacedElement a = placed(s.in, i);
   const double spacing = s.in.scene.spacing;
+  const bool sleeps = isAsleep(s.in, i);
   candidates.clear();
   bool any = false;
   for (const RowSpan& r : ranges)
     for (std::uint32_t m = r.begin; m < r.end; m++) {
       const std::uint32_t j = t.rows[m];
-      if (p.piece[j] == p.piece[i]) continue;
+      if (p.piece[j] == p.piece[i] || (sleeps && isAsleep(s.in, j))) continue;
       const Vec3d to = p.position[j] - a.position;
       const double near = a.offset + static_cast<double>(p.faceOffset[j]) + planeReach * spacing;
       if (!(dot(to, to) < near * near)) continue;
@@ -210,7 +220,7 @@ void findPairs(Search& s) {
   std::vector<Candidate> candidates;
   for (std::size_t c = 0; c < t.cells.key.size(); c++) {
     if (t.rows[t.cells.first[c]] >= s.in.particles.owned) continue;
-    if (onePieceAround(t, c, ranges)) continue;
+    if (nothingToTouch(t, c, ranges)) continue;
     for (std::uint32_t k = t.cells.first[c]; k < t.cells.first[c] + t.cells.count[c]; k++)
       findPairsOf(s, t.rows[k], t, ranges, candidates);
   }
@@ -250,6 +260,10 @@ void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
   }
 }
 
+bool moves(const Wall& wall, const Vec3d& at) {
+  return !wall.properties.motion.empty() && !(wallVelocity(wall, at) == Vec3d{});
+}
+
 void findObstacles(Search& s) {
   std::vector<std::uint32_t> walls;
   const Continuum& p = s.in.particles;
@@ -261,7 +275,9 @@ void findObstacles(Search& s) {
       if (!hasSurface(p, i)) continue;
       if (!listed) findReachable(s.in.grid, s.in.walls, s.in.cells.key[c], walls);
       listed = true;
-      for (const std::uint32_t k : walls) wallContacts(s, i, k);
+      const bool sleeps = isAsleep(s.in, i);
+      for (const std::uint32_t k : walls)
+        if (!sleeps || moves(s.in.walls.list[k], p.position[i])) wallContacts(s, i, k);
     }
   }
 }
@@ -280,11 +296,14 @@ std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<co
   return std::move(s.found);
 }
 
-void keepImpulses(std::span<const FoundContact> contacts, Continuum& p) {
-  for (std::size_t i = 0; i < p.owned; i++) {
+void keepImpulses(std::span<const FoundContact> contacts, const Pieces& pieces, Continuum& p) {
+  const auto forget = [&](std::size_t i) {
     p.contactPartner[i] = 0;
     p.contactImpulse[i] = {};
-  }
+  };
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.piece[i] == notRigid || !pieces.asleep[p.pieceRow[i]]) forget(i);
+  for (const FoundContact& f : contacts) forget(f.particle);
   for (const FoundContact& f : contacts) {
     const Vec3d &now = f.contact.impulse, &before = p.contactImpulse[f.particle];
     const double size = dot(now, now), other = dot(before, before);

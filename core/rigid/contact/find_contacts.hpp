@@ -31,18 +31,20 @@ struct FoundContact {
   std::uint64_t pieceA = 0;    ///< piece of a
   std::uint64_t partner = 0;   ///< piece of b, or obstacleBit | index of the wall
   std::uint32_t particle = 0;  ///< owned row of the particle of a
+  std::uint32_t other = 0;     ///< row of the particle of b, or a ghost
 };
 
 inline constexpr std::uint64_t obstacleBit = std::uint64_t{1} << 63;
 
 /// Returns the contacts that may close within the step, each on the rank that owns `particle`. motion:
 /// velocities of all rows of pieces, as the solver gets them. Patches of contact between two pieces are
-/// reduced to their outline, which supports the same forces and torques. The first guesses are those of
-/// keepImpulses. Collective.
+/// reduced to their outline, which supports the same forces and torques. Sleeping pieces have contacts with
+/// awake pieces and moving obstacles only. The first guesses are those of keepImpulses. Collective.
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
                                        Reducer& all);
 
-/// Stores the solved impulses in the particles, as first guesses of the next step.
-void keepImpulses(std::span<const FoundContact> contacts, Continuum& particles);
+/// Stores the solved impulses in the particles, as first guesses of the next step. Particles of sleeping
+/// pieces keep theirs.
+void keepImpulses(std::span<const FoundContact> contacts, const Pieces& pieces, Continuum& particles);
 
 }  // namespace thaw

@@ -17,11 +17,19 @@ struct SharedPieces {
   static constexpr std::uint32_t notShared = 0xffffffffu;
 };
 
+/// Contact solver in the last step; equal on all ranks.
+struct ContactUse {
+  std::int64_t iterations = 0;
+  double residual = 0;   ///< m/s, largest velocity error of a contact
+  double tolerance = 0;  ///< m/s
+};
+
 struct RigidWork {
   std::vector<ExactSum> sums;           ///< sums over the particles of this rank, by row
   std::vector<std::int64_t> words;      ///< words of the sums, for their exchange
   std::vector<std::uint64_t> departed;  ///< pieces with particles that left this rank in the last migration
   SharedPieces shared;
+  ContactUse contacts;
   bool atStart = false;      ///< the next evaluation makes the pieces of the start
   bool changedHere = false;  ///< particles left the domain with their pieces
 };

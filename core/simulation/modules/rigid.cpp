@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "core/rigid/contact_impulses.hpp"
+#include "core/rigid/breaking/break_pieces.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/motion.hpp"
 #include "core/rigid/update_pieces.hpp"
@@ -50,7 +50,7 @@ StepModule rigidBodies() {
               }
               // At the end of the scene no limit on the step exists.
               const double planned = nextStep(c.w.clock);
-              findContactImpulses(view, c.halos, std::isfinite(planned) ? planned : c.w.clock.stepDt);
+              touchAndBreak(view, c.halos, std::isfinite(planned) ? planned : c.w.clock.stepDt);
               c.t.times.lap(StepPhase::Contact);
             }}}};
 }

@@ -16,6 +16,8 @@
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/link_pieces.hpp"
+#include "core/rigid/rigidify/deforming.hpp"
+#include "core/rigid/sleeping_pieces.hpp"
 #include "core/rigid/surface_elements.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/sheet/contact/face_contact.hpp"
@@ -300,6 +302,7 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   recordStored(w, t, -1, jump);
   if (w.modules.oriented) applyPendingImpulse(w.oriented.rows, w.clock, w.ledger);
   if (w.modules.sleep) wakeEverything(w.particles);
+  if (w.modules.pieceSleep) wakePieces(w.pieces);
   evaluateNow(w, halos, t);
   findStoredEnergy(w, t);
   recordStored(w, t, 1, jump);

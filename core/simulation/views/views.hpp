@@ -39,7 +39,8 @@ inline OrientedView orientedView(World& w, StepTools& t) {
 }
 
 inline RigidView rigidView(World& w, StepTools& t) {
-  return {w.scene, w.grid, w.particles, w.cells, w.pieces, w.walls, w.ledger, t.rigid};
+  return {w.scene,  w.grid,  w.particles, w.cells, w.pieces,  w.walls,
+          w.ledger, t.rigid, w.modules,   w.clock, w.counters};
 }
 
 inline SheetView sheetView(World& w) {

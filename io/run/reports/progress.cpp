@@ -65,12 +65,15 @@ Columns columnsOf(const Progress& p, const RunSummary& s) {
   add("energy_scale_J", l.energyLargest);
   add("energy_rounding_J", l.energyRounding);
   add("heat_residual_J", l.heatResidual);
-  for (const char* name : {"density", "divergence", "viscosity"}) {
+  for (const char* name : {"density", "divergence", "viscosity", "contact"}) {
     const SolverUse* use = nullptr;
     for (const SolverUse& u : s.solvers)
       if (std::string(u.name) == name) use = &u;
     c.push_back({fmt::format("{}_iterations", name), use ? fmt::format("{}", use->last) : ""});
     c.push_back({fmt::format("{}_iterations_mean", name), use ? fmt::format("{}", use->mean) : ""});
+    if (std::string(name) != "contact") continue;
+    add("contact_residual_m_per_s", use ? fmt::format("{}", use->residual) : "");
+    add("contact_tolerance_m_per_s", use ? fmt::format("{}", use->tolerance) : "");
   }
   const SurfaceSummary& f = s.surface;
   double volume = 0;
@@ -133,7 +136,10 @@ std::string statusLine(const Progress& p, const LedgerReport& l) {
 
 std::string progressOf(const std::vector<SolverUse>& solvers) {
   std::string line;
-  for (const SolverUse& s : solvers) line += fmt::format("  {} {} it", s.name, s.last);
+  for (const SolverUse& s : solvers) {
+    line += fmt::format("  {} {} it", s.name, s.last);
+    if (s.tolerance > 0) line += fmt::format(" ({:.0e} of {:.0e} m/s)", s.residual, s.tolerance);
+  }
   return line;
 }
 

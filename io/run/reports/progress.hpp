@@ -23,7 +23,8 @@ std::string progressLine(const Progress& progress, const LedgerReport& ledger);
 /// Returns "[=======>            ]  36 %  left 12 min 6 s  t 0.4819 s  dt 8.0e-05 s (elastic waves)  liquid
 /// 9.2 %  residual +9.4e-04", for a line that is redrawn in place.
 std::string statusLine(const Progress& progress, const LedgerReport& ledger);
-/// Returns "  density 7 it  viscosity 12 it", for the last step.
+/// Returns "  density 7 it  contact 12 it (2e-06 of 3e-06 m/s)", for the last step: iterations, and the error
+/// of contacts with its tolerance.
 std::string progressOf(const std::vector<SolverUse>& solvers);
 /// Returns "  surfels 60123", or "" without a surface.
 std::string progressOf(const SurfaceSummary& surface);

@@ -15,6 +15,7 @@ struct SolverUse {
   const char* name;
   std::int64_t last;
   double mean;
+  double residual = 0, tolerance = 0;  ///< m/s, of contacts in the last step; 0 for other solvers
 };
 
 /// Returns the use of each solver of the scene. On the first rank, whose counters have it.

@@ -51,7 +51,10 @@ void checkRigid(const SceneReading& x, std::vector<SceneError>& errors) {
                                                   rigid->name, what)});
   };
   refuse(n.viscosity == ViscosityForm::Laplacian, "numerics.viscosity = \"laplacian\"");
-  refuse(n.sleepSpeed > 0, "numerics.sleep_speed");
+  const bool elastic = std::any_of(s.materials.begin(), s.materials.end(), [](const Material& m) {
+    return m.canBeSolid() && !m.isRigid() && !m.liquidAtStart;
+  });
+  refuse(n.sleepSpeed > 0 && elastic, "numerics.sleep_speed in a scene that also has elastic solids");
   for (const Emitter& e : s.emitters) {
     if (e.material < 0) continue;  // reported already
     const Material& m = s.materials[static_cast<std::size_t>(e.material)];

@@ -114,10 +114,12 @@ void readLiquid(TableReader& r, Material& m) {
 }
 
 void readSolid(TableReader& r, Material& m) {
+  Blend young = m.impactModulus > 0 ? Blend{m.impactModulus, 0} : m.young;
   r.blend({"young", "Pa", notNegative(), Liquid::Unchanged,
            "Young's modulus; above 0 the material can be solid. A single value is for the solid, and the "
            "liquid has 0"},
-          m.young);
+          young);
+  if (r.reading()) m.young = young;
   r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
   readLaw(r, m);
   r.blend({"yield_strain", "", orNever(positive()), Liquid::Same,
@@ -138,6 +140,9 @@ void readSolid(TableReader& r, Material& m) {
   r.number("hourglass", m.hourglass, "", between(0, 10), "strength of the control of zero-energy modes");
   r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}),
            "length at which a bond breaks, as a multiple of its rest length; \"never\": no bond breaks");
+  r.number("strength", m.strength, "Pa", orNever(positive()),
+           "tensile stress at which rigid pieces (law = \"rigid\") break in an impact. It needs young, which "
+           "gives the duration of the impact. \"never\": they do not break");
   r.number("damping", m.damping, "1/s", notNegative(),
            "rate at which velocity differences of bonded particles decay");
   r.flag("weld", m.weld, "solids of this material that touch after freezing weld together");
@@ -241,6 +246,12 @@ void checkMaterial(TableReader& r, const Material& m) {
          {"yield_strain", "creep_rate", "hardening", "max_plastic_strain", "break_stretch", "weld"})
       if (r.has(key))
         r.fail(key, "a rigid solid (law = \"rigid\") has none: remove it, or choose another law");
+  if (m.strength < never && !m.isRigid())
+    r.fail("strength", "only rigid solids (law = \"rigid\") have one: other solids break at break_stretch",
+           {"law"});
+  if (m.strength < never && m.isRigid() && !(m.young.solid > 0))
+    r.fail("strength", "needs Young's modulus, which gives the duration of an impact: give young, too",
+           {"young", "law"});
   if (m.hardening > 0 && !r.has("yield_strain"))
     r.fail("hardening", "needs yield_strain: only a material that yields can harden");
 }
@@ -266,6 +277,7 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
   if (!m.densityTable.empty())
     m.density = valueAt(m.densityTable, referenceTemperature(x.scene->domain, m), Interpolation::Linear);
   if (m.isRigid()) {
+    if (m.strength < never) m.impactModulus = m.young.solid;
     m.young = m.poisson = {};
     m.volumeStiffness = m.hourglass = m.damping = 0;
   }

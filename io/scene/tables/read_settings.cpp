@@ -207,13 +207,13 @@ void readNumerics(TableReader& r, Numerics& n) {
            "awake or wakes it. With a shorter time, a solid with weak vibrations sleeps sooner");
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(),
            "rate of change of the temperature that keeps a solid awake or wakes it");
-  r.number("rigidify", n.rigidify, "1/s", notNegative(),
+  r.number("rigidify", n.rigidify, "1/s", orOff(notNegative()),
            "parts of elastic solids whose rate of strain stays below this for the time sleep_after move as "
            "rigid pieces. They become elastic when they deform, soften, or come near an obstacle or another "
            "body. No elastic forces are computed for them. While all solids are rigid, the elastic limit of "
            "the step does not apply. The value must be below the rates of vibrations that matter, such as "
            "0.1 for stiff bodies. Not with rigid, yielding or breaking materials, extension laws, "
-           "sleep_speed or elastic_substeps. 0: off");
+           "sleep_speed or elastic_substeps. 0 or \"off\": none");
   r.restart(Restart::Free);
   r.whole("retry_every", n.retryEvery, 0, 1000000000,
           "steps between snapshots in memory. A run that fails goes back to the last one and continues with "

@@ -138,6 +138,7 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
     v = static_cast<double>(i->get());
   } else if (const auto* s = n.as_string()) {
     if (range.orNever && s->get() == "never") return value = never, true;
+    if (range.orOff && s->get() == "off") return value = 0, true;
     const Quantity q = parseQuantity(s->get());
     v = q.value;
     good = q.error.empty() && (!q.hasUnit || q.dimension == dimensionOf(unit));
@@ -146,9 +147,7 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
     good = false;
   }
   if (!good) {
-    refuse(key, n,
-           fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.orNever ? " or \"never\"" : "",
-                       shown(n), why));
+    refuse(key, n, fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.words(), shown(n), why));
     return false;
   }
   if (!std::isfinite(v)) {

@@ -20,7 +20,11 @@ std::string Range::text() const {
   else if (low > -never && openLow) t = fmt::format("> {} and <= {}", low, high);
   else if (low > -never && openHigh) t = fmt::format(">= {} and < {}", low, high);
   else if (low > -never) t = fmt::format("{} ... {}", low, high);
-  return orNever ? t + " or \"never\"" : t;
+  return t + words();
+}
+
+std::string Range::words() const {
+  return std::string(orNever ? " or \"never\"" : "") + (orOff ? " or \"off\"" : "");
 }
 
 std::string Range::requirement() const {

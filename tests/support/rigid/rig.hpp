@@ -127,7 +127,7 @@ struct RigidRig {
     last = solveContacts(motion, solved, settings, exchange, all, changes);
     iterations += last.iterations;
     for (std::size_t i = 0; i < solved.size(); i++) contacts[i].contact.impulse = solved[i].impulse;
-    keepImpulses(contacts, *particles);
+    keepImpulses(contacts, *table, *particles);
     for (std::size_t i = 0; i < origin.size(); i++) {
       const auto [k, at] = origin[i];
       pieces[k].partner[at] = particles->contactPartner[i];

@@ -46,6 +46,7 @@ const CHARTS = [
       ['density_iterations', 'density'],
       ['divergence_iterations', 'divergence'],
       ['viscosity_iterations', 'viscosity'],
+      ['contact_iterations', 'contact'],
     ],
   },
   { file: 'progress.csv', title: 'steps a second', lines: [['steps_per_second', 'steps/s']] },

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rigid pieces break where their strength is exceeded in an impact [MMDJ01]. The stress follows from a static
+// elastic solve (elastic_solve.hpp). A piece is cut along a plane through its most stressed bond, normal to
+// the principal stress there. The parts keep the motion of the piece, and contacts are solved again.
+#pragma once
+#include "core/halo/halos.hpp"
+#include "core/rigid/rigid_view.hpp"
+
+namespace thaw {
+
+/// Finds the contact impulses of the next step, of dt (s). In scenes with breaking pieces, breaks those that
+/// their impulses overload, and their parts, up to mostCuts times. Requires: as findContactImpulses.
+/// Collective.
+void touchAndBreak(const RigidView& view, const Halos& halos, double dt);
+
+/// Largest number of cuts after each other in a step.
+inline constexpr int mostCuts = 6;
+
+}  // namespace thaw

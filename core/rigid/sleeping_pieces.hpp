@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sleep of rigid pieces. A piece is at rest in a step if it is slower than numerics.sleep_speed, accelerates
+// by less than sleep_speed / sleep_after, and its weight is its only load besides contacts. Pieces::restTime
+// is its rest time. It falls asleep when it and all pieces that it touches have a rest time of sleep_after,
+// and no obstacle that it touches moves. Asleep, it is fixed in place by an impulse that balances its weight,
+// and for other pieces it is immovable. It wakes when
+//   - a piece that moves touches it, in the same step and before impulses are found,
+//   - a moving obstacle touches it, or an obstacle vanishes,
+//   - it has another load, for example from liquid that appeared beside it,
+//   - particles near it join or leave pieces.
+// All this follows from rows of pieces, which have the same bits on all ranks, and from sums over contacts.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/halo/halos.hpp"
+#include "core/rigid/contact/find_contacts.hpp"
+#include "core/rigid/rigid_view.hpp"
+
+namespace thaw {
+
+/// Wakes all pieces.
+void wakePieces(Pieces& pieces);
+
+/// Wakes pieces with loads other than their weight, and all pieces if an obstacle vanishes about now. dt:
+/// next step (s).
+void wakeLoaded(const RigidView& view, double dt);
+
+/// Wakes pieces near particles that join or leave pieces: they may have lost what they lie on. Requires:
+/// Continuum::pieceLabel of the new pieces, and rows of the former pieces of owned particles and ghosts.
+/// Collective.
+void wakeNearChanges(const RigidView& view, Reducer& all);
+
+/// Wakes sleeping pieces that a moving piece or obstacle touches. Returns true if some piece of any rank
+/// woke. Collective.
+bool wakeTouched(const RigidView& view, std::span<const FoundContact> contacts, Reducer& all);
+
+/// Makes sleeping pieces immovable for the contact solver.
+void holdSleeping(const Pieces& pieces, std::span<PieceMotion> motions);
+
+/// Contacts of the next step, and what follows from them.
+struct RestInput {
+  std::span<const FoundContact> contacts;
+  std::span<const PieceMotion> after;  ///< motion of each row in that step
+  double dt;                           ///< s, length of that step
+};
+
+/// Updates rest times, and lets pieces fall asleep. Collective.
+void updateRest(const RigidView& view, const RestInput& input, Reducer& all);
+
+/// Sets the impulses of sleeping pieces for the next step, of dt (s): they bring the piece to rest.
+void balanceSleeping(Pieces& pieces, double dt);
+
+/// Returns the number of particles of this rank in sleeping pieces.
+std::int64_t countAsleep(const Pieces& pieces);
+
+}  // namespace thaw
