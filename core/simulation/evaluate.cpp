@@ -25,6 +25,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/views/rigidify_views.hpp"
 #include "core/time/frame_times.hpp"
+#include "core/walls/vanished_walls.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
@@ -39,6 +40,7 @@ struct Evaluation {
   WallContext walls;
   bool neighbours = false;  ///< some sum over neighbours is needed
   Exchange solidPositions = {};
+  VanishedWalls vanished = {};  ///< without walls unless some vanished in this step
 };
 
 WallContext wallContextOf(World& w, StepTools& t, double dt) {
@@ -84,6 +86,8 @@ void sumDensities(Evaluation& e) {
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, e.dt);
   }
   if (m.sleep) dropSkippedContacts(t.sleep, t.wallContacts);
+  if (!e.vanished.walls.list.empty())
+    recordVanished(e.walls, {t.surface, t.inverseLatticeSum}, e.vanished, t.wallContacts);
   if (m.fluid && !m.continuity) addWallRelativeDensity(e.walls, t.inverseLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (m.continuity && e.neighbours) finishCarry(carryContext(w, t, e.dt));
@@ -187,6 +191,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.hooks.after(HookPhase::Redistribute);
   Evaluation e{w, halos, t, dt, wallContextOf(w, t, dt)};
   // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
+  if (dt > 0 && someVanished(w.walls, w.clock.time)) findVanished(e.walls, w.clock.time, e.vanished);
   findWallContacts(e.walls, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (w.modules.sleep) beginSleep(sleepView(w, t), dt);

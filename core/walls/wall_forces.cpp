@@ -11,6 +11,7 @@
 #include "core/materials/rest_density.hpp"
 #include "core/particles/elastic_pieces.hpp"
 #include "core/particles/sleep_stage.hpp"
+#include "core/walls/wall_spring.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
@@ -93,23 +94,13 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
   act.resist(tangential * -rate, at.velocity);
 }
 
-/// Adds a spring with dashpot (CS79) and Coulomb friction: for solids within half a spacing;
-/// for liquids, which pressure supports, only within a quarter.
+/// Adds a spring with dashpot (CS79) and Coulomb friction.
 void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum& p, WallAction& act) {
-  const double dx = x.world.scene.spacing, f = at.liquid, m = p.mass[at.row];
-  const double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[at.row]) : 0.5;
-  const double gap = dx * (rest + f * (0.25 - rest)) - at.contact.distance;
-  if (gap <= 0) return;
+  const WallSpring contact = wallSpringOf(x, at.contact);
+  const double dx = x.world.scene.spacing, f = at.liquid, m = p.mass[at.row], gap = contact.gap,
+               k = contact.stiffness;
+  if (gap <= 0 || k <= 0) return;
   const Vec3d& n = at.contact.normal;
-  // The incompressible solver stops liquids at walls (stopAtWalls); the spring of the state equation is too
-  // stiff for its steps.
-  const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[at.row]].stiffness;
-  // A particle that evaporates keeps the frequency of a full one.
-  const double filled = x.world.modules.evaporation
-                            ? m / (restDensityOf(p, x.world.scene.materials, at.row) * dx * dx * dx)
-                            : 1;
-  const double k = (at.material.young.at(f) + f * liquid) * dx * filled;
-  if (k <= 0) return;
   const double restitution = f < 1 ? std::min(at.wall.restitution, at.material.restitution) : 0.2;
   const double un = dot(at.velocity, n), spring = k * gap;
   // A contact never pulls.
@@ -118,9 +109,10 @@ void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum&
   act.resist(n * dash, at.velocity);
   p.interaction[at.row] += 0.5 * k * gap * gap;
   if (p.softening.active)
-    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + liquid) * dx * filled *
-                               gap * gap -
-                           (rest - 0.25) * dx * k * gap;
+    p.softening[at.row] += 0.5 *
+                               (at.material.young.liquid - at.material.young.solid + contact.liquid) * dx *
+                               contact.filled * gap * gap -
+                           (contact.rest - 0.25) * dx * k * gap;
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;
