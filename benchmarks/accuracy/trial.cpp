@@ -71,6 +71,7 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
   if (c.place) c.place(r);
   r.tools.bondsAtStart = w.modules.solid;
   r.tools.emitFirst = true;
+  r.tools.rigid.atStart = w.modules.rigid && !w.modules.rigidify;
   initializeForces(w, r.halos(), r.tools);
   if (c.start) {
     c.start(r);
