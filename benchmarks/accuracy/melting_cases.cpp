@@ -16,9 +16,9 @@ namespace {
 struct PressedMelt {
   const Scene& s;
   const Material& wax = s.materials[static_cast<std::size_t>(s.bodies[0].material)];
-  Vec3d size = s.bodies[0].shape.size;                                        // m
+  Vec3d size = s.bodies[0].shape.size;                                               // m
   double warmer = *s.obstacles[0].temperature - 0.5 * (wax.solidus + wax.liquidus);  // K
-  double area = size.x * size.y, half = 0.5 * size.x;                         // m^2, m
+  double area = size.x * size.y, half = 0.5 * size.x;                                // m^2, m
 
   double film(double speed) const {
     return wax.conductivity.liquid * warmer / (wax.density * wax.latentHeat * speed);
@@ -38,14 +38,15 @@ void watchMelt(Trial& r) {
   if (r.world.clock.step % every != 0) return;
   const PressedMelt x{r.world.scene};
   const auto ofBody = [&](std::uint32_t body, auto&& value) {
-    return sum(r, [&](const World& w, std::size_t i) {
-      return w.particles.body[i] == body ? value(w, i) : 0.0;
-    });
+    return sum(
+        r, [&](const World& w, std::size_t i) { return w.particles.body[i] == body ? value(w, i) : 0.0; });
   };
   const double wax = ofBody(0, solidMass), slab = ofBody(1, solidMass),
-               height = ofBody(1, [](const World& w, std::size_t i) {
-                          return w.particles.mass[i] * w.particles.position[i].z;
-                        }) / slab;
+               height = ofBody(1,
+                               [](const World&w, std::size_t i) {
+                                 return w.particles.mass[i] * w.particles.position[i].z;
+                               }) /
+                        slab;
   const double start = x.wax.density * x.area * x.size.z,
                under = height - 0.5 * r.world.scene.bodies[1].shape.size.z - wax / (x.wax.density * x.area);
   r.series.push_back({r.world.clock.time, {start - wax, wax + slab, under}});
@@ -141,7 +142,7 @@ std::vector<Figure> measureFront(Trial& r) {
 
 std::vector<Case> meltingCases() {
   return {{.name = "contact_melting",
-           .about = "a block that melts on a warm plate under a load, against the film of Moallemi et al. 1986",
+           .about = "block that melts on a warm plate under a load, against Moallemi et al. 1986",
            .watch = watchMelt,
            .measure = measureMelt,
            .adapt = makeThin},

@@ -96,8 +96,7 @@ template<class Image> void eachImage(const Mirrors& m, const Vec3d& separation, 
 /// Gradient of a wall at a distance (h): the derivative of its part of the density, which is not that of the
 /// pressure force (tables.hpp).
 double wallGradient(const WallTables& tables, double distance) {
-  const double step = (1 - tables.lowest) / WallTables::points,
-               at = std::max(distance, tables.lowest + step);
+  const double step = (1 - tables.lowest) / WallTables::points, at = std::max(distance, tables.lowest + step);
   return (tables(at - step).space - tables(at + step).space) / (2 * step);
 }
 

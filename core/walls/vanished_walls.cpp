@@ -44,13 +44,14 @@ void findVanished(const WallContext& x, double since, VanishedWalls& v) {
   v.walls = x.world.walls;
   for (Wall& w : v.walls.list) w.present = w.present || vanished(w, since);
   const WallView& w = x.world;
-  WallContext before{{w.scene, w.modules, w.grid, w.particles, w.cells, w.solids, v.walls, w.ledger, w.counters},
-                     x.tables,
-                     x.liquids,
-                     x.dt,
-                     x.span,
-                     x.fast,
-                     x.steady};
+  WallContext before{
+      {w.scene, w.modules, w.grid, w.particles, w.cells, w.solids, v.walls, w.ledger, w.counters},
+      x.tables,
+      x.liquids,
+      x.dt,
+      x.span,
+      x.fast,
+      x.steady};
   findWallContacts(before, v.contacts);
   for (WallContact& c : v.contacts.list) {
     const Wall& wall = v.walls.list[c.wall];

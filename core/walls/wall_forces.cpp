@@ -109,8 +109,7 @@ void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum&
   act.resist(n * dash, at.velocity);
   p.interaction[at.row] += 0.5 * k * gap * gap;
   if (p.softening.active)
-    p.softening[at.row] += 0.5 *
-                               (at.material.young.liquid - at.material.young.solid + contact.liquid) * dx *
+    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + contact.liquid) * dx *
                                contact.filled * gap * gap -
                            (contact.rest - 0.25) * dx * k * gap;
   const Vec3d tangential = at.velocity - n * un;
