@@ -6,8 +6,8 @@ namespace thaw::accuracy {
 std::vector<Case> allCases() {
   std::vector<Case> all;
   for (const auto& part : {flowCases(), stretchedCases(), viscousCases(), yieldCases(), tensionCases(),
-                           solidCases(), heatCases(), sourceCases(), convectionCases(), mixedCases(),
-                           floatingCases(), tankCases(), surfaceCases()})
+                           solidCases(), heatCases(), sourceCases(), convectionCases(), meltingCases(),
+                           mixedCases(), floatingCases(), tankCases(), surfaceCases()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -237,6 +237,8 @@ CASES = {
         {"max_density_error": ["0.0025"], "pressure_solver": ["incompressible"]},
     ),
     "cavity_1e5": (["0.025", "0.0166666666666667"], "0.0166666666666667", {}),
+    "contact_melting": (["0.001"], "0.001", {}),
+    "gallium": (["0.0333333333333333"], "0.0333333333333333", {}),
     # surfaces; targets hold from R/dx = 16 on
     "surface_ball": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {**SURFACE, **FINE_SURFELS}),
     "surface_ball_relaxed": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {}),

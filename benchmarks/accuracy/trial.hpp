@@ -69,6 +69,7 @@ std::vector<Case> solidCases();
 std::vector<Case> heatCases();
 std::vector<Case> sourceCases();  ///< lasers that move
 std::vector<Case> convectionCases();
+std::vector<Case> meltingCases();   ///< melting that flow governs
 std::vector<Case> mixedCases();     ///< liquids and solids in one scene
 std::vector<Case> floatingCases();  ///< solids that float, sink and rise in water
 std::vector<Case> tankCases();      ///< tanks that are no multiple of the spacing

@@ -2,6 +2,7 @@
 #include "core/heat/evaporation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/fluid/laws/particle_pressure.hpp"
@@ -56,44 +57,47 @@ template<class Select, class Row> void eachRow(const EvaporationView& v, Select&
     }
 }
 
-/// Fraction of the gradient along a wall that neighbours behind its surface would give, by the distance of
-/// the particle in spacings: at 0.5, 1.5, ...
-std::vector<double> hiddenFractions(const Numerics& n) {
-  const int reach = static_cast<int>(std::ceil(n.support));
-  std::vector<double> hidden(static_cast<std::size_t>(reach) + 1, 0.0);
-  double all = 0;
-  for (int x = -reach; x <= reach; x++)
-    for (int y = -reach; y <= reach; y++)
-      for (int z = 1; z <= reach; z++) {
-        const double q2 = (x * x + y * y + z * z) / (n.support * n.support);
-        if (q2 >= 1) continue;
-        const double part = withKernel(n.kernel, [&](auto kernel) { return -kernel.slope(q2); }) * z * z;
-        all += part;
-        for (int k = 1; k <= x; k++) hidden[static_cast<std::size_t>(k) - 1] += part;
-      }
-  for (double& one : hidden) one /= all;
-  return hidden;
-}
+/// Walls near a particle, as planes that mirror the liquid. Walls that coincide count once.
+struct Mirrors {
+  static constexpr std::size_t most = 3;
+  std::array<Vec3d, most> normal;
+  std::array<double, most> distance;  ///< support radii
+  std::size_t count = 0;
+};
 
-double hiddenAt(const std::vector<double>& hidden, double spacings) {
-  const double at = std::max(spacings - 0.5, 0.0);
-  const auto k = static_cast<std::size_t>(at);
-  if (k + 1 >= hidden.size()) return 0;
-  return hidden[k] + (at - static_cast<double>(k)) * (hidden[k + 1] - hidden[k]);
-}
-
-/// Adds walls to an exposure: their own gradient, and along them what neighbours behind them would give.
-Vec3d withWalls(const EvaporationView& v, const std::vector<double>& hidden, std::uint32_t i, Vec3d e) {
-  const Scene& s = v.heat.scene;
-  const double h = v.records.grid.support, scale = 2 * s.spacing / h;
+Mirrors mirrorsOf(const EvaporationView& v, std::uint32_t i) {
+  constexpr double sameDirection = 0.7;
+  Mirrors m;
   for (const WallContact& c : contactsOf(v.contacts, i)) {
-    const double more = 1 / (1 - c.share * hiddenAt(hidden, c.distance / s.spacing));
-    const Vec3d normal = c.normal * dot(e, c.normal);
-    e = normal + (e - normal) * more;
+    bool known = m.count == Mirrors::most;
+    for (std::size_t k = 0; k < m.count && !known; k++) known = dot(c.normal, m.normal[k]) > sameDirection;
+    if (known) continue;
+    m.normal[m.count] = c.normal;
+    m.distance[m.count++] = c.distance / v.records.grid.support;
   }
-  for (const WallContact& c : contactsOf(v.contacts, i))  // tables have twice the push of a wall
-    e -= c.normal * (0.5 * scale * v.tables(c.distance / h).push * c.share);
-  return e;
+  return m;
+}
+
+/// Calls image(d) for the images of a neighbour at the separation d (support radii) in one wall or several.
+/// Only the components along all of these walls remain: across a wall its own gradient acts.
+template<class Image> void eachImage(const Mirrors& m, const Vec3d& separation, Image&& image) {
+  for (unsigned walls = 1; walls < (1u << m.count); walls++) {
+    Vec3d d = separation;
+    for (std::size_t k = 0; k < m.count; k++)
+      if (walls >> k & 1) d += m.normal[k] * (2 * (m.distance[k] - dot(d, m.normal[k])));
+    const double q2 = dot(d, d);
+    if (q2 >= 1) continue;
+    for (std::size_t k = 0; k < m.count; k++)
+      if (walls >> k & 1) d -= m.normal[k] * dot(d, m.normal[k]);
+    image(d, q2);
+  }
+}
+
+/// Gradient of a wall at a distance (h): the derivative of its part of the density, which is not that of the
+/// pressure force (tables.hpp).
+double wallGradient(const WallTables& tables, double distance) {
+  const double step = (1 - tables.lowest) / WallTables::points, at = std::max(distance, tables.lowest + step);
+  return (tables(at - step).space - tables(at + step).space) / (2 * step);
 }
 
 /// Direction of the mean exposure around a particle, times the degree to which it is at a surface, 0 to 1.
@@ -223,17 +227,25 @@ void findExposure(const EvaporationView& v) {
   Continuum& p = v.heat.particles;
   const double h = v.records.grid.support, flat = flatLatticeIndicator(s.numerics),
                scale = 2 * s.spacing / (h * h * h * h);
-  const std::vector<double> hidden = hiddenFractions(s.numerics);
   std::fill_n(p.exposure.data(), p.owned, Vec3f{});
   const auto select = [&](std::uint32_t i) {
     return evaporates(s, p, i) && static_cast<double>(p.freeSurfaceIndicator[i]) > leastExposure * flat;
   };
   eachRow(v, select, [&](std::uint32_t i, auto&& neighbours) {
+    const Mirrors walls = mirrorsOf(v, i);
     Vec3d sum{};
     neighbours([&](std::uint32_t j, const Vec3d& d, double q2) {
-      sum += d * (volumeOf(s, p, j) * withKernel(s.numerics.kernel, [&](auto k) { return k.slope(q2); }));
+      const double V = volumeOf(s, p, j);
+      const auto add = [&](const Vec3d& to, double at) {
+        sum += to * (V * withKernel(s.numerics.kernel, [&](auto k) { return k.slope(at); }));
+      };
+      add(d, q2);
+      if (walls.count > 0) eachImage(walls, d, add);
     });
-    p.exposure[i] = single(withWalls(v, hidden, i, sum * scale));
+    Vec3d exposure = sum * scale;
+    for (std::size_t k = 0; k < walls.count; k++)
+      exposure -= walls.normal[k] * (2 * s.spacing / h * wallGradient(v.tables, walls.distance[k]));
+    p.exposure[i] = single(exposure);
   });
 }
 

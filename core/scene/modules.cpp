@@ -94,6 +94,14 @@ void findHeat(Finder& f) {
   }
 }
 
+/// Returns true if there is a wall without a contact angle of its own.
+bool hasPlainWalls(const Scene& s) {
+  for (const auto& axis : s.domain.side)
+    if (axis[0] == Side::Wall || axis[1] == Side::Wall) return true;
+  return std::any_of(s.obstacles.begin(), s.obstacles.end(),
+                     [](const Obstacle& o) { return !(o.contactAngle < never); });
+}
+
 /// Activates contact angles if a liquid meets walls at one other than 90 degrees.
 void findAngles(Finder& f, const Material& liquid) {
   const std::string who = "material " + quoted(liquid.name);
@@ -102,7 +110,7 @@ void findAngles(Finder& f, const Material& liquid) {
     std::snprintf(degrees, sizeof degrees, "%.4g", angle * (180 / std::numbers::pi));
     return std::string(degrees) + " degrees";
   };
-  if (wettingOf(liquid.contactAngle) != 0)
+  if (wettingOf(liquid.contactAngle) != 0 && hasPlainWalls(f.s))
     f.on(f.m.contactAngle, "contact angles", who + " meets walls at " + text(liquid.contactAngle));
   for (const Obstacle& o : f.s.obstacles)
     if (o.contactAngle < never)

@@ -6,6 +6,7 @@
 #include "core/simulation/time/step_reduction.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
+#include "core/walls/vanished_walls.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {
@@ -20,6 +21,7 @@ struct StepContext {
   WallContext walls;
   bool leftBonds = false;   ///< a particle with bonds left the domain
   bool justFrozen = false;  ///< particles froze in the last step: contacts record their jump of energy
+  VanishedWalls vanished = {};  ///< without walls unless some vanished in this step
   Exchange solidPositions = {}, densities = {}, stress = {};  ///< in flight
   StepLimits limits = {};                                     ///< s, of this rank's particles
   StepReduction reduction = {};

@@ -93,8 +93,7 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
   act.resist(tangential * -rate, at.velocity);
 }
 
-/// Adds a spring with dashpot (CS79) and Coulomb friction: for solids within half a spacing;
-/// for liquids, which pressure supports, only within a quarter.
+/// Adds a spring with dashpot (CS79) and Coulomb friction.
 void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum& p, WallAction& act) {
   const double f = at.liquid, m = p.mass[at.row];
   const WallSpring wall = wallSpring(x, at.row);

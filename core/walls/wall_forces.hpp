@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wall forces on particles: support of liquids (relative density, pressure, drag), contact of solids, heat.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,12 +27,19 @@ struct WallContext {
   bool sleeps(std::size_t i) const { return steady && (*steady)[i]; }
 };
 
-/// Spring of a particle's contact with walls.
+/// Spring of a particle's contact with walls. It acts on solids within half a spacing, and on liquids, which
+/// pressure supports, within a quarter.
 struct WallSpring {
   double length;             ///< m, distance below which it pushes
   double stiffness;          ///< N/m
   double lengthByLiquid;     ///< m, derivative by the liquid fraction
   double stiffnessByLiquid;  ///< N/m, derivative by the liquid fraction
+
+  /// Returns the energy (J) at a distance (m) from the wall.
+  double energy(double distance) const {
+    const double gap = std::max(0.0, length - distance);
+    return 0.5 * std::max(0.0, stiffness) * gap * gap;
+  }
 };
 WallSpring wallSpring(const WallContext& context, std::size_t row);
 

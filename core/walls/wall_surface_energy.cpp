@@ -115,6 +115,21 @@ double tensionOfParticle(const WallView& w, std::size_t i) {
 
 double surfaceEnergyOf(const SurfaceContext& x, const SurfaceParticle& p) { return stateOf(x, p).energy; }
 
+double surfaceEnergyWith(const SurfaceContext& x, std::uint32_t i, std::span<const WallContact> contacts) {
+  const WallView& w = x.world;
+  const Continuum& p = w.particles;
+  const double tension = liquidFraction(p, i) * tensionOfParticle(w, i);
+  if (!(tension > 0)) return 0;
+  SurfaceKernelValue sums{p.surfaceGradient[i], p.surfaceColour[i]};
+  for (const WallContact& c : contacts) {
+    const WallColour t = atWall(w.scene, w.grid, c);
+    sums.gradient += c.normal * (t.slope * c.share);
+    sums.colour += t.colour * c.share;
+  }
+  const auto angles = w.modules.contactAngle ? contacts : std::span<const WallContact>();
+  return surfaceEnergyOf(x, {i, tension, sums, angles}) * p.mass[i] / restDensityOf(p, w.scene.materials, i);
+}
+
 void findSurfaceEnergy(const WallContext& walls, const SurfaceMeasure& measure,
                        const WallContacts& contacts) {
   const WallView& w = walls.world;

@@ -39,6 +39,11 @@ struct SurfaceParticle {
 /// Surface energy per volume (J/m^3) of a particle.
 double surfaceEnergyOf(const SurfaceContext& context, const SurfaceParticle& particle);
 
+/// Surface energy (J) of a particle with these contacts. Requires: surfaceGradient and surfaceColour without
+/// walls.
+double surfaceEnergyWith(const SurfaceContext& context, std::uint32_t row,
+                         std::span<const WallContact> contacts);
+
 /// Adds the walls to surfaceGradient and surfaceColour of owned particles, computes surfaceEnergyByGradient
 /// and surfaceEnergyByColour, and adds E to Continuum::interaction. With contact angles it also adds the
 /// forces of walls, their work and impulse, which addWallForces then leaves out.

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A drop that wets one wall and beads on another, melts a solid into itself and has a tension by temperature
 # has the same bits on 1, 2, 3, 4 and 7 ranks and over a restart. Liquid leaves through an open side, and an
-# obstacle moves. Without the keys the modules are off.
+# obstacle moves and vanishes. Without the keys the modules are off.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/wet.toml" <<'T'
 title   = "Drops on walls"
@@ -53,6 +53,7 @@ name          = "piston"
 box           = { size = [0.006, 0.03, 0.03] }
 place         = { bottom = [0.016, 0, -0.001] }
 contact_angle = "130 deg"
+until         = "35 ms"
 motion        = [{ time = 0, move = [0, 0, 0] }, { time = 1, move = [-0.02, 0, 0] }]
 T
 sameOnAllRanks wet 75 "25 50" "$work/wet.toml"

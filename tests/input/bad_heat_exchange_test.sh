@@ -12,7 +12,7 @@ accepts "a liquid that evaporates" run \
 accepts "a table by temperature" check \
   "$(with table 'evaporation = [["20 degC", 0], [373.15, "1 kg\/(m^2 s)"]]')"
 accepts "a mush with contacts" check "$(with good_mush 'young = 1e4\nmelts = [300, 310]\n'\
-'heat_capacity = 1000\nmush_drag = 1e6\ncontact_conductance = "500 W\/(m^2 K)"')"
+'heat_capacity = 1000\nconductivity = 1\nmush_drag = 1e6\ncontact_conductance = "500 W\/(m^2 K)"')"
 rejects "a negative rate" "negative\.toml:8:[0-9]+: error: ${key}evaporation: must be >= 0" \
   2 run "$(with negative 'evaporation = -1')"
 rejects "a rate in another unit" "${key}evaporation: expected a mass flow per area .*got \"1 kg.s\"" \
@@ -25,6 +25,9 @@ rejects "a heat without a rate" "${key}evaporation_heat: has no effect without e
   2 check "$(with no_rate 'evaporation_heat = 1e6')"
 rejects "no conductance" "${key}contact_conductance: must be > 0" \
   2 check "$(with none 'contact_conductance = 0')"
+rejects "contacts that conduct no heat" \
+  "idle\.toml:8:[0-9]+: error: ${key}contact_conductance: has no effect without conductivity" \
+  2 check "$(with idle 'contact_conductance = 5')"
 rejects "a mush that never melts" "${key}mush_drag: has no effect without melts" \
   2 check "$(with never_melts 'young = 1e4\nmush_drag = 1e6')"
 rejects "a drag in another unit" "${key}mush_drag: expected a drag coefficient" 2 check \

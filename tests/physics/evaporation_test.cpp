@@ -75,6 +75,31 @@ TEST(Evaporation, LedgerClosesWithShifting) {
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * std::abs(r.now.potential - r.initial.potential));
 }
 
+// Ten spacings across and deep, until a fifth is left.
+TEST(Evaporation, SmallVesselKeepsTheRate) {
+  Scene s = emptyScene(dx, {}, {10 * dx, 10 * dx, 16 * dx});
+  s.domain.gravity = {0, 0, -9.81};
+  s.domain.side[0] = s.domain.side[1] = {Side::Wall, Side::Wall};
+  s.domain.side[2] = {Side::Wall, Side::Open};
+  s.materials.emplace_back();
+  Material& m = s.materials[0];
+  m.viscosity = {0.05, 0.05};
+  m.artificialViscosity = 0.02;
+  m.soundSpeed = 8;
+  const double rate = 50;  // kg/(m^2 s)
+  m.evaporation = {{0, rate}};
+  addBox(s, {}, {10 * dx, 10 * dx, 10 * dx});
+  s.end = 1.6;
+  Simulation run(s);
+  double before = 0, time = 0;
+  for (int fifth = 1; fifth <= 4; fifth++) {
+    while (run.w.clock.time < fifth * 0.4 - 1e-9) ASSERT_TRUE(run.step());
+    const double gone = run.ledgerReport().evaporated;
+    EXPECT_NEAR((gone - before) / (rate * 100 * dx * dx * (run.w.clock.time - time)), 1, 0.05) << fifth;
+    before = gone, time = run.w.clock.time;
+  }
+}
+
 TEST(Evaporation, MeanRateFollowsTheTableExactly) {
   const TemperatureTable table{{300, 0}, {310, 1}, {320, 1}, {330, 3}};
   for (const double T : {305.0, 312.0, 327.0, 340.0})

@@ -186,5 +186,21 @@ TEST(ContactAngle, ObstacleOverridesTheMaterial) {
   EXPECT_TRUE(modulesOf(s).contactAngle);
 }
 
+// The reason that `thaw check` prints is an angle that acts.
+TEST(ContactAngle, ReasonNamesAnAngleThatActs) {
+  const auto reasonOf = [](const Scene& s) {
+    for (const std::string& why : modulesOf(s).why)
+      if (why.starts_with("contact angles")) return why;
+    return std::string();
+  };
+  Scene s = block(0.2, {-0.4, -0.4, 0}, {0.4, 0.4, 0.4});
+  s.materials[0].contactAngle = 30 * degree;
+  EXPECT_EQ(reasonOf(s), "");  // no walls
+  addFloor(s).contactAngle = 120 * degree;
+  EXPECT_NE(reasonOf(s).find("'floor' at 120 degrees"), std::string::npos);
+  s.domain.side[0][1] = Side::Wall;
+  EXPECT_NE(reasonOf(s).find("walls at 30 degrees"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace thaw

@@ -6,6 +6,7 @@ namespace thaw {
 std::vector<StepModule> stepModules() {
   return {solidContact(),
           sleepOfSolids(),
+          vanishingObstacles(),
           summedDensity(),
           carriedDensity(),
           shiftingInside(),

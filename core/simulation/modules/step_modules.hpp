@@ -24,6 +24,7 @@ struct StepModule {
 // In the order of stepModules().
 StepModule solidContact();
 StepModule sleepOfSolids();
+StepModule vanishingObstacles();
 StepModule summedDensity();
 StepModule carriedDensity();
 StepModule shiftingInside();

@@ -16,7 +16,6 @@
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/rigid/link_pieces.hpp"
-#include "core/rigid/rigidify/deforming.hpp"
 #include "core/rigid/sleeping_pieces.hpp"
 #include "core/rigid/surface_elements.hpp"
 #include "core/scene/full_box.hpp"

@@ -24,6 +24,8 @@ void readHeatExchange(TableReader& r, Material& m) {
 void checkHeatExchange(TableReader& r, const Material& m, bool paper) {
   for (const char* key : {"contact_conductance", "evaporation"})
     if (paper && r.has(key)) r.fail(key, "not available with numerics.heat = \"paper\"; use \"enthalpy\"");
+  if (r.has("contact_conductance") && !(m.conductivity.solid > 0 || m.conductivity.liquid > 0))
+    r.fail("contact_conductance", "has no effect without conductivity; give both");
   if (r.has("evaporation") && !canBeLiquid(m))
     r.fail("evaporation",
            "only liquids evaporate, and this material is always solid: remove it, or give melts",
