@@ -41,8 +41,8 @@ bool isName(const std::string& s) {
 constexpr const char* newbornName = "newborn";  // the field of declareNewborn
 
 /// Names that fields cannot have besides those of the model: computed fields of frames.
-constexpr const char* computedFields[] = {newbornName, "density",        "pressure", "stress",
-                                          "strain",    "plastic_strain", "rank",     "neighbours"};
+constexpr const char* computedFields[] = {newbornName, "density",        "pressure", "stress",    "strain",
+                                          "volume",    "plastic_strain", "rank",     "neighbours"};
 
 bool isFieldOfModel(const std::string& name) {
   Continuum particles;
@@ -96,8 +96,10 @@ void declare(const Extension& e, Continuum& p) {
 }
 
 void complete(ExtensionSettings& settings) {
-  if (const Extension* e = findExtension(settings.name))
-    for (const ExtensionKey& key : e->keys) settings.values.try_emplace(key.name, key.standard);
+  const Extension* e = findExtension(settings.name);
+  if (!e) return;
+  for (const ExtensionKey& key : e->keys) settings.values.try_emplace(key.name, key.standard);
+  settings.heats = e->heats;
 }
 
 void completeShape(Shape& s) {

@@ -52,7 +52,7 @@ struct Extension {
   PairForce pairForce = {};  ///< with kernels
   ExtensionLaw law = {};     ///< with lanes or response
   ShapeMaker shape = {};
-  bool heats = false;  ///< its load adds heat: scenes without heat are refused
+  bool heats = false;  ///< its load adds heat: a scene that names it has heat
 
   /// Returns true if it has a part that [extension.NAME] turns on.
   bool usesTable() const { return load || !fields.empty() || update || pairForce.kernels.sum; }
@@ -70,7 +70,7 @@ std::vector<std::string> extensionNames();
 /// Returns the names of those extensions for which `has` is true, in order.
 std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has);
 
-/// Adds the defaults of keys that a scene made in code leaves out.
+/// Adds the defaults of keys that a scene made in code leaves out, and sets which extensions heat.
 void completeExtensions(Scene& scene);
 
 /// Declares the fields of the scene's extensions in the particles, inactive.

@@ -77,8 +77,11 @@ void findHeat(Finder& f) {
       f.on(f.m.lamps, "heat sources", std::string(kind) + " " + quoted(one.name));
     }
   };
-  if (hasContinuum(s))
+  if (hasContinuum(s)) {
     source(s.lamps, "lamp"), source(s.lasers, "laser"), source(s.heatedRegions, "heated region");
+    for (const ExtensionSettings& e : s.extensions)
+      if (e.heats) f.on(f.m.heat, "heat", "extension " + quoted(e.name) + " heats bodies");
+  }
   for (const Material& m : s.materials) {
     if (!m.evaporation.empty()) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " evaporates");
     if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");

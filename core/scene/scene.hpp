@@ -302,6 +302,10 @@ struct Camera {
   double fieldOfView = 0.6;    // rad, vertical
 };
 
+/// Look of drops of one and two particles in pictures of a surface: ellipsoids along their motion, balls,
+/// nothing, or their own surfels.
+enum class Spray { Ellipsoids, Spheres, Hide, Surfels };
+
 struct Output {
   double every = 0.04;     // s of simulated time between frames
   double ledgerEvery = 0;  // s of simulated time between extra rows of ledger.csv; 0: only at frames
@@ -316,6 +320,7 @@ struct Output {
   std::optional<std::uint32_t> background;     // pictures; as Material::colour; none: a pale sky
   std::optional<Vec3d> sun;                    // direction from the scene to the sun of pictures; none: over
                                                // the camera's left shoulder
+  Spray spray = Spray::Ellipsoids;             // pictures
   int width = 1280, height = 960;
 };
 

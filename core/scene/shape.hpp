@@ -44,6 +44,7 @@ enum class ShapeKind {
 struct ExtensionSettings {
   std::string name;
   std::map<std::string, double> values;  // by key, SI
+  bool heats = false;                    // its load adds heat, so the scene has heat
 };
 
 /// Shape in its own frame, then scaled, rotated and moved. The signed distance is negative inside.

@@ -30,12 +30,6 @@ box = { size = [0.4, 0.4, 0.4] }
 place = { bottom = [0, 0, 0] }
 material = "wax"
 temperature = 300
-[[body]]
-name = "cold block"
-box = { size = [0.4, 0.4, 0.12] }
-place = { bottom = [0.5, 0, 0] }
-material = "wax"
-temperature = 290
 [extension.lamp]
 power = "500 W/kg"
 height = "20 cm"

@@ -64,7 +64,8 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
                   "frames at a time, or components of one frame (default: one per core)")
       ->check(CLI::Range(0, 4096));
   command.add_flag("--uv", o.uv,
-                   "texture coordinates of a surface, from the meshes of its bodies (ply, obj, vtp, usd)");
+                   "texture coordinates of a surface, from the meshes of its bodies (ply, obj, vtp, usd, "
+                   "vtkhdf, bgeo)");
   command.add_flag("--resume", o.resume,
                    "skip files that are complete: they exist and are newer than their frames");
   command
@@ -79,8 +80,10 @@ int exportCommand(const ExportOptions& options) {
   try {
     const ExportFormat& format = exportFormatNamed(options.as);
     if (options.uv && !format.keepsUv)
-      throw std::invalid_argument("--uv: '" + options.as +
-                                  "' has no texture coordinates; expected --as ply, obj, vtp, usd or usda");
+      throw std::invalid_argument(
+          "--uv: '" + options.as +
+          "' has no texture coordinates; expected --as ply, obj, vtp, usd, usda, vtkhdf "
+          "or bgeo");
     if (options.min && options.max && !(*options.max > *options.min))
       throw std::invalid_argument("--max must be above --min");
     colourMapNamed(options.map);

@@ -127,6 +127,7 @@ FrameJob jobOf(const RenderOptions& options) {
   if (options.height > 0) job.height = options.height;
   job.radius = static_cast<float>(options.radius);
   job.threads = options.threads;
+  if (!options.spray.empty()) job.spray = sprayNamed(options.spray);
   if (!options.obstacles) job.walls.list.clear();
   setCamera(options, job);
   return job;
@@ -197,9 +198,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
       .add_option(
           "--spray", o.spray,
           "drops of one and two particles of a surface: ellipsoids of their volume along their motion, "
-          "spheres, hide, or surfels")
-      ->check(CLI::IsMember({"ellipsoids", "spheres", "hide", "surfels"}))
-      ->capture_default_str();
+          "spheres, hide, or surfels (default: the scene's)")
+      ->check(CLI::IsMember({"ellipsoids", "spheres", "hide", "surfels"}));
   command.add_flag("--movie", o.movie, "make a movie (mp4) of the pictures as well; needs ffmpeg")
       ->excludes(latest);
   command.add_option("--rate", o.rate, "pictures per second of the movie")
@@ -215,7 +215,7 @@ int renderCommand(const RenderOptions& options) {
     const ViewStyle style{orientedLookNamed(options.look),
                           job.spacing,
                           job.periodic,
-                          {sprayNamed(options.spray), job.spacing, 0.5 * job.interval}};
+                          {job.spray, job.spacing, 0.5 * job.interval}};
     const std::vector<fs::path> written = renderFrames(
         job, [&](const std::filesystem::path& file, const std::string& field) {
           return readFullView(file, field, style);

@@ -30,11 +30,11 @@ struct RenderOptions {
   double radius = 0;  ///< radius of the spheres, in particle spacings, or of the discs of surfels, in their
                       ///< radii; 0: 0.7 and 1.25
   std::string look = "mesh";
-  std::string spray = "ellipsoids";  ///< look of drops of one and two particles (io/render/surfels/spray.hpp)
-  std::string what = "automatic";    ///< "surface", "particles", or the surface if there is one
-  bool movie = false;                ///< a movie of the pictures as well
-  double rate = 25;                  ///< pictures per second of the movie
-  int threads = 0;                   ///< 0: one per core
+  std::string spray;               ///< look of drops of one and two particles (Spray); empty: the scene's
+  std::string what = "automatic";  ///< "surface", "particles", or the surface if there is one
+  bool movie = false;              ///< a movie of the pictures as well
+  double rate = 25;                ///< pictures per second of the movie
+  int threads = 0;                 ///< 0: one per core
 };
 
 /// Adds the options of `thaw render` to its subcommand. `options` must outlive the parsing.

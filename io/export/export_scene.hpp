@@ -33,7 +33,8 @@ struct ExportPoints {
   std::vector<Vec3f> colours;               ///< sRGB 0 to 255
   std::vector<float> temperatures, liquid;  ///< K; 1
   std::vector<std::uint64_t> ids;
-  float width = 0;  ///< m, diameter
+  float width = 0;                           ///< m, diameter of all
+  std::optional<std::vector<float>> widths;  ///< m, one per particle, if they differ
 };
 
 /// Sheets or oriented particles with all fields of their frame, for formats that keep them.

@@ -15,6 +15,7 @@ constexpr std::uint64_t pointsOfChunk = 16384;
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 constexpr Vec3f zero{0, 0, 0};
+constexpr std::array<float, 2> noUv{none, none};
 
 /// Appends a field of an object with `points` points, or `lacking` for each if it has none. before: points of
 /// the objects before it.
@@ -42,6 +43,7 @@ void addMesh(VtkHdfFrame& f, const ComponentMesh& m, std::int32_t number) {
   append(f.velocities, m.velocities, n, zero, before);
   append(f.temperatures, m.temperatures, n, none, before);
   append(f.liquid, m.liquid, n, none, before);
+  append(f.uvs, m.uvs, n, noUv, before);
   f.objects.resize(f.points.size(), number);
   f.ids.resize(f.points.size(), -1);
 }
@@ -59,6 +61,7 @@ void addPoints(VtkHdfFrame& f, const ExportPoints& p) {
   append(f.velocities, p.velocities, n, zero, before);
   append(f.temperatures, p.temperatures, n, none, before);
   append(f.liquid, p.liquid, n, none, before);
+  append(f.uvs, {}, n, noUv, before);
   f.objects.resize(f.points.size(), -1);
 }
 
@@ -86,6 +89,7 @@ VtkHdfSeries::VtkHdfSeries(const std::filesystem::path& file)
 void VtkHdfSeries::create(const VtkHdfFrame& first) {
   normals_ = first.normals.has_value(), velocities_ = first.velocities.has_value();
   temperatures_ = first.temperatures.has_value(), liquid_ = first.liquid.has_value();
+  uvs_ = first.uvs.has_value();
   const auto create = [&](const std::string& name, Element element, int components, std::uint64_t chunk) {
     file_.createDataset("/VTKHDF/" + name, {element, chunk, components});
   };
@@ -110,6 +114,7 @@ void VtkHdfSeries::create(const VtkHdfFrame& first) {
   if (velocities_) field("velocity", Element::F32, 3);
   if (temperatures_) field("temperature", Element::F32, 0);
   if (liquid_) field("liquid", Element::F32, 0);
+  if (uvs_) field("uv", Element::F32, 2);
 }
 
 void VtkHdfSeries::addSteps(const VtkHdfFrame& f, std::int64_t cells) {
@@ -152,6 +157,7 @@ void VtkHdfSeries::add(const VtkHdfFrame& f) {
   if (velocities_) field("velocity", valuesOf(f.velocities, n, zero).data());
   if (temperatures_) field("temperature", valuesOf(f.temperatures, n, none).data());
   if (liquid_) field("liquid", valuesOf(f.liquid, n, none).data());
+  if (uvs_) field("uv", valuesOf(f.uvs, n, noUv).data());
   frames_++;
   points_ += static_cast<std::int64_t>(n);
   cells_ += cells;

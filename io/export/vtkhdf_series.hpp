@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes of a run as one temporal VTKHDF file (version 2.0), for ParaView 5.12 and newer.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ struct VtkHdfFrame {
   /// and velocities, and NaN for the others.
   std::optional<std::vector<Vec3f>> normals, velocities;
   std::optional<std::vector<float>> temperatures, liquid;
+  std::optional<std::vector<std::array<float, 2>>> uvs;
   std::vector<std::uint8_t> colours;  ///< three per point, sRGB
   std::vector<std::int32_t> objects;  ///< index of the mesh; -1 for particles
   std::vector<std::int64_t> ids;      ///< ids of particles; -1 for vertices of meshes
@@ -43,7 +45,7 @@ class VtkHdfSeries {
   void addSteps(const VtkHdfFrame& frame, std::int64_t cells);
   GrowingFile file_;
   std::int64_t frames_ = 0, points_ = 0, cells_ = 0, connectivity_ = 0;
-  bool normals_ = false, velocities_ = false, temperatures_ = false, liquid_ = false;
+  bool normals_ = false, velocities_ = false, temperatures_ = false, liquid_ = false, uvs_ = false;
 };
 
 }  // namespace thaw

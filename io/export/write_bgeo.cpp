@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/export/write_bgeo.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
 #include "io/export/out_file.hpp"
+#include "io/export/texture_seams.hpp"
 #include "io/hdf5/io_error.hpp"
 
 namespace thaw {
@@ -82,6 +84,10 @@ std::int32_t shortId(const std::vector<std::uint64_t>& ids, std::size_t i) {
 
 constexpr Vec3f plain{200, 200, 200};
 
+bool isTextured(const ComponentMesh& mesh) {
+  return !mesh.uvs.empty() && mesh.uvs.size() == mesh.mesh.vertices.size();
+}
+
 void writeVertices(const ComponentMesh& mesh, std::int32_t number, BigEndian& out) {
   for (std::size_t v = 0; v < mesh.mesh.vertices.size(); v++) {
     BgeoPoint p;
@@ -103,7 +109,7 @@ void writeParticles(const ExportPoints& points, BigEndian& out) {
     p.position = points.positions[i];
     p.velocity = valueAt(points.velocities, i, {});
     p.colour = valueAt(points.colours, i, plain);
-    p.radius = 0.5f * points.width;
+    p.radius = 0.5f * (points.widths ? (*points.widths)[i] : points.width);
     p.id = shortId(points.ids, i);
     p.temperature = valueAt(points.temperatures, i, 0.0f);
     p.liquid = valueAt(points.liquid, i, 0.0f);
@@ -111,13 +117,21 @@ void writeParticles(const ExportPoints& points, BigEndian& out) {
   }
 }
 
-/// Writes triangles in runs. wide: point numbers have 32 bits, else 16.
-void writeTriangles(const std::vector<ComponentMesh>& meshes, std::size_t triangles, bool wide,
-                    BigEndian& out) {
+/// Layout of polygons. wide: point numbers have 32 bits, else 16. textured: corners have the attribute uv.
+struct PolygonLayout {
+  bool wide = false, textured = false;
+};
+
+/// Writes triangles in runs.
+void writeTriangles(const std::vector<ComponentMesh>& meshes, std::size_t triangles,
+                    const PolygonLayout& layout, BigEndian& out) {
   std::size_t done = 0;
   std::uint32_t first = 0;
   for (const ComponentMesh& mesh : meshes) {
-    for (const auto& t : mesh.mesh.triangles) {
+    std::vector<std::array<Uv, 3>> corners;
+    if (layout.textured && isTextured(mesh)) corners = cornerUvs(mesh.mesh, mesh.uvs);
+    for (std::size_t k = 0; k < mesh.mesh.triangles.size(); k++) {
+      const auto& t = mesh.mesh.triangles[k];
       if (done % longestRun == 0) {
         out.put(std::int32_t{-1});  // a run
         out.put(static_cast<std::uint16_t>(std::min<std::size_t>(longestRun, triangles - done)));
@@ -127,9 +141,12 @@ void writeTriangles(const std::vector<ComponentMesh>& meshes, std::size_t triang
       out.put(std::int32_t{3});
       out.put('<');  // closed
       // Houdini's front is clockwise
-      for (const std::uint32_t v : {t[0], t[2], t[1]})
-        if (wide) out.put(first + v);
-        else out.put(static_cast<std::uint16_t>(first + v));
+      for (const std::size_t c : {0u, 2u, 1u}) {
+        if (layout.wide) out.put(first + t[c]);
+        else out.put(static_cast<std::uint16_t>(first + t[c]));
+        const Uv uv = corners.empty() ? Uv{0, 0} : corners[k][c];
+        if (layout.textured) out.put(Vec3f{uv[0], uv[1], 0});
+      }
     }
     first += static_cast<std::uint32_t>(mesh.mesh.vertices.size());
   }
@@ -145,17 +162,19 @@ void writeBgeo(const std::filesystem::path& file, const ExportScene& scene) {
   if (points > std::numeric_limits<std::int32_t>::max() ||
       triangles > std::numeric_limits<std::int32_t>::max())
     throw IoError(file.string(), "cannot be written: bgeo allows at most 2^31 points and polygons");
+  const bool textured = std::any_of(meshes.begin(), meshes.end(), isTextured);
   BigEndian out(file);
   out.text("BgeoV");
   out.put(std::int32_t{5});
   for (const std::size_t n : {points, triangles}) out.put(static_cast<std::int32_t>(n));
   // groups of points and primitives; attributes of points, vertices, primitives and of all
-  for (const std::int32_t n : {0, 0, BgeoPoint::attributes, 0, 0, 0}) out.put(n);
+  for (const std::int32_t n : {0, 0, BgeoPoint::attributes, textured ? 1 : 0, 0, 0}) out.put(n);
   BgeoPoint::declare(out);
   std::int32_t number = 0;
   for (const ComponentMesh& m : meshes) writeVertices(m, number++, out);
   if (scene.points) writeParticles(*scene.points, out);
-  writeTriangles(meshes, triangles, points > 0xffff, out);
+  if (textured) out.attribute("uv", 3, floatType);  // Houdini calls corners of polygons vertices
+  writeTriangles(meshes, triangles, {points > 0xffff, textured}, out);
   out.put('\x00');  // no extra data
   out.put('\xff');
   out.finish();

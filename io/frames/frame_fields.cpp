@@ -113,6 +113,10 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
         share = static_cast<double>(p.relativeDensity[i]);
       *to = static_cast<float>(restDensityOf(p, materials, i) * share);
     });
+  } else if (name == "volume") {
+    addRows<float>(f, "volume", "m^3", 1, [&p, &materials](std::size_t i, float* to) {
+      *to = static_cast<float>(restVolumeOf(p, materials, i));
+    });
   } else if (name == "pressure") {
     addRows<float>(
         f, "pressure", "Pa", 1, [&w, liquids = liquidMaterials(w.scene)](std::size_t i, float* to) {
@@ -155,14 +159,16 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
 }  // namespace
 
 std::vector<std::string> knownFrameFields() {
-  return {"velocity",       "temperature", "liquid", "density", "pressure", "viscosity",  "stress",  "strain",
-          "plastic_strain", "material",    "body",   "rank",    "id",       "neighbours", "absorbed"};
+  return {"velocity",  "temperature", "liquid",     "density",        "pressure", "volume",
+          "viscosity", "stress",      "strain",     "plastic_strain", "material", "body",
+          "rank",      "id",          "neighbours", "absorbed"};
 }
 
 Frame frameOf(const World& w, int rank) {
   Frame f = startFrame(w.clock, w.particles);
-  std::vector<std::string> done;
-  for (const std::string& name : w.scene.output.fields) {
+  std::vector<std::string> names = w.scene.output.fields, done;
+  if (w.modules.evaporation) names.emplace_back("volume");  // pictures of particles that shrink
+  for (const std::string& name : names) {
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // listed twice
     if (name == surfaceVelocityField) continue;                             // a field of surfels
     if (const AddedColumn* added = w.particles.addedField(name)) addExtensionField(f, *added);

@@ -26,6 +26,27 @@ std::string label(double value, double step, double largest) {
   return fmt::format("{:.{}f}", value, std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9))));
 }
 
+/// Sizes of a colour bar in a picture of a height, in pixels, and its texts.
+struct BarLayout {
+  double unit, text, margin, beside;
+  int wide;
+  Ticks ticks;
+  double widest = 0;  ///< width of the longest tick label
+  std::string title;
+
+  BarLayout(const ColourScale& scale, int height)
+      : unit(height / 960.0),
+        text(std::max(8.0, 15 * unit)),
+        margin(28 * unit),
+        beside(9 * unit),
+        wide(std::max(6, static_cast<int>(20 * unit))),
+        ticks(ticksBetween(scale.min, scale.max, 6)),
+        title(scale.unit.empty() || scale.unit == "1" ? scale.title : scale.title + " [" + scale.unit + "]") {
+    for (const std::string& l : ticks.labels) widest = std::max(widest, textWidth(l, text));
+  }
+  double titleHeight() const { return 1.05 * text; }
+};
+
 }  // namespace
 
 Ticks ticksBetween(double min, double max, int most) {
@@ -46,20 +67,21 @@ Ticks ticksBetween(double min, double max, int most) {
   return ticks;
 }
 
+int colourBarWidth(const ColourScale& scale, int height) {
+  const BarLayout bar(scale, height);
+  const double content = std::max(bar.wide + bar.beside + bar.widest,
+                                  textWidth(bar.title, bar.titleHeight()));
+  return static_cast<int>(std::ceil(content + 2 * bar.margin));
+}
+
 void drawColourBar(Image& image, const ColourScale& scale) {
-  const double unit = image.height / 960.0;  // all sizes scale with the picture
-  const double text = std::max(8.0, 15 * unit);
+  const BarLayout bar(scale, image.height);
   const int top = static_cast<int>(0.16 * image.height), tall = static_cast<int>(0.5 * image.height),
-            wide = std::max(6, static_cast<int>(20 * unit));
-  const Ticks ticks = ticksBetween(scale.min, scale.max, 6);
-  double widest = 0;
-  for (const std::string& l : ticks.labels) widest = std::max(widest, textWidth(l, text));
-  const double margin = 28 * unit, beside = 9 * unit;
-  const int left = static_cast<int>(image.width - margin - widest - beside - wide);
+            left = static_cast<int>(image.width - bar.margin - bar.widest - bar.beside - bar.wide);
   const Palette palette = paletteOf(scale.map);
   for (int y = -1; y <= tall; y++)
-    for (int x = -1; x <= wide; x++) {
-      const bool edge = y < 0 || x < 0 || y == tall || x == wide;
+    for (int x = -1; x <= bar.wide; x++) {
+      const bool edge = y < 0 || x < 0 || y == tall || x == bar.wide;
       // without a range, the one colour of all values
       const double value = scale.max > scale.min
                                ? scale.min + (1 - (y + 0.5) / tall) * (scale.max - scale.min)
@@ -67,16 +89,18 @@ void drawColourBar(Image& image, const ColourScale& scale) {
       mix(image, left + x, top + y,
           edge ? ink : palette[static_cast<std::size_t>(paletteIndex(scale, value))], edge ? 0.5 : 1);
     }
-  for (std::size_t i = 0; i < ticks.values.size(); i++) {
-    const double t = scale.max > scale.min ? (ticks.values[i] - scale.min) / (scale.max - scale.min) : 0.5;
+  for (std::size_t i = 0; i < bar.ticks.values.size(); i++) {
+    const double t = scale.max > scale.min ? (bar.ticks.values[i] - scale.min) / (scale.max - scale.min)
+                                           : 0.5;
     const double y = top + (1 - t) * tall;
-    for (int x = 0; x < static_cast<int>(5 * unit) + 1; x++)
-      mix(image, left + wide + 1 + x, static_cast<int>(std::min(y, top + tall - 1.0)), ink, 0.8);
-    drawText(image, left + wide + beside, y + text / 2, ticks.labels[i], {text, ink, Align::Left});
+    for (int x = 0; x < static_cast<int>(5 * bar.unit) + 1; x++)
+      mix(image, left + bar.wide + 1 + x, static_cast<int>(std::min(y, top + tall - 1.0)), ink, 0.8);
+    drawText(image, left + bar.wide + bar.beside, y + bar.text / 2, bar.ticks.labels[i],
+             {bar.text, ink, Align::Left});
   }
-  const std::string title = scale.unit.empty() || scale.unit == "1" ? scale.title
-                                                                    : scale.title + " [" + scale.unit + "]";
-  drawText(image, image.width - margin, top - 1.4 * text, title, {1.05 * text, ink, Align::Right});
+  const double height = bar.titleHeight();
+  drawText(image, image.width - bar.margin, top - 1.4 * bar.text,
+           fittedText(bar.title, height, image.width - 2 * bar.margin), {height, ink, Align::Right});
 }
 
 void drawCaption(Image& image, const std::string& title, const std::string& time) {
@@ -98,7 +122,8 @@ Image contactSheet(std::span<const Image> pictures, int columns, std::span<const
   const int across = std::min(columns, static_cast<int>(pictures.size())),
             down = (static_cast<int>(pictures.size()) + across - 1) / across;
   const int space = std::max(4, width / 40);
-  const double text = std::clamp(width / 26.0, 7.0, 20.0);
+  double text = std::clamp(width / 26.0, 7.0, 20.0);
+  for (const std::string& l : labels) text *= std::min(1.0, (width + 0.5 * space) / textWidth(l, text));
   const int below = static_cast<int>(2.2 * text);
   Image sheet(across * (width + space) + space, down * (height + below + space) + space, {247, 248, 249});
   for (std::size_t i = 0; i < pictures.size(); i++) {

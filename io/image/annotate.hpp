@@ -18,7 +18,11 @@ struct Ticks {
 };
 Ticks ticksBetween(double min, double max, int most);
 
-/// Draws a vertical bar of the scale's colours at the right edge, with title, unit and tick labels.
+/// Returns the width (pixels) that a colour bar needs in a picture of a height (pixels).
+int colourBarWidth(const ColourScale& scale, int height);
+
+/// Draws a vertical bar of the scale's colours at the right edge, with title, unit and tick labels. A title
+/// wider than the picture is shortened.
 void drawColourBar(Image& image, const ColourScale& scale);
 
 /// Draws one line in the upper left corner: the title, shortened to fit, then the time.

@@ -28,25 +28,39 @@ bool hasEnding(const std::string& file, std::string_view ending) {
 
 }  // namespace
 
-TriangleMesh parseMesh(std::string_view content, const std::string& file) {
+MeshFormat meshFormatOf(std::string_view content, const std::string& file) {
   if (content.empty()) throw MeshError(file + ": the file is empty; expected an OBJ, PLY or STL mesh");
-  if (startsWith(content, "\xef\xbb\xbf")) content.remove_prefix(3);  // byte order mark
-  if (startsWith(content, "ply\n") || startsWith(content, "ply\r")) return parsePly(content, file);
+  if (startsWith(content, "ply\n") || startsWith(content, "ply\r")) return MeshFormat::Ply;
   if (content.size() >= 84 && content.size() - 84 == std::uint64_t{littleEndian(content.substr(80, 4))} * 50)
-    return parseBinaryStl(content, file);
+    return MeshFormat::BinaryStl;
   const bool binary = content.find('\0') != std::string_view::npos;
   const std::size_t begin = std::min(content.find_first_not_of(" \t\r\n"), content.size());
   if (!binary && startsWith(content.substr(begin), "solid") &&
       (hasEnding(file, ".stl") || content.find("facet") != std::string_view::npos))
-    return parseAsciiStl(content, file);
-  if (hasEnding(file, ".stl")) return parseBinaryStl(content, file);
+    return MeshFormat::AsciiStl;
+  if (hasEnding(file, ".stl")) return MeshFormat::BinaryStl;
   if (hasEnding(file, ".ply"))
     throw MeshError(file + ":1: expected the line 'ply' at the beginning of a PLY file");
   if (binary) throw MeshError(file + ": the file is neither an OBJ, nor a PLY, nor an STL mesh");
+  return MeshFormat::Obj;
+}
+
+std::string_view withoutByteOrderMark(std::string_view content) {
+  return startsWith(content, "\xef\xbb\xbf") ? content.substr(3) : content;
+}
+
+TriangleMesh parseMesh(std::string_view content, const std::string& file) {
+  content = withoutByteOrderMark(content);
+  switch (meshFormatOf(content, file)) {
+    case MeshFormat::Ply: return parsePly(content, file);
+    case MeshFormat::BinaryStl: return parseBinaryStl(content, file);
+    case MeshFormat::AsciiStl: return parseAsciiStl(content, file);
+    case MeshFormat::Obj: break;
+  }
   return parseObj(content, file);
 }
 
-TriangleMesh readMesh(const std::string& path) {
+void readMeshFile(const std::string& path, const std::function<void(std::string_view)>& parse) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw MeshError(path + ": there is no such file");
@@ -61,12 +75,18 @@ TriangleMesh readMesh(const std::string& path) {
     if (static_cast<std::uintmax_t>(in.gcount()) != size)
       throw MeshError(path + ": reading stopped after " + std::to_string(in.gcount()) + " of " +
                       std::to_string(size) + " bytes");
-    return parseMesh(content, path);
+    parse(content);
   } catch (const std::filesystem::filesystem_error& e) {
     throw MeshError(path + ": cannot be read: " + e.code().message());
   } catch (const std::bad_alloc&) {
     throw MeshError(path + ": the mesh does not fit into memory");
   } catch (const std::length_error&) { throw MeshError(path + ": the mesh does not fit into memory"); }
+}
+
+TriangleMesh readMesh(const std::string& path) {
+  TriangleMesh mesh;
+  readMeshFile(path, [&](std::string_view content) { mesh = parseMesh(content, path); });
+  return mesh;
 }
 
 }  // namespace thaw

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangle meshes from OBJ, PLY (ascii, binary of both byte orders) and STL (ascii, binary) files.
 #pragma once
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -19,6 +20,18 @@ struct MeshError : std::runtime_error {
 /// (core/geometry/meshes/mesh_repair.hpp). Independent of the locale. Memory is a small multiple of the
 /// file's size. Throws MeshError.
 TriangleMesh readMesh(const std::string& path);
+
+/// Calls `parse` once with the content of a mesh file. Throws MeshError if the file cannot be read, or if
+/// memory does not suffice.
+void readMeshFile(const std::string& path, const std::function<void(std::string_view)>& parse);
+
+enum class MeshFormat { Obj, Ply, AsciiStl, BinaryStl };
+
+/// Returns the format of content without a byte order mark. Throws MeshError for other content.
+MeshFormat meshFormatOf(std::string_view content, const std::string& file);
+
+/// Returns the content after a byte order mark, if there is one.
+std::string_view withoutByteOrderMark(std::string_view content);
 
 /// Parses the content of a file; `file` is for messages.
 TriangleMesh parseMesh(std::string_view content, const std::string& file);

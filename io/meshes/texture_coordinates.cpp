@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/meshes/texture_coordinates.hpp"
 
-#include <fstream>
-#include <sstream>
-
 #include "io/meshes/read_mesh.hpp"
 
 namespace thaw {
 
+namespace {
+
+TexturedMesh parseTextured(std::string_view content, const std::string& file) {
+  content = withoutByteOrderMark(content);
+  const MeshFormat format = meshFormatOf(content, file);
+  if (format == MeshFormat::Ply) return parseTexturedPly(content, file);
+  const bool hasUv = content.starts_with("vt ") || content.find("\nvt ") != std::string_view::npos;
+  if (format == MeshFormat::Obj && hasUv) return parseTexturedObj(content, file);
+  return {parseMesh(content, file), {}};
+}
+
+}  // namespace
+
 TexturedMesh readTexturedMesh(const std::string& path) {
-  readMesh(path);  // reports files that are no meshes
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  const std::string content = text.str();
-  if (content.starts_with("ply\n") || content.starts_with("ply\r")) return parseTexturedPly(content, path);
-  const bool isText = content.find('\0') == std::string::npos;
-  if (isText && (content.starts_with("vt ") || content.find("\nvt ") != std::string::npos))
-    return parseTexturedObj(content, path);
-  return {};
+  TexturedMesh mesh;
+  readMeshFile(path, [&](std::string_view content) { mesh = parseTextured(content, path); });
+  return mesh;
 }
 
 TextureLookup::TextureLookup(TexturedMesh mesh) : textured_(std::move(mesh)), tree_(textured_.mesh) {}

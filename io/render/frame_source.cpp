@@ -229,20 +229,24 @@ void unwrapComponents(SurfaceFrame& frame, const PeriodicSides& sides) {
   }
 }
 
-/// Sets velocities of drops from the particles of the same time. A component is named after a particle.
-void addVelocities(std::vector<SprayDrop>& drops, const fs::path& particles) {
+/// Sets velocities of drops, if they have none, and volumes of their particles from the particles of the same
+/// time. A component is named after a particle.
+void addParticles(std::vector<SprayDrop>& drops, bool moving, const fs::path& particles) {
   if (particles.empty()) return;
-  const FrameData data = readFrame(particles.string(),
-                                   [](const std::string& n) { return n == "velocity" || n == "id"; });
-  const FrameColumn *velocity = data.find("velocity"), *id = data.find("id");
-  if (!velocity || !id || velocity->components != 3) return;
+  const FrameData data = readFrame(particles.string(), [&](const std::string& n) {
+    return n == "id" || n == "volume" || (n == "velocity" && !moving);
+  });
+  const FrameColumn *velocity = data.find("velocity"), *id = data.find("id"), *volume = data.find("volume");
+  if (velocity && velocity->components != 3) velocity = nullptr;
+  if (!id || !(velocity || volume)) return;
   for (std::size_t i = 0; i < data.positions.size(); i++) {
     const auto label = static_cast<std::uint64_t>(id->value(i)) + 1;
     const auto drop = std::lower_bound(
         drops.begin(), drops.end(), label,
         [](const SprayDrop& d, std::uint64_t component) { return d.component < component; });
-    if (drop != drops.end() && drop->component == label)
-      drop->velocity = {velocity->value(i, 0), velocity->value(i, 1), velocity->value(i, 2)};
+    if (drop == drops.end() || drop->component != label) continue;
+    if (velocity) drop->velocity = {velocity->value(i, 0), velocity->value(i, 1), velocity->value(i, 2)};
+    if (volume) drop->least = volume->value(i);
   }
 }
 
@@ -250,7 +254,7 @@ void drawSpray(const fs::path& file, const SprayStyle& style, SurfaceFrame& fram
   if (style.look == Spray::Surfels) return;
   std::vector<SprayDrop> drops = findSpray(frame, style.spacing);
   if (drops.empty()) return;
-  if (style.look == Spray::Ellipsoids && !frame.find("velocity")) addVelocities(drops, particlesOf(file));
+  addParticles(drops, style.look != Spray::Ellipsoids || frame.find("velocity"), particlesOf(file));
   replaceSpray(frame, drops, style);
 }
 
@@ -311,12 +315,17 @@ SurfelPaint paintOf(const FrameView& view, const std::string& field) {
   return SurfelPaint::Surface;
 }
 
-FrameView particleView(const fs::path& frame, const std::string& field, bool alone) {
+/// Reads particles. spacing: m; 0: unknown, and all are drawn at one size.
+FrameView particleView(const fs::path& frame, const std::string& field, bool alone, double spacing) {
   const std::string name = field == "speed" ? "velocity" : field;
-  const FrameData data = readFrame(frame.string(), [&](const std::string& n) { return n == name; });
+  const FrameData data = readFrame(frame.string(),
+                                   [&](const std::string& n) { return n == name || n == "volume"; });
   FrameView view;
   view.time = data.time;
   view.positions = inSinglePrecision(data.positions);
+  if (const FrameColumn* volume = data.find("volume"); volume && spacing > 0)
+    for (std::size_t i = 0; i < view.positions.size(); i++)
+      view.sizes.push_back(static_cast<float>(std::cbrt(volume->value(i)) / spacing));
   if (!field.empty() && (alone || data.find(name))) setValues(view, data.find(name), frame, field, "");
   return view;
 }
@@ -336,8 +345,9 @@ FrameView readFrameView(const fs::path& frame, const std::string& field, const P
   const bool surfels = isSurfaceFrame(readFrameInfo(frame.string()));
   const fs::path sheets = companionOf(frame, "sheet");
   if (sheets.empty())
-    return surfels ? surfaceView(frame, field, style, true) : particleView(frame, field, true);
-  FrameView view = surfels ? surfaceView(frame, field, style, false) : particleView(frame, field, false);
+    return surfels ? surfaceView(frame, field, style, true) : particleView(frame, field, true, spray.spacing);
+  FrameView view = surfels ? surfaceView(frame, field, style, false)
+                           : particleView(frame, field, false, spray.spacing);
   if (!surfels && !view.positions.empty()) {
     const StoredScene scene = storedSceneOf(frame);
     spheresToDiscs(view, static_cast<float>(0.6 * sceneOfText(scene.text, scene.name).spacing));

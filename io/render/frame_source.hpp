@@ -35,6 +35,7 @@ std::vector<std::string> fieldsOf(const std::filesystem::path& frame, bool withS
 /// Components across periodic sides are unwrapped (unwrap_component.hpp), unless they join their own image.
 /// Throws IoError with file and cause: not HDF5, truncated, not a frame, or unknown field (with the available
 /// ones). Drops of surfels are drawn by `spray`; their velocities are those of the surfels or of particles.
+/// Particles have the size of the field "volume", if the frame has it.
 FrameView readFrameView(const std::filesystem::path& frame, const std::string& field,
                         const PeriodicSides& sides = {}, const SprayStyle& spray = {});
 

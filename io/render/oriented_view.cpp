@@ -117,7 +117,8 @@ void spheresToDiscs(FrameView& view, float radius) {
   made.unit = view.unit;
   for (std::size_t i = 0; i < view.positions.size(); i++) {
     const std::size_t first = made.positions.size();
-    addBall(made, view.positions[i], radius, {188, 193, 200}, static_cast<std::uint32_t>(i));
+    addBall(made, view.positions[i], view.sizes.empty() ? radius : radius * view.sizes[i], {188, 193, 200},
+            static_cast<std::uint32_t>(i));
     for (std::size_t k = first; k < made.positions.size(); k++)
       made.values[k] = view.values.empty() ? std::numeric_limits<float>::quiet_NaN() : view.values[i];
   }

@@ -97,7 +97,7 @@ Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> la
   Image sheet = contactSheet(cells, columns, labels);
   if (!colours) return sheet;
   const Rgb ground = sheet.at(0, 0);
-  const int wide = std::min(std::max(150, cells[0].width / 2), 200), tall = std::min(sheet.height, 760);
+  const int tall = std::min(sheet.height, 760), wide = colourBarWidth(*colours, tall);
   Image bar(wide, tall, ground), all(sheet.width + wide, sheet.height, ground);
   drawColourBar(bar, *colours);
   paste(all, sheet, 0, 0);
@@ -112,8 +112,9 @@ Image pictureOf(const FrameView& frame, const FrameJob& job, const RenderStyle& 
                           frame.components, frame.faces},
                          style, surfels);
   }
-  const float radius = (job.radius > 0 ? job.radius : 0.7f) * style.spacing;
-  return render({frame.positions, frame.values, std::span<const float>(&radius, 1)}, style);
+  std::vector<float> radii = frame.sizes.empty() ? std::vector<float>{1} : frame.sizes;
+  for (float& r : radii) r *= (job.radius > 0 ? job.radius : 0.7f) * style.spacing;
+  return render({frame.positions, frame.values, radii}, style);
 }
 
 }  // namespace

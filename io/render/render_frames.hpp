@@ -22,6 +22,7 @@ struct FrameView {
   std::vector<float> values;     ///< values of the requested field (length of a vector, Frobenius norm of a
                                  ///< tensor); empty if there is none
   std::string unit;              ///< unit of the values
+  std::vector<float> sizes;      ///< cube roots of particles' volumes, in spacings; empty: all are 1
   // for surfels only, else empty
   std::vector<Vec3f> normals;  ///< unit, outward
   std::vector<float> radii;    ///< m
@@ -54,7 +55,8 @@ struct FrameJob {
   Walls walls;             ///< at their rest poses: planes are floors, other obstacles glass or solid
   std::optional<Rgb> background;  ///< empty: a pale sky
   std::optional<Vec3d> sun;       ///< direction to the sun; empty: over the camera's left shoulder
-  int threads = 0;                ///< 0: one per core
+  Spray spray = Spray::Ellipsoids;
+  int threads = 0;                                       ///< 0: one per core
   std::function<void(Image&, const RenderStyle&)> over;  ///< draws over each picture; empty: nothing
 };
 

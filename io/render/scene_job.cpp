@@ -28,6 +28,7 @@ FrameJob jobOfScene(const Scene& scene) {
   job.periodic = periodicSidesOf(scene.domain);
   if (scene.output.background) job.background = rgbOf(*scene.output.background);
   job.sun = scene.output.sun;
+  job.spray = scene.output.spray;
   const MeshLoader load = meshLoader();
   for (const Obstacle& obstacle : scene.obstacles) {
     Wall wall;

@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-/// Returns title, field and range of colours, camera (unless fitted), size, spacing and walls of the scene's
-/// pictures. Throws like makeSignedDistance for invalid shapes.
+/// Returns title, field and range of colours, camera (unless fitted), size, spray, spacing and walls of the
+/// scene's pictures. Throws like makeSignedDistance for invalid shapes.
 FrameJob jobOfScene(const Scene& scene);
 
 /// Parses the scene from the text that its run stores in frames (Scene::text: all files, then the overrides)

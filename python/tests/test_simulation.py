@@ -329,6 +329,7 @@ def test_extensions_have_fields():
         update=update,
     )
     scene = plate()
+    del scene['material']['wax']['heat_source']  # the extension alone turns heat on
     scene['extension'] = {'lamp': {'power': 5}}
     sim = thaw.Simulation(scene)
     sim.run(until=0.01)

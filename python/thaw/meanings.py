@@ -17,6 +17,7 @@ MEANINGS: Dict[str, Dict[str, str]] = {
         'liquid': 'liquid fraction, 0 solid to 1 liquid',
         'density': 'density; of a solid, from its deformation',
         'pressure': 'pressure of liquid',
+        'volume': 'volume at rest',
         'stress': 'Cauchy stress of solids, tension positive: xx, yy, zz, xy, yz, xz',
         'strain': 'Green strain from the first reference: xx, yy, zz, xy, yz, xz, shear not doubled',
         'plastic_strain': 'plastic strain: xx, yy, zz, xy, yz, xz, shear not doubled',

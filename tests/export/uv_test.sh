@@ -60,8 +60,15 @@ grep -q '^vt ' "$work"/run/export/uv_surface_000001.obj || fail "obj has no text
 grep -qE '^f [0-9]+/[0-9]+/[0-9]+ ' "$work"/run/export/uv_surface_000001.obj || fail "faces of obj"
 export --as usda --uv --out "$work/run.usda"; expectExit 0 "usda"
 grep -q 'texCoord2f\[\] primvars:st' "$work/run.usda" || fail "usda has no texture coordinates"
+export --as bgeo --uv; expectExit 0 "bgeo"
+export --as vtkhdf --uv --out "$work/run.vtkhdf"; expectExit 0 "vtkhdf"
+reader=$(dirname "$0")/read_uv.py
+"$python" "$reader" "$work"/run/export/*.bgeo >"$work/log" 2>&1; expectExit 0 "texture coordinates of bgeo"
+if "$python" -c 'import h5py' 2>/dev/null; then
+  "$python" "$reader" "$work/run.vtkhdf" >"$work/log" 2>&1; expectExit 0 "texture coordinates of vtkhdf"
+fi
 export --as vdb --uv; expectExit 2 "a format without texture coordinates"
-expectMessage "expected --as ply, obj, vtp, usd or usda" "a format without texture coordinates"
+expectMessage "expected --as ply, obj, vtp, usd, usda, vtkhdf or bgeo" "a format without texture coordinates"
 rm "$work/cube.obj"
 export --as ply --uv; expectExit 2 "without the mesh"
 expectMessage 'cube.obj: there is no such file' "without the mesh"

@@ -131,6 +131,25 @@ TEST(Frame, FieldsOfAbsentModulesHaveTheirMeaning) {
   EXPECT_THROW(frameOf(w, 0), std::invalid_argument);
 }
 
+/// Pictures need the volumes of particles that shrink.
+TEST(Frame, HasVolumesIfLiquidsEvaporate) {
+  const Folder folder;
+  Sample sample(MPI_COMM_WORLD, 20);
+  for (std::size_t i = 0; i < sample.w.particles.owned; i++)
+    sample.w.particles.mass[i] = 2, sample.w.particles.restDensity[i] = 800;
+  sample.w.scene.output.fields = {"velocity"};
+  for (const bool evaporates : {false, true}) {
+    sample.w.modules.evaporation = evaporates;
+    const std::string path = folder.path + "/f.hdf";
+    writeFrame(path, MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
+    const FrameData d = readFrame(path);
+    const FrameColumn* volume = d.find("volume");
+    ASSERT_EQ(volume != nullptr, evaporates);
+    for (std::size_t i = 0; volume && i < d.positions.size(); i++) EXPECT_EQ(volume->value(i), 0.0025f);
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+}
+
 TEST(Frame, FullDiskIsAnErrorOnAllRanksAndKeepsTheOldFile) {
   const Folder folder;
   const std::string path = folder.path + "/f.hdf";

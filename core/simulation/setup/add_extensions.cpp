@@ -57,8 +57,7 @@ void addExtensions(World& w, StepTools& t) {
     if (e.heats && !w.modules.heat)
       throw std::runtime_error(
           "extension '" + e.name +
-          "' is a source of heat, but heat is off: nothing else in the scene heats or cools. Give bodies "
-          "different temperatures, or a material a heat_source");
+          "' is a source of heat, but the scene has no [[body]] and no [[emitter]] that it could heat");
     if (e.load) t.outside.push_back(e.load(settings));
     if (e.update) t.fieldUpdates.push_back(e.update(settings));
     if (e.stepLimit) lower(t, e.stepLimit(settings));

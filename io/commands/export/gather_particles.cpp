@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "io/commands/export/gather_scene.hpp"
 #include "io/frames/rows_by_id.hpp"
 
@@ -18,6 +20,10 @@ void gatherParticles(const FrameGroup& group, const GatherJob& job, ExportScene&
   points.liquid = numbersOf(frame.find("liquid"), rows);
   points.ids = idsOf(frame);
   points.width = static_cast<float>(scene.spacing > 0 ? scene.spacing : 0.01);
+  if (const FrameColumn* volume = frame.find("volume")) {
+    points.widths.emplace();
+    for (const float v : numbersOf(volume, rows)) points.widths->push_back(std::cbrt(v));
+  }
   const FrameColumn* field = frame.find(job.options->field);
   if (field && field->components == 1)
     for (const Rgb& c : coloursOfColumn(*field, rows, *job.options))

@@ -132,7 +132,8 @@ UsdPrimSample pointsPrim(const ExportPoints& points, const UsdFile& file) {
   PrimMaker maker{file, {usdName(points.name), "Points", {}}, false};
   maker.add("float3[]", "extent", extentOf(points.positions, 0.5f * points.width));
   maker.add("point3f[]", "points", points.positions);
-  maker.add({"widths", "float[]", "constant", false}, std::vector<float>{points.width}, true);
+  if (points.widths) maker.add("float[]", "widths", *points.widths, "vertex");
+  else maker.add({"widths", "float[]", "constant", false}, std::vector<float>{points.width}, true);
   if (!points.ids.empty())
     maker.add("int64[]", "ids", std::vector<std::int64_t>(points.ids.begin(), points.ids.end()));
   if (!points.velocities.empty()) maker.add("vector3f[]", "velocities", points.velocities);

@@ -17,7 +17,7 @@ constexpr double largestDrop = 2.5;
 /// Surfels of a ball. A longer ellipsoid has more of them.
 constexpr double surfelsOfBall = 40;
 
-double radiusOf(double volume) { return std::cbrt(volume * 3 / (4 * std::numbers::pi)); }
+double ballRadius(double volume) { return std::cbrt(volume * 3 / (4 * std::numbers::pi)); }
 
 /// A surfel of an ellipsoid relative to its centre.
 struct Sample {
@@ -80,16 +80,14 @@ Spray sprayNamed(const std::string& name) {
 std::vector<SprayDrop> findSpray(const SurfaceFrame& frame, double spacing) {
   std::vector<SprayDrop> drops;
   if (!(spacing > 0)) return drops;
-  const double cube = spacing * spacing * spacing, least = radiusOf(cube),
-               most = radiusOf(largestDrop * cube);
+  const double cube = spacing * spacing * spacing, most = ballRadius(largestDrop * cube);
   const FrameColumn* velocity = frame.find("velocity");
   for (ComponentRows& c : rowsByComponent(frame)) {
-    SprayDrop drop{c.component, {}, {}, {}, 0};
+    SprayDrop drop{c.component, {}, {}, {}, 0, cube};
     const double share = 1 / static_cast<double>(c.rows.size());
     for (const std::uint32_t i : c.rows) drop.centre += share * frame.positions[i];
     for (const std::uint32_t i : c.rows) drop.radius += share * length(frame.positions[i] - drop.centre);
     if (!(drop.radius < most)) continue;
-    drop.radius = std::max(drop.radius, least);
     if (velocity && velocity->components == 3)
       for (const std::uint32_t i : c.rows)
         drop.velocity += share * Vec3d{velocity->value(i, 0), velocity->value(i, 1), velocity->value(i, 2)};
@@ -99,8 +97,10 @@ std::vector<SprayDrop> findSpray(const SurfaceFrame& frame, double spacing) {
   return drops;
 }
 
+double radiusOf(const SprayDrop& drop) { return std::max(drop.radius, ballRadius(drop.least)); }
+
 double stretchOf(const SprayDrop& drop, double exposure) {
-  const double move = length(drop.velocity) * exposure / (2 * drop.radius);
+  const double move = length(drop.velocity) * exposure / (2 * radiusOf(drop));
   return std::isfinite(move) ? 1 + move / (1 + move) : 1;
 }
 
@@ -118,7 +118,7 @@ void replaceSpray(SurfaceFrame& frame, const std::vector<SprayDrop>& drops, cons
     for (const SprayDrop& d : drops) {
       const double stretch = style.look == Spray::Ellipsoids ? stretchOf(d, style.exposure) : 1;
       const Vec3d axis = stretch > 1 ? normalized(d.velocity) : Vec3d{0, 0, 1};
-      for (Sample& s : sampleEllipsoid(axis, d.radius, stretch)) {
+      for (Sample& s : sampleEllipsoid(axis, radiusOf(d), stretch)) {
         s.offset += d.centre;
         samples.push_back(s);
         rows.push_back(d.rows.front());

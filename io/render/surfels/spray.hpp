@@ -5,12 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/scene.hpp"
 #include "io/frames/read_surface_frame.hpp"
 
 namespace thaw {
-
-/// Look of drops: their own surfels, balls, ellipsoids along their motion, or nothing.
-enum class Spray { Surfels, Spheres, Ellipsoids, Hide };
 
 /// Throws std::invalid_argument for other names than ellipsoids, spheres, hide and surfels.
 Spray sprayNamed(const std::string& name);
@@ -26,15 +24,20 @@ struct SprayDrop {
   std::uint64_t component = 0;
   std::vector<std::uint32_t> rows;
   Vec3d centre{}, velocity{};  ///< m; m/s
-  double radius = 0;           ///< m, of the ball of its volume
+  double radius = 0;           ///< m, of the ball through its surfels
+  double least = 0;            ///< m^3, of the particle that its component is named after
 };
 
 /// Returns the drops of a frame, ascending by component, with the velocities of their surfels if it has them.
-/// A drop has at least the volume of one particle. Requires: components are unwrapped.
+/// Their particles are cubes of the spacing. Requires: components are unwrapped.
 std::vector<SprayDrop> findSpray(const SurfaceFrame& frame, double spacing);
 
+/// Returns the radius of the ball of a drop's volume, in m. It is at least that of one particle, since a ball
+/// that a wall flattens has surfels closer to its centre.
+double radiusOf(const SprayDrop& drop);
+
 /// Returns the ratio of an ellipsoid's long half axis to the radius of the ball of its volume: from 1 at rest
-/// to 2 for fast drops. Half of the value is reached where a drop moves by its diameter in the exposure.
+/// to 2 for fast drops. It is 1.5 where a drop moves by its diameter in the exposure.
 double stretchOf(const SprayDrop& drop, double exposure);
 
 /// Replaces the surfels of drops by new ones. They have the colours, fields and ids of the drop's first one.

@@ -15,6 +15,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 void readKeys(TableReader& r, const Extension& e, ExtensionSettings& settings) {
   settings.name = e.name;
+  settings.heats = e.heats;
   for (const ExtensionKey& key : e.keys) {
     double& value = settings.values.try_emplace(key.name, key.standard).first->second;
     r.number(key.name.c_str(), value, key.unit.c_str(), between(key.least, key.most), key.about.c_str());

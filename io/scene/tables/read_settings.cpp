@@ -288,6 +288,11 @@ void readOutput(TableReader& r, Scene& s) {
            "direction from the scene to the sun of pictures, of any length; default: over the camera's left "
            "shoulder");
   if (o.sun && !(o.sun->z > 0)) r.refuseValue("sun", "expected a direction above the horizon: z > 0");
+  int spray = static_cast<int>(o.spray);
+  r.choice("spray", spray, {"ellipsoids", "spheres", "hide", "surfels"},  // as in Spray
+           "drops of one and two particles in pictures of a surface: ellipsoids of their volume along their "
+           "motion, spheres, hidden, or by their surfels");
+  o.spray = static_cast<Spray>(spray);
   std::int64_t width = o.width, height = o.height;
   r.whole("width", width, 64, 16384, "width of pictures, in pixels");
   r.whole("height", height, 64, 16384, "height of pictures, in pixels");

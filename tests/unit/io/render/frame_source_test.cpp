@@ -26,7 +26,9 @@ class FrameSource : public testing::Test {
   }
   ~FrameSource() override { fs::remove_all(folder); }
 
-  fs::path writeFrame(const std::string& name, double time, std::uint64_t count) {
+  /// edges: m, of cubes of the particles' volumes; none: the frame has no volumes.
+  fs::path writeFrame(const std::string& name, double time, std::uint64_t count,
+                      const std::vector<double>& edges = {}) {
     const fs::path path = folder / "frames" / name;
     H5File file = H5File::create(path.string());
     for (const char* group : {"/VTKHDF", "/VTKHDF/PointData", "/VTKHDF/FieldData"}) file.createGroup(group);
@@ -44,6 +46,9 @@ class FrameSource : public testing::Test {
     file.writeAll("/VTKHDF/PointData/temperature", {Element::F64, count, 0}, temperature.data());
     file.writeAll("/VTKHDF/PointData/stress", {Element::F64, count, 6}, stress.data());
     file.setText("/VTKHDF/PointData/temperature", "units", "K");
+    std::vector<double> volumes;
+    for (const double edge : edges) volumes.push_back(edge * edge * edge);
+    if (!edges.empty()) file.writeAll("/VTKHDF/PointData/volume", {Element::F64, count, 0}, volumes.data());
     file.writeAll("/VTKHDF/FieldData/Time", {Element::F64, 1, 0}, &time);
     file.close();
     return path;
@@ -73,6 +78,17 @@ TEST_F(FrameSource, ReadsPositionsTimeAndAField) {
   EXPECT_FLOAT_EQ(readFrameView(path, "stress").values[3], std::sqrt(9.0f + 2 * 16.0f));
   EXPECT_TRUE(readFrameView(path, "").values.empty());
   EXPECT_EQ(fieldsOf(path), (std::vector<std::string>{"stress", "temperature", "velocity"}));
+}
+
+TEST_F(FrameSource, ParticlesHaveTheSizeOfTheirVolume) {
+  const fs::path path = writeFrame("a_0.hdf", 0, 3, {0.1, 0.05, 0.02});
+  EXPECT_TRUE(readFrameView(path, "").sizes.empty()) << "the spacing is unknown";
+  const FrameView view = readFrameView(path, "", {}, {Spray::Surfels, 0.1, 0});
+  ASSERT_EQ(view.sizes.size(), 3u);
+  EXPECT_FLOAT_EQ(view.sizes[0], 1);
+  EXPECT_FLOAT_EQ(view.sizes[1], 0.5f);
+  EXPECT_FLOAT_EQ(view.sizes[2], 0.2f);
+  EXPECT_TRUE(readFrameView(writeFrame("a_1.hdf", 0, 3), "", {}, {Spray::Surfels, 0.1, 0}).sizes.empty());
 }
 
 TEST_F(FrameSource, FindsFramesByIndexOrByName) {

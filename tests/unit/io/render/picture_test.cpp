@@ -185,6 +185,33 @@ TEST(Caption, ShowsTheTimeWithATitleOfAnyLength) {
   EXPECT_EQ(drawn(title, "0.10 s"), drawn(title + title, "0.10 s"));
 }
 
+/// Returns whether the columns of a picture at its left and right edges are white.
+bool hasWhiteSides(const Image& image) {
+  for (int y = 0; y < image.height; y++)
+    for (const int x : {0, image.width - 1})
+      if (!(image.at(x, y) == Rgb{255, 255, 255})) return false;
+  return true;
+}
+
+TEST(ColourBar, TitlesOfAnyLengthAreWithinThePicture) {
+  for (const std::string& title : {std::string("f"), std::string("temperature"), std::string(60, 'w')})
+    for (const int height : {100, 760}) {
+      const ColourScale scale{290, 370, ColourMap::Ember, title, "K"};
+      const int width = colourBarWidth(scale, height);
+      Image fitting(width, height, {255, 255, 255}), wider(width + 100, height, {255, 255, 255}),
+          narrow(90, height, {255, 255, 255});
+      for (Image* image : {&fitting, &wider, &narrow}) {
+        drawColourBar(*image, scale);
+        EXPECT_TRUE(hasWhiteSides(*image)) << title << " " << height << " " << image->width;
+      }
+      // the bar that fits is not shortened: all of it is in the wider picture
+      int drawn = 0, all = 0;
+      for (const Rgb p : fitting.pixels) drawn += p == Rgb{255, 255, 255} ? 0 : 1;
+      for (const Rgb p : wider.pixels) all += p == Rgb{255, 255, 255} ? 0 : 1;
+      EXPECT_EQ(drawn, all);
+    }
+}
+
 TEST(ContactSheet, HoldsAllPictures) {
   const std::vector<Image> pictures(5, Image(80, 60, {255, 0, 0}));
   const std::vector<std::string> labels(5, "0 s");

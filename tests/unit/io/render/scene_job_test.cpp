@@ -49,6 +49,13 @@ TEST(SceneJob, SceneTextRoundTripsWithIncludesAndOverrides) {
   EXPECT_THROW(sceneOfText("# ---- pot.toml\nspacing = [", "pot"), SceneErrors);
 }
 
+TEST(SceneJob, DropsLookAsTheSceneWants) {
+  EXPECT_EQ(jobOfScene(readScene(files(), {})).spray, Spray::Ellipsoids);
+  EXPECT_EQ(jobOfScene(readScene(files(), {"output.spray=\"hide\""})).spray, Spray::Hide);
+  EXPECT_EQ(jobOfScene(readScene(files(), {"output.spray=\"spheres\""})).spray, Spray::Spheres);
+  EXPECT_THROW(readScene(files(), {"output.spray=\"mist\""}), SceneErrors);
+}
+
 TEST(SceneJob, UsesTheSettingsOfTheScene) {
   Scene scene = readScene(files(), {});
   scene.domain.side[2][0] = Side::Wall;

@@ -92,6 +92,20 @@ TEST(Spray, EllipsoidsKeepTheVolumeAndFollowTheMotion) {
     EXPECT_NEAR(length(f.positions[i] - drops[1].centre), drops[1].radius, 1e-9);
 }
 
+/// A wall can flatten a drop, and evaporation can shrink it.
+TEST(Spray, DropsHaveAtLeastTheVolumeOfTheirParticle) {
+  SurfaceFrame f;
+  addBall(f, 0.1, 0, 5);
+  std::vector<SprayDrop> drops = findSpray(f, spacing);
+  ASSERT_EQ(drops.size(), 1u);
+  EXPECT_NEAR(radiusOf(drops[0]), std::cbrt(3 / (4 * std::numbers::pi)) * spacing, 1e-12);
+  drops[0].least = 0.1 * spacing * spacing * spacing;
+  const double radius = radiusOf(drops[0]);
+  EXPECT_NEAR(radius, std::cbrt(0.3 / (4 * std::numbers::pi)) * spacing, 0.005 * spacing);
+  replaceSpray(f, drops, {Spray::Spheres, spacing, 0});
+  for (const Vec3d& x : f.positions) EXPECT_NEAR(length(x - drops[0].centre), radius, 1e-9);
+}
+
 TEST(Spray, DropsAreHiddenOrKept) {
   SurfaceFrame f = threeBalls();
   const std::size_t all = f.positions.size(), large = rowsWith(f, 6).size();
