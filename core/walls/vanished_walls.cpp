@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/fluid/laws/particle_pressure.hpp"
 #include "core/fluid/pair_sums/records.hpp"
 #include "core/particles/elastic_pieces.hpp"
 #include "core/walls/wall_surface_energy.hpp"

@@ -131,8 +131,8 @@ bool breakHit(const RigidView& v, const Halos& halos, std::span<const FoundConta
   return true;
 }
 
-/// Sets the loads that the impulses of an impact exceed. They fall slowly, so a contact that is lost for a step
-/// does not return as an impact.
+/// Sets the loads that the impulses of an impact exceed. They fall slowly, so a contact that is lost for a
+/// step does not return as an impact.
 void recordLoads(Pieces& p, std::span<const double> sizes, double dt) {
   constexpr double kept = 0.5;
   for (std::size_t k = 0; k < p.owned; k++)
