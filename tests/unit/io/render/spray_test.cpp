@@ -65,7 +65,7 @@ TEST(Spray, DropsOfOneAndTwoParticlesAreFound) {
   EXPECT_EQ(drops[0].component, 5u);
   EXPECT_EQ(drops[1].component, 7u);
   EXPECT_NEAR(drops[1].centre.x, 2, 0.01);
-  EXPECT_NEAR(drops[1].radius, std::cbrt(2.0) * drops[0].radius, 0.005 * spacing);
+  EXPECT_NEAR(radiusOf(drops[1]), std::cbrt(2.0) * radiusOf(drops[0]), 0.005 * spacing);
   EXPECT_TRUE(findSpray(threeBalls(), 0).empty());
 }
 
@@ -74,12 +74,12 @@ TEST(Spray, EllipsoidsKeepTheVolumeAndFollowTheMotion) {
   std::vector<SprayDrop> drops = findSpray(f, spacing);
   drops[0].velocity = {0, 3, 4};
   const std::size_t large = rowsWith(f, 6).size();
-  const double exposure = 2 * drops[0].radius / 5, stretch = stretchOf(drops[0], exposure);
+  const double exposure = 2 * radiusOf(drops[0]) / 5, stretch = stretchOf(drops[0], exposure);
   EXPECT_NEAR(stretch, 1.5, 1e-12);
   replaceSpray(f, drops, {Spray::Ellipsoids, spacing, exposure});
   EXPECT_EQ(rowsWith(f, 6).size(), large);
   ASSERT_GT(rowsWith(f, 5).size(), 30u);
-  const double along = drops[0].radius * stretch, across = drops[0].radius / std::sqrt(stretch);
+  const double along = radiusOf(drops[0]) * stretch, across = radiusOf(drops[0]) / std::sqrt(stretch);
   for (const std::uint32_t i : rowsWith(f, 5)) {
     const Vec3d d = f.positions[i] - drops[0].centre, axis{0, 0.6, 0.8};
     const double z = dot(d, axis), r2 = dot(d, d) - z * z;
@@ -89,7 +89,7 @@ TEST(Spray, EllipsoidsKeepTheVolumeAndFollowTheMotion) {
     EXPECT_EQ(f.colours[i].g, 2);
   }
   for (const std::uint32_t i : rowsWith(f, 7))  // at rest
-    EXPECT_NEAR(length(f.positions[i] - drops[1].centre), drops[1].radius, 1e-9);
+    EXPECT_NEAR(length(f.positions[i] - drops[1].centre), radiusOf(drops[1]), 1e-9);
 }
 
 /// A wall can flatten a drop, and evaporation can shrink it.
