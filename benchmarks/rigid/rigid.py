@@ -108,7 +108,8 @@ def restitution(folder):
             heights = [r["gravity_J"] / mass / GRAVITY for r in run.ledger]
             lowest = min(range(len(heights)), key=lambda k: heights[k])
             fall, rise = heights[0] - heights[lowest], max(heights[lowest:]) - heights[lowest]
-            yield run.row(f"restitution {e:g}, {shape}", "restitution", math.sqrt(rise / fall), e, 0.02 * e, "")
+            ratio = math.sqrt(rise / fall)
+            yield run.row(f"restitution {e:g}, {shape}", "restitution", ratio, e, 0.02 * e, "")
 
 
 def stack(folder):
@@ -128,7 +129,12 @@ def pile(folder, pieces, seconds):
         name = f"pile of {pieces}" + (", sleep" if sleeps else "")
         last = run.ledger[-1]
         yield run.row(
-            name, "residual over the energy scale", last["energy_residual_J"] / last["energy_scale_J"], 0, 0.01, ""
+            name,
+            "residual over the energy scale",
+            last["energy_residual_J"] / last["energy_scale_J"],
+            0,
+            0.01,
+            "",
         )
         yield run.row(
             name, "kinetic over the energy scale", last["kinetic_J"] / last["energy_scale_J"], 0, 0.01, ""
