@@ -148,8 +148,8 @@ def page(rows):
     lines = [
         "# Rigid pieces",
         "",
-        "`scripts/bench rigid` compares [rigid pieces](../theory/rigid.md) with exact solutions. The spacing is",
-        "0.1 m, and the step 1 or 2 ms. Iterations are the mean over all steps, time is that of one core.",
+        "`scripts/bench rigid` compares [rigid pieces](../theory/rigid.md) with exact solutions. The",
+        "spacing is 0.1 m, the step 1 or 2 ms. Iterations are the mean over all steps, time is that of one core.",
         "The [contact solver](../theory/rigid_contact.md#solver) stops at 500 iterations.",
         "",
         "| case | quantity | value | exact | limit of the error | iterations | unfinished steps | time (s) |",
