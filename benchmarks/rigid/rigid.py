@@ -108,7 +108,8 @@ def restitution(folder):
             heights = [r["gravity_J"] / mass / GRAVITY for r in run.ledger]
             lowest = min(range(len(heights)), key=lambda k: heights[k])
             fall, rise = heights[0] - heights[lowest], max(heights[lowest:]) - heights[lowest]
-            yield run.row(f"restitution {e:g}, {shape}", "restitution", math.sqrt(rise / fall), e, 0.02 * e, "")
+            ratio = math.sqrt(rise / fall)
+            yield run.row(f"restitution {e:g}, {shape}", "restitution", ratio, e, 0.02 * e, "")
 
 
 def stack(folder):
@@ -128,7 +129,12 @@ def pile(folder, pieces, seconds):
         name = f"pile of {pieces}" + (", sleep" if sleeps else "")
         last = run.ledger[-1]
         yield run.row(
-            name, "residual over the energy scale", last["energy_residual_J"] / last["energy_scale_J"], 0, 0.01, ""
+            name,
+            "residual over the energy scale",
+            last["energy_residual_J"] / last["energy_scale_J"],
+            0,
+            0.01,
+            "",
         )
         yield run.row(
             name, "kinetic over the energy scale", last["kinetic_J"] / last["energy_scale_J"], 0, 0.01, ""
@@ -142,8 +148,9 @@ def page(rows):
     lines = [
         "# Rigid pieces",
         "",
-        "`scripts/bench rigid` compares [rigid pieces](../theory/rigid.md) with exact solutions. The spacing is",
-        "0.1 m, and the step 1 or 2 ms. Iterations are the mean over all steps, time is that of one core.",
+        "`scripts/bench rigid` compares [rigid pieces](../theory/rigid.md) with exact solutions. The",
+        "spacing is 0.1 m, the step 1 or 2 ms. Iterations are the mean over all steps, time is that of one",
+        "core.",
         "The [contact solver](../theory/rigid_contact.md#solver) stops at 500 iterations.",
         "",
         "| case | quantity | value | exact | limit of the error | iterations | unfinished steps | time (s) |",

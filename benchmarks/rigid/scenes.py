@@ -126,8 +126,10 @@ def pile(pieces, end, sleeps):
     for name, axis, side in (("low x", 0, 1), ("high x", 0, -1), ("low y", 1, 1), ("high y", 1, -1)):
         point, normal = [0, 0, 0], [0, 0, 0]
         point[axis], normal[axis] = -side * half, side
-        floor += FLOOR.format(friction=0.4, restitution=0.2).replace('"floor"', f'"{name}"').replace(
-            "[0, 0, 0], normal = [0, 0, 1]", f"{point}, normal = {normal}"
+        floor += (
+            FLOOR.format(friction=0.4, restitution=0.2)
+            .replace('"floor"', f'"{name}"')
+            .replace("[0, 0, 0], normal = [0, 0, 1]", f"{point}, normal = {normal}")
         )
     for k in range(pieces):
         i, j, level = k % across, k // across % across, k // across**2

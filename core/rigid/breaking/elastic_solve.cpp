@@ -13,7 +13,7 @@
 namespace thaw {
 namespace {
 
-constexpr double tolerance = 1e-3;    // of the residual, in the norm of the preconditioner
+constexpr double tolerance = 1e-3;    // residual over that of the start
 constexpr int mostIterations = 3000;  // thin shells take the most
 
 /// Lists the bonds of a particle. near: particles of the piece within connectedDistance.

@@ -72,7 +72,8 @@ TEST(RigidBreaking, ABarHitInTheMiddleBendsLikeABeam) {
     solve(sim, loads, s);
     // A uniform beam in free flight: F L / 8 in the middle, F x^2 / (2 L) at a distance x from an end.
     for (const int k : {6, 10}) {  // particles from the middle
-      const double x = k * spacing, fromEnd = 0.5 * length - x, moment = force * fromEnd * fromEnd / (2 * length),
+      const double x = k * spacing, fromEnd = 0.5 * length - x,
+                   moment = force * fromEnd * fromEnd / (2 * length),
                    exact = 6 * moment / (height * height * height);
       const double top = s.at(sim.w, {x, 0, (height - spacing) / 2}).xx;
       EXPECT_NEAR(top, exact, 0.05 * exact) << across << " wide, " << k << " from the middle";
