@@ -95,7 +95,8 @@ def incline(folder):
         speed = last["momentum_x_kg_m_per_s"] / last["mass_kg"]
         exact = end * max(0, GRAVITY * (math.sin(angle) - friction * math.cos(angle)))
         # The second half kick of a step has no contacts yet.
-        speed -= 0.5 * last["dt_s"] * GRAVITY * math.sin(angle) if exact == 0 else 0
+        rate = math.sin(angle) if exact == 0 else friction * math.cos(angle)
+        speed -= 0.5 * last["dt_s"] * GRAVITY * rate
         limit = 0.02 * exact if exact > 0 else 1e-4
         yield run.row(f"incline, friction {friction:g}", "speed", speed, exact, limit, "m/s")
 
@@ -103,7 +104,7 @@ def incline(folder):
 def restitution(folder):
     for shape in ("box", "ball"):
         for e in (0.3, 0.5, 0.8):
-            run = Run(folder, scenes.drop(shape, e, 0.46 + 2.1 * e * 0.452))
+            run = Run(folder, scenes.drop(shape, e, 0.452 * (1 + 1.5 * e)))
             mass = run.ledger[0]["mass_kg"]
             heights = [r["gravity_J"] / mass / GRAVITY for r in run.ledger]
             lowest = min(range(len(heights)), key=lambda k: heights[k])
