@@ -267,7 +267,7 @@ for which in $wanted; do
       ;;
     splash)
       scene=splash
-      sameOnAllRanks splash 900 - "$work/splash.toml"
+      sameOnAllRanks splash 950 - "$work/splash.toml"
       volumeHeld "$work/splash.1" "$work/splash.1/frames/splash_surface_000012.hdf" 12
       ;;
     shapes)
