@@ -17,7 +17,7 @@ struct ModuleCall {
 
 struct StepModule {
   std::string_view name;
-  bool (*isOn)(const World&, const StepTools&);  ///< of a prepared world; constant over a run
+  bool (*isOn)(const World&, const StepTools&);  ///< in a prepared world; constant over a run
   std::vector<ModuleCall> calls;                 ///< at most one per phase
 };
 
