@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Builds the Python package by CMake, with the flags of the release preset and without tests.
 
-The build is in build/pip, or in the folder that THAW_BUILD names. CMake finds the packages that thaw needs.
+The build folder is build/pip, or THAW_BUILD. CMake finds the packages that thaw needs.
 """
 import os
 import pathlib

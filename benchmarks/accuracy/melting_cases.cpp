@@ -10,8 +10,8 @@
 namespace thaw::accuracy {
 namespace {
 
-/// A block of wax of length 2a that melts on a plate, and a slab on it. Lubrication theory of a thin film
-/// (MWV86): its thickness is d = k dT / (rho L V) by the heat that melts, and carries the mean pressure
+/// A block of wax of length 2a that melts on a plate, with a slab on it. In lubrication theory of a thin film
+/// (MWV86), the latent heat gives the thickness d = k dT / (rho L V). The film carries the mean pressure
 /// 4 mu V a^2 / d^3.
 struct PressedMelt {
   const Scene& s;
@@ -92,8 +92,8 @@ std::vector<Molten> moltenGallium() {
   return all;
 }
 
-/// Minutes of the experiment (GV86) per second of the scene: both have the same Fourier number times Stefan
-/// number.
+/// Returns the minutes of the experiment (GV86) per second of the scene. The product of the Fourier and the
+/// Stefan number is the same.
 double minutesPerSecond(const Scene& s) {
   const Material& m = s.materials[0];
   const auto rate = [](double diffusivity, double stefan, double height) {
@@ -116,7 +116,7 @@ void watchFront(Trial& r) {
   r.series.push_back({r.world.clock.time, {molten / r.tools.mass}});
 }
 
-/// Interpolates the record at a time (s).
+/// Interpolates the molten fraction at a time (s).
 double fractionAt(const std::vector<Sample>& series, double time) {
   std::size_t k = 1;
   while (k + 1 < series.size() && series[k].time < time) k++;

@@ -6,7 +6,7 @@
   benchmarks/rigid/rigid.py --page       writes docs/validation/rigid.md from benchmarks/rigid/rigid.csv
 
 Cases: a tumbling box, a box on an incline, rebounds, a stack of ten boxes, and piles of boxes and balls that
-fall into a bin. Time is that of the processor on one core.
+fall into a bin. Times are processor times on one core.
 """
 import argparse
 import csv
@@ -94,7 +94,7 @@ def incline(folder):
         last = run.ledger[-1]
         speed = last["momentum_x_kg_m_per_s"] / last["mass_kg"]
         exact = end * max(0, GRAVITY * (math.sin(angle) - friction * math.cos(angle)))
-        # The second half kick of a step has no contacts yet.
+        # The contact impulses that balance the last half kick act in the next step.
         rate = math.sin(angle) if exact == 0 else friction * math.cos(angle)
         speed -= 0.5 * last["dt_s"] * GRAVITY * rate
         limit = 0.02 * exact if exact > 0 else 1e-4
@@ -150,8 +150,8 @@ def page(rows):
         "# Rigid pieces",
         "",
         "`scripts/bench rigid` compares [rigid pieces](../theory/rigid.md) with exact solutions. The",
-        "spacing is 0.1 m, the step 1 or 2 ms. Iterations are the mean over all steps, time is that of one",
-        "core.",
+        "spacing is 0.1 m, the step 1 or 2 ms. Iterations are means over all steps, times are processor",
+        "times on one core.",
         "The [contact solver](../theory/rigid_contact.md#solver) stops at 500 iterations.",
         "",
         "| case | quantity | value | exact | limit of the error | iterations | unfinished steps | time (s) |",

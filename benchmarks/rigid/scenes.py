@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes of the benchmark of rigid pieces, as texts."""
+"""Texts of the scenes of the benchmark of rigid pieces."""
 import math
 
 HEAD = """spacing = {spacing}

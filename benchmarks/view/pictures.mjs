@@ -6,7 +6,7 @@ import { launch, open, settle } from '../../tests/view/page.mjs';
 const SIZE = [1280, 760], // pixels
   TURNS = 24;
 
-/// Turns the camera around the scene, and returns pictures per second.
+/// Turns the camera once around the scene. Returns the pictures per second.
 function turn(turns) {
   const { stage } = window.thawView;
   const gl = stage.renderer.getContext();
@@ -28,7 +28,7 @@ function turn(turns) {
 }
 
 const cases = {
-  /// Follows a live run until a line is read, and prints the number of frames that it has shown.
+  /// Follows a live run until a line is read from stdin. Prints the number of frames that were shown.
   async follow(browser, address) {
     const { page } = await open(browser, address, { frame: false, size: SIZE });
     await page.evaluate(() => {

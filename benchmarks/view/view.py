@@ -5,8 +5,8 @@
   scripts/bench view [--repeats 5] [--spacing 0.0175] [--end 1.25]
 
 A dam break runs on one core: alone, with a client that follows it as the page does but draws nothing, and
-with the page in headless Chromium. They take turns; the medians of the run's processor time count. The
-browser draws on the same machine, with the processor. Then the page draws a block of liquid from many sides.
+with the page in headless Chromium. The three kinds of runs alternate. Their costs are medians of processor
+time. The browser draws on the same processor. Then the page draws a block of liquid from many sides.
 Columns of the file: case, particles, surfels, value, unit, note.
 """
 import argparse
@@ -103,7 +103,7 @@ def nodeCommand(*arguments):
 
 
 def runSeconds(folder, o, watch):
-    """Processor and wall-clock seconds of a run, its particles, and the frames that a watcher has shown."""
+    """Returns processor and wall-clock seconds of a run, its particles, and the frames a watcher showed."""
     out = os.path.join(folder, "out")
     shutil.rmtree(out, ignore_errors=True)
     command = [THAW, "run", str(ROOT / "scenes/dam_break.toml"), "--out", out]
@@ -130,7 +130,7 @@ def runSeconds(folder, o, watch):
 
 
 def costs(folder, o):
-    """Rows of the cost of a view, in percent of the run alone."""
+    """Yields rows of the cost of a view, in percent of the run alone."""
     ways = {"alone": None, "followed": Client, "followed and drawn": Browser}
     if o.no_browser:
         del ways["followed and drawn"]
@@ -150,7 +150,7 @@ def costs(folder, o):
 
 
 def pictures(folder):
-    """Rows of the pictures per second that the page draws."""
+    """Yields rows of the pictures per second that the page draws."""
     scene, out = os.path.join(folder, "block.toml"), os.path.join(folder, "block")
     with open(scene, "w") as file:
         file.write(BLOCK)

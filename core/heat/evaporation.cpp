@@ -57,7 +57,7 @@ template<class Select, class Row> void eachRow(const EvaporationView& v, Select&
     }
 }
 
-/// Walls near a particle, as planes that mirror the liquid. Walls that coincide count once.
+/// Walls near a particle, as planes that mirror the liquid. Walls of about the same normal count once.
 struct Mirrors {
   static constexpr std::size_t most = 3;
   std::array<Vec3d, most> normal;
@@ -79,7 +79,7 @@ Mirrors mirrorsOf(const EvaporationView& v, std::uint32_t i) {
 }
 
 /// Calls image(d) for the images of a neighbour at the separation d (support radii) in one wall or several.
-/// Only the components along all of these walls remain: across a wall its own gradient acts.
+/// Their components across these walls are removed: the gradient of the wall replaces them.
 template<class Image> void eachImage(const Mirrors& m, const Vec3d& separation, Image&& image) {
   for (unsigned walls = 1; walls < (1u << m.count); walls++) {
     Vec3d d = separation;
@@ -93,8 +93,8 @@ template<class Image> void eachImage(const Mirrors& m, const Vec3d& separation, 
   }
 }
 
-/// Gradient of a wall at a distance (h): the derivative of its part of the density, which is not that of the
-/// pressure force (tables.hpp).
+/// Returns the gradient of a wall at a distance (h): the derivative of its part of the density. The pressure
+/// force has another one (tables.hpp).
 double wallGradient(const WallTables& tables, double distance) {
   const double step = (1 - tables.lowest) / WallTables::points, at = std::max(distance, tables.lowest + step);
   return (tables(at - step).space - tables(at + step).space) / (2 * step);

@@ -64,7 +64,7 @@ struct Continuum : Table {
   Column<Vec3d> shiftingVelocity{*this, "shiftingVelocity", "m/s", Keep::State,
       "XSPH and shifting velocity; a particle moves with the sum of this and velocity"};
   Column<Vec3d> positionForce{*this, "positionForce", "N", Keep::State,
-      "force of tension and of extensions' pairs, whose work on shifting is recorded", Rows::Owned};
+      "surface tension and pair forces of extensions; their work on shifting is recorded", Rows::Owned};
   Column<Vec3f> concentrationGradient{*this, "concentrationGradient", "1", Keep::Transient,
       "concentration gradient times h", Rows::Owned};
   Column<u8> atSurface{*this, "atSurface", "1", Keep::State,

@@ -20,11 +20,13 @@ inline bool belongsToPiece(const Scene& scene, const Continuum& p, std::size_t i
   return p.phase[i] == Solid && scene.materials[p.material[i]].isRigid();
 }
 
+/// Returns true for two rows of a piece that a break separates.
+using PartedRows = std::function<bool(std::uint32_t, std::uint32_t)>;
+
 /// Sets Continuum::pieceLabel of owned particles that belong to pieces to 1 + the smallest id of all
 /// particles connected to them, and of others to 0. Connected are particles of one piece (at the start: of
-/// one body) and particles in touch of which one has no piece yet. parted: returns true for rows of a piece
-/// that a break separates; null: none. Requires: ghosts. Collective.
-using PartedRows = std::function<bool(std::uint32_t, std::uint32_t)>;
+/// one body) and particles in touch of which one has no piece yet. parted: null if no piece breaks.
+/// Requires: ghosts. Collective.
 void labelPieces(const RigidView& view, const Halos& halos, bool atStart, const PartedRows& parted = nullptr);
 
 /// Gives all rows of a set, on all ranks, the smallest of their labels. Sets are over the owned rows and the

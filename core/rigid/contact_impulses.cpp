@@ -50,7 +50,7 @@ ContactSettings settingsOf(const RigidView& v, double dt) {
   return s;
 }
 
-/// Finds contacts. Sleeping pieces that they wake take part.
+/// Finds the contacts of awake pieces, including those that the contacts wake.
 std::vector<FoundContact> contactsOfAwake(const RigidView& v, const Halos& halos, double dt,
                                           std::vector<PieceMotion>& motions) {
   const ContactSearch search{v.scene, v.grid, v.particles, v.cells, v.pieces, v.walls, dt};

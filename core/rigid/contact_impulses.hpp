@@ -13,17 +13,17 @@ namespace thaw {
 /// Contacts of a step with their impulses.
 struct SolvedContacts {
   std::vector<FoundContact> contacts;  ///< each on one rank
-  std::vector<PieceMotion> after;      ///< motion of each row in the step, with the impulses
+  std::vector<PieceMotion> after;      ///< motion of each row in the step, impulses included
   ContactResult result;
   double tolerance = 0;  ///< m/s
 };
 
 /// Finds the contacts of all pieces at their present positions. Sets the impulses and displacements with
-/// which the next drift, over dt (s), leaves them without new overlap. Sleeping pieces wake if they have to.
-/// Requires: rows of the pieces of owned particles and ghosts. Collective.
+/// which the next drift, over dt (s), leaves them without new overlap. Wakes sleeping pieces that are loaded
+/// or touched. Requires: rows of the pieces of owned particles and ghosts. Collective.
 SolvedContacts findContactImpulses(const RigidView& view, const Halos& halos, double dt);
 
-/// Records the contacts of the step of dt (s) that comes, and lets pieces fall asleep. Collective.
+/// Records the contacts of the next step, of dt (s), and lets pieces fall asleep. Collective.
 void acceptContacts(const RigidView& view, const SolvedContacts& solved, double dt, Reducer& all);
 
 }  // namespace thaw

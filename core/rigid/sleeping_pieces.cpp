@@ -17,7 +17,7 @@ double extentOf(const Pieces& p, std::size_t k) {
 
 bool onlyWeighs(const RigidView& v, std::size_t k) {
   const Pieces& p = v.pieces;
-  for (int a = 0; a < 3; a++)  // as sumPieceForces adds it
+  for (int a = 0; a < 3; a++)  // the expression of sumPieceForces, for equal bits
     if (p.force[k][a] != 0 + p.mass[k] * v.scene.domain.gravity[a]) return false;
   return p.torque[k] == Vec3d{};
 }
@@ -33,7 +33,8 @@ void wake(Pieces& p, std::size_t k) {
   p.restTime[k] = 0;
 }
 
-/// Returns true if a piece slower than sleep_speed keeps its velocity in the next step.
+/// Returns true if a piece is slow, has no load but weight and contacts, and keeps its velocity in the next
+/// step.
 bool isAtRest(const RigidView& v, std::size_t k, const PieceMotion& after, double dt) {
   const Pieces& p = v.pieces;
   const Numerics& n = v.scene.numerics;

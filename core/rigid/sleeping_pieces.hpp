@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sleep of rigid pieces. A piece is at rest in a step if it is slower than numerics.sleep_speed, accelerates
-// by less than sleep_speed / sleep_after, and its weight is its only load besides contacts. Pieces::restTime
-// is its rest time. It falls asleep when it and all pieces that it touches have a rest time of sleep_after,
-// and no obstacle that it touches moves. Asleep, it is fixed in place by an impulse that balances its weight,
-// and for other pieces it is immovable. It wakes when
-//   - a piece that moves touches it, in the same step and before impulses are found,
+// Sleep of rigid pieces. A piece is at rest in a step if
+//   - its speed is below numerics.sleep_speed,
+//   - its acceleration is below sleep_speed / sleep_after and half of gravity,
+//   - weight and contacts are its only loads.
+// Pieces::restTime is its rest time. It falls asleep when it and all pieces that it touches have a rest time
+// of sleep_after, and no obstacle that it touches moves. A sleeping piece is fixed in place by an impulse
+// that balances its weight, and is immovable for other pieces. It wakes when
+//   - a moving piece touches it, in the same step and before impulses are found,
 //   - a moving obstacle touches it, or an obstacle vanishes,
 //   - it has another load, for example from liquid that appeared beside it,
 //   - particles near it join or leave pieces.
@@ -22,11 +24,11 @@ namespace thaw {
 /// Wakes all pieces.
 void wakePieces(Pieces& pieces);
 
-/// Wakes pieces with loads other than their weight, and all pieces if an obstacle vanishes about now. dt:
-/// next step (s).
+/// Wakes pieces with loads other than their weight, and all pieces if an obstacle vanishes in the last or the
+/// next step. dt: next step (s).
 void wakeLoaded(const RigidView& view, double dt);
 
-/// Wakes pieces near particles that join or leave pieces: they may have lost what they lie on. Requires:
+/// Wakes pieces near particles that join or leave pieces: they may have lost their support. Requires:
 /// Continuum::pieceLabel of the new pieces, and rows of the former pieces of owned particles and ghosts.
 /// Collective.
 void wakeNearChanges(const RigidView& view, Reducer& all);
@@ -38,7 +40,7 @@ bool wakeTouched(const RigidView& view, std::span<const FoundContact> contacts, 
 /// Makes sleeping pieces immovable for the contact solver.
 void holdSleeping(const Pieces& pieces, std::span<PieceMotion> motions);
 
-/// Contacts of the next step, and what follows from them.
+/// Contacts of the next step, and the motion that follows from them.
 struct RestInput {
   std::span<const FoundContact> contacts;
   std::span<const PieceMotion> after;  ///< motion of each row in that step

@@ -280,9 +280,9 @@ void findSubsteps(Finder& f, bool elastic) {
   Modules& m = f.m;
   if (m.solid && s.numerics.sleepSpeed > 0)
     f.on(m.rigid && !elastic ? m.pieceSleep : m.sleep, "sleep", "numerics.sleep_speed is given");
-  // Contact of solids limits the step of all particles, so substeps gain nothing there. Above two substeps
-  // the impulses of incompressible liquid come as often as the fastest elastic waves oscillate, and feed
-  // them.
+  // Contact of solids limits the step of all particles, so substeps gain nothing there. With more than two
+  // substeps, impulses of incompressible liquid come as seldom as half a period of the fastest elastic waves,
+  // and feed these waves.
   const int byDefault = m.incompressible ? 2 : 4;
   m.mostSubsteps = s.numerics.elasticSubsteps > 0                                ? s.numerics.elasticSubsteps
                    : elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? byDefault

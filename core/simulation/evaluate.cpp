@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-/// Brings each particle to the rank of its cell, then all that follows its particles.
+/// Brings each particle to the rank of its cell, then the data that belong to particles.
 void redistributeAll(StepContext& c) {
   c.leftBonds = redistribute(c.w, c.halos, c.t, c.dt);  // emit, remove, migrate, sort by (cell, id)
   runPhase(ModulePhase::Redistributed, c);

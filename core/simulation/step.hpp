@@ -39,7 +39,7 @@ void evaluate(World& world, Halos halos, StepTools& tools, double dt);
 /// Reduces the limits of all ranks and sets the next step in the clock. Collective.
 StepOutcome reduceStep(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests wanted);
 
-/// The same in a step.
+/// As above, with the context of a step.
 void evaluate(StepContext& context);
 StepOutcome reduceStep(StepContext& context, StepOutcome here, Requests wanted);
 

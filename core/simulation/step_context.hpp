@@ -30,7 +30,7 @@ struct StepContext {
   bool finite = true;             ///< all values of all ranks are finite
 };
 
-/// dt: see StepContext::dt. Requires: the clock at the beginning of the step.
+/// Returns the context of a step of dt (StepContext::dt). Requires: the clock at the beginning of the step.
 StepContext stepContext(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Runs the calls of the scene's modules in this phase.

@@ -12,8 +12,8 @@
 namespace thaw {
 namespace {
 
-/// Spacings inside a wall beyond which particles are moved back. They are moved no farther: each jump changes
-/// the energies of all forces.
+/// Depth (spacings) in a wall to which deeper particles are moved back. Larger jumps would change the
+/// energies of all forces more.
 constexpr double deepest = 0.5;
 
 Vec3d restPlace(const Wall& w, const Vec3d& x) { return toRest(w.pose, x); }
@@ -25,8 +25,8 @@ struct DeepContact {
   Vec3d normal;  ///< out of the wall
 };
 
-/// Records what the contact of a particle with a wall loses as it is moved out. The half kick at the end of
-/// the step finds no velocity into the wall and does no work. into: m/s, the velocity that was there.
+/// Records the contact energy that a particle loses when it is moved out of a wall. Its velocity into the
+/// wall is 0 afterwards, so the half kick at the end of the step does no work. into: m/s, its value before.
 void recordContactLoss(const WallContext& x, const DeepContact& c, double moved, double into) {
   Continuum& p = x.world.particles;
   const WallSpring spring = wallSpring(x, c.row);

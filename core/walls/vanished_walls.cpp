@@ -13,7 +13,8 @@ namespace {
 
 bool vanished(const Wall& w, double since) { return !w.present && since < w.properties.until; }
 
-/// Stored energy (J) of a particle that depends on its contacts. added: as for wallRelativeDensity.
+/// Returns the stored energy (J) of a particle as far as it depends on these contacts. added: as for
+/// wallRelativeDensity.
 double energyWith(const WallContext& x, const LiquidMeasure& measure, std::uint32_t i,
                   std::span<const WallContact> contacts, std::vector<double>& added) {
   const WallView& w = x.world;

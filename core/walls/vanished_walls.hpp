@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Energy of obstacles that vanish (Obstacle::until). Particles keep their positions, but lose the springs of
-// the obstacle, its part of a summed density, and its part of their surface. The change is its work.
+// the obstacle, its part of a summed density, and its part of their surface energy. The change of stored
+// energy is the obstacle's work.
 #pragma once
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/walls/wall_forces.hpp"
@@ -17,10 +18,11 @@ struct VanishedWalls {
 bool someVanished(const Walls& walls, double since);
 
 /// Finds the contacts with all walls that were present at a time (s). Distances from walls that vanished are
-/// those of the middle of the step: the kick at its end lacks their force. Call it before findWallContacts.
+/// those of the middle of the step, since the kick at its end lacks their force. Call it before
+/// findWallContacts.
 void findVanished(const WallContext& context, double since, VanishedWalls& vanished);
 
-/// Sums over neighbours in units of the lattice, and surface energies.
+/// Normalisation of surface energies and of densities.
 struct LiquidMeasure {
   const SurfaceMeasure& surface;
   double inverseLatticeSum;  ///< factor that turns sums over V W into relative densities

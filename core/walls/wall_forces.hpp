@@ -48,8 +48,8 @@ WallSpring wallSpring(const WallContext& context, std::size_t row);
 /// them. The kinetic energy and the contact energy that they lose are recorded as dissipated.
 void findWallContacts(const WallContext& context, WallContacts& contacts);
 
-/// Records what weight, pressure and elastic forces gain or lose as findWallContacts moves and stops
-/// particles. Call it before forces of contacts are added.
+/// Records the work of weight, pressure and elastic forces on particles that findWallContacts moved and
+/// stopped. Call it before forces of contacts are added.
 void recordProjections(const WallContext& context, const WallContacts& contacts);
 
 struct WallSupport {

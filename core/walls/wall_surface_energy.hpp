@@ -39,8 +39,8 @@ struct SurfaceParticle {
 /// Surface energy per volume (J/m^3) of a particle.
 double surfaceEnergyOf(const SurfaceContext& context, const SurfaceParticle& particle);
 
-/// Surface energy (J) of a particle with these contacts. Requires: surfaceGradient and surfaceColour without
-/// walls.
+/// Returns the surface energy (J) of a particle with these contacts. Requires: surfaceGradient and
+/// surfaceColour without walls.
 double surfaceEnergyWith(const SurfaceContext& context, std::uint32_t row,
                          std::span<const WallContact> contacts);
 

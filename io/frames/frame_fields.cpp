@@ -167,7 +167,7 @@ std::vector<std::string> knownFrameFields() {
 Frame frameOf(const World& w, int rank) {
   Frame f = startFrame(w.clock, w.particles);
   std::vector<std::string> names = w.scene.output.fields, done;
-  if (w.modules.evaporation) names.emplace_back("volume");  // pictures of particles that shrink
+  if (w.modules.evaporation) names.emplace_back("volume");  // pictures draw shrinking particles by it
   for (const std::string& name : names) {
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // listed twice
     if (name == surfaceVelocityField) continue;                             // a field of surfels

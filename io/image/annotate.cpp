@@ -26,7 +26,7 @@ std::string label(double value, double step, double largest) {
   return fmt::format("{:.{}f}", value, std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9))));
 }
 
-/// Sizes of a colour bar in a picture of a height, in pixels, and its texts.
+/// Sizes (pixels) and texts of a colour bar in a picture of a given height.
 struct BarLayout {
   double unit, text, margin, beside;
   int wide;

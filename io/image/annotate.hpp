@@ -18,7 +18,7 @@ struct Ticks {
 };
 Ticks ticksBetween(double min, double max, int most);
 
-/// Returns the width (pixels) that a colour bar needs in a picture of a height (pixels).
+/// Returns the width (pixels) of a colour bar with its texts in a picture of a given height (pixels).
 int colourBarWidth(const ColourScale& scale, int height);
 
 /// Draws a vertical bar of the scale's colours at the right edge, with title, unit and tick labels. A title

@@ -229,8 +229,8 @@ void unwrapComponents(SurfaceFrame& frame, const PeriodicSides& sides) {
   }
 }
 
-/// Sets velocities of drops, if they have none, and volumes of their particles from the particles of the same
-/// time. A component is named after a particle.
+/// Sets the least volumes of drops, and their velocities unless they are `moving`, from the particles of the
+/// same time. The label of a component is 1 + the id of one of its particles.
 void addParticles(std::vector<SprayDrop>& drops, bool moving, const fs::path& particles) {
   if (particles.empty()) return;
   const FrameData data = readFrame(particles.string(), [&](const std::string& n) {

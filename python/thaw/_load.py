@@ -20,5 +20,6 @@ def core() -> ModuleType:
             raise
         raise ImportError(
             "simulations need the compiled part of the package: install python3-dev and pybind11-dev, build "
-            "thaw, and import it from <build>/python or from the installation, or run pip install . there"
+            "thaw, and import it from <build>/python or from the installation. Or run pip install . in the "
+            "source folder of thaw"
         ) from None

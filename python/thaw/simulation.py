@@ -404,7 +404,8 @@ def register_extension(
     fields: name -> unit, or (unit, meaning, components, start value). They are arrays of doubles that move
     with their particles, are in checkpoints, and in frames that list them in output.fields.
     update(p, t, dt, values) sets them at the end of each step of dt seconds, by p.name[...] = values.
-    Scenes that name an unregistered extension are refused, also at a restart. With `heat`, they have heat.
+    Scenes that name an unregistered extension are refused, also at a restart. With `heat`, scenes that name
+    this extension have heat.
     """
 
     def note(key: str, given: Any) -> tuple[str, str, float, float, float, str]:

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Rigid pieces break in impacts (core/rigid/breaking/) and fall asleep (core/rigid/sleeping_pieces.hpp) with
-# the same bits on 1, 2, 3, 4 and 7 ranks, and when the run is stopped and resumed on other ranks. A bar falls
-# on a ridge beside a sleeping block, and its parts hit the floor and the block.
+# Rigid pieces break in impacts (core/rigid/breaking/) and fall asleep (core/rigid/sleeping_pieces.hpp). They
+# have the same bits on 1, 2, 3, 4 and 7 ranks, and when the run is stopped and resumed on other ranks. A bar
+# falls on a ridge beside a sleeping block, and its parts hit the floor and the block.
 . "$(dirname "$0")/../support/run.sh"
 scene=bar_on_ridge
 cat >"$work/$scene.toml" <<'SCENE'

@@ -131,7 +131,7 @@ TEST(Frame, FieldsOfAbsentModulesHaveTheirMeaning) {
   EXPECT_THROW(frameOf(w, 0), std::invalid_argument);
 }
 
-/// Pictures need the volumes of particles that shrink.
+/// Pictures need the volumes of shrinking particles.
 TEST(Frame, HasVolumesIfLiquidsEvaporate) {
   const Folder folder;
   Sample sample(MPI_COMM_WORLD, 20);

@@ -75,7 +75,7 @@ TEST(Evaporation, LedgerClosesWithShifting) {
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * std::abs(r.now.potential - r.initial.potential));
 }
 
-// Ten spacings across and deep, until a fifth is left.
+// The vessel is ten spacings wide and deep. It evaporates until a fifth is left.
 TEST(Evaporation, SmallVesselKeepsTheRate) {
   Scene s = emptyScene(dx, {}, {10 * dx, 10 * dx, 16 * dx});
   s.domain.gravity = {0, 0, -9.81};

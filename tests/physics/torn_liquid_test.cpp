@@ -36,7 +36,7 @@ Scene torn(const Tear& t) {
   return s;
 }
 
-/// Returns the unexplained energy over the kinetic energy of the start.
+/// Returns the unexplained energy relative to the initial kinetic energy.
 double unexplained(const Scene& s) {
   Simulation r(s);
   const double kinetic = r.ledgerReport().now.kinetic;
@@ -44,8 +44,8 @@ double unexplained(const Scene& s) {
   return r.ledgerReport().energyResidual / kinetic;
 }
 
-// Without the limit on the density change of a step, rags oscillate from step to step, and the energy grows
-// by a tenth and more.
+// Without the limit on the density change of a step, detached particles oscillate from step to step, and the
+// energy grows by more than 10 %.
 TEST(TornLiquid, GainsNoEnergy) {
   const Tear coarse{0.156553, 10.7, 0, {0.344, 1.224, 1.172}, {1.843, 0.346, 0}, 2.5};
   EXPECT_LT(std::abs(unexplained(torn(coarse))), 0.03);

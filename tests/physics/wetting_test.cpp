@@ -186,7 +186,7 @@ TEST(ContactAngle, ObstacleOverridesTheMaterial) {
   EXPECT_TRUE(modulesOf(s).contactAngle);
 }
 
-// The reason that `thaw check` prints is an angle that acts.
+// The reason that `thaw check` prints names an angle that acts.
 TEST(ContactAngle, ReasonNamesAnAngleThatActs) {
   const auto reasonOf = [](const Scene& s) {
     for (const std::string& why : modulesOf(s).why)

@@ -59,7 +59,7 @@ struct CarryStep {
   Vec3d* shiftingVelocity = nullptr;  ///< m/s
   Vec3f* relief = nullptr;            ///< N
   float* summed = nullptr;            ///< summed relative density, in steps that need it
-  double* largestChange = nullptr;    ///< 1, of a relative density in this step
+  double* largestChange = nullptr;    ///< 1, largest of a carried relative density in the step
   std::int64_t* crowded = nullptr;    ///< counts particles much denser than their carried density
 };
 

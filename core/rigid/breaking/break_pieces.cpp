@@ -30,7 +30,7 @@ bool comesBefore(const Cut& a, const Cut& b) {
   return a.ratio > b.ratio || (a.ratio == b.ratio && a.particle < b.particle);
 }
 
-/// Largest principal stress and its direction.
+/// Returns the largest principal stress and its direction.
 std::pair<double, Vec3d> principalStress(const Sym3d& stress) {
   const SymEigen e = eigenOf(stress);
   int k = 0;
@@ -39,7 +39,8 @@ std::pair<double, Vec3d> principalStress(const Sym3d& stress) {
   return {e.value[k], e.vector[k]};
 }
 
-/// Middle of the bond of a member that carries most tension along a direction, relative to the particle.
+/// Returns the middle of the member's bond with the largest tension along a direction, relative to the
+/// particle.
 Vec3d mostStretched(const BondedPieces& b, std::size_t m, const BondedMotion& motion, const Vec3d& along) {
   double most = -never;
   Vec3d middle{};
@@ -56,7 +57,7 @@ Vec3d mostStretched(const BondedPieces& b, std::size_t m, const BondedMotion& mo
   return middle;
 }
 
-/// Returns the most overloaded particle of each row among those of this rank.
+/// Returns a cut at the most overloaded particle of this rank for each row of pieces.
 Cuts cutsHere(const RigidView& v, const BondedPieces& b, const BondedMotion& motion) {
   const Continuum& p = v.particles;
   Cuts cuts(v.pieces.owned);
@@ -72,7 +73,7 @@ Cuts cutsHere(const RigidView& v, const BondedPieces& b, const BondedMotion& mot
   return cuts;
 }
 
-/// Replaces the cuts of this rank by the first ones of all ranks.
+/// Replaces the cuts of this rank by those with the largest ratio on any rank.
 void chooseCuts(const RigidView& v, std::span<const std::uint32_t> hit, Cuts& cuts, Reducer& all) {
   constexpr std::size_t width = 9;  // piece, particle, ratio, origin, normal
   PieceRecords own{width, {}};
@@ -93,7 +94,7 @@ void chooseCuts(const RigidView& v, std::span<const std::uint32_t> hit, Cuts& cu
   }
 }
 
-/// Makes pieces of the parts.
+/// Splits pieces along their cuts.
 void splitPieces(const RigidView& v, const Halos& halos, const Cuts& cuts) {
   const Continuum& p = v.particles;
   const Periods periods = periodsOf(v.grid);
@@ -131,15 +132,15 @@ bool breakHit(const RigidView& v, const Halos& halos, std::span<const FoundConta
   return true;
 }
 
-/// Sets the loads that the impulses of an impact exceed. They fall slowly, so a contact that is lost for a
-/// step does not return as an impact.
+/// Records the loads to which impulses of the next step are compared. They decay over several steps, so a
+/// contact that is lost for one step is no impact when it returns.
 void recordLoads(Pieces& p, std::span<const double> sizes, double dt) {
   constexpr double kept = 0.5;
   for (std::size_t k = 0; k < p.owned; k++)
     p.contactLoad[k] = std::max(sizes[k] / dt, kept * p.contactLoad[k]);
 }
 
-/// Solves contacts, and breaks pieces. Returns the contacts of the parts.
+/// Solves contacts and breaks overloaded pieces, by turns. Returns the contacts of the last parts.
 SolvedContacts solveAndBreak(const RigidView& v, const Halos& halos, double dt) {
   for (int cuts = 0;; cuts++) {
     SolvedContacts solved = findContactImpulses(v, halos, dt);

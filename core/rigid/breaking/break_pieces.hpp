@@ -8,12 +8,11 @@
 
 namespace thaw {
 
-/// Finds the contact impulses of the next step, of dt (s). In scenes with breaking pieces, breaks those that
-/// their impulses overload, and their parts, up to mostCuts times. Requires: as findContactImpulses.
-/// Collective.
+/// Finds the contact impulses of the next step, of dt (s). In scenes with breaking pieces, breaks overloaded
+/// pieces and their parts, up to mostCuts times. Requires: as findContactImpulses. Collective.
 void touchAndBreak(const RigidView& view, const Halos& halos, double dt);
 
-/// Largest number of cuts after each other in a step.
+/// Largest number of successive cuts in a step.
 inline constexpr int mostCuts = 6;
 
 }  // namespace thaw

@@ -13,8 +13,8 @@
 namespace thaw {
 namespace {
 
-constexpr double tolerance = 1e-3;    // residual over that of the start
-constexpr int mostIterations = 3000;  // thin shells take the most
+constexpr double tolerance = 1e-3;    // residual relative to the initial one
+constexpr int mostIterations = 3000;  // thin shells need the most
 
 /// Lists the bonds of a particle. near: particles of the piece within connectedDistance.
 void addBonds(BondedPieces& b, std::span<const BondedPieces::Bond> near, double spacing) {
@@ -32,8 +32,8 @@ void addBonds(BondedPieces& b, std::span<const BondedPieces::Bond> near, double 
 /// Vectors of conjugate gradients over the members.
 struct Iteration {
   std::vector<Generalised> solution, residual, product;
-  std::vector<double> size;        ///< by piece: residual in the norm of the preconditioner
-  std::vector<double> goal;        ///< by piece
+  std::vector<double> size;        ///< by piece: squared residual in the norm of the preconditioner
+  std::vector<double> goal;        ///< by piece: size at convergence
   std::vector<std::uint8_t> done;  ///< by piece
 };
 
@@ -63,7 +63,7 @@ std::vector<double> sumByPiece(const RigidView& v, const BondedPieces& b, Reduce
   return result;
 }
 
-/// Product of the stiffness with a motion.
+/// Sets `product` to the stiffness matrix times a motion.
 void multiply(const BondedPieces& b, const BondedMotion& x, const std::vector<std::uint8_t>& done,
               std::vector<Generalised>& product) {
   for (std::size_t m = 0; m < b.member.size(); m++) {
@@ -83,7 +83,7 @@ void setRow(BondedMotion& x, std::uint32_t row, const Generalised& g) {
   x.angular[row] = g.angular;
 }
 
-/// One step of all pieces that are not done; false if none is left on any rank.
+/// Takes one iteration for all pieces that are not done. Returns false if none is left on any rank.
 bool iterate(const RigidView& v, const Halos& halos, const BondedPieces& b, BondedMotion& direction,
              Iteration& it) {
   refresh(halos.cells, v.particles, ColumnList{&direction.linear, &direction.angular}).wait();
@@ -240,7 +240,7 @@ Sym3d stressOf(const BondedPieces& b, std::size_t m, std::uint32_t row, const Bo
                                             0.5 * (l.x * g.y + l.y * g.x),
                                             0.5 * (l.y * g.z + l.z * g.y),
                                             0.5 * (l.x * g.z + l.z * g.x)};
-    // 6 M / a^3 at the surface of a square beam; each axis has two bonds
+    // Half of 6 M / a^3, the stress at the surface of a square beam: each axis has two bonds.
     const double bending = 3 * length(f.angular - along) / (a * a * a);
     sum = sum + bending * Sym3d{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
   }

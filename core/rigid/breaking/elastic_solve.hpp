@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Static stress of rigid pieces under the forces of an impact, balanced by their inertia [MMDJ01].
 //
-// Neighbouring particles are bonded by short beams, as in the bonded-particle model [PC04], with the section
-// and length of a spacing a. A particle has a displacement u and a rotation phi. With
-//   delta = u_j - u_i - (phi_i + phi_j) x l / 2   and   theta = phi_j - phi_i,   l = x_j - x_i,
-// a bond has the energy E a (|delta|^2 + a^2 / 12 |theta|^2) / 2. On the cubic lattice this is an isotropic
-// medium with Poisson's ratio 0, and a row of particles is a beam. Young's modulus does not change the
-// stress, so E a = 1 here.
+// Neighbouring particles are bonded by short beams, as in the bonded-particle model [PC04]. The length and
+// the width of a beam are the spacing a. A particle has a displacement u and a rotation phi. The energy of a
+// bond is
+//   E a (|delta|^2 + a^2 / 12 |theta|^2) / 2,
+//   delta = u_j - u_i - (phi_i + phi_j) x l / 2,   theta = phi_j - phi_i,   l = x_j - x_i.
+// On the cubic lattice this is an isotropic medium with Poisson's ratio 0, and a row of particles is a beam.
+// Young's modulus does not change the stress, so E a = 1 here.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -43,8 +44,8 @@ struct BondedPieces {
   double spacing = 0;                 ///< m
   std::vector<std::uint32_t> pieces;  ///< rows of pieces, ascending
   std::vector<std::uint32_t> member;  ///< owned rows of their particles, ascending
-  std::vector<std::uint32_t> system;  ///< by member: place in `pieces`
-  std::vector<std::size_t> first;     ///< by member, and one more: its first bond
+  std::vector<std::uint32_t> system;  ///< by member: index in `pieces`
+  std::vector<std::size_t> first;     ///< by member, and the end: its first bond
   std::vector<Bond> bonds;            ///< in the order of cells and ids
 
   std::span<const Bond> of(std::size_t m) const {
@@ -52,23 +53,24 @@ struct BondedPieces {
   }
 };
 
-/// Finds the bonds of pieces: neighbours within joinDistance, and within connectedDistance where no particle
-/// is next to both. Requires: Continuum::piece of ghosts.
+/// Finds the bonds of pieces. Bonded are neighbours within joinDistance, and those within connectedDistance
+/// that have no such neighbour in common. Requires: Continuum::piece of ghosts.
 BondedPieces bondPieces(const RigidView& view, std::span<const std::uint32_t> pieces);
 
 /// Returns the load of each member: the forces of contacts, and the inertia that balances them.
 std::vector<Generalised> balancedLoads(const RigidView& view, const BondedPieces& bonded,
                                        const ImpactLoads& loads);
 
-/// Sets `motion` to the displacements under the loads, by conjugate gradients with exact sums for each piece.
+/// Sets `motion` to the displacements under the loads. Conjugate gradients, with exact sums for each piece.
 /// Returns the number of iterations. Collective.
 int solveBonds(const RigidView& view, const Halos& halos, const BondedPieces& bonded,
                std::span<const Generalised> loads, BondedMotion& motion);
 
-/// Stress (Pa) of a member: the mean stress of its cell, and that of bending at the surface of its bonds.
+/// Returns the stress (Pa) of a member: the mean stress of its cell plus the bending stress at the surface of
+/// its bonds.
 Sym3d stressOf(const BondedPieces& bonded, std::size_t member, std::uint32_t row, const BondedMotion& motion);
 
-/// Force (N) on a particle by a bond, and its moment (N m) in the middle of the bond.
+/// Returns the force (N) of a bond on a particle, and its moment (N m) in the middle of the bond.
 Generalised bondForce(const BondedPieces::Bond& bond, std::uint32_t row, double spacing,
                       const BondedMotion& motion);
 

@@ -9,21 +9,21 @@
 namespace thaw {
 namespace {
 
-constexpr double impactFactor = 2;  // impulses of an impact over those of the last step
+constexpr double impactFactor = 2;  // impulses of an impact over those of known loads
 
-/// Length (m) of a rod with the piece's largest second moment of mass.
+/// Returns the length (m) of a rod with the mass and the largest second moment of mass of the piece.
 double lengthOf(const Pieces& p, std::size_t k) {
   const Vec3d& i = p.inertia[k];
   const double most = 0.5 * (i.x + i.y + i.z) - std::min({i.x, i.y, i.z});
   return std::sqrt(12 * most / p.mass[k]);
 }
 
-/// Duration (s) of an impact of a piece on a particle of a material; 0 if the material does not break.
+/// Returns the duration (s) of an impact on a piece of a material; 0 if the material does not break.
 double durationOf(const Pieces& p, std::size_t k, const Material& m) {
   return m.impactModulus > 0 ? 2 * lengthOf(p, k) / std::sqrt(m.impactModulus / m.density) : 0;
 }
 
-/// Least strength (Pa) and shortest duration of an impact over the length (s/m) of all materials that break.
+/// Least strength (Pa) of all breaking materials, and their shortest duration of an impact per length (s/m).
 struct Weakest {
   double strength = never, perLength = never;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Impacts of rigid pieces, and their forces. A contact impulse J of an impact acts for the time 2 L / c in
-// which a pressure wave crosses a piece of length L and returns, with c^2 = E / rho: the force J c / (2 L)
-// is then exact for rods that meet end to end.
+// Impacts of rigid pieces, and their forces. A contact impulse J of an impact acts for the time 2 L / c, in
+// which a pressure wave of speed c = sqrt(E / rho) crosses a piece of length L and returns. The force
+// J c / (2 L) is exact for rods that meet end to end.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -17,11 +17,11 @@ namespace thaw {
 /// Pieces of fewer particles do not break.
 inline constexpr std::uint64_t leastToBreak = 16;
 
-/// Returns the sum of the sizes of the contact impulses (N s) of each row, over all ranks. Collective.
+/// Returns the sum of the magnitudes of the contact impulses (N s) of each row, over all ranks. Collective.
 std::vector<double> contactSizes(const RigidView& view, std::span<const FoundContact> contacts, Reducer& all);
 
-/// Returns the rows, ascending, of pieces that an impact may break: the impulses of their contacts over the
-/// step of dt (s) exceed twice those of their known loads and of their weight, and the stress may reach the
+/// Returns the rows, ascending, of pieces that an impact may break in the step of dt (s). Their contact
+/// impulses (sizes) exceed twice those of their known loads and of their weight, and the stress may reach the
 /// strength. Equal on all ranks with a row.
 std::vector<std::uint32_t> findHit(const RigidView& view, std::span<const double> sizes, double dt);
 

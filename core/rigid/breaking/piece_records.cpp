@@ -9,13 +9,13 @@
 namespace thaw {
 namespace {
 
-/// A piece at its home rank.
+/// Holders and records of a piece, at its home rank.
 struct Entry {
   std::vector<int> holders;
   std::vector<std::uint64_t> words;
 };
 
-/// Words that announce a holder, and records, in a list to a home rank.
+/// Tags of the entries in a message to a home rank: a rank that holds a piece, or a record.
 constexpr std::uint64_t isHolder = 0, isRecord = 1;
 
 std::map<std::uint64_t, Entry> entriesAtHome(const std::vector<WordStream>& in, std::size_t width) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records about pieces, from any rank to all ranks that hold the piece.
+// Exchange of records about pieces: from any rank to all ranks that hold the piece.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -19,8 +19,8 @@ struct PieceRecords {
   Vec3d place(std::size_t k, std::size_t word) const { return placeAt(words, k * width + word); }
 };
 
-/// Returns the records of all ranks about the pieces that this rank holds, in the order of their words. Home
-/// ranks of the pieces pass them on. held: pieces of this rank. Collective.
+/// Returns the records of all ranks about the pieces that this rank holds, sorted by their words. The home
+/// ranks of the pieces forward them. held: pieces of this rank. Collective.
 PieceRecords shareRecords(const PieceRecords& own, std::span<const std::uint64_t> held, Reducer& all);
 
 }  // namespace thaw

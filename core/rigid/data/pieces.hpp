@@ -43,9 +43,9 @@ struct Pieces : Table {
   Column<Vec3d> pressureTwist{*this, "pressureTwist", "N m s", Keep::State,
       "angular impulse of incompressible liquid about the centre, added at the start of the next step"};
   Column<double> contactLoad{*this, "contactLoad", "N", Keep::State,
-      "sum of the sizes of its contact impulses over the step, in the last step; only if pieces break"};
+      "summed size of its contact impulses over the step, or half of the last value if that is larger"};
   Column<double> restTime{*this, "restTime", "s", Keep::State,
-      "time since it last moved or was loaded by more than its weight; only if pieces sleep"};
+      "time since it last moved or had a load besides weight and contacts; only if pieces sleep"};
   Column<std::uint8_t> asleep{*this, "asleep", "1", Keep::State,
       "1: fixed in place, and without contacts with other sleeping pieces and obstacles at rest"};
   Column<std::uint64_t> count{*this, "count", "1", Keep::State, "number of its particles on all ranks"};

@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// A program may add loads during a run (Simulation::addForce), and a checkpoint may have some.
+/// Always on: a program may add loads during a run (Simulation::addForce), and a checkpoint may have some.
 StepModule outsideLoads() {
   return {"loads from outside",
           [](const World&, const StepTools&) { return true; },

@@ -19,7 +19,7 @@ StepModule melting() {
            {ModulePhase::PhaseChange, [](StepContext& c) {
               const PhaseChanges changes = changePhase(c.w.scene, c.w.particles, c.w.counters);
               c.t.phaseChangedHere = changes.melted || changes.frozen;
-              // On this rank; reduceStep makes them those of all ranks.
+              // For this rank; reduceStep combines the flags of all ranks.
               c.t.frozeAnywhere = changes.frozen;
               c.t.meltedAnywhere = changes.melted;
             }}}};

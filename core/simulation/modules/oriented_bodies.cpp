@@ -19,7 +19,7 @@ StepModule orientedBodies() {
           [](const World& w, const StepTools&) { return w.modules.oriented; },
           {{ModulePhase::BeforeMotion,
             [](StepContext& c) {
-              // With integrators of their own, and obstacles at their positions of the force evaluation.
+              // They have integrators of their own, with obstacles at the positions of the last forces.
               stepOriented(orientedView(c.w, c.t), c.halos, c.dt);
             }},
            {ModulePhase::Redistributed,

@@ -32,7 +32,7 @@ StepModule rigidPieces() {
            {ModulePhase::Kicked, [](StepContext& c) { kickPieces(rigidView(c.w, c.t), c.dt); }}}};
 }
 
-/// Pieces of rigid materials: they change where particles melt, freeze or leave, and touch by impulses.
+/// Pieces of rigid materials. They change where particles melt, freeze or leave; their contacts are impulses.
 StepModule rigidBodies() {
   return {"rigid materials",
           [](const World& w, const StepTools&) { return w.modules.rigid && !w.modules.rigidify; },

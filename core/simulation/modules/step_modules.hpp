@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modules of the step: what each does in which phase. A scene without a module has none of its calls.
+// Modules of the step, with their calls in its phases. A scene without a module has none of its calls.
 #pragma once
 #include <string_view>
 #include <vector>
@@ -17,7 +17,7 @@ struct ModuleCall {
 
 struct StepModule {
   std::string_view name;
-  bool (*isOn)(const World&, const StepTools&);  ///< the world is prepared; constant over a run
+  bool (*isOn)(const World&, const StepTools&);  ///< in a prepared world; constant over a run
   std::vector<ModuleCall> calls;                 ///< at most one per phase
 };
 

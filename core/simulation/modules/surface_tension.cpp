@@ -23,7 +23,7 @@ StepModule tensionByTemperature() {
 }
 
 StepModule energyOfLeaving() {
-  return {"energy that leaving particles leave to others",
+  return {"energy left by particles that leave",
           [](const World& w, const StepTools& t) { return w.modules.tension || !t.pairForces.empty(); },
           {{ModulePhase::Density, [](StepContext& c) { recordEnergyLeft(c.w, c.t); }}}};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation on one rank: the world with all that starts and steps it. Runs, benchmarks and tests share it.
+// A simulation on one rank: the world, and the data to start and step it. Shared by runs, benchmarks, tests.
 #pragma once
 #include <tuple>
 

@@ -64,7 +64,7 @@ void evaluateNow(World& w, Halos halos, StepTools& t) {
       if (p.clamped[i]) p.acceleration[i] = {};
 }
 
-/// Does what modules do at the end of each step.
+/// Prepares the first step as the end of a step prepares the next one.
 void prepareNextStep(World& w, Halos halos, StepTools& t) {
   StepContext c = stepContext(w, halos, t, 0);
   runPhase(ModulePhase::EndOfStep, c);

@@ -21,7 +21,7 @@ enum class ModulePhase {
   WallContacts,   ///< contacts of particles with walls are known
   // Density
   GhostsSent,     ///< ghosts are on their way
-  BeforeDensity,  ///< rates are cleared; follows only if neighbours are searched
+  BeforeDensity,  ///< rates are cleared; only with a search of neighbours
   InnerRows,      ///< before the sums of rows without ghosts among their neighbours; only with a search
   BoundaryRows,   ///< before the sums of the other rows, with ghosts present; only with a search
   Density,        ///< sums over neighbours are known: densities, normals, viscosities

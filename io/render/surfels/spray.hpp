@@ -24,12 +24,12 @@ struct SprayDrop {
   std::uint64_t component = 0;
   std::vector<std::uint32_t> rows;
   Vec3d centre{}, velocity{};  ///< m; m/s
-  double radius = 0;           ///< m, of the ball through its surfels
-  double least = 0;            ///< m^3, of the particle that its component is named after
+  double radius = 0;           ///< m, mean distance of its surfels from the centre
+  double least = 0;            ///< m^3, least volume: that of the particle with its label
 };
 
 /// Returns the drops of a frame, ascending by component, with the velocities of their surfels if it has them.
-/// Their particles are cubes of the spacing. Requires: components are unwrapped.
+/// Their least volume is the cube of the spacing. Requires: components are unwrapped.
 std::vector<SprayDrop> findSpray(const SurfaceFrame& frame, double spacing);
 
 /// Returns the radius of the ball of a drop's volume, in m. It is at least that of one particle, since a ball

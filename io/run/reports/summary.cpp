@@ -207,7 +207,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
         fmt::format("{} particles have a summed density above 1.3 times their carried density, which drifts "
                     "in long pours and splashes; numerics.density = \"summation\" does not drift",
                     c.crowded));
-  add(c.contactUnfinished, "steps ended the contact solver of rigid pieces before its tolerance");
+  add(c.contactUnfinished, "steps in which the contact solver of rigid pieces did not reach its tolerance");
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
   const double largest = l.energyLargest;
   if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)

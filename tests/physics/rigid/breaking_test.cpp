@@ -28,7 +28,7 @@ Scene bar(int along, int across) {
   return freeBox(glass(1e30), spacing, {along * spacing, across * spacing, across * spacing});
 }
 
-/// A contact force (N) on the piece at the particles nearest to a point of the bar.
+/// Adds a contact force (N) on the particle nearest to a point of the bar.
 void addLoad(const World& w, const Vec3d& at, const Vec3d& force, ImpactLoads& loads) {
   const Continuum& p = w.particles;
   std::size_t nearest = 0;
@@ -42,7 +42,7 @@ void addLoad(const World& w, const Vec3d& at, const Vec3d& force, ImpactLoads& l
 struct Solved {
   BondedPieces bonded;
   BondedMotion motion;
-  /// Stress of the particle nearest to a point.
+  /// Returns the stress (Pa) of the particle nearest to a point.
   Sym3d at(const World& w, const Vec3d& x) const {
     std::size_t nearest = 0;
     const Continuum& p = w.particles;
@@ -135,7 +135,7 @@ TEST(RigidBreaking, ABarBreaksOverARidgeIfTheImpactIsHard) {
   }
 }
 
-TEST(RigidBreaking, BreakingDoesNotDependOnTheStep) {
+TEST(RigidBreaking, NumberOfPartsHardlyDependsOnTheStep) {
   std::vector<std::size_t> pieces;
   for (const double step : {2e-3, 2e-4}) {
     Scene s = barOnRidge(60e6, 5);
@@ -157,7 +157,7 @@ TEST(RigidBreaking, PiecesWithoutStrengthDoNotBreak) {
   EXPECT_EQ(sim.w.pieces.owned, 1u);
 }
 
-TEST(RigidBreaking, RestIsNoImpact) {
+TEST(RigidBreaking, PiecesAtRestDoNotBreak) {
   Scene s = emptyScene(spacing, {-1, -1, -0.5}, {1, 1, 2});
   s.domain.gravity = {0, 0, -9.81};
   addFloor(s);

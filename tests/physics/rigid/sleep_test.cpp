@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rigid pieces at rest sleep (core/rigid/sleeping_pieces.hpp), and wake by contact, moving and vanishing
-// obstacles, and melting.
+// obstacles, and by melting.
 #include <gtest/gtest.h>
 
 #include "tests/support/rigid/scenes.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double spacing = 0.1, edge = 0.4;
 
-/// Boxes of stone one upon the other on a floor, from x (m) on.
+/// A stack of stone boxes on a floor, slightly offset from each other.
 Scene stack(int boxes) {
   Scene s = emptyScene(spacing, {-1, -1, -0.5}, {3, 1, 6});
   s.domain.gravity = {0, 0, -9.81};
@@ -51,7 +51,7 @@ TEST(RigidSleep, AStackOfTenBoxesIsAsleepAfterTenSeconds) {
   const std::int64_t iterations = sim.w.counters.contactIterations;
   ASSERT_TRUE(runUntil(sim, 10));
   EXPECT_EQ(sleepers(p), 10u);
-  EXPECT_EQ(sim.w.counters.contactIterations, iterations) << "contacts among sleepers are solved";
+  EXPECT_EQ(sim.w.counters.contactIterations, iterations) << "contacts among sleeping pieces are solved";
   EXPECT_EQ(sim.w.counters.asleep, static_cast<std::int64_t>(sim.particles().owned));
   for (std::size_t k = 0; k < p.owned; k++) EXPECT_LT(length(p.centre[k] - start[k]), 0.1 * spacing);
   const LedgerReport now = sim.ledgerReport();
@@ -69,7 +69,7 @@ TEST(RigidSleep, AFallingBoxWakesTheStackThatItHits) {
   ASSERT_TRUE(runUntil(sim, hit - 0.02));
   EXPECT_EQ(sleepers(p), 4u);
   ASSERT_TRUE(runUntil(sim, hit + 0.02));
-  EXPECT_EQ(sleepers(p), 1u) << "the box far away alone";
+  EXPECT_EQ(sleepers(p), 1u) << "only the box far away sleeps";
   EXPECT_TRUE(p.asleep[4]);
   EXPECT_LT(length(sim.ledgerReport().momentumResidual), 1e-6 * sim.ledgerReport().now.mass);
   ASSERT_TRUE(runUntil(sim, 4));

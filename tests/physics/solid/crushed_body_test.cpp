@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies that are too soft for their impact are pushed out of the floor, particle by particle.
+// Particles of bodies that are too soft for their impact are pushed out of the floor.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ TEST(CrushedBody, EnergyOfParticlesPushedOutIsRecorded) {
   EXPECT_GT(r.w.counters.wallProjections, 100);
   const LedgerReport l = r.ledgerReport();
   EXPECT_LT(std::abs(l.energyResidual), 0.02 * l.energyScale);
-  // Nobody is deeper in the floor than half a spacing and what a step adds.
+  // No particle is deeper in the floor than half a spacing, plus its move in a step.
   for (std::size_t i = 0; i < r.particles().owned; i++) EXPECT_GT(r.particles().position[i].z, -0.004);
 }
 

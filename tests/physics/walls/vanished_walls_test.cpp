@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obstacles that vanish: the ledger has the energy that particles gain or lose with them.
+// Obstacles that vanish: the ledger has the energy that particles then gain or lose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ Jump jumpOf(const Scene& s) {
 
 }  // namespace
 
-TEST(VanishedWalls, LedgerHasTheSurfaceThatTheyUncover) {
+TEST(VanishedWalls, LedgerHasTheEnergyOfExposedSurfaces) {
   for (const double angle : {40.0, 90.0, 130.0}) {
     SCOPED_TRACE(angle);
     Scene s = cubeOnFloor(1e-3, 0.02);
@@ -55,7 +55,7 @@ TEST(VanishedWalls, LedgerHasTheSurfaceThatTheyUncover) {
   }
 }
 
-TEST(VanishedWalls, LedgerHasTheSpringsThatTheyRelease) {
+TEST(VanishedWalls, LedgerHasTheEnergyOfReleasedSprings) {
   Scene s = cubeOnFloor(1e-2, 0.4);
   s.domain.gravity = {0, 0, -9.81};
   s.materials[0].young = {2e4, 0};
@@ -65,7 +65,7 @@ TEST(VanishedWalls, LedgerHasTheSpringsThatTheyRelease) {
   EXPECT_LT(std::abs(jump.residual), 0.05 * std::abs(jump.work));
 }
 
-TEST(VanishedWalls, LedgerHasTheCompressionOfSummedDensities) {
+TEST(VanishedWalls, LedgerHasTheCompressionEnergyOfSummedDensities) {
   Scene s = cubeOnFloor(1e-2, 0.4);
   s.domain.gravity = {0, 0, -9.81};
   s.domain.side[0] = s.domain.side[1] = {Side::Periodic, Side::Periodic};

@@ -26,7 +26,7 @@ class FrameSource : public testing::Test {
   }
   ~FrameSource() override { fs::remove_all(folder); }
 
-  /// edges: m, of cubes of the particles' volumes; none: the frame has no volumes.
+  /// edges: m, of cubes with the particles' volumes; empty: the frame has no volumes.
   fs::path writeFrame(const std::string& name, double time, std::uint64_t count,
                       const std::vector<double>& edges = {}) {
     const fs::path path = folder / "frames" / name;

@@ -185,7 +185,7 @@ TEST(Caption, ShowsTheTimeWithATitleOfAnyLength) {
   EXPECT_EQ(drawn(title, "0.10 s"), drawn(title + title, "0.10 s"));
 }
 
-/// Returns whether the columns of a picture at its left and right edges are white.
+/// Returns true if the leftmost and the rightmost column of a picture are white.
 bool hasWhiteSides(const Image& image) {
   for (int y = 0; y < image.height; y++)
     for (const int x : {0, image.width - 1})
@@ -204,7 +204,7 @@ TEST(ColourBar, TitlesOfAnyLengthAreWithinThePicture) {
         drawColourBar(*image, scale);
         EXPECT_TRUE(hasWhiteSides(*image)) << title << " " << height << " " << image->width;
       }
-      // the bar that fits is not shortened: all of it is in the wider picture
+      // the title of the bar that fits is not shortened: the wider picture has the same pixels
       int drawn = 0, all = 0;
       for (const Rgb p : fitting.pixels) drawn += p == Rgb{255, 255, 255} ? 0 : 1;
       for (const Rgb p : wider.pixels) all += p == Rgb{255, 255, 255} ? 0 : 1;

@@ -49,7 +49,7 @@ TEST(SceneJob, SceneTextRoundTripsWithIncludesAndOverrides) {
   EXPECT_THROW(sceneOfText("# ---- pot.toml\nspacing = [", "pot"), SceneErrors);
 }
 
-TEST(SceneJob, DropsLookAsTheSceneWants) {
+TEST(SceneJob, DropsHaveTheLookOfTheScene) {
   EXPECT_EQ(jobOfScene(readScene(files(), {})).spray, Spray::Ellipsoids);
   EXPECT_EQ(jobOfScene(readScene(files(), {"output.spray=\"hide\""})).spray, Spray::Hide);
   EXPECT_EQ(jobOfScene(readScene(files(), {"output.spray=\"spheres\""})).spray, Spray::Spheres);

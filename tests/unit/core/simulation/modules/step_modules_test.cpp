@@ -26,7 +26,7 @@ std::vector<PhaseCall> callsOf(const std::vector<std::string_view>& names, Modul
 
 }  // namespace
 
-TEST(StepModules, HaveNamesOfTheirOwnAndOneCallAPhase) {
+TEST(StepModules, HaveUniqueNamesAndAtMostOneCallPerPhase) {
   std::set<std::string_view> names;
   for (const StepModule& module : stepModules()) {
     EXPECT_TRUE(names.insert(module.name).second) << module.name;
@@ -36,7 +36,7 @@ TEST(StepModules, HaveNamesOfTheirOwnAndOneCallAPhase) {
   }
 }
 
-TEST(StepModules, SceneWithoutModulesHasOnlyTheLoadsOfPrograms) {
+TEST(StepModules, SceneWithoutModulesHasOnlyLoadsFromOutside) {
   EXPECT_EQ(callsOf(phasesOf(World{}, StepTools{})), 3u);
 }
 
