@@ -37,6 +37,7 @@ struct Counters {
   std::int64_t unsolvedPressures = 0;  ///< solves that reached the iteration limit; on the first rank only
   std::int64_t contactIterations = 0;  ///< contacts of rigid pieces, all steps; on the first rank only
   std::int64_t contactUnfinished = 0;  ///< steps without convergence; on the first rank only
+  std::int64_t impactsUnfinished = 0;  ///< elastic solves of impacts without convergence; as above
   std::int64_t brokenPieces = 0;       ///< rigid pieces that broke; on the first rank only
 };
 

@@ -122,7 +122,8 @@ bool breakHit(const RigidView& v, const Halos& halos, std::span<const FoundConta
   const ImpactLoads loads = impactLoads(v, contacts, hit, halos.all);
   const BondedPieces bonded = bondPieces(v, hit);
   BondedMotion motion;
-  solveBonds(v, halos, bonded, balancedLoads(v, bonded, loads), motion);
+  const bool converged = solveBonds(v, halos, bonded, balancedLoads(v, bonded, loads), motion);
+  v.counters.impactsUnfinished += !converged && halos.all.rank() == 0;
   Cuts cuts = cutsHere(v, bonded, motion);
   chooseCuts(v, hit, cuts, halos.all);
   any = std::ranges::any_of(cuts, [](const auto& c) { return c.has_value(); }) ? 1 : 0;

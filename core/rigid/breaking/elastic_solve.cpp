@@ -199,8 +199,8 @@ std::vector<Generalised> balancedLoads(const RigidView& v, const BondedPieces& b
   return result;
 }
 
-int solveBonds(const RigidView& v, const Halos& halos, const BondedPieces& b,
-               std::span<const Generalised> loads, BondedMotion& motion) {
+bool solveBonds(const RigidView& v, const Halos& halos, const BondedPieces& b,
+                std::span<const Generalised> loads, BondedMotion& motion) {
   const std::size_t members = b.member.size();
   Iteration it{std::vector<Generalised>(members),
                {loads.begin(), loads.end()},
@@ -214,11 +214,11 @@ int solveBonds(const RigidView& v, const Halos& halos, const BondedPieces& b,
     return dotOf(it.residual[m], preconditioned(b, m, it.residual[m]));
   });
   for (const double size : it.size) it.goal.push_back(tolerance * tolerance * size);
-  int count = 1;
-  while (iterate(v, halos, b, motion, it) && count < mostIterations) count++;
+  bool open = true;
+  for (int k = 0; k < mostIterations && open; k++) open = iterate(v, halos, b, motion, it);
   for (std::size_t m = 0; m < members; m++) setRow(motion, b.member[m], it.solution[m]);
   refresh(halos.cells, v.particles, ColumnList{&motion.linear, &motion.angular}).wait();
-  return count;
+  return !open;
 }
 
 Generalised bondForce(const BondedPieces::Bond& bond, std::uint32_t row, double spacing,

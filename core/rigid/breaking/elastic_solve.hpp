@@ -62,9 +62,9 @@ std::vector<Generalised> balancedLoads(const RigidView& view, const BondedPieces
                                        const ImpactLoads& loads);
 
 /// Sets `motion` to the displacements under the loads. Conjugate gradients, with exact sums for each piece.
-/// Returns the number of iterations. Collective.
-int solveBonds(const RigidView& view, const Halos& halos, const BondedPieces& bonded,
-               std::span<const Generalised> loads, BondedMotion& motion);
+/// Returns true if they converged. Collective.
+bool solveBonds(const RigidView& view, const Halos& halos, const BondedPieces& bonded,
+                std::span<const Generalised> loads, BondedMotion& motion);
 
 /// Returns the stress (Pa) of a member: the mean stress of its cell plus the bending stress at the surface of
 /// its bonds.

@@ -105,6 +105,7 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"unsolved_pressures", &c.unsolvedPressures},
           {"contact_iterations", &c.contactIterations},
           {"contact_unfinished", &c.contactUnfinished},
+          {"impacts_unfinished", &c.impactsUnfinished},
           {"broken_pieces", &c.brokenPieces},
           {"retries", &c.retries}};
 }

@@ -208,6 +208,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
                     "in long pours and splashes; numerics.density = \"summation\" does not drift",
                     c.crowded));
   add(c.contactUnfinished, "steps in which the contact solver of rigid pieces did not reach its tolerance");
+  add(c.impactsUnfinished, "impacts on rigid pieces whose elastic solve did not reach its tolerance");
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
   const double largest = l.energyLargest;
   if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)
