@@ -31,7 +31,8 @@ void recordContactLoss(const WallContext& x, const DeepContact& c, double moved,
   Continuum& p = x.world.particles;
   const WallSpring spring = wallSpring(x, c.row);
   const double gap = spring.length + c.depth, left = gap - moved;
-  const double dt = x.dt * (takesSubsteps(p, c.row) ? x.fast : 1), before = std::max(0.0, gap - into * dt);
+  const bool substeps = x.world.modules.substeps && takesSubsteps(p, c.row);
+  const double dt = x.dt * (substeps ? x.fast : 1), before = std::max(0.0, gap - into * dt);
   p.dissipated[c.row] += 0.5 * spring.stiffness * (gap * before - left * left);
 }
 

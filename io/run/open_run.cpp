@@ -55,6 +55,16 @@ void describe(Run& r) {
   for (const std::string& line : sceneWarnings(r.world.scene)) r.warn(line);
 }
 
+const char* adviceForThinLiquid(const World& w) {
+  const Numerics& n = w.scene.numerics;
+  if (w.modules.solid) return "choose a smaller spacing";
+  if (w.modules.incompressible)
+    return "leave out numerics.pressure_solver: this solver has no tension in liquid";
+  if (!w.modules.continuity || n.tensileLimit < 1 || n.shifting == 0)
+    return "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
+  return "choose a smaller spacing";
+}
+
 /// Warns if connected liquid has less than 0.9 of its rest density. A carried density pulls it together
 /// again, unless the resolution is too coarse; a summed density does not.
 void warnOfThinLiquid(Run& r) {
@@ -62,13 +72,10 @@ void warnOfThinLiquid(Run& r) {
   const double density = connectedDensity(r.world.modules, r.world.particles, r.world.neighbours,
                                           r.world.counters, r.all);
   if (density >= least) return;
-  const bool summed = !r.world.modules.continuity;
-  const char* const keys =
-      "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
   r.warn(
       fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or a layer of "
                   "few particles. If it should stay connected, {}",
-                  density, summed && !r.world.modules.solid ? keys : "choose a smaller spacing"));
+                  density, adviceForThinLiquid(r.world)));
 }
 
 /// Returns the end of a run that only relaxes. Sets `code` if it was stopped.

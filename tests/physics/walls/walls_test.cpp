@@ -90,6 +90,19 @@ TEST(LiquidAtWalls, PoiseuilleBetweenPlates) {
   EXPECT_LT(flow.error(run.particles()), 0.05);
 }
 
+TEST(LiquidAtWalls, LiquidInsideAnObstacleIsMovedOut) {
+  Scene s = columnScene(0.1, -1, 2);
+  s.domain.gravity = {0, 0, -10};
+  s.materials[0].soundSpeed = 20;
+  s.numerics.overlap = OverlapRule::Keep;
+  addBox(s, {0, 0, -0.2}, {0.6, 0.6, 0.4});
+  addFloor(s);
+  Simulation run(s);
+  EXPECT_GT(run.w.counters.wallProjections, 0);
+  for (int k = 0; k < 20; k++) ASSERT_TRUE(run.step());
+  for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_GT(run.particles().position[i].z, -0.06);
+}
+
 TEST(SolidAtWalls, BlockOnASlope) {
   for (const double angle : {0.2, 0.5}) {  // the friction angle is atan 0.3 = 0.29
     const double dx = 0.1, g = 10, mu = 0.3;
