@@ -117,7 +117,7 @@ restitution = 0.246126
 [material.m1]
 density = 1931.97
 young = 2070.67
-law = "green"
+law = "neo-hookean"
 break_stretch = 1.05328
 conductivity = 576.521
 heat_capacity = 510.972
