@@ -122,7 +122,7 @@ TEST_F(ProgressLog, HasAValueForEachColumn) {
   ASSERT_EQ(lines().size(), 2u);
   EXPECT_EQ(fields(lines()[0]), fields(lines()[1]));
   EXPECT_TRUE(has(lines()[0], "step,time_s,dt_s,dt_limited_by")) << lines()[0];
-  EXPECT_TRUE(has(lines()[0], "viscosity_iterations,viscosity_iterations_mean,surfels"));
+  EXPECT_TRUE(has(lines()[0], "viscosity_iterations,viscosity_iterations_mean,contact_iterations"));
   EXPECT_TRUE(has(lines()[1], ",7,6.5,")) << lines()[1];
 }
 
