@@ -124,7 +124,8 @@ TEST(BadScene, ConflictsOfNumericsHaveThePlaceOfTheirKey) {
   EXPECT_EQ(only("rigidify = 0.1\nsleep_speed = 0.1\n").rfind(rigid + "sleep_speed", 0), 0u);
   EXPECT_EQ(only("rigidify = 0.1\nelastic_substeps = 2\n").rfind(rigid + "elastic_substeps", 0), 0u);
   EXPECT_EQ(only("rigidify = \"off\"\nsleep_speed = 0.1\n"), "0 errors");
-  const std::string wrong = "s.toml:16:12: error: numerics.rigidify: expected a rate such as \"5 1/s\" or \"off\", got";
+  const std::string wrong =
+      "s.toml:16:12: error: numerics.rigidify: expected a rate such as \"5 1/s\" or \"off\", got";
   EXPECT_EQ(only("rigidify = \"of\"\n").rfind(wrong, 0), 0u) << only("rigidify = \"of\"\n");
 }
 
