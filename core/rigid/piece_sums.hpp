@@ -43,6 +43,13 @@ inline RankPieceExchange exchangeOf(const Pieces& p, const RigidWork& work, Redu
   return {all, {p.id.data(), p.owned}, &work.shared};
 }
 
+/// Returns the pieces of some rows.
+inline std::vector<std::uint64_t> idsOf(const Pieces& p, std::span<const std::uint32_t> rows) {
+  std::vector<std::uint64_t> ids;
+  for (const std::uint32_t k : rows) ids.push_back(p.id[k]);
+  return ids;
+}
+
 /// Replaces exact sums, perPiece for each row, by those of all ranks. words: scratch. Collective.
 void sumOverRanks(PieceExchange& exchange, std::span<ExactSum> sums, std::size_t perPiece,
                   std::vector<std::int64_t>& words);

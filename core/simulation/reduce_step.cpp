@@ -18,9 +18,6 @@ void reductionHere(StepContext& c, const StepOutcome& here, Requests wanted) {
   own = particleLimits(w, here.largest ? *here.largest : largestRates(w.particles), t.stableViscousStep);
   own[Limit::Sound] = t.fixedLimits[Limit::Sound] / soundStiffening(w);  // the minimum over ranks belongs to
                                                                          // the most compressed particle
-  // Neighbourhoods that tear are stiffer than a lattice, and begin to oscillate from step to step.
-  if (t.carry.largestChange > 0 && w.clock.stepDt > 0)
-    own[Limit::Density] = w.clock.stepDt * densityChangePerStep / t.carry.largestChange;
   // Wall contacts are stiffer than the lattice behind cfl_sound. Here omega dt is at most 1.2; 2 is stable.
   if (t.wallContacts.stiffest > 0)
     own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;

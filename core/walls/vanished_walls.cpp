@@ -18,18 +18,19 @@ bool vanished(const Wall& w, double since) { return !w.present && since < w.prop
 double energyWith(const WallContext& x, const LiquidMeasure& measure, std::uint32_t i,
                   std::span<const WallContact> contacts, std::vector<double>& added) {
   const WallView& w = x.world;
-  Continuum& p = w.particles;
+  const Continuum& p = w.particles;
   const Modules& m = w.modules;
   double energy = 0;
-  if (!touchesAsPiece(p, i))
-    for (const WallContact& c : contacts) energy += wallSpring(x, i).energy(c.distance);
+  if (!touchesAsPiece(p, i)) {
+    const WallSpring spring = wallSpring(x, i);
+    for (const WallContact& c : contacts) energy += spring.energy(c.distance);
+  }
   const double f = liquidFraction(p, i);
   if (m.fluid && !m.continuity) {
-    const float pairs = p.relativeDensity[i];
     const double walls = wallRelativeDensity({x.tables, w.grid.support}, contacts, added);
-    p.relativeDensity[i] = static_cast<float>(static_cast<double>(pairs) + measure.inverseLatticeSum * walls);
-    energy += compressionOf({w.scene, m, w.grid, x.liquids}, p, i, f);
-    p.relativeDensity[i] = pairs;
+    const auto summed = static_cast<float>(static_cast<double>(p.relativeDensity[i]) +
+                                           measure.inverseLatticeSum * walls);
+    energy += compressionAt({w.scene, m, w.grid, x.liquids}, p, i, f, static_cast<double>(summed));
   }
   if (m.surfaceEnergy) energy += surfaceEnergyWith({w, measure.surface}, i, contacts);
   return energy;

@@ -95,6 +95,7 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
 
 /// Adds a spring with dashpot (CS79) and Coulomb friction.
 void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum& p, WallAction& act) {
+  if (at.contact.distance >= longestSpring * x.world.scene.spacing) return;
   const double f = at.liquid, m = p.mass[at.row];
   const WallSpring wall = wallSpring(x, at.row);
   const double gap = wall.length - at.contact.distance, k = wall.stiffness;
@@ -145,7 +146,7 @@ WallSpring wallSpring(const WallContext& x, std::size_t row) {
   const double filled = x.world.modules.evaporation
                             ? p.mass[row] / (restDensityOf(p, s.materials, row) * dx * dx * dx)
                             : 1;
-  const double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[row]) : 0.5;
+  const double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[row]) : longestSpring;
   WallSpring spring;
   spring.lengthByLiquid = dx * (0.25 - rest);
   spring.length = dx * (rest + f * (0.25 - rest));

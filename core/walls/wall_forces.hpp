@@ -41,6 +41,9 @@ struct WallSpring {
     return 0.5 * std::max(0.0, stiffness) * gap * gap;
   }
 };
+/// Length in spacings that no spring exceeds.
+inline constexpr double longestSpring = 0.5;
+
 WallSpring wallSpring(const WallContext& context, std::size_t row);
 
 /// Lists the owned particles within a support radius of a wall. Particles deeper in a wall than half a

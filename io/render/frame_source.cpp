@@ -232,7 +232,6 @@ void unwrapComponents(SurfaceFrame& frame, const PeriodicSides& sides) {
 /// Sets the least volumes of drops, and their velocities unless they are `moving`, from the particles of the
 /// same time. The label of a component is 1 + the id of one of its particles.
 void addParticles(std::vector<SprayDrop>& drops, bool moving, const fs::path& particles) {
-  if (particles.empty()) return;
   const FrameData data = readFrame(particles.string(), [&](const std::string& n) {
     return n == "id" || n == "volume" || (n == "velocity" && !moving);
   });
@@ -250,11 +249,19 @@ void addParticles(std::vector<SprayDrop>& drops, bool moving, const fs::path& pa
   }
 }
 
+bool hasField(const fs::path& frame, const std::string& name) {
+  return std::ranges::any_of(readFrameInfo(frame.string()).fields,
+                             [&](const FrameInfo::Field& f) { return f.name == name; });
+}
+
 void drawSpray(const fs::path& file, const SprayStyle& style, SurfaceFrame& frame) {
   if (style.look == Spray::Surfels) return;
   std::vector<SprayDrop> drops = findSpray(frame, style.spacing);
   if (drops.empty()) return;
-  addParticles(drops, style.look != Spray::Ellipsoids || frame.find("velocity"), particlesOf(file));
+  const bool moving = style.look != Spray::Ellipsoids || frame.find("velocity");
+  const fs::path particles = particlesOf(file);
+  if (!particles.empty() && (!moving || hasField(particles, "volume")))
+    addParticles(drops, moving, particles);
   replaceSpray(frame, drops, style);
 }
 

@@ -303,15 +303,17 @@ void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::
 }
 
 double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, double f) {
-  if (x.modules.continuity)
-    f = 1;  // a carried density belongs to the whole particle, also to solids near liquid
+  // a carried density belongs to the whole particle, also to solids near liquid
+  return x.modules.continuity ? compressionAt(x, p, i, 1, 1 + p.compression[i])
+                              : compressionAt(x, p, i, f, static_cast<double>(p.relativeDensity[i]));
+}
+
+double compressionAt(const RecordContext& x, const Continuum& p, std::size_t i, double f,
+                     double relativeDensity) {
   if (f == 0 || x.modules.incompressible) return 0;
   const Numerics& n = x.scene.numerics;
-  const std::uint16_t k = p.material[i];
-  const double relativeDensity = x.modules.continuity ? 1 + p.compression[i]
-                                                      : static_cast<double>(p.relativeDensity[i]);
   return f * p.mass[i] / restDensityOf(p, x.scene.materials, i) *
-         compressionEnergy(n.eos, x.liquids[k].stiffness, relativeDensity, n.tensileLimit);
+         compressionEnergy(n.eos, x.liquids[p.material[i]].stiffness, relativeDensity, n.tensileLimit);
 }
 
 void packSurfaceEnergyDerivatives(const RecordContext& x, const Continuum& p, std::size_t begin,

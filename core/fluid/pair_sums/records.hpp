@@ -52,6 +52,9 @@ void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& 
 
 /// Compression energy (J) of a particle with liquid fraction f. With a carried density f is ignored.
 double compressionOf(const RecordContext& context, const Continuum& particles, std::size_t row, double f);
+/// The same at a given relative density.
+double compressionAt(const RecordContext& context, const Continuum& particles, std::size_t row, double f,
+                     double relativeDensity);
 
 /// Packs the pressure terms of rows [begin, end) from their relative density. The printed pressure form also
 /// packs the volume V0 over relative density. Adds the compression energy of owned rows to

@@ -11,6 +11,7 @@
 #include "core/rigid/connect.hpp"
 #include "core/rigid/contact_impulses.hpp"
 #include "core/rigid/link_pieces.hpp"
+#include "core/rigid/piece_sums.hpp"
 #include "core/rigid/update_pieces.hpp"
 #include "core/solid/data/weight.hpp"
 
@@ -77,16 +78,14 @@ Cuts cutsHere(const RigidView& v, const BondedPieces& b, const BondedMotion& mot
 void chooseCuts(const RigidView& v, std::span<const std::uint32_t> hit, Cuts& cuts, Reducer& all) {
   constexpr std::size_t width = 9;  // piece, particle, ratio, origin, normal
   PieceRecords own{width, {}};
-  std::vector<std::uint64_t> held;
   for (const std::uint32_t k : hit) {
-    held.push_back(v.pieces.id[k]);
     if (!cuts[k]) continue;
     own.words.insert(own.words.end(), {v.pieces.id[k], cuts[k]->particle});
     addNumber(own.words, cuts[k]->ratio);
     addPlace(own.words, cuts[k]->origin);
     addPlace(own.words, cuts[k]->normal);
   }
-  const PieceRecords shared = shareRecords(own, held, all);
+  const PieceRecords shared = shareRecords(own, idsOf(v.pieces, hit), all);
   for (std::size_t r = 0; r < shared.size(); r++) {
     const Cut cut{shared.number(r, 2), shared.at(r)[1], shared.place(r, 3), shared.place(r, 6)};
     std::optional<Cut>& best = cuts[v.pieces.rowOf(shared.at(r)[0])];

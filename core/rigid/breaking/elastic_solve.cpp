@@ -31,6 +31,7 @@ void addBonds(BondedPieces& b, std::span<const BondedPieces::Bond> near, double 
 
 /// Vectors of conjugate gradients over the members.
 struct Iteration {
+  RankPieceExchange& exchange;
   std::vector<Generalised> solution, residual, product;
   std::vector<double> size;        ///< by piece: squared residual in the norm of the preconditioner
   std::vector<double> goal;        ///< by piece: size at convergence
@@ -46,18 +47,26 @@ Generalised preconditioned(const BondedPieces& b, std::size_t m, const Generalis
   return {r.linear / bonds, r.angular / (0.25 * b.spacing * b.spacing * bonds)};
 }
 
-/// Sums a number of each member by piece, over all ranks.
-template<class Value>
-std::vector<double> sumByPiece(const RigidView& v, const BondedPieces& b, Reducer& all, Value&& value) {
+/// The pieces of a solve, for sums over ranks.
+struct SolvedPieces {
   std::vector<std::uint64_t> ids;
-  for (const std::uint32_t k : b.pieces) ids.push_back(v.pieces.id[k]);
   SharedPieces shared;
-  shared.total = v.work.shared.total;
-  for (const std::uint32_t k : b.pieces) shared.number.push_back(v.work.shared.number[k]);
+};
+
+SolvedPieces solvedPieces(const RigidView& v, const BondedPieces& b) {
+  SolvedPieces s{idsOf(v.pieces, b.pieces), {}};
+  s.shared.total = v.work.shared.total;
+  for (const std::uint32_t k : b.pieces) s.shared.number.push_back(v.work.shared.number[k]);
+  return s;
+}
+
+/// Sums a number of each member by piece, over all ranks. words: scratch.
+template<class Value>
+std::vector<double> sumByPiece(RankPieceExchange& exchange, const BondedPieces& b,
+                               std::vector<std::int64_t>& words, Value&& value) {
   std::vector<ExactSum> sums(b.pieces.size());
   for (std::size_t m = 0; m < b.member.size(); m++) sums[b.system[m]].add(value(m));
-  RankPieceExchange exchange(all, ids, &shared);
-  sumOverRanks(exchange, sums, 1, v.work.words);
+  sumOverRanks(exchange, sums, 1, words);
   std::vector<double> result;
   for (ExactSum& s : sums) result.push_back(s.value());
   return result;
@@ -91,8 +100,9 @@ bool iterate(const RigidView& v, const Halos& halos, const BondedPieces& b, Bond
   const auto at = [&](std::size_t m) {
     return Generalised{direction.linear[b.member[m]], direction.angular[b.member[m]]};
   };
-  const std::vector<double> curvature = sumByPiece(
-      v, b, halos.all, [&](std::size_t m) { return it.done[b.system[m]] ? 0 : dotOf(at(m), it.product[m]); });
+  const std::vector<double> curvature = sumByPiece(it.exchange, b, v.work.words, [&](std::size_t m) {
+    return it.done[b.system[m]] ? 0 : dotOf(at(m), it.product[m]);
+  });
   for (std::size_t k = 0; k < curvature.size(); k++)
     if (!(curvature[k] > 0)) it.done[k] = 1;
   for (std::size_t m = 0; m < b.member.size(); m++) {
@@ -104,7 +114,7 @@ bool iterate(const RigidView& v, const Halos& halos, const BondedPieces& b, Bond
     it.residual[m].linear -= step * it.product[m].linear;
     it.residual[m].angular -= step * it.product[m].angular;
   }
-  const std::vector<double> size = sumByPiece(v, b, halos.all, [&](std::size_t m) {
+  const std::vector<double> size = sumByPiece(it.exchange, b, v.work.words, [&](std::size_t m) {
     return it.done[b.system[m]] ? 0 : dotOf(it.residual[m], preconditioned(b, m, it.residual[m]));
   });
   for (std::size_t m = 0; m < b.member.size(); m++) {
@@ -135,9 +145,6 @@ BondedPieces bondPieces(const RigidView& v, std::span<const std::uint32_t> piece
   const double reach = connectedDistance * b.spacing;
   std::vector<RowSpan> ranges;
   std::vector<BondedPieces::Bond> near;
-  const auto systemOf = [&](std::size_t i) {
-    return std::lower_bound(pieces.begin(), pieces.end(), p.pieceRow[i]) - pieces.begin();
-  };
   const auto isMember = [&](std::size_t i) {
     return p.piece[i] != notRigid && std::binary_search(pieces.begin(), pieces.end(), p.pieceRow[i]);
   };
@@ -157,7 +164,7 @@ BondedPieces bondPieces(const RigidView& v, std::span<const std::uint32_t> piece
           if (j != i && p.piece[j] == p.piece[i] && dot(arm, arm) < reach * reach) near.push_back({j, arm});
         }
       b.member.push_back(i);
-      b.system.push_back(static_cast<std::uint32_t>(systemOf(i)));
+      b.system.push_back(b.systemOf(p.pieceRow[i]));
       addBonds(b, near, b.spacing);
       b.first.push_back(b.bonds.size());
     }
@@ -177,9 +184,7 @@ std::vector<Generalised> balancedLoads(const RigidView& v, const BondedPieces& b
     return rotated(p.orientation[c.pieceRow[i]], c.bodyPosition[i]);
   };
   for (std::size_t k = 0; k < loads.records.size(); k++) {
-    const std::uint32_t row = p.rowOf(loads.piece(k));
-    const auto system = static_cast<std::size_t>(std::lower_bound(b.pieces.begin(), b.pieces.end(), row) -
-                                                 b.pieces.begin());
+    const std::uint32_t system = b.systemOf(p.rowOf(loads.piece(k)));
     total[system].linear += loads.force(k);
     total[system].angular += loads.torque(k);
     const auto at = memberOf.find(loads.particle(k));
@@ -202,7 +207,10 @@ std::vector<Generalised> balancedLoads(const RigidView& v, const BondedPieces& b
 bool solveBonds(const RigidView& v, const Halos& halos, const BondedPieces& b,
                 std::span<const Generalised> loads, BondedMotion& motion) {
   const std::size_t members = b.member.size();
-  Iteration it{std::vector<Generalised>(members),
+  const SolvedPieces pieces = solvedPieces(v, b);
+  RankPieceExchange exchange(halos.all, pieces.ids, &pieces.shared);
+  Iteration it{exchange,
+               std::vector<Generalised>(members),
                {loads.begin(), loads.end()},
                std::vector<Generalised>(members),
                {},
@@ -210,7 +218,7 @@ bool solveBonds(const RigidView& v, const Halos& halos, const BondedPieces& b,
                std::vector<std::uint8_t>(b.pieces.size(), 0)};
   motion.resize(v.particles.owned, v.particles.size() - v.particles.owned);
   for (std::size_t m = 0; m < members; m++) setRow(motion, b.member[m], preconditioned(b, m, it.residual[m]));
-  it.size = sumByPiece(v, b, halos.all, [&](std::size_t m) {
+  it.size = sumByPiece(exchange, b, v.work.words, [&](std::size_t m) {
     return dotOf(it.residual[m], preconditioned(b, m, it.residual[m]));
   });
   for (const double size : it.size) it.goal.push_back(tolerance * tolerance * size);

@@ -9,6 +9,7 @@
 // On the cubic lattice this is an isotropic medium with Poisson's ratio 0, and a row of particles is a beam.
 // Young's modulus does not change the stress, so E a = 1 here.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -48,6 +49,10 @@ struct BondedPieces {
   std::vector<std::size_t> first;     ///< by member, and the end: its first bond
   std::vector<Bond> bonds;            ///< in the order of cells and ids
 
+  /// Returns the index in `pieces` of a row of pieces that is in it.
+  std::uint32_t systemOf(std::uint32_t row) const {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(pieces, row) - pieces.begin());
+  }
   std::span<const Bond> of(std::size_t m) const {
     return std::span(bonds).subspan(first[m], first[m + 1] - first[m]);
   }

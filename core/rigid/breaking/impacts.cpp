@@ -104,9 +104,7 @@ ImpactLoads impactLoads(const RigidView& v, std::span<const FoundContact> contac
     writer.add(x.a, x.keyA, x.keyB, force, x.armA);
     if (x.b != noPiece) writer.add(x.b, x.keyB, x.keyA, -force, x.armB);
   }
-  std::vector<std::uint64_t> held;
-  for (const std::uint32_t k : hit) held.push_back(p.id[k]);
-  return {shareRecords(writer.records, held, all)};
+  return {shareRecords(writer.records, idsOf(p, hit), all)};
 }
 
 }  // namespace thaw

@@ -2,6 +2,7 @@
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/monitor/monitor.hpp"
 #include "core/simulation/step_context.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {
@@ -19,13 +20,25 @@ StepModule carriedDensity() {
   return {"density by continuity",
           [](const World& w, const StepTools&) { return w.modules.continuity; },
           {{ModulePhase::BeforeDensity, [](StepContext& c) { beginCarry(carryContext(c.w, c.t, c.dt)); }},
-           {ModulePhase::Density, [](StepContext& c) { finishCarry(carryContext(c.w, c.t, c.dt)); }}}};
+           {ModulePhase::Density, [](StepContext& c) { finishCarry(carryContext(c.w, c.t, c.dt)); }},
+           {ModulePhase::Limits, [](StepContext& c) {
+              // Neighbourhoods that tear are stiffer than a lattice, and begin to oscillate from step to
+              // step.
+              const double change = c.t.carry.largestChange, dt = c.w.clock.stepDt;
+              if (change > 0 && dt > 0) c.reduction.lower(Limit::Density, dt * densityChangePerStep / change);
+            }}}};
 }
 
 StepModule shiftingInside() {
   return {"shifting with summed densities",
           [](const World& w, const StepTools&) { return w.modules.shifting && !w.modules.continuity; },
           {{ModulePhase::Density, [](StepContext& c) { shiftInside(carryContext(c.w, c.t, c.dt)); }}}};
+}
+
+StepModule forcesAgainstShifting() {
+  return {"forces against which shifting works",
+          [](const World& w, const StepTools&) { return w.particles.positionForce.active; },
+          {{ModulePhase::ContinuumForce, [](StepContext& c) { addPositionForces(c.w.particles); }}}};
 }
 
 StepModule densityMonitor() {

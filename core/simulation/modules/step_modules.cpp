@@ -26,6 +26,7 @@ std::vector<StepModule> stepModules() {
           incompressiblePressure(),
           outsideLoads(),
           extensionPairForces(),
+          forcesAgainstShifting(),
           elasticSolids(),
           solidSubsteps(),
           buoyancy(),

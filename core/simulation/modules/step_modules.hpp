@@ -44,6 +44,7 @@ StepModule mushDrag();
 StepModule incompressiblePressure();
 StepModule outsideLoads();
 StepModule extensionPairForces();
+StepModule forcesAgainstShifting();
 StepModule elasticSolids();
 StepModule solidSubsteps();
 StepModule buoyancy();

@@ -54,6 +54,7 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
     take(f.pressure, forceOf(p, i, [&] {
            sumOverNeighbours(w, t, NeighbourPass::InnerForces);
            sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
+           if (p.positionForce.active) addPositionForces(p);
          }));
     f.viscosity = length(rest);
     if (w.modules.incompressible && dt > 0)

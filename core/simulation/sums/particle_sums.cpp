@@ -230,8 +230,6 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
   }
   if (pass == NeighbourPass::BoundaryForces && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
-  if (pass == NeighbourPass::BoundaryForces && p.positionForce.active)
-    for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.positionForce[i];
   t.times.lap(StepPhase::Forces);
 }
 
@@ -272,8 +270,7 @@ void recordEntry(World& w, const PairSums& sums, PairForceWork& work, const Adde
 void sumPairForces(World& w, StepTools& t) {
   Continuum& p = w.particles;
   PairSums sums = pairSumsOf(w, t);
-  std::vector<Vec3d> pairForces(p.positionForce.active ? p.owned : 0);
-  if (p.positionForce.active) sums.force = pairForces.data();
+  if (p.positionForce.active) sums.force = p.positionForce.data();
   const AddedColumn* newborn = newbornOf(p);
   for (PairForceWork& work : t.pairForces) {
     resizePairForce(sums.precision, p.owned + t.ghostRoom, work);
@@ -287,11 +284,11 @@ void sumPairForces(World& w, StepTools& t) {
         p.softening[i] += 2 * work.energy[i] / static_cast<double>(p.liquid[i]);
     if (newborn) recordEntry(w, sums, work, *newborn);
   }
-  for (std::size_t i = 0; i < pairForces.size(); i++) {
-    p.force[i] += pairForces[i];
-    p.positionForce[i] += pairForces[i];
-  }
   t.times.lap(StepPhase::Forces);
+}
+
+void addPositionForces(Continuum& p) {
+  for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.positionForce[i];
 }
 
 PairConstants constantsOf(const World& w, const PairForceWork& work) {

@@ -44,6 +44,8 @@ void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass, doubl
 
 /// Adds the pair forces of extensions, with their energies. Requires: ghosts, and the records of this step.
 void sumPairForces(World& world, StepTools& tools);
+/// Adds Continuum::positionForce to the force. Call it once, after its sums.
+void addPositionForces(Continuum& particles);
 /// Returns the constants of a pair force in this world.
 PairConstants constantsOf(const World& world, const PairForceWork& work);
 

@@ -44,8 +44,8 @@ bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   bool leaves = false;
   for (const RowSpan& range : rows)
     for (std::size_t i = range.begin; i < range.end; i++) {
-      if (shifted) {  // work against position-dependent forces; not against pressure if the density is
-                      // carried
+      if (shifted) {
+        // Work against position-dependent forces. A carried density has that against pressure.
         p.dissipated[i] += p.mass[i] * dt * dot(carried ? g : p.acceleration[i], p.shiftingVelocity[i]);
         if (p.positionForce.active) p.dissipated[i] += dt * dot(p.positionForce[i], p.shiftingVelocity[i]);
       }
