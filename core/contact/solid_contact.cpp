@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
+#include "core/materials/contact_modulus.hpp"
 #include "core/particles/elastic_pieces.hpp"
 
 namespace thaw {
@@ -39,9 +40,9 @@ struct Elastic {
 Elastic elasticOf(const Scene& s, const Continuum& p, std::uint32_t row) {
   const Material& m = s.materials[p.material[row]];
   const double f = p.liquid.active ? static_cast<double>(p.liquid[row]) : 0;
-  const double young = m.young.at(f), least = 0.01 * m.young.solid;
-  return {std::max(young, least) * s.spacing, m.restitution, m.friction,
-          young > least ? (m.young.liquid - m.young.solid) * s.spacing : 0};
+  const double modulus = contactModulus(m, f), least = 0.01 * contactModulus(m, 0);
+  return {std::max(modulus, least) * s.spacing, m.restitution, m.friction,
+          modulus > least ? contactModulusByLiquid(m) * s.spacing : 0};
 }
 
 }  // namespace

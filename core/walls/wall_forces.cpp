@@ -7,6 +7,7 @@
 #include "core/contact/dashpot.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/fluid/rheology/laws/particle_viscosity.hpp"
+#include "core/materials/contact_modulus.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/particles/elastic_pieces.hpp"
@@ -138,7 +139,7 @@ WallSpring wallSpring(const WallContext& x, std::size_t row) {
   const Continuum& p = x.world.particles;
   const Scene& s = x.world.scene;
   const double dx = s.spacing, f = liquidFraction(p, row);
-  const auto& young = s.materials[p.material[row]].young;
+  const Material& m = s.materials[p.material[row]];
   // The incompressible solver stops liquids at walls (stopAtWalls); the spring of the state equation is too
   // stiff for its steps.
   const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[row]].stiffness;
@@ -150,8 +151,8 @@ WallSpring wallSpring(const WallContext& x, std::size_t row) {
   WallSpring spring;
   spring.lengthByLiquid = dx * (0.25 - rest);
   spring.length = dx * (rest + f * (0.25 - rest));
-  spring.stiffnessByLiquid = (young.liquid - young.solid + liquid) * dx * filled;
-  spring.stiffness = (young.at(f) + f * liquid) * dx * filled;
+  spring.stiffnessByLiquid = (contactModulusByLiquid(m) + liquid) * dx * filled;
+  spring.stiffness = (contactModulus(m, f) + f * liquid) * dx * filled;
   return spring;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/materials/contact_modulus.hpp"
 #include "core/materials/liquid_materials.hpp"
 #include "core/materials/state_equation.hpp"
 #include "core/particles/elastic_pieces.hpp"
@@ -115,7 +116,7 @@ double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
   for (int a = 0; a < 3; a++) fall += std::abs(s.domain.gravity[a]) * size[a];
   for (std::size_t k = 0; k < s.materials.size() && r.particles > 0; k++) {
     const Material& m = s.materials[k];
-    if (m.canBeSolid()) strained = std::max(strained, m.young.solid / m.density * r.now.mass);
+    if (m.canBeSolid()) strained = std::max(strained, contactModulus(m, 0) / m.density * r.now.mass);
     if (w.modules.fluid && k < t.liquids.size())
       strained = std::max(strained, t.liquids[k].stiffness / m.density * r.now.mass);
   }

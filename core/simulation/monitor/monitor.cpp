@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/fluid/rheology/laws/flow_law.hpp"
+#include "core/materials/contact_modulus.hpp"
 #include "core/scene/phase_density.hpp"
 #include "core/sheet/data/plan_sheets.hpp"
 #include "core/simulation/time/limits.hpp"
@@ -51,7 +52,7 @@ MonitorLimits monitorLimits(const Scene& s, const Modules& modules,
     const Material& m = s.materials[k];
     if (modules.fluid && (!m.canBeSolid() || m.melts() || m.liquidAtStart)) wave(liquids[k].soundSpeed);
     if (modules.solid && m.canBeSolid())
-      wave(std::sqrt(std::max(m.young.solid, m.young.liquid) / solidDensityOf(m)));
+      wave(std::sqrt(largestContactModulus(m) / solidDensityOf(m)));
   }
   b.expected = std::max({expectedSpeed(s), given, expectedSheetSpeed(s)});
   if (slowest < never) b.expected = std::max(b.expected, 0.1 * slowest);

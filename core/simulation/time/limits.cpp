@@ -7,6 +7,7 @@
 
 #include "core/fluid/rheology/laws/particle_viscosity.hpp"
 #include "core/kernels/lattice.hpp"
+#include "core/materials/contact_modulus.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/state_equation.hpp"
 #include "core/scene/material_use.hpp"
@@ -118,7 +119,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
     }
     if (modules.solid && m.canBeSolid())
       take(Limit::Contact,
-           0.5 * s.spacing * std::sqrt(solidDensityOf(m) / std::max(m.young.solid, m.young.liquid)));
+           0.5 * s.spacing * std::sqrt(solidDensityOf(m) / largestContactModulus(m)));
   }
   if (modules.solid) take(Limit::Elastic, elasticStepLimit(s));
   take(Limit::Scene, n.maxStep);
