@@ -141,6 +141,10 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   checkBuoyancy(x, errors);
   checkTension(s, errors);
   checkSizes(x, errors);
+  if (n.solver == PressureSolver::Incompressible && n.density == DensityForm::Continuity && !x.open.density)
+    errors.push_back({placeOf(x, {"density", "pressure_solver"}),
+                      "numerics.density = \"continuity\" needs the equation of state, and numerics."
+                      "pressure_solver is \"incompressible\", which corrects summed densities: remove one"});
   // The density of a quality belongs to the consistent form of the equation of state.
   if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed))
     s.numerics.density = Numerics().density;
