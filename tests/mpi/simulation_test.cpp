@@ -77,6 +77,46 @@ TEST(Simulation, RecordsForcesOfTheProgram) {
   EXPECT_LT(length(l.momentumResidual), 1e-9 * l.now.mass);
 }
 
+/// A thick liquid between plates, with implicit viscosity.
+constexpr const char* channel = R"(
+spacing = 0.05
+end = 1
+[domain]
+min = [0, 0, 0]
+max = [0.3, 0.3, 0.6]
+gravity = [0, 0, 0]
+sides = { x = "periodic", y = "periodic", z = "wall" }
+[numerics]
+viscosity_solver = "implicit"
+max_step = "2 ms"
+[material.oil]
+density = 1000
+viscosity = 500
+sound_speed = 10
+[[body]]
+name = "oil"
+box = { size = [0.3, 0.3, 0.6] }
+place = { move = [0.15, 0.15, 0.3] }
+material = "oil"
+)";
+
+TEST(Simulation, ForcesActWithinTheImplicitViscosity) {
+  const auto momentum = [](double gravity, double load) {
+    std::string text = channel;
+    const std::string none = "gravity = [0, 0, 0]";
+    text.replace(text.find(none), none.size(), "gravity = [" + std::to_string(gravity) + ", 0, 0]");
+    Simulation sim = simulationOf(text.c_str());
+    sim.addForce([load](const OutsideLoad& l) {
+      for (std::size_t i = 0; i < l.particles.owned; i++) l.force[i].x += load * l.particles.mass[i];
+    });
+    sim.runSteps(60);
+    return sim.ledger().now.momentum.x;
+  };
+  const double byWeight = momentum(8, 0), byLoad = momentum(0, 8);
+  EXPECT_GT(byWeight, 0);
+  EXPECT_NEAR(byLoad / byWeight, 1, 1e-3);  // the load begins half a step later
+}
+
 TEST(Simulation, RecordsChangesOfVelocity) {
   Simulation sim = simulationOf(water);
   sim.runSteps(5);

@@ -4,7 +4,9 @@
 namespace thaw {
 
 std::vector<StepModule> stepModules() {
-  return {solidContact(),
+  // Loads from outside come first: implicit viscosity and thermostats answer to all other forces and heat.
+  return {outsideLoads(),
+          solidContact(),
           sleepOfSolids(),
           vanishingObstacles(),
           summedDensity(),
@@ -24,7 +26,6 @@ std::vector<StepModule> stepModules() {
           densityByPhase(),
           mushDrag(),
           incompressiblePressure(),
-          outsideLoads(),
           extensionPairForces(),
           forcesAgainstShifting(),
           elasticSolids(),

@@ -22,6 +22,7 @@ struct StepModule {
 };
 
 // In the order of stepModules().
+StepModule outsideLoads();
 StepModule solidContact();
 StepModule sleepOfSolids();
 StepModule vanishingObstacles();
@@ -42,7 +43,6 @@ StepModule melting();
 StepModule densityByPhase();
 StepModule mushDrag();
 StepModule incompressiblePressure();
-StepModule outsideLoads();
 StepModule extensionPairForces();
 StepModule forcesAgainstShifting();
 StepModule elasticSolids();

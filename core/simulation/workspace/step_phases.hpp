@@ -30,7 +30,7 @@ enum class ModulePhase {
   ContinuumForce,  ///< pair forces are known: further forces of the continuum
   Contact,         ///< contacts of solids
   Coupling,        ///< wall forces are known: forces between body types
-  AllForces,       ///< all explicit forces are known: implicit ones, heat flows, loads from outside
+  AllForces,       ///< forces between particles are known: loads from outside, heat flows, implicit forces
   // Integration
   SecondKick,   ///< before the second half kick
   Kicked,       ///< after it
