@@ -49,7 +49,7 @@ TEST(ContactEnergy, DashpotsAndFrictionAreRecordedToSecondOrder) {
   }
 }
 
-/// A very soft box whose volume is stiff falls on a floor at 3 m/s. A spring by Young's modulus alone is far
+/// A very soft box whose volume is stiff falls on a floor at 1 m/s. A spring by Young's modulus alone is far
 /// too soft: the floor would stop the body as a hard one, whose work on a body so stiff is not known well.
 TEST(ContactEnergy, ASoftBodyOfStiffVolumeRestsOnSpringsThatBearIt) {
   Scene s;
@@ -57,18 +57,18 @@ TEST(ContactEnergy, ASoftBodyOfStiffVolumeRestsOnSpringsThatBearIt) {
   s.output.every = 0;
   Material m;
   m.density = 2000;
-  m.young = {100, 0};
+  m.young = {1000, 0};
   m.poisson = {0.1, 0.1};
   m.volumeStiffness = 3e5;
   s.materials.push_back(m);
   Body& box = test::addBox(s, {-0.08, -0.08, 0.01}, {0.08, 0.08, 0.17});
-  box.velocity = {0, 0, -3};
+  box.velocity = {0, 0, -1};
   test::addFloor(s);
   s.end = 0.1;
   Simulation r(s);
   const double kinetic = r.ledgerReport().now.kinetic;
   EXPECT_TRUE(r.run());
-  EXPECT_LT(std::abs(r.ledgerReport().energyResidual), 0.02 * kinetic);
+  EXPECT_LT(std::abs(r.ledgerReport().energyResidual), 0.01 * kinetic);
 }
 
 }  // namespace

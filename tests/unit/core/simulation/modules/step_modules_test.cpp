@@ -46,8 +46,8 @@ TEST(StepModules, ActInTheOrderOfTheirList) {
   const StepPhases phases = phasesOf(w, StepTools{});
   const auto in = [&](ModulePhase phase) { return phases.calls[static_cast<std::size_t>(phase)]; };
   EXPECT_EQ(in(ModulePhase::SecondKick),
-            callsOf({"sleep", "loads from outside", "buoyancy"}, ModulePhase::SecondKick));
-  EXPECT_EQ(in(ModulePhase::AllForces), callsOf({"heat", "loads from outside"}, ModulePhase::AllForces));
+            callsOf({"loads from outside", "sleep", "buoyancy"}, ModulePhase::SecondKick));
+  EXPECT_EQ(in(ModulePhase::AllForces), callsOf({"loads from outside", "heat"}, ModulePhase::AllForces));
   EXPECT_TRUE(in(ModulePhase::EndOfStep).empty());
 }
 
