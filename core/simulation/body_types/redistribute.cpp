@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/domain/sides.hpp"
-#include "core/oriented/prepare_oriented.hpp"
-#include "core/sheet/forces/inner_forces.hpp"
-#include "core/sheet/prepare_sheets.hpp"
-#include "core/sheet/step_sheets.hpp"
+#include "core/simulation/body_types/type_actions.hpp"
 #include "core/simulation/ledger/ledger_rows.hpp"
-#include "core/simulation/views/views.hpp"
 #include "core/simulation/world/body_types.hpp"
 
 namespace thaw {
@@ -19,13 +16,12 @@ namespace {
 
 /// Migrates and sorts one body type; rows in `leaving` (ascending, with noCell as their next cell) are
 /// dropped.
-void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, BodyTypeRows& r,
+void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t type, BodyTypeRows& r,
                       CellTable& cells) {
   const std::size_t before = r.owned;
-  Migration m = halos.bodyTypes[kind]->migrate(r, {r.nextCell.data(), r.owned});
+  Migration m = halos.bodyTypes[type]->migrate(r, {r.nextCell.data(), r.owned});
   computeCellKeys(w.grid, r, before, r.owned);
-  if (kind == sheetType)
-    halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
+  if (const auto& migrateMore = typeActions()[type].migrateMore) migrateMore(w, halos, m);
   if (!t.leaving.empty()) {
     std::vector<std::uint32_t> gone;
     std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(),
@@ -39,37 +35,37 @@ void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, Bo
 
 void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
   forEachBodyType(w, [&](std::size_t type, BodyTypeRows& r, CellTable& cells) {
+    const TypeActions& actions = typeActions()[type];
     halos.bodyTypes[type]->follow(halos.cells);
     if (r.ghosts > 0) r.resize(r.owned, 0);
     for (std::size_t i = 0; i < r.owned; i++)
       if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0)
         w.ledger.entered.potential.add(r.mass[i] * more);
     computeCellKeys(w.grid, r);
-    // evaluateOriented removes oriented rows, after it has the energy of their pairs
     t.leaving.clear();
-    if (type != orientedType) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
-    if (type == sheetType) finaliseRemoved(sheetView(w), t.leaving, dt);
+    if (actions.leavesAtSides) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
+    if (actions.beforeRemoval) actions.beforeRemoval(w, t.leaving, dt);
     for (const std::uint32_t i : t.leaving) {
       addBodyTypeRow(w, type, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);
       countLeaving(w.scene.domain, r.position[i], w.counters);
     }
-    if (type == sheetType) clearSlotsAtStart(w.sheets, !t.leaving.empty());
+    if (actions.afterRemoval) actions.afterRemoval(w, !t.leaving.empty());
     redistributeRows(w, halos, t, type, r, cells);
   });
 }
 
 void activateBodyTypes(World& w) {
-  if (w.modules.oriented) activateOriented(w.oriented.rows, w.scene, w.modules);
-  if (w.modules.sheet) activateSheets(w.sheets, w.scene, w.modules);
+  for (const TypeActions& actions : typeActions())
+    if (actions.isOn(w)) actions.activate(w);
 }
 
 std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools& t, const MeshLoader& load,
                                                 std::vector<SceneWarning>& warnings) {
   t.oriented.begins = true;
-  std::vector<std::vector<Vec3d>> oriented;
-  if (w.modules.oriented) oriented = sampleOriented(w.oriented.rows, w.scene, halos, load, warnings);
-  if (w.modules.sheet) sampleSheets(w.sheets, w.scene, halos, load);
+  SamplingOfTypes sampling{halos, load, warnings, {}};
+  for (const TypeActions& actions : typeActions())
+    if (actions.isOn(w)) actions.sample(w, sampling);
   forEachBodyType(w, [&](std::size_t, BodyTypeRows& r, CellTable& cells) {
     for (std::size_t i = 0; i < r.owned; i++) wrapPlace(w.grid, w.scene.domain, r.position[i]);
     computeCellKeys(w.grid, r);
@@ -77,7 +73,7 @@ std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools
     all.arrivals = r.owned;
     sortByCell(r, all, t.sort, cells);
   });
-  return oriented;
+  return std::move(sampling.positions);
 }
 
 bool bodyTypesAreFinite(const World& w) {
@@ -97,7 +93,8 @@ void clearBodyTypes(World& w) {
     r.resize(0, 0);
     cells = {};
   });
-  if (w.modules.sheet) clearEdges(w.sheets);
+  for (const TypeActions& actions : typeActions())
+    if (actions.clear && actions.isOn(w)) actions.clear(w);
 }
 
 }  // namespace thaw
