@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 
 #include "core/domain/extensions.hpp"
 #include "io/simulation/simulation.hpp"
@@ -71,7 +72,7 @@ int main(int argc, char** argv) {
   thaw::registerExtension(capsule());
   thaw::Simulation sim = thaw::Simulation::fromText(scene, {.scene = "capsule"}, MPI_COMM_SELF);
   const thaw::Continuum& p = sim.particles();
-  const double spacing = sim.scene().spacing, pi = 3.14159265358979;
+  const double spacing = sim.scene().spacing, pi = std::numbers::pi;
   const double volume = static_cast<double>(p.owned) * spacing * spacing * spacing,
                exact = pi * 0.12 * 0.12 * (0.2 + 4.0 / 3 * 0.12);
   double nearest = 1;

@@ -100,7 +100,7 @@ class Simulation {
   void onEnd(std::function<void()> call);
   /// Adds a force or a source of heat from now on. After a restart, add those of the earlier run before the
   /// first step. Its work, impulse and heat are in the ledger.
-  /// The automatic sound speed of liquids does not know of it: give material.sound_speed, ten times the
+  /// The automatic sound speed of liquids does not include it: give material.sound_speed, ten times the
   /// largest speed of the flow.
   void addForce(OutsideSource source);
   /// Lets the program change Continuum::velocity and temperature of owned rows between both calls. endEdit

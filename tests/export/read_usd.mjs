@@ -16,7 +16,8 @@ function readPly(file) {
     head = bytes.toString('latin1', 0, end),
     count = (element) => Number(new RegExp(`element ${element} (\\d+)`).exec(head)[1]),
     body = head.slice(head.indexOf('element vertex'), head.indexOf('element face')),
-    properties = [...body.matchAll(/property (float|uchar) (\w+)/g)].map(([, type, name]) => ({ type, name }));
+    properties = [...body.matchAll(/property (float|uchar) (\w+)/g)]
+        .map(([, type, name]) => ({ type, name }));
   let at = end;
   const vertices = [];
   for (let v = 0; v < count('vertex'); v++) {
@@ -112,7 +113,9 @@ linesOf(crate).forEach((line, k) => {
   const other = textLines[k] ?? '';
   assert.ok(line === other, `crate and text differ: ${line.slice(0, 200)} | ${other.slice(0, 200)}`);
 });
-for (const part of ['def Mesh "surface"', 'def Points "particles"', 'def Camera "camera"', 'primvars:displayColor'])
+for (const part of ['def Mesh "surface"', 'def Points "particles"', 'def Camera "camera"',
+    'primvars:displayColor'])
   assert.ok(crate.includes(part), part);
 const first = /point3f\[\] points\.timeSamples = \{\s*0: \[\(([^)]*)\)/.exec(crate)[1].split(',').map(Number);
-['x', 'y', 'z'].forEach((name, c) => assert.ok(Math.abs(first[c] - meshes[0].vertices[0][name]) < 1e-6, name));
+['x', 'y', 'z'].forEach((name, c) =>
+    assert.ok(Math.abs(first[c] - meshes[0].vertices[0][name]) < 1e-6, name));

@@ -23,7 +23,7 @@ plantTree() {
   cp "$root"/.clang-format "$dir/tree/"
   cp "$root"/core/include_order.txt "$dir/tree/core/"
   printf '# Contributing\n' >"$dir/tree/CONTRIBUTING.md"
-  cp "$root"/scripts/{lint,lib.sh,lint_{checks,files,fix,includes,names}.py,lint_words.txt} \
+  cp "$root"/scripts/{lint,lib.sh,lint_{checks,files,fix,includes,names,prose}.py,lint_words.txt} \
     "$dir/tree/scripts/"
   printf '# Bibliography\n\n| key | reference |\n|---|---|\n| K05 | Keiser, Adams 2005. A paper |\n' \
     >"$dir/tree/docs/bibliography.md"
@@ -113,6 +113,8 @@ printf '// Of a number.\n// .5 of it is a half.\n#pragma once\n' >"$dir/tree/cor
 printf 'echo "%s"\n' "$long" >"$dir/tree/scripts/long.sh"
 printf '\nIt occ%s twice.\n[A link](nowhere.md)\n[Another](page.md#another-part)\n' ured \
   >>"$dir/tree/docs/page.md"
+{ printf '\nThe step is to%s its length.\n\nA sentence' ld; printf ' and on%.0s' {1..15}; printf '.\n'; } \
+  >>"$dir/tree/docs/page.md"
 { printf 'void steps() {\n'; printf '  step();\n%.0s' {1..70}; printf '}\n'; } >"$dir/tree/core/heat/long.cpp"
 for i in {1..31}; do printf '#pragma once\n' >"$dir/tree/core/math/file_$i.hpp"; done
 lint
@@ -120,6 +122,8 @@ finds 'a listed include that is gone' '^scripts/lint_known_includes.txt:1: .*occ
 finds 'a long line' '^scripts/long.sh:1: 11[0-9] columns, at most 110'
 finds 'a misspelt word' '^(\./)?docs/page.md:5: occ''ured ==> occurred'
 finds 'a dead link' '^docs/page.md:6: dead link: there is no docs/nowhere.md'
+finds 'a word for persons' '^docs/page.md:9: "to''ld" makes a person of the code'
+finds 'a long sentence' '^docs/page.md:11: a sentence of 32 words, at most 30'
 finds 'a dead anchor' '^docs/page.md:7: dead link: docs/page.md has no heading #another-part'
 finds 'a dead reference in a comment' "^$square:1: the comment names docs/lost.md"
 finds 'a comment that begins with "of"' '^core/math/half.hpp:1: a comment begins with "Of"'

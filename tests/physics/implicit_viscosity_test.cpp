@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/kernels/lattice.hpp"
 #include "tests/support/flows.hpp"
@@ -50,7 +51,7 @@ Scene waveScene(double nu, int n) {
 
 TEST(ImplicitViscosity, ShearWaveDecaysWithStepsFarAboveTheExplicitLimit) {
   const int n = 24;
-  const double nu = 0.05, k = 2 * M_PI / (n * dx), rate = nu * k * k;
+  const double nu = 0.05, k = 2 * std::numbers::pi / (n * dx), rate = nu * k * k;
   for (const double times : {0.5, 10.0, 50.0}) {
     Scene s = waveScene(nu, n);
     makeImplicit(s);
@@ -162,8 +163,10 @@ TEST(ImplicitViscosity, ContrastOfSixDecades) {
     Simulation run(s);
     Continuum& p = run.particles();
     for (std::size_t i = 0; i < p.owned; i++) {
-      p.velocity[i] = {
-          p.material[i] == 1 ? 0.05 * std::sin(2 * M_PI * p.position[i].z / (3 * dx)) + 0.02 : 0.0, 0, 0};
+      p.velocity[i] = {p.material[i] == 1
+                           ? 0.05 * std::sin(2 * std::numbers::pi * p.position[i].z / (3 * dx)) + 0.02
+                           : 0.0,
+                       0, 0};
       p.acceleration[i] = {};
     }
     run.w.ledger.initial = run.ledgerReport().now;

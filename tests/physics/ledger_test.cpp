@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/simulation.hpp"
 
@@ -54,7 +55,7 @@ TEST(Ledger, PeriodicLiquidConservesMomentumAndRecordsDissipation) {
   Simulation run(s);
   Continuum& p = run.particles();
   for (std::size_t i = 0; i < p.owned; i++)
-    p.velocity[i] = {0.3 + 0.4 * std::sin(2 * M_PI * p.position[i].z / (6 * dx)), 0.2, 0.1};
+    p.velocity[i] = {0.3 + 0.4 * std::sin(2 * std::numbers::pi * p.position[i].z / (6 * dx)), 0.2, 0.1};
   run.w.ledger.initial = run.ledgerReport().now;
   EXPECT_TRUE(run.run());
   const LedgerReport r = run.ledgerReport();

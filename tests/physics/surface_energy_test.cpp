@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
@@ -128,7 +129,7 @@ TEST(SurfaceEnergy, LoneParticleHasTheSurfaceOfASphere) {
     Numerics n;
     n.support = support;
     EXPECT_NEAR(surfaceState(surfaceMeasure(n, 0.1), 1.5, {}, 0).energy * 1e-3,
-                1.5 * std::cbrt(36 * M_PI) * 0.01, 1e-12)
+                1.5 * std::cbrt(36 * std::numbers::pi) * 0.01, 1e-12)
         << support;
   }
 }
@@ -236,7 +237,7 @@ TEST(SurfaceEnergy, PressureInADropIsLaplaces) {
         pressureOfParticle(run.w.scene, run.w.modules, run.w.particles, run.tools.liquids, i));
     count++;
   }
-  const double R = std::cbrt(3 * mass / (4 * M_PI));
+  const double R = std::cbrt(3 * mass / (4 * std::numbers::pi));
   EXPECT_NEAR(pressure / count, 2 / R, 0.1 * 2 / R);
   EXPECT_LT(farthest, 1.05 * R);  // no particle has left
 }
@@ -253,7 +254,8 @@ TEST(SurfaceEnergy, DropsKeepTheirVolume) {
       Simulation run(s);
       ASSERT_TRUE(run.run());
       EXPECT_NEAR(radiusOfGyration(run.particles(), spacing) /
-                      std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / spacing,
+                      std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * std::numbers::pi)) /
+                      spacing,
                   1, 0.01)
           << spacing;
       // Inside, the number of particles is that at rest density. The weight vanishes at 0.8 of the radius,
@@ -263,7 +265,7 @@ TEST(SurfaceEnergy, DropsKeepTheirVolume) {
       for (std::size_t i = 0; i < run.particles().owned; i++)
         inside += std::max(
             0.0, 1 - dot(run.particles().position[i], run.particles().position[i]) / (radius * radius));
-      EXPECT_NEAR(inside / (8 * M_PI / 15 * std::pow(radius / spacing, 3)), 1, 0.03) << spacing;
+      EXPECT_NEAR(inside / (8 * std::numbers::pi / 15 * std::pow(radius / spacing, 3)), 1, 0.03) << spacing;
     }
 }
 
@@ -280,7 +282,8 @@ TEST(RelaxedPacking, BallWithoutTensionStaysAtRest) {
     relativeDensity = std::max(relativeDensity, static_cast<double>(run.particles().relativeDensity[i]));
   EXPECT_LT(relativeDensity, 1 + 1.1e-4);
   const double before = radiusOfGyration(run.particles(), s.spacing);
-  EXPECT_NEAR(before / std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / s.spacing,
+  EXPECT_NEAR(before / std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * std::numbers::pi)) /
+                  s.spacing,
               1, 0.01);
   ASSERT_TRUE(run.run());
   EXPECT_NEAR(radiusOfGyration(run.particles(), s.spacing) / before, 1, 1e-4);

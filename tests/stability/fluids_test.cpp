@@ -49,7 +49,9 @@ std::vector<Vec3d> placesOf(const Continuum& p) { return {p.position.data(), p.p
 /// MCG03's poly6 used for the gradient as well, as a naive implementation.
 struct Poly6 {
   static double w(double q2) { return isa_base::Mcg03::w(q2); }
-  static double slope(double q2) { return -945 / (32 * M_PI) * std::pow(std::max(0.0, 1 - q2), 2); }
+  static double slope(double q2) {
+    return -945 / (32 * std::numbers::pi) * std::pow(std::max(0.0, 1 - q2), 2);
+  }
 };
 
 /// Damped motion of particles in a periodic cube under p = c^2 (relative density - 1) >= 0, by brute force.

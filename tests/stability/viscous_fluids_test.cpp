@@ -128,7 +128,7 @@ TEST(Stability, Row24TensionOfInnerAndLonelyParticles) {
         for (std::size_t j = 0; j < p.owned; j++) {
           const Vec3d q = (p.position[i] - p.position[j]) / (2 * dx);
           const double q2 = dot(q, q), u = std::max(0.0, 1 - q2);
-          laplacian += 945 / (32 * M_PI) / 8 * u * (7 * q2 - 3) / (4 * dx * dx);
+          laplacian += 945 / (32 * std::numbers::pi) / 8 * u * (7 * q2 - 3) / (4 * dx * dx);
         }
         noise = std::max(noise, 0.07 * std::abs(laplacian) * dx * dx * dx);
       } else surface = std::max(surface, f);

@@ -2,6 +2,7 @@
 // Scenes of liquids at walls with their exact solutions, shared by several physics tests.
 #pragma once
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/simulation.hpp"
 
@@ -27,8 +28,9 @@ struct PlateFlow {
     const double nu = kinematicViscosity, H = height;
     double u = gravity / (2 * nu) * z * (H - z);
     for (int n = 1; n < 40; n += 2)
-      u -= 4 * gravity * H * H / (nu * std::pow(M_PI * n, 3)) * std::sin(n * M_PI * z / H) *
-           std::exp(-n * n * M_PI * M_PI * nu * end / (H * H));
+      u -= 4 * gravity * H * H / (nu * std::pow(std::numbers::pi * n, 3)) *
+           std::sin(n * std::numbers::pi * z / H) *
+           std::exp(-n * n * std::numbers::pi * std::numbers::pi * nu * end / (H * H));
     return u;
   }
   /// Root mean square error of the velocity, relative to the parabola's maximum.

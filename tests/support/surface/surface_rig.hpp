@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/halo/serial.hpp"
 #include "core/simulation/setup/make_grid.hpp"
@@ -81,7 +82,7 @@ struct SurfaceRig {
     sphere(c, R, component);
   }
   void sphere(const Vec3d& c, double R, std::uint64_t component = noComponent) {
-    const int N = static_cast<int>(4 * M_PI * R * R / (0.8 * d * d));
+    const int N = static_cast<int>(4 * std::numbers::pi * R * R / (0.8 * d * d));
     for (int k = 0; k < N; k++) {
       const double z = 1 - (2 * k + 1.0) / N, r = std::sqrt(1 - z * z), a = 2.39996322972865332 * k;
       const Vec3d n{r * std::cos(a), r * std::sin(a), z};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -107,7 +108,8 @@ inline void sampleMesh(SurfelSamples& out, const TriangleMesh& mesh, double spac
 /// Adds surfels on a ball, evenly (Fibonacci spiral), about `spacing` apart.
 inline void sampleBall(SurfelSamples& out, const Vec3d& centre, double radius, double spacing,
                        std::uint64_t component) {
-  const int n = std::max(12, static_cast<int>(4 * 3.14159265 * radius * radius / (0.87 * spacing * spacing)));
+  const int n = std::max(
+      12, static_cast<int>(4 * std::numbers::pi * radius * radius / (0.87 * spacing * spacing)));
   for (int k = 0; k < n; k++) {
     const double z = 1 - 2 * (k + 0.5) / n, s = std::sqrt(1 - z * z), angle = k * 2.399963229728653;
     const Vec3d d{s * std::cos(angle), s * std::sin(angle), z};

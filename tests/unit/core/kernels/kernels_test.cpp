@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace thaw {
 namespace {
@@ -16,7 +17,7 @@ TYPED_TEST(Kernels, IntegrateToOneIn3D) {
   const int n = 20000;
   double volume = 0, gradient = 0, laplacian = 0;
   for (int k = 0; k < n; k++) {  // midpoint rule over the radius
-    const double q = (k + 0.5) / n, shell = 4 * M_PI * q * q / n;
+    const double q = (k + 0.5) / n, shell = 4 * std::numbers::pi * q * q / n;
     volume += shell * TypeParam::w(q * q);
     gradient -= shell * TypeParam::slope(q * q) * q * q / 3;     // int -x dW/dx = int W = 1
     laplacian += shell * TypeParam::laplace(q * q) * q * q / 6;  // int x^2/2 lap W = 1

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/heat/heat.hpp"
 #include "tests/support/wall_rig.hpp"
@@ -54,7 +55,7 @@ TEST(WallFilling, FollowsTheAngleBetweenWalls) {
   const double one = fillingBeside({Plane({0, 0, 1}, 0)});
   for (double angle : {0.3, 1.0, 2.0, 2.9}) {
     const double both = fillingBeside({Plane({0, 0, 1}, 0), Plane({std::sin(angle), 0, std::cos(angle)}, 0)});
-    EXPECT_NEAR(both, one * (1 + angle / M_PI), 0.12 * one) << angle;
+    EXPECT_NEAR(both, one * (1 + angle / std::numbers::pi), 0.12 * one) << angle;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <numbers>
 
 #include "core/geometry/builtin/bust.hpp"
 #include "core/surface/seeding/sample_mesh.hpp"
@@ -57,7 +58,7 @@ TEST(BlueNoise, LeavesNoHoleAndNoCrowdOnABall) {
   const double spacing = 0.1;
   const std::vector<MeshSample> s = blueNoise(ball, spacing, 1);
   const Spread r = spreadOf(ball, s, spacing);
-  const double hexagonal = 4 * 3.14159265 / (spacing * spacing * std::sqrt(0.75));
+  const double hexagonal = 4 * std::numbers::pi / (spacing * spacing * std::sqrt(0.75));
   std::printf("ball: %zu places (hexagonal %.0f), least %.3f, mean %.3f, largest hole %.3f\n", s.size(),
               hexagonal, r.least, r.mean, r.hole);
   EXPECT_GT(r.least, 0.6);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/geometry/trees/point_tree.hpp"
 #include "core/math/hash_random.hpp"
@@ -24,7 +25,7 @@ std::vector<Vec3d> onSphere(int n) {
 
 TEST(Triangulate, SphereIsClosed) {
   const std::vector<Vec3d> points = onSphere(500);
-  const std::vector<double> spacing(points.size(), std::sqrt(4 * 3.14159265 / 500 / 0.866));
+  const std::vector<double> spacing(points.size(), std::sqrt(4 * std::numbers::pi / 500 / 0.866));
   const auto triangles = triangulate({points, points, spacing, {}, {}});
   const auto edges = edgesOf(triangles);
   // Euler: V - E + F = 2, and every edge has two triangles

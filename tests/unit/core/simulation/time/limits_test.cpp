@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
 
 #include "core/kernels/lattice.hpp"
 #include "core/simulation/time/limits.hpp"
@@ -170,7 +171,7 @@ TEST(StepLimits, MatchTheFormulasOfALiquid) {
   EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Viscous)],
                    0.8 * stableViscousStep(s.numerics) * h * h * 1000 / 2);
   EXPECT_NEAR(l.value[static_cast<std::size_t>(Limit::Tension)],
-              0.25 * std::sqrt(1000 * h * h * h / (2 * M_PI * 0.07)), 1e-12);
+              0.25 * std::sqrt(1000 * h * h * h / (2 * std::numbers::pi * 0.07)), 1e-12);
   EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Heat)],
                    0.8 * stableHeatStep(s.numerics) * h * h / (3.0 / (1000.0 * 1000.0)));
   EXPECT_EQ(l.value[static_cast<std::size_t>(Limit::Elastic)], never);

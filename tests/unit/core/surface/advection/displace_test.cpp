@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/support/surface/relax_rig.hpp"
 
 namespace thaw {
@@ -164,7 +166,7 @@ TEST(Displace, ARippledPlateKeepsItsThickness) {
   freeze(rig);
   const int updates = 12;
   const auto placeAt = [&](const Vec3d& at, double swing, double share) {
-    const double a = share * M_PI / 2, z = at.z + swing;
+    const double a = share * std::numbers::pi / 2, z = at.z + swing;
     return Vec3d{at.x, std::cos(a) * at.y - std::sin(a) * z, std::sin(a) * at.y + std::cos(a) * z};
   };
   SurfaceParticles& p = rig.w.surface.particles;
@@ -174,8 +176,8 @@ TEST(Displace, ARippledPlateKeepsItsThickness) {
     for (std::size_t i = 0; i < p.owned; i++) {
       const std::size_t n = p.id[i];
       const Vec3d flat{static_cast<double>(n % 11) - 5, static_cast<double>(n / 11) - 5, 0};
-      p.position[i] = placeAt(flat, std::cos(M_PI * from) * ripple[n], from);
-      p.displacement[i] = placeAt(flat, std::cos(M_PI * to) * ripple[n], to) - p.position[i];
+      p.position[i] = placeAt(flat, std::cos(std::numbers::pi * from) * ripple[n], from);
+      p.displacement[i] = placeAt(flat, std::cos(std::numbers::pi * to) * ripple[n], to) - p.position[i];
     }
     carry(rig);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/measures/measure.hpp"
 
+#include <numbers>
+
 #include "core/surface/relaxation/enforce_volume.hpp"
 #include "tests/support/surface/surface_rig.hpp"
 
@@ -15,7 +17,8 @@ TEST(Measure, AreaAndVolumeOfABallAreExact) {
     rig.update();
     ASSERT_EQ(rig.components().size(), 1u);
     const SurfaceComponent& c = rig.components()[0];
-    const double area = c.area / (4 * M_PI * R * R) - 1, volume = c.volume / (4.0 / 3 * M_PI * R * R * R) - 1;
+    const double area = c.area / (4 * std::numbers::pi * R * R) - 1,
+                 volume = c.volume / (4.0 / 3 * std::numbers::pi * R * R * R) - 1;
     std::printf("R/dx = %g: area %+.2e, volume %+.2e\n", R / rig.dx, area, volume);
     EXPECT_LT(std::abs(area), 0.01);
     EXPECT_LT(std::abs(volume), 0.01);

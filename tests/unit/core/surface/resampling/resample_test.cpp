@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/simulation/views/views.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
@@ -98,7 +100,7 @@ TEST(Resample, StretchingFourTimesAndBackLeavesNoHole) {
   std::printf("stretched: %zu surfels at four times, %zu back; largest hole %.3f\n", most,
               rig.surfels().owned, worst);
   EXPECT_LT(worst, 1.0);
-  const double area = 4 * 3.14159265 * small * small, law = area / (0.05 * 0.05 * std::sqrt(0.75));
+  const double area = 4 * std::numbers::pi * small * small, law = area / (0.05 * 0.05 * std::sqrt(0.75));
   EXPECT_GT(static_cast<double>(rig.surfels().owned), 0.6 * law);
   EXPECT_LT(static_cast<double>(rig.surfels().owned), 1.5 * law);
 }
@@ -174,7 +176,7 @@ TEST(Resample, DensityFollowsCurvature) {
       SurfelRig rig(scene);
       Surfels& s = rig.surfels();
       for (const SurfacePoint& p :
-           spherePoints(static_cast<std::size_t>(4 * 3.14159265 * R * R / (0.87 * 0.08 * 0.08)), R))
+           spherePoints(static_cast<std::size_t>(4 * std::numbers::pi * R * R / (0.87 * 0.08 * 0.08)), R))
         rig.add(p.position, p.normal);
       for (int k = 0; k < 12; k++) {
         rig.world.clock.step++;
@@ -187,7 +189,8 @@ TEST(Resample, DensityFollowsCurvature) {
       }
       double radius = 0;
       for (std::size_t i = 0; i < s.owned; i++) radius += s.radius[i] / 0.08 / static_cast<double>(s.owned);
-      const double wanted = adapt > 0 ? std::min(1.0, 0.5 * R / 0.08) : 1, area = 4 * 3.14159265 * R * R;
+      const double wanted = adapt > 0 ? std::min(1.0, 0.5 * R / 0.08) : 1,
+                   area = 4 * std::numbers::pi * R * R;
       const double hole = rig.largestHole(spherePoints(4000, R)),
                    each = area / static_cast<double>(s.owned) / (0.08 * 0.08);
       std::printf(

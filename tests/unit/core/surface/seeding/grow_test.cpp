@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/simulation/views/views.hpp"
 #include "core/surface/field/prepare_particles.hpp"
 #include "core/surface/measures/measure.hpp"
@@ -46,7 +48,7 @@ TEST(Grow, CoversABallOfParticlesWithoutAHole) {
     inward = std::max(inward, 1 - dot(s.normal[i], normalized(s.position[i])));
   }
   const double hole = rig.largestHole(spherePoints(10000, R)),
-               law = 4 * 3.14159265 * R * R / (0.05 * 0.05 * std::sqrt(0.75));
+               law = 4 * std::numbers::pi * R * R / (0.05 * 0.05 * std::sqrt(0.75));
   std::printf(
       "grown: %zu surfels (hexagonal %.0f), %.4f of R off it, hole %.3f spacings from the ball, normals "
       "%.4f\n",
