@@ -2,6 +2,7 @@
 """Texts of the scenes of the benchmark of rigid pieces."""
 import math
 
+SPACING = 0.1  # m
 HEAD = """spacing = {spacing}
 end = {end}
 [domain]
@@ -42,7 +43,7 @@ def numbers(values):
 
 def head(low, high, gravity, **settings):
     values = dict(
-        spacing=0.1,
+        spacing=SPACING,
         end=1,
         friction=0.5,
         restitution=0,

@@ -92,7 +92,8 @@ SolvedContacts findContactImpulses(const RigidView& v, const Halos& halos, doubl
 
 void acceptContacts(const RigidView& v, const SolvedContacts& solved, double dt, Reducer& all) {
   const ContactResult& result = solved.result;
-  v.work.contacts = {result.iterations + result.correctionIterations, result.residual, solved.tolerance};
+  v.work.contacts = {result.iterations + result.correctionIterations, result.residual, solved.tolerance,
+                     std::max(v.work.contacts.deepest, result.deepest)};
   if (v.modules.pieceSleep) {
     updateRest(v, {solved.contacts, solved.after, dt}, all);
     balanceSleeping(v.pieces, dt);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/geometry/basic/shape_error.hpp"
+#include "core/geometry/shapes/combined.hpp"
 #include "core/math/hash_random.hpp"
 
 namespace thaw {
@@ -14,10 +15,8 @@ namespace {
 constexpr double mostPoints = 1099511627776.0;  // 2^40
 constexpr std::size_t pointsAtOnce = 256;       // points of a row per batch
 
-}  // namespace
-
-SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers) {
-  const Bounds b = shape.bounds();
+/// Returns the lattice in bounds along the axes of the scene.
+SampleLattice latticeIn(const Bounds& b, double spacing, Layers layers) {
   SampleLattice l;
   l.spacing = spacing;
   double points = 1;
@@ -33,6 +32,28 @@ SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers 
     l.count[a] = static_cast<std::int64_t>(n);
     l.corner[a] = 0.5 * (b.min[a] + b.max[a]) - 0.5 * n * spacing;
   }
+  return l;
+}
+
+}  // namespace
+
+SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers) {
+  return latticeIn(shape.bounds(), spacing, layers);
+}
+
+SampleLattice turnedLattice(const SignedDistance& shape, double spacing) {
+  const Mat3d axes = axesOf(shape);
+  if (isIdentity(axes)) return sampleLattice(shape, spacing);
+  const Mat3d rows = transpose(axes);
+  Bounds b;
+  for (int a = 0; a < 3; a++) {
+    b.min[a] = -shape.extent(-rows.row[a]);
+    b.max[a] = shape.extent(rows.row[a]);
+  }
+  SampleLattice l = latticeIn(b, spacing, Layers::Cover);
+  l.axes = axes;
+  l.turned = true;
+  l.corner = axes * l.corner;
   return l;
 }
 

@@ -58,10 +58,14 @@ void CombinedDistance::addNotes(std::vector<std::string>& notes) const {
   for (const ShapePart& p : parts_) p->addNotes(notes);
 }
 
+bool isIdentity(const Mat3d& m) {
+  const Mat3d one = identity3<double>();
+  return m.row[0] == one.row[0] && m.row[1] == one.row[1] && m.row[2] == one.row[2];
+}
+
 PlacedDistance::PlacedDistance(ShapePart part, const Placement& placement)
     : part_(std::move(part)), placement_(placement), back_(transpose(placement.rotation)) {
-  const Mat3d one = identity3<double>();
-  for (int i = 0; i < 3; i++) rotated_ = rotated_ || !(placement.rotation.row[i] == one.row[i]);
+  rotated_ = !isIdentity(placement.rotation);
   bounds_ = boundsFromExtents(*this);
 }
 
@@ -99,6 +103,11 @@ double PlacedDistance::extent(const Vec3d& n) const {
 
 double PlacedDistance::outerExtent(const Vec3d& n) const {
   return dot(n, placement_.move) + placement_.scale * part_->outerExtent(rotated_ ? back_ * n : n);
+}
+
+Mat3d axesOf(const SignedDistance& shape) {
+  const auto* placed = dynamic_cast<const PlacedDistance*>(&shape);
+  return placed ? placed->rotation() : identity3<double>();
 }
 
 Mat3d rotationXyz(const Vec3d& a) {

@@ -61,6 +61,7 @@ class PlacedDistance final : public SignedDistance {
   bool hasGaps() const override { return part_->hasGaps(); }
   double area() const override { return part_->area() * placement_.scale * placement_.scale; }
   void addNotes(std::vector<std::string>& notes) const override { part_->addNotes(notes); }
+  const Mat3d& rotation() const { return placement_.rotation; }
 
  private:
   Vec3d toPart(const Vec3d& x) const;
@@ -70,6 +71,11 @@ class PlacedDistance final : public SignedDistance {
   bool rotated_ = false;  ///< false: rotations are skipped, so unrotated shapes keep their exact bits
   Bounds bounds_;
 };
+
+bool isIdentity(const Mat3d& matrix);
+
+/// Returns the axes of a shape in the scene, as columns: the rotation of its own placement.
+Mat3d axesOf(const SignedDistance& shape);
 
 /// Rotation about x, then y, then z by the angles given (rad): R = Rz Ry Rx.
 Mat3d rotationXyz(const Vec3d& angles);

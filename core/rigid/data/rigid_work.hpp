@@ -22,6 +22,7 @@ struct ContactUse {
   std::int64_t iterations = 0;
   double residual = 0;   ///< m/s, largest velocity error of a contact
   double tolerance = 0;  ///< m/s
+  double deepest = 0;    ///< m, largest overlap of all steps since the start of the program
 };
 
 struct RigidWork {

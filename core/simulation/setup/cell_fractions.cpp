@@ -71,7 +71,7 @@ class CellFractions {
     for (int z = 0; z < across; z++)
       for (int y = 0; y < across; y++)
         for (int x = 0; x < across; x++)
-          if (const Vec3d at = middle(c) + Vec3d{off(x), off(y), off(z)};
+          if (const Vec3d at = middle(c) + l_.along({off(x), off(y), off(z)});
               shape_.distanceWithin(at, l_.spacing) < -rounding * l_.spacing)
             in.push_back(at);
     return in;

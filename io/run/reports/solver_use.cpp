@@ -18,7 +18,7 @@ std::vector<SolverUse> solversOf(const World& w, const StepTools& t) {
     used.push_back({"viscosity", t.viscous.iterations, mean(c.viscousIterations)});
   if (w.modules.rigid && !w.modules.rigidify)
     used.push_back({"contact", t.rigid.contacts.iterations, mean(c.contactIterations),
-                    t.rigid.contacts.residual, t.rigid.contacts.tolerance});
+                    t.rigid.contacts.residual, t.rigid.contacts.tolerance, t.rigid.contacts.deepest});
   return used;
 }
 

@@ -16,6 +16,7 @@ struct SolverUse {
   std::int64_t last;
   double mean;
   double residual = 0, tolerance = 0;  ///< m/s, of contacts in the last step; 0 for other solvers
+  double overlap = 0;                  ///< m, largest one of contacts since the start of the program
 };
 
 /// Returns the use of each solver of the scene. On the first rank, whose counters have it.

@@ -175,8 +175,10 @@ void writeSummary(const std::string& out, const RunSummary& s, const std::string
   }
   if (l.hasVapour) j["ledger"]["vapour"] = {{"mass_kg", l.evaporated}, {"heat_J", l.vapourHeat}};
   j["liquid_fraction"] = l.liquidFraction;
-  for (const SolverUse& u : s.solvers)
+  for (const SolverUse& u : s.solvers) {
     j["solvers"][u.name] = {{"iterations_of_last_step", u.last}, {"mean_iterations", u.mean}};
+    if (u.tolerance > 0) j["solvers"][u.name]["largest_overlap_m"] = u.overlap;
+  }
   j["counters"] = countersJson(s.counters);
   if (s.surface.there) j["surface"] = surfaceJson(s.surface);
   j["warnings"] = s.warnings;
