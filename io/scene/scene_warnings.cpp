@@ -78,7 +78,7 @@ void addEndlessCooling(const Scene& s, std::vector<std::string>& lines) {
     if (m.evaporationHeat > 0 && !m.evaporation.empty() && m.evaporation.front().second > 0)
       lines.push_back(
           fmt::format("{}: material '{}': cold liquid evaporates, too, and cools towards 0 K; give "
-                      "evaporation as a table "
+                      "`evaporation` as a table "
                       "that begins with a rate of 0",
                       at(m.where), m.name));
 }
@@ -92,8 +92,8 @@ void addMaterialsWithoutHeat(const Scene& s, std::vector<std::string>& lines) {
     if (m.melts() && m.conductivity.solid == 0 && m.conductivity.liquid == 0 && m.convection == 0 &&
         m.emissivity == 0 && m.heatSource == 0)
       lines.push_back(
-          fmt::format("{}: material '{}' melts, but nothing changes its temperature: give it a conductivity, "
-                      "convection, emissivity or heat_source",
+          fmt::format("{}: material '{}' melts, but nothing changes its temperature: set `conductivity`, "
+                      "`convection`, `emissivity` or `heat_source`",
                       at(m.where), m.name));
 }
 
@@ -112,8 +112,8 @@ void addCrushedSolids(const Scene& s, std::vector<std::string>& lines) {
       lines.push_back(
           fmt::format("{}: material '{}' has a bulk modulus of {:.3g} Pa, and the pressure of liquids in "
                       "this scene can be "
-                      "{:.3g} Pa: this may crush the solid and stop the run. Use a larger young, or a "
-                      "poisson closer to 0.5",
+                      "{:.3g} Pa: this may crush the solid and stop the run. Use a larger `young`, or a "
+                      "`poisson` closer to 0.5",
                       at(m.where), m.name, modulus, pressure));
   }
 }
@@ -121,15 +121,16 @@ void addCrushedSolids(const Scene& s, std::vector<std::string>& lines) {
 /// Warns of an interval of frames longer than the run.
 void addRareFrames(const Scene& s, std::vector<std::string>& lines) {
   if (s.end > 0 && s.output.every > s.end)
-    lines.push_back(fmt::format("{}: output.every ({:g} s) exceeds end ({:g} s): the only frame is the first",
-                                s.file, s.output.every, s.end));
+    lines.push_back(
+        fmt::format("{}: `output.every` ({:g} s) exceeds `end` ({:g} s): the only frame is the first", s.file,
+                    s.output.every, s.end));
 }
 
 /// Warns of a subtracted weight if the liquid may have a free surface.
 void addWeightlessLiquid(const Scene& s, std::vector<std::string>& lines) {
   if (s.numerics.buoyancy == Buoyancy::Boussinesq && !liquidFillsClosedDomain(s))
     lines.push_back(fmt::format(
-        "{}: numerics.buoyancy = \"boussinesq\" leaves out the weight, and the scene is not one box of "
+        "{}: `numerics.buoyancy = \"boussinesq\"` leaves out the weight, and the scene is not one box of "
         "liquid in a closed domain: a free surface or a falling body would be weightless; use \"density\" "
         "to keep the weight",
         s.file));
@@ -196,10 +197,10 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   if (s.output.fieldsWhere.line > 0 && !hasContinuum(s)) {
     std::string names;
     for (const std::string& name : s.output.fields) names += (names.empty() ? "" : ", ") + name;
-    lines.push_back(
-        fmt::format("{}: output.fields ({}) apply to bodies and emitters, and the scene has none; frames of "
-                    "oriented bodies and sheets have all their fields",
-                    at(s.output.fieldsWhere), names));
+    lines.push_back(fmt::format(
+        "{}: `output.fields` ({}) apply to bodies and emitters, and the scene has none; frames of "
+        "oriented bodies and sheets have all their fields",
+        at(s.output.fieldsWhere), names));
   }
   const auto& fields = s.output.fields;
   if (!s.surface.on && std::find(fields.begin(), fields.end(), surfaceVelocityField) != fields.end())

@@ -312,7 +312,7 @@ def test_extensions_have_keys_in_scenes():
     assert abs(now['energy_residual']) < 0.01 * now['energy_scale']
     with pytest.raises(thaw.SceneError, match='unknown key .omegas.'):
         thaw.Simulation(drop(extension={'trap': {'omegas': 1}}))
-    with pytest.raises(thaw.SceneError, match='no such extension; it has trap'):
+    with pytest.raises(thaw.SceneError, match='unknown extension; this program has trap'):
         thaw.Simulation(drop(extension={'tarp': {}}))
 
 

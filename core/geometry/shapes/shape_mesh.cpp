@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/builtin/polygonise.hpp"
 #include "core/geometry/shapes/combined.hpp"
 #include "core/geometry/shapes/placed_mesh.hpp"
@@ -163,7 +163,8 @@ TriangleMesh shapeMesh(const Shape& s, double sag, const MeshLoader& load) {
   const Bounds b = makeSignedDistance(s, load)->bounds();
   const Vec3d size = b.max - b.min;
   if (!std::isfinite(size.x + size.y + size.z))
-    throw std::invalid_argument("an infinite body has no surface to sample");
+    throw ShapeError("the shape is not bounded on all sides and has no closed mesh; intersect it with a box",
+                     s.where);
   return placedParts(s, sag, {0.5 * (b.min + b.max), 0.5 * length(size)}, load);
 }
 
