@@ -351,7 +351,7 @@ def test_extensions_have_fields():
 def test_on_phase_and_on_end():
     sim = thaw.Simulation(drop())
     order = []
-    phases = ['predict', 'redistribute', 'density', 'forces', 'integrate', 'phase_change', 'limits']
+    phases = ['predict', 'redistribute', 'density', 'forces', 'integrate', 'phase_change', 'end_of_step']
     for phase in phases:
         sim.on_phase(phase, lambda p, t, phase=phase: order.append((phase, t)))
     sim.on_end(lambda s: order.append('end'))
