@@ -118,6 +118,36 @@ void addCrushedSolids(const Scene& s, std::vector<std::string>& lines) {
   }
 }
 
+/// Warns of settings of sleep and rigid motion that act on no solid, and of rigid laws of liquids.
+void addUnusedSolidSettings(const Scene& s, std::vector<std::string>& lines) {
+  const Numerics& n = s.numerics;
+  const auto neverSolid = [](const Material& m) {
+    return !m.canBeSolid() || (!m.melts() && m.liquidAtStart);
+  };
+  const bool solid = !std::all_of(s.materials.begin(), s.materials.end(), neverSolid);
+  const auto warn = [&](bool is, const char* key, const char* why) {
+    if (is) lines.push_back(fmt::format("{}: `numerics.{}` has no effect {}", s.file, key, why));
+  };
+  constexpr const char* liquid = "in a scene without solids";
+  warn(n.sleepSpeed > 0 && !solid, "sleep_speed", liquid);
+  warn(n.rigidify > 0 && !solid, "rigidify", liquid);
+  warn(n.sleepAfter != Numerics().sleepAfter && !(n.sleepSpeed > 0 || n.rigidify > 0), "sleep_after",
+       "without `sleep_speed` or `rigidify`");
+  warn(n.sleepHeating != Numerics().sleepHeating && !(n.sleepSpeed > 0), "sleep_heating",
+       "without `sleep_speed`");
+  for (const Material& m : s.materials)
+    if (m.isRigid() && neverSolid(m))
+      lines.push_back(
+          fmt::format("{}: material '{}': `law = \"rigid\"` has no effect with `phase = \"liquid\"`",
+                      at(m.where), m.name));
+}
+
+/// Warns of drops in pictures of a scene without a surface.
+void addUnusedSpray(const Scene& s, std::vector<std::string>& lines) {
+  if (!s.surface.on && s.output.spray != Output().spray)
+    lines.push_back(fmt::format("{}: `output.spray` has no effect without a table [surface]", s.file));
+}
+
 /// Warns of an interval of frames longer than the run.
 void addRareFrames(const Scene& s, std::vector<std::string>& lines) {
   if (s.end > 0 && s.output.every > s.end)
@@ -178,8 +208,8 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   for (const OrientedBody& b : s.oriented)
     if (b.planar && isNotPlanar(b))
       lines.push_back(
-          fmt::format("{}: oriented body '{}': planar keeps each particle at its own y, but this body is not "
-                      "in one plane y = constant; planar is meant for curves",
+          fmt::format("{}: oriented body '{}': `planar` keeps each particle at its own y, but this body is "
+                      "not in one plane y = constant; it is meant for curves",
                       at(b.where), b.name));
   for (const OrientedBody& b : s.oriented)
     for (const OrientedField& f : b.fields)
@@ -204,9 +234,11 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   }
   const auto& fields = s.output.fields;
   if (!s.surface.on && std::find(fields.begin(), fields.end(), surfaceVelocityField) != fields.end())
-    lines.push_back(fmt::format("{}: output.fields: {} has no effect without a table [surface]",
+    lines.push_back(fmt::format("{}: `output.fields`: {} has no effect without a table [surface]",
                                 at(s.output.fieldsWhere), surfaceVelocityField));
   addRareFrames(s, lines);
+  addUnusedSolidSettings(s, lines);
+  addUnusedSpray(s, lines);
   addUnusedMaterials(s, lines);
   addColdTemperatures(s, lines);
   addMaterialsWithoutHeat(s, lines);

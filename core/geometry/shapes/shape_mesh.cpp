@@ -67,8 +67,8 @@ TriangleMesh squareOf(const Shape& s, const Ball& seen) {
   return {{middle - u - v, middle + u - v, middle + u + v, middle - u + v}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-/// Returns triangles of an extension's shape. A chord of the length of a cube's edge on the smallest radius
-/// that is resolved, twice that length, is `sag` or less off the surface.
+/// Returns triangles of an extension's shape. The smallest resolved radius is twice a cube's edge. A chord of
+/// one edge on it is at most `sag` off the surface.
 TriangleMesh extensionMesh(const Shape& s, double sag) {
   constexpr double most = 160;  // cubes along the longest edge
   const std::shared_ptr<const SignedDistance> shape = makeSignedDistance(s);

@@ -21,17 +21,17 @@ void checkRigidify(const SceneReading& x, std::vector<SceneError>& errors) {
       errors.push_back(
           {where, "`numerics.rigidify` cannot be combined with " + what + ": leave one of them out"});
   };
-  refuse(n.sleepSpeed > 0, "numerics.sleep_speed");
+  refuse(n.sleepSpeed > 0, "`numerics.sleep_speed`");
   refuse(n.elasticSubsteps > 1, "`numerics.elastic_substeps` above 1");
   for (const Material& m : s.materials) {
     if (!m.canBeSolid()) continue;
     const auto property = [&](bool is, const char* what) {
       refuse(is, fmt::format("{} of material '{}'", what, m.name));
     };
-    property(m.isRigid(), "law = \"rigid\"");
+    property(m.isRigid(), "`law = \"rigid\"`");
     property(m.law == ElasticLaw::Extension, "the extension law");
-    property(m.yieldStrain.solid < never || m.yieldStrain.liquid < never, "yield_strain");
-    property(m.breakStretch < never, "break_stretch");
+    property(m.yieldStrain.solid < never || m.yieldStrain.liquid < never, "`yield_strain`");
+    property(m.breakStretch < never, "`break_stretch`");
   }
 }
 
@@ -46,9 +46,10 @@ void checkRigid(const SceneReading& x, std::vector<SceneError>& errors) {
   if (rigid == s.materials.end()) return;
   const auto refuse = [&](bool is, const char* what) {
     if (is)
-      errors.push_back({rigid->where, fmt::format("material.{}: law = \"rigid\" cannot be combined with {}: "
-                                                  "choose another law, or leave it out",
-                                                  rigid->name, what)});
+      errors.push_back(
+          {rigid->where, fmt::format("material.{}: `law = \"rigid\"` cannot be combined with {}: "
+                                     "choose another law, or leave it out",
+                                     rigid->name, what)});
   };
   refuse(n.viscosity == ViscosityForm::Laplacian, "`numerics.viscosity = \"laplacian\"`");
   const bool elastic = std::any_of(s.materials.begin(), s.materials.end(), [](const Material& m) {
