@@ -16,7 +16,7 @@ rejects "a lamp in the dark" 'power: must be > 0 W, got -5' \
   2 check "$(with negative '[[lamp]]\npower = -5\nposition = [0, 0, 0.4]')"
 rejects "a power in another unit" 'power: expected a power such as "200 W"' \
   2 check "$(with unit '[[lamp]]\npower = "5 J"\nposition = [0, 0, 0.4]')"
-rejects "a sun with power" 'power: a lamp of kind "direction" has an irradiance instead' \
+rejects "a sun with power" 'power: has no effect with .kind = "direction".: set .irradiance. instead' \
   2 check "$(with sun '[[lamp]]\nkind = "direction"\npower = 3\nirradiance = 10\ndirection = [0, 0, -1]')"
 rejects "a sun without irradiance" 'irradiance: is missing' \
   2 check "$(with pale '[[lamp]]\nkind = "direction"\ndirection = [0, 0, -1]')"
@@ -31,7 +31,7 @@ rejects "an end before the start" 'end: must not be before .start' \
 rejects "keyframes that go back" 'time: keyframes must ascend in time' \
   2 check "$(with back '[[laser]]\npower = 3\nradius = 1\nposition = [0, 0, 1]'\
 '\nmotion = [{ time = 1 }, { time = 0 }]')"
-rejects "a region of an unknown material" "heated region 'coil': there is no material \
+rejects "a region of an unknown material" "heated region 'coil': unknown material \
 'jely'; did you mean 'jelly'" \
   2 check "$(with unknown '[[heated_region]]\nname = "coil"\npower = 3'\
 '\nmaterial = "jely"\nsphere = { radius = 1 }')"

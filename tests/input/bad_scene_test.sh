@@ -119,11 +119,11 @@ rejects "expansion twice" 'expansion: the table of densities states the expansio
   "$liquid" --set 'material.jelly.density=[[280, 1000], [300, 990]]'
 rejects "table that descends" 'density: .*ascend' 2 check "$good" --set material.jelly.young=0 \
   --set 'material.jelly.density=[[300, 990], [280, 1000]]'
-rejects "reference of nothing" 'expansion_from: applies only to a liquid with .expansion. or a table' 2 check "$good" \
-  --set material.jelly.expansion_from=300
-rejects "buoyancy of nothing" '"boussinesq" needs gravity, and a body or emitter of a material with exp' \
+rejects "reference of nothing" 'expansion_from: applies only to a liquid with .expansion. or a table' \
+  2 check "$good" --set material.jelly.expansion_from=300
+rejects "buoyancy of nothing" '"boussinesq". needs gravity, and a body or emitter of a material with exp' \
   2 check "$good" --set "$boussinesq"
-rejects "buoyancy without gravity" '"boussinesq" needs gravity' 2 check "$liquid" --set "$boussinesq" \
+rejects "buoyancy without gravity" '"boussinesq". needs gravity' 2 check "$liquid" --set "$boussinesq" \
   --set 'domain.gravity=[0, 0, 0]'
 oil='[material.oil]\ndensity = 900\n[[body]]\nname = "b"\nbox = {}\nmaterial = "oil"'
 rejects "buoyancy of two densities" \

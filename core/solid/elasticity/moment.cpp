@@ -10,7 +10,7 @@ namespace {
 
 struct Eigen3 {
   double value[3];  ///< ascending
-  Vec3d vector[3];  ///< of the same order, of length 1
+  Vec3d vector[3];  ///< unit vectors, in the order of the values
 };
 
 Eigen3 eigenOf(const Sym3d& s) {

@@ -63,7 +63,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
               s.heatedRegions[k].material);
 
   const auto unique = [&](const auto& list, const char* kind) {
-    std::map<std::string, int> lines;  // of the first use, by name
+    std::map<std::string, int> lines;  // line of the first use, by name
     for (const auto& item : list)
       if (const auto [first, isNew] = lines.insert({item.name, item.where.line}); !isNew)
         errors.push_back(

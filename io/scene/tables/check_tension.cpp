@@ -13,8 +13,8 @@ void checkTension(const Scene& s, std::vector<SceneError>& errors) {
   const bool energy = s.numerics.tension == TensionForm::SurfaceEnergy;
   const auto refuse = [&](const SourcePlace& where, const std::string& key, const char* what) {
     errors.push_back(
-        {where, fmt::format("{}: {} `numerics.tension = \"surface energy\"`: set it, or remove {}", key, what,
-                            key)});
+        {where, fmt::format("{}: {} `numerics.tension = \"surface energy\"`: set it, or remove the key", key,
+                            what)});
   };
   for (const Material& m : s.materials) {
     if (energy) continue;

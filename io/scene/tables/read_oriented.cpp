@@ -206,15 +206,10 @@ void readSource(TableReader& r, OrientedBody& b) {
   if (r.has("control") && b.points.size() < 3)
     r.fail("control", "expected at least three points that do not lie on a line");
   if (r.has("place") && (points || r.has("control") || r.has("curve")))
-    r.fail("place",
-           "is for shapes, `patch` and `disc` only: `points`, `control` and `curve` have positions of their "
-           "own");
+    r.fail("place", "is for shapes, `patch` and `disc` only: the others have positions of their own");
   if (given > 1)
     r.fail(r.place(), r.path() + ": give one of `patch`, `disc`, `curve`, `points`, `control` and a shape");
-  if (given > 0)
-    refuseShape(r,
-                "a second source of particles; give one of `patch`, `disc`, `curve`, `points`, `control` and "
-                "a shape");
+  if (given > 0) refuseShape(r, "a second source of particles; expected one");
   if (r.has("normals") && !points) r.fail("normals", "is for `points` only");
   if (points && !b.normals.empty() && b.normals.size() != b.points.size())
     r.fail("normals", "there must be one for each point");

@@ -242,7 +242,7 @@ TEST(ReadMesh, RefusesBrokenPly) {
   EXPECT_SAYS(message(good + "3 0 1 3\n"), "m.obj:13: expected a vertex index below 3");
   EXPECT_SAYS(message(good + "3 0 1 -1\n"), "below 3");
   EXPECT_SAYS(message(good + "3 0 1 0.5\n"), "below 3");
-  EXPECT_SAYS(message(good + "3 0 1\n"), "found the end");
+  EXPECT_SAYS(message(good + "3 0 1\n"), "got the end");
   EXPECT_SAYS(message(good + "2 0 1\n"), "2 corners");
   EXPECT_SAYS(message(good + "200000 0 1\n"), "does not fit into the rest of the file");
   EXPECT_SAYS(message(good), "");
