@@ -53,7 +53,7 @@ rejects "Poisson's ratio 1/2" 'poisson: must be > -1 and < 0\.5' \
   2 run "$(scene poisson 's/young.*/&\npoisson = 0.5/')"
 rejects "no mass" 'density: must be > 0 kg/m\^3' 2 run "$(scene mass 's/young.*/&\ndensity = 0/')"
 rejects "a liquid that yields" \
-  "liquid\.toml:8:16: error: material\.jelly\.yield_strain: requires a solid: set young" \
+  "liquid\.toml:8:16: error: material\.jelly\.yield_strain: requires a solid: set .young" \
   2 check "$(scene liquid 's/young.*/yield_strain = 0.1/')"
 rejects "below 0 K" 'temperature: must be > 0 K' \
   2 check "$(scene cold 's/^name = "block"/&\ntemperature = "-300 degC"/')"
@@ -101,7 +101,7 @@ rejects "degrees without their unit" \
   0 check "$good" --set body.block.temperature=30
 
 rejects "frames longer than the run" \
-  '^warning: .*good.toml: output.every \(0.04 s\) exceeds end \(0.02 s\): the only frame is the first' \
+  '^warning: .*good.toml: .output.every. \(0.04 s\) exceeds .end. \(0.02 s\): the only frame is the first' \
   0 check "$good"
 
 # buoyancy

@@ -103,8 +103,7 @@ TEST(BadScene, EveryErrorHasAMessageWithItsPlace) {
 
 TEST(BadScene, DuplicateNamesAreErrors) {
   const std::string again = "[[body]]\nname = \"block\"\nbox = {}\nmaterial = \"jelly\"\n";
-  expectOnly(errorsOf(good + again),
-             "s.toml:15:1: error: duplicate body name 'block'; first used in line 8");
+  expectOnly(errorsOf(good + again), "s.toml:15:1: error: duplicate body name 'block'; first used in line 8");
   const std::vector<std::string> twice = errorsOf("spacing = 1\n" + good);
   ASSERT_EQ(twice.size(), 1u);
   EXPECT_EQ(twice[0].rfind("s.toml:2:11: error: ", 0), 0u) << twice[0];
