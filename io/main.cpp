@@ -69,8 +69,8 @@ void checkCommand(const CLI::App& app, const std::string& given) {
     words.insert(command->get_name());
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
-  throw CLI::ValidationError(
-      given, "there is no such command; expected one of " + names + thaw::suggestion(given, words));
+  throw CLI::ValidationError(given,
+                             "unknown command; expected one of " + names + thaw::suggestion(given, words));
 }
 
 /// Refuses unknown long options of the command with a suggestion.
@@ -83,7 +83,7 @@ void checkOptions(const CLI::App& app, int argc, char** argv) {
     if (name == "--") return;  // The others are no options.
     if (name.rfind("--", 0) == 0 && !words.count(name))
       throw CLI::ValidationError(
-          name, fmt::format("`thaw {}` has no such option{}", argv[1], thaw::suggestion(name, words)));
+          name, fmt::format("unknown option of `thaw {}`{}", argv[1], thaw::suggestion(name, words)));
   }
 }
 

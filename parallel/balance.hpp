@@ -14,8 +14,8 @@ struct WorkMeter {
 /// Seconds of work on the continuum so far, without waiting and output.
 double workOf(const PhaseTimes& times);
 
-/// Assigns cells the cost of their liquid and solid particles, from this rank's times since the last call,
-/// and lets the halo decide on a new partition. Particles move at the next evaluation. Collective.
+/// Assigns cells the cost of their liquid and solid particles, from this rank's times since the last call.
+/// The halo then decides on a new partition. Particles move at the next evaluation. Collective.
 bool balance(World& world, CellHalo& halo, StepTools& tools, WorkMeter& meter);
 
 }  // namespace thaw

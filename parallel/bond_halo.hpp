@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// BondHalo over MPI. A rank that sends a solid particle away notifies the ranks that hold copies, so it costs
-// as much to follow a body as the body moves. A directory distributed over the ranks stores the owner of
+// BondHalo over MPI. A rank that sends a solid particle away notifies the ranks that hold copies. The cost of
+// following a body is thus that of its motion. A directory distributed over the ranks stores the owner of
 // every solid particle, for ranks without a copy. Also works on one rank, without messages.
 #pragma once
 #include <cstdint>

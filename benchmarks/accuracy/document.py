@@ -15,11 +15,10 @@ Every number in the document comes from the files. In text.md:
   {{choices CASE | SETTINGS; SETTINGS ... | NORM; NORM ...}}    some settings and norms of a case, one line
       per setting
   {{chart CASE}}    its chart, copied to docs/pictures/accuracy/        {{modules}}    the cost of each module
-  {{machines}}, {{versions}}    of the rows, with their numbers of rows
+  {{machines}}    processors on which the rows were made
   {{picture CASE}}    the particles at the end, from points/CASE.csv next to ACCURACY.csv
 The CSV files are copied to docs/accuracy/, so that the repository alone can reproduce the document.
 """
-import collections
 import csv
 import math
 import os
@@ -53,12 +52,6 @@ def settingsText(settings):
         return f"spacing=1/{count}" if abs(count * float(match[1]) - 1) < 1e-12 else match[0]
 
     return re.sub(r"\bspacing=([0-9.]{10,})", fraction, settings)
-
-
-def counted(rows, column):
-    """The values of a column with their numbers of rows, most frequent first."""
-    counts = collections.Counter(r[column] for r in rows).most_common()
-    return ", ".join(f"{value} ({number:,} rows)" for value, number in counts)
 
 
 def cell(text):
@@ -139,9 +132,7 @@ class Document:
         if what == "modules":
             return self.moduleTable()
         if what == "machines":
-            return counted(self.rows, "machine")
-        if what == "versions":
-            return counted(self.rows, "version")
+            return ", ".join(sorted({r["machine"] for r in self.rows}))
         raise SystemExit(f"text.md: unknown {{{{{what}}}}}")
 
     def table(self, case):

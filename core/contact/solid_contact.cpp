@@ -34,8 +34,10 @@ Vec3d between(const CellGrid& g, const Vec3d& a, const Vec3d& b) {
 }
 
 struct Elastic {
-  double stiffness, restitution, friction, softening;
-};  // N/m, 1, 1, N/m per liquid fraction
+  double stiffness;              ///< N/m
+  double restitution, friction;  ///< 1
+  double softening;              ///< N/m per liquid fraction
+};
 
 Elastic elasticOf(const Scene& s, const Continuum& p, std::uint32_t row) {
   const Material& m = s.materials[p.material[row]];

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "core/domain/outside.hpp"
@@ -11,6 +10,7 @@
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/materials/surface_tension.hpp"
+#include "core/math/digits.hpp"
 #include "core/math/tangent.hpp"
 #include "core/scene/field_values.hpp"
 #include "core/scene/modules.hpp"
@@ -138,12 +138,6 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
   return energy;
 }
 
-std::string text(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.3g", value);
-  return digits;
-}
-
 SourcePlace placeOf(const VelocityField& f) {
   for (const PositionField& c : f.component)
     if (c) return c.where;
@@ -172,7 +166,7 @@ void addFields(const Emitter& e, EmitterPlan& plan) {
         }
       if (std::abs(dot(across, n)) > 1e-6 * e.speed) {
         problems.add(placeOf(e.velocityField),
-                     "emitter '" + e.name + "': its velocity field has " + text(dot(across, n)) +
+                     "emitter '" + e.name + "': its velocity field has " + inDigits(dot(across, n)) +
                          " m/s along `direction` in its opening; expected 0, since layers leave as a whole "
                          "at `speed`: use emitters of several speeds for a profile");
         return problems.raise();
@@ -206,10 +200,9 @@ void checkNozzle(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   if (moved <= most) return;
   SceneProblems problems;
   problems.add(placeOf(e.velocityField),
-               "emitter '" + e.name + "': its velocity field moves neighbours by " + text(moved) +
-                   " spacings relative to each other while they are in the nozzle (" + text(plan.ahead) +
-                   " s), at most " + text(most) +
-                   " are possible: expected a smaller field, a larger `speed` or a finer spacing");
+               "emitter '" + e.name + "': its velocity field shears the liquid in the nozzle by " +
+                   inDigits(moved) + " spacings in " + inDigits(plan.ahead) + " s; expected at most " +
+                   inDigits(most) + ": use a smaller field, a larger `speed` or a finer spacing");
   problems.raise();
 }
 
@@ -224,8 +217,8 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
     const double dx = s.spacing, across1 = e.disc ? 2 * e.radius : e.width,
                  across2 = e.disc ? across1 : e.depth;
     if (across1 / dx * (across2 / dx) > mostInLayer)
-      throw placed(e, "its opening has " + text(across1 / dx * (across2 / dx)) +
-                          " particle positions at a spacing of " + text(dx) +
+      throw placed(e, "its opening has " + inDigits(across1 / dx * (across2 / dx)) +
+                          " particle positions at a spacing of " + inDigits(dx) +
                           " m, expected at most a million: reduce the opening or increase the spacing");
     for (double a : centred(across1, dx))
       for (double b : centred(across2, dx))
@@ -238,11 +231,11 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
     plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate
                                : dx / e.speed;
     if (plan.interval * e.speed < 0.95 * dx)
-      throw placed(
-          e, "a rate of " + std::to_string(e.rate) +
-                 " kg/s does not fit through its opening at this speed; expected at most " +
-                 std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) +
-                 " kg/s");
+      throw placed(e,
+                   "a rate of " + inDigits(e.rate) +
+                       " kg/s does not fit through its opening at this speed; expected at most " +
+                       inDigits(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) +
+                       " kg/s");
     plan.ahead = nozzleTime(s, e, plan);
     checkNozzle(s, e, plan);
     plan.cohesion = s.numerics.tension == TensionForm::SurfaceEnergy ? surfaceEnergyOf(s, e, plan)
@@ -273,8 +266,8 @@ std::string unevenOutflow(const Scene& s, const Emitter& e, const EmitterPlan& p
   const double area = e.disc ? std::numbers::pi * e.radius * e.radius : e.width * e.depth;
   const double is = outflowOf(plan), meant = emittedDensity(s, e) * area * e.speed;
   if (e.rate > 0 || std::abs(is / meant - 1) < 0.25) return {};
-  return "emitter '" + e.name + "' emits " + text(is) + " kg/s, but opening, speed and density imply " +
-         text(meant) + " kg/s: its layers have " + std::to_string(plan.layer.size()) +
+  return "emitter '" + e.name + "' emits " + inDigits(is) + " kg/s, but opening, speed and density imply " +
+         inDigits(meant) + " kg/s: its layers have " + std::to_string(plan.layer.size()) +
          " particles at whole spacings; reduce the spacing or set `rate`";
 }
 

@@ -32,9 +32,9 @@ void shiftPositions(const CellGrid& grid, const RowRun& run, std::byte* at) {
 void checkPeriodicCells(const CellGrid& grid) {
   for (int a = 0; a < 3; a++)
     if (grid.periodic[a] && grid.cells[a] < 3)
-      throw std::invalid_argument("a periodic axis needs at least three cells, " +
-                                  std::string(1, static_cast<char>('x' + a)) + " has " +
-                                  std::to_string(grid.cells[a]));
+      throw std::invalid_argument(
+          "the domain is periodic along " + std::string(1, static_cast<char>('x' + a)) + " and has " +
+          std::to_string(grid.cells[a]) + " cells (support radii) along it; expected at least 3");
 }
 
 std::vector<ImageLink> imageLinks(const CellGrid& grid, const CellBox& owner, const CellBox& receiver,

@@ -10,8 +10,8 @@
 
 namespace thaw {
 
-/// Sets temperature, liquid fraction, phase and density at rest of rows [begin, end) from their enthalpy
-/// (from the temperature in the paper's model), at set-up and for emitted particles. The phase is liquid if
+/// Sets temperature, liquid fraction, phase and density at rest of rows [begin, end) from their enthalpy. In
+/// the paper's model it starts from the temperature. For set-up and emitted particles. The phase is liquid if
 /// the fraction is 1 or the material cannot be solid, else solid.
 void setPhase(const Scene& scene, const Modules& modules, Continuum& particles, std::size_t begin,
               std::size_t end);
@@ -27,7 +27,7 @@ void addThermostats(const HeatView& view, double dt);
 
 /// Returns the free-surface area of a particle in units of spacing^2, from its free-surface indicator: 1 for
 /// a flat lattice surface. Below half of the flat value it is 0, since disorder alone gives such values
-/// inside a liquid (0.4 for jitter of 0.15 spacings at h = 2).
+/// inside a liquid: 0.4 for jitter of 0.15 spacings at h = 2.
 double exposedArea(double freeSurfaceIndicator, double flatSurfaceIndicator);
 
 /// Free-surface indicator of the outermost particles of a flat lattice surface.

@@ -17,9 +17,9 @@ void updateRestDensities(const HeatView& view, const RecordContext& records, dou
 /// Largest rate of volume change over speed of sound and support radius.
 inline constexpr double restDensityRate = 1e-3;
 
-/// Returns the work (J) by which the first half kick of a step differs from that of the present pressure. Its
-/// pressure was that of the compression `before`, since the carried density changed after the kick. Requires:
-/// Continuum::compressionRate of the last step. dt: s, the step.
+/// Returns the extra work (J) of the first half kick, which used the pressure at compression `before` instead
+/// of the present one: the carried density changed after the kick. Requires: Continuum::compressionRate of
+/// the last step. dt: s, the step.
 double workOfLateKick(const RecordContext& records, const Continuum& particles, std::size_t row,
                       double before, double dt);
 

@@ -51,7 +51,7 @@ void addExtensionLaw(const std::string& name, ExtensionLaw law, std::vector<std:
 const BoundLaw& boundLaw(const Material& m) {
   const auto at = knownLaws().find(m.extensionLaw.name);
   if (at == knownLaws().end())
-    throw std::invalid_argument("material '" + m.name + "': there is no elastic law '" + m.extensionLaw.name +
+    throw std::invalid_argument("material '" + m.name + "': unknown elastic law '" + m.extensionLaw.name +
                                 "'");
   LawValues values{};
   for (std::size_t k = 0; k < at->second.keys.size(); k++)

@@ -49,7 +49,7 @@ std::vector<LiquidMaterial> liquidMaterials(const Scene& s) {
 }
 
 std::string soundSpeedReason(const Scene& s, const Material& m) {
-  if (m.soundSpeed > 0) return "given by the material's sound_speed";
+  if (m.soundSpeed > 0) return "given by the material's `sound_speed`";
   const FlowSpeed flow = expectedFlow(s);
   const double tension = tensionSpeed(m, s.spacing), speed = std::max({flow.speed, tension, leastSpeed});
   const std::string why = speed == flow.speed ? flow.why

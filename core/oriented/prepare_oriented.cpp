@@ -49,10 +49,10 @@ void refuseSharedPositions(const Scene& s, const std::vector<std::vector<Vec3d>>
       std::size_t count = 0;
       for (const Vec3d& x : places[other]) count += !tree.within(x, near).empty();
       if (count > 0)
-        problems.add(s.oriented[other].where, "oriented body '" + s.oriented[other].name +
-                                                  "': " + std::to_string(count) +
-                                                  " of its particles are at positions of '" + body.name +
-                                                  "'; move them apart, or set numerics.overlap to \"keep\"");
+        problems.add(s.oriented[other].where,
+                     "oriented body '" + s.oriented[other].name + "': " + std::to_string(count) +
+                         " of its particles are at positions of '" + body.name +
+                         "'; move them apart, or set `numerics.overlap` to \"keep\"");
     }
   }
 }

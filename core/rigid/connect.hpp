@@ -29,9 +29,9 @@ using PartedRows = std::function<bool(std::uint32_t, std::uint32_t)>;
 /// Requires: ghosts. Collective.
 void labelPieces(const RigidView& view, const Halos& halos, bool atStart, const PartedRows& parted = nullptr);
 
-/// Gives all rows of a set, on all ranks, the smallest of their labels. Sets are over the owned rows and the
-/// copies of other ranks' rows; rows labelled notRigid are in none. exchange: sends the labels to the copies.
-/// Collective.
+/// Sets the label of each connected set to its smallest label, on all ranks. Sets are over the owned rows and
+/// the copies of other ranks' rows; rows labelled notRigid are in none. exchange: sends the labels to the
+/// copies. Collective.
 void spreadLabels(Column<std::uint64_t>& labels, std::size_t owned, DisjointSets& sets, Reducer& all,
                   const std::function<void()>& exchange);
 

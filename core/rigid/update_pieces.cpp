@@ -66,7 +66,8 @@ FormerMotion formerMotion(const RigidView& v, std::size_t i) {
 }
 
 /// Returns the pieces whose sets of particles changed, and those that particles left. A set changed if its
-/// number of particles, or its sum of hashes of ids, differs from that of the former piece of the same id.
+/// number of particles or its sum of hashes of ids did. Both are compared with those of the former piece of
+/// the same id.
 NewPieces findChanged(const RigidView& v, Reducer& all) {
   const Continuum& p = v.particles;
   std::vector<std::uint64_t> ids;

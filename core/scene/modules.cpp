@@ -222,8 +222,8 @@ void findHeatLaws(Finder& f, const Material& x, const std::string& who) {
     f.on(m.buoyancy, "buoyancy",
          "the density of " + who + " depends on the temperature; " +
              (s.numerics.buoyancy == Buoyancy::Boussinesq
-                  ? "only differences of density act (numerics.buoyancy = \"boussinesq\")"
-                  : "its weight acts, too (numerics.buoyancy = \"density\")"));
+                  ? "only differences of density act (`numerics.buoyancy = \"boussinesq\"`)"
+                  : "its weight acts, too (`numerics.buoyancy = \"density\"`)"));
 }
 
 /// Activates what the solid of a material needs.
@@ -252,8 +252,8 @@ bool findRigid(Finder& f, const std::vector<bool>& used) {
       f.on(m.breaking, "breaking of rigid pieces", "material " + quoted(x.name) + " has a strength");
   }
   if (elastic && s.numerics.rigidify > 0) {
-    f.on(m.rigidify, "rigid parts of elastic solids", "numerics.rigidify is given");
-    f.on(m.rigid, "rigid pieces", "numerics.rigidify is given");
+    f.on(m.rigidify, "rigid parts of elastic solids", "`numerics.rigidify` is given");
+    f.on(m.rigid, "rigid pieces", "`numerics.rigidify` is given");
   }
   if (m.rigid) f.on(m.neighbours, "neighbour search", "rigid pieces can touch");
   return elastic;
@@ -279,7 +279,7 @@ void findSubsteps(Finder& f, bool elastic) {
   const Scene& s = f.s;
   Modules& m = f.m;
   if (m.solid && s.numerics.sleepSpeed > 0)
-    f.on(m.rigid && !elastic ? m.pieceSleep : m.sleep, "sleep", "numerics.sleep_speed is given");
+    f.on(m.rigid && !elastic ? m.pieceSleep : m.sleep, "sleep", "`numerics.sleep_speed` is given");
   // Contact of solids limits the step of all particles, so substeps gain nothing there. With more than two
   // substeps, impulses of incompressible liquid come as seldom as half a period of the fastest elastic waves,
   // and feed these waves.
@@ -290,7 +290,7 @@ void findSubsteps(Finder& f, bool elastic) {
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids",
          s.numerics.elasticSubsteps > 0
-             ? "numerics.elastic_substeps is " + std::to_string(m.mostSubsteps)
+             ? "`numerics.elastic_substeps` is " + std::to_string(m.mostSubsteps)
              : "the scene also has liquid: up to " + std::to_string(m.mostSubsteps));
 }
 
@@ -319,7 +319,7 @@ Modules modulesOf(const Scene& s) {
   std::vector<bool> used(s.materials.size(), false);
   const int solidBodies = findPhases(f, used);
   if (m.fluid && s.numerics.density == DensityForm::Continuity)
-    f.on(m.continuity, "density by continuity", "liquid with numerics.density = \"continuity\"");
+    f.on(m.continuity, "density by continuity", "liquid with `numerics.density = \"continuity\"`");
   if (m.continuity && s.numerics.correctedGradients)
     f.on(m.corrected, "corrected gradients", "numerics.corrected_gradients");
   if (m.fluid && s.numerics.shifting > 0) f.on(m.shifting, "shifting of particles", "numerics.shifting");

@@ -52,7 +52,7 @@ struct OrientedEvent {
   std::vector<Vec3d> path;         // m; stroke or crease
   Vec3d direction{0, 0, -1};       // direction of the stroke's cut
   Shape region;                    // box, and smoothing
-  double radius = 0;  // m, radius of the crease, or reach of a stroke; 0: a spacing, a support radius
+  double radius = 0;  // m, radius of a crease (0: one spacing) or reach of a stroke (0: one support radius)
   std::string other;  // body welded to this one
   int otherIndex = -1;
 };

@@ -33,13 +33,13 @@ std::vector<SceneWarning> overlapsOfRegions(const SheetBodies& sheets, const Sce
         const auto shared = std::count_if(places.begin(), places.end(), [&](const Vec3d& x) {
           return shapes[earlier]->inside(x) && shapes[later]->inside(x);
         });
+        const std::string first = std::to_string(earlier), second = std::to_string(later);
         if (shared > 0)
-          warnings.push_back({b.regions[later].where,
-                              "sheet '" + b.name + "': " + std::to_string(shared) +
-                                  " vertices of its region " + std::to_string(earlier) + " are in region " +
-                                  std::to_string(later) +
-                                  " as well; the factors of the later region apply there, and " + lost +
-                                  " of the earlier one is ignored; set it in the later region too"});
+          warnings.push_back(
+              {b.regions[later].where, "sheet '" + b.name + "': " + std::to_string(shared) +
+                                           " vertices lie in regions " + first + " and " + second +
+                                           ". Region " + second + " applies there; " + lost + " of region " +
+                                           first + " is ignored. Set it in region " + second + ", too"});
       }
   }
   return warnings;

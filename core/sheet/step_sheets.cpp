@@ -85,9 +85,8 @@ void applyPlasticFlow(SheetBodies& sheets, const Scene& scene, double time) {
   }
 }
 
-/// Returns the load whose work enters the dissipation by damping. Dashpots and friction are excluded for
-/// vertices without mass. Their velocity follows these forces at once and alternates from step to step, so
-/// force times velocity is not their work.
+/// Returns the damping load whose work counts as dissipation. It excludes dashpots and friction of vertices
+/// without mass: their velocity alternates with these forces, so force times velocity is not their work.
 Vec3d loadForDamping(const Sheets& s, std::size_t i, const SpringLaw& law) {
   return s.dissipativeForce.active && !(law.mass > 0) ? s.load[i] - s.dissipativeForce[i] : s.load[i];
 }

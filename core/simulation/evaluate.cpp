@@ -19,7 +19,7 @@ void redistributeAll(StepContext& c) {
 }
 
 /// Finds neighbours and sums densities. Inner particles are summed while surrounding cells are exchanged.
-void sumDensities(StepContext& c) {
+void findDensities(StepContext& c) {
   World& w = c.w;
   StepTools& t = c.t;
   const bool search = needsNeighbours(w.modules, t);
@@ -54,7 +54,7 @@ ColumnList densityColumns(Continuum& p) {
 }
 
 /// Pressure, viscosity, heat and tension of pairs, and stress of solids, while densities are exchanged.
-void sumForces(StepContext& c) {
+void findForces(StepContext& c) {
   World& w = c.w;
   StepTools& t = c.t;
   const ColumnList columns = densityColumns(w.particles);
@@ -91,9 +91,9 @@ void evaluate(StepContext& c) {
   t.times.lap(StepPhase::Walls);
   runPhase(ModulePhase::WallContacts, c);
   const std::int64_t coincident = c.w.counters.coincidentPairs;
-  sumDensities(c);
+  findDensities(c);
   t.hooks.after(HookPhase::Density);
-  sumForces(c);
+  findForces(c);
   recordProjections(c.walls, t.wallContacts);
   addContacts(c);
   runPhase(ModulePhase::AllForces, c);

@@ -7,8 +7,9 @@
 
 namespace thaw {
 
-/// Emits particles, removes those beyond an open side (recorded in the ledger), migrates the others to the
-/// rank that owns their cell, and sorts by (cell, id). Returns true if a particle with bonds left the domain.
+/// Emits particles and removes those beyond an open side (recorded in the ledger). The others migrate to the
+/// rank that owns their cell, and are sorted by (cell, id). Returns true if a particle with bonds left the
+/// domain.
 bool redistribute(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Returns true if this evaluation needs neighbour lists. A scene of one solid needs them once, to make its

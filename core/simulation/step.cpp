@@ -79,7 +79,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   const StepOutcome all = reduceStep(c, here, wanted);  // the next step
   c.finite = all.finite;
   runPhase(ModulePhase::EndOfStep, c);
-  t.hooks.after(HookPhase::Limits);
+  t.hooks.after(HookPhase::EndOfStep);
   return all;
 }
 

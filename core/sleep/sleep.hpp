@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sleep of solids at rest. Solids that have been at rest for a while, together with their surroundings, are
-// fixed in place, and their sums over neighbours and bonds are skipped. Off unless the scene sets
+// fixed in place. Their sums over neighbours and bonds are skipped. Off unless the scene sets
 // numerics.sleep_speed.
 //
-// A particle is at rest in a step if it is solid, slower than sleep_speed, accelerates by less than
-// sleep_speed / sleep_after and warms by less than sleep_heating. Continuum::restTime is its rest time. If
-// everything in the 27 surrounding cells has a rest time of sleep_after, it falls asleep in three stages:
+// A solid particle is at rest in a step if it is slower than sleep_speed. It must also accelerate by less
+// than sleep_speed / sleep_after, and warm by less than sleep_heating. Continuum::restTime is its rest time.
+// If everything in the 27 surrounding cells has a rest time of sleep_after, it falls asleep in three stages:
 //   1  Its velocity is set to 0 (recorded as dissipated); position and temperature are fixed. Forces are
 // still computed and can wake it.
 //   2  Forces were computed with everything at its final position and velocity.
@@ -60,9 +60,9 @@ struct SleepWork {
   std::vector<double> stretch2;       ///< by group of slots: its largest squared stretch
 };
 
-/// Stores SleepWork::interaction. Wakes particles that touch a moving wall, and all particles if a wall
-/// vanishes or a thermostat acts in the step of dt (s) that ends now. Requires: wall contacts of the step;
-/// called before rates are cleared and ghosts are sent.
+/// Stores SleepWork::interaction. Wakes particles that touch a moving wall. Wakes all if a wall vanishes or a
+/// thermostat acts in the step of dt (s) that ends now. Requires: wall contacts of the step; called before
+/// rates are cleared and ghosts are sent.
 void beginSleep(const SleepView& view, double dt);
 
 /// Wakes all particles and resets their rest time. Changed coefficients change forces, which makes results of

@@ -10,9 +10,8 @@ namespace thaw {
 /// Sorts surfels of any order and partitions the domain by them. The next update migrates them. Collective.
 void resumeSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Partitions the domain anew if the halo decides so, by the number of surfels. Updates cost about the same
-/// for each surfel, and are too rare for averages of measured times. For use between updates. force: always
-/// partition. Collective.
+/// Partitions the domain anew if the halo decides so. Surfel counts are used as weights, since updates are
+/// too rare to time. Requires: no update in progress. force: always partition. Collective.
 void balanceSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& tools, bool force);
 
 /// Makes the first partition, before there are surfels, by gathered, unplaced particle copies. Collective.

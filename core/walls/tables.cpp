@@ -17,7 +17,7 @@ struct Plane {
 
 /// Integrals over a plane at distance z: W, -dW/dz, the Laplacian's kernel, and the viscous weight times
 /// x^2/r^2, x along the plane. The first three times s = |r| are polynomials of degree at most 7 on either
-/// side of 1/2, for which the five-point Gauss rule is exact.
+/// side of 1/2. The five-point Gauss rule is exact for them.
 template<class Kernel> Plane planeAt(double z, double viscousScale) {
   constexpr std::array<double, 5> node{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
                                        0.9061798459386640};

@@ -74,8 +74,8 @@ double wallRelativeDensity(const WallSupport& support, std::span<const WallConta
 /// Adds the contribution of walls to the relative density (times 1 / lattice sum, as for particles).
 void addWallRelativeDensity(const WallContext& context, double inverseLatticeSum, WallContacts& contacts);
 
-/// Adds pressure on liquids, drag of walls without slip, and for solids a spring with dashpot and Coulomb
-/// friction within half a spacing of the wall. Work and impulse are recorded in the ledger.
+/// Adds pressure on liquids and the drag of walls without slip. Solids within half a spacing of the wall get
+/// a spring with dashpot and Coulomb friction. Work and impulse are recorded in the ledger.
 void addWallForces(const WallContext& context, double inverseLatticeSum, WallContacts& contacts);
 
 /// Records the dissipation of solid contacts that their evaluation missed: energy changes with the velocity

@@ -40,8 +40,8 @@ void addDomainWalls(const Domain& domain, Walls& walls);
 /// Call it once, on the complete list.
 void addWallImages(const Domain& domain, double reach, Walls& walls);
 
-/// Returns the axes ("x", "xy", ...) along which a shape as long as the domain, and so without images,
-/// differs within `reach` (m) of both periodic sides.
+/// Returns the axes ("x", "xy", ...) along which a shape differs within `reach` (m) of both periodic sides.
+/// Such a shape is as long as the domain, and so without images.
 std::string unevenAxes(const Domain& domain, const Wall& wall, double reach);
 
 /// Sets poses at a time (s), linear between keyframes; expired obstacles are no longer present.

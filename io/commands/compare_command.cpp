@@ -32,8 +32,7 @@ bool compareFiles(const std::string& pathA, const std::string& pathB, const Comp
 /// Returns the names of all frame files of a run. Throws IoError without a folder of frames.
 std::set<std::string> framesOf(const std::string& run) {
   const std::filesystem::path folder = std::filesystem::path(run) / "frames";
-  if (!std::filesystem::is_directory(folder))
-    throw IoError("'" + run + "' is not a run folder: it has no frames/");
+  if (!std::filesystem::is_directory(folder)) throw IoError("'" + run + "' has no folder frames/ to compare");
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".hdf") names.insert(entry.path().filename().string());

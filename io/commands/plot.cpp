@@ -38,7 +38,7 @@ std::string findPython() {
 
 void draw(const PlotOptions& o) {
   std::error_code error;
-  if (!fs::is_directory(o.run, error)) throw IoError(o.run.string(), "there is no such folder");
+  if (!fs::is_directory(o.run, error)) throw IoError(o.run.string(), "no such folder");
   const fs::path picture = o.out.empty() ? o.run / "pictures" / "plot.png" : o.out;
   const std::string python = findPython();
   if (picture.has_parent_path() && !fs::create_directories(picture.parent_path(), error) && error)

@@ -154,7 +154,7 @@ int runCommand(const RunOptions& given) {
       sim->run();
     } catch (const BlewUp& e) {
       failed(std::string("error: ") + e.what() +
-                 (sim->scene().numerics.fixedStep > 0 ? "; numerics.fixed_step may be too long" : ""),
+                 (sim->scene().numerics.fixedStep > 0 ? "; `numerics.fixed_step` may be too long" : ""),
              exitBlewUp);
     }
     return sim->finish();

@@ -18,7 +18,7 @@ std::vector<std::string> knownFrameFields();
 
 /// Returns a frame with the scene's fields of the owned particles, and their ids. The state is in single
 /// precision. Fields of a module that is off have constant values. The temperature is that of the body at the
-/// start, liquid is 0 or 1 by the material, the density is the rest density, others are 0. The density of
+/// start. Liquid is 0 or 1 by the material, the density is the rest density, and others are 0. The density of
 /// solids is the rest density / det F, that of liquids the sum over neighbours. Liquids have 0 in stress,
 /// strain and plastic_strain. Pressure, density and neighbours are those of the last step. Throws
 /// std::invalid_argument for an unknown name. Requires: computeCauchyStress

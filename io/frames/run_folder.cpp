@@ -13,11 +13,12 @@ namespace thaw {
 fs::path runFolder(const fs::path& given) {
   std::error_code error;
   fs::path folder = fs::canonical(given, error);
-  if (error || !fs::is_directory(folder)) throw IoError(given.string(), "there is no such folder");
+  if (error || !fs::is_directory(folder)) throw IoError(given.string(), "no such folder");
   if (folder.filename() == "frames") folder = folder.parent_path();
   constexpr std::array<const char*, 4> signs{"frames", "summary.json", "progress.csv", "lock"};
   if (std::none_of(signs.begin(), signs.end(), [&](const char* name) { return fs::exists(folder / name); }))
-    throw IoError(given.string(), "is not a run folder: it has no frames and no summary.json");
+    throw IoError(given.string(),
+                  "is not a run folder: expected a folder with frames/, summary.json, progress.csv or lock");
   return folder;
 }
 

@@ -58,7 +58,7 @@ H5File H5File::openToAdd(const std::string& path) {
 H5File H5File::openToRead(const std::string& path, Trailer trailer) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw IoError(path, "is a folder, not a file");
-  if (!std::filesystem::exists(path, error)) throw IoError(path, "there is no such file");
+  if (!std::filesystem::exists(path, error)) throw IoError(path, "no such file");
   if (std::filesystem::file_size(path, error) == 0 && !error) throw IoError(path, "the file is empty");
   if (!checkTrailer(path) && trailer == Trailer::MustBe)
     throw IoError(

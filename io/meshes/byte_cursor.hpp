@@ -58,7 +58,7 @@ class ByteCursor {
     const std::size_t begin = at_;
     const double x = number(type, bigEndian);
     if (!std::isfinite(x))
-      at_ = begin, fail("expected " + std::string(what) + ", found a number that is not finite");
+      at_ = begin, fail("expected " + std::string(what) + ", got a number that is not finite");
     return x;
   }
   [[noreturn]] void fail(const std::string& message) const {

@@ -17,7 +17,7 @@ ScalarType scalarType(TextCursor& text) {
   const std::string_view word = text.wordOnLine();
   for (const auto& [name, type] : names)
     if (word == name) return type;
-  text.fail("expected a type (char, uchar, short, ushort, int, uint, float, double), found " +
+  text.fail("expected a type (char, uchar, short, ushort, int, uint, float, double), got " +
             TextCursor::shown(word));
 }
 
@@ -26,7 +26,7 @@ PlyFormat readFormat(TextCursor& text) {
   if (word == "ascii") return PlyFormat::Ascii;
   if (word == "binary_little_endian") return PlyFormat::LittleEndian;
   if (word == "binary_big_endian") return PlyFormat::BigEndian;
-  text.fail("expected the format 'ascii', 'binary_little_endian' or 'binary_big_endian', found " +
+  text.fail("expected the format 'ascii', 'binary_little_endian' or 'binary_big_endian', got " +
             TextCursor::shown(word));
 }
 
@@ -52,7 +52,7 @@ PlyProperty readProperty(TextCursor& text) {
   }
   p.type = scalarType(text);
   p.name = std::string(text.wordOnLine());
-  if (p.name.empty()) text.fail("expected the name of a property, found the end of the line");
+  if (p.name.empty()) text.fail("expected the name of a property, got the end of the line");
   return p;
 }
 
@@ -63,7 +63,7 @@ PlyHeader readPlyHeader(TextCursor& text) {
   bool format = false;
   text.restOfLine();  // ply
   while (true) {
-    if (text.atEnd()) text.fail("expected 'end_header', found the end of the file");
+    if (text.atEnd()) text.fail("expected 'end_header', got the end of the file");
     const std::string_view word = text.wordOnLine();
     if (word == "end_header") {
       text.restOfLine();
@@ -78,7 +78,7 @@ PlyHeader readPlyHeader(TextCursor& text) {
       if (h.elements.empty()) text.fail("expected an element before the first property");
       h.elements.back().properties.push_back(readProperty(text));
     } else if (word != "comment" && word != "obj_info" && !word.empty()) {
-      text.fail("expected 'format', 'element', 'property', 'comment' or 'end_header', found " +
+      text.fail("expected 'format', 'element', 'property', 'comment' or 'end_header', got " +
                 TextCursor::shown(word));
     }
     text.restOfLine();

@@ -63,7 +63,7 @@ TriangleMesh parseMesh(std::string_view content, const std::string& file) {
 void readMeshFile(const std::string& path, const std::function<void(std::string_view)>& parse) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw MeshError(path + ": there is no such file");
+  if (!std::filesystem::exists(status)) throw MeshError(path + ": no such file");
   if (!std::filesystem::is_regular_file(status))
     throw MeshError(path + ": not a file; expected an OBJ, PLY or STL mesh");
   std::ifstream in(path, std::ios::binary);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // PLY: x, y, z of the element 'vertex', and the list vertex_indices (or vertex_index) of 'face'. Also nx, ny,
 // nz and red, green, blue if present; everything else is ignored.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +38,7 @@ class PlyValues {
   /// Reads the length of a list, and checks that its values fit into the rest of the file.
   std::uint64_t length(const PlyProperty& p) {
     const double n = number(p.countType);
-    if (n < 0 || n != std::floor(n)) fail("expected the length of a list, found " + std::to_string(n));
+    if (n < 0 || n != std::floor(n)) fail(fmt::format("expected the length of a list, got {:g}", n));
     if (n * (format_ == PlyFormat::Ascii ? 2.0 : static_cast<double>(sizeOf(p.type))) >
         static_cast<double>(left()) + 1)
       fail("a list of " + std::to_string(static_cast<std::uint64_t>(n)) +
@@ -162,8 +164,8 @@ struct PlyReader {
     for (std::uint64_t n = values.length(p); n > 0; n--) {
       const double index = values.number(p.type);
       if (!(index >= 0 && index < static_cast<double>(vertices)) || index != std::floor(index))
-        values.fail("expected a vertex index below " + std::to_string(vertices) +
-                    ", the number of vertices; found " + std::to_string(index));
+        values.fail(fmt::format("expected a vertex index below {}, the number of vertices, got {:g}",
+                                vertices, index));
       polygon.push_back(static_cast<std::uint32_t>(index));
     }
     if (polygon.size() < 3)

@@ -30,17 +30,17 @@ TriangleMesh parseAsciiStl(std::string_view content, const std::string& file) {
   TriangleMesh mesh;
   const auto expect = [&](const char* wanted) {
     const std::string_view w = text.word();
-    if (w != wanted) text.fail("expected '" + std::string(wanted) + "', found " + TextCursor::shown(w));
+    if (w != wanted) text.fail("expected '" + std::string(wanted) + "', got " + TextCursor::shown(w));
   };
   for (std::string_view w = text.word(); !w.empty(); w = text.word()) {
-    if (w != "solid") text.fail("expected 'solid', found " + TextCursor::shown(w));
+    if (w != "solid") text.fail("expected 'solid', got " + TextCursor::shown(w));
     text.restOfLine();  // name of the solid
     for (w = text.word(); w != "endsolid"; w = text.word()) {
-      if (w != "facet") text.fail("expected 'facet' or 'endsolid', found " + TextCursor::shown(w));
+      if (w != "facet") text.fail("expected 'facet' or 'endsolid', got " + TextCursor::shown(w));
       expect("normal");
       for (int a = 0; a < 3; a++)
         // the normal is ignored; it is often wrong
-        if (text.word().empty()) text.fail("expected a normal, found the end");
+        if (text.word().empty()) text.fail("expected a normal, got the end");
       expect("outer");
       expect("loop");
       for (int corner = 0; corner < 3; corner++) {

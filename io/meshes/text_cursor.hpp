@@ -49,9 +49,9 @@ class TextCursor {
     if (error == std::errc::result_out_of_range && end == digits.data() + digits.size())
       return outOfRange(digits, what);
     if (error != std::errc() || end != digits.data() + digits.size())
-      fail("expected " + std::string(what) + ", found " + shown(word));
+      fail("expected " + std::string(what) + ", got " + shown(word));
     if (!std::isfinite(x))
-      fail("expected " + std::string(what) + ", found " + shown(word) + ", which is not a finite number");
+      fail("expected " + std::string(what) + ", got " + shown(word) + ", which is not a finite number");
     return x;
   }
   std::int64_t integer(std::string_view word, const char* what) const {
@@ -59,7 +59,7 @@ class TextCursor {
     if (word.size() > 1 && word[0] == '+') word.remove_prefix(1);
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), n);
     if (error != std::errc() || end != word.data() + word.size())
-      fail("expected " + std::string(what) + ", found " + shown(word));
+      fail("expected " + std::string(what) + ", got " + shown(word));
     return n;
   }
   [[noreturn]] void fail(const std::string& message) const { failAt(line_, message); }
@@ -89,7 +89,7 @@ class TextCursor {
   double outOfRange(std::string_view digits, const char* what) const {
     const std::size_t e = digits.find_first_of("eE");
     if (e != std::string_view::npos && e + 1 < digits.size() && digits[e + 1] == '-') return 0;
-    fail("expected " + std::string(what) + ", found " + shown(digits) + ", which is too large");
+    fail("expected " + std::string(what) + ", got " + shown(digits) + ", which is too large");
   }
 
   std::string_view text_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/render/frame_source.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -138,7 +140,7 @@ FolderFrames framesIn(const fs::path& folder) {
 }  // namespace
 
 std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
-  if (!fs::exists(path)) throw IoError(path.string(), "there is no such file or folder");
+  if (!fs::exists(path)) throw IoError(path.string(), "no such file or folder");
   if (!fs::is_directory(path))
     return path.extension() == ".series" ? framesOfIndex(path) : std::vector<fs::path>{path};
   if (kind == FrameKind::Oriented || kind == FrameKind::Sheet) {
@@ -160,7 +162,8 @@ std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
                          (kind == FrameKind::Automatic && !found.surface.empty());
     const std::vector<std::string>& indices = surface ? found.surfaceIndices : found.particleIndices;
     if (indices.size() > 1)
-      throw IoError(folder.string(), "several series in one folder; name one of them: " + indices[0]);
+      throw IoError(folder.string(), "several series in one folder; name one of them: " +
+                                         fmt::format("{}", fmt::join(indices, ", ")));
     const std::vector<fs::path>& frames = surface ? found.surface : found.particles;
     if (!frames.empty()) return frames;
     particles = particles || !found.particles.empty();

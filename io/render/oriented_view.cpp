@@ -88,7 +88,7 @@ OrientedLook orientedLookNamed(const std::string& name) {
   if (name == "wire") return OrientedLook::Wire;
   if (name == "discs") return OrientedLook::Discs;
   if (name == "axes") return OrientedLook::Axes;
-  throw std::invalid_argument("expected mesh, wire, discs or axes for oriented particles, found " + name);
+  throw std::invalid_argument("expected mesh, wire, discs or axes for oriented particles, got " + name);
 }
 
 void addDisc(FrameView& view, const Vec3f& place, const Vec3f& normal, float radius, Rgb colour,

@@ -24,15 +24,16 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
                  : "a value that is not a finite number";
     case Failure::Speed:
       return fmt::format(
-          "a speed of {:.6g} m/s exceeds the limit of {:.6g} m/s (factor numerics.watch_speed = {:g}, with "
+          "a speed of {:.6g} m/s exceeds the limit of {:.6g} m/s (factor `numerics.watch_speed = {:g}`, with "
           "{:.3g} m/s expected)",
           s.value, b.speed, w.scene.numerics.watchSpeed, b.expected);
     case Failure::Density:
-      return fmt::format("a density of {:.3g} times the rest density exceeds numerics.watch_density ({:.3g})",
-                         s.value, b.relativeDensity);
+      return fmt::format(
+          "a density of {:.3g} times the rest density exceeds `numerics.watch_density` ({:.3g})", s.value,
+          b.relativeDensity);
     case Failure::Inverted:
       return fmt::format(
-          "the share of inverted solid particles exceeds numerics.watch_inverted ({:.3g}), with det F down "
+          "the share of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g}), with det F down "
           "to {:.3g}",
           b.inverted, s.value);
     case Failure::Energy:
@@ -53,28 +54,28 @@ std::string failedCheck(const World& w, const StepTools& t, const StepOutcome& o
     case Failure::NotFinite:
       return "a value is not a finite number, or a particle moved beyond the reach of its forces in a step";
     case Failure::Speed:
-      return fmt::format("a speed exceeds the limit of {:.6g} m/s (factor numerics.watch_speed = {:g})",
+      return fmt::format("a speed exceeds the limit of {:.6g} m/s (factor `numerics.watch_speed = {:g}`)",
                          b.speed, w.scene.numerics.watchSpeed);
     case Failure::Density:
-      return fmt::format("a density exceeds numerics.watch_density ({:.3g} times the rest density)",
+      return fmt::format("a density exceeds `numerics.watch_density` ({:.3g} times the rest density)",
                          b.relativeDensity);
     case Failure::Step:
       return fmt::format(
-          "the time step, limited by {}, fell to {:.3g} s{}, below numerics.watch_step ({:.3g} s)",
+          "the time step, limited by {}, fell to {:.3g} s{}, below `numerics.watch_step` ({:.3g} s)",
           limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt,
           w.watch.halvings > 0 ? fmt::format(", halved {} times", w.watch.halvings) : "", b.step);
     case Failure::Inverted:
-      return fmt::format("the share of inverted solid particles exceeds numerics.watch_inverted ({:.3g})",
+      return fmt::format("the share of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g})",
                          b.inverted);
     case Failure::Energy:
       return fmt::format(
           "unexplained gain of mechanical energy since step {}, more than {:.3g} times the largest term of "
-          "the ledger (numerics.watch_energy)",
+          "the ledger (`numerics.watch_energy`)",
           w.watch.snapshotStep, b.energy);
     case Failure::Growth:
       return fmt::format(
           "unexplained gain of mechanical energy since the run began, more than {:.3g} times the largest "
-          "term of the ledger (numerics.watch_energy), gained gradually",
+          "term of the ledger (`numerics.watch_energy`), gained gradually",
           b.energy);
     case Failure::None: break;
   }

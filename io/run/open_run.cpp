@@ -46,7 +46,8 @@ void describe(Run& r) {
   MPI_Comm_size(MPI_COMM_WORLD, &world);
   if (launched && std::atoi(launched) != world)
     r.warn(fmt::format(
-        "the launcher started {} processes but MPI reports {}: launcher and MPI library do not match",
+        "the launcher started {} processes but MPI reports {}; use the mpirun of the MPI that thaw was built "
+        "with",
         launched, world));
   const std::string title = shortText(r.world.scene.title, longestTitle);
   r.say(r.options.scene + (title.empty() ? "" : ": " + title));
@@ -59,9 +60,10 @@ const char* adviceForThinLiquid(const World& w) {
   const Numerics& n = w.scene.numerics;
   if (w.modules.solid) return "choose a smaller spacing";
   if (w.modules.incompressible)
-    return "leave out numerics.pressure_solver: this solver has no tension in liquid";
+    return "leave out `numerics.pressure_solver`: this solver has no tension in liquid";
   if (!w.modules.continuity || n.tensileLimit < 1 || n.shifting == 0)
-    return "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
+    return "set `numerics.density = \"continuity\"`, `numerics.tensile_limit = 1` and `numerics.shifting = "
+           "0.2`";
   return "choose a smaller spacing";
 }
 

@@ -59,7 +59,7 @@ void refuseWideSurfels(const Scene& s, const std::vector<std::shared_ptr<const S
     const double widest = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
     if (s.surface.spacing > 0.5 * widest)
       problems.add(s.bodies[b].where,
-                   fmt::format("surface.spacing ({:g} m) is more than half the width of body '{}' ({:.3g} "
+                   fmt::format("`surface.spacing` ({:g} m) is more than half the width of body '{}' ({:.3g} "
                                "m); expected less, or 0 for half the spacing of particles",
                                s.surface.spacing, s.bodies[b].name, widest) +
                        sizeHint(s, s.bodies[b].shape, box));
@@ -122,7 +122,7 @@ void requireMemory(const Communicator& comm, const World& world,
       bySurface ? fmt::format("the surface needs about {:.1e} surfels", surfels)
                 : fmt::format("the bodies need about {:.1e} particles", particles),
       (all + surface) / 1e9, -worst[1] / 1e9,
-      bySurface ? "use a larger surface.spacing"
+      bySurface ? "use a larger `surface.spacing`"
                 : fmt::format("use a spacing of at least {:.2g} m",
                               1.1 * world.scene.spacing * std::cbrt(worst[0])));
   if (shapes.empty()) throw std::runtime_error(text);

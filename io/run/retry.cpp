@@ -64,7 +64,8 @@ std::string triedText(const Run& r, const MonitorState& watch) {
     text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures,
                        watch.snapshotStep, std::int64_t(1) << watch.halvings);
   if (watch.failures < n.retries && retryTooShort(r.world, r.tools.watch))
-    text += fmt::format("; half the step would be below {:.3g} s (numerics.watch_step)", r.tools.watch.step);
+    text += fmt::format("; half the step would be below {:.3g} s (`numerics.watch_step`)",
+                        r.tools.watch.step);
   return text;
 }
 

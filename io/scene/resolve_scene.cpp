@@ -61,8 +61,8 @@ struct Resolver {
       return errors.push_back({from, "include: '" + file + "': " + p->second});
     const auto text = files.texts.find(file);
     if (text == files.texts.end())
-      return errors.push_back(
-          {from, "include: '" + file + "': more than " + std::to_string(deepestInclude) + " files deep"});
+      return errors.push_back({from, "include: '" + file + "': includes are nested more than " +
+                                         std::to_string(deepestInclude) + " deep"});
     done.insert(file);
     toml::table t;
     try {

@@ -78,7 +78,7 @@ void addEndlessCooling(const Scene& s, std::vector<std::string>& lines) {
     if (m.evaporationHeat > 0 && !m.evaporation.empty() && m.evaporation.front().second > 0)
       lines.push_back(
           fmt::format("{}: material '{}': cold liquid evaporates, too, and cools towards 0 K; give "
-                      "evaporation as a table "
+                      "`evaporation` as a table "
                       "that begins with a rate of 0",
                       at(m.where), m.name));
 }
@@ -92,8 +92,8 @@ void addMaterialsWithoutHeat(const Scene& s, std::vector<std::string>& lines) {
     if (m.melts() && m.conductivity.solid == 0 && m.conductivity.liquid == 0 && m.convection == 0 &&
         m.emissivity == 0 && m.heatSource == 0)
       lines.push_back(
-          fmt::format("{}: material '{}' melts, but nothing changes its temperature: give it a conductivity, "
-                      "convection, emissivity or heat_source",
+          fmt::format("{}: material '{}' melts, but nothing changes its temperature: set `conductivity`, "
+                      "`convection`, `emissivity` or `heat_source`",
                       at(m.where), m.name));
 }
 
@@ -112,24 +112,55 @@ void addCrushedSolids(const Scene& s, std::vector<std::string>& lines) {
       lines.push_back(
           fmt::format("{}: material '{}' has a bulk modulus of {:.3g} Pa, and the pressure of liquids in "
                       "this scene can be "
-                      "{:.3g} Pa: this may crush the solid and stop the run. Use a larger young, or a "
-                      "poisson closer to 0.5",
+                      "{:.3g} Pa: this may crush the solid and stop the run. Use a larger `young`, or a "
+                      "`poisson` closer to 0.5",
                       at(m.where), m.name, modulus, pressure));
   }
+}
+
+/// Warns of settings of sleep and rigid motion that act on no solid, and of rigid laws of liquids.
+void addUnusedSolidSettings(const Scene& s, std::vector<std::string>& lines) {
+  const Numerics& n = s.numerics;
+  const auto neverSolid = [](const Material& m) {
+    return !m.canBeSolid() || (!m.melts() && m.liquidAtStart);
+  };
+  const bool solid = !std::all_of(s.materials.begin(), s.materials.end(), neverSolid);
+  const auto warn = [&](bool is, const char* key, const char* why) {
+    if (is) lines.push_back(fmt::format("{}: `numerics.{}` has no effect {}", s.file, key, why));
+  };
+  constexpr const char* liquid = "in a scene without solids";
+  warn(n.sleepSpeed > 0 && !solid, "sleep_speed", liquid);
+  warn(n.rigidify > 0 && !solid, "rigidify", liquid);
+  warn(n.sleepAfter != Numerics().sleepAfter && !(n.sleepSpeed > 0 || n.rigidify > 0), "sleep_after",
+       "without `sleep_speed` or `rigidify`");
+  warn(n.sleepHeating != Numerics().sleepHeating && !(n.sleepSpeed > 0), "sleep_heating",
+       "without `sleep_speed`");
+  for (const Material& m : s.materials)
+    if (m.isRigid() && neverSolid(m))
+      lines.push_back(
+          fmt::format("{}: material '{}': `law = \"rigid\"` has no effect with `phase = \"liquid\"`",
+                      at(m.where), m.name));
+}
+
+/// Warns of drops in pictures of a scene without a surface.
+void addUnusedSpray(const Scene& s, std::vector<std::string>& lines) {
+  if (!s.surface.on && s.output.spray != Output().spray)
+    lines.push_back(fmt::format("{}: `output.spray` has no effect without a table [surface]", s.file));
 }
 
 /// Warns of an interval of frames longer than the run.
 void addRareFrames(const Scene& s, std::vector<std::string>& lines) {
   if (s.end > 0 && s.output.every > s.end)
-    lines.push_back(fmt::format("{}: output.every ({:g} s) exceeds end ({:g} s): the only frame is the first",
-                                s.file, s.output.every, s.end));
+    lines.push_back(
+        fmt::format("{}: `output.every` ({:g} s) exceeds `end` ({:g} s): the only frame is the first", s.file,
+                    s.output.every, s.end));
 }
 
 /// Warns of a subtracted weight if the liquid may have a free surface.
 void addWeightlessLiquid(const Scene& s, std::vector<std::string>& lines) {
   if (s.numerics.buoyancy == Buoyancy::Boussinesq && !liquidFillsClosedDomain(s))
     lines.push_back(fmt::format(
-        "{}: numerics.buoyancy = \"boussinesq\" leaves out the weight, and the scene is not one box of "
+        "{}: `numerics.buoyancy = \"boussinesq\"` leaves out the weight, and the scene is not one box of "
         "liquid in a closed domain: a free surface or a falling body would be weightless; use \"density\" "
         "to keep the weight",
         s.file));
@@ -177,8 +208,8 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   for (const OrientedBody& b : s.oriented)
     if (b.planar && isNotPlanar(b))
       lines.push_back(
-          fmt::format("{}: oriented body '{}': planar keeps each particle at its own y, but this body is not "
-                      "in one plane y = constant; planar is meant for curves",
+          fmt::format("{}: oriented body '{}': `planar` keeps each particle at its own y, but this body is "
+                      "not in one plane y = constant; it is meant for curves",
                       at(b.where), b.name));
   for (const OrientedBody& b : s.oriented)
     for (const OrientedField& f : b.fields)
@@ -196,16 +227,18 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   if (s.output.fieldsWhere.line > 0 && !hasContinuum(s)) {
     std::string names;
     for (const std::string& name : s.output.fields) names += (names.empty() ? "" : ", ") + name;
-    lines.push_back(
-        fmt::format("{}: output.fields ({}) apply to bodies and emitters, and the scene has none; frames of "
-                    "oriented bodies and sheets have all their fields",
-                    at(s.output.fieldsWhere), names));
+    lines.push_back(fmt::format(
+        "{}: `output.fields` ({}) apply to bodies and emitters, and the scene has none; frames of "
+        "oriented bodies and sheets have all their fields",
+        at(s.output.fieldsWhere), names));
   }
   const auto& fields = s.output.fields;
   if (!s.surface.on && std::find(fields.begin(), fields.end(), surfaceVelocityField) != fields.end())
-    lines.push_back(fmt::format("{}: output.fields: {} has no effect without a table [surface]",
+    lines.push_back(fmt::format("{}: `output.fields`: {} has no effect without a table [surface]",
                                 at(s.output.fieldsWhere), surfaceVelocityField));
   addRareFrames(s, lines);
+  addUnusedSolidSettings(s, lines);
+  addUnusedSpray(s, lines);
   addUnusedMaterials(s, lines);
   addColdTemperatures(s, lines);
   addMaterialsWithoutHeat(s, lines);

@@ -84,7 +84,7 @@ std::vector<std::string> surfaceAdvice(const Scene& scene) {
       fmt::format("is {:g}: surfels stop before they have converged; 0.003 to 0.03 is recommended", s.stop));
   advise(s.stop < 1e-4, "stop",
          fmt::format(
-             "is {:g}: hardly any update converges before surface.iterations; 0.003 to 0.03 is recommended",
+             "is {:g}: hardly any update converges before `surface.iterations`; 0.003 to 0.03 is recommended",
              s.stop));
   advise(s.adapt > 0 && s.adapt < 0.1, "adapt",
          fmt::format("is {:g}: {:.0f} surfels and more for one where the surface is curved; 0.3 to 0.7 is "

@@ -21,8 +21,8 @@ struct PlaneHeight {
 };
 
 /// Implicit moving least squares (KO05) over the nearest surfels, corrected for curvature by the
-/// mean normal. Planes of a curved surface lie outside of it, but the chord to a surfel is perpendicular to
-/// the mean of both normals, exactly so on a sphere.
+/// mean normal. Planes of a curved surface lie outside of it. The chord to a surfel is perpendicular to the
+/// mean of both normals, on a sphere exactly.
 class PlaneField {
  public:
   /// Reads positions, normals, radii and colours of the frame. margin: m.

@@ -97,11 +97,11 @@ def test_damaged_logs_and_summaries_are_named(copyOfDrops: pathlib.Path) -> None
     with pytest.raises(thaw.FileError, match='is empty'):
         run.ledger
     path.unlink()
-    with pytest.raises(thaw.FileError, match='ledger.csv: there is no such file'):
+    with pytest.raises(thaw.FileError, match='ledger.csv: no such file'):
         run.ledger
     (copyOfDrops / 'summary.json').write_text('{"status": "do')
     with pytest.raises(thaw.FileError, match='summary.json: is not JSON'):
         run.summary
     (copyOfDrops / 'summary.json').unlink()
-    with pytest.raises(thaw.FileError, match='summary.json: there is no such file'):
+    with pytest.raises(thaw.FileError, match='summary.json: no such file'):
         run.summary

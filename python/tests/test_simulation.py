@@ -312,7 +312,7 @@ def test_extensions_have_keys_in_scenes():
     assert abs(now['energy_residual']) < 0.01 * now['energy_scale']
     with pytest.raises(thaw.SceneError, match='unknown key .omegas.'):
         thaw.Simulation(drop(extension={'trap': {'omegas': 1}}))
-    with pytest.raises(thaw.SceneError, match='no such extension; it has trap'):
+    with pytest.raises(thaw.SceneError, match='unknown extension; this program has trap'):
         thaw.Simulation(drop(extension={'tarp': {}}))
 
 
@@ -351,7 +351,7 @@ def test_extensions_have_fields():
 def test_on_phase_and_on_end():
     sim = thaw.Simulation(drop())
     order = []
-    phases = ['predict', 'redistribute', 'density', 'forces', 'integrate', 'phase_change', 'limits']
+    phases = ['predict', 'redistribute', 'density', 'forces', 'integrate', 'phase_change', 'end_of_step']
     for phase in phases:
         sim.on_phase(phase, lambda p, t, phase=phase: order.append((phase, t)))
     sim.on_end(lambda s: order.append('end'))

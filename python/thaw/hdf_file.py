@@ -131,7 +131,7 @@ class HdfFile:
         try:
             fd = os.open(self.path, os.O_RDONLY)
         except FileNotFoundError:
-            raise FileError(self.path, 'there is no such file; run.refresh() finds those there are') from None
+            raise FileError(self.path, 'no such file; run.refresh() finds those there are') from None
         except OSError as error:
             raise FileError(self.path, f'cannot be read: {error.strerror}') from error
         try:

@@ -52,7 +52,7 @@ def readRows(path: str) -> Tuple[List[str], List[List[str]]]:
         with open(path, encoding='utf-8', errors='replace', newline='') as file:
             text = file.read()
     except FileNotFoundError:
-        raise FileError(path, 'there is no such file; a run writes it from its start') from None
+        raise FileError(path, 'no such file; a run writes it from its start') from None
     except OSError as error:
         raise FileError(path, f'cannot be read: {error.strerror}') from error
     lines = text[: text.rfind('\n') + 1].splitlines()

@@ -174,7 +174,7 @@ class Run:
 def noFolder(path: str) -> str:
     """Why a path is no run."""
     if not os.path.exists(path):
-        return 'there is no such folder; expected the folder of a run, as out/NAME'
+        return 'no such folder; expected the folder of a run, as out/NAME'
     return (
         f'is a file; expected the folder of a run, as {os.path.dirname(os.path.dirname(path)) or "out/NAME"}'
     )

@@ -325,9 +325,9 @@ class Simulation:
         """Calls call(p, t) after a phase of each step, with the particles p of this rank.
 
         phase: "predict" (half kick, drift), "redistribute" (emission, migration, sort), "density", "forces",
-        "integrate" (second half kick), "phase_change" (heat, melting) or "limits" (the next step is known).
-        t is the time of the last complete step, s; after "limits" that of this one. Arrays are read-only,
-        except for fields of extensions. Raises ValueError for an unknown phase.
+        "integrate" (second half kick), "phase_change" (heat, melting) or "end_of_step" (next step known).
+        t is the time of the last complete step, s; after "end_of_step" that of this one. Arrays are
+        read-only, except for fields of extensions. Raises ValueError for an unknown phase.
         """
 
         def after(source: Any, time: float) -> None:

@@ -29,7 +29,7 @@ def readSummary(path: str) -> Summary:
         with open(path, encoding='utf-8') as file:
             summary = json.load(file, object_hook=Summary)
     except FileNotFoundError:
-        raise FileError(path, 'there is no such file; a run writes it when it begins to step') from None
+        raise FileError(path, 'no such file; a run writes it when it begins to step') from None
     except OSError as error:
         raise FileError(path, f'cannot be read: {error.strerror}') from error
     except ValueError as error:

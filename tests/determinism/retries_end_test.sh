@@ -62,5 +62,5 @@ expectMessage '^frames: [1-9][0-9]* in both, equal' "whole and in parts"
 # retries respect watch_step
 run 2 short --set numerics.retries=10 --set numerics.watch_step=0.2; expectExit 4 "watch_step"
 ended short 2 "watch_step"
-expectMessage "half the step would be below .* s (numerics.watch_step)" "watch_step"
+expectMessage 'half the step would be below .* s (`numerics.watch_step`)' "watch_step"
 finish

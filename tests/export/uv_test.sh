@@ -71,5 +71,5 @@ export --as vdb --uv; expectExit 2 "a format without texture coordinates"
 expectMessage "expected --as ply, obj, vtp, usd, usda, vtkhdf or bgeo" "a format without texture coordinates"
 rm "$work/cube.obj"
 export --as ply --uv; expectExit 2 "without the mesh"
-expectMessage 'cube.obj: there is no such file' "without the mesh"
+expectMessage 'cube.obj: no such file' "without the mesh"
 finish

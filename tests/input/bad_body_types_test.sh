@@ -67,7 +67,7 @@ other = 'b'
 time = 0.002"
 accepts "a cut before the weld" check "$(bodyTypes early <<<"$welded
 $cut")"
-rejects "wind on a sheet without mass" "windy.toml:10:.*wind_density.*expected mass > 0" \
+rejects "wind on a sheet without mass" "windy.toml:10:.*wind_density.*expected .mass. > 0" \
   2 check "$(bodyTypes windy <<<"[[sheet]]
 grid = { width = 0.4, depth = 0.4 }
 mass = 0
@@ -240,7 +240,7 @@ material = 'jelly'
 box = { size = [0.1, 0.1, 0.1] }"
 rejects "a sheet in a body" \
   "body.toml:6:1: error: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump', \
-where they would stay trapped; move them apart, or set numerics.overlap" \
+where they would stay trapped; move them apart, or set .numerics.overlap" \
   2 check "$(bodyTypes body <<<"$lump")"
 warns "a sheet in a body that is to be" \
   "kept.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump', \
@@ -267,20 +267,20 @@ warns "a surface in another" \
 $plate
 place = { move = [0, 0, 0.012] }"
 rejects "a sheet's mesh that is missing" \
-  "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: there is no such file" \
+  "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: no such file" \
   2 check "$(bodyTypes lost <<<"[[sheet]]
 mesh = 'nowhere.obj'")"
 rejects "an oriented body's mesh that is missing" \
-  "lost2.toml:7:8: error: oriented body 'oriented 0': .*nowhere.obj: there is no such file" \
+  "lost2.toml:7:8: error: oriented body 'oriented 0': .*nowhere.obj: no such file" \
   2 check "$(bodyTypes lost2 <<<"[[oriented]]
 mesh = 'nowhere.obj'")"
 rejects "an anchor's mesh that is missing" \
-  "lost3.toml:9:8: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: there is no such file" \
+  "lost3.toml:9:8: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: no such file" \
   2 check "$(bodyTypes lost3 <<<"$plate
 [[oriented.anchor]]
 mesh = 'nowhere.obj'")"
 rejects "a clamp's mesh that is missing" \
-  "lost4.toml:9:8: error: sheet 'sheet 0': a clamp: .*nowhere.obj: there is no such file" \
+  "lost4.toml:9:8: error: sheet 'sheet 0': a clamp: .*nowhere.obj: no such file" \
   2 run "$(bodyTypes lost4 <<<"$cloth
 [[sheet.clamp]]
 mesh = 'nowhere.obj'")"

@@ -25,9 +25,9 @@ rejects "a solid that never melts" "${key}: only a material that melts has two d
   2 check "$(wax dry 'density = { solid = 900, liquid = 780 }')"
 rejects "a wrong unit" "${key}.*: expected a density" \
   2 check "$(wax unit "$melts"'\ndensity = { solid = "900 kg", liquid = 780 }')"
-rejects "the paper's heat" "${key}: numerics\.heat = \"paper\" has one density for both phases" \
+rejects "the paper's heat" "${key}: .numerics\.heat = \"paper\". has one density for both phases" \
   2 check "$(wax paper "$melts"'\ndensity = { solid = 900, liquid = 780 }')" --set numerics.heat=paper
-rejects "no weight" '"boussinesq" leaves out the weight, so solid and liquid of .jelly. must not differ' \
+rejects "no weight" '"boussinesq". leaves out the weight, so solid and liquid of .jelly. must not differ' \
   2 check "$(wax light "$melts"'\ndensity = { solid = 900, liquid = 780 }\nexpansion = 1e-3')" \
   --set numerics.buoyancy=boussinesq
 allCases

@@ -21,17 +21,18 @@ rejects "a table that descends" "${key}evaporation: the first quantities of the 
   2 check "$(with descends 'evaporation = [[400, 1], [300, 2]]')"
 rejects "a solid that evaporates" "${key}evaporation: only liquids evaporate" \
   2 check "$(with solid 'young = 1e4\nevaporation = 1')"
-rejects "a heat without a rate" "${key}evaporation_heat: has no effect without evaporation" \
+rejects "a heat without a rate" "${key}evaporation_heat: has no effect without .evaporation" \
   2 check "$(with no_rate 'evaporation_heat = 1e6')"
 rejects "no conductance" "${key}contact_conductance: must be > 0" \
   2 check "$(with none 'contact_conductance = 0')"
 rejects "contacts that conduct no heat" \
-  "idle\.toml:8:[0-9]+: error: ${key}contact_conductance: has no effect without conductivity" \
+  "idle\.toml:8:[0-9]+: error: ${key}contact_conductance: has no effect without .conductivity" \
   2 check "$(with idle 'contact_conductance = 5')"
-rejects "a mush that never melts" "${key}mush_drag: has no effect without melts" \
+rejects "a mush that never melts" "${key}mush_drag: has no effect without .melts" \
   2 check "$(with never_melts 'young = 1e4\nmush_drag = 1e6')"
 rejects "a drag in another unit" "${key}mush_drag: expected a drag coefficient" 2 check \
   "$(with drag_unit 'young = 1e4\nmelts = [300, 310]\nheat_capacity = 1\nmush_drag = "3 Pa"')"
-rejects "the paper's heat" "${key}contact_conductance: not available with numerics\.heat = .paper." 2 check \
+rejects "the paper's heat" "${key}contact_conductance: not available with .numerics\.heat = .paper.." \
+  2 check \
   "$(with paper 'contact_conductance = 5')" --set 'numerics.heat="paper"'
 allCases

@@ -16,26 +16,26 @@ rejects "a lamp in the dark" 'power: must be > 0 W, got -5' \
   2 check "$(with negative '[[lamp]]\npower = -5\nposition = [0, 0, 0.4]')"
 rejects "a power in another unit" 'power: expected a power such as "200 W"' \
   2 check "$(with unit '[[lamp]]\npower = "5 J"\nposition = [0, 0, 0.4]')"
-rejects "a sun with power" 'power: a lamp of kind "direction" has an irradiance instead' \
+rejects "a sun with power" 'power: has no effect with .kind = "direction".: set .irradiance. instead' \
   2 check "$(with sun '[[lamp]]\nkind = "direction"\npower = 3\nirradiance = 10\ndirection = [0, 0, -1]')"
 rejects "a sun without irradiance" 'irradiance: is missing' \
   2 check "$(with pale '[[lamp]]\nkind = "direction"\ndirection = [0, 0, -1]')"
-rejects "a bulb with a size" 'width: only a lamp of kind "area" has a size' \
+rejects "a bulb with a size" 'width: applies to .kind = "area". only' \
   2 check "$(with wide '[[lamp]]\npower = 3\nposition = [0, 0, 1]\nwidth = 1')"
 rejects "no direction" 'direction: must not be zero' \
   2 check "$(with nowhere '[[laser]]\npower = 3\nradius = 1\nposition = [0, 0, 1]\ndirection = [0, 0, 0]')"
 rejects "a laser without a radius" 'radius: is missing' \
   2 check "$(with thin '[[laser]]\npower = 3\nposition = [0, 0, 1]')"
-rejects "an end before the start" 'end: must not be before start' \
+rejects "an end before the start" 'end: must not be before .start' \
   2 check "$(with early '[[heated_region]]\npower = 3\nsphere = { radius = 1 }\nstart = 2\nend = 1')"
 rejects "keyframes that go back" 'time: keyframes must ascend in time' \
   2 check "$(with back '[[laser]]\npower = 3\nradius = 1\nposition = [0, 0, 1]'\
 '\nmotion = [{ time = 1 }, { time = 0 }]')"
-rejects "a region of an unknown material" "heated region 'coil': there is no material \
+rejects "a region of an unknown material" "heated region 'coil': unknown material \
 'jely'; did you mean 'jelly'" \
   2 check "$(with unknown '[[heated_region]]\nname = "coil"\npower = 3'\
 '\nmaterial = "jely"\nsphere = { radius = 1 }')"
-rejects "two lamps of one name" "a second lamp is called 'a'" \
+rejects "two lamps of one name" "duplicate lamp name 'a'; first used in line" \
   2 check "$(with twice '[[lamp]]\nname = "a"\npower = 3\nposition = [0, 0, 1]'\
 '\n[[lamp]]\nname = "a"\npower = 3\nposition = [0, 0, 1]')"
 rejects "a mirror with more than all light" 'absorptivity: must be .*1, got 1\.5' \

@@ -29,8 +29,8 @@ accepts "obstacle across a periodic side" \
   check "$(scene cut 's/^plane = .*/box = { size = [0.4, 0.4, 0.1] }\nplace = { move = [0.4, 0, 0] }/')" \
   --set 'domain.sides.x=periodic'
 rejects "obstacle that meets a step at a periodic side" \
-  "^warning: .*/tilt.toml:[0-9:]+ obstacle 'floor' is as long as the domain, or longer, \
-along the periodic axis x, but differs at both sides" \
+  "^warning: .*/tilt.toml:[0-9:]+ obstacle 'floor' spans the periodic axis x, \
+but its two ends do not match" \
   0 check "$(scene tilt 's/normal = .*/normal = [0.1, 0, 1] }/')" --set 'domain.sides.x=periodic'
 rejects "body over a side that is not periodic" \
   "body 'block': [0-9]+ of its 125 particles lie outside of the domain, \
@@ -53,7 +53,7 @@ rejects "Poisson's ratio 1/2" 'poisson: must be > -1 and < 0\.5' \
   2 run "$(scene poisson 's/young.*/&\npoisson = 0.5/')"
 rejects "no mass" 'density: must be > 0 kg/m\^3' 2 run "$(scene mass 's/young.*/&\ndensity = 0/')"
 rejects "a liquid that yields" \
-  "liquid\.toml:8:16: error: material\.jelly\.yield_strain: requires a solid: set young" \
+  "liquid\.toml:8:16: error: material\.jelly\.yield_strain: requires a solid: set .young" \
   2 check "$(scene liquid 's/young.*/yield_strain = 0.1/')"
 rejects "below 0 K" 'temperature: must be > 0 K' \
   2 check "$(scene cold 's/^name = "block"/&\ntemperature = "-300 degC"/')"
@@ -77,9 +77,9 @@ rejects "other name of an obstacle" \
   2 check "$(scene wall 's/^\[\[obstacle\]\]/[[wall]]/')"
 rejects "other name of a thermostat" 'error: tempering: unknown table: expected \[\[thermostat\]\]' \
   2 check "$(scene tempering '$a [[tempering]]\ntemperature = 300')"
-rejects "no such material" "there is no material 'jely'; did you mean 'jelly'\?" \
+rejects "no such material" "unknown material 'jely'; did you mean 'jelly'\?" \
   2 run "$(scene material 's/material = .*/material = "jely"/')"
-rejects "same name twice" "a second obstacle is called 'floor'" \
+rejects "same name twice" "duplicate obstacle name 'floor'; first used in line" \
   2 check "$(scene twice '$a [[obstacle]]\nname = "floor"\nsphere = { radius = 0.01 }')"
 rejects "nothing to do" 'there is nothing to simulate' 2 run "$(scene nothing '/\[\[body/,/^place/d')"
 
@@ -101,7 +101,7 @@ rejects "degrees without their unit" \
   0 check "$good" --set body.block.temperature=30
 
 rejects "frames longer than the run" \
-  '^warning: .*good.toml: output.every \(0.04 s\) exceeds end \(0.02 s\): the only frame is the first' \
+  '^warning: .*good.toml: .output.every. \(0.04 s\) exceeds .end. \(0.02 s\): the only frame is the first' \
   0 check "$good"
 
 # buoyancy
@@ -119,17 +119,17 @@ rejects "expansion twice" 'expansion: the table of densities states the expansio
   "$liquid" --set 'material.jelly.density=[[280, 1000], [300, 990]]'
 rejects "table that descends" 'density: .*ascend' 2 check "$good" --set material.jelly.young=0 \
   --set 'material.jelly.density=[[300, 990], [280, 1000]]'
-rejects "reference of nothing" 'expansion_from: only a liquid with expansion or a table' 2 check "$good" \
-  --set material.jelly.expansion_from=300
-rejects "buoyancy of nothing" '"boussinesq" needs gravity, and a body or emitter of a material with exp' \
+rejects "reference of nothing" 'expansion_from: applies only to a liquid with .expansion. or a table' \
+  2 check "$good" --set material.jelly.expansion_from=300
+rejects "buoyancy of nothing" '"boussinesq". needs gravity, and a body or emitter of a material with exp' \
   2 check "$good" --set "$boussinesq"
-rejects "buoyancy without gravity" '"boussinesq" needs gravity' 2 check "$liquid" --set "$boussinesq" \
+rejects "buoyancy without gravity" '"boussinesq". needs gravity' 2 check "$liquid" --set "$boussinesq" \
   --set 'domain.gravity=[0, 0, 0]'
 oil='[material.oil]\ndensity = 900\n[[body]]\nname = "b"\nbox = {}\nmaterial = "oil"'
 rejects "buoyancy of two densities" \
   "leaves out the weight, so all materials need one density: 'oil' has 900 kg/m\^3, 'jelly' 1000 kg/m" \
   2 check "$(scene oil "s/^young.*/expansion = 2e-4/;\$a $oil")" --set "$boussinesq"
-rejects "weightless liquid" '^warning: .*/liquid.toml: numerics.buoyancy = "boussinesq" leaves out' \
+rejects "weightless liquid" '^warning: .*/liquid.toml: `numerics.buoyancy = "boussinesq"` leaves out' \
   0 check "$liquid" --set "$boussinesq"
 
 # files
@@ -151,12 +151,12 @@ printf 'include = "nowhere.toml"\n' >"$work/lost.toml"
 rejects "missing include" "nowhere\.toml': no such file" 2 run "$work/lost.toml"
 
 # the command line
-rejects "no such option" 'thaw: error: --frobnicate: `thaw run` has no such option$' 2 run "$good" \
+rejects "no such option" 'thaw: error: --frobnicate: unknown option of `thaw run`$' 2 run "$good" \
   --frobnicate
-rejects "similar option" "error: --step: \`thaw run\` has no such option; did you mean '--steps'\?" 2 run \
+rejects "similar option" "error: --step: unknown option of \`thaw run\`; did you mean '--steps'\?" 2 run \
   "$good" --step 5
 rejects "similar command" \
-  "error: rum: there is no such command; expected one of new, run, .*; did you mean 'run'\?" 2 rum "$good"
+  "error: rum: unknown command; expected one of new, run, .*; did you mean 'run'\?" 2 rum "$good"
 rejects "arguments without an option" 'error: b.toml c.toml: not expected' 2 check "$good" b.toml c.toml
 # a second setting needs its own --set
 rejects "a setting without --set" "end=1: each key=value needs its own --set: --set 'end=1'" 2 run "$good" \

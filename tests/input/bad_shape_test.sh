@@ -5,7 +5,7 @@
 
 # meshes
 mesh() { scene "$1" "s|^box.*|mesh = \"$1.$2\"|"; }
-rejects "no such mesh" 'nomesh\.toml:[0-9]+:8: error: .*nomesh\.obj: there is no such file' \
+rejects "no such mesh" 'nomesh\.toml:[0-9]+:8: error: .*nomesh\.obj: no such file' \
   2 run "$(mesh nomesh obj)"
 : >"$work/emptymesh.ply"
 rejects "empty mesh" 'emptymesh\.ply: the file is empty' 2 check "$(mesh emptymesh ply)"
@@ -55,7 +55,7 @@ rejects "periodic and too short" \
   2 check "$good" --set 'domain.sides.x=periodic' --set 'spacing=0.2'
 rejects "more particles than ids" \
   "^--set spacing=1e-9: error: spacing: at 1e-09 m body 'block' would take some 1.0e.24 particles, \
-at least 4.0e.17 GB of memory; expected a coarser spacing" 2 run "$good" --set spacing=1e-9
+at least 4.0e.17 GB of memory; use a coarser spacing" 2 run "$good" --set spacing=1e-9
 rejects "more particles than memory" 'particles.* memory' 2 run "$good" --set spacing=2e-5
 rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set spacing=2e-5
 # A bath of 8 layers in a tank of 7.2 spacings is compressed by the walls. A bath of 7.2 spacings has 7 layers

@@ -17,11 +17,11 @@ rejects "a tension of 0 in a table" "${key}surface_tension: must be > 0 N\/m, go
 rejects "a table of energies" "${key}surface_tension: expected .*got \"70 mJ\"" \
   2 check "$(liquid unit 'surface_tension = [[300, "70 mJ"], [400, 0.05]]')"
 rejects "a table with cohesion of pairs" \
-  "${key}surface_tension: a table by temperature needs numerics\.tension" \
+  "${key}surface_tension: a table by temperature needs .numerics\.tension" \
   2 check "$(liquid pairs "$table")" --set numerics.tension=pairwise
-rejects "an angle with cohesion of pairs" "${key}contact_angle: contact angles need numerics\.tension" \
+rejects "an angle with cohesion of pairs" "${key}contact_angle: contact angles need .numerics\.tension" \
   2 check "$(liquid angle_pairs 'surface_tension = 0.07\ncontact_angle = 1')" --set numerics.tension=pairwise
-rejects "an angle without tension" "${key}contact_angle: has no effect without surface_tension" \
+rejects "an angle without tension" "${key}contact_angle: has no effect without .surface_tension" \
   2 check "$(liquid dry 'contact_angle = 1')"
 rejects "an angle beyond 180 degrees" "${key}contact_angle: must be between 0 and" \
   2 check "$(liquid large 'surface_tension = 0.07\ncontact_angle = "200 deg"')"

@@ -79,8 +79,8 @@ regions='sheet.leaf.region=[{box={size=[0.2,0.2,0.1]},weft=3},{box={size=[0.3,0.
 launch 2 run "$work/leaf.toml" --steps 2 --set "$regions" --out "$work/regions" >"$work/log" 2>&1
 expectExit 0 "regions on each other"
 expectMessage \
-  "warning: .*sheet 'leaf': [0-9]* vertices of its region 0 are in region 1 as well.* \
-weft of the earlier one is ignored" "regions on each other"
+  "warning: .*sheet 'leaf': [0-9]* vertices lie in regions 0 and 1. Region 1 applies there; \
+weft of region 0 is ignored. Set it in region 1, too" "regions on each other"
 launch 2 run "$work/leaf.toml" --steps 2 --out "$work/leaf" >"$work/log" 2>&1; expectExit 0 "leaf"
 "$thaw" render "$work/leaf" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that sheets have not"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that sheets have not"

@@ -33,7 +33,7 @@ grep -q '^t 0' "$work/log" || fail "no plain lines in a file"
 THAW_PYTHON=/bin/false "$thaw" plot "$work/melt" >"$work/log" 2>&1; expectExit 3 "without matplotlib"
 expectMessage 'python3-matplotlib' "the missing package"
 "$thaw" plot "$work/nothing" >"$work/log" 2>&1; expectExit 3 "a missing folder"
-expectMessage 'there is no such folder' "the missing folder"
+expectMessage 'no such folder' "the missing folder"
 if [ "$failures" -eq 0 ] && ! /usr/bin/python3 -c 'import matplotlib, numpy' 2>/dev/null; then
   echo "the rest is skipped: python3-matplotlib is not installed"
   exit 77

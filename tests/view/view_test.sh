@@ -5,7 +5,7 @@
 . "$(dirname "$0")/browser.sh"
 "$thaw" view "$work/none" >"$work/log" 2>&1
 grep -q "is built without" "$work/log" && skip "$(cat "$work/log")"
-expectMessage "there is no such folder" "a missing folder"
+expectMessage "no such folder" "a missing folder"
 
 servers=()
 trap 'kill "${servers[@]}" 2>/dev/null; rm -rf "$work"' EXIT

@@ -225,9 +225,8 @@ bool iterate(Solver& s) {
   return !(now.excess > 0);
 }
 
-/// Adds the forces for the solution and records their energies. The kick ends at the velocity that these
-/// forces give, which differs from the last iterate by the solver's residual. Pairs dissipate at the
-/// midpoint, for the kick to the iterate; the work of the difference is recorded as well.
+/// Adds the forces for the solution and records their energies. Dissipation uses the mid-point velocity of
+/// the last iterate. The work of the remaining residual is recorded, too.
 void addForces(Solver& s) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;

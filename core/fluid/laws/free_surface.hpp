@@ -5,9 +5,9 @@
 
 namespace thaw {
 
-/// Smallest eigenvalue of the moment below which a particle is at the free surface (MCL10). It
-/// is 1 on a lattice, 0.5 in its outermost layer and 0.86 on average where particles are moved by up to a
-/// fifth of a spacing.
+/// Smallest eigenvalue of the moment below which a particle is at the free surface (MCL10). It is 1 on a
+/// lattice and 0.5 in its outermost layer. Where particles are moved by up to a fifth of a spacing, its mean
+/// is 0.86.
 inline constexpr double surfaceMoment = 0.68;
 /// Asymmetry |sum V grad W| / sum V |grad W| above which a particle is at the free surface. It is used
 /// without moments, and near walls, whose part of the moment is unknown. The outermost layer of a lattice has

@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Measured on drops at rest at supports of 1.5, 2, 2.5 and 3 spacings; linear interpolation.
+/// Calibration on drops at rest for supports of 1.5, 2, 2.5 and 3 spacings; linear in between.
 struct Calibration {
   double rest;  ///< C, in units of sigma: energy of the flat lattice surface
   double open;  ///< fraction of C in the colour term

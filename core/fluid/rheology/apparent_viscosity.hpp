@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Sets Continuum::apparentViscosity of owned rows whose material has a flow law. A wall without slip is one
-/// more neighbour at its nearest point, with its velocity, and the weight of the layers of liquid that it
+/// Sets Continuum::apparentViscosity of owned rows whose material has a flow law. A no-slip wall counts as
+/// one neighbour at its nearest point. It has the wall's velocity and the weight of the liquid layers it
 /// replaces. With an exponent n > 1 the new value is the mean old^(1-1/n) new^(1/n), so that implicit steps
 /// do not oscillate. Requires: records, lists and wall contacts of this step.
 void findApparentViscosity(const WallContext& walls, const WallContacts& contacts, const PairSums& sums);

@@ -32,8 +32,8 @@ struct ShearKernels {
 const ShearKernels* shearKernels(const char* name = "");
 
 /// Returns the shear rate times h (m/s): sqrt(2 D:D), D the strain rate without its trace. The velocity
-/// gradient G minimises the sum of a |u - G d|^2, with a small Tikhonov term, so that particles with few
-/// neighbours have a finite rate. It is exact in linear flows up to a relative error of 1e-4.
+/// gradient G minimises the sum of a |u - G d|^2. A small Tikhonov term keeps the rate finite for particles
+/// with few neighbours. It is exact in linear flows up to a relative error of 1e-4.
 double shearRateOf(const ShearMoments& sums);
 
 }  // namespace thaw

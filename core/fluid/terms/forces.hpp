@@ -18,9 +18,11 @@ template<class L> THAW_INLINE L movableSolid(L liquidFraction) {
   return select(hasMinus(liquidFraction), L(0.0), L(1.0) - liquidFraction);
 }
 
-/// Pressure: variational (M05 eq. 3.3 with relative density), or as printed in K05. Viscosity:
-/// Monaghan's pair form along r (M05 eq. 8.9 without its artificial scaling), or MCG03 eq. 13; implicit
-/// without Viscous (viscous_operator.hpp). Heat conduction: CM99 eq. 36.
+/// Pressure: F_i = -1/S sum V_i V_j (p_i / d_i^2 + p_j / d_j^2) grad W with relative densities d and the
+/// lattice sum S (docs/theory/pressure.md; variational, M05 eq. 3.3), or as printed in K05. Viscosity:
+/// Monaghan's pair form along r (M05 eq. 8.9 without its artificial scaling), or MCG03 eq. 13
+/// (docs/theory/viscosity.md); implicit without Viscous (viscous_operator.hpp). Heat conduction: CM99 eq. 36.
+/// Fields of the records: docs/developer/extend.md.
 /// A solid particle responds with the pressure of its liquid neighbour (A12): the force is the
 /// gradient of the liquid's compression energy, so the pair conserves energy. It also has viscous drag. Two
 /// solids do not interact.
@@ -45,10 +47,10 @@ struct Forces {
   struct Data {
     Lanes4<Real> positionVolume, velocityViscosity, pressurePhaseHeat, pressureDiagonal, pressureOffDiagonal;
   };
-  using Wide = Lanes<double>;
+  using Wide = Lanes<double>;  ///< sums are in double precision for both types of records
   struct Sum {
     Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0);
-    L lost = L(0.0);
+    L dissipated = L(0.0);
     Wide heat = Lanes<double>(0.0);
   };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
@@ -90,29 +92,30 @@ struct Forces {
       s.z -= wide(k * dot3(xz, yz, zz, dx, dy, dz));
     }
     if constexpr (Relief) {
-      const L w = reliefScale * Kernel::w(q, q2), ofI = w * movableSolid(fj) * j.positionVolume.d,
-              ofJ = w * movableSolid(fi) * i.positionVolume.d;
-      const L fx = ofI * i.pressureDiagonal.d - ofJ * j.pressureDiagonal.d,
-              fy = ofI * i.pressureOffDiagonal.d - ofJ * j.pressureOffDiagonal.d,
-              fz = ofI * i.pressurePhaseHeat.a - ofJ * j.pressurePhaseHeat.a;
+      const L w = reliefScale * Kernel::w(q, q2), shareOfI = w * movableSolid(fj) * j.positionVolume.d,
+              shareOfJ = w * movableSolid(fi) * i.positionVolume.d;
+      const L fx = shareOfI * i.pressureDiagonal.d - shareOfJ * j.pressureDiagonal.d,
+              fy = shareOfI * i.pressureOffDiagonal.d - shareOfJ * j.pressureOffDiagonal.d,
+              fz = shareOfI * i.pressurePhaseHeat.a - shareOfJ * j.pressurePhaseHeat.a;
       s.x += wide(fx);
       s.y += wide(fy);
       s.z += wide(fz);
-      s.lost -= reliefPower * (fx * ux + fy * uy + fz * uz);
+      s.dissipated -= reliefPower * (fx * ux + fy * uy + fz * uz);
     }
     const L mui = i.velocityViscosity.d, muj = j.velocityViscosity.d;
-    if constexpr (!Viscous && Carried) {
-    } else if constexpr (!Viscous) {
-      s.x -= wide(pressure * dx);
-      s.y -= wide(pressure * dy);
-      s.z -= wide(pressure * dz);
+    if constexpr (!Viscous) {
+      if constexpr (!Carried) {
+        s.x -= wide(pressure * dx);
+        s.y -= wide(pressure * dy);
+        s.z -= wide(pressure * dz);
+      }
     } else if constexpr (Laplacian) {
       const L mu = L(0.5) * (mui + muj) * pairLiquidFraction * VV * Kernel::laplace(q, q2),
               m = viscousScale * mu;
       s.x -= wide(pressure * dx + m * ux);
       s.y -= wide(pressure * dy + m * uy);
       s.z -= wide(pressure * dz + m * uz);
-      s.lost += mu * (ux * ux + uy * uy + uz * uz);
+      s.dissipated += mu * (ux * ux + uy * uy + uz * uz);
     } else {
       const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
       const L approach = dot3(ux, uy, uz, dx, dy, dz);
@@ -122,7 +125,7 @@ struct Forces {
       s.x -= wide(f * dx);
       s.y -= wide(f * dy);
       s.z -= wide(f * dz);
-      s.lost = fma(mu, approach, s.lost);
+      s.dissipated = fma(mu, approach, s.dissipated);
     }
     if constexpr (Heat) {
       // Summed in double precision so that no heat is lost to rounding.
@@ -136,7 +139,7 @@ struct Forces {
         f.x += unit * s.x[l];
         f.y += unit * s.y[l];
         f.z += unit * s.z[l];
-        in->dissipation[rows[l]] += 0.5 * in->support * static_cast<double>(s.lost[l]);
+        in->dissipation[rows[l]] += 0.5 * in->support * static_cast<double>(s.dissipated[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] += heatScale * s.heat[l];
       }
   }

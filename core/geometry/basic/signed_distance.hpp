@@ -42,9 +42,9 @@ class SignedDistance {
   /// return a smaller magnitude. `gradient`, if given, receives the outward unit gradient. It is defined
   /// everywhere; where it is not unique, the choice is deterministic.
   virtual double distance(const Vec3d& x, Vec3d* gradient = nullptr) const = 0;
-  /// Equals distance() where |distance| < reach (m). Elsewhere it returns any value with the sign of the
-  /// distance and a magnitude between reach and |distance|, and any gradient of length 1 or 0. For meshes it
-  /// is many times faster.
+  /// Equals distance() where |distance| < reach (m). Elsewhere the value has the sign of the distance and a
+  /// magnitude between reach and |distance|. The gradient has length 1 or 0. For meshes it is many times
+  /// faster.
   virtual double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const {
     (void)reach;
     return distance(x, gradient);

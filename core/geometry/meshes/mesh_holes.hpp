@@ -7,9 +7,9 @@
 
 namespace thaw {
 
-/// Closes each hole by triangles between its border and the middle of the border's vertices, so that every
-/// edge is traversed equally often in both directions. sides: edgeSides of the input mesh. Returns the
-/// number of holes.
+/// Closes each hole by triangles between its border and the middle of the border's vertices. Every edge is
+/// then traversed equally often in both directions. sides: edgeSides of the input mesh. Returns the number of
+/// holes.
 std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides);
 
 }  // namespace thaw

@@ -41,11 +41,12 @@ void check(const TriangleMesh& mesh) {
   for (const Vec3d& v : mesh.vertices)
     if (!(std::abs(v.x) < 1e100 && std::abs(v.y) < 1e100 && std::abs(v.z) < 1e100))
       throw ShapeError("the mesh has a vertex with a coordinate that is not a finite number");
-  for (const auto& t : mesh.triangles)
-    for (const std::uint32_t v : t)
-      if (v >= mesh.vertices.size())
-        throw ShapeError("a triangle of the mesh names vertex " + std::to_string(v) + " of " +
-                         std::to_string(mesh.vertices.size()));
+  const std::size_t n = mesh.vertices.size();
+  for (std::size_t t = 0; t < mesh.triangles.size(); t++)
+    for (const std::uint32_t v : mesh.triangles[t])
+      if (v >= n)
+        throw ShapeError("triangle " + std::to_string(t) + " refers to vertex " + std::to_string(v) +
+                         ", but the mesh has " + std::to_string(n) + " (0 to " + std::to_string(n - 1) + ")");
 }
 
 std::size_t openEdges(const AlignedVector<EdgeSide>& sides, std::size_t& edges) {

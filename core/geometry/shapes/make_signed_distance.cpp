@@ -8,6 +8,7 @@
 #include "core/geometry/shapes/combined.hpp"
 #include "core/geometry/shapes/mesh_distance.hpp"
 #include "core/geometry/shapes/primitives.hpp"
+#include "core/math/digits.hpp"
 
 namespace thaw {
 namespace {
@@ -16,7 +17,7 @@ bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) &&
 
 void needPositive(const Shape& s, const char* what, double value) {
   if (!(value > 0 && std::isfinite(value)))
-    throw ShapeError(std::string(what) + " is " + std::to_string(value) + "; expected a positive length",
+    throw ShapeError(std::string(what) + " is " + inDigits(value) + " m; expected a positive length",
                      s.where);
 }
 
@@ -24,7 +25,7 @@ ShapePart makeMesh(const Shape& s, const MeshLoader& load) {
   try {
     if (isBuiltin(s.mesh)) return std::make_shared<MeshDistance>(builtinMesh(s.mesh), s.mesh);
     if (namesBuiltin(s.mesh))
-      throw ShapeError("there is no built-in mesh '" + s.mesh + "'; expected " + builtinList);
+      throw ShapeError("unknown built-in mesh '" + s.mesh + "'; expected " + builtinList);
     if (!load) throw ShapeError("mesh '" + s.mesh + "': no mesh reader is available");
     return std::make_shared<MeshDistance>(load(s.mesh), s.mesh);
   } catch (const ShapeError& e) {
@@ -81,7 +82,7 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
       needPositive(s, "the height of a glass", s.height);
       needPositive(s, "the thickness of a glass", s.thickness);
       if (s.thickness >= s.radius || s.thickness >= s.height)
-        throw ShapeError("the thickness of a glass is " + std::to_string(s.thickness) +
+        throw ShapeError("the thickness of a glass is " + inDigits(s.thickness) +
                              " m; expected less than its radius and its height",
                          s.where);
       return std::make_shared<RevolvedDistance>(glassOutline(s.radius, s.height, s.thickness));

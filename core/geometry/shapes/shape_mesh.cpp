@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/builtin/polygonise.hpp"
 #include "core/geometry/shapes/combined.hpp"
 #include "core/geometry/shapes/placed_mesh.hpp"
@@ -67,8 +67,8 @@ TriangleMesh squareOf(const Shape& s, const Ball& seen) {
   return {{middle - u - v, middle + u - v, middle + u + v, middle - u + v}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-/// Returns triangles of an extension's shape. A chord of the length of a cube's edge on the smallest radius
-/// that is resolved, twice that length, is `sag` or less off the surface.
+/// Returns triangles of an extension's shape. The smallest resolved radius is twice a cube's edge. A chord of
+/// one edge on it is at most `sag` off the surface.
 TriangleMesh extensionMesh(const Shape& s, double sag) {
   constexpr double most = 160;  // cubes along the longest edge
   const std::shared_ptr<const SignedDistance> shape = makeSignedDistance(s);
@@ -163,7 +163,8 @@ TriangleMesh shapeMesh(const Shape& s, double sag, const MeshLoader& load) {
   const Bounds b = makeSignedDistance(s, load)->bounds();
   const Vec3d size = b.max - b.min;
   if (!std::isfinite(size.x + size.y + size.z))
-    throw std::invalid_argument("an infinite body has no surface to sample");
+    throw ShapeError("the shape is not bounded on all sides and has no closed mesh; intersect it with a box",
+                     s.where);
   return placedParts(s, sag, {0.5 * (b.min + b.max), 0.5 * length(size)}, load);
 }
 

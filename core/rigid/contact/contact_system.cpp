@@ -9,7 +9,8 @@
 namespace thaw {
 namespace {
 
-/// Velocity of the point of a row at an arm by a unit impulse along each axis at the same point (1/kg).
+/// Returns the velocity of a contact point per unit impulse at it, for each axis (1/kg). r: m, from the
+/// centre of mass.
 Mat3d pointMobility(const PieceMotion& piece, const Vec3d& r) {
   Mat3d m;
   for (int k = 0; k < 3; k++) {

@@ -11,10 +11,10 @@ class PieceExchange {
  public:
   virtual ~PieceExchange() = default;
 
-  /// Replaces words [row * perPiece, (row + 1) * perPiece) of each row by their sums, element by element,
-  /// over all ranks that hold the piece of this row. Every holder gets the same sums. Words are signed and
-  /// do not overflow. Rows that only this rank holds stay as they are. Collective: every rank calls it
-  /// equally often, with any number of rows.
+  /// Replaces words [row * perPiece, (row + 1) * perPiece) of each row by their sums, element by element. The
+  /// sum is over all ranks that hold the piece. Every holder gets the same sums. Words are signed and do not
+  /// overflow. Rows that only this rank holds stay as they are. Collective: every rank calls it equally
+  /// often, with any number of rows.
   virtual void sum(std::span<std::int64_t> words, std::size_t perPiece) = 0;
 };
 

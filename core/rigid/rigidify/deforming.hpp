@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of elastic solids that deform. A solid particle deforms if its rate of strain exceeds
-// numerics.rigidify, if it is near an obstacle or another body, if the load on it changes, or if it is
-// softening or clamped. Continuum::restTime is the time since then. Particles with a rest time of
+// numerics.rigidify, or if the load on it changes. It also does near an obstacle or another body, and where
+// it is softening or clamped. Continuum::restTime is the time since then. Particles with a rest time of
 // numerics.sleep_after become parts of rigid pieces, until they deform.
 #pragma once
 #include "core/rigid/rigidify/rigidify_view.hpp"
@@ -21,8 +21,8 @@ void wakeSoftening(const RigidifyView& view);
 /// between elastic and rigid. Requires: positions and velocities of bond ends at the last evaluation.
 bool findDeforming(const RigidifyView& view, double dt);
 
-/// Returns true if all solids of this rank are rigid and no two pieces are in adjacent cells, so that no step
-/// limit of solids holds. Requires: Continuum::piece of ghosts.
+/// Returns true if no step limit of solids holds: all solids of this rank are rigid, and no two pieces are in
+/// adjacent cells. Requires: Continuum::piece of ghosts.
 bool nothingDeforms(const RigidifyView& view);
 
 }  // namespace thaw

@@ -36,8 +36,8 @@ struct SplitPush {
 };
 SplitPush splitPush(const SpringLaw& law, const ExactStep& step, double dt);
 
-/// Returns the largest slope kappa (N/m^3) of forces f = -kappa z per area for which a step of dt is stable,
-/// from the eigenvalues of the map.
+/// Returns the largest slope kappa (N/m^3) of forces f = -kappa z per area for which a step of dt is stable.
+/// It follows from the eigenvalues of the map.
 double stableSlope(const SpringLaw& law, double dt);
 
 /// Returns the longest stable step (s) for neighbour forces of slope kappa (N/m^3), slightly less than exact;

@@ -21,8 +21,8 @@ void checkEdges(const AlignedVector<EdgeSide>& sides) {
       throw ShapeError("an edge of a sheet may have at most two triangles; the edge between " +
                        corners(sides[first].edge) + " has " + std::to_string(last - first));
     if (last - first == 2 && sides[first].sign == sides[first + 1].sign)
-      throw ShapeError("adjacent triangles of a sheet must face the same side; those at the edge between " +
-                       corners(sides[first].edge) + " do not");
+      throw ShapeError("the triangles of a sheet at the edge between " + corners(sides[first].edge) +
+                       " have opposite winding; expected one orientation");
   });
 }
 
@@ -76,8 +76,9 @@ std::vector<double> triangleAreas(const TriangleMesh& mesh) {
   for (const auto& tri : mesh.triangles) {
     for (const std::uint32_t v : tri) {
       if (v >= n)
-        throw ShapeError("a triangle of a sheet's mesh refers to vertex " + std::to_string(v) +
-                         ", but the mesh has only " + std::to_string(n));
+        throw ShapeError("triangle " + std::to_string(areas.size()) + " of a sheet's mesh refers to vertex " +
+                         std::to_string(v) + ", but the mesh has " + std::to_string(n) + " (0 to " +
+                         std::to_string(n - 1) + ")");
       used[v] = 1;
     }
     const Vec3d& a = mesh.vertices[tri[0]];

@@ -29,7 +29,8 @@ WrapTarget wrapTarget(const Scene& s, std::size_t sheet) {
                      b.where);
   if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(sheet)})
     throw ShapeError(
-        "wrap_to: a sheet cannot wrap around itself; omit wrap_to to wrap against its own normals", b.where);
+        "wrap_to: a sheet cannot wrap around itself; omit `wrap_to` to wrap against its own normals",
+        b.where);
   return found[0];
 }
 

@@ -24,8 +24,8 @@ void addOuterForces(const SheetView& view, const SheetVelocities& now);
 /// the step.
 inline constexpr double dragInAStep = 0.2;
 
-/// Returns the largest drag rate (1/s) of this rank, 2 rho |u_n| area / mass, with the speed at the end of a
-/// step limited by dragInAStep. Requires: all loads.
+/// Returns the largest drag rate (1/s) of this rank, 2 rho |u_n| area / mass. The speed is that at the end of
+/// a step limited by dragInAStep. Requires: all loads.
 double fastestDrag(const SheetBodies& sheets, const Scene& scene, const SheetVelocities& now);
 
 /// Adds the energy of the springs to rest positions, with the stiffness at this time (s).

@@ -14,16 +14,16 @@ std::vector<StepModule> stepModules() {
           shiftingInside(),
           densityMonitor(),
           implicitViscosity(),
-          heatFlow(),
+          heatFlow(),  // before melting: phases follow from the new temperatures
           contactConductance(),
           evaporation(),
           heatSources(),
           surfaceEnergy(),
           tensionByTemperature(),
           flowLaws(),
-          energyOfLeaving(),
-          melting(),
-          densityByPhase(),
+          energyOfLeaving(),  // after surfaceEnergy, which adds the walls to the surface gradients
+          melting(),          // before extensionPairForces: it sets softening, they add to it
+          densityByPhase(),   // after melting: densities at rest follow from the new phases
           mushDrag(),
           incompressiblePressure(),
           extensionPairForces(),
@@ -31,9 +31,9 @@ std::vector<StepModule> stepModules() {
           elasticSolids(),
           solidSubsteps(),
           buoyancy(),
-          rigidParts(),
+          rigidParts(),  // after elasticSolids: it withdraws their step limits
           rigidPieces(),
-          rigidBodies(),
+          rigidBodies(),  // after melting, which sets meltedAnywhere
           viscosityCorrection(),
           bodyTypes(),
           sheets(),

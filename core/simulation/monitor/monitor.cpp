@@ -51,8 +51,7 @@ MonitorLimits monitorLimits(const Scene& s, const Modules& modules,
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& m = s.materials[k];
     if (modules.fluid && (!m.canBeSolid() || m.melts() || m.liquidAtStart)) wave(liquids[k].soundSpeed);
-    if (modules.solid && m.canBeSolid())
-      wave(std::sqrt(largestContactModulus(m) / solidDensityOf(m)));
+    if (modules.solid && m.canBeSolid()) wave(std::sqrt(largestContactModulus(m) / solidDensityOf(m)));
   }
   b.expected = std::max({expectedSpeed(s), given, expectedSheetSpeed(s)});
   if (slowest < never) b.expected = std::max(b.expected, 0.1 * slowest);

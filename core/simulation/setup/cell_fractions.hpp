@@ -9,10 +9,10 @@
 namespace thaw {
 
 /// Returns the part of a body nearest to each lattice point, in 64ths of a cell. A lattice cell is a particle
-/// if its middle is inside the body, so particles of a ball form a staircase. The part consists of the inside
-/// of its own cell, and of the inside of surrounding cells whose middles are outside, divided among the
-/// nearest points. points: inside points of the lattice (i + count[0] * row). 64 for all points of a shape
-/// with gaps.
+/// if its middle is inside the body, so particles of a ball form a staircase. The part is the inside of its
+/// own cell, and a share of the inside of surrounding cells whose middles are outside. Each of those is
+/// divided among the nearest points. points: inside points of the lattice (i + count[0] * row). 64 for all
+/// points of a shape with gaps.
 std::vector<std::int32_t> cellFractions(const SignedDistance& shape, const SampleLattice& lattice,
                                         const std::vector<std::int64_t>& points);
 

@@ -3,27 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 
+#include "core/math/digits.hpp"
 #include "core/oriented/laws/oriented_reach.hpp"
 #include "core/sheet/data/plan_sheets.hpp"
 
 namespace thaw {
 namespace {
 
-std::string inDigits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 /// Cause of a periodic domain that is too thin, with the thinnest slab in spacings if known.
 std::string slabAdvice(double reach, double spacing) {
   const std::string farthest =
-      "three times the largest interaction range (numerics.support; for surfels "
-      "surface.particle_support)";
+      "three times the largest interaction range (`numerics.support`; for surfels "
+      "`surface.particle_support`)";
   return spacing > 0 ? ", " + inDigits(3 * reach / spacing) + " spacings: " + farthest : ", " + farthest;
 }
 
@@ -46,7 +40,7 @@ CellGrid makeGrid(const Domain& d, double support, double least, double spacing)
     const std::string axis(1, static_cast<char>('x' + a));
     const double extent = d.max[a] - d.min[a];
     if (!(extent > 0))
-      throw std::runtime_error("the domain has no extent along " + axis + ": max must be above min");
+      throw std::runtime_error("the domain has no extent along " + axis + ": `max` must be above `min`");
     if (extent / cell > maxCellsPerAxis - 8)
       throw std::runtime_error("the domain is " + inDigits(extent / cell) + " support radii long along " +
                                axis + "; expected at most " + std::to_string(maxCellsPerAxis) +

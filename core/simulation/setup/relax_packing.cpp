@@ -57,11 +57,11 @@ std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::ve
   return free;
 }
 
-/// Relaxes the density. After the iterations above some places have up to 3 % excess density (and lattice
-/// points of a shape may have a percent more volume than the shape). Released without surroundings, the
-/// liquid would gain some thousandths of the sound speed from these pressures and swell permanently.
-/// Particles move along the negative gradient of the sum of squared excesses, out of their shape if
-/// necessary. Returns the number of iterations.
+/// Relaxes the density. After the iterations above some places have up to 3 % excess density. Lattice points
+/// of a shape may also have a percent more volume than the shape. Released without surroundings, the liquid
+/// would gain some thousandths of the sound speed from these pressures and swell permanently. Particles move
+/// along the negative gradient of the sum of squared excesses, out of their shape if necessary. Returns the
+/// number of iterations.
 int relaxDensity(World& w, Halos& halos, StepTools& t, const std::vector<std::uint8_t>& moves) {
   Continuum& p = w.particles;
   const double dx = w.scene.spacing, slope = largestRelativeDensityGradient(w.scene.numerics) *

@@ -33,8 +33,8 @@ void addWallWarnings(const World& w, std::vector<SceneWarning>& warnings) {
       warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "'" + text});
     };
     if (const std::string axes = unevenAxes(w.scene.domain, wall, w.grid.support); !axes.empty())
-      add(" is as long as the domain, or longer, along the periodic axis " + axes +
-          ", but differs at both sides: particles that cross that side hit a step");
+      add(" spans the periodic axis " + axes +
+          ", but its two ends do not match: particles that cross that side meet a step");
     std::vector<std::string> notes;  // repairs of meshes
     wall.shape->addNotes(notes);
     for (const std::string& note : notes) add(": " + note);
@@ -50,7 +50,7 @@ void addMisplaced(const World& w, const StepTools& t, const BodyShapes& shapes, 
   if (w.scene.numerics.overlap == OverlapRule::Error)
     for (const std::string& pair : report.overlaps)
       problems.add(report.overlapWhere, pair +
-                                            "; move them apart, or set numerics.overlap to \"keep\", "
+                                            "; move them apart, or set `numerics.overlap` to \"keep\", "
                                             "\"remove later\" or \"remove earlier\"");
   for (std::size_t b = 0; b < shapes.size(); b++)
     if (const Body& body = w.scene.bodies[b]; report.outside[b].count > 0)
@@ -65,7 +65,7 @@ void addMisplaced(const World& w, const StepTools& t, const BodyShapes& shapes, 
   if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
     problems.add(report.obstacleWhere, std::to_string(report.inObstacles) +
                                            " particles lie inside obstacles (first: " + report.firstObstacle +
-                                           "); move them apart, or set numerics.overlap to \"keep\"");
+                                           "); move them apart, or set `numerics.overlap` to \"keep\"");
 }
 
 /// Appends warnings.

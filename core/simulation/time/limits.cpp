@@ -118,8 +118,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
       if (diffusivity > 0) take(Limit::Heat, n.cflHeat * stableHeatStep(n) * h * h / diffusivity);
     }
     if (modules.solid && m.canBeSolid())
-      take(Limit::Contact,
-           0.5 * s.spacing * std::sqrt(solidDensityOf(m) / largestContactModulus(m)));
+      take(Limit::Contact, 0.5 * s.spacing * std::sqrt(solidDensityOf(m) / largestContactModulus(m)));
   }
   if (modules.solid) take(Limit::Elastic, elasticStepLimit(s));
   take(Limit::Scene, n.maxStep);

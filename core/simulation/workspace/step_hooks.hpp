@@ -17,10 +17,10 @@ enum class HookPhase {
   Forces,        ///< all forces and heat flows
   Integrate,     ///< second half kick
   PhaseChange,   ///< heat, melting, freezing
-  Limits         ///< the next step is known
+  EndOfStep      ///< the length of the next step is known, and modules have prepared it
 };
 inline constexpr std::array<std::string_view, 7> hookPhaseNames{
-    "predict", "redistribute", "density", "forces", "integrate", "phase_change", "limits"};
+    "predict", "redistribute", "density", "forces", "integrate", "phase_change", "end_of_step"};
 
 struct StepHooks {
   std::array<std::vector<std::function<void()>>, hookPhaseNames.size()> calls;

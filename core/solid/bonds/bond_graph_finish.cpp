@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 #include "core/solid/bonds/bond_entries.hpp"
 #include "core/solid/bonds/bond_graph.hpp"
@@ -142,7 +143,10 @@ std::size_t BondGraph::bytes() const {
 }
 
 void BondGraph::check(const SolidTables& t) const {
-  const auto fail = [](const char* what) { throw std::logic_error(what); };
+  const auto fail = [](const char* what) {
+    throw std::logic_error(std::string("internal error: the bond graph disagrees with the solids (") + what +
+                           "); please report it");
+  };
   const Bonds& b = t.bonds;
   const std::size_t rows = ids_.size(), groups = groupsOf(owned_);
   if (t.solids.owned != owned_ || t.solids.size() != rows || owner_.size() != rows ||

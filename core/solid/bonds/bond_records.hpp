@@ -18,7 +18,7 @@ struct BondRecord {
 };
 
 /// A sequence of solid particles. Each record has the id, the number of bonds, the State columns of Solids
-/// and the bonds in order (ids alone if bonds have no vectors).
+/// and the bonds in order. Bonds without vectors are ids alone.
 struct SolidRecords {
   std::vector<std::byte> bytes;
 };

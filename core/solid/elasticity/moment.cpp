@@ -9,9 +9,9 @@ namespace thaw {
 namespace {
 
 struct Eigen3 {
-  double value[3];
-  Vec3d vector[3];
-};  // ascending
+  double value[3];  ///< ascending
+  Vec3d vector[3];  ///< unit vectors, in the order of the values
+};
 
 Eigen3 eigenOf(const Sym3d& s) {
   Eigen::Matrix3d m;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). It is exact under rotation, softens in
-// compression below 0.577 of the length and does not resist inversion, which the volume force does
+// Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). It is exact under rotation, and softens
+// in compression below 0.577 of the length. Only the volume force resists inversion
 // (docs/validation/stability.md, rows 4 and 5).
 #pragma once
 #include "core/math/mat3.hpp"

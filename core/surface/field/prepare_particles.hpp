@@ -13,9 +13,9 @@ struct SurfaceTools;
 /// prepareParticles become stale. Collective.
 void placeParticles(Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Computes ghosts and bins of the particles, and at each the colour field of its own component, smoothed
-/// once and twice (level_table.hpp), 1 inside a lattice. Does nothing if tools.relax.particlesPrepared is
-/// set. Requires: placed particles. Collective.
+/// Computes ghosts and bins of the particles, and at each the colour field of its own component. It is
+/// smoothed once and twice (level_table.hpp), and 1 inside a lattice. Does nothing if
+/// tools.relax.particlesPrepared is set. Requires: placed particles. Collective.
 void prepareParticles(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Samples liquid fraction and temperature at owned surfels: means over their component's particles within

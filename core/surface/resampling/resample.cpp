@@ -44,7 +44,7 @@ struct Round {
   std::int64_t surfels;    ///< number on all ranks before the first round; 0 in it
   std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< for all rows, ghosts included
   std::vector<float> closest{};                           ///< for owned rows
-  /// flags of all rows: inspected in this round
+  /// by row, ghosts included: true if inspected in this round
   std::vector<std::uint8_t> open{};
 
   void flagOpen() {

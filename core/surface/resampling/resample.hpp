@@ -31,9 +31,8 @@ inline constexpr double tooMany = 1.5, tooFew = 0.6;  ///< factors of the area l
 inline constexpr float fullResampleMargin = 0.1f;
 /// Distances over the radius r_s of the surfel.
 inline constexpr double emptyAt = 0.8, emptyAtThin = 0.65, crowdedAt = 0.5, crowdedAtMany = 0.7;
-/// Distances for surfels with a reference. A solid that bends back would lose detail with each death and
-/// regain only an estimate. It already has all the surfels of its surface, until stretching separates the
-/// discs.
+/// Distances for surfels with a reference. Surfels of solids are not removed on bending, since a later birth
+/// could only estimate the lost detail.
 inline constexpr double emptyAtSolid = 1.2, crowdedAtSolid = 0.2;
 
 /// Returns whether surfel i may have a birth at this point. `surfels` is Surface::surfels or a part of it.

@@ -47,9 +47,8 @@ struct InsideTools {
 /// `others`, else only that one. `bins` hold the surfels, ghosts included. Each surfel counts as a disc of
 /// half its radius, so that neighbours touch but do not extend beyond edges. Discs at most one radius farther
 /// than the nearest one count, at most 12. The sign is that of the sum of (x - c).n / |x - c|^2 with the
-/// closest point c of each disc. At an edge, the disc that x is in front of is nearer, or seen less
-/// obliquely. Between the two faces of a sheet, both give inside; in front of it, the nearer one dominates
-/// (docs/validation/stability.md, row 20). Inside also requires a view on the back of a disc at more than 30
+/// closest point c of each disc. It is right at edges and on both sides of a thin sheet
+/// (Inside.IsExactForACubeAndAThinSheet). Inside also requires a view on the back of a disc at more than 30
 /// degrees, which excludes the open end of a parted neck.
 void findSides(const Surfels& surfels, const Bins& bins, const Vec3d& x, std::uint64_t label, bool others,
                double reach, InsideTools& tools, std::vector<SurfaceSide>& sides);

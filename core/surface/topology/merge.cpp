@@ -49,9 +49,9 @@ class Joined {
   std::vector<std::uint64_t> label_, into_;
 };
 
-/// Contact distance of particles of two liquids, and largest distance of the midpoint to either surface, in
-/// spacings (0.35 between two balls cut from a lattice). Separation needs 1.5 times the distance or more
-/// (components.hpp), which prevents flicker.
+/// In spacings: contact distance of particles of two liquids, and largest distance of the midpoint to either
+/// surface. The latter is 0.35 between two balls cut from a lattice. Separation needs 1.5 times the distance
+/// or more (components.hpp), which prevents flicker.
 constexpr double touchLength = 1, touchGap = 0.4;
 
 /// Returns the range (m) in which particles detect other surfaces. Approaching bodies are detected long

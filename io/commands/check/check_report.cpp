@@ -103,7 +103,7 @@ bool takesTooLong(const CheckedCost& c) { return c.stepping > longestSensibleRun
 std::string tooLongText(const CheckReport& r) {
   return fmt::format(
       "the run takes more than a month: check the end ({:g} s), the spacing ({:g} m) and the "
-      "stiffness of the materials (sound_speed, young)",
+      "stiffness of the materials (`sound_speed`, `young`)",
       r.end, r.spacing);
 }
 

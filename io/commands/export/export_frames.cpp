@@ -167,7 +167,7 @@ void exportAsOne(const fs::path& out, const ExportOptions& options, const char* 
   const std::string ending = out.extension().string();
   if (!ending.empty() && ending != format.extension && ending != other)
     throw std::invalid_argument(
-        fmt::format("--out: expected a folder or a file that ends in {} or {}, found {}", format.extension,
+        fmt::format("--out: expected a folder or a file that ends in {} or {}, got {}", format.extension,
                     other, out.string()));
   ExportRun run;
   startExport(options, format, run);

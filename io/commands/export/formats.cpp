@@ -83,7 +83,7 @@ std::span<const ExportFormat> exportFormats() { return formats; }
 const ExportFormat& exportFormatNamed(const std::string& name) {
   for (const ExportFormat& f : formats)
     if (f.name == name) return f;
-  throw std::invalid_argument("there is no format '" + name + "'");
+  throw std::invalid_argument("unknown format '" + name + "'");
 }
 
 unsigned contentsNamed(const std::string& list) {
@@ -96,8 +96,7 @@ unsigned contentsNamed(const std::string& list) {
     if (found == 0)
       throw std::invalid_argument(
           fmt::format("--what: expected surface, sheet, oriented, obstacles, particles or all, separated by "
-                      "commas, found "
-                      "'{}'",
+                      "commas, got '{}'",
                       name));
     sum |= found;
   }

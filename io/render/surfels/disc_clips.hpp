@@ -25,8 +25,8 @@ struct DiscClips {
   std::vector<DiscClip> list;
 };
 
-/// Finds clips for discs with `wanted` not 0, from neighbours nearer than twice the larger radius in the same
-/// component (in all, if `components` is empty).
+/// Finds clips for discs with `wanted` not 0, from neighbours nearer than twice the larger radius. They are
+/// of the same component, or of any if `components` is empty.
 DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted,
                     std::span<const std::uint32_t> components);
 

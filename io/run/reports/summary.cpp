@@ -197,17 +197,17 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
       "solid particles have a flat, thin or isolated neighbourhood (rank of their moment matrix < 3)");
   add(c.inverted, "times a solid particle was inverted (det F <= 0)");
   add(c.squeezed,
-      "times a solid particle of law = \"green\" was compressed below 0.577 of its length, where that law "
-      "softens: law = \"corotated\" or \"neo-hookean\" stiffens");
+      "times a solid particle of `law = \"green\"` was compressed below 0.577 of its length, where that law "
+      "softens: `law = \"corotated\"` or \"neo-hookean\" stiffens");
   add(c.coincidentPairs, "times a particle was at the position of another and was moved aside");
-  add(c.viscousUnfinished, "steps needed more than numerics.viscosity_iterations for viscosity");
+  add(c.viscousUnfinished, "steps needed more than `numerics.viscosity_iterations` for viscosity");
   if (c.retries > 0) w.push_back(counted(c.retries, "failure") + ": steps repeated with half the step");
   add(c.unsolvedPressures,
-      "times the pressure of incompressible liquid did not converge within numerics.max_iterations");
+      "times the pressure of incompressible liquid did not converge within `numerics.max_iterations`");
   if (static_cast<double>(c.crowded) > 0.01 * static_cast<double>(l.particles))
     w.push_back(
         fmt::format("{} particles have a summed density above 1.3 times their carried density, which drifts "
-                    "in long pours and splashes; numerics.density = \"summation\" does not drift",
+                    "in long pours and splashes; `numerics.density = \"summation\"` does not drift",
                     c.crowded));
   add(c.contactUnfinished, "steps in which the contact solver of rigid pieces did not reach its tolerance");
   add(c.impactsUnfinished, "impacts on rigid pieces whose elastic solve did not reach its tolerance");
@@ -216,13 +216,13 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)
     w.push_back(
         fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term "
-                    "in this run) are unexplained; try shorter steps (numerics.max_step)",
+                    "in this run) are unexplained; try shorter steps (`numerics.max_step`)",
                     l.energyResidual, 100 * std::abs(l.energyResidual) / largest));
   const double gained = std::max(0.05 * largest, 0.01 * std::abs(l.initial.potential));
   if (!isRounding(l) && l.dissipated < -gained)
     w.push_back(
         fmt::format("dissipation is negative ({:.3g} J): numerical errors added kinetic energy, as in liquid "
-                    "beside solids; a larger artificial_viscosity of the liquid reduces them",
+                    "beside solids; a larger `artificial_viscosity` of the liquid reduces them",
                     l.dissipated));
   const double heatRounding = 1e-12 *
                               std::max({std::abs(l.now.internal), std::abs(l.initial.internal), l.heatScale});

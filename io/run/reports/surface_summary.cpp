@@ -96,7 +96,7 @@ std::vector<std::string> mergedSheetWarnings(const Scene& scene,
     last = body;
     w.push_back(fmt::format(
         "the surface of the liquid body '{}' merges its layers where they are closer than some {} spacings: "
-        "surface.particle_support = 1 separates layers of particles at a distance of two spacings",
+        "`surface.particle_support = 1` separates layers of particles at a distance of two spacings",
         scene.bodies[body].name, std::lround(scene.numerics.support * scene.surface.particleSupport) - 1));
   }
   return w;
@@ -108,10 +108,10 @@ std::vector<std::string> pieceWarnings(const Scene& scene, const std::vector<Bod
     if (p.body < scene.bodies.size())
       w.push_back(fmt::format(
           "body '{}' begins in {} pieces: between them its particles are farther apart than "
-          "surface.link_length = {:g} spacings{}, though less than two; a finer spacing joins them",
+          "`surface.link_length = {:g}` spacings{}, though less than two; a finer spacing joins them",
           scene.bodies[p.body].name, p.pieces, scene.surface.linkLength,
           scene.numerics.bondSupport < 1.732
-              ? fmt::format(" and numerics.bond_support = {:g}", scene.numerics.bondSupport)
+              ? fmt::format(" and `numerics.bond_support = {:g}`", scene.numerics.bondSupport)
               : ""));
   return w;
 }
@@ -124,7 +124,8 @@ std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {
   add(s.counters.lost, "surfels had no particles nearby and were deleted");
   add(s.counters.flipped, "surfel normals pointed inward and were reversed");
   add(s.counters.capped, "updates of the surface reached their limit of births and deaths");
-  add(s.counters.unfinished, "updates of the surface ended at surface.iterations while surfels still moved");
+  add(s.counters.unfinished,
+      "updates of the surface ended at `surface.iterations` while surfels still moved");
   if (const std::string line = volumeErrorWarning(s.held); s.keepsVolume && !line.empty()) w.push_back(line);
   return w;
 }

@@ -14,7 +14,7 @@ void checkBuoyancy(const SceneReading& x, std::vector<SceneError>& errors) {
   const Scene& s = *x.scene;
   if (s.numerics.buoyancy != Buoyancy::Boussinesq) return;
   const auto refuse = [&](const SourcePlace& where, const std::string& why) {
-    errors.push_back({where, "numerics.buoyancy = \"boussinesq\" " + why});
+    errors.push_back({where, "`numerics.buoyancy = \"boussinesq\"` " + why});
   };
   if (!hasBuoyancy(s))
     return refuse(

@@ -55,11 +55,11 @@ void checkOrientedEvents(SceneReading& x, std::vector<SceneError>& errors) {
                                                b.name)});
       if (e.otherIndex < 0 && !e.other.empty())
         errors.push_back(
-            {e.where, fmt::format("oriented body '{}': weld.other names unknown oriented body '{}'", b.name,
-                                  e.other)});
+            {e.where, fmt::format("oriented body '{}': weld: unknown oriented body '{}'", b.name, e.other)});
     }
   if (cuts > mostCuts)
-    errors.push_back({x.start, fmt::format("{} cuts; at most {} are possible", cuts, mostCuts)});
+    errors.push_back({x.start, fmt::format("the scene has {} cuts of oriented bodies; expected at most {}",
+                                           cuts, mostCuts)});
   for (const EventOfWelded& found : eventsOfWelded(s))
     errors.push_back({s.oriented[found.body].events[found.event].where, textOf(s, found)});
 }

@@ -19,19 +19,19 @@ void checkRigidify(const SceneReading& x, std::vector<SceneError>& errors) {
   const auto refuse = [&](bool is, const std::string& what) {
     if (is)
       errors.push_back(
-          {where, "numerics.rigidify cannot be combined with " + what + ": leave one of them out"});
+          {where, "`numerics.rigidify` cannot be combined with " + what + ": leave one of them out"});
   };
-  refuse(n.sleepSpeed > 0, "numerics.sleep_speed");
-  refuse(n.elasticSubsteps > 1, "numerics.elastic_substeps above 1");
+  refuse(n.sleepSpeed > 0, "`numerics.sleep_speed`");
+  refuse(n.elasticSubsteps > 1, "`numerics.elastic_substeps` above 1");
   for (const Material& m : s.materials) {
     if (!m.canBeSolid()) continue;
     const auto property = [&](bool is, const char* what) {
       refuse(is, fmt::format("{} of material '{}'", what, m.name));
     };
-    property(m.isRigid(), "law = \"rigid\"");
+    property(m.isRigid(), "`law = \"rigid\"`");
     property(m.law == ElasticLaw::Extension, "the extension law");
-    property(m.yieldStrain.solid < never || m.yieldStrain.liquid < never, "yield_strain");
-    property(m.breakStretch < never, "break_stretch");
+    property(m.yieldStrain.solid < never || m.yieldStrain.liquid < never, "`yield_strain`");
+    property(m.breakStretch < never, "`break_stretch`");
   }
 }
 
@@ -46,15 +46,16 @@ void checkRigid(const SceneReading& x, std::vector<SceneError>& errors) {
   if (rigid == s.materials.end()) return;
   const auto refuse = [&](bool is, const char* what) {
     if (is)
-      errors.push_back({rigid->where, fmt::format("material.{}: law = \"rigid\" cannot be combined with {}: "
-                                                  "choose another law, or leave it out",
-                                                  rigid->name, what)});
+      errors.push_back(
+          {rigid->where, fmt::format("material.{}: `law = \"rigid\"` cannot be combined with {}: "
+                                     "choose another law, or leave it out",
+                                     rigid->name, what)});
   };
-  refuse(n.viscosity == ViscosityForm::Laplacian, "numerics.viscosity = \"laplacian\"");
+  refuse(n.viscosity == ViscosityForm::Laplacian, "`numerics.viscosity = \"laplacian\"`");
   const bool elastic = std::any_of(s.materials.begin(), s.materials.end(), [](const Material& m) {
     return m.canBeSolid() && !m.isRigid() && !m.liquidAtStart;
   });
-  refuse(n.sleepSpeed > 0 && elastic, "numerics.sleep_speed in a scene that also has elastic solids");
+  refuse(n.sleepSpeed > 0 && elastic, "`numerics.sleep_speed` in a scene that also has elastic solids");
   for (const Emitter& e : s.emitters) {
     if (e.material < 0) continue;  // reported already
     const Material& m = s.materials[static_cast<std::size_t>(e.material)];

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/scene/full_box.hpp"
 #include "io/scene/tables/full_box.hpp"
@@ -19,14 +20,13 @@ void checkSurface(const Scene& scene, std::vector<SceneError>& errors) {
     return s.where;
   };
   if (s.leastLevel >= s.isoLevel)
-    errors.push_back(
-        {placeOf({"least_level", "iso_level"}),
-         fmt::format(
-             "surface.least_level ({:g}) must be below surface.iso_level ({:g}), the level of the surface",
-             s.leastLevel, s.isoLevel)});
+    errors.push_back({placeOf({"least_level", "iso_level"}),
+                      fmt::format("`surface.least_level` ({:g}) must be below `surface.iso_level` ({:g}), "
+                                  "the level of the surface",
+                                  s.leastLevel, s.isoLevel)});
   if (s.spacing > 0 && s.spacing < 1e-3 * scene.spacing)
     errors.push_back({placeOf({"spacing"}),
-                      fmt::format("surface.spacing ({:g} m) is less than a thousandth of spacing ({:g} m)",
+                      fmt::format("`surface.spacing` ({:g} m) is less than a thousandth of spacing ({:g} m)",
                                   s.spacing, scene.spacing)});
 }
 
@@ -46,9 +46,8 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   const auto resolve = [&](const MaterialName& m, const std::string& who, int& index) {
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (s.materials[k].name == m.name) return static_cast<void>(index = static_cast<int>(k));
-    const std::string what = m.name.empty()
-                                 ? "its material is missing"
-                                 : "there is no material '" + m.name + "'" + suggestion(m.name, names);
+    const std::string what = m.name.empty() ? "its material is missing"
+                                            : "unknown material '" + m.name + "'" + suggestion(m.name, names);
     if (!m.reported && x.materials) errors.push_back({m.where, who + ": " + what});
   };
   for (std::size_t b = 0; b < s.bodies.size(); b++)
@@ -64,10 +63,13 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
               s.heatedRegions[k].material);
 
   const auto unique = [&](const auto& list, const char* kind) {
-    std::set<std::string> seen;
+    std::map<std::string, int> lines;  // line of the first use, by name
     for (const auto& item : list)
-      if (!seen.insert(item.name).second)
-        errors.push_back({item.where, fmt::format("a second {} is called '{}'", kind, item.name)});
+      if (const auto [first, isNew] = lines.insert({item.name, item.where.line}); !isNew)
+        errors.push_back(
+            {item.where,
+             fmt::format("duplicate {} name '{}'{}", kind, item.name,
+                         first->second > 0 ? fmt::format("; first used in line {}", first->second) : "")});
   };
   unique(s.bodies, "body");
   unique(s.emitters, "emitter");
@@ -95,56 +97,61 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (s.numerics.heat == HeatModel::Paper)
     for (const Material& m : s.materials)
       if (m.paperDiffusivity == 0 && (m.conductivity.solid > 0 || m.conductivity.liquid > 0))
-        errors.push_back({m.where, fmt::format("material.{}: with numerics.heat = \"paper\" heat spreads by "
-                                               "paper_diffusivity, not by conductivity",
-                                               m.name)});
+        errors.push_back(
+            {m.where, fmt::format("material.{}: with `numerics.heat = \"paper\"` heat spreads by "
+                                  "`paper_diffusivity`, not by conductivity",
+                                  m.name)});
   const auto solid = std::find_if(s.materials.begin(), s.materials.end(),
                                   [](const Material& m) { return m.canBeSolid(); });
   if (solid != s.materials.end() && s.numerics.bondSupport > s.numerics.support)
     errors.push_back(
-        {solid->where, fmt::format("material.{} can be solid, and numerics.bond_support ({:g}) is above "
-                                   "numerics.support ({:g}), the radius of the neighbour search",
+        {solid->where, fmt::format("material.{} can be solid, and `numerics.bond_support` ({:g}) is above "
+                                   "`numerics.support` ({:g}), the radius of the neighbour search",
                                    solid->name, s.numerics.bondSupport, s.numerics.support)});
   const Numerics& n = s.numerics;
   if (n.sleepSpeed > 0) {
     const auto refuse = [&](bool is, const char* what) {
       if (is)
         errors.push_back(
-            {placeOf(x, {"sleep_speed"}), std::string("numerics.sleep_speed cannot be combined with ") +
+            {placeOf(x, {"sleep_speed"}), std::string("`numerics.sleep_speed` cannot be combined with ") +
                                               what + ": leave one of them out"});
     };
-    refuse(n.elasticSubsteps > 1, "numerics.elastic_substeps above 1");
-    refuse(n.solver == PressureSolver::Incompressible, "numerics.pressure_solver = \"incompressible\"");
-    refuse(n.viscositySolver == ViscositySolver::Implicit, "numerics.viscosity_solver = \"implicit\"");
+    refuse(n.elasticSubsteps > 1, "`numerics.elastic_substeps` above 1");
+    refuse(n.solver == PressureSolver::Incompressible, "`numerics.pressure_solver = \"incompressible\"`");
+    refuse(n.viscositySolver == ViscositySolver::Implicit, "`numerics.viscosity_solver = \"implicit\"`");
     refuse(!s.oriented.empty(), "tables [[oriented]]");
     refuse(!s.sheets.empty(), "tables [[sheet]]");
   }
   checkRigid(x, errors);
   if (n.solver == PressureSolver::Incompressible && n.pressure == PairForm::Printed)
-    errors.push_back({placeOf(x, {"pressure", "pressure_solver"}),
-                      "numerics.pressure_solver = \"incompressible\" needs numerics.pressure = "
-                      "\"consistent\": the printed form has no potential to solve for"});
+    errors.push_back(
+        {placeOf(x, {"pressure", "pressure_solver"}),
+         "`numerics.pressure_solver = \"incompressible\"` needs "
+         "`numerics.pressure = \"consistent\"`: the printed form has no potential to solve for"});
   if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
-    errors.push_back({placeOf(x, {"tensile_limit"}),
-                      "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit must be 0 "
-                      "(no tension in liquid) or 1 (full tension, for boxes filled with liquid)"});
+    errors.push_back(
+        {placeOf(x, {"tensile_limit"}),
+         "with `numerics.pressure_solver = \"incompressible\"` `numerics.tensile_limit` must be 0 "
+         "(no tension in liquid) or 1 (full tension, for boxes filled with liquid)"});
   if (s.surface.on) checkSurface(s, errors);
   if (n.support < 2)
     for (const Material& m : s.materials)
       if (m.convection > 0 || m.emissivity > 0 || !m.evaporation.empty())
         errors.push_back(
             {m.where,
-             fmt::format("material.{}: convection, emissivity and evaporation need numerics.support of 2 at "
-                         "least, got {:g}: with "
-                         "fewer neighbours, inner particles would count as surface particles",
-                         m.name, n.support)});
+             fmt::format(
+                 "material.{}: convection, emissivity and evaporation need `numerics.support` of 2 at "
+                 "least, got {:g}: with "
+                 "fewer neighbours, inner particles would count as surface particles",
+                 m.name, n.support)});
   checkBuoyancy(x, errors);
   checkTension(s, errors);
   checkSizes(x, errors);
   if (n.solver == PressureSolver::Incompressible && n.density == DensityForm::Continuity && !x.open.density)
-    errors.push_back({placeOf(x, {"density", "pressure_solver"}),
-                      "numerics.density = \"continuity\" needs the equation of state, and numerics."
-                      "pressure_solver is \"incompressible\", which corrects summed densities: remove one"});
+    errors.push_back(
+        {placeOf(x, {"density", "pressure_solver"}),
+         "`numerics.density = \"continuity\"` needs the equation of state, and "
+         "`numerics.pressure_solver = \"incompressible\"` corrects summed densities: remove one"});
   // The density of a quality belongs to the consistent form of the equation of state.
   if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed))
     s.numerics.density = Numerics().density;
@@ -155,13 +162,13 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   chooseForThickLiquids(s, x.open);
   if (n.tensileLimit == 0 || n.solver == PressureSolver::Incompressible || liquidFillsTheBox(s)) return;
   if (n.shifting == 0)
-    errors.push_back(
-        {placeOf(x, {"tensile_limit", "shifting"}),
-         "numerics.tensile_limit above 0 needs numerics.shifting above 0 (0.2 is recommended, with density = "
-         "\"continuity\"): without shifting, negative pressure makes particles form clusters"});
+    errors.push_back({placeOf(x, {"tensile_limit", "shifting"}),
+                      "`numerics.tensile_limit` above 0 needs `numerics.shifting` above 0 (0.2 is "
+                      "recommended, with `density = "
+                      "\"continuity\"): without shifting, negative pressure makes particles form clusters"});
   else if (n.density != DensityForm::Continuity)
     errors.push_back({placeOf(x, {"tensile_limit", "density"}),
-                      "numerics.tensile_limit above 0 needs numerics.density = \"continuity\": a summed "
+                      "`numerics.tensile_limit` above 0 needs `numerics.density = \"continuity\"`: a summed "
                       "density is low at a free surface and causes tension there"});
 }
 

@@ -25,12 +25,11 @@ void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
     };
     add(s.obstacles), add(s.bodies), add(s.emitters), add(s.oriented), add(s.sheets);
     names.erase(b.name);
-    refuse("there is no obstacle or body '" + b.wrapTo + "'" + suggestion(b.wrapTo, names));
+    refuse("unknown obstacle or body '" + b.wrapTo + "'" + suggestion(b.wrapTo, names));
   } else if (found.size() > 1) {
-    refuse("'" + b.wrapTo +
-           "' is the name of two things in this scene: expected another name for one of them");
+    refuse("'" + b.wrapTo + "' is the name of several objects of the scene; expected a unique name");
   } else if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(n)}) {
-    refuse("a sheet cannot wrap itself: expected another name, or none to act against its own normals");
+    refuse("a sheet cannot wrap around itself; omit `wrap_to` to wrap against its own normals");
   }
 }
 
@@ -72,7 +71,7 @@ void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std:
                                  ": expected mass, or damping at all times"});
   if (r && b.windDensity * factor(SheetFactor::Wind) > 0)
     errors.push_back({where, who + ": the air's drag on vertices without mass has no stable step: expected "
-                                   "mass > 0, or wind_density = 0 there"});
+                                   "mass > 0, or `wind_density = 0` there"});
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ std::string tooFineForBodies(const Scene& s, bool noGrid) {
   if (!tooMany) return "";
   return fmt::format(
       "spacing: at {:.3g} m body '{}'{} would take some {:.1e} particles, at least {:.1e} GB of memory; "
-      "expected a coarser spacing ({:.2g} m makes a million of them), or a smaller body",
+      "use a coarser spacing ({:.2g} m makes a million of them), or a smaller body",
       s.spacing, largest->name, most < sum ? " and others" : "", sum, sum * leastParticleBytes / 1e9,
       s.spacing * std::cbrt(sum / modest));
 }
@@ -74,7 +74,7 @@ bool tooFineForBodyTypes(const SceneReading& x, std::vector<SceneError>& errors)
         {where,
          fmt::format(
              "{}{}: at a spacing of {:.3g} m it would have about {:.1e} {}, which take at least {:.1e} GB of "
-             "memory; expected a coarser spacing ({:.2g} m makes a million of them), or a smaller body",
+             "memory; use a coarser spacing ({:.2g} m makes a million of them), or a smaller body",
              key, e.name, e.spacing, e.rows, e.word, (e.bytesEverywhere + e.bytesShared) / 1e9,
              e.spacing * std::sqrt(e.rows / modest))});
   };

@@ -12,8 +12,9 @@ namespace thaw {
 void checkTension(const Scene& s, std::vector<SceneError>& errors) {
   const bool energy = s.numerics.tension == TensionForm::SurfaceEnergy;
   const auto refuse = [&](const SourcePlace& where, const std::string& key, const char* what) {
-    errors.push_back({where, fmt::format("{}: {} numerics.tension = \"surface energy\": set it, or remove {}",
-                                         key, what, key)});
+    errors.push_back(
+        {where, fmt::format("{}: {} `numerics.tension = \"surface energy\"`: set it, or remove the key", key,
+                            what)});
   };
   for (const Material& m : s.materials) {
     if (energy) continue;
@@ -26,10 +27,11 @@ void checkTension(const Scene& s, std::vector<SceneError>& errors) {
                                    [](const Material& m) { return m.surfaceTension > 0; });
   for (const Obstacle& o : s.obstacles) {
     if (!(o.contactAngle < never)) continue;
-    const std::string key = fmt::format("contact_angle of obstacle '{}'", o.name);
+    const std::string key = fmt::format("`contact_angle` of obstacle '{}'", o.name);
     if (!tension)
-      errors.push_back({o.where, key + ": no liquid has surface tension: give a material surface_tension, or "
-                                       "remove contact_angle"});
+      errors.push_back({o.where, key +
+                                     ": no liquid has surface tension: give a material `surface_tension`, or "
+                                     "remove `contact_angle`"});
     else if (!energy) refuse(o.where, key, "contact angles need");
   }
 }

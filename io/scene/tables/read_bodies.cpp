@@ -55,7 +55,7 @@ void readEmitter(TableReader& r, Emitter& e, SceneReading& x) {
   r.restart(Restart::State);
   r.needed();
   readMaterialName(r, x, e.material, x.emitterMaterials, "material of the emitted particles");
-  if (r.has("disc") && r.has("rectangle")) r.fail("rectangle", "give disc or rectangle, not both");
+  if (r.has("disc") && r.has("rectangle")) r.fail("rectangle", "give `disc` or `rectangle`, not both");
   r.table("disc", "round opening; the default", e.disc,
           [&](TableReader& t) { t.number("radius", e.radius, "m", positive(), "radius of the disc"); });
   r.table("rectangle", "rectangular opening instead of a disc", !e.disc, [&](TableReader& t) {
@@ -82,7 +82,7 @@ void readEmitter(TableReader& r, Emitter& e, SceneReading& x) {
   r.number("end", e.end, "s", orNever(notNegative()), "time at which it ends");
   if (!r.reading()) return;
   if (length(e.direction) == 0) r.fail("direction", "must not be zero");
-  if (e.end < e.start) r.fail("end", "must not be before start", {"start"});
+  if (e.end < e.start) r.fail("end", "must not be before `start`", {"start"});
   if (e.name.empty()) e.name = "emitter " + std::to_string(x.scene->emitters.size());
 }
 
@@ -112,7 +112,7 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
   readMotion(r, "keyframes; the pose is linear in between and stays after the last", o.motion);
   if (!r.reading()) return;
   if (o.conductance < never && !o.temperature)
-    r.fail("conductance", "an obstacle without a temperature conducts no heat: set temperature, too",
+    r.fail("conductance", "an obstacle without a temperature conducts no heat: set `temperature`, too",
            {"temperature"});
   if (o.name.empty()) o.name = "obstacle " + std::to_string(x.scene->obstacles.size());
 }

@@ -40,7 +40,7 @@ void checkKeys(TableReader& r, FlowLaw law) {
   if (law == FlowLaw::Newtonian)
     return r.fail("law",
                   "required: \"bingham\", \"herschel_bulkley\", \"power_law\" or \"carreau\"; for a "
-                  "constant viscosity leave the table flow out");
+                  "constant viscosity leave out the table `flow`");
   const bool yields = law == FlowLaw::Bingham || law == FlowLaw::HerschelBulkley;
   const bool carreau = law == FlowLaw::Carreau;
   const struct {
@@ -54,8 +54,8 @@ void checkKeys(TableReader& r, FlowLaw law) {
               {"least_rate", !carreau, false}};
   for (const auto& k : keys) {
     if (r.has(k.key) && !k.has)
-      r.fail(k.key, "not used by flow.law = \"" + r.textOf("law") + "\": remove it, or choose another law");
-    if (!r.has(k.key) && k.needs) r.fail(k.key, "required by flow.law = \"" + r.textOf("law") + "\"");
+      r.fail(k.key, "not used by `law = \"" + r.textOf("law") + "\"`: remove it, or choose another law");
+    if (!r.has(k.key) && k.needs) r.fail(k.key, "required by `law = \"" + r.textOf("law") + "\"`");
   }
 }
 
@@ -80,11 +80,10 @@ void readFlowLaw(TableReader& material, Material& m) {
                  });
   if (!material.reading() || !material.has("flow")) return;
   if (material.has("viscosity"))
-    material.fail("viscosity", "the table flow has the viscosity: remove one of the two");
+    material.fail("viscosity", "the table `flow` sets the viscosity: remove one of the two");
   if (!canBeLiquid(m))
     material.fail("flow",
-                  "this material is never liquid: remove flow, or give the material melts or phase "
-                  "= \"liquid\"");
+                  "this material is never liquid: remove `flow`, or set `melts` or `phase = \"liquid\"`");
 }
 
 }  // namespace thaw

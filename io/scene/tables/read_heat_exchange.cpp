@@ -23,16 +23,16 @@ void readHeatExchange(TableReader& r, Material& m) {
 
 void checkHeatExchange(TableReader& r, const Material& m, bool paper) {
   for (const char* key : {"contact_conductance", "evaporation"})
-    if (paper && r.has(key)) r.fail(key, "not available with numerics.heat = \"paper\"; use \"enthalpy\"");
+    if (paper && r.has(key)) r.fail(key, "not available with `numerics.heat = \"paper\"`; use \"enthalpy\"");
   if (r.has("contact_conductance") && !(m.conductivity.solid > 0 || m.conductivity.liquid > 0))
-    r.fail("contact_conductance", "has no effect without conductivity; give both");
+    r.fail("contact_conductance", "has no effect without `conductivity`; set both");
   if (r.has("evaporation") && !canBeLiquid(m))
     r.fail("evaporation",
-           "only liquids evaporate, and this material is always solid: remove it, or give melts",
+           "only liquids evaporate, and this material is always solid: remove it, or set `melts`",
            {"young", "phase"});
   if (r.has("evaporation_heat") && !r.has("evaporation"))
-    r.fail("evaporation_heat", "has no effect without evaporation; give both");
-  if (r.has("mush_drag") && !r.has("melts")) r.fail("mush_drag", "has no effect without melts; give both");
+    r.fail("evaporation_heat", "has no effect without `evaporation`; set both");
+  if (r.has("mush_drag") && !r.has("melts")) r.fail("mush_drag", "has no effect without `melts`; set both");
 }
 
 }  // namespace thaw

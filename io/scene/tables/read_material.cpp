@@ -63,7 +63,7 @@ void readDensity(TableReader& r, Material& m) {
       "expansion", m.expansion, "1/K", between(-0.1, 0.1),
       "coefficient of volume expansion of the liquid. It causes buoyancy; volumes at rest do not change");
   r.number("expansion_from", m.expansionFrom, "K", notNegative(),
-           "temperature at which the liquid has `density`; 0: domain.ambient");
+           "temperature at which the liquid has `density`; 0: `domain.ambient`");
 }
 
 void readTension(TableReader& r, Material& m) {
@@ -100,15 +100,16 @@ void readLiquid(TableReader& r, Material& m) {
   readTension(r, m);
   r.number(
       "sound_speed", m.soundSpeed, "m/s", notNegative(),
-      "speed of sound of the equation of state; 0: from the largest expected speed and max_density_error");
+      "speed of sound of the equation of state; 0: from the largest expected speed and `max_density_error`");
   r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
-  r.byScene().number("bulk_damping", m.bulkDamping, "", between(0, 0.05),
-                     "damping of sound in liquids with density = \"continuity\". The pressure is that of the "
-                     "density a time ahead: this number times h / sound_speed, with the support radius h. "
-                     "Default: 0.02 where artificial_viscosity has one, else 0");
+  r.byScene().number(
+      "bulk_damping", m.bulkDamping, "", between(0, 0.05),
+      "damping of sound in liquids with `density = \"continuity\"`. The pressure is that of the "
+      "density a time ahead: this number times h / `sound_speed`, with the support radius h. "
+      "Default: 0.02 where `artificial_viscosity` has one, else 0");
   r.byScene().number(
       "artificial_viscosity", m.artificialViscosity, "", between(0, 10),
-      "Monaghan's alpha for approaching pairs. Default with density = \"continuity\": 0.02, or 0.005 in "
+      "Monaghan's alpha for approaching pairs. Default with `density = \"continuity\"`: 0.02, or 0.005 in "
       "scenes with a solid material, minus the alpha that is equivalent to the liquid's viscosity. Default "
       "with surface tension, quality = \"preview\", or one box of liquid in a periodic domain: 0");
 }
@@ -128,7 +129,7 @@ void readSolid(TableReader& r, Material& m) {
           m.yieldStrain);
   r.blend({"creep_rate", "1/s", orNever(notNegative()), Liquid::Same,
            "rate at which stress above the yield stress decays at a fixed deformation (gamma_creep); its "
-           "viscosity is G / creep_rate; \"never\": at once"},
+           "viscosity is G / `creep_rate`; \"never\": at once"},
           m.creepRate);
   r.number("hardening", m.hardening, "Pa", notNegative(),
            "growth of the uniaxial yield stress with the equivalent plastic strain; 0: none");
@@ -184,33 +185,34 @@ void readHeat(TableReader& r, Material& m) {
            "liquid freezes below this liquid fraction, solid melts above 1 minus it");
   r.number("heat_source", m.heatSource, "W/kg", anyNumber(), "heat produced in the material");
   r.number("emissivity", m.emissivity, "", between(0, 1),
-           "emissivity of free surfaces, for radiation to domain.ambient");
+           "emissivity of free surfaces, for radiation to `domain.ambient`");
   r.number("convection", m.convection, "W/(m^2 K)", notNegative(),
-           "heat transfer coefficient of free surfaces to domain.ambient");
+           "heat transfer coefficient of free surfaces to `domain.ambient`");
   r.number("absorptivity", m.absorptivity, "", between(0, 1),
            "fraction of the light of lamps and lasers that the material absorbs; it reflects the rest");
   r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(),
-           "k_heat of Keiser et al. 2005, with numerics.heat = \"paper\"");
+           "k_heat of Keiser et al. 2005, with `numerics.heat = \"paper\"`");
 }
 
 void checkExpansion(TableReader& r, const Material& m) {
   if (!m.densityTable.empty() && r.has("expansion"))
     r.fail("expansion", "the table of densities states the expansion: remove one of the two", {"density"});
   if (r.has("expansion_from") && !expands(m))
-    r.fail("expansion_from", "only a liquid with expansion or a table of densities has one",
+    r.fail("expansion_from", "applies only to a liquid with `expansion` or a table of densities",
            {"expansion", "density"});
   if (expands(m) && !canBeLiquid(m))
     r.fail(r.has("expansion") ? "expansion" : "density",
-           "only liquids have buoyancy, and this material is always solid: give one density, or melts",
+           "only liquids have buoyancy, and this material is always solid: give a single density, or set "
+           "`melts`",
            {"young", "phase", "melts"});
 }
 
 void checkTension(TableReader& r, const Material& m) {
   if (r.has("contact_angle") && !(m.surfaceTension > 0))
-    r.fail("contact_angle", "has no effect without surface_tension; give both", {"surface_tension"});
+    r.fail("contact_angle", "has no effect without `surface_tension`; set both", {"surface_tension"});
   if (!m.surfaceTensionTable.empty() && !canBeLiquid(m))
     r.fail("surface_tension",
-           "only liquids have surface tension, and this material is always solid: remove it, or give melts",
+           "only liquids have surface tension, and this material is always solid: remove it, or set `melts`",
            {"young", "phase", "melts"});
 }
 
@@ -219,41 +221,38 @@ void checkMaterial(TableReader& r, const Material& m) {
   checkExpansion(r, m);
   checkTension(r, m);
   if (hasPhaseDensities(m) && !m.melts())
-    r.fail("density", "only a material that melts has two densities: give it melts, or one density",
+    r.fail("density", "only a material that melts has two densities: set `melts`, or give a single density",
            {"melts"});
   if (r.has("melts") && !m.canBeSolid())
     r.fail("melts",
-           "a material that melts is a solid below its melting temperature: give it a Young's modulus "
-           "(young), or law "
-           "= \"rigid\"",
+           "a material that melts is a solid below its melting temperature: set `young`, or "
+           "`law = \"rigid\"`",
            {"young"});
   if (r.has("melts") && !r.has("heat_capacity"))
     r.fail("heat_capacity", "required, since the material melts");
   if (r.has("phase") && r.has("melts"))
-    r.fail("phase", "the temperature decides the phase of a material that melts; leave phase out");
+    r.fail("phase", "the temperature decides the phase of a material that melts; leave `phase` out");
   if (r.textOf("phase") == "solid" && !m.canBeSolid())
-    r.fail("phase", "a solid needs a Young's modulus (young), or law = \"rigid\"", {"young"});
+    r.fail("phase", "a solid needs stiffness: set `young`, or `law = \"rigid\"`", {"young"});
   if (m.latentHeat > 0 && !r.has("melts"))
-    r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");
+    r.fail("latent_heat", "only a material that melts has a latent heat: set `melts`, too");
   if (r.has("hysteresis") && !r.has("melts"))
-    r.fail("hysteresis", "only a material that melts has one: give melts, too");
+    r.fail("hysteresis", "only a material that melts has hysteresis: set `melts`, too");
   if ((m.yieldStrain.solid < never || m.yieldStrain.liquid < never) && !m.canBeSolid())
-    r.fail("yield_strain", "requires a solid: set young, or remove yield_strain", {"young"});
+    r.fail("yield_strain", "requires a solid: set `young`, or remove `yield_strain`", {"young"});
   if (r.has("creep_rate") && !r.has("yield_strain"))
-    r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
+    r.fail("creep_rate", "only a material that yields creeps: set `yield_strain`, too");
   if (m.isRigid())
     for (const char* key :
          {"yield_strain", "creep_rate", "hardening", "max_plastic_strain", "break_stretch", "weld"})
-      if (r.has(key))
-        r.fail(key, "a rigid solid (law = \"rigid\") has none: remove it, or choose another law");
+      if (r.has(key)) r.fail(key, "has no effect with `law = \"rigid\"`: remove it, or choose another law");
   if (m.strength < never && !m.isRigid())
-    r.fail("strength", "only rigid solids (law = \"rigid\") have one: other solids break at break_stretch",
+    r.fail("strength", "applies to rigid solids only (`law = \"rigid\"`); others break at `break_stretch`",
            {"law"});
   if (m.strength < never && m.isRigid() && !(m.young.solid > 0))
-    r.fail("strength", "needs Young's modulus, which gives the duration of an impact: give young, too",
-           {"young", "law"});
+    r.fail("strength", "needs `young`, which sets the duration of an impact: set it, too", {"young", "law"});
   if (m.hardening > 0 && !r.has("yield_strain"))
-    r.fail("hardening", "needs yield_strain: only a material that yields can harden");
+    r.fail("hardening", "needs `yield_strain`: only a material that yields can harden");
 }
 
 }  // namespace
@@ -283,10 +282,10 @@ void readMaterial(TableReader& r, Material& m, SceneReading& x) {
   }
   if (x.scene->numerics.heat == HeatModel::Paper && hasPhaseDensities(m))
     r.fail("density",
-           "numerics.heat = \"paper\" has one density for both phases: give one density, or choose "
-           "heat = \"enthalpy\"");
+           "`numerics.heat = \"paper\"` has one density for both phases: give a single density, or choose "
+           "`heat = \"enthalpy\"`");
   if (x.scene->numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
-    r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
+    r.fail("melts", "with `numerics.heat = \"paper\"` solidus and liquidus must differ");
   x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));
   x.open.bulkDamping.push_back(!r.has("bulk_damping"));
 }

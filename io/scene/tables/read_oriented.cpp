@@ -49,7 +49,7 @@ void readAnchor(TableReader& r, OrientedAnchor& a) {
   r.number("until", a.until, "s", orNever(notNegative()), "time at which the particles are released");
   readMotion(r, "keyframes of the constrained particles; linear in between", a.motion);
   if (!a.position && !a.normal)
-    r.fail(r.place(), r.path() + ": constrains nothing: expected position = true, normal = true, or both");
+    r.fail(r.place(), r.path() + ": has no effect: set `position = true`, `normal = true`, or both");
 }
 
 void readField(TableReader& r, OrientedField& f) {
@@ -72,7 +72,7 @@ void readField(TableReader& r, OrientedField& f) {
   }
   if (!r.reading()) return;
   if (length(f.push) == 0 && f.pull == 0 && f.pressure == 0)
-    r.fail(r.place(), r.path() + ": it does nothing: expected push, pull or pressure");
+    r.fail(r.place(), r.path() + ": this field has no effect: set `push`, `pull` or `pressure`");
   if (f.pull != 0 && !r.has("point")) r.fail("pull", "needs `point`, its target");
   if (f.pull != 0 && !r.has("radius")) r.fail("pull", "needs `radius`, at which it ends");
   for (const char* key : {"point", "radius"})
@@ -125,7 +125,7 @@ void readEvent(TableReader& r, OrientedEvent& e) {
   }
   if (!r.reading()) return;
   if (cut && r.has("plane") && r.has("stroke"))
-    r.fail("stroke", "a second tool; expected one of plane, stroke and a shape, and a cut for each tool");
+    r.fail("stroke", "a second tool; expected one of `plane`, `stroke` and a shape, and a cut for each tool");
   const auto only = [&](const char* key, bool takes, const char* of) {
     if (r.has(key) && !takes) r.fail(key, std::string("is for ") + of + " only");
   };
@@ -179,8 +179,8 @@ void readSource(TableReader& r, OrientedBody& b) {
             t.vector("from", b.from, "m", "first end");
             t.vector("to", b.to, "m", "last end");
             t.number("bulge", b.bulge, "m", anyNumber(), "height of its middle above the chord");
-            if (b.from.y != b.to.y) t.fail("to", "must have the y of from");
-            if (length(b.to - b.from) == 0) t.fail("to", "must differ from from");
+            if (b.from.y != b.to.y) t.fail("to", "must have the same y as `from`");
+            if (length(b.to - b.from) == 0) t.fail("to", "must differ from `from`");
           });
   readPoints(r,
              {"points", "m",
@@ -206,14 +206,11 @@ void readSource(TableReader& r, OrientedBody& b) {
   if (r.has("control") && b.points.size() < 3)
     r.fail("control", "expected at least three points that do not lie on a line");
   if (r.has("place") && (points || r.has("control") || r.has("curve")))
-    r.fail("place",
-           "is for shapes, patches and discs only: points, control and curve have positions of their own");
+    r.fail("place", "is for shapes, `patch` and `disc` only: the others have positions of their own");
   if (given > 1)
-    r.fail(r.place(), r.path() + ": give one of patch, disc, curve, points, control and a shape");
-  if (given > 0)
-    refuseShape(r,
-                "a second source of particles; give one of patch, disc, curve, points, control and a shape");
-  if (r.has("normals") && !points) r.fail("normals", "is for points only");
+    r.fail(r.place(), r.path() + ": give one of `patch`, `disc`, `curve`, `points`, `control` and a shape");
+  if (given > 0) refuseShape(r, "a second source of particles; expected one");
+  if (r.has("normals") && !points) r.fail("normals", "is for `points` only");
   if (points && !b.normals.empty() && b.normals.size() != b.points.size())
     r.fail("normals", "there must be one for each point");
   for (const Vec3d& n : b.normals)
@@ -320,14 +317,14 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            b.fields, readField);
   r.tables("event", "weld, cut, crease or smoothing at a time", b.events, readEvent);
   if (!r.reading()) return;
-  if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below repel_power", {"repel_power"});
+  if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below `repel_power`", {"repel_power"});
   if (b.growth == OrientedGrowth::Borders && b.thin == 1 && b.source != OrientedSource::Points &&
       !r.has("most"))
     r.fail("growth",
            "growth at open borders is unbounded unless `thin` below 1 or the `points` of a closed surface "
            "define the body: expected one of these, \"gaps\", or `most`, the number of particles at which it "
            "stops");
-  if (b.along > b.across) r.fail("along", "must not be above across", {"across"});
+  if (b.along > b.across) r.fail("along", "must not be above `across`", {"across"});
   if (!x.scene->oriented.empty()) {
     const OrientedIntegrator first = x.scene->oriented.front().integrator;
     if (r.has("integrator") && b.integrator != first)

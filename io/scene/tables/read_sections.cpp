@@ -88,7 +88,7 @@ void readSections(TableReader& top, SceneReading& x) {
     if (r.reading()) x.numerics = r.placesOfKeys();
     noteOpenChoices(r, x.open);
     if (s.numerics.fixedStep > s.end)
-      r.fail("fixed_step", "must not be longer than the simulated time (end)");
+      r.fail("fixed_step", "must not be longer than the simulated time (`end`)");
   });
   const auto in = [&](auto read) {
     return [&x, read](TableReader& r, auto& element) { read(r, element, x); };

@@ -70,8 +70,8 @@ void readDomain(TableReader& r, Domain& d) {
   std::string axes;
   for (int a = 0; a < 3; a++)
     if (!(d.max[a] > d.min[a])) axes += (axes.empty() ? "" : ", ") + std::string(1, "xyz"[a]);
-  if (!axes.empty() && r.has("max")) r.fail("max", "must exceed domain.min along " + axes, {"min"});
-  else if (!axes.empty()) r.fail("min", "must be below domain.max along " + axes);
+  if (!axes.empty() && r.has("max")) r.fail("max", "must exceed `domain.min` along " + axes, {"min"});
+  else if (!axes.empty()) r.fail("min", "must be below `domain.max` along " + axes);
 }
 
 void readNumerics(TableReader& r, Numerics& n) {
@@ -107,10 +107,10 @@ void readNumerics(TableReader& r, Numerics& n) {
       "and tension, and particles at the free surface are not shifted. 0: no shifting. Default with density "
       "= \"continuity\": 0.07 with gravity, 0.2 without");
   r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure as a function of the density");
-  r.byScene().number(
-      "tensile_limit", n.tensileLimit, "", between(0, 1),
-      "fraction of negative pressure that is kept. Above 0 it requires density = \"continuity\" and shifting "
-      "above 0. Default: 1 with both, except with surface tension or quality = \"preview\"");
+  r.byScene().number("tensile_limit", n.tensileLimit, "", between(0, 1),
+                     "fraction of negative pressure that is kept. Above 0 it requires `density = "
+                     "\"continuity\"` and shifting "
+                     "above 0. Default: 1 with both, except with surface tension or quality = \"preview\"");
   r.choice("pressure_solver", n.solver, {"state equation", "incompressible"},
            "state equation: pressure from the density. incompressible: solved for, so that liquids keep "
            "their volume; the speed of the flow limits the step, not that of sound");
@@ -141,11 +141,12 @@ void readNumerics(TableReader& r, Numerics& n) {
           "implicit solver: largest number of iterations per step; the summary counts steps that need more");
   if (n.viscositySolver == ViscositySolver::Implicit && n.viscosity == ViscosityForm::Laplacian)
     r.fail("viscosity_solver",
-           "the implicit solver supports the pairwise form of viscosity only: leave numerics.viscosity at "
+           "the implicit solver supports the pairwise form of viscosity only: leave `numerics.viscosity` at "
            "\"pairwise\"");
   if (n.viscosityCorrection && n.viscosity == ViscosityForm::Laplacian)
-    r.fail("viscosity_correction",
-           "only the pairwise form of viscosity can be corrected: leave numerics.viscosity at \"pairwise\"");
+    r.fail(
+        "viscosity_correction",
+        "only the pairwise form of viscosity can be corrected: leave `numerics.viscosity` at \"pairwise\"");
   r.restart(Restart::Coefficient);
   r.as(Restart::State)
       .choice("buoyancy", n.buoyancy, {"automatic", "boussinesq", "density"},
@@ -174,7 +175,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.restart(Restart::Setting);
   r.number("fixed_step", n.fixedStep, "s", notNegative(),
            "constant time step, at most `end`, shortened to a whole number of steps per frame. Stability "
-           "limits and max_step are then not applied. 0: the step follows the limits");
+           "limits and `max_step` are then not applied. 0: the step follows the limits");
   r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
   r.number("cfl_sound", n.cflSound, "", factor(),
            "step limit as a multiple of h / c, with the support radius h");
@@ -196,24 +197,25 @@ void readNumerics(TableReader& r, Numerics& n) {
           "with liquid (2 if it is incompressible) and without contact of solids, else 1. Above 8, or 2 with "
           "incompressible liquid, the liquid may pump energy into solids without damping");
   n.elasticSubsteps = static_cast<int>(substeps);
-  r.number("sleep_speed", n.sleepSpeed, "m/s", notNegative(),
-           "solids that are slower than this for sleep_after, like all their neighbours, sleep: they stay in "
-           "place, at little cost, until something wakes them. Progress lines show how many sleep and what "
-           "keeps the others awake. 0: never. Not with sheets, oriented bodies, elastic_substeps, an "
-           "incompressible or an implicit solver");
+  r.number(
+      "sleep_speed", n.sleepSpeed, "m/s", notNegative(),
+      "solids that are slower than this for `sleep_after`, like all their neighbours, sleep: they stay in "
+      "place, at little cost, until something wakes them. Progress lines show how many sleep and what "
+      "keeps the others awake. 0: never. Not with sheets, oriented bodies, `elastic_substeps`, an "
+      "incompressible or an implicit solver");
   r.number("sleep_after", n.sleepAfter, "s", positive(),
            "time at rest before a solid sleeps, or before a part of it becomes rigid (rigidify). An "
-           "acceleration that reaches sleep_speed within this time, or half of gravity, keeps a solid "
+           "acceleration that reaches `sleep_speed` within this time, or half of gravity, keeps a solid "
            "awake or wakes it. With a shorter time, a solid with weak vibrations sleeps sooner");
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(),
            "rate of change of the temperature that keeps a solid awake or wakes it");
   r.number("rigidify", n.rigidify, "1/s", orOff(notNegative()),
-           "parts of elastic solids whose rate of strain stays below this for the time sleep_after move as "
+           "parts of elastic solids whose rate of strain stays below this for the time `sleep_after` move as "
            "rigid pieces. They become elastic when they deform, soften, or come near an obstacle or another "
            "body. No elastic forces are computed for them. While all solids are rigid, the elastic limit of "
            "the step does not apply. The value must be below the rates of vibrations that matter, such as "
            "0.1 for stiff bodies. Not with rigid, yielding or breaking materials, extension laws, "
-           "sleep_speed or elastic_substeps. 0 or \"off\": none");
+           "`sleep_speed` or `elastic_substeps`. 0 or \"off\": none");
   r.restart(Restart::Free);
   r.whole("retry_every", n.retryEvery, 0, 1000000000,
           "steps between snapshots in memory. A run that fails goes back to the last one and continues with "
@@ -232,7 +234,7 @@ void readNumerics(TableReader& r, Numerics& n) {
            "1e-5 `end`). No retry takes a shorter step. 0: none");
   r.number("watch_inverted", n.watchInverted, "", orNever(positive()),
            "fraction of inverted solid particles (det F <= 0) above which a step has failed. It concerns "
-           "materials that do not recover from inversion: law \"green\" without volume_stiffness");
+           "materials that do not recover from inversion: law \"green\" without `volume_stiffness`");
   r.number("watch_energy", n.watchEnergy, "", orNever(positive()),
            "unexplained gain of mechanical energy above which a step has failed, as a multiple of the "
            "largest term of the ledger. It is the gain within `retry_every` steps or since the start");
@@ -270,13 +272,13 @@ void readOutput(TableReader& r, Scene& s) {
   std::set<std::string> words(known.begin(), known.end());
   words.insert({"speed", "surface", "glow", "detail"});
   if (!o.colour.empty() && !words.count(o.colour))
-    r.refuseValue("colour", "there is no field '" + o.colour + "'" + suggestion(o.colour, words));
+    r.refuseValue("colour", "unknown field '" + o.colour + "'" + suggestion(o.colour, words));
   r.number("colour_min", o.colourMin, "", anyNumber(),
            "SI value of the lowest colour; none: the lowest of all frames");
   r.number("colour_max", o.colourMax, "", anyNumber(),
            "SI value of the highest colour; none: the highest of all frames");
   if (o.colourMin && o.colourMax && !(*o.colourMax > *o.colourMin))
-    r.fail("colour_max", "must be above colour_min", {"colour_min"});
+    r.fail("colour_max", "must be above `colour_min`", {"colour_min"});
   std::string background;
   r.text("background", background, "colour of the background of pictures; default: a pale sky",
          "\"#rrggbb\"");
@@ -305,7 +307,7 @@ void readOutput(TableReader& r, Scene& s) {
             c.vector("at", o.camera.at, "m", "point that it looks at");
             c.number("field_of_view", o.camera.fieldOfView, "rad", between(0.01, 3), "vertical angle");
             if (!c.reading()) return;
-            if (!c.has("from") || !c.has("at")) c.fail(c.place(), c.path() + ": needs from and at");
+            if (!c.has("from") || !c.has("at")) c.fail(c.place(), c.path() + ": needs `from` and `at`");
             else if (o.camera.from == o.camera.at) c.fail("at", "must differ from `from`");
           });
 }

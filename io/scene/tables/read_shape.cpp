@@ -23,8 +23,8 @@ void readPlace(TableReader& r, Shape& s) {
             p.vector("move", s.move, "m", "position of the shape's own origin");
             p.vector("bottom", s.bottom, "m",
                      "position of the middle of the lowest face of the bounding box; instead of move");
-            if (p.has("scale") && p.has("height")) p.fail("height", "give scale or height, not both");
-            if (p.has("move") && p.has("bottom")) p.fail("bottom", "give move or bottom, not both");
+            if (p.has("scale") && p.has("height")) p.fail("height", "give `scale` or `height`, not both");
+            if (p.has("move") && p.has("bottom")) p.fail("bottom", "give `move` or `bottom`, not both");
           });
 }
 
@@ -62,7 +62,7 @@ void checkMeshPath(TableReader& r, const std::string& path) {
       r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
   } else if (namesBuiltin(path)) {
     if (!isBuiltin(path))
-      r.fail("mesh", "there is no built-in mesh '" + path.substr(8) + "'; there is " + builtinList);
+      r.fail("mesh", "unknown built-in mesh '" + path.substr(8) + "'; expected " + builtinList);
   } else if (!meshEnding(path)) {
     r.fail("mesh", "expected a file that ends in .obj, .ply or .stl, got \"" + path + "\"");
   }
@@ -93,7 +93,7 @@ void readSolids(TableReader& r, Shape& s) {
             t.number("height", s.height, "m", positive(), "height of the glass");
             t.number("thickness", s.thickness, "m", positive(), "thickness of wall and floor");
             if (s.thickness >= std::min(s.radius, s.height))
-              t.fail("thickness", "must be less than radius and height");
+              t.fail("thickness", "must be less than `radius` and `height`");
           });
   r.table("plane", "half-space: solid on the side that the normal points away from",
           s.kind == ShapeKind::HalfSpace, [&](TableReader& t) {

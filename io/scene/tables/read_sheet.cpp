@@ -40,7 +40,9 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
       if (++given == 2) r.fail(key, "a sheet takes one mesh; use another [[sheet]] for the second");
     }
   if (given == 0)
-    r.fail(r.place(), r.path() + ": has no mesh; expected one of grid, sphere, head, dome, forehead or mesh");
+    r.fail(
+        r.place(),
+        r.path() + ": has no mesh; expected one of `grid`, `sphere`, `head`, `dome`, `forehead` or `mesh`");
   const auto is = [&](SheetMesh mesh) { return b.mesh == mesh; };
   r.table("grid", "rectangle in the plane z = 0 of threads along x and y", is(SheetMesh::Grid),
           [&](TableReader& t) {
@@ -134,7 +136,7 @@ void readInner(TableReader& r, SheetBody& b) {
            "pressure of a closed mesh per relative change of its volume");
   r.number("push", b.push, "N/m", notNegative(), "repulsion between vertices closer than the thickness");
   r.number("pull", b.pull, "N/m", notNegative(),
-           "attraction between vertices beyond the thickness, up to pull_reach");
+           "attraction between vertices beyond the thickness, up to `pull_reach`");
   r.number("pull_reach", b.pullReach, "m", notNegative(), "range of pull beyond the thickness");
 }
 
@@ -224,28 +226,28 @@ void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
   b.massWhere = r.placeOf("mass");
   checkRegions(r, b);
   if (b.mass == 0 && b.windDensity > 0)
-    r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected mass > 0",
+    r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected `mass` > 0",
            {"mass"});
   if (b.pullReach > 0 && b.pull == 0)
-    r.fail("pull_reach", "needs pull: without it nothing acts within this reach", {"pull"});
+    r.fail("pull_reach", "needs `pull`: without it nothing acts within this reach", {"pull"});
   if (b.plasticity > 0 && b.stiffness == 0)
-    r.fail("plasticity", "needs stiffness: without it a vertex has no rest position", {"stiffness"});
+    r.fail("plasticity", "needs `stiffness`: without it a vertex has no rest position", {"stiffness"});
   if (b.plasticity > 0 && !r.has("elastic_limit"))
-    r.fail("plasticity", "needs elastic_limit: without one all is elastic");
+    r.fail("plasticity", "needs `elastic_limit`: without one all is elastic");
   if (r.has("elastic_limit") && !r.has("plasticity"))
-    r.fail("elastic_limit", "has no effect without plasticity: set plasticity above 0");
+    r.fail("elastic_limit", "has no effect without `plasticity` above 0");
   if (length(b.wind) > 0 && b.windDensity == 0)
-    r.fail("wind", "needs wind_density: air without mass does not push", {"wind_density"});
-  if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "must be above 0 with pull", {"pull"});
+    r.fail("wind", "needs `wind_density`: air without mass does not push", {"wind_density"});
+  if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "must be above 0 with `pull`", {"pull"});
   if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero");
   else if (b.mesh == SheetMesh::Grid && r.has("grid") &&
            std::hypot(b.warpDirection.x, b.warpDirection.y) < warpCosine * length(b.warpDirection))
     r.fail("warp_direction",
            "is normal to the grid, which lies in its own plane z = 0: none of its edges would be warp");
   else if (!(b.warp > 0 || b.weft > 0 || b.shear > 0) && r.has("warp_direction"))
-    r.fail("warp_direction", "is for springs along edges: expected warp, weft or shear as well",
+    r.fail("warp_direction", "is for springs along edges: set `warp`, `weft` or `shear`, too",
            {"warp", "weft", "shear"});
-  if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "needs wrap: without it nothing acts", {"wrap"});
+  if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "needs `wrap`: without it nothing acts", {"wrap"});
   if (b.name.empty()) b.name = "sheet " + std::to_string(x.scene->sheets.size());
 }
 

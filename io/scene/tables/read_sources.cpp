@@ -16,7 +16,7 @@ template<class Source> void readTimes(TableReader& r, Source& s) {
 template<class Source>
 void checkSource(TableReader& r, Source& s, const char* kind, const std::vector<Source>& before) {
   if (!r.reading()) return;
-  if (s.end < s.start) r.fail("end", "must not be before start", {"start"});
+  if (s.end < s.start) r.fail("end", "must not be before `start`", {"start"});
   if (s.name.empty()) s.name = kind + (" " + std::to_string(before.size()));
 }
 
@@ -38,13 +38,14 @@ void checkLamp(TableReader& r, const Lamp& lamp) {
   const auto refuse = [&](const char* key, bool is, const char* why) {
     if (is && r.has(key)) r.fail(key, why, {"kind"});
   };
-  refuse("power", direction, "a lamp of kind \"direction\" has an irradiance instead: remove power");
-  refuse("irradiance", !direction, "only a lamp of kind \"direction\" has one: give power instead");
-  refuse("position", direction, "a lamp of kind \"direction\" is infinitely far away: remove position");
+  refuse("power", direction, "has no effect with `kind = \"direction\"`: set `irradiance` instead");
+  refuse("irradiance", !direction, "applies to `kind = \"direction\"` only: set `power` instead");
+  refuse("position", direction,
+         "has no effect with `kind = \"direction\"`, which is infinitely far away: remove it");
   refuse("direction", lamp.kind == LampKind::Point,
-         "a lamp of kind \"point\" shines in all directions: remove direction");
+         "has no effect with `kind = \"point\"`, which shines in all directions: remove it");
   for (const char* key : {"width", "depth"})
-    refuse(key, !area, "only a lamp of kind \"area\" has a size: remove it, or set kind = \"area\"");
+    refuse(key, !area, "applies to `kind = \"area\"` only: remove it, or set this kind");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
   r.as(Restart::Start)
       .choice("source", s.source, {"automatic", "particles"},
               "source of the first surfels. automatic: sampled from the meshes of bodies and the shapes of "
-              "initially solid bodies, unless numerics.overlap removes particles; else grown from the "
+              "initially solid bodies, unless `numerics.overlap` removes particles; else grown from the "
               "particles. particles: always grown from the particles");
   r.whole(
       "every_steps", s.everySteps, 0, INT64_MAX,

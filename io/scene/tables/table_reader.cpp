@@ -14,9 +14,10 @@
 namespace thaw {
 namespace {
 
-std::string withUnit(const std::string& range, const char* unit) {
-  const bool none = unit[0] == 0 || std::string(unit) == "1";
-  return none ? range : range + " " + unit;
+/// Returns the range with the unit behind its numbers: "> 0 Pa or "never"".
+std::string withUnit(std::string range, const std::string& unit) {
+  if (unit.empty() || unit == "1") return range;
+  return range.insert(std::min(range.find(" or \""), range.size()), " " + unit);
 }
 
 /// Returns a long text as its length and checksum.
@@ -243,7 +244,7 @@ void TableReader::words(const char* key, std::vector<std::string>& value,
     if (s && std::find(allowed.begin(), allowed.end(), s->get()) != allowed.end()) value.push_back(s->get());
     else if (s)
       refuse(key, e,
-             fmt::format("there is no {0}; expected any of {2}{1}", quoted(s->get()),
+             fmt::format("unknown {0}; expected any of {2}{1}", quoted(s->get()),
                          suggestion(s->get(), {allowed.begin(), allowed.end()}), listOf(allowed)));
     else refuse(key, e, "expected a text in quotes, got " + shown(e));
   }

@@ -27,8 +27,8 @@ struct FrameList {
   const ListedFrame* find(std::int64_t number) const;
 };
 
-/// Reads the indices of a run's frames. An index that is being replaced or is damaged counts as empty, and
-/// entries that are no plain file names of this run's frames are skipped. Throws IoError if the folder has
+/// Reads the indices of a run's frames. An index that is being replaced or is damaged counts as empty.
+/// Entries that are no plain file names of this run's frames are skipped. Throws IoError if the folder has
 /// frames of several scenes.
 FrameList readFrameList(const std::filesystem::path& run);
 

@@ -18,8 +18,8 @@ struct FrameRequest {
 
 /// Returns the packet: `position`, and `normal`, `radius`, `colour`, `triangles`, `lines`, `value` or `label`
 /// where the type has them. Its header has time, step, count and level (one of 2^level points is drawn). It
-/// also has the points without finite position, the fields of the file and the range of the values. Reads
-/// only files with a trailer, whose checksum excludes damage that HDF5 would parse. Throws IoError.
+/// also has the points without finite position, the fields of the file and the range of the values. Requires
+/// a file trailer: its checksum detects damage before HDF5 parses it. Throws IoError.
 Packet framePacket(const FrameRequest& request);
 
 /// A frame as read, without rows of non-finite positions. rows: those that framePacket draws, in its order;

@@ -55,10 +55,10 @@ void setState(const fs::path& run, const Json& summary, Json& status) {
       case ProcessState::Unknown: return set("running", "running, as far as the files say: " + who, true);
     }
   }
-  if (written == "running") return set("killed", "killed: there is no lock", false);
+  if (written == "running") return set("killed", "killed: no lock", false);
   if (written == "done" || written == "stopped" || written == "failed" || written == "refused")
     return set(written.c_str(), message.empty() ? written : written + ": " + message, false);
-  set("unknown", "there is no summary.json", false);
+  set("unknown", "no summary.json", false);
 }
 
 /// Returns the last line of progress.csv; numbers where the cells are numbers.

@@ -8,9 +8,8 @@
 namespace thaw {
 
 /// Returns why a request is refused, or "". Its host must be a name of the loopback interface, which excludes
-/// DNS rebinding; any port is valid, since `ssh -L` changes it. An origin must be that of the host, and a
-/// browser must call the request one of the same origin, or of the address bar. A method other than GET needs
-/// an origin.
+/// DNS rebinding; any port is valid, since `ssh -L` changes it. An `Origin` header must match the host.
+/// `Sec-Fetch-Site`, if present, must be `same-origin` or `none`. A method other than GET needs an `Origin`.
 std::string originProblem(const ViewRequest& request);
 
 }  // namespace thaw

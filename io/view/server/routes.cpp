@@ -71,7 +71,7 @@ FrameRequest frameRequest(const ViewState& state, const ViewRequest& q) {
                                            mostPoints);
   const fs::path file = framePath(state.run, readFrameList(state.run).scene, *type, *number);
   const auto path = fileInRun(state.run, file.lexically_relative(state.run));
-  if (!path) throw IoError(file.filename().string(), "there is no such frame");
+  if (!path) throw IoError(file.filename().string(), "no such frame");
   request.path = path->string();
   return request;
 }
@@ -168,7 +168,7 @@ ViewReply apiReply(ViewState& state, const ViewRequest& q, const std::string& na
     const Scene* scene = sceneOf(state);
     return {200, binary, scene ? markLines(*scene).bytes() : Packet{}.bytes()};
   }
-  return problemReply(404, "there is no such address");
+  return problemReply(404, "no such address");
 }
 
 ViewReply pageReply(const ViewRequest& q, const std::string& name) {
@@ -176,7 +176,7 @@ ViewReply pageReply(const ViewRequest& q, const std::string& name) {
   for (const PageFile& file : pageFiles())
     if (file.name == (name.empty() ? "index.html" : name))
       return {200, std::string(file.type), std::string(file.bytes)};
-  return problemReply(404, "there is no such address");
+  return problemReply(404, "no such address");
 }
 
 /// Leads a browser that this program has started to the page, once.

@@ -62,7 +62,7 @@ int bind(httplib::Server& server, int port) {
   if (port > 0) {
     if (server.bind_to_port(loopback, port)) return port;
     throw IoError(fmt::format("{}:{}", loopback, port),
-                  "this port is taken or not allowed; another one: --port");
+                  "in use or not permitted; choose another with --port");
   }
   if (server.bind_to_port(loopback, usualPort)) return usualPort;
   const int any = server.bind_to_any_port(loopback);

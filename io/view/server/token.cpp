@@ -4,6 +4,8 @@
 #include <sys/random.h>
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 
 #include "io/hdf5/io_error.hpp"
 
@@ -12,7 +14,7 @@ namespace thaw {
 std::string newToken() {
   std::array<unsigned char, 16> random{};
   if (getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size()))
-    throw IoError("getrandom", "the system gives no random numbers");
+    throw IoError(std::string("cannot create the access token: getrandom failed: ") + std::strerror(errno));
   std::string token;
   for (const unsigned char byte : random)
     for (const int digit : {byte >> 4, byte & 15}) token += "0123456789abcdef"[digit];

@@ -88,7 +88,7 @@ function indexOf({ fields, shown }, { index, id }) {
   if (index !== undefined) return index;
   const ids = fields.get('id');
   for (let i = 0; ids && i < shown.position.rows; i++) if (idOf(ids, i) === id) return i;
-  throw new Problem(`there is no point with id ${id} in this frame`);
+  throw new Problem(`no point with id ${id} in this frame`);
 }
 
 /// Returns the reply of api/point.

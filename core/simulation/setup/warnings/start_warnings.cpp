@@ -70,11 +70,11 @@ void warnOfPlaces(const World& w, const BodyTypeRows& rows, const std::vector<Ro
       warnings.push_back({who.where, text + "; contact will push its liquid away"});
     else if (who.wrapTargetName == body.name) return;
     else if (w.scene.numerics.overlap == OverlapRule::Keep)
-      warnings.push_back({who.where, text + ", where they stay trapped"});
+      warnings.push_back({who.where, text + ", where they stay trapped; move them apart to let them move"});
     else
       problems.add(
           who.where,
-          text + ", where they would stay trapped; move them apart, or set numerics.overlap to \"keep\"");
+          text + ", where they would stay trapped; move them apart, or set `numerics.overlap` to \"keep\"");
   };
   for (std::size_t b = 0; b < whose.size(); b++) {
     const std::int64_t n = inBodies[b].back();

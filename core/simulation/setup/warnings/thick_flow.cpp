@@ -57,7 +57,7 @@ std::vector<SceneWarning> thickFlows(const World& w, const StepTools& t) {
     char text[400];
     std::snprintf(text, sizeof text,
                   ": at rest its viscosity is up to %.3g Pa s, and its steps are %.3g times shorter than the "
-                  "limit of sound; numerics.viscosity_solver = \"implicit\" is recommended, else a larger "
+                  "limit of sound; `numerics.viscosity_solver = \"implicit\"` is recommended, else a larger "
                   "flow.least_rate or a smaller flow.largest_viscosity",
                   flow.viscosity, times);
     warnings.push_back({m.where, "material." + m.name + text});

@@ -76,7 +76,7 @@ TEST(H5File, ErrorsNameFileAndReason) {
   EXPECT_NE(errorOf([&] { H5File::create(folder.path + "/no/f.hdf"); }).find("No such file or directory"),
             std::string::npos);
   EXPECT_EQ(errorOf([&] { H5File::openToRead(folder.path + "/f.hdf"); }),
-            folder.path + "/f.hdf: there is no such file");
+            folder.path + "/f.hdf: no such file");
   EXPECT_NE(errorOf([&] { H5File::openToRead(folder.path); }).find("is a folder"), std::string::npos);
   std::ofstream(folder.path + "/text.hdf") << "this is text";
   EXPECT_NE(errorOf([&] {

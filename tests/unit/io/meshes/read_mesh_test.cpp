@@ -159,9 +159,9 @@ TEST(ReadMesh, ReadsNormalsOfObjPerCorner) {
   EXPECT_EQ(m.normals[2][2], Vec3d{});
   EXPECT_EQ(m.normals[3][2], (Vec3d{0, 0, -1}));
   EXPECT_TRUE(parseMesh(points + "vn 0 0 1\nf 1 2 3\n", "m.obj").normals.empty());
-  EXPECT_SAYS(message(points + "vn 0 0\n"), "m.obj:5: expected a part of a normal (vn x y z), found the end");
+  EXPECT_SAYS(message(points + "vn 0 0\n"), "m.obj:5: expected a part of a normal (vn x y z), got the end");
   EXPECT_SAYS(message(points + "vn 0 0 nan\n"),
-              "m.obj:5: expected a part of a normal (vn x y z), found 'nan', which is not a finite number");
+              "m.obj:5: expected a part of a normal (vn x y z), got 'nan', which is not a finite number");
   EXPECT_SAYS(message(points + "vn 0 0 1\nf 1//2 2//1 3//1\n"),
               "m.obj:6: normal index 2, but the file has 1 normals");
   EXPECT_SAYS(message(points + "f 1//-1 2//1 3//1\n"),
@@ -175,7 +175,7 @@ TEST(ReadMesh, RefusesNonFiniteNormalsOfPly) {
       "nx\nproperty float ny\nproperty float nz\n"
       "element face 1\nproperty list uchar int vertex_index\nend_header\n";
   EXPECT_SAYS(message("ply\nformat ascii" + head + "0 0 0 0 0 1\n1 0 0 0 inf 1\n0 1 0 0 0 1\n3 0 1 2\n"),
-              "m.obj:14: expected a part of a normal, found 'inf', which is not a finite number");
+              "m.obj:14: expected a part of a normal, got 'inf', which is not a finite number");
   std::string binary = "ply\nformat binary_little_endian" + head;
   const std::size_t begin = binary.size();
   for (int k = 0; k < 18; k++)
@@ -183,7 +183,7 @@ TEST(ReadMesh, RefusesNonFiniteNormalsOfPly) {
                                  : static_cast<float>(k == 6 || k == 13));
   binary += '\3' + raw<int>(0) + raw<int>(1) + raw<int>(2);
   EXPECT_SAYS(message(binary), "m.obj: byte " + std::to_string(begin + 40) +
-                                   ": expected a part of a normal, found a number that is not finite");
+                                   ": expected a part of a normal, got a number that is not finite");
 }
 
 TEST(ReadMesh, ReadsBothStlFormats) {
@@ -210,7 +210,7 @@ TEST(ReadMesh, RefusesBrokenObj) {
   EXPECT_SAYS(message("hello world\n"), "no vertices");
   EXPECT_SAYS(message("v 0 0 0\nv 1 0 0\n"), "no faces");
   EXPECT_SAYS(message("v 0 0 0\nv 1 0\n"), "m.obj:2: expected a coordinate");
-  EXPECT_SAYS(message("v 0 0 0\nv 1 0 x7\n"), "m.obj:2: expected a coordinate (v x y z), found 'x7'");
+  EXPECT_SAYS(message("v 0 0 0\nv 1 0 x7\n"), "m.obj:2: expected a coordinate (v x y z), got 'x7'");
   EXPECT_SAYS(message("v 0 0 nan\n"), "m.obj:1: ");
   EXPECT_SAYS(message("v 0 0 inf\n"), "not a finite number");
   EXPECT_SAYS(message("v 0 0 1e999\n"), "too large");
@@ -242,7 +242,7 @@ TEST(ReadMesh, RefusesBrokenPly) {
   EXPECT_SAYS(message(good + "3 0 1 3\n"), "m.obj:13: expected a vertex index below 3");
   EXPECT_SAYS(message(good + "3 0 1 -1\n"), "below 3");
   EXPECT_SAYS(message(good + "3 0 1 0.5\n"), "below 3");
-  EXPECT_SAYS(message(good + "3 0 1\n"), "found the end");
+  EXPECT_SAYS(message(good + "3 0 1\n"), "got the end");
   EXPECT_SAYS(message(good + "2 0 1\n"), "2 corners");
   EXPECT_SAYS(message(good + "200000 0 1\n"), "does not fit into the rest of the file");
   EXPECT_SAYS(message(good), "");
@@ -297,7 +297,7 @@ TEST(ReadMesh, RefusesBrokenStl) {
               "m.stl:4: expected a coordinate");
   EXPECT_SAYS(message("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", "m.stl"), "m.stl:4: ");
   EXPECT_SAYS(message("solid x\nfacet normal 0 0 1\ninner loop\n", "m.stl"),
-              "m.stl:3: expected 'outer', found 'inner'");
+              "m.stl:3: expected 'outer', got 'inner'");
   EXPECT_SAYS(message("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0 0\nvertex 0 0 "
                       "0\nendloop\nendfacet\nendsolid",
                       "m.stl"),

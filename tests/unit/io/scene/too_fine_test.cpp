@@ -63,7 +63,7 @@ TEST(TooFine, SurfacesAndSheetsAreReportedAtTheSpacingThatApplies) {
     const std::string surface = std::string("[[oriented]]\nname = \"o\"\n") + source + "\n";
     EXPECT_TRUE(saysOnce("spacing = 0.05\n" + around + surface + "spacing = 1e-9\n",
                          "s.toml:8:1: error: oriented body 'o': at a spacing of 1e-09 m it would have about",
-                         "GB of memory; expected a coarser spacing"))
+                         "GB of memory; use a coarser spacing"))
         << source;
     EXPECT_TRUE(saysOnce(
         "spacing = 1e-9\n" + around + surface,

@@ -29,17 +29,18 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {"[[oriented]]\ncontrol = [[0, 0, 0]]\n",
        "s.toml:7:11: error: oriented.0.control: expected at least three points that do not lie on a line"},
       {"[[oriented]]\ncurve = { from = [0, 0, 0], to = [0.5, 0, 0] }\nplace = { move = [0, 0, 0.5] }\n",
-       "s.toml:8:9: error: oriented.0.place: is for shapes, patches and discs only: points, control and "
-       "curve have positions of their own"},
+       "s.toml:8:9: error: oriented.0.place: is for shapes, `patch` and `disc` only: the others have "
+       "positions of their own"},
       {patch + "[[oriented.anchor]]\nsphere = { radius = 0.1 }\nposition = false\n",
-       "s.toml:9:1: error: oriented.a.anchor.0: constrains nothing: expected position = true, normal = true, "
+       "s.toml:9:1: error: oriented.a.anchor.0: has no effect: set `position = true`, `normal = true`, "
        "or both"},
       {patch + "[[oriented.event]]\nkind = \"weld\"\nother = \"a\"\n",
        "s.toml:9:1: error: oriented body 'a': it cannot be welded to itself: expected the name of another "
        "oriented body"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nstroke = [[0, 0, 0], "
                "[0.1, 0, 0]]\n",
-       "s.toml:12:10: error: oriented.a.event.0.stroke: a second tool; expected one of plane, stroke and a "
+       "s.toml:12:10: error: oriented.a.event.0.stroke: a second tool; expected one of `plane`, `stroke` and "
+       "a "
        "shape, and a cut for each tool"},
       {patch + "[[oriented.event]]\nkind = \"crease\"\nalong = [[0, 0, 0], [0.1, 0, 0]]\nplane = { point = "
                "[0, 0, 0] }\n",
@@ -66,13 +67,12 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {cloth + "stretch_limit = 0.9\n",
        "s.toml:8:17: error: sheet.0.stretch_limit: must be >= 1 or \"never\", got 0.9"},
       {cloth + "stiffness = 1\nplasticity = 0.5\n",
-       "s.toml:9:14: error: sheet.0.plasticity: needs elastic_limit: without one all is elastic"},
+       "s.toml:9:14: error: sheet.0.plasticity: needs `elastic_limit`: without one all is elastic"},
       {cloth + "stiffness = 1\nelastic_limit = 0.01\n",
-       "s.toml:9:17: error: sheet.0.elastic_limit: has no effect without plasticity: set plasticity above 0"},
-      {patch + "normals = [[0, 0, 1]]\n", "s.toml:9:11: error: oriented.a.normals: is for points only"},
+       "s.toml:9:17: error: sheet.0.elastic_limit: has no effect without `plasticity` above 0"},
+      {patch + "normals = [[0, 0, 1]]\n", "s.toml:9:11: error: oriented.a.normals: is for `points` only"},
       {patch + "sphere = { radius = 0.2 }\n",
-       "s.toml:9:10: error: oriented.a.sphere: a second source of particles; give one of patch, disc, curve, "
-       "points, control and a shape"},
+       "s.toml:9:10: error: oriented.a.sphere: a second source of particles; expected one"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nradius = 0.1\n",
        "s.toml:12:10: error: oriented.a.event.0.radius: is for a crease and the cut by a stroke only"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nsphere = { radius = 0.1 }\ndirection = [0, 0, 1]\n",
@@ -83,8 +83,8 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:9:18: error: sheet.0.warp_direction: is normal to the grid, which lies in its own plane z = "
        "0: none of its edges would be warp"},
       {cloth + "warp_direction = [0, 1, 0]\n",
-       "s.toml:8:18: error: sheet.0.warp_direction: is for springs along edges: expected warp, weft or shear "
-       "as well"},
+       "s.toml:8:18: error: sheet.0.warp_direction: is for springs along edges: set `warp`, `weft` or "
+       "`shear`, too"},
       {"[[sheet]]\nforehead = { radius = 0.1, width = 0.7, height = 0.1 }\n",
        "s.toml:7:36: error: sheet.0.forehead.width: must be less than once around the ball, 0.6283 m, got "
        "0.7"},
@@ -93,15 +93,17 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {cloth + "mass = \"3 N/m\"\n",
        "s.toml:8:8: error: sheet.0.mass: expected a quantity in kg/m^2, got \"3 N/m\""},
       {cloth + "wrap = 1\nwrap_to = \"bal\"\n[[obstacle]]\nname = \"ball\"\nsphere = { radius = 0.1 }\n",
-       "s.toml:6:1: error: sheet 'sheet 0': wrap_to: there is no obstacle or body 'bal'; did you mean "
+       "s.toml:6:1: error: sheet 'sheet 0': wrap_to: unknown obstacle or body 'bal'; did you mean "
        "'ball'?"},
       {cloth + "name = \"b\"\nwrap = 1\nwrap_to = \"b\"\n",
-       "s.toml:6:1: error: sheet 'b': wrap_to: a sheet cannot wrap itself: expected another name, or none to "
-       "act against its own normals"},
+       "s.toml:6:1: error: sheet 'b': wrap_to: a sheet cannot wrap around itself; omit `wrap_to` to wrap "
+       "against "
+       "its own normals"},
       {cloth + "wrap = 1\nwrap_to = \"a\"\n" + patch +
            "[[obstacle]]\nname = \"a\"\nsphere = { radius = 0.1 }\n",
-       "s.toml:6:1: error: sheet 'sheet 0': wrap_to: 'a' is the name of two things in this scene: expected "
-       "another name for one of them"},
+       "s.toml:6:1: error: sheet 'sheet 0': wrap_to: 'a' is the name of several objects of the scene; "
+       "expected "
+       "a unique name"},
       {cloth + "wrap = 1\nwrap_in_time = [[0, 1]]\n",
        "s.toml:9:16: error: sheet.0.wrap_in_time: expected a list of at least two pairs [s, number], "
        "such as [[300, 0.5], [400, 0.7]]"},
@@ -125,7 +127,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "under forces of its neighbours: expected mass, or damping at all times"},
       {cloth + "damping = 1\nwind_density = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
        "s.toml:10:1: error: sheet 'sheet 0': this region: the air's drag on vertices without mass has no "
-       "stable step: expected mass > 0, or wind_density = 0 there"},
+       "stable step: expected mass > 0, or `wind_density = 0` there"},
       {patch + "[[oriented.event]]\nkind = \"weld\"\n",
        "s.toml:9:1: error: oriented.a.event.0.other: is missing: the body to weld to this one"},
       {patch + "growth = \"borders\"\n",
@@ -137,16 +139,16 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "the `points` of a closed surface define the body: expected one of these, \"gaps\", or `most`, the "
        "number of particles at which it stops"},
       {patch + "[[oriented.field]]\nfrom = 1\n",
-       "s.toml:9:1: error: oriented.a.field.0: it does nothing: expected push, pull or pressure"},
+       "s.toml:9:1: error: oriented.a.field.0: this field has no effect: set `push`, `pull` or `pressure`"},
       {patch + "[[oriented.field]]\npull = 3\nradius = 1\n",
        "s.toml:10:8: error: oriented.a.field.0.pull: needs `point`, its target"},
       {patch + "[[oriented.field]]\npressure = 3\nfrom = 1\nuntil = 1\n",
        "s.toml:12:9: error: oriented.a.field.0.until: must be after `from`"},
       {"[[sheet]]\nmesh = \"builtin:cat\"\n",
-       "s.toml:7:8: error: sheet.0.mesh: there is no built-in mesh 'cat'; there is \"builtin:bust\" or "
+       "s.toml:7:8: error: sheet.0.mesh: unknown built-in mesh 'cat'; expected \"builtin:bust\" or "
        "\"builtin:head\""},
       {cloth + "wind = [1, 0, 0]\n",
-       "s.toml:8:8: error: sheet.0.wind: needs wind_density: air without mass does not push"},
+       "s.toml:8:8: error: sheet.0.wind: needs `wind_density`: air without mass does not push"},
   };
   for (const auto& t : table) EXPECT_EQ(errorOf(t.text), t.line);
   EXPECT_EQ(
@@ -211,7 +213,7 @@ TEST(BadBodyTypes, IneffectiveSettingsAreWarnings) {
   EXPECT_EQ(
       lines[0],
       "s.toml:9:1: oriented body 'a': this event is at 3 s, but the scene ends at 1 s: it has no effect");
-  EXPECT_EQ(lines[1].rfind("s.toml:14:10: output.fields (liquid) apply to bodies and emitters", 0), 0u);
+  EXPECT_EQ(lines[1].rfind("s.toml:14:10: `output.fields` (liquid) apply to bodies and emitters", 0), 0u);
   EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + cloth))).empty());
 }
 
