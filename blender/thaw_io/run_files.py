@@ -29,7 +29,7 @@ class Run:
             if match:
                 self.frames.setdefault(match[2] or 'particles', []).append(os.path.join(base, name))
         if not self.frames:
-            raise RunError(f'{folder}: is not a run folder with frames: expected frames/*.hdf')
+            raise RunError(f'{folder}: is not a run folder: no frames/*.hdf')
 
     def times(self):
         """Returns the times of the frames, s, from the index or else from the files."""

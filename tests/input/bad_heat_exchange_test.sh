@@ -33,6 +33,5 @@ rejects "a mush that never melts" "${key}mush_drag: has no effect without .melts
 rejects "a drag in another unit" "${key}mush_drag: expected a drag coefficient" 2 check \
   "$(with drag_unit 'young = 1e4\nmelts = [300, 310]\nheat_capacity = 1\nmush_drag = "3 Pa"')"
 rejects "the paper's heat" "${key}contact_conductance: not available with .numerics\.heat = .paper.." \
-  2 check \
-  "$(with paper 'contact_conductance = 5')" --set 'numerics.heat="paper"'
+  2 check "$(with paper 'contact_conductance = 5')" --set 'numerics.heat="paper"'
 allCases

@@ -202,7 +202,7 @@ TEST(StartFields, EmitterRefusesAProfileAndASpreadInItsNozzle) {
   s = jet();
   s.emitters[0].velocityField.component[0] = fieldOf("emitter.jet.velocity.x",
                                                      [](const Vec3d& x) { return 10 * x.x; });
-  EXPECT_NE(errorOf(s).find("moves neighbours by"), std::string::npos) << errorOf(s);
+  EXPECT_NE(errorOf(s).find("shears the liquid in the nozzle by"), std::string::npos) << errorOf(s);
   s = jet();
   s.emitters[0].temperatureField = fieldOf("emitter.jet.temperature", [](const Vec3d&) { return -1.0; });
   EXPECT_NE(errorOf(s).find("in the opening; expected temperatures above 0"), std::string::npos)
