@@ -174,7 +174,7 @@ def page(rows):
         "- **incline**: a box on a plane at 0.5 rad, where $\\tan\\alpha$ is 0.546. Speed after 1 s.",
         "- **restitution**: square root of the height of the rebound over that of the fall, 1 m.",
         "- **stack**: ten boxes turned against each other, 10 s.",
-        "- **pile**: boxes and balls of 20 to 36 particles fall into a bin, for 6 s (1,000 pieces: 10 s).",
+        "- **pile**: boxes and balls of 20 to 36 particles fall into a bin, for 6 s.",
         "",
         "`benchmarks/rigid/rigid.py --page` writes this page from `benchmarks/rigid/rigid.csv`.",
     ]
