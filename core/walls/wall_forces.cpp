@@ -12,6 +12,7 @@
 #include "core/materials/rest_density.hpp"
 #include "core/particles/elastic_pieces.hpp"
 #include "core/particles/sleep_stage.hpp"
+#include "core/walls/wall_load.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
@@ -94,8 +95,9 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
   act.resist(tangential * -rate, at.velocity);
 }
 
-/// Adds a spring with dashpot (CS79) and Coulomb friction.
-void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum& p, WallAction& act) {
+/// Adds a spring with dashpot (CS79) and Coulomb friction. Its energy goes to `stored` if that is not null.
+void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum* stored, WallAction& act) {
+  const Continuum& p = x.world.particles;
   if (at.contact.distance >= longestSpring * x.world.scene.spacing) return;
   const double f = at.liquid, m = p.mass[at.row];
   const WallSpring wall = wallSpring(x, at.row);
@@ -108,9 +110,9 @@ void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum&
   const double dash = std::max(-2 * dashpotRatio(restitution) * std::sqrt(k * m) * un, -spring);
   act.force += n * spring;
   act.resist(n * dash, at.velocity);
-  p.interaction[at.row] += 0.5 * k * gap * gap;
-  if (p.softening.active)
-    p.softening[at.row] += 0.5 * wall.stiffnessByLiquid * gap * gap + wall.lengthByLiquid * k * gap;
+  if (stored) stored->interaction[at.row] += 0.5 * k * gap * gap;
+  if (stored && p.softening.active)
+    stored->softening[at.row] += 0.5 * wall.stiffnessByLiquid * gap * gap + wall.lengthByLiquid * k * gap;
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;
@@ -202,7 +204,7 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
           p.velocity[i] - v};
       if (at.liquid > 0) addLiquidForces(x, at, inverseLatticeSum, act, contacts.stiffest);
       const WallAction slow = act;
-      addContactForces(substeps ? shorter : x, at, p, act);
+      addContactForces(substeps ? shorter : x, at, &p, act);
       if (substeps) {
         often.force += act.force - slow.force;
         often.dissipativeForce += act.dissipativeForce - slow.dissipativeForce;
@@ -225,6 +227,37 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
       w.ledger.wallForce[a].add(often.force[a] * (x.fast - 1));
     }
   }
+}
+
+WallLoad wallLoad(const WallContext& x, double inverseLatticeSum, const WallContacts& contacts,
+                  std::size_t wall) {
+  const WallView& w = x.world;
+  const Continuum& p = w.particles;
+  WallLoad load;
+  for (const WallContact& c : contacts.list) {
+    const Wall& touched = w.walls.list[c.wall];
+    const std::size_t i = c.row;
+    if (touched.originalAt(c.wall) != wall || touchesAsPiece(p, i)) continue;
+    const double density = restDensityOf(p, w.scene.materials, i);
+    const ParticleAtWall at{c,
+                            touched.properties,
+                            w.scene.materials[p.material[i]],
+                            density,
+                            i,
+                            liquidFraction(p, i),
+                            p.mass[i] / density,
+                            p.velocity[i] - wallVelocity(touched, p.position[i])};
+    WallAction act;
+    double stiffest = 0;
+    if (at.liquid > 0) addLiquidForces(x, at, inverseLatticeSum, act, stiffest);
+    addContactForces(x, at, nullptr, act);
+    const Vec3d torque = cross(p.position[i] - touched.pose.move, act.force);
+    for (int a = 0; a < 3; a++) {
+      load.force[a].add(-act.force[a]);
+      load.torque[a].add(-torque[a]);
+    }
+  }
+  return load;
 }
 
 void recordClamps(const WallContext& x, WallContacts& contacts) {
@@ -260,7 +293,7 @@ void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts
       addContactForces(x,
                        {contacts[c], wall.properties, m, density, i, liquidFraction(p, i),
                         p.mass[i] / density, p.velocity[i] - v},
-                       p, act);
+                       &p, act);
       if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
     }
     Vec3d& force = w.solids.force[p.slot[i]];

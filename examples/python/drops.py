@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Prints number and sizes of the connected drops of liquid in each frame of a run.
+"""Reads frames and the surface of a run: number and sizes of drops, area and volume of the surface.
 
-drops.py out/pour
+drops.py out/pour [PICTURE.png]
 
-Particles closer than 1.5 spacings belong to one drop, also across periodic sides.
+Particles closer than 1.5 spacings belong to one drop, also across periodic sides. Triangles of the surface
+need the program thaw on PATH or in THAW_PROGRAM.
 """
 import itertools
 import sys
@@ -48,11 +49,57 @@ def drops(x, reach, low, period):
     return label
 
 
-if __name__ == '__main__':
+def areaAndVolume(mesh):
+    """Area (m^2) and volume (m^3) of a closed mesh, from its vertices and triangles."""
+    a, b, c = (mesh.vertices[mesh.triangles[:, corner]].astype(float) for corner in range(3))
+    normals = np.cross(b - a, c - a)
+    return 0.5 * np.linalg.norm(normals, axis=1).sum(), (a * normals).sum() / 6
+
+
+def sizesOf(frame, run):
+    """Numbers of particles of all drops in a frame, the largest first."""
+    liquid = frame['liquid'] >= 0.5 if 'liquid' in frame else np.full(len(frame), True)
+    x = frame['position'][liquid].astype(float)
+    label = drops(x, 1.5 * run.spacing, run.domain.min, run.domain.period)
+    return np.sort(np.unique(label, return_counts=True)[1])[::-1]
+
+
+def plot(run, sizes, picture):
+    import matplotlib
+
+    matplotlib.use('Agg')
+    import matplotlib.pyplot as plt
+
+    figure = plt.figure(figsize=(7, 3.2), layout='constrained')
+    axes = figure.add_subplot(1, 2, 1)
+    diameter = 1000 * (6 / np.pi * sizes[-1]) ** (1 / 3) * run.spacing
+    axes.hist(diameter, bins=20, color='#3b6ea5')
+    axes.set_xlabel('diameter of a drop / mm')
+    axes.set_ylabel('drops in the last frame')
+    if 'surface' in run.frames[-1].parts:
+        mesh = run.frames[-1].surface.mesh()
+        axes = figure.add_subplot(1, 2, 2, projection='3d')
+        axes.plot_trisurf(*(1000 * mesh.vertices.T), triangles=mesh.triangles, color='#9ab8d8')
+        axes.set_aspect('equal')
+        axes.set_xlabel('x / mm')
+    figure.savefig(picture, dpi=110)
+
+
+def main():
     run = thaw.open(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
+    sizes = []
     for frame in run.frames:
-        liquid = frame['liquid'] >= 0.5 if 'liquid' in frame else np.full(len(frame), True)
-        x = frame['position'][liquid].astype(float)
-        label = drops(x, 1.5 * run.spacing, run.domain.min, run.domain.period)
-        size = np.sort(np.unique(label, return_counts=True)[1])
-        print(f'{frame.time:.4f} s: {len(size)} drops, particles in the largest: {size[::-1][:5].tolist()}')
+        sizes.append(sizesOf(frame, run))
+        largest = sizes[-1][:5].tolist()
+        print(f'{frame.time:.4f} s: {len(sizes[-1])} drops, particles in the largest: {largest}')
+    if 'surface' in run.frames[-1].parts:
+        mesh = run.frames[-1].surface.mesh()
+        area, volume = areaAndVolume(mesh)
+        print(f'surface of {len(mesh.vertices)} vertices, {len(mesh.triangles)} triangles: ', end='')
+        print(f'{area:.4g} m^2 around {volume:.4g} m^3')
+    if len(sys.argv) > 2:
+        plot(run, sizes, sys.argv[2])
+
+
+if __name__ == '__main__':
+    main()

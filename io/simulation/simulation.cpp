@@ -247,6 +247,8 @@ bool Simulation::endEdit() {
   return true;
 }
 
+Run& Simulation::runState() { return parts_->run; }
+
 void Simulation::requestStop() { parts_->loop.stop.requested = true; }
 
 void Simulation::resume() {

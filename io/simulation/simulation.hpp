@@ -117,6 +117,8 @@ class Simulation {
   struct Parts;
   explicit Simulation(std::unique_ptr<Parts> parts);
   bool atEnd() const;
+  friend class DrivenObstacle;
+  Run& runState();
   std::unique_ptr<Parts> parts_;
 };
 

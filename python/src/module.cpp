@@ -9,6 +9,7 @@
 #include "core/geometry/basic/shape_error.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/read_scene.hpp"
+#include "python/src/obstacle.hpp"
 #include "python/src/python_simulation.hpp"
 
 namespace py = pybind11;
@@ -100,6 +101,7 @@ PYBIND11_MODULE(_core, m) {
     }
   });
   defineSimulation(m);
+  defineObstacle(m);
   m.def(
       "register_extension",
       [](const std::string& name, const std::string& about, const std::vector<KeyNote>& keys,

@@ -32,6 +32,7 @@ from .frame import Frame, Oriented, Sheets, Surface
 from .frames import Frames
 from .log import Log
 from .mesh import Mesh
+from .obstacles import Obstacle, Obstacles
 from .points import Field, Points
 from .run import Run
 from .run import openRun as open  # noqa: A001
@@ -59,6 +60,8 @@ __all__ = [
     'Log',
     'Mesh',
     'MissingError',
+    'Obstacle',
+    'Obstacles',
     'Oriented',
     'Points',
     'Picture',

@@ -26,6 +26,7 @@ class FieldDifference:
 
     @property
     def equal(self) -> bool:
+        """Whether no id differs."""
         return self.rows == 0
 
 

@@ -37,6 +37,7 @@ class Picture:
         return b'\x89PNG\r\n\x1a\n' + body
 
     def save(self, path: str) -> None:
+        """Writes the picture as a PNG file."""
         with open(path, 'wb') as file:
             file.write(self.png())
 

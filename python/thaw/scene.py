@@ -107,6 +107,7 @@ class Scene(metaclass=_Completed):
 
     @classmethod
     def of(cls, scene: Union[str, "Scene", Mapping[str, Any]]) -> "Scene":
+        """The scene itself, or one made of a file or a dict of keys."""
         return scene if isinstance(scene, Scene) else cls(scene)
 
     def __getitem__(self, key: str) -> Any:

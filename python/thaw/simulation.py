@@ -11,6 +11,7 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ._load import core
+from .obstacles import Obstacles
 from .picture import Picture, draw
 from .scene import Scene
 
@@ -115,6 +116,7 @@ class Simulation:
         self._loads: list[Load] = []
         self._on_end: list[Callable[[Simulation], Any]] = []
         self._local: list[Rows] = []
+        self._obstacles: Optional[Obstacles] = None
         me = weakref.ref(self)
         self._core.on_end(lambda: [call(me()) for call in me()._on_end])
         self._core.on_step(lambda: [call(me()) for call in me()._on_step])
@@ -122,6 +124,7 @@ class Simulation:
 
     def close(self) -> None:
         """Frees the simulation's memory and its folder. No method may be called afterwards."""
+        self._obstacles = None
         del self._core
 
     def __enter__(self) -> "Simulation":
@@ -302,6 +305,13 @@ class Simulation:
             return np.full(n, np.nan)
         values = np.asarray(self.gather(name, table=table), float)
         return values if values.ndim == 1 else np.sqrt((values.reshape(n, -1) ** 2).sum(axis=1))
+
+    @property
+    def obstacles(self) -> Obstacles:
+        """Obstacles by name, which the program may move and whose loads it may read. See Obstacle."""
+        if self._obstacles is None:
+            self._obstacles = Obstacles(self._core, core().obstacle_names(self._core))
+        return self._obstacles
 
     # -- output ----------------------------------------------------------------------------------------------
     def write_frame(self) -> None:

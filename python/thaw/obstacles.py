@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Obstacles that a program moves, for coupling with bodies outside of thaw."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Iterator, Mapping, Optional, Sequence
+
+import numpy as np
+
+from ._load import core
+
+__all__ = ["Obstacle", "Obstacles"]
+
+ZERO = (0.0, 0.0, 0.0)
+
+
+class Obstacle:
+    """An obstacle of the scene that the program moves: `ball = sim.obstacles["ball"]`.
+
+    All ranks make the same calls. The pose maps the shape of the scene, with its `place`:
+    x = position + R(rotation) x_scene, with R = Rz Ry Rx. A shape without `place` has its origin at `position`.
+    Frames, pictures and exports show the motion of the scene, not this one.
+    """
+
+    def __init__(self, simulation: Any, name: str):
+        self.name = name  #: name in the scene
+        self._simulation = simulation
+        try:
+            self._core = core().Obstacle(simulation, name)
+        except ValueError as error:
+            raise (KeyError if "unknown obstacle" in str(error) else ValueError)(str(error)) from None
+
+    def move(
+        self,
+        position: Optional[Sequence[float]] = None,
+        velocity: Sequence[float] = ZERO,
+        rotation: Optional[Sequence[float]] = None,
+        rotation_rate: Sequence[float] = ZERO,
+    ) -> None:
+        """Sets the motion from now on: a pose and constant rates, until the next call.
+
+        position: m, shape (3,); default: the present one. velocity: m/s. rotation: angles about x, then y,
+        then z, rad; default: the present ones. rotation_rate: of these angles, rad/s. After a restart, call
+        it before the first step: checkpoints do not contain it. Raises ValueError for values that are not
+        finite.
+        """
+        self._core.move(
+            list(self.position if position is None else position),
+            list(velocity),
+            list(self.rotation if rotation is None else rotation),
+            list(rotation_rate),
+        )
+
+    @property
+    def position(self) -> np.ndarray:
+        """Displacement of the origin of the shape, m, shape (3,)."""
+        return np.array(self._core.position)
+
+    @property
+    def velocity(self) -> np.ndarray:
+        """Velocity of the origin of the shape, m/s, shape (3,)."""
+        return np.array(self._core.velocity)
+
+    @property
+    def rotation(self) -> np.ndarray:
+        """Angles about x, then y, then z, rad, shape (3,)."""
+        return np.array(self._core.rotation)
+
+    @property
+    def force(self) -> np.ndarray:
+        """Force of all particles of all ranks on the obstacle at the end of the last step, N, shape (3,).
+
+        Zero before the first step after sim.obstacles[name]. All ranks read it.
+        """
+        return np.array(self._core.load()[0])
+
+    @property
+    def torque(self) -> np.ndarray:
+        """Torque about `position` at the end of the last step, N m, shape (3,). All ranks read it."""
+        return np.array(self._core.load()[1])
+
+    def __repr__(self) -> str:
+        return f"<Obstacle {self.name} at {self.position.tolist()} m>"
+
+
+class Obstacles(Mapping):
+    """Obstacles of a simulation by name. The first access to one turns on the measurement of its load.
+
+    Raises KeyError for an unknown name. Raises ValueError for obstacles that cannot be driven: static ones
+    (give them `motion = [{ time = 0 }]`), ones shorter than a periodic domain, and those in scenes with the
+    incompressible solver, implicit viscosity, contact angles, rigid solids, sheets, oriented particles or
+    sleeping particles.
+    """
+
+    def __init__(self, simulation: Any, names: Sequence[str]):
+        self._simulation, self._names = simulation, list(names)
+        self._known: Dict[str, Obstacle] = {}
+
+    def __getitem__(self, name: str) -> Obstacle:
+        if name not in self._known:
+            self._known[name] = Obstacle(self._simulation, name)
+        return self._known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
