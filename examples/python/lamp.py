@@ -66,7 +66,7 @@ def main():
             ],
         )
     )
-    lamp = Controller(target=313.15, proportional=1500.0, integral=3000.0, most=30e3)
+    lamp = Controller(target=313.15, proportional=6000.0, integral=4000.0, most=30e3)
     times, temperatures, powers = [], [], []
 
     def lit(p):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds the plate temperature at which a block of wax is half liquid after a given time, by SciPy.
 
-optimise.py [TIME [PICTURE.png]]     TIME in s, default 0.15
+optimise.py [TIME [PICTURE.png]]     TIME in s, default 0.4
 """
 import sys
 
@@ -68,7 +68,7 @@ def plot(trials, target, picture):
 
 
 def main():
-    target = float(sys.argv[1]) if len(sys.argv) > 1 else 0.15
+    target = float(sys.argv[1]) if len(sys.argv) > 1 else 0.4
     trials = []
 
     def excess(plate):
