@@ -21,6 +21,7 @@ set(public
   io/meshes/read_mesh.hpp
   io/scene/read_scene.hpp             # a scene from a file
   io/simulation/simulation.hpp        # a simulation as a program sees it
+  io/simulation/driven_obstacle.hpp    # an obstacle that a program moves
   io/text/version.hpp)
 
 set(headers "")

@@ -24,11 +24,15 @@ class Obstacle:
 
     def __init__(self, simulation: Any, name: str):
         self.name = name  #: name in the scene
-        self._simulation = simulation
         try:
-            self._core = core().Obstacle(simulation, name)
+            self._core: Any = core().Obstacle(simulation, name)
         except ValueError as error:
             raise (KeyError if "unknown obstacle" in str(error) else ValueError)(str(error)) from None
+
+    def _open(self) -> Any:
+        if self._core is None:
+            raise RuntimeError(f"obstacle '{self.name}': its simulation has been closed")
+        return self._core
 
     def move(
         self,
@@ -44,7 +48,7 @@ class Obstacle:
         it before the first step: checkpoints do not contain it. Raises ValueError for values that are not
         finite.
         """
-        self._core.move(
+        self._open().move(
             list(self.position if position is None else position),
             list(velocity),
             list(self.rotation if rotation is None else rotation),
@@ -54,17 +58,17 @@ class Obstacle:
     @property
     def position(self) -> np.ndarray:
         """Displacement of the origin of the shape, m, shape (3,)."""
-        return np.array(self._core.position)
+        return np.array(self._open().position)
 
     @property
     def velocity(self) -> np.ndarray:
         """Velocity of the origin of the shape, m/s, shape (3,)."""
-        return np.array(self._core.velocity)
+        return np.array(self._open().velocity)
 
     @property
     def rotation(self) -> np.ndarray:
         """Angles about x, then y, then z, rad, shape (3,)."""
-        return np.array(self._core.rotation)
+        return np.array(self._open().rotation)
 
     @property
     def force(self) -> np.ndarray:
@@ -72,14 +76,16 @@ class Obstacle:
 
         Zero before the first step after sim.obstacles[name]. All ranks read it.
         """
-        return np.array(self._core.load()[0])
+        return np.array(self._open().load()[0])
 
     @property
     def torque(self) -> np.ndarray:
         """Torque about `position` at the end of the last step, N m, shape (3,). All ranks read it."""
-        return np.array(self._core.load()[1])
+        return np.array(self._open().load()[1])
 
     def __repr__(self) -> str:
+        if self._core is None:
+            return f"<Obstacle {self.name} of a closed simulation>"
         return f"<Obstacle {self.name} at {self.position.tolist()} m>"
 
 
@@ -93,13 +99,20 @@ class Obstacles(Mapping):
     """
 
     def __init__(self, simulation: Any, names: Sequence[str]):
-        self._simulation, self._names = simulation, list(names)
+        self._simulation: Any = simulation
+        self._names = list(names)
         self._known: Dict[str, Obstacle] = {}
 
     def __getitem__(self, name: str) -> Obstacle:
         if name not in self._known:
             self._known[name] = Obstacle(self._simulation, name)
         return self._known[name]
+
+    def _release(self) -> None:
+        """Drops all references to the simulation, which has been closed."""
+        self._simulation = None
+        for obstacle in self._known.values():
+            obstacle._core = None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)

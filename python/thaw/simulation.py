@@ -124,7 +124,8 @@ class Simulation:
 
     def close(self) -> None:
         """Frees the simulation's memory and its folder. No method may be called afterwards."""
-        self._obstacles = None
+        if self._obstacles is not None:
+            self._obstacles._release()
         del self._core
 
     def __enter__(self) -> "Simulation":
