@@ -52,7 +52,7 @@ class DrivenObstacle {
  private:
   Simulation* sim_;
   std::size_t wall_;                // index in the list
-  std::shared_ptr<WallLoad> load_;  // of this rank
+  std::shared_ptr<WallLoad> load_;  // part of this rank
 };
 
 }  // namespace thaw

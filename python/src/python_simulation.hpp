@@ -39,7 +39,7 @@ class PythonSimulation {
   int rank() const { return sim_.rank(); }
   int ranks() const { return sim_.ranks(); }
   std::vector<std::string> warnings() const { return sim_.warnings(); }
-  Simulation& simulation() { return sim_; }  ///< of this rank
+  Simulation& simulation() { return sim_; }
   std::map<std::string, double> ledger();
 
   /// Names of the tables that the scene has: particles, solids, surfels, oriented, sheets.

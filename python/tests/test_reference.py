@@ -16,9 +16,9 @@ SCRIPT = ROOT / 'scripts/python_reference'
 
 def test_the_reference_is_that_of_the_docstrings() -> None:
     done = subprocess.run([sys.executable, str(SCRIPT)], capture_output=True, text=True, check=True)
-    assert PAGE.read_text(encoding='utf-8') == done.stdout, (
-        f'{PAGE.name} is out of date; write it with: scripts/python_reference > docs/reference/python_api.md'
-    )
+    assert (
+        PAGE.read_text(encoding='utf-8') == done.stdout
+    ), f'{PAGE.name} is out of date; write it with: scripts/python_reference > docs/reference/python_api.md'
 
 
 def test_each_public_name_has_a_docstring_and_an_entry() -> None:

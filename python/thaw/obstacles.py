@@ -18,8 +18,8 @@ class Obstacle:
     """An obstacle of the scene that the program moves: `ball = sim.obstacles["ball"]`.
 
     All ranks make the same calls. The pose maps the shape of the scene, with its `place`:
-    x = position + R(rotation) x_scene, with R = Rz Ry Rx. A shape without `place` has its origin at `position`.
-    Frames, pictures and exports show the motion of the scene, not this one.
+    x = position + R(rotation) x_scene, with R = Rz Ry Rx. A shape without `place` has its origin at
+    `position`. Frames, pictures and exports show the motion of the scene, not this one.
     """
 
     def __init__(self, simulation: Any, name: str):
@@ -43,10 +43,13 @@ class Obstacle:
     ) -> None:
         """Sets the motion from now on: a pose and constant rates, until the next call.
 
-        position: m, shape (3,); default: the present one. velocity: m/s. rotation: angles about x, then y,
-        then z, rad; default: the present ones. rotation_rate: of these angles, rad/s. After a restart, call
-        it before the first step: checkpoints do not contain it. Raises ValueError for values that are not
-        finite.
+        position: m, shape (3,); default: the present one.
+        velocity: m/s, shape (3,).
+        rotation: angles about x, then y, then z, rad; default: the present ones.
+        rotation_rate: rate of these angles, rad/s.
+
+        After a restart, call it before the first step: checkpoints do not contain it.
+        Raises ValueError for values that are not finite.
         """
         self._open().move(
             list(self.position if position is None else position),
