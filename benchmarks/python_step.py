@@ -1,25 +1,41 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures the overhead of stepping from Python over stepping in the library.
+"""Measures the overhead of stepping from Python over stepping in the library, and over `thaw run`.
 
-python_step.py [--spacing X] [--csv FILE]     default 0.0105 m: 100,000 particles
+python_step.py [--spacing X] [--csv FILE]     default 0.018 m: 20,000 particles
 
 One simulation of scenes/dam_break.toml takes blocks of steps in two ways by turns. One is a call of run(),
 the other a Python loop of step() that reads the time after each step. The result is the ratio of the fastest
-blocks in processor time, since other programs only add to it. Exit code 1 if stepping costs more than 1 %.
+blocks in processor time, since other programs only add to it. A process of Python and one of `thaw run` then
+take the same steps by turns; the difference of a long and a short run excludes start and end. Exit code 1 if
+the loop costs more than 1 %.
 """
 import argparse
 import csv
 import os
 import pathlib
+import resource
+import subprocess
 import sys
+import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(pathlib.Path(os.environ.get('THAW_BUILD', ROOT / 'build/release')) / 'python'))
+BUILD = pathlib.Path(os.environ.get('THAW_BUILD', ROOT / 'build/release'))
+ENVIRONMENT = {**os.environ, 'PYTHONPATH': str(BUILD / 'python')}
+sys.path.insert(0, str(BUILD / 'python'))
 import thaw  # noqa: E402
 
-BLOCK, BLOCKS, TARGET = 5, 30, 0.01
+BLOCK, BLOCKS, TARGET = 5, 60, 0.01
+SHORT, LONG, PAIRS = 20, 140, 5  # steps of processes, and their number
+SCENE = str(ROOT / 'scenes/dam_break.toml')
+LOOP = '''
+import sys, thaw
+sim = thaw.Simulation(thaw.Scene(sys.argv[1], spacing=float(sys.argv[2])), sys.argv[3])
+times = []
+while sim.steps < int(sys.argv[4]) and sim.step():
+    times.append(sim.time)
+'''
 
 
 def seconds(action):
@@ -28,12 +44,39 @@ def seconds(action):
     return time.process_time() - start
 
 
+def processSeconds(line):
+    """Processor time of a process."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run(line, check=True, stdout=subprocess.DEVNULL, env=ENVIRONMENT)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def stepOfProcess(command):
+    """Processor time of a step: the fastest long run less the fastest short one."""
+    return (min(command[LONG]) - min(command[SHORT])) / (LONG - SHORT)
+
+
+def againstCommandLine(spacing, folder):
+    """Milliseconds per step of `thaw run` and of a Python loop in processes of their own."""
+    program = os.environ.get('THAW_PROGRAM', str(BUILD / 'thaw'))
+    runs = {name: {SHORT: [], LONG: []} for name in ('thaw', 'python')}
+    for pair in range(PAIRS):
+        for steps in (SHORT, LONG):
+            out = f'{folder}/{pair}_{steps}'
+            size = ['--set', f'spacing={spacing}', '--steps', str(steps)]
+            runs['thaw'][steps].append(processSeconds([program, 'run', SCENE, *size, '--out', out + 'c']))
+            line = [sys.executable, '-c', LOOP, SCENE, str(spacing), out + 'p', str(steps)]
+            runs['python'][steps].append(processSeconds(line))
+    return {name: 1e3 * stepOfProcess(command) for name, command in runs.items()}
+
+
 def main():
     parser = argparse.ArgumentParser(description='overhead of stepping from Python')
-    parser.add_argument('--spacing', type=float, default=0.0105)
+    parser.add_argument('--spacing', type=float, default=0.018)
     parser.add_argument('--csv')
     options = parser.parse_args()
-    sim = thaw.Simulation(thaw.Scene(str(ROOT / 'scenes/dam_break.toml'), spacing=options.spacing))
+    sim = thaw.Simulation(thaw.Scene(SCENE, spacing=options.spacing))
     with sim.local() as p:
         particles = len(p)
     calls = []
@@ -55,6 +98,8 @@ def main():
     sim.step()
     most = 20000
     own = seconds(lambda: [sim.step() for _ in range(most)]) / most
+    with tempfile.TemporaryDirectory() as folder:
+        processes = againstCommandLine(options.spacing, folder)
     result = {
         'particles': particles,
         'ms_per_step': round(1e3 * base, 3),
@@ -62,6 +107,9 @@ def main():
         'target_cost_of_loop': TARGET,
         'us_per_call': round(1e6 * own, 3),
         'cost_of_call': round(own / base, 7),
+        'ms_thaw_run': round(processes['thaw'], 3),
+        'ms_python_process': round(processes['python'], 3),
+        'cost_of_process': round(processes['python'] / processes['thaw'] - 1, 4),
     }
     for name, value in result.items():
         print(f'{name:22s} {value}')

@@ -124,6 +124,9 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
       out.anyCorotated = out.anyCorotated || c.law == ElasticLaw::Corotated;
       out.anyExtension = out.anyExtension || c.law == ElasticLaw::Extension;
     }
+    out.common = out.constants[0].bound;
+    for (const ElasticConstants& c : out.constants)
+      if (c.bound != out.common) out.common = nullptr;
   }
   for (int l = 0; l < 8; l++) {
     const std::size_t s = slot0 + static_cast<std::size_t>(l < n ? l : 0);
@@ -212,6 +215,8 @@ void copyLanes(unsigned group, const double from[8], double to[8]) {
 
 void respondExtension(const LaneConstants& c, int n, const double gradU[9][8], double stress[9][8],
                       double energy[8]) {
+  if (c.common)
+    return respondGroup(*c.common->law, {gradU, c.lambda, c.mu, c.common->values, stress, energy});
   unsigned left = 0;
   for (int l = 0; l < n; l++) left |= static_cast<unsigned>(c.constants[l].bound != nullptr) << l;
   while (left != 0) {
@@ -219,7 +224,6 @@ void respondExtension(const LaneConstants& c, int n, const double gradU[9][8], d
     unsigned group = 0;
     for (int l = 0; l < n; l++) group |= static_cast<unsigned>(c.constants[l].bound == &bound) << l;
     left &= ~group;
-    if (group == 0xff) return respondGroup(*bound.law, {gradU, c.lambda, c.mu, bound.values, stress, energy});
     alignas(64) double here[9][8], psi[8];
     respondGroup(*bound.law, {gradU, c.lambda, c.mu, bound.values, here, energy ? psi : nullptr});
     for (int q = 0; q < 9; q++) copyLanes(group, here[q], stress[q]);
