@@ -16,7 +16,7 @@ class Entry(NamedTuple):
 
 
 class Frames(Sequence[Frame]):
-    """Frames, ascending by time. No file is opened until a frame's fields are asked for."""
+    """Frames, ascending by time. No file is opened until a frame's fields are read."""
 
     def __init__(self, folder: str, name: str, entries: Tuple[Entry, ...]) -> None:
         self._folder, self._name, self._entries = folder, name, entries

@@ -95,10 +95,10 @@ class Obstacle:
 class Obstacles(Mapping):
     """Obstacles of a simulation by name. The first access to one turns on the measurement of its load.
 
-    Raises KeyError for an unknown name. Raises ValueError for obstacles that cannot be driven: static ones
-    (give them `motion = [{ time = 0 }]`), ones shorter than a periodic domain, and those in scenes with the
-    incompressible solver, implicit viscosity, contact angles, rigid solids, sheets, oriented particles or
-    sleeping particles.
+    Raises KeyError for an unknown name. Raises ValueError for static obstacles (give them
+    `motion = [{ time = 0 }]`) and for obstacles shorter than a periodic domain. Raises it also in scenes with
+    the incompressible solver, implicit viscosity, contact angles, rigid solids, sheets, oriented or sleeping
+    particles.
     """
 
     def __init__(self, simulation: Any, names: Sequence[str]):

@@ -82,7 +82,7 @@ class Points:
     """Points with fields: `points['velocity']` is an array with a row for each point, in the file's order.
 
     The order of rows changes from frame to frame; `by_id` and `match` take care of that. Values are read
-    when they are asked for and are not kept. All errors are `FileError` or `FieldError`.
+    on access and are not kept. All errors are `FileError` or `FieldError`.
     """
 
     kind = 'particles'

@@ -197,7 +197,7 @@ class Simulation:
         return self._core.stop_reason
 
     def request_stop(self) -> None:
-        """Asks all ranks to stop after the next step. One rank suffices."""
+        """Requests that all ranks stop after the next step. One rank suffices."""
         self._core.request_stop()
 
     def resume(self) -> None:
@@ -359,7 +359,7 @@ class Simulation:
 
         Called once a step at their positions at time t (s). Its work and impulse are in the ledger. For the
         same bits on any number of ranks, a particle's force must follow from its own fields and t alone.
-        The automatic sound speed of liquids does not know of it: give material.NAME.sound_speed, ten times
+        The automatic sound speed of liquids does not include it: give material.NAME.sound_speed, ten times
         the largest speed of the flow.
         """
 

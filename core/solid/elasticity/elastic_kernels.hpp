@@ -71,7 +71,7 @@ struct alignas(64) LaneConstants {
   ElasticConstants constants[8];
   bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated, anyExtension;
   const BoundLaw* common;  ///< law of all lanes; null: they differ, or have a built-in law
-  int material = -1;  // common material of all lanes if fully solid; else -1
+  int material = -1;       // common material of all lanes if fully solid; else -1
 };
 
 // Out of line, in elastic.cpp.
