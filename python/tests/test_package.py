@@ -18,9 +18,9 @@ VERSION = re.search(r'project\(thaw VERSION ([\d.]+)', (ROOT / 'CMakeLists.txt')
 REPORT = 'import thaw; print(thaw.__version__, thaw.__file__)'
 
 
-def importFrom(folder: pathlib.Path) -> str:
+def importFrom(folder: pathlib.Path, code: str = REPORT) -> str:
     env = {**os.environ, 'PYTHONPATH': str(folder), 'PYTHONDONTWRITEBYTECODE': '1'}
-    done = subprocess.run([sys.executable, '-c', REPORT], env=env, cwd='/', capture_output=True, text=True)
+    done = subprocess.run([sys.executable, '-c', code], env=env, cwd='/', capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -65,3 +65,6 @@ def test_cmake_installs_the_package(tmp_path: pathlib.Path) -> None:
     (site,) = tmp_path.glob('lib*/**/python3/dist-packages')
     assert importFrom(site).split() == [VERSION, str(site / 'thaw/__init__.py')]
     assert (site / 'thaw/py.typed').exists() and not list(site.glob('**/__pycache__'))
+    if list(pathlib.Path(build, 'python/thaw').glob('_core*.so')):
+        code = 'import thaw._load; print(thaw._load.core().__file__)'
+        assert pathlib.Path(importFrom(site, code).strip()).parent == site / 'thaw'
