@@ -6,9 +6,9 @@ python_step.py [--spacing X] [--csv FILE]     default 0.018 m: 20,000 particles
 
 One simulation of scenes/dam_break.toml takes blocks of steps in two ways by turns. One is a call of run(),
 the other a Python loop of step() that reads the time after each step. The result is the ratio of the fastest
-tenths of blocks in processor time, since other programs only add to it. A process of Python and one of `thaw run` then
-take the same steps by turns; the difference of a long and a short run excludes start and end. Exit code 1 if
-the loop costs more than 1 %.
+tenths of blocks in processor time, since other programs only add to it. A process of Python and one of
+`thaw run` then take the same steps by turns; the difference of a long and a short run excludes start and end.
+Exit code 1 if the loop costs more than 1 %.
 """
 import argparse
 import csv
