@@ -15,3 +15,17 @@ myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4  # links to sections, as files.md#frames
 html_theme = "furo"
 html_title = f"thaw {version}"
+
+
+def setup(app):
+    """Leaves out links to pages of the gallery that scripts/gallery has not made."""
+    def keep_or_drop(link):
+        return link[0] if (Path(app.outdir) / link[1]).exists() else link[2]
+
+    def drop_missing(_, name, source):
+        if name == "gallery":
+            source[0] = re.sub(r'<a href="(gallery/[^"]+)">([^<]*)</a>', keep_or_drop, source[0])
+
+    app.connect("source-read", drop_missing)
+    # The pages may change while the text does not.
+    app.connect("env-get-outdated", lambda *_: ["gallery"])

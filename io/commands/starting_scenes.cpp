@@ -39,6 +39,7 @@ temperature = "250 degC"
 friction    = 0.8
 
 [surface]                 # a surface for pictures and exports; leave it out to draw particles
+every_move = 0            # one update per frame: enough for thick liquids
 
 [output]
 every  = "40 ms"          # simulated time between frames

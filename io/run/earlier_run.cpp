@@ -23,8 +23,8 @@ bool moveEarlierRunAside(const std::string& out) {
   fs::remove_all(aside, error);
   fs::create_directories(aside, error);
   if (error) throw IoError(aside, "cannot be made: " + error.message());
-  for (const char* name : {"frames", "checkpoint", "pictures", "summary.json", "surface.csv", "events.csv",
-                           "progress.csv", "ledger.csv"}) {
+  for (const char* name : {"frames", "checkpoint", "pictures", "summary.json", "warnings.json", "surface.csv",
+                           "events.csv", "progress.csv", "ledger.csv"}) {
     if (!fs::exists(out + "/" + name, error)) continue;
     fs::rename(out + "/" + name, aside + "/" + name, error);
     if (error) throw IoError(out + "/" + name, "cannot be moved to " + aside + ": " + error.message());

@@ -94,9 +94,8 @@ void beginRetries(Run& r) {
     MPI_Bcast(&there, 1, MPI_INT, 0, r.comm.handle());
     r.snapshotOnDisk = there != 0;
     if (there) return;  // it is read when it is needed
-    r.summary.warnings.push_back(fmt::format("{} is missing: a retry can only go back to step {}",
-                                             snapshotFilePath(r.options.out, good), step));
-    r.say("warning: " + r.summary.warnings.back());
+    r.warn(fmt::format("{} is missing: a retry can only go back to step {}",
+                       snapshotFilePath(r.options.out, good), step));
   }
   if (good != step) acceptState(w, reportLedger(w, r.tools, r.all));
   findStoredEnergy(w, r.tools);
@@ -166,8 +165,8 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
       const std::string line = fmt::format(
           "failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step,
           w.clock.time, std::int64_t(1) << w.watch.halvings);
-      r.say("warning: " + line);
-      if (r.summary.warnings.size() < mostLines) r.summary.warnings.push_back(line);
+      if (r.summary.warnings.size() < mostLines) r.warn(line);
+      else r.say("warning: " + line);
       r.firstStep -= clock.step - w.clock.step;  // counts the steps that were done
       r.stepAtReport = w.clock.step;
       r.lastReport = WallClock::now();

@@ -22,6 +22,7 @@
 #include "io/run/ledger_log.hpp"
 #include "io/run/reports/progress.hpp"
 #include "io/run/reports/trace_file.hpp"
+#include "io/run/reports/warning_file.hpp"
 #include "io/run/restart/mesh_fingerprints.hpp"
 #include "io/run/restart/restart_record.hpp"
 #include "io/run/restart/validate_restart.hpp"
@@ -105,6 +106,24 @@ void reportBodies(const Run& r, const SamplingReport& sampled) {
 }
 
 }  // namespace
+
+std::vector<std::string> Run::allWarnings() const {
+  std::vector<std::string> list = summary.warnings;
+  for (const std::string& line : countedWarnings)
+    if (std::find(list.begin(), list.end(), line) == list.end()) list.push_back(line);
+  return list;
+}
+
+void Run::publishWarnings() {
+  if (!begun || !first() || !writes()) return;
+  std::vector<std::string> list = allWarnings();
+  if (list == publishedWarnings) return;
+  try {
+    writeWarnings(options.out, list);
+    publishedWarnings = std::move(list);
+  } catch (const IoError&) {  // the next frame or summary reports it on all ranks
+  }
+}
 
 void onDisk(const Run& r, const std::function<void()>& work) {
   if (r.writes()) onFirstRank(r.comm.handle(), work);
@@ -199,6 +218,17 @@ void writeFrameOf(Run& r) {
   for (const auto& call : r.onFrame) call();
 }
 
+namespace {
+
+/// Renews the warnings of counters, ledger and surface.
+void countWarnings(Run& r, const Counters& counters) {
+  r.countedWarnings = warningsOf(counters, r.summary.ledger);
+  for (std::string& line : surfaceWarnings(r.summary.surface)) r.countedWarnings.push_back(std::move(line));
+  r.publishWarnings();
+}
+
+}  // namespace
+
 void report(Run& r) {
   r.tools.times.start();
   const LedgerReport l = reportLedger(r.world, r.tools, r.all);
@@ -217,6 +247,7 @@ void report(Run& r) {
   if (!r.options.status) r.say(line);
   else if (r.first()) r.options.status(statusLine(progress, l));
   onDisk(r, [&] { addToProgressLog(r.options.out, progress, r.summary); });
+  countWarnings(r, sumOfCounters(r.world, r.all));
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
   r.tools.times.lap(StepPhase::Other);
@@ -265,10 +296,10 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   s.solvers = solversOf(r.world, r.tools);
   gatherSummary(s, r.world, r.tools.times, r.comm.statistics(), r.all);
   gatherSurface(r);
+  countWarnings(r, s.counters);
   onDisk(r, [&] {
     RunSummary all = s;
-    for (const std::string& w : warningsOf(s.counters, s.ledger)) all.warnings.push_back(w);
-    for (const std::string& w : surfaceWarnings(s.surface)) all.warnings.push_back(w);
+    all.warnings = r.allWarnings();
     writeSummary(r.options.out, all);
   });
 }
@@ -379,10 +410,7 @@ void warnOfChanges(Run& r, const CheckpointHeader& then, const SceneChanges& cha
 void continueRun(Run& r, const CheckpointSlice& slice, const MeshLoader& load) {
   World& w = r.world;
   const CheckpointHeader& then = slice.header;
-  for (const std::string& warning : slice.warnings) {
-    r.say("warning: " + warning);
-    r.summary.warnings.push_back(warning);
-  }
+  for (const std::string& warning : slice.warnings) r.warn(warning);
   fingerprintMeshes(w.scene, load);
   if (const std::vector<std::string> differences = restartConflicts(then.values, w.scene);
       !differences.empty())
@@ -418,11 +446,8 @@ void reportBodyTypes(Run& r) {
 }
 
 void warnOfOverlaps(Run& r, const SamplingReport& sampled) {
-  for (const std::string& pair : sampled.overlaps) {
-    const std::string line = fmt::format("{}; {} particles left out in all", pair, sampled.removed);
-    r.say("warning: " + line);
-    r.summary.warnings.push_back(line);
-  }
+  for (const std::string& pair : sampled.overlaps)
+    r.warn(fmt::format("{}; {} particles left out in all", pair, sampled.removed));
 }
 
 /// Makes the output folders, and moves an earlier run in them aside.

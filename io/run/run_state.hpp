@@ -39,6 +39,8 @@ struct Run : MpiSimulation {
   std::string name;                        // name of the scene, for file names
   std::vector<SeriesEntry> series;         // rank 0
   RunSummary summary;
+  std::vector<std::string> countedWarnings;    // of counters, ledger and surface, as of the last report
+  std::vector<std::string> publishedWarnings;  // those in OUT/warnings.json
   WallClock::time_point startedAt = WallClock::now(), lastReport = startedAt, lastCheckpoint = startedAt;
   std::int64_t firstStep = 0, stepAtReport = 0;
   WorldSnapshot good;           // the last snapshot
@@ -60,12 +62,17 @@ struct Run : MpiSimulation {
 
   Run(const RunOptions& o, const Communicator& c) : MpiSimulation(c), options(o), comm(c) {}
   bool first() const { return comm.rank() == 0; }
-  /// Prints a warning and adds it to the summary, once.
+  /// Prints a warning and adds it to the summary and to OUT/warnings.json, once.
   void warn(const std::string& line) {
     if (std::find(summary.warnings.begin(), summary.warnings.end(), line) != summary.warnings.end()) return;
     summary.warnings.push_back(line);
     say("warning: " + line);
+    publishWarnings();
   }
+  /// Returns the warnings of the summary and those of counters and ledger.
+  std::vector<std::string> allWarnings() const;
+  /// Writes OUT/warnings.json if the warnings have changed. Not collective: the first rank writes.
+  void publishWarnings();
   void say(const std::string& line) const {
     if (first() && options.log) options.log(line);
   }

@@ -20,10 +20,7 @@ void beginSurface(Run& r, const MeshLoader& load) {
   std::vector<std::string> warnings = mergedSheetWarnings(r.world.scene, r.surfaceTools.mergedSheets);
   for (std::string& line : pieceWarnings(r.world.scene, r.surfaceTools.pieces))
     warnings.push_back(std::move(line));
-  for (const std::string& line : warnings) {
-    r.summary.warnings.push_back(line);
-    r.say("warning: " + line);
-  }
+  for (const std::string& line : warnings) r.warn(line);
   onDisk(r, [&] {
     beginComponentLog(r.options.out);
     writeEventLog(r.options.out, r.world.surface.events);

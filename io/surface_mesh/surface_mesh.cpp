@@ -9,6 +9,7 @@
 
 #include "io/surface_mesh/improve_triangles.hpp"
 #include "io/surface_mesh/march_band.hpp"
+#include "io/surface_mesh/mesh_detail.hpp"
 #include "io/surface_mesh/offset_vertices.hpp"
 
 namespace thaw {
@@ -16,9 +17,6 @@ namespace thaw {
 namespace {
 
 using Corner = BandGrid::Corner;
-
-/// Largest cube edge over a component's size, so drops of a few surfels stay spherical.
-constexpr double mostOfSize = 0.15;
 
 /// Surfels of a mesh: an unwrapped component, and near images where it is cut at periodic sides.
 struct Patch {
@@ -138,7 +136,7 @@ void turnNormalsOutward(ComponentMesh& m) {
   }
 }
 
-ComponentMesh meshAt(const Patch& p, double spacing) {
+ComponentMesh meshAt(const Patch& p, double spacing, bool improved) {
   BandGrid grid = gridAround(p, spacing);
   for (std::size_t i = 0; i < p.frame.radii.size(); i++)
     grid.forCornersNear(p.frame.positions[i], reachOf(p, i, grid.spacing()),
@@ -151,7 +149,8 @@ ComponentMesh meshAt(const Patch& p, double spacing) {
   grid.classify(isInside);
   MarchedBand band = marchBand(grid, values, planes, p.meanColour);
   removeFragments(band, planes, grid.spacing());
-  if (improveTriangles(band, planes, grid.spacing()) > 0) removeFragments(band, planes, grid.spacing());
+  if (improved && improveTriangles(band, planes, grid.spacing()) > 0)
+    removeFragments(band, planes, grid.spacing());
   offsetVertices(band, 0.1 * grid.spacing());
   turnNormalsOutward(band.mesh);
   return std::move(band.mesh);
@@ -175,14 +174,20 @@ std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame) {
 
 ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& component,
                               const std::vector<Rgb>& colours, const PeriodicSides& sides, double cell) {
+  return detailedMeshOfComponent(frame, component, colours, sides, {.cell = cell});
+}
+
+ComponentMesh detailedMeshOfComponent(const SurfaceFrame& frame, const ComponentRows& component,
+                                      const std::vector<Rgb>& colours, const PeriodicSides& sides,
+                                      const MeshDetail& detail) {
   ComponentMesh mesh;
   mesh.component = component.component;
   const Patch own = patchOf(frame, component, colours, sides);
   if (own.frame.radii.empty()) return mesh;
-  const double asked = cell * own.radius;
-  double edge = std::min(asked, mostOfSize * own.largest());
+  const double asked = detail.cell * own.radius;
+  double edge = std::min(asked, detail.mostOfSize * own.largest());
   for (int n = 0; n < 4 && edge > 0.01 * own.radius && mesh.mesh.triangles.empty(); n++, edge *= 0.5) {
-    mesh = meshAt(withImages(own, edge), edge);
+    mesh = meshAt(withImages(own, edge), edge, detail.improved);
     mesh.edge = edge;
   }
   mesh.component = component.component;

@@ -10,6 +10,9 @@ for kind in melt drop dam sheet oriented; do
   "$thaw" run "$kind.toml" --steps 2 >"$work/log" 2>&1; expectExit 0 "run $kind.toml"
   grep warning "$work/log" && fail "$kind.toml: a warning"
 done
+# more updates of the surface would take longer than the rest of the run
+"$thaw" check melt.toml >"$work/log" 2>&1; expectExit 0 "check melt.toml"
+expectMessage "about 51 updates until the end, 51 of them at frames" "the surface of melt.toml is updated at frames only"
 "$thaw" new 'a "name".toml' >"$work/log" 2>&1; expectExit 0 "a name with quotes"
 "$thaw" run 'a "name".toml' --steps 1 --out quoted >"$work/log" 2>&1; expectExit 0 "a title with quotes"
 

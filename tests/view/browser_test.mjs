@@ -177,6 +177,58 @@ const cases = {
     assert.deepEqual(errors, []);
   },
 
+  /// A surface is drawn as a mesh, and as discs by choice.
+  async mesh(browser, address) {
+    const { page, errors } = await open(browser, address);
+    const meshed = () => page.evaluate(() => window.thawView.stage.layers.get('surface').meshed);
+    await page.locator('#fit').click();
+    await page.waitForFunction(() => window.thawView.stage.layers.get('surface').meshed);
+    const mesh = await pixelsOf(page);
+    assert.ok(coloursIn(mesh) > 100, `the picture is blank: ${coloursIn(mesh)} colours`);
+    await page.selectOption('#field', 'temperature');
+    await page.waitForFunction(() => document.querySelector('.bar-title').textContent === 'temperature (K)');
+    const warm = await pixelsOf(page);
+    assert.ok(difference(mesh, warm) > 0.03, 'the field changes the colours of the mesh');
+    await page.selectOption('#look', 'discs');
+    const discs = await pixelsOf(page);
+    assert.equal(await meshed(), false, 'discs by choice');
+    const changed = difference(warm, discs);
+    assert.ok(changed > 1e-3, 'the picture changes');
+    assert.ok(changed < 0.1, `mesh and discs show the same surface: ${changed} of the pixels differ`);
+    await page.selectOption('#look', 'mesh');
+    assert.ok(difference(warm, await pixelsOf(page)) < 0.005, 'the mesh is back');
+    assert.equal(await meshed(), true);
+    const { x, y } = await page.locator('#canvas').boundingBox();
+    const at = await page.evaluate(() => {
+      const { stage, boxOf } = window.thawView;
+      return stage.onPage(
+        boxOf([stage.layers.get('surface').packet]).getCenter(stage.camera.position.clone()),
+      );
+    });
+    await page.mouse.click(x + at.x, y + at.y);
+    await page.waitForSelector('#point-panel table');
+    const far = await page.evaluate(() => {
+      const { selection, stage } = window.thawView;
+      return stage.onPage(selection.point.position);
+    });
+    const away = Math.hypot(far.x - at.x, far.y - at.y);
+    assert.ok(away < 30, `the picked surfel is ${away} pixels from the click`);
+    assert.deepEqual(errors, []);
+  },
+
+  /// The post is solid and red.
+  async obstacles(browser, address) {
+    const { page, errors } = await open(browser, address);
+    const pixels = await pixelsOf(page);
+    let red = 0;
+    for (let k = 0; k < pixels.length; k += 4)
+      if (pixels[k] > 60 && pixels[k] > 2.2 * pixels[k + 1] && pixels[k] > 2.2 * pixels[k + 2]) red++;
+    assert.ok(red > 200, `${red} pixels are red`);
+    await page.locator('#layer-obstacles').uncheck();
+    assert.ok(difference(pixels, await pixelsOf(page)) > 0.003, 'obstacles can be hidden');
+    assert.deepEqual(errors, []);
+  },
+
   /// The run is live, and the page stops it.
   async live(browser, address) {
     const { page, errors } = await open(browser, address, { frame: false });
@@ -190,6 +242,7 @@ const cases = {
       () => Number(document.body.dataset.frame) >= window.thawView.frames.numbers.length - 2,
     );
     await page.waitForFunction(() => document.querySelector('#time-left').textContent.includes('left'));
+    await page.waitForFunction(() => /left the domain/.test(document.querySelector('#warnings').textContent));
     await page.locator('#stop').click();
     await page.locator('#stop-yes').click();
     await page.waitForFunction(() => document.querySelector('#state').textContent === 'stopped');

@@ -37,6 +37,7 @@ inBrowser damaged
 simulate "$scenes/melt.toml" --set spacing=0.012 --set end=0.1 --out "$work/melt"
 serve "$work/melt"
 inBrowser layer surface
+inBrowser mesh
 simulate "$scenes/sheet/cloth.toml" --set sheet.cloth.spacing=0.03 --set end=0.1 --out "$work/cloth"
 serve "$work/cloth"
 inBrowser layer sheet
@@ -44,9 +45,14 @@ simulate "$scenes/oriented/weld.toml" --set spacing=0.05 --set end=0.2 --out "$w
 serve "$work/weld"
 inBrowser layer oriented
 
-# a run with one particle a spacing of 5 cm goes on until the page stops it
+simulate "$scenes/dam_break.toml" --set spacing=0.05 --set end=0.05 --set obstacle.post.look=solid \
+  --set 'obstacle.post.colour="#c02010"' --out "$work/solid"
+serve "$work/solid"
+inBrowser obstacles
+
+# A run with a spacing of 5 cm goes on until the page stops it. Particles leave through a low side meanwhile.
 launchInBackground 1 run "$scenes/dam_break.toml" --set spacing=0.05 --set end=1000 --progress 0.5 \
-  --out "$work/live" >"$work/live.log" 2>&1
+  --set 'domain.sides={x=["wall","open"],y="wall",z=["wall","open"]}' --out "$work/live" >"$work/live.log" 2>&1
 for _ in $(seq 100); do [ -f "$work/live/progress.csv" ] && break; sleep 0.1; done
 serve "$work/live"
 inBrowser live

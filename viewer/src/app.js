@@ -3,6 +3,7 @@
 import * as THREE from 'three';
 import { getJson, getPacket, pageData } from './data/api.js';
 import { FrameStore } from './data/frame_store.js';
+import { MeshStore } from './data/mesh_store.js';
 import { Settings } from './data/settings.js';
 import { Colouring, fieldsOf, titleOf } from './colouring.js';
 import { byId } from './dom.js';
@@ -20,11 +21,16 @@ import { Selection } from './selection.js';
 import { countText } from './text.js';
 
 const AHEAD = 3; // frames that are loaded ahead while playing
+const MESH_WAIT = 300; // ms before a surface without its mesh is drawn as discs
+const MESH_WAIT_PLAYING = 2000; // the same while playing, where a change of the look flickers
+
+const delay = (time) => new Promise((done) => setTimeout(done, time));
 
 export class App {
   constructor() {
     this.settings = new Settings();
     this.store = new FrameStore();
+    this.meshes = new MeshStore();
     this.colouring = new Colouring();
     this.frames = null; // the frames of api/run
     this.scene = null; // the answer of api/scene
@@ -79,7 +85,7 @@ export class App {
     const before = this.frames;
     this.frames = frames;
     const repeated = before && before.times.some((time, k) => frames.times[k] !== time);
-    if (repeated) this.store.clear(); // after a restart from an earlier time
+    if (repeated) for (const store of [this.store, this.meshes]) store.clear(); // a restart from before
     this.time.setTimes(frames.times);
     if (frames.numbers.length === 0) return;
     if (!this.scene || repeated) await this.loadScene();
@@ -141,31 +147,53 @@ export class App {
     if (!this.frames || frame < 0 || frame >= this.frames.numbers.length) return;
     const wanted = (this.wanted = {});
     const types = this.typesOf(frame);
+    const meshed = types.includes('surface') ? this.loadMesh(frame) : null;
     const loads = await Promise.allSettled(types.map((type) => this.store.load(this.queryOf(frame, type))));
     if (this.wanted !== wanted) return; // a later choice
     const bad = loads.filter((load) => load.status === 'rejected').map((load) => load.reason.message);
     this.notices.set('frame', bad.join('; '), true);
     const packets = new Map(types.map((type, k) => [type, loads[k].value]).filter(([, packet]) => packet));
-    this.draw(packets, bad.length > 0);
+    const mesh = await this.meshInTime(meshed);
+    if (this.wanted !== wanted) return;
+    this.draw(packets, mesh, bad.length > 0);
+    if (meshed && !mesh)
+      meshed.then((late) => late && this.wanted === wanted && this.draw(packets, late, bad.length > 0));
     await this.selection.update(frame);
     document.body.dataset.frame = String(this.frames.numbers[frame]);
     if (this.settings.playing) this.playOn(frame);
   }
 
-  /// keep: layers without a packet stay as they are, since their frame cannot be read.
-  draw(packets, keep) {
+  /// Returns a promise of the mesh of a frame's surface: null without one.
+  async loadMesh(index) {
+    const { look, most } = this.settings;
+    if (look !== 'mesh') return null;
+    try {
+      return await this.meshes.load({ number: this.frames.numbers[index], type: 'surface', most });
+    } catch {
+      return null; // discs show the surface
+    }
+  }
+
+  /// Returns null if the mesh takes too long.
+  meshInTime(meshed) {
+    if (!meshed) return null;
+    const wait = this.settings.playing ? MESH_WAIT_PLAYING : MESH_WAIT;
+    return Promise.race([meshed, delay(wait).then(() => null)]);
+  }
+
+  /// mesh: of the surface, or null. keep: layers without a packet stay as they are, since their frame cannot
+  /// be read.
+  draw(packets, mesh, keep) {
     const { settings, stage, scene } = this;
     const key = `${settings.field.name} ${settings.field.part}`;
     if (this.colouring.key !== key) this.colouring.reset(key);
     for (const [type, layer] of stage.layers) {
       const packet = packets.get(type);
       if (!packet && keep && settings.layers[type]) continue;
-      if (packet && packet === layer.packet && layer.look === settings.look) {
-        layer.setVisible(true);
-        continue;
-      }
-      layer.look = settings.look;
-      layer.show(packet ?? null, scene?.spacing ?? this.guessSpacing(packet), settings.look);
+      const own = type === 'surface' ? mesh : null;
+      const same = packet === layer.packet && layer.look === settings.look && layer.mesh === own;
+      if (packet && same) layer.setVisible(true);
+      else layer.show(packet ?? null, scene?.spacing ?? this.guessSpacing(packet), settings.look, own);
     }
     for (const { header } of packets.values()) this.colouring.add(header);
     const first = packets.values().next().value;
@@ -227,10 +255,11 @@ export class App {
   async playOn(frame) {
     const { rate } = this.settings,
       count = this.frames.numbers.length;
-    for (let k = 1; k <= AHEAD; k++)
-      if (frame + k < count)
-        for (const type of this.typesOf(frame + k))
-          this.store.load(this.queryOf(frame + k, type)).catch(() => {});
+    for (let k = Math.min(AHEAD, count - 1 - frame); k > 0; k--) {
+      const types = this.typesOf(frame + k);
+      for (const type of types) this.store.load(this.queryOf(frame + k, type)).catch(() => {});
+      if (types.includes('surface')) this.loadMesh(frame + k);
+    }
     clearTimeout(this.player);
     this.player = setTimeout(() => {
       if (!this.settings.playing || this.settings.frame !== frame) return;

@@ -114,6 +114,16 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times,
   s.title = w.scene.title;
 }
 
+Counters sumOfCounters(const World& w, Reducer& all) {
+  Counters counters = w.counters;
+  std::vector<std::int64_t> sum;
+  for (const NamedCount& c : countsOf(counters)) sum.push_back(*c.count);
+  all.sum(sum);
+  const std::int64_t* k = sum.data();
+  for (const NamedCount& c : countsOf(counters)) *c.count = *k++;
+  return counters;
+}
+
 void writeSummary(const std::string& out, const RunSummary& s, const std::string& name) {
   Json j;
   j["code"] = "thaw";

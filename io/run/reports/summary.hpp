@@ -46,6 +46,9 @@ inline constexpr const char* summaryName = "summary.json";
 /// Summary of a start that is refused, in a folder that holds a run. The summary of that run stays as it is.
 inline constexpr const char* refusedName = "summary.refused.json";
 
+/// Returns the counters of all ranks together. Collective.
+Counters sumOfCounters(const World& world, Reducer& all);
+
 /// Writes OUT/NAME and replaces the old file at once. One process only. Throws IoError.
 void writeSummary(const std::string& out, const RunSummary& summary, const std::string& name = summaryName);
 

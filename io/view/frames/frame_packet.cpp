@@ -28,28 +28,6 @@ bool isNeeded(PointType type, const std::string& name) {
   return false;
 }
 
-void addVectors(Packet& packet, const char* name, const std::vector<Vec3d>& vectors) {
-  std::vector<float> v;
-  v.reserve(3 * vectors.size());
-  for (const Vec3d& x : vectors)
-    for (int a = 0; a < 3; a++) v.push_back(static_cast<float>(x[a]));
-  packet.add(name, std::span<const float>(v), 3);
-}
-
-/// Adds unit vectors in 16 bits each, with a fourth component for the alignment.
-template<class V> void addNormals(Packet& packet, const std::vector<V>& normals) {
-  std::vector<std::int16_t> v;
-  v.reserve(4 * normals.size());
-  for (const V& n : normals) {
-    for (int a = 0; a < 3; a++) {
-      const double c = std::isfinite(n[a]) ? std::clamp(static_cast<double>(n[a]), -1.0, 1.0) : 0;
-      v.push_back(static_cast<std::int16_t>(std::lround(32767 * c)));
-    }
-    v.push_back(0);
-  }
-  packet.add("normal", std::span<const std::int16_t>(v), 4);
-}
-
 /// Adds the colours of a frame, sRGB, with a fourth byte for the alignment; none if it has no such field.
 void addColours(Packet& packet, const FrameData& frame) {
   const FrameColumn* column = frame.find("color");
@@ -62,13 +40,6 @@ void addColours(Packet& packet, const FrameData& frame) {
     v.push_back(255);
   }
   packet.add("colour", std::span<const std::uint8_t>(v), 4);
-}
-
-void addTriangles(Packet& packet, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-  std::vector<std::uint32_t> v;
-  v.reserve(3 * triangles.size());
-  for (const auto& t : triangles) v.insert(v.end(), t.begin(), t.end());
-  packet.add("triangles", std::span<const std::uint32_t>(v), 3);
 }
 
 /// Adds the field of the colours with the range of its finite values.
@@ -124,7 +95,7 @@ void addSurfels(Packet& packet, const FrameData& frame) {
     normals.push_back({part(0), part(1), part(2)});
     radii.push_back(static_cast<float>(radius->value(i)));
   }
-  addNormals(packet, normals);
+  packet.addNormals(normals);
   packet.add("radius", std::span<const float>(radii), 1);
   addColours(packet, frame);
 }
@@ -145,7 +116,9 @@ bool isSound(const OrientedFrame& frame) {
 /// Adds discs, and at level 0 the triangles and lines between them.
 void addOriented(Packet& packet, const FrameData& data, const std::string& path, int level) {
   const OrientedFrame frame = orientedFrameOf(data, path);
-  addNormals(packet, frame.normals);
+  std::vector<Vec3f> normals;
+  for (const Vec3d& n : frame.normals) normals.push_back(single(n));
+  packet.addNormals(normals);
   packet.add("radius",
              std::span<const float>(std::vector<float>(frame.spacings.begin(), frame.spacings.end())), 1);
   std::vector<std::uint8_t> colours;
@@ -153,7 +126,7 @@ void addOriented(Packet& packet, const FrameData& data, const std::string& path,
   packet.add("colour", std::span<const std::uint8_t>(colours), 4);
   if (level > 0 || !isSound(frame)) return;
   const auto triangles = triangulate(frame.points());
-  addTriangles(packet, triangles);
+  packet.addTriangles(triangles);
   std::vector<std::uint8_t> alone(frame.positions.size(), 1);
   std::vector<std::uint32_t> meshed;
   for (const auto& t : triangles) meshed.push_back(frame.groups[t[0]]);
@@ -206,14 +179,14 @@ Packet framePacket(const FrameRequest& q) {
                    {"fields", describeFields(info)}};
   const VertexShape shape = q.type == PointType::Sheet ? vertexShape(frame, read.rows) : VertexShape{};
   keepRows(frame, read.rows);
-  addVectors(packet, "position", frame.positions);
+  packet.addPositions(frame.positions);
   if (q.type == PointType::Surface) addSurfels(packet, frame);
   if (q.type == PointType::Oriented) addOriented(packet, frame, q.path, read.level);
   if (q.type == PointType::Sheet) {
-    addNormals(packet, shape.normals);
+    packet.addNormals(shape.normals);
     packet.add("radius", std::span<const float>(shape.radii), 1);
     addColours(packet, frame);
-    if (read.level == 0) addTriangles(packet, frame.triangles);
+    if (read.level == 0) packet.addTriangles(frame.triangles);
   }
   addField(packet, frame, q.field);
   return packet;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/view/frames/packet.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace thaw {
 
@@ -36,6 +38,34 @@ void Packet::add(const char* name, std::span<const std::int16_t> v, int componen
 }
 void Packet::add(const char* name, std::span<const std::uint8_t> v, int components) {
   arrays_.push_back(arrayOf(name, "u8", v, components));
+}
+
+void Packet::addPositions(std::span<const Vec3d> positions) {
+  std::vector<float> v;
+  v.reserve(3 * positions.size());
+  for (const Vec3d& x : positions)
+    for (int a = 0; a < 3; a++) v.push_back(static_cast<float>(x[a]));
+  add("position", std::span<const float>(v), 3);
+}
+
+void Packet::addNormals(std::span<const Vec3f> normals) {
+  std::vector<std::int16_t> v;
+  v.reserve(4 * normals.size());
+  for (const Vec3f& n : normals) {
+    for (int a = 0; a < 3; a++) {
+      const double c = std::isfinite(n[a]) ? std::clamp(static_cast<double>(n[a]), -1.0, 1.0) : 0;
+      v.push_back(static_cast<std::int16_t>(std::lround(32767 * c)));
+    }
+    v.push_back(0);
+  }
+  add("normal", std::span<const std::int16_t>(v), 4);
+}
+
+void Packet::addTriangles(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  std::vector<std::uint32_t> v;
+  v.reserve(3 * triangles.size());
+  for (const auto& t : triangles) v.insert(v.end(), t.begin(), t.end());
+  add("triangles", std::span<const std::uint32_t>(v), 3);
 }
 
 std::string Packet::bytes() const {

@@ -71,6 +71,13 @@ void encodeFrame(const Source& from, const ListedFrame& frame, const Thinning& t
     int& level = to.levels[pointTypeNames[k]];
     level = std::max(level, block.level);
     to.data.add(fmt::format("{}-{}", frame.number, pointTypeNames[k]), std::move(block.stream));
+    if (static_cast<PointType>(k) == PointType::Surface && t.meshes) {
+      const PeriodicSides sides = from.scene ? periodicSidesOf(from.scene->domain) : PeriodicSides{};
+      std::string mesh = meshBlock(request, sides);
+      to.bytes += bytesInPage(mesh);
+      to.sizes.meshes = true;
+      to.data.add(fmt::format("{}-mesh", frame.number), std::move(mesh));
+    }
   }
 }
 
@@ -147,6 +154,7 @@ std::string leftOut(const Source& from, const Encoded& all, std::size_t kept, co
   if (!t.tensors)
     for (const std::string& name : all.tensors) names += (names.empty() ? "" : ", ") + name;
   if (!names.empty()) add("the field " + names);
+  if (!t.meshes) add("meshes of surfaces");
   return text;
 }
 

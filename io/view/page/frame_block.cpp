@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/frames/rows_by_id.hpp"
+#include "io/view/frames/mesh_packet.hpp"
 #include "io/view/frames/thin_rows.hpp"
 #include "io/view/page/byte_planes.hpp"
 
@@ -78,6 +79,18 @@ void addField(Packet& packet, const FrameColumn& column, std::size_t rows) {
 bool isLook(const std::string& name) { return name == "normal" || name == "radius" || name == "cut_sides"; }
 
 }  // namespace
+
+std::string meshBlock(const BlockRequest& q, const PeriodicSides& sides) {
+  FrameRequest request;
+  request.path = q.path;
+  request.type = PointType::Surface;
+  request.most = q.most;
+  const Packet mesh = meshPacket(readSurfaceToMesh(request), sides);
+  Packet packet;
+  packet.header = mesh.header;
+  for (const PacketArray& array : mesh.arrays()) addArray(packet, array, q.spacing);
+  return deflated(packet.bytes());
+}
 
 FrameBlock frameBlock(const BlockRequest& q, const Json& poses) {
   FrameRequest request;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/surface_mesh/unwrap_component.hpp"
 #include "io/view/frames/frame_packet.hpp"
 
 namespace thaw {
@@ -22,6 +23,10 @@ struct FrameBlock {
   int level = 0;                     ///< one of 2^level points is in the block
   std::vector<std::string> tensors;  ///< names of the tensors of the frame
 };
+
+/// Returns the mesh of a surface (mesh_packet.hpp), quantised and compressed. request: most and spacing
+/// count. Throws IoError.
+std::string meshBlock(const BlockRequest& request, const PeriodicSides& sides);
 
 /// poses: of the obstacles at the time of the frame, for the header. Throws IoError.
 FrameBlock frameBlock(const BlockRequest& request, const nlohmann::ordered_json& poses);

@@ -17,6 +17,7 @@ bool thinFurther(const PageSizes& sizes, Thinning& t) {
     if (frames / 2 >= floor.frames) return t.every *= 2, true;
     if (points / 2 >= floor.points) return t.most = points / 2, true;
   }
+  if (t.meshes && sizes.meshes) return t.meshes = false, true;
   return false;
 }
 

@@ -10,12 +10,14 @@ struct Thinning {
   std::size_t every = 1;        ///< keeps every n-th frame and the last one
   std::uint64_t most = 500000;  ///< points of each type, about: as many as browsers draw
   bool tensors = true;          ///< with fields of six components
+  bool meshes = true;           ///< with meshes of surfaces
 };
 
 struct PageSizes {
   std::size_t frames = 0;    ///< frames of the run
   std::uint64_t points = 0;  ///< points of the largest encoded frame
   bool tensors = false;      ///< whether some were encoded
+  bool meshes = false;       ///< the same
 };
 
 /// Returns whether a frame is in the page.
@@ -24,7 +26,7 @@ inline bool isKept(std::size_t frame, const PageSizes& sizes, const Thinning& t)
 }
 
 /// Increases the thinning: no tensors, frames down to 60, points down to 12,500, frames down to 12, then
-/// points and frames in turn. Returns false if no further thinning is possible.
+/// points and frames in turn, and no meshes. Returns false if no further thinning is possible.
 bool thinFurther(const PageSizes& sizes, Thinning& t);
 
 }  // namespace thaw

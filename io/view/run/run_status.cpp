@@ -10,6 +10,7 @@
 
 #include "io/run/reports/progress.hpp"
 #include "io/run/reports/summary.hpp"
+#include "io/run/reports/warning_file.hpp"
 #include "io/run/run_lock.hpp"
 #include "io/view/run/run_files.hpp"
 #include "io/view/run/stop_request.hpp"
@@ -39,6 +40,18 @@ Json summaryOf(const fs::path& run) {
 
 std::string textIn(const Json& object, const char* key) {
   return object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : std::string();
+}
+
+/// Replaces the warnings of the summary by those in warnings.json, unless the summary is newer.
+void addNewWarnings(const fs::path& run, Json& summary) {
+  const auto path = fileInRun(run, warningsName), old = fileInRun(run, summaryName);
+  if (!path) return;
+  std::error_code error;
+  if (old && fs::last_write_time(*path, error) < fs::last_write_time(*old, error)) return;
+  std::ifstream file(*path);
+  const Json list = Json::parse(file, nullptr, false);
+  if (list.is_array() && std::all_of(list.begin(), list.end(), [](const Json& w) { return w.is_string(); }))
+    summary["warnings"] = list;
 }
 
 /// Sets state, text and live.
@@ -84,7 +97,8 @@ double ageOf(const fs::path& file) {
 
 Json runStatus(const fs::path& run) {
   Json status;
-  const Json summary = summaryOf(run);
+  Json summary = summaryOf(run);
+  addNewWarnings(run, summary);
   setState(run, summary, status);
   std::error_code error;
   status["stop_requested"] = status["live"].get<bool>() && fs::exists(run / stopName, error);

@@ -23,6 +23,9 @@ using Json = nlohmann::ordered_json;
 
 Json vectorJson(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
+/// Returns red, green and blue, 0 to 255.
+Json colourJson(std::uint32_t colour) { return {colour & 255, colour >> 8 & 255, colour >> 16 & 255}; }
+
 const char* sideName(Side side) {
   return side == Side::Wall ? "wall" : side == Side::Periodic ? "periodic" : "open";
 }
@@ -111,7 +114,9 @@ Packet obstacleMeshes(const Scene& scene) {
   std::vector<float> vertices;
   std::vector<std::uint32_t> triangles;
   for (const Obstacle& obstacle : scene.obstacles) {
-    Json entry = {{"name", obstacle.name}};
+    Json entry = {{"name", obstacle.name},
+                  {"look", obstacle.look == ObstacleLook::Solid ? "solid" : "glass"},
+                  {"colour", colourJson(obstacle.colour)}};
     try {
       addObstacle(obstacle, entry, vertices, triangles);
     } catch (const std::exception& error) {  // a mesh that is no longer there, on another machine

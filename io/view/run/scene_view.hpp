@@ -17,8 +17,8 @@ Scene sceneOfFrame(const std::filesystem::path& frame);
 /// Returns title, spacing, end, domain, camera (null if fitted), colour field and range.
 nlohmann::ordered_json sceneView(const Scene& scene);
 
-/// Returns the obstacles at rest: triangles, or point and normal of a plane. One that cannot be shown has a
-/// `problem`, such as a missing mesh.
+/// Returns the obstacles at rest: look, colour, and triangles, or point and normal of a plane. One that
+/// cannot be shown has a `problem`, such as a missing mesh.
 Packet obstacleMeshes(const Scene& scene);
 
 /// Returns the lines of emitters, clamps and the camera: `position`, two rows for each line. The header has

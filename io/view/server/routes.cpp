@@ -9,8 +9,10 @@
 #include <stdexcept>
 
 #include "io/hdf5/io_error.hpp"
+#include "io/run/run_lock.hpp"
 #include "io/view/frames/frame_list.hpp"
 #include "io/view/frames/frame_packet.hpp"
+#include "io/view/frames/mesh_packet.hpp"
 #include "io/view/frames/point_details.hpp"
 #include "io/view/run/log_rows.hpp"
 #include "io/view/run/run_files.hpp"
@@ -126,6 +128,23 @@ ViewReply frameReply(ViewState& state, const ViewRequest& q) {
   return {200, binary, packet.bytes()};
 }
 
+/// Reads the frame with the lock, and makes the mesh without it.
+ViewReply meshReply(ViewState& state, const ViewRequest& q, std::unique_lock<std::mutex>& lock) {
+  const FrameRequest request = frameRequest(state, q);
+  if (request.type != PointType::Surface) throw BadRequest("expected the type surface");
+  const Scene* scene = usableScene(state);
+  const PeriodicSides sides = scene ? periodicSidesOf(scene->domain) : PeriodicSides{};
+  const std::string key = fmt::format(
+      "{} {} {}", request.path, fs::last_write_time(request.path).time_since_epoch().count(), request.most);
+  const bool live = lockHolder(state.run.string()).has_value();
+  lock.unlock();
+  const auto read = [&] {
+    const std::lock_guard hdf5(state.mutex);
+    return readSurfaceToMesh(request);
+  };
+  return {200, binary, state.meshes.packet(key, read, sides, live)};
+}
+
 ViewReply logReply(const ViewState& state, const ViewRequest& q) {
   const auto path = logInRun(state.run, textOf(q, "file"));
   if (!path) return jsonReply({{"bytes", -1}, {"rows", 0}, {"columns", Json::object()}});
@@ -147,11 +166,13 @@ ViewReply stopReply(const ViewState& state, const ViewRequest& q) {
   return problem.empty() ? jsonReply({{"stop_requested", true}}) : problemReply(409, problem);
 }
 
-ViewReply apiReply(ViewState& state, const ViewRequest& q, const std::string& name) {
+ViewReply apiReply(ViewState& state, const ViewRequest& q, const std::string& name,
+                   std::unique_lock<std::mutex>& lock) {
   if (name == "stop") return stopReply(state, q);
   if (q.method != "GET") return problemReply(405, "expected GET");
   if (name == "run") return runReply(state, q);
   if (name == "frame") return frameReply(state, q);
+  if (name == "mesh") return meshReply(state, q, lock);
   if (name == "log") return logReply(state, q);
   if (name == "point")
     return jsonReply(pointDetails(frameRequest(state, q),
@@ -186,7 +207,7 @@ ViewReply openReply(ViewState& state, const std::string& once) {
   return {303, "text/plain; charset=utf-8", "", "/" + state.token + "/"};
 }
 
-ViewReply routed(ViewState& state, const ViewRequest& q) {
+ViewReply routed(ViewState& state, const ViewRequest& q, std::unique_lock<std::mutex>& lock) {
   if (const std::string problem = originProblem(q); !problem.empty()) return problemReply(403, problem);
   const std::size_t slash = q.path.find('/', 1);
   const std::string first = q.path.substr(std::min<std::size_t>(1, q.path.size()), slash - 1);
@@ -195,15 +216,15 @@ ViewReply routed(ViewState& state, const ViewRequest& q) {
   if (!sameToken(first, state.token))
     return problemReply(403, "wrong or missing token: use the address that thaw view prints");
   if (slash == std::string::npos) return {303, "text/plain; charset=utf-8", "", "/" + state.token + "/"};
-  return rest.starts_with("api/") ? apiReply(state, q, rest.substr(4)) : pageReply(q, rest);
+  return rest.starts_with("api/") ? apiReply(state, q, rest.substr(4), lock) : pageReply(q, rest);
 }
 
 }  // namespace
 
 ViewReply answer(ViewState& state, const ViewRequest& request) {
-  const std::lock_guard lock(state.mutex);
+  std::unique_lock lock(state.mutex);
   try {
-    return routed(state, request);
+    return routed(state, request, lock);
   } catch (const BadRequest& error) {
     return problemReply(400, error.what());
   } catch (const std::bad_alloc&) {

@@ -4,7 +4,8 @@
 //   api/scene     camera, colours, domain        api/obstacles  their triangles (packet)
 //   api/marks     lines of emitters, clamps and the camera (packet)
 //   api/frame     `number`, `type`, `field`, `part`, `most`: a packet (frame_packet.hpp)
-//   api/point     the same, and `index` or `id`: all fields of one point
+//   api/mesh      `number`, `type`, `most`: a surface as triangles (packet, mesh_packet.hpp)
+//   api/point     as api/frame, and `index` or `id`: all fields of one point
 //   api/log       `file`, `columns`, `rows`, `known`: a CSV file (log_rows.hpp)
 //   api/stop      POST: stops a live run with a checkpoint
 #pragma once
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "core/scene/scene.hpp"
+#include "io/view/server/mesh_cache.hpp"
 #include "io/view/server/request.hpp"
 
 namespace thaw {
@@ -30,6 +32,7 @@ struct ViewState {
   std::mutex mutex = {};  ///< HDF5 is not thread-safe
   std::optional<Scene> scene = {};
   std::string sceneFrom = {};  ///< frame and time of its file
+  MeshCache meshes = {};       ///< made without the mutex, so that other requests go on
 };
 
 /// Returns the reply to a request. Refuses requests of other sites (request_origin.hpp) and without the

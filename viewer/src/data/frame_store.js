@@ -31,10 +31,14 @@ export class FrameStore {
     return this.loading.get(key);
   }
 
+  request(query) {
+    return getPacket('frame', query);
+  }
+
   async fetch(query, key) {
     try {
-      const packet = await getPacket('frame', query);
-      if (this.loading.has(key)) this.keep(key, packet);
+      const packet = await this.request(query);
+      if (packet && this.loading.has(key)) this.keep(key, packet);
       return packet;
     } finally {
       this.loading.delete(key);

@@ -152,7 +152,16 @@ export class PageData {
     return query.frames === run.frames.revision ? { ...run, frames: undefined } : run;
   }
 
+  /// Returns the mesh of a frame; null in a page without meshes.
+  async mesh({ number }) {
+    const buffer = await blockOf(`${number}-mesh`);
+    if (!buffer) return null;
+    const { header, shown } = unpack(decodePacket(buffer));
+    return { header, arrays: shown, bytes: buffer.byteLength };
+  }
+
   async getPacket(name, query) {
+    if (name === 'mesh') return this.mesh(query);
     return name === 'frame' ? packetOf(await this.frame(query), query) : decodePacket(await blockOf(name));
   }
 }

@@ -17,7 +17,7 @@ export class Settings {
       clamps: true,
       camera: false,
     };
-    this.look = 'mesh'; // oriented particles as mesh or discs
+    this.look = 'mesh'; // surfaces and oriented particles as mesh or discs
     this.field = { name: '', part: -1 }; // '': own colours
     this.map = 'ember';
     this.range = { min: null, max: null }; // null: over the frames that were shown

@@ -100,7 +100,7 @@ export class ViewPanel {
     this.mostRow.hidden = pageData !== null; // a page has a fixed choice of points
     this.look = make('select', {
       id: 'look',
-      title: 'look of oriented bodies',
+      title: 'look of surfaces and oriented bodies',
       onchange: () => settings.change({ look: this.look.value }),
     });
     setOptions(
@@ -111,7 +111,7 @@ export class ViewPanel {
       ],
       settings.look,
     );
-    this.lookRow = row('oriented as', this.look);
+    this.lookRow = row('drawn as', this.look);
     this.camera = make('input', {
       id: 'camera-line',
       readOnly: true,
@@ -217,12 +217,13 @@ export class ViewPanel {
           ),
         ),
     );
-    this.lookRow.hidden = !present.includes('oriented');
+    this.lookRow.hidden = !present.includes('oriented') && !present.includes('surface');
     this.update();
   }
 
   update() {
     const { field, range, cut } = this.settings;
+    this.look.value = this.settings.look;
     this.axis.value = cut.axis;
     this.share.value = cut.share;
     this.share.disabled = cut.axis === '';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles between points, seen from both sides: sheets, oriented bodies, and the lines of curves.
+// Triangles between points, seen from both sides: surfaces, sheets, oriented bodies, and lines of curves.
 import * as THREE from 'three';
 import {
   colourFragment,
@@ -89,13 +89,14 @@ export class Meshes {
     });
   }
 
-  show(packet) {
+  /// arrays: of a packet.
+  show(arrays) {
     for (const [object, name] of [
       [this.mesh, 'triangles'],
       [this.lines, 'lines'],
     ]) {
-      const { geometry, source } = geometryOf(packet.arrays);
-      const corners = packet.arrays[name];
+      const { geometry, source } = geometryOf(arrays);
+      const corners = arrays[name];
       geometry.setIndex(new THREE.BufferAttribute(corners ? corners.data : new Uint32Array(0), 1));
       this.uniforms.source.value = source;
       object.geometry.dispose();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obstacles: bounded ones as glass, planes as floors that fade with the distance from the domain.
+// Obstacles: bounded ones as glass or solid, planes as floors that fade with the distance from the domain.
 import * as THREE from 'three';
 import { toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import { fragmentCommon, shared, vertexCommon } from './shading.js';
 
 const CREASE = 0.6; // rad: boxes keep sharp edges, balls look smooth
 
-const glassVertex = /* glsl */ `
+const bodyVertex = /* glsl */ `
 ${vertexCommon}
 in vec3 position, normal;
 out vec3 place, direction;
@@ -24,6 +24,16 @@ void main() {
   if (dot(n, place) > 0.0) n = -n;
   float rim = 1.0 - abs(dot(n, normalize(place)));
   result = vec4(shaded(plain, n, place), 0.16 + 0.34 * rim * rim);
+}`;
+
+const solidFragment = /* glsl */ `
+${fragmentCommon}
+in vec3 place, direction;
+out vec4 result;
+void main() {
+  vec3 n = normalize(direction);
+  if (dot(n, place) > 0.0) n = -n;
+  result = vec4(shaded(plain, n, place), 1.0);
 }`;
 
 const floorVertex = /* glsl */ `
@@ -49,23 +59,22 @@ void main() {
   result = vec4(shaded(plain, n, place), 0.55 * fade);
 }`;
 
-function materialOf(vertexShader, fragmentShader, side) {
+/// colour: red, green and blue, 0 to 255.
+function materialOf(vertexShader, fragmentShader, colour, solid = false) {
   return new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3,
     vertexShader,
     fragmentShader,
-    side,
-    uniforms: { ...shared, plain: { value: new THREE.Color(0.55, 0.62, 0.68) } },
-    transparent: true,
-    depthWrite: false,
+    side: THREE.DoubleSide,
+    uniforms: { ...shared, plain: { value: new THREE.Color(...colour.map((c) => c / 255)) } },
+    transparent: !solid,
+    depthWrite: solid,
   });
 }
 
 export class Obstacles {
   constructor() {
     this.group = new THREE.Group();
-    this.glass = materialOf(glassVertex, glassFragment, THREE.DoubleSide);
-    this.floor = materialOf(floorVertex, floorFragment, THREE.DoubleSide);
     this.objects = [];
   }
 
@@ -75,15 +84,15 @@ export class Obstacles {
     this.objects = (packet.header.obstacles ?? []).map((obstacle) => {
       const object = new THREE.Group();
       object.matrixAutoUpdate = false;
-      if (obstacle.plane) object.add(this.floorOf(obstacle.plane, box));
-      else if (obstacle.triangles > 0) object.add(this.glassOf(obstacle, packet.arrays));
+      if (obstacle.plane) object.add(this.floorOf(obstacle, box));
+      else if (obstacle.triangles > 0) object.add(this.bodyOf(obstacle, packet.arrays));
       this.group.add(object);
       return object;
     });
     return (packet.header.obstacles ?? []).filter((o) => o.problem);
   }
 
-  glassOf(obstacle, arrays) {
+  bodyOf(obstacle, arrays) {
     const whole = new THREE.BufferGeometry();
     whole.setAttribute('position', new THREE.BufferAttribute(arrays.position.data, 3));
     whole.setIndex(
@@ -93,7 +102,10 @@ export class Obstacles {
       ),
     );
     const geometry = toCreasedNormals(whole, CREASE);
-    const mesh = new THREE.Mesh(geometry, this.glass);
+    const solid = obstacle.look === 'solid';
+    const material = materialOf(bodyVertex, solid ? solidFragment : glassFragment, obstacle.colour, solid);
+    const mesh = new THREE.Mesh(geometry, material);
+    if (solid) return mesh;
     const edges = new THREE.LineSegments(
       new THREE.EdgesGeometry(geometry, 30),
       new THREE.LineBasicMaterial({
@@ -108,11 +120,11 @@ export class Obstacles {
     return both;
   }
 
-  floorOf({ point, normal }, box) {
+  floorOf({ plane: { point, normal }, colour }, box) {
     const centre = box.getCenter(new THREE.Vector3()),
       n = new THREE.Vector3(...normal);
     const away = n.dot(centre) - n.dot(new THREE.Vector3(...point));
-    const mesh = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), this.floor);
+    const mesh = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), materialOf(floorVertex, floorFragment, colour));
     mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), n);
     mesh.position.copy(centre).addScaledVector(n, -away);
     mesh.scale.setScalar(0.75 * box.getSize(new THREE.Vector3()).length());

@@ -206,6 +206,7 @@ export class Stage {
     const layers = [...this.layers.values()].map((layer) => layer.pickable()).filter(Boolean);
     const found = this.picking.pick(this.camera, { x, y, ...this.size }, layers);
     this.touch();
+    if (found) found.index = this.layers.get(found.type).pointOf(found.index);
     return found;
   }
 

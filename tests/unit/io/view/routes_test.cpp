@@ -3,7 +3,10 @@
 
 #include <unistd.h>
 
+#include "io/run/reports/warning_file.hpp"
 #include "io/run/run_lock.hpp"
+#include "io/scene/scene_for_all.hpp"
+#include "io/view/run/scene_view.hpp"
 #include "tests/support/view_run.hpp"
 
 using namespace thaw;
@@ -154,6 +157,32 @@ TEST_F(ViewRun, OnlyALiveRunIsStopped) {
   EXPECT_TRUE(fs::is_regular_file(run / "stop"));
   EXPECT_TRUE(json("api/run").at("stop_requested"));
   EXPECT_EQ(answer(state, stop).status, 200) << "again";
+}
+
+TEST_F(ViewRun, WarningsOfARunInProgressAreNewerThanItsSummary) {
+  std::ofstream(run / "summary.json") << R"({"status": "running", "warnings": ["old"]})";
+  EXPECT_EQ(json("api/run").at("summary").at("warnings").dump(), R"(["old"])");
+  writeWarnings(run.string(), {"old", "new"});
+  EXPECT_EQ(json("api/run").at("summary").at("warnings").dump(), R"(["old","new"])");
+  fs::last_write_time(run / warningsName,
+                      fs::last_write_time(run / "summary.json") - std::chrono::seconds(1));
+  EXPECT_EQ(json("api/run").at("summary").at("warnings").dump(), R"(["old"])") << "of an earlier process";
+  std::ofstream(run / warningsName) << "[3";
+  EXPECT_EQ(get("api/run").status, 200) << "damaged";
+}
+
+TEST_F(ViewRun, ObstaclesHaveTheirLookAndColour) {
+  const Scene scene = sceneOfText(std::string("# ---- /scenes/wax.toml\n") + exampleScene() + R"(
+[[obstacle]]
+name = "pot"
+sphere = { radius = 0.1 }
+look = "solid"
+colour = "#102030"
+)",
+                                  "wax");
+  const auto obstacle = obstacleMeshes(scene).header.at("obstacles").back();
+  EXPECT_EQ(obstacle.at("look"), "solid");
+  EXPECT_EQ(obstacle.at("colour").dump(), "[16,32,48]");
 }
 
 TEST_F(ViewRun, NothingElseIsWritten) {
