@@ -124,10 +124,32 @@ def machine():
     return f"{row['machine']} with thaw {row['version']}"
 
 
+def view():
+    """Returns the cost of a view for a run and the rate of its pictures."""
+    rows = {r["case"]: r for r in rowsOf("performance", "view.csv")}
+    text = []
+    for case, words in (
+        ("cost followed", "that follows a run"),
+        ("cost followed and drawn", "that also draws on the same processor"),
+    ):
+        if case in rows:
+            r = rows[case]
+            unit = "instructions" if r["note"].startswith("instructions") else "processor time"
+            text.append(f"a page {words} adds {float(r['value']):.2f} % to its {unit}")
+    rates = [
+        f"{float(r['value']):.1f} pictures a second of {r['case'].removeprefix('pictures of ')}"
+        for r in rows.values()
+        if r["unit"] == "1/s"
+    ]
+    if rates:
+        text.append(f"without a graphics processor, by software, it draws {' and '.join(rates)}")
+    return "; ".join(text)
+
+
 def page():
     with open(os.path.join(HERE, "performance", "text.md")) as f:
         text = f.read()
-    made = {"table": table, "machine": machine, "predicted": predicted}
+    made = {"view": view, "table": table, "machine": machine, "predicted": predicted}
     return re.sub(r"\{\{(\w+)\s*([^}]*)\}\}", lambda m: made[m[1]](*m[2].split()), text)
 
 

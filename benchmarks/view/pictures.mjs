@@ -55,6 +55,8 @@ const cases = {
       for (const name of ['particles', 'surface'])
         await page.locator(`#layer-${name}`).setChecked(layers.includes(name));
       await settle(page);
+      if (layers.includes('surface'))
+        await page.waitForFunction(() => window.thawView.stage.layers.get('surface').meshed);
       const { counts, renderer } = await page.evaluate(() => {
         const { stage } = window.thawView,
           gl = stage.renderer.getContext(),

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Cost of `thaw view` for a run, and the rate of its pictures without a graphics processor.
 
-  scripts/bench view [--repeats 5] [--spacing 0.0175] [--end 1.25]
+  scripts/bench view [--repeats 5] [--spacing 0.0175] [--end 1.25] [--count]
 
 A dam break runs on one core: alone, with a client that follows it as the page does but draws nothing, and
 with the page in headless Chromium. The three kinds of runs alternate. Their costs are medians of processor
 time. The browser draws on the same processor. Then the page draws a block of liquid from many sides.
-Columns of the file: case, particles, surfels, value, unit, note.
+--count counts instructions of the runs with valgrind instead of their time, once, and without the browser:
+for machines on which other programs run. Columns of the file: case, particles, surfels, value, unit, note.
 """
 import argparse
 import contextlib
@@ -15,6 +16,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import shutil
 import statistics
 import subprocess
@@ -102,13 +104,28 @@ def nodeCommand(*arguments):
     return ["node", str(HERE / "pictures.mjs"), *arguments]
 
 
+def counting(command, log):
+    """Returns a command that counts the instructions of another one into a file."""
+    return ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", f"--log-file={log}", *command]
+
+
+def countIn(log):
+    return int(re.search(r"Collected : (\d+)", pathlib.Path(log).read_text())[1])
+
+
 def runSeconds(folder, o, watch):
-    """Returns processor and wall-clock seconds of a run, its particles, and the frames a watcher showed."""
+    """Returns processor and wall-clock seconds of a run, its particles, and the frames a watcher showed.
+
+    With o.count, instructions take the place of processor seconds.
+    """
     out = os.path.join(folder, "out")
     shutil.rmtree(out, ignore_errors=True)
     command = [THAW, "run", str(ROOT / "scenes/dam_break.toml"), "--out", out]
     for setting in (f"spacing={o.spacing}", f"end={o.end}"):
         command += ["--set", setting]
+    log = os.path.join(folder, "count.log")
+    if o.count:
+        command = counting(command, log)
     begin = time.monotonic()
     run = subprocess.Popen(command, stdout=subprocess.DEVNULL)
     watcher, view = None, None
@@ -126,27 +143,30 @@ def runSeconds(folder, o, watch):
         raise SystemExit("the run fails")
     with open(os.path.join(out, "summary.json")) as file:
         particles = json.load(file)["particles"]
-    return used.ru_utime + used.ru_stime, wall, particles, watcher.frames if watcher else 0
+    cost = countIn(log) if o.count else used.ru_utime + used.ru_stime
+    return cost, wall, particles, watcher.frames if watcher else 0
 
 
 def costs(folder, o):
     """Yields rows of the cost of a view, in percent of the run alone."""
     ways = {"alone": None, "followed": Client, "followed and drawn": Browser}
-    if o.no_browser:
+    unit = "instructions" if o.count else "s of processor time"
+    if o.no_browser or o.count:
         del ways["followed and drawn"]
     seconds, wall, frames = {w: [] for w in ways}, {w: [] for w in ways}, {}
     for k in range(o.repeats):
         for way in ways if k % 2 == 0 else reversed(ways):
             cpu, elapsed, particles, frames[way] = runSeconds(folder, o, ways[way])
             seconds[way].append(cpu), wall[way].append(elapsed)
-            print(f"{way:20s} {cpu:8.3f} s of processor time, {elapsed:8.3f} s, {frames[way]} frames shown")
+            print(f"{way:20s} {cpu:8.3f} {unit}, {elapsed:8.3f} s, {frames[way]} frames shown")
     for way in ways:
-        yield f"run {way}", particles, 0, statistics.median(seconds[way]), "s", f"{frames[way]} frames shown"
+        cost = statistics.median(seconds[way])
+        yield f"run {way}", particles, 0, cost, unit, f"{frames[way]} frames shown"
         yield f"run {way}, wall clock", particles, 0, statistics.median(wall[way]), "s", ""
     alone = statistics.median(seconds["alone"])
     for way in list(ways)[1:]:
         cost = 100 * (statistics.median(seconds[way]) / alone - 1)
-        yield f"cost {way}", particles, 0, cost, "%", f"of {o.repeats} runs"
+        yield f"cost {way}", particles, 0, cost, "%", f"{unit}, median of {o.repeats}"
 
 
 def pictures(folder):
@@ -170,8 +190,11 @@ def main():
     parser.add_argument("--repeats", type=int, default=5)
     parser.add_argument("--spacing", type=float, default=0.0175, help="m, of the dam break")
     parser.add_argument("--end", type=float, default=1.25, help="s, of the dam break")
+    parser.add_argument("--count", action="store_true", help="instructions of one run each, not seconds")
     parser.add_argument("--no-browser", action="store_true", help="without Chromium")
     o = parser.parse_args()
+    if o.count:
+        o.repeats = 1
     cache = (BUILD / "CMakeCache.txt").read_text().splitlines()
     os.environ["MODULES"] = next(l.split("=", 1)[1] for l in cache if l.startswith("THAW_VIEW_MODULES:PATH="))
     os.environ["CHROMIUM"] = shutil.which("chromium") or shutil.which("google-chrome") or ""
