@@ -19,6 +19,7 @@ html_title = f"thaw {version}"
 
 def setup(app):
     """Leaves out links to pages of the gallery that scripts/gallery has not made."""
+
     def keep_or_drop(link):
         return link[0] if (Path(app.outdir) / link[1]).exists() else link[2]
 

@@ -39,8 +39,8 @@ struct Run : MpiSimulation {
   std::string name;                        // name of the scene, for file names
   std::vector<SeriesEntry> series;         // rank 0
   RunSummary summary;
-  std::vector<std::string> countedWarnings;    // of counters, ledger and surface, as of the last report
-  std::vector<std::string> publishedWarnings;  // those in OUT/warnings.json
+  std::vector<std::string> countedWarnings;    // about counters, ledger and surface at the last report
+  std::vector<std::string> publishedWarnings;  // content of OUT/warnings.json
   WallClock::time_point startedAt = WallClock::now(), lastReport = startedAt, lastCheckpoint = startedAt;
   std::int64_t firstStep = 0, stepAtReport = 0;
   WorldSnapshot good;           // the last snapshot

@@ -12,7 +12,7 @@ for kind in melt drop dam sheet oriented; do
 done
 # more updates of the surface would take longer than the rest of the run
 "$thaw" check melt.toml >"$work/log" 2>&1; expectExit 0 "check melt.toml"
-expectMessage "about 51 updates until the end, 51 of them at frames" "the surface of melt.toml is updated at frames only"
+expectMessage "about 51 updates until the end, 51 of them at frames" "updates of the surface"
 "$thaw" new 'a "name".toml' >"$work/log" 2>&1; expectExit 0 "a name with quotes"
 "$thaw" run 'a "name".toml' --steps 1 --out quoted >"$work/log" 2>&1; expectExit 0 "a title with quotes"
 

@@ -52,7 +52,8 @@ inBrowser obstacles
 
 # A run with a spacing of 5 cm goes on until the page stops it. Particles leave through a low side meanwhile.
 launchInBackground 1 run "$scenes/dam_break.toml" --set spacing=0.05 --set end=1000 --progress 0.5 \
-  --set 'domain.sides={x=["wall","open"],y="wall",z=["wall","open"]}' --out "$work/live" >"$work/live.log" 2>&1
+  --set 'domain.sides={x=["wall","open"],y="wall",z=["wall","open"]}' --out "$work/live" \
+  >"$work/live.log" 2>&1
 for _ in $(seq 100); do [ -f "$work/live/progress.csv" ] && break; sleep 0.1; done
 serve "$work/live"
 inBrowser live

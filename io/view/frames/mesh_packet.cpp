@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-constexpr double verticesPerSurfel = 5;  // of cubes as wide as the radius of a surfel
+constexpr double verticesPerSurfel = 5;  // in meshes with cubes as wide as the radius of a surfel
 constexpr double mostVertices = 50000;
 
 /// Moves a position by whole periods into the domain.
