@@ -3,9 +3,9 @@
 
 #include <unistd.h>
 
+#include "io/render/scene_job.hpp"
 #include "io/run/reports/warning_file.hpp"
 #include "io/run/run_lock.hpp"
-#include "io/scene/scene_for_all.hpp"
 #include "io/view/run/scene_view.hpp"
 #include "tests/support/view_run.hpp"
 
