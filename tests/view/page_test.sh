@@ -27,6 +27,12 @@ expectExit 2 "--what with a page"
 "$thaw" export "$work/none" --as html >"$work/log" 2>&1
 expectExit 3 "a run that is not there"
 
+simulate "$scenes/melt.toml" --set spacing=0.012 --set end=0.1 --out "$work/melt"
+"$thaw" export "$work/melt" --as html --out "$work/melt.html" >"$work/log" 2>&1
+expectExit 0 "export of a surface"
+address=file://$work/melt.html
+inBrowser mesh
+
 "$thaw" preview "$scenes/beam.toml" --html "$work/beam.html" >"$work/log" 2>&1
 expectExit 0 "preview --html"
 address=file://$work/beam.html

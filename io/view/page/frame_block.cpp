@@ -14,6 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::uint64_t verticesPerSurfel = 2;  // most, so that meshes are not much larger than surfels
 constexpr Accuracy coarse{254, 0};  // as many steps as a colour map has colours
 
 template<class T> std::vector<T> numbersOf(const PacketArray& array) {
@@ -85,7 +86,9 @@ std::string meshBlock(const BlockRequest& q, const PeriodicSides& sides) {
   request.path = q.path;
   request.type = PointType::Surface;
   request.most = q.most;
-  const Packet mesh = meshPacket(readSurfaceToMesh(request), sides);
+  SurfaceToMesh surface = readSurfaceToMesh(request);
+  surface.most = std::min<std::uint64_t>(surface.most, verticesPerSurfel * surface.surfels.positions.size());
+  const Packet mesh = meshPacket(surface, sides);
   Packet packet;
   packet.header = mesh.header;
   for (const PacketArray& array : mesh.arrays()) addArray(packet, array, q.spacing);
