@@ -124,7 +124,8 @@ export class Obstacles {
     const centre = box.getCenter(new THREE.Vector3()),
       n = new THREE.Vector3(...normal);
     const away = n.dot(centre) - n.dot(new THREE.Vector3(...point));
-    const mesh = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), materialOf(floorVertex, floorFragment, colour));
+    const material = materialOf(floorVertex, floorFragment, colour);
+    const mesh = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), material);
     mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), n);
     mesh.position.copy(centre).addScaledVector(n, -away);
     mesh.scale.setScalar(0.75 * box.getSize(new THREE.Vector3()).length());
