@@ -81,6 +81,8 @@ TEST_F(ViewMesh, OtherRequestsGoOnWhileAMeshIsMade) {
 }
 
 TEST_F(ViewMesh, OnlySurfacesHaveMeshes) {
+  sample(4);
+  write(0);
   EXPECT_EQ(get("api/mesh", {{"number", "0"}, {"type", "particles"}}).status, 400);
   EXPECT_EQ(get("api/mesh", {{"number", "7"}, {"type", "surface"}}).status, 422);
   std::ofstream(run / "frames" / "wax_surface_000000.hdf") << "damaged";
