@@ -93,7 +93,7 @@ TEST(SurfaceCurvature, TheLedgerCloses) {
   Scene s = drop(0.2);
   s.domain.side[2] = {Side::Wall, Side::Open};
   s.materials[0].contactAngle = pi / 3;
-  s.bodies[0].shape.move = {0, 0, -1.1};
+  s.bodies[0].shape.move = {0, 0, -0.9};
   s.end = 0.3;
   Simulation run(s);
   ASSERT_TRUE(run.run());

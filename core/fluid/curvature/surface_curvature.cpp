@@ -168,7 +168,7 @@ struct TangentFit {
   bool solvable() const { return xx + yy > 1e-3; }
   /// Solves the fit. The small multiple of the identity bounds the slopes of particles with few neighbours.
   void solve() {
-    const double small = 0.02 * (xx + yy), a = xx + small, b = yy + small, det = a * b - xy * xy;
+    const double small = 1e-3 * (xx + yy), a = xx + small, b = yy + small, det = a * b - xy * xy;
     const auto inverse = [&](double& s, double& t) {
       const double u = (b * s - xy * t) / det;
       t = (a * t - xy * s) / det;
