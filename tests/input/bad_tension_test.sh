@@ -22,7 +22,8 @@ rejects "a table with cohesion of pairs" \
 rejects "an angle with cohesion of pairs" "${key}contact_angle: contact angles need .numerics\.tension" \
   2 check "$(liquid angle_pairs 'surface_tension = 0.07\ncontact_angle = 1')" --set numerics.tension=pairwise
 water='surface_tension = 0.07\ncontact_angle = 1'
-accepts "an angle with curvature" run "$(liquid curvature "$water")" --steps 3 --set numerics.tension=curvature
+accepts "an angle with curvature" run "$(liquid curvature "$water")" --steps 3 \
+  --set numerics.tension=curvature
 rejects "curvature with summed densities" 'curvature". needs .numerics\.density = "continuity"' \
   2 check "$(liquid summed "$water")" --set numerics.tension=curvature --set numerics.density=summation
 rejects "curvature without shifting" "numerics\.shifting. above 0" \

@@ -52,7 +52,8 @@ TEST(SurfaceCurvature, ABallHasLaplacesPressure) {
   double inwards = 0, tangential = 0;
   Vec3d total{};
   for (std::size_t i = 0; i < run.w.particles.owned; i++) {
-    const Vec3d f = tensionOf(run.w, i), e = run.w.particles.position[i] / length(run.w.particles.position[i]);
+    const Vec3d f = tensionOf(run.w, i),
+                e = run.w.particles.position[i] / length(run.w.particles.position[i]);
     inwards -= dot(f, e);
     tangential += length(f - e * dot(f, e));
     total += f;

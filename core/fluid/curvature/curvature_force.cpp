@@ -39,7 +39,8 @@ void recordCurvatureKick(const WallView& w, HalfKick kick, double dt) {
     const Vec3d f{kept[0], kept[1], kept[2]};
     if (f == Vec3d{}) continue;
     const Vec3d a = kick == HalfKick::First ? p.acceleration[i] : p.force[i] * (1 / p.mass[i]) + g;
-    w.ledger.wallWork.add(dot(f, p.velocity[i] + a * (0.5 * half)) * half);  // at the mean velocity of the kick
+    // at the mean velocity of the kick
+    w.ledger.wallWork.add(dot(f, p.velocity[i] + a * (0.5 * half)) * half);
     for (int axis = 0; axis < 3; axis++) w.ledger.wallImpulse[axis].add(f[axis] * half);
   }
 }

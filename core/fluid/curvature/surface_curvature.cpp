@@ -73,9 +73,9 @@ const WallContact* closestWall(const CurvatureContext& x, std::uint32_t row) {
   return closest;
 }
 
-/// Replaces the normal close to a wall by that of the contact angle, n = m cos(theta) + t sin(theta), with the
-/// normal m of the wall and the direction t of the colour gradient along it. A film along the wall keeps its
-/// own normal.
+/// Replaces the normal close to a wall by that of the contact angle, n = m cos(theta) + t sin(theta), with
+/// the normal m of the wall and the direction t of the colour gradient along it. A film along the wall keeps
+/// its own normal.
 Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
   const WallContact* c = closestWall(x, i);
   const WallView& w = x.world;
@@ -83,9 +83,9 @@ Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
   const Vec3d along = n - c->normal * dot(n, c->normal);
   const double size = length(along), wetting = wettingOf(w.scene.materials[w.particles.material[i]],
                                                          w.walls.list[c->wall].properties);
-  const double share = std::clamp((ownNormalFrom - c->distance / w.scene.spacing) /
-                                      (ownNormalFrom - wallNormalUpTo),
-                                  0.0, 1.0) *
+  const double share = std::clamp(
+                           (ownNormalFrom - c->distance / w.scene.spacing) / (ownNormalFrom - wallNormalUpTo),
+                           0.0, 1.0) *
                        std::clamp(10 * size - 0.5, 0.0, 1.0);
   if (share == 0) return n;
   const Vec3d atWall = c->normal * wetting + along * (std::sqrt(1 - wetting * wetting) / size);
@@ -132,9 +132,8 @@ void findSurfaceNormals(const CurvatureContext& x) {
   std::vector<Vec3d> smooth(p.owned);
   eachAtSurface(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
     Vec3d sum = p.surfaceGradient[i];
-    eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
-      sum += p.surfaceGradient[j] * (1 - dot(d, d));
-    });
+    eachNeighbour(x, i, g, l,
+                  [&](std::uint32_t j, const Vec3d& d) { sum += p.surfaceGradient[j] * (1 - dot(d, d)); });
     smooth[i] = normalAtWall(x, i, unitOrZero(sum)) * weightOf(p, i);
   });
   for (std::uint32_t i = 0; i < p.owned; i++) p.surfaceGradient[i] = smooth[i];
@@ -143,10 +142,10 @@ void findSurfaceNormals(const CurvatureContext& x) {
 
 /// Least-squares sums in the tangent plane of a particle. Lengths in support radii.
 struct TangentFit {
-  Vec3d first, second;                                       // tangents
-  double xx = 0, xy = 0, yy = 0;                             // moments
-  double slope[2][2] = {{0, 0}, {0, 0}}, tension[2] = {0, 0};  // of the normal and of the tension
-  double number;                                             // sum of the kernel of a plane
+  Vec3d first, second;                                         // tangents
+  double xx = 0, xy = 0, yy = 0;                               // moments
+  double slope[2][2] = {{0, 0}, {0, 0}}, tension[2] = {0, 0};  // slopes of normal and tension
+  double number;                                               // sum of the kernel of a plane
 
   TangentFit(const Vec3d& normal, double own)
       : first(anyTangent(normal)), second(cross(normal, first)), number(own) {}
@@ -200,7 +199,8 @@ SurfaceElement elementOf(const CurvatureContext& x, std::uint32_t i, std::size_t
   const double tension = varies ? tensionAt(w, i) : 0;
   eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
     const bool same = varies && p.material[j] == p.material[i];
-    fit.add(weightOf(p, j), d, unitOrZero(p.surfaceGradient[j]) - normal, same ? tensionAt(w, j) - tension : 0);
+    fit.add(weightOf(p, j), d, unitOrZero(p.surfaceGradient[j]) - normal,
+            same ? tensionAt(w, j) - tension : 0);
     if (wall) fit.addImage(weightOf(p, j), image(d));
   });
   SurfaceElement e;

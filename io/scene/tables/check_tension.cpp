@@ -42,16 +42,19 @@ void checkCurvature(const Scene& s, const SourcePlace& where, std::vector<SceneE
   const Numerics& n = s.numerics;
   if (n.tension != TensionForm::Curvature || !someSurfaceTension(s)) return;
   if (n.solver == PressureSolver::Incompressible)
-    errors.push_back({where, "`numerics.tension = \"curvature\"` needs the equation of state, and "
-                             "`numerics.pressure_solver` is \"incompressible\": remove one"});
+    errors.push_back({where,
+                      "`numerics.tension = \"curvature\"` needs the equation of state, and "
+                      "`numerics.pressure_solver` is \"incompressible\": remove one"});
   else if (n.density != DensityForm::Continuity || !(n.shifting > 0))
-    errors.push_back({where, "`numerics.tension = \"curvature\"` needs `numerics.density = \"continuity\"` and "
-                             "`numerics.shifting` above 0, the defaults without `quality = \"preview\"`: "
-                             "other densities are low at a free surface, and its particles clump"});
+    errors.push_back({where,
+                      "`numerics.tension = \"curvature\"` needs `numerics.density = \"continuity\"` and "
+                      "`numerics.shifting` above 0, the defaults without `quality = \"preview\"`: "
+                      "other densities are low at a free surface, and its particles clump"});
   if (n.support < 1.9)
-    errors.push_back({where, fmt::format("`numerics.tension = \"curvature\"` needs `numerics.support` of 2 at "
-                                         "least, got {:g}: a particle of the surface needs neighbours on it",
-                                         n.support)});
+    errors.push_back(
+        {where, fmt::format("`numerics.tension = \"curvature\"` needs `numerics.support` of 2 at "
+                            "least, got {:g}: a particle of the surface needs neighbours on it",
+                            n.support)});
 }
 
 }  // namespace thaw
