@@ -165,18 +165,27 @@ CASES = {
     "drop_laplace": (
         ["0.2", "0.125", "0.0833333333333333", "0.0625"],
         "0.125",
-        {"tension": ["pairwise"], "body.0.packing": ["lattice"], "support": ["2.5", "3"], **PRECISION},
+        {
+            "tension": ["pairwise", "curvature"],
+            "body.0.packing": ["lattice"],
+            "support": ["2.5", "3"],
+            **PRECISION,
+        },
     ),
     "drop_oscillation": (
         ["0.125", "0.0833333333333333"],
         "0.125",
-        {"tension": ["pairwise"], "support": ["2.5", "3"], **PRECISION},
+        {"tension": ["pairwise", "curvature"], "support": ["2.5", "3"], **PRECISION},
     ),
     **{
-        f"contact_angle_{angle}": (["0.125", "0.0833333333333333"], "0.0833333333333333", {})
+        f"contact_angle_{angle}": (
+            ["0.125", "0.0833333333333333"],
+            "0.0833333333333333",
+            {"tension": ["curvature"]},
+        )
         for angle in (30, 60, 90, 120, 150)
     },
-    "birikh": (["0.1", "0.05"], "0.05", {}),
+    "birikh": (["0.1", "0.05"], "0.05", {"tension": ["curvature"]}),
     "patch": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),
     "rotation": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),
     "free_body": (["0.2", "0.1"], "0.1", {**SOLID, **QUALITY}),

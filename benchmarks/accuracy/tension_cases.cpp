@@ -108,8 +108,8 @@ void shake(Trial& r) {
   }
 }
 
-/// Lets the drop come to rest twice, and shakes it in between. Without shaking, surface particles resist like
-/// a soft solid, and the drop stops short of its angle, as on a rough wall (DG96).
+/// Lets the drop come to rest twice. With a surface energy it is shaken in between: surface particles resist
+/// like a soft solid, and the drop stops short of its angle, as on a rough wall (DG96).
 void watchDrop(Trial& r) {
   const Clock& c = r.world.clock;
   if (c.time < still * c.end) return;
@@ -118,7 +118,8 @@ void watchDrop(Trial& r) {
     r.notes["angle"] = anglesOf(r).byHeight;
     r.notes["residual"] = ledger.energyResidual;
   }
-  if (c.time < calm * c.end) shake(r);
+  const bool arrested = r.world.scene.numerics.tension == TensionForm::SurfaceEnergy;
+  if (arrested && c.time < calm * c.end) shake(r);
 }
 
 std::vector<Figure> measureAngle(Trial& r) {

@@ -38,11 +38,13 @@ bool isName(const std::string& s) {
   });
 }
 
-constexpr const char* newbornName = "newborn";  // the field of declareNewborn
+constexpr const char* newbornName = "newborn";             // the field of declareNewborn
+constexpr const char* tensionForceName = "tension_force";  // that of declareTensionForce
 
 /// Names that fields cannot have besides those of the model: computed fields of frames.
-constexpr const char* computedFields[] = {newbornName, "density",        "pressure", "stress",    "strain",
-                                          "volume",    "plastic_strain", "rank",     "neighbours"};
+constexpr const char* computedFields[] = {newbornName, tensionForceName, "density", "pressure",
+                                          "stress",    "strain",         "volume",  "plastic_strain",
+                                          "rank",      "neighbours"};
 
 bool isFieldOfModel(const std::string& name) {
   Continuum particles;
@@ -149,6 +151,7 @@ void declareFields(const Scene& scene, Continuum& particles) {
 void declareAllFields(Continuum& particles) {
   for (const auto& [name, extension] : registered()) declare(extension, particles);
   declareNewborn(particles);
+  declareTensionForce(particles);
 }
 
 void declareNewborn(Continuum& p) {
@@ -161,6 +164,14 @@ AddedColumn* newbornOf(const Continuum& p) {
   AddedColumn* column = p.addedField(newbornName);
   return column && column->active ? column : nullptr;
 }
+
+void declareTensionForce(Continuum& p) {
+  if (!p.addedField(tensionForceName))
+    p.added.push_back(std::make_unique<AddedColumn>(
+        p, tensionForceName, "N", "surface tension by curvature in the last evaluation", 3, 0.0, false));
+}
+
+AddedColumn* tensionForceOf(const Continuum& p) { return p.addedField(tensionForceName); }
 
 void startFields(Continuum& p, std::size_t begin, std::size_t end) {
   for (const auto& c : p.added)

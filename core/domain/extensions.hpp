@@ -82,6 +82,11 @@ void declareAllFields(Continuum& particles);
 void declareNewborn(Continuum& particles);
 /// Returns that field if it is active, else null.
 AddedColumn* newbornOf(const Continuum& particles);
+/// Declares the field that keeps surface tension by curvature for the record of its work
+/// (core/fluid/curvature/curvature_force.hpp).
+void declareTensionForce(Continuum& particles);
+/// Returns that field, or null if it is not declared.
+AddedColumn* tensionForceOf(const Continuum& particles);
 /// Sets the active fields of extensions in new rows [begin, end) to their start values.
 void startFields(Continuum& particles, std::size_t begin, std::size_t end);
 

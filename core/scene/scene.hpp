@@ -185,7 +185,12 @@ enum class EquationOfState { Linear, Tait };
 enum class PressureSolver { StateEquation, Incompressible };
 enum class ViscosityForm { Pairwise, Laplacian };
 enum class ViscositySolver { Explicit, Implicit };
-enum class TensionForm { Pairwise, ColourField, SurfaceEnergy };  // ColourField: as printed in MCG03/K05
+enum class TensionForm {
+  Pairwise,
+  ColourField,
+  SurfaceEnergy,
+  Curvature
+};  // ColourField: as printed in MCG03/K05
 enum class Buoyancy {
   Automatic,
   Boussinesq,

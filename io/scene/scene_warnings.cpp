@@ -64,10 +64,12 @@ void addColdTemperatures(const Scene& s, std::vector<std::string>& lines) {
 
 /// Warns of tables of surface tension: surfaces at rest suppress the flow that the table drives.
 void addSlowSurfaceFlow(const Scene& s, std::vector<std::string>& lines) {
+  if (s.numerics.tension == TensionForm::Curvature) return;
   for (const Material& m : s.materials)
     if (!m.surfaceTensionTable.empty())
       lines.push_back(fmt::format(
-          "{}: material '{}': flow driven by gradients of surface tension (Marangoni) is far too slow; see "
+          "{}: material '{}': flow driven by gradients of surface tension (Marangoni) is far too slow with "
+          "numerics.tension = \"surface energy\", but not with \"curvature\"; see "
           "docs/validation/limitations.md",
           at(m.where), m.name));
 }

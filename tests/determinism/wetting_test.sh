@@ -57,4 +57,5 @@ until         = "35 ms"
 motion        = [{ time = 0, move = [0, 0, 0] }, { time = 1, move = [-0.02, 0, 0] }]
 T
 sameOnAllRanks wet 75 "25 50" "$work/wet.toml"
+sameOnAllRanks curvature 45 "15 30" "$work/wet.toml" --set 'numerics.tension="curvature"'
 finish

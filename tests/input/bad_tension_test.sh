@@ -21,6 +21,16 @@ rejects "a table with cohesion of pairs" \
   2 check "$(liquid pairs "$table")" --set numerics.tension=pairwise
 rejects "an angle with cohesion of pairs" "${key}contact_angle: contact angles need .numerics\.tension" \
   2 check "$(liquid angle_pairs 'surface_tension = 0.07\ncontact_angle = 1')" --set numerics.tension=pairwise
+water='surface_tension = 0.07\ncontact_angle = 1'
+accepts "an angle with curvature" run "$(liquid curvature "$water")" --steps 3 \
+  --set numerics.tension=curvature
+rejects "curvature with summed densities" 'curvature". needs .numerics\.density = "continuity"' \
+  2 check "$(liquid summed "$water")" --set numerics.tension=curvature --set numerics.density=summation
+rejects "curvature without shifting" "numerics\.shifting. above 0" \
+  2 check "$(liquid unshifted "$water")" --set numerics.tension=curvature --set numerics.shifting=0
+rejects "curvature with the incompressible solver" 'curvature". needs the equation of state' \
+  2 check "$(liquid solver "$water")" --set numerics.tension=curvature \
+  --set numerics.pressure_solver=incompressible
 rejects "an angle without tension" "${key}contact_angle: has no effect without .surface_tension" \
   2 check "$(liquid dry 'contact_angle = 1')"
 rejects "an angle beyond 180 degrees" "${key}contact_angle: must be between 0 and" \

@@ -20,6 +20,7 @@ std::vector<StepModule> stepModules() {
           heatSources(),
           surfaceEnergy(),
           tensionByTemperature(),
+          tensionByCurvature(),
           flowLaws(),
           energyOfLeaving(),  // after surfaceEnergy, which adds the walls to the surface gradients
           melting(),          // before extensionPairForces: it sets softening, they add to it

@@ -37,6 +37,7 @@ StepModule evaporation();
 StepModule heatSources();
 StepModule surfaceEnergy();
 StepModule tensionByTemperature();
+StepModule tensionByCurvature();
 StepModule flowLaws();
 StepModule energyOfLeaving();
 StepModule melting();

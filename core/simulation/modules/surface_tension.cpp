@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/fluid/curvature/curvature_force.hpp"
+#include "core/scene/tension_form.hpp"
 #include "core/simulation/ledger/energy_left.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
@@ -20,6 +22,19 @@ StepModule tensionByTemperature() {
           {{ModulePhase::PhaseChange, [](StepContext& c) {
               recordTensionChange({wallView(c.w), c.t.surface}, c.t.wallContacts);
             }}}};
+}
+
+StepModule tensionByCurvature() {
+  return {"surface tension by curvature",
+          [](const World& w, const StepTools&) { return actsByCurvature(w.scene.numerics, w.modules); },
+          {{ModulePhase::FirstKick,
+            [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::First, c.dt); }},
+           {ModulePhase::ContinuumForce,
+            [](StepContext& c) {
+              addCurvatureForce({wallView(c.w), c.w.neighbours, c.t.wallContacts, c.halos.cells});
+            }},
+           {ModulePhase::SecondKick,
+            [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::Second, c.dt); }}}};
 }
 
 StepModule energyOfLeaving() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/simulation/setup/activate_fields.hpp"
 
+#include "core/scene/tension_form.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/setup/initial_fill.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
@@ -68,7 +69,9 @@ void activateFields(World& w, StepTools& t) {
   turnOn(p, !t.outside.empty(), {&p.outsideForce});
   for (const auto& added : p.added) p.activate(*added);
   activateFluid(p, m);
-  turnOn(p, m.shifting && m.continuity && (m.tension || !t.pairForces.empty()), {&p.positionForce});
+  const bool curvature = actsByCurvature(w.scene.numerics, m), pairTension = m.tension && !curvature;
+  turnOn(p, curvature, {&p.surfaceGradient, &p.surfaceColour});
+  turnOn(p, m.shifting && m.continuity && (pairTension || !t.pairForces.empty()), {&p.positionForce});
   activateHeat(p, m);
   turnOn(p, m.surface, {&p.surfacePosition, &p.component});
   turnOn(p, m.surface && m.solid, {&p.surfaceStartPosition});

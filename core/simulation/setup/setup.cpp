@@ -19,6 +19,7 @@
 #include "core/rigid/sleeping_pieces.hpp"
 #include "core/rigid/surface_elements.hpp"
 #include "core/scene/full_box.hpp"
+#include "core/scene/tension_form.hpp"
 #include "core/sheet/contact/face_contact.hpp"
 #include "core/sheet/contact/mesh_contact.hpp"
 #include "core/sheet/contact/particle_contact.hpp"
@@ -197,6 +198,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.kernels = pairKernels();
   planLiquidsAndLimits(w, t);
   setScales(w, t);
+  if (actsByCurvature(w.scene.numerics, w.modules)) declareTensionForce(w.particles);
   activateFields(w, t);
   t.phases = phasesOf(w, t);
 }

@@ -16,6 +16,7 @@
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/rigid/piece_joint.hpp"
+#include "core/scene/tension_form.hpp"
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {
@@ -190,7 +191,8 @@ void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
     }
     t.kernels->density(sums, range);
   }
-  if (w.modules.surfaceEnergy) t.kernels->surfaceColours(pairSumsOf(w, t), range);
+  if (w.modules.surfaceEnergy || actsByCurvature(w.scene.numerics, w.modules))
+    t.kernels->surfaceColours(pairSumsOf(w, t), range);
   t.times.lap(StepPhase::Density);
 }
 
@@ -217,7 +219,7 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
     pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
                                        : packSurfaceEnergyDerivatives(x, p, p.owned, p.size(), t.records);
     t.kernels->surfaceForces(tension, range);
-  } else if (w.modules.tension) {
+  } else if (w.modules.tension && !actsByCurvature(w.scene.numerics, w.modules)) {
     t.kernels->tension(tension, range);
   }
   if (w.modules.artificialViscosity && !w.modules.uniform)

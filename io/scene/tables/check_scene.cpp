@@ -160,6 +160,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   chooseForFullBox(s, x.open);
   chooseForLiquids(s, x.open);
   chooseForThickLiquids(s, x.open);
+  checkCurvature(s, placeOf(x, {"tension", "density", "shifting", "pressure_solver"}), errors);
   if (n.tensileLimit == 0 || n.solver == PressureSolver::Incompressible || liquidFillsTheBox(s)) return;
   if (n.shifting == 0)
     errors.push_back({placeOf(x, {"tensile_limit", "shifting"}),

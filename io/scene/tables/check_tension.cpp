@@ -4,20 +4,22 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/scene/full_box.hpp"
 #include "core/scene/material_use.hpp"
 #include "io/scene/tables/read_sections.hpp"
 
 namespace thaw {
 
 void checkTension(const Scene& s, std::vector<SceneError>& errors) {
-  const bool energy = s.numerics.tension == TensionForm::SurfaceEnergy;
+  const bool able = s.numerics.tension == TensionForm::SurfaceEnergy ||
+                    s.numerics.tension == TensionForm::Curvature;
   const auto refuse = [&](const SourcePlace& where, const std::string& key, const char* what) {
-    errors.push_back(
-        {where, fmt::format("{}: {} `numerics.tension = \"surface energy\"`: set it, or remove the key", key,
-                            what)});
+    errors.push_back({where, fmt::format("{}: {} `numerics.tension = \"surface energy\"` or "
+                                         "`\"curvature\"`: set one, or remove the key",
+                                         key, what)});
   };
   for (const Material& m : s.materials) {
-    if (energy) continue;
+    if (able) continue;
     if (!m.surfaceTensionTable.empty())
       refuse(m.where, fmt::format("material.{}.surface_tension", m.name), "a table by temperature needs");
     if (m.contactAngle != std::numbers::pi / 2)
@@ -32,8 +34,27 @@ void checkTension(const Scene& s, std::vector<SceneError>& errors) {
       errors.push_back({o.where, key +
                                      ": no liquid has surface tension: give a material `surface_tension`, or "
                                      "remove `contact_angle`"});
-    else if (!energy) refuse(o.where, key, "contact angles need");
+    else if (!able) refuse(o.where, key, "contact angles need");
   }
+}
+
+void checkCurvature(const Scene& s, const SourcePlace& where, std::vector<SceneError>& errors) {
+  const Numerics& n = s.numerics;
+  if (n.tension != TensionForm::Curvature || !someSurfaceTension(s)) return;
+  if (n.solver == PressureSolver::Incompressible)
+    errors.push_back({where,
+                      "`numerics.tension = \"curvature\"` needs the equation of state, and "
+                      "`numerics.pressure_solver` is \"incompressible\": remove one"});
+  else if (n.density != DensityForm::Continuity || !(n.shifting > 0))
+    errors.push_back({where,
+                      "`numerics.tension = \"curvature\"` needs `numerics.density = \"continuity\"` and "
+                      "`numerics.shifting` above 0, the defaults without `quality = \"preview\"`: "
+                      "other densities are low at a free surface, and its particles clump"});
+  if (n.support < 1.9)
+    errors.push_back(
+        {where, fmt::format("`numerics.tension = \"curvature\"` needs `numerics.support` of 2 at "
+                            "least, got {:g}: a particle of the surface needs neighbours on it",
+                            n.support)});
 }
 
 }  // namespace thaw

@@ -63,7 +63,8 @@ void chooseBulkDamping(Scene& s, const OpenChoices& open) {
 void chooseForLiquids(Scene& s, const OpenChoices& open) {
   Numerics& n = s.numerics;
   const bool equation = n.pressure == PairForm::Consistent && n.solver == PressureSolver::StateEquation;
-  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s) || someSurfaceTension(s)) return;
+  const bool summed = someSurfaceTension(s) && n.tension != TensionForm::Curvature;
+  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s) || summed) return;
   if (open.density) n.density = DensityForm::Continuity;
   if (n.density != DensityForm::Continuity) return;
   if (open.shifting) n.shifting = length(s.domain.gravity) > 0 ? 0.07 : 0.2;

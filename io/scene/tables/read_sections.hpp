@@ -68,6 +68,9 @@ void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
 void checkBuoyancy(const SceneReading& reading, std::vector<SceneError>& errors);
 /// Refuses tables of surface tension and contact angles where the form of tension has none.
 void checkTension(const Scene& scene, std::vector<SceneError>& errors);
+/// Checks tension by curvature against the numerics, after their defaults are chosen. where: the place of
+/// these keys.
+void checkCurvature(const Scene& scene, const SourcePlace& where, std::vector<SceneError>& errors);
 /// Chooses numerics.buoyancy where it is automatic. Where the hydrostatic part is subtracted, gravity becomes
 /// Domain::buoyantGravity.
 void chooseBuoyancy(Scene& scene);

@@ -156,9 +156,11 @@ void readNumerics(TableReader& r, Numerics& n) {
               "weight acts. automatic: boussinesq where liquid of one density fills a closed domain, "
               "else density");
   r.choice(
-      "tension", n.tension, {"pairwise", "colour field", "surface energy"},
+      "tension", n.tension, {"pairwise", "colour field", "surface energy", "curvature"},
       "pairwise: cohesion of pairs, cheap, but drops behave like soft crystals. colour field: as printed in "
-      "Keiser et al. 2005. surface energy: drops have Laplace's pressure and oscillate like liquids");
+      "Keiser et al. 2005. surface energy: drops have Laplace's pressure and oscillate like liquids. Energy "
+      "and momentum are conserved, but surfaces at rest resist flow. curvature: a force by the curvature of "
+      "the free surface, for contact angles and flow along surfaces. It needs density = \"continuity\"");
   r.as(Restart::State)
       .choice("heat", n.heat, {"enthalpy", "paper"},
               "enthalpy: with latent heat. paper: the plain temperature of Keiser et al. 2005");

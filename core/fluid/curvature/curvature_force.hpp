@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surface tension as a force on the particles of the free surface (M00; docs/theory/surface_tension.md):
+//   F_i = f_i A_i (-gamma_i kappa_i n_i + grad_s gamma_i)
+// with liquid fraction f, area A of the surface element, curvature kappa and outward normal n.
+//
+// Unlike the surface energy it has no potential and no pair form, so its work counts as that of a force from
+// outside, and its net impulse is recorded, too.
+#pragma once
+#include "core/domain/outside_forces.hpp"
+#include "core/fluid/curvature/surface_curvature.hpp"
+
+namespace thaw {
+
+/// Adds the force to Continuum::force of liquid particles that are free to move, and keeps it in
+/// tensionForceOf. Collective. Requires: surfaceGradient of owned rows, temperatures of ghosts.
+void addCurvatureForce(const CurvatureContext& context);
+
+/// Records work and impulse of the force in a half kick over dt / 2 (s). Call it before the kick.
+void recordCurvatureKick(const WallView& world, HalfKick kick, double dt);
+
+}  // namespace thaw

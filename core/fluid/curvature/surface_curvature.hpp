@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Normal and curvature of the free surface of liquids (docs/theory/surface_tension.md).
+//
+// Normals are those of the colour gradient, averaged over neighbours at the surface. Derivatives along the
+// surface are least-squares fits in the tangent plane over these neighbours, exact for linear fields also at
+// the edge of a surface. Close to walls, the normal is that of the contact angle (BPKH13, HKEW16).
+#pragma once
+#include <span>
+
+#include "core/halo/halo.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/walls/wall_view.hpp"
+
+namespace thaw {
+
+struct CurvatureContext {
+  WallView world;
+  const NeighbourLists& neighbours;
+  const WallContacts& contacts;
+  CellHalo& halo;
+};
+
+/// Size of the colour gradient (h grad C) in the outermost layer of a flat lattice.
+double flatColourGradient(const Numerics& numerics);
+
+/// A particle's part of the free surface.
+struct SurfaceElement {
+  double area = 0;          ///< m^2; 0: not at the surface
+  double curvature = 0;     ///< 1/m, positive for a ball, at half a spacing outside of the particle's centre
+  Vec3d normal{};           ///< unit vector out of the liquid
+  Vec3d tensionGradient{};  ///< N/m^2, along the surface
+};
+
+/// Returns the surface elements of owned rows. Collective.
+/// Requires: surfaceGradient of owned rows without walls, temperatures of ghosts.
+/// Ensures: surfaceGradient is the normal times the weight of a particle in sums over the surface; 0 inside.
+std::vector<SurfaceElement> findSurfaceElements(const CurvatureContext& context);
+
+}  // namespace thaw
