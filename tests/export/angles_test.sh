@@ -8,7 +8,7 @@ if ! "$python" -c 'import numpy' 2>/dev/null; then
   exit 77
 fi
 cat >"$work/splash.toml" <<'TOML'
-spacing = "3.5 cm"
+spacing = "4 cm"
 end = "0.45 s"
 [domain]
 min = [0, 0, 0]
