@@ -66,6 +66,8 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
   command.add_flag("--uv", o.uv,
                    "texture coordinates of a surface, from the meshes of its bodies (ply, obj, vtp, usd, "
                    "vtkhdf, bgeo)");
+  command.add_flag("--mesh", o.mesh,
+                   "vtp: closed meshes of a surface, instead of its surfels, even without other contents");
   command.add_flag("--resume", o.resume,
                    "skip files that are complete: they exist and are newer than their frames");
   command
@@ -84,6 +86,8 @@ int exportCommand(const ExportOptions& options) {
           "--uv: '" + options.as +
           "' has no texture coordinates; expected --as ply, obj, vtp, usd, usda, vtkhdf "
           "or bgeo");
+    if (options.mesh && options.as != "vtp")
+      throw std::invalid_argument("--mesh applies to --as vtp; expected vtp, got " + options.as);
     if (options.min && options.max && !(*options.max > *options.min))
       throw std::invalid_argument("--max must be above --min");
     colourMapNamed(options.map);

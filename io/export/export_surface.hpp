@@ -25,8 +25,8 @@ void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame,
                        const std::vector<std::array<std::uint32_t, 2>>& lines = {});
 
-/// Writes the triangles of meshes with normals, colours, the index of the mesh as "object", and the fields
-/// that all of them have. time: s.
+/// Writes the triangles of meshes with normals, colours, the index of the mesh as "object", the label of its
+/// component (-1: none), and all fields that one of them has (mesh_fields.hpp). time: s.
 void writeMeshVtp(const std::filesystem::path& file, double time, const std::vector<ComponentMesh>& meshes);
 
 /// Writes a scene for POV-Ray 3.7: discs, camera, sun, sky, and floors. Lengths are scaled to a stage ten
@@ -36,10 +36,10 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 
 /// Write the closed meshes of components to one file, with normals and colours at the vertices. PLY is
 /// binary. Each face has its component's index in the list (0, 1, ...), and lines are edges. Ids are split in
-/// halves (id_high, id_low), since PLY has no 64-bit type. Velocities, temperatures and liquid fractions are
-/// there if all meshes have them. OBJ has an object `component_LABEL` for each, or one with its name, and
-/// lines as `l`. The line of a mesh that is cut ends with ", which extends through ..." (cutNote; else
-/// empty).
+/// halves (id_high, id_low), since PLY has no 64-bit type. Vertices have the same index as "object", and all
+/// fields that one of the meshes has (mesh_fields.hpp). OBJ has an object `component_LABEL` for each, or one
+/// with its name, and lines as `l`. The line of a mesh that is cut ends with ", which extends through ..."
+/// (cutNote; else empty).
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 std::string cutNote(const ComponentMesh& mesh);

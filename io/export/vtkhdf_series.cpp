@@ -2,9 +2,10 @@
 #include "io/export/vtkhdf_series.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "io/export/colour_byte.hpp"
+#include "io/export/mesh_fields.hpp"
 
 namespace thaw {
 
@@ -12,10 +13,6 @@ namespace {
 
 constexpr std::uint8_t vertexCell = 1, triangleCell = 5;  // vtkCellType.h
 constexpr std::uint64_t pointsOfChunk = 16384;
-
-constexpr float none = std::numeric_limits<float>::quiet_NaN();
-constexpr Vec3f zero{0, 0, 0};
-constexpr std::array<float, 2> noUv{none, none};
 
 /// Appends a field of an object with `points` points, or `lacking` for each if it has none. before: points of
 /// the objects before it.
@@ -39,12 +36,13 @@ void addMesh(VtkHdfFrame& f, const ComponentMesh& m, std::int32_t number) {
   for (std::size_t v = 0; v < n; v++)
     for (int c = 0; c < 3; c++) f.colours.push_back(v < m.colours.size() ? colourByte(m.colours[v][c]) : 200);
   const std::size_t before = f.points.size() - n;
-  append(f.normals, m.normals, n, zero, before);
-  append(f.velocities, m.velocities, n, zero, before);
-  append(f.temperatures, m.temperatures, n, none, before);
-  append(f.liquid, m.liquid, n, none, before);
+  append(f.normals, m.normals, n, noVector, before);
+  append(f.velocities, m.velocities, n, noVector, before);
+  append(f.temperatures, m.temperatures, n, noNumber, before);
+  append(f.liquid, m.liquid, n, noNumber, before);
   append(f.uvs, m.uvs, n, noUv, before);
   f.objects.resize(f.points.size(), number);
+  f.labels.resize(f.points.size(), labelOf(m));
   f.ids.resize(f.points.size(), -1);
 }
 
@@ -57,12 +55,13 @@ void addPoints(VtkHdfFrame& f, const ExportPoints& p) {
     f.ids.push_back(i < p.ids.size() ? static_cast<std::int64_t>(p.ids[i]) : -1);
   }
   const std::size_t before = f.points.size() - n;
-  append(f.normals, std::vector<Vec3f>(), n, zero, before);
-  append(f.velocities, p.velocities, n, zero, before);
-  append(f.temperatures, p.temperatures, n, none, before);
-  append(f.liquid, p.liquid, n, none, before);
+  append(f.normals, std::vector<Vec3f>(), n, noVector, before);
+  append(f.velocities, p.velocities, n, noVector, before);
+  append(f.temperatures, p.temperatures, n, noNumber, before);
+  append(f.liquid, p.liquid, n, noNumber, before);
   append(f.uvs, {}, n, noUv, before);
   f.objects.resize(f.points.size(), -1);
+  f.labels.resize(f.points.size(), -1);
 }
 
 /// Returns the values of a field, or `lacking` for each point.
@@ -71,7 +70,61 @@ std::vector<T> valuesOf(const std::optional<std::vector<T>>& field, std::size_t 
   return field ? *field : std::vector<T>(points, lacking);
 }
 
+/// A dataset of a series.
+struct Dataset {
+  std::string name;    // below /VTKHDF
+  DatasetShape shape;  // rows: those of a chunk
+  std::uint64_t rows;  // in a frame
+};
+
+std::vector<std::pair<std::string, DatasetShape>> pointFields(const VtkHdfFrame& f) {
+  constexpr std::uint64_t chunk = pointsOfChunk;
+  std::vector<std::pair<std::string, DatasetShape>> fields{{"color", {Element::U8, chunk, 3}},
+                                                           {"object", {Element::I32, chunk, 0}},
+                                                           {"component", {Element::I64, chunk, 0}},
+                                                           {"id", {Element::I64, chunk, 0}}};
+  if (f.normals) fields.push_back({"normal", {Element::F32, chunk, 3}});
+  if (f.velocities) fields.push_back({"velocity", {Element::F32, chunk, 3}});
+  if (f.temperatures) fields.push_back({"temperature", {Element::F32, chunk, 0}});
+  if (f.liquid) fields.push_back({"liquid", {Element::F32, chunk, 0}});
+  if (f.uvs) fields.push_back({"uv", {Element::F32, chunk, 2}});
+  return fields;
+}
+
+std::int64_t particlesOf(const VtkHdfFrame& f) {
+  return static_cast<std::int64_t>(f.connectivity.size()) - 3 * f.triangles;
+}
+
+std::vector<Dataset> datasetsOf(const VtkHdfFrame& f) {
+  constexpr std::uint64_t chunk = pointsOfChunk, few = 256;
+  const auto cells = static_cast<std::uint64_t>(f.triangles + particlesOf(f));
+  std::vector<Dataset> all{{"Points", {Element::F32, chunk, 3}, f.points.size()},
+                           {"Connectivity", {Element::I64, 4 * chunk, 0}, f.connectivity.size()},
+                           {"Offsets", {Element::I64, 2 * chunk, 0}, cells + 1},
+                           {"Types", {Element::U8, 2 * chunk, 0}, cells},
+                           {"Steps/Values", {Element::F64, few, 0}, 1}};
+  for (const char* name :
+       {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds", "Steps/PartOffsets",
+        "Steps/NumberOfParts", "Steps/PointOffsets", "Steps/CellOffsets", "Steps/ConnectivityIdOffsets"})
+    all.push_back({name, {Element::I64, few, 0}, 1});
+  for (const auto& [name, shape] : pointFields(f)) {
+    all.push_back({"PointData/" + name, shape, f.points.size()});
+    all.push_back({"Steps/PointDataOffsets/" + name, {Element::I64, few, 0}, 1});
+  }
+  return all;
+}
+
 }  // namespace
+
+double vtkHdfBytes(const VtkHdfFrame& frame, double frames) {
+  double sum = 0;
+  for (const Dataset& d : datasetsOf(frame)) {
+    const auto chunk = static_cast<double>(d.shape.rows);
+    sum += std::ceil(frames * static_cast<double>(d.rows) / chunk) * chunk *
+           static_cast<double>(d.shape.rowBytes());
+  }
+  return sum;
+}
 
 VtkHdfFrame vtkHdfFrameOf(const ExportScene& scene) {
   VtkHdfFrame f;
@@ -85,37 +138,6 @@ VtkHdfFrame vtkHdfFrameOf(const ExportScene& scene) {
 VtkHdfSeries::VtkHdfSeries(const std::filesystem::path& file)
     : file_(file, {"/VTKHDF", "/VTKHDF/PointData", "/VTKHDF/CellData", "/VTKHDF/FieldData", "/VTKHDF/Steps",
                    "/VTKHDF/Steps/PointDataOffsets", "/VTKHDF/Steps/CellDataOffsets"}) {}
-
-void VtkHdfSeries::create(const VtkHdfFrame& first) {
-  normals_ = first.normals.has_value(), velocities_ = first.velocities.has_value();
-  temperatures_ = first.temperatures.has_value(), liquid_ = first.liquid.has_value();
-  uvs_ = first.uvs.has_value();
-  const auto create = [&](const std::string& name, Element element, int components, std::uint64_t chunk) {
-    file_.createDataset("/VTKHDF/" + name, {element, chunk, components});
-  };
-  create("Points", Element::F32, 3, pointsOfChunk);
-  create("Connectivity", Element::I64, 0, 4 * pointsOfChunk);
-  create("Offsets", Element::I64, 0, 2 * pointsOfChunk);
-  create("Types", Element::U8, 0, 2 * pointsOfChunk);
-  for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
-    create(name, Element::I64, 0, 256);
-  create("Steps/Values", Element::F64, 0, 256);
-  for (const char* name :
-       {"PartOffsets", "NumberOfParts", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
-    create(std::string("Steps/") + name, Element::I64, 0, 256);
-  const auto field = [&](const std::string& name, Element element, int components) {
-    create("PointData/" + name, element, components, pointsOfChunk);
-    create("Steps/PointDataOffsets/" + name, Element::I64, 0, 256);
-  };
-  field("color", Element::U8, 3);
-  field("object", Element::I32, 0);
-  field("id", Element::I64, 0);
-  if (normals_) field("normal", Element::F32, 3);
-  if (velocities_) field("velocity", Element::F32, 3);
-  if (temperatures_) field("temperature", Element::F32, 0);
-  if (liquid_) field("liquid", Element::F32, 0);
-  if (uvs_) field("uv", Element::F32, 2);
-}
 
 void VtkHdfSeries::addSteps(const VtkHdfFrame& f, std::int64_t cells) {
   const auto one = [&](const std::string& name, std::int64_t value) {
@@ -133,10 +155,13 @@ void VtkHdfSeries::addSteps(const VtkHdfFrame& f, std::int64_t cells) {
 }
 
 void VtkHdfSeries::add(const VtkHdfFrame& f) {
-  if (frames_ == 0) create(f);
+  if (frames_ == 0) {
+    normals_ = f.normals.has_value(), velocities_ = f.velocities.has_value();
+    temperatures_ = f.temperatures.has_value(), liquid_ = f.liquid.has_value(), uvs_ = f.uvs.has_value();
+    for (const Dataset& d : datasetsOf(f)) file_.createDataset("/VTKHDF/" + d.name, d.shape);
+  }
   const std::size_t n = f.points.size();
-  const auto particles = static_cast<std::int64_t>(f.connectivity.size()) - 3 * f.triangles,
-             cells = f.triangles + particles;
+  const std::int64_t cells = f.triangles + particlesOf(f);
   std::vector<std::int64_t> offsets{0};
   for (std::int64_t c = 0; c < cells; c++) offsets.push_back(offsets.back() + (c < f.triangles ? 3 : 1));
   std::vector<std::uint8_t> types(static_cast<std::size_t>(cells), vertexCell);
@@ -152,11 +177,12 @@ void VtkHdfSeries::add(const VtkHdfFrame& f) {
   };
   field("color", f.colours.data());
   field("object", f.objects.data());
+  field("component", f.labels.data());
   field("id", f.ids.data());
-  if (normals_) field("normal", valuesOf(f.normals, n, zero).data());
-  if (velocities_) field("velocity", valuesOf(f.velocities, n, zero).data());
-  if (temperatures_) field("temperature", valuesOf(f.temperatures, n, none).data());
-  if (liquid_) field("liquid", valuesOf(f.liquid, n, none).data());
+  if (normals_) field("normal", valuesOf(f.normals, n, noVector).data());
+  if (velocities_) field("velocity", valuesOf(f.velocities, n, noVector).data());
+  if (temperatures_) field("temperature", valuesOf(f.temperatures, n, noNumber).data());
+  if (liquid_) field("liquid", valuesOf(f.liquid, n, noNumber).data());
   if (uvs_) field("uv", valuesOf(f.uvs, n, noUv).data());
   frames_++;
   points_ += static_cast<std::int64_t>(n);

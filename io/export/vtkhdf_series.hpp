@@ -25,11 +25,15 @@ struct VtkHdfFrame {
   std::optional<std::vector<std::array<float, 2>>> uvs;
   std::vector<std::uint8_t> colours;  ///< three per point, sRGB
   std::vector<std::int32_t> objects;  ///< index of the mesh; -1 for particles
+  std::vector<std::int64_t> labels;   ///< label of the component; -1 for all others
   std::vector<std::int64_t> ids;      ///< ids of particles; -1 for vertices of meshes
 };
 
 /// Returns the meshes at their places, then the particles. Thread-safe.
 VtkHdfFrame vtkHdfFrameOf(const ExportScene& scene);
+
+/// Returns the size in bytes of a series of `frames` frames like this one: all chunks of its datasets.
+double vtkHdfBytes(const VtkHdfFrame& frame, double frames);
 
 /// File that grows frame by frame: an UnstructuredGrid with the group Steps. All frames have the fields of
 /// the first one. Calls need the lock of HDF5. All throw IoError.
@@ -41,7 +45,6 @@ class VtkHdfSeries {
   void finish();
 
  private:
-  void create(const VtkHdfFrame& first);
   void addSteps(const VtkHdfFrame& frame, std::int64_t cells);
   GrowingFile file_;
   std::int64_t frames_ = 0, points_ = 0, cells_ = 0, connectivity_ = 0;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "io/export/export_surface.hpp"
+#include "io/export/mesh_fields.hpp"
 #include "io/export/out_file.hpp"
 #include "io/export/texture_seams.hpp"
 #include "io/hdf5/io_error.hpp"
@@ -36,30 +37,33 @@ constexpr const char* vertexProperties =
     "float nz\n"
     "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 
-/// Fields that all meshes have at their vertices.
-struct FieldsOfAll {
-  bool velocities = true, temperatures = true, liquid = true, uvs = true;
-  explicit FieldsOfAll(const std::vector<ComponentMesh>& meshes) {
-    for (const ComponentMesh& m : meshes) {
-      const std::size_t n = m.mesh.vertices.size();
-      velocities = velocities && m.velocities.size() == n;
-      temperatures = temperatures && m.temperatures.size() == n;
-      liquid = liquid && m.liquid.size() == n;
-      uvs = uvs && n > 0 && m.uvs.size() == n;
-    }
+/// Fields of the vertices of meshes in one file, as properties.
+struct VertexProperties {
+  MeshFields has;
+  bool ids = false;
+  explicit VertexProperties(const std::vector<ComponentMesh>& meshes) : has(meshes) {
+    for (const ComponentMesh& m : meshes) ids = ids || !m.ids.empty();
   }
-  std::string properties() const {
-    return std::string(velocities ? "property float velocity_x\nproperty float velocity_y\nproperty float "
-                                    "velocity_z\n"
-                                  : "") +
-           (temperatures ? "property float temperature\n" : "") + (liquid ? "property float liquid\n" : "") +
-           (uvs ? "property float s\nproperty float t\n" : "");
+  std::string header() const {
+    return std::string(has.velocities ? "property float velocity_x\nproperty float velocity_y\nproperty "
+                                        "float velocity_z\n"
+                                      : "") +
+           (has.temperatures ? "property float temperature\n" : "") +
+           (has.liquid ? "property float liquid\n" : "") +
+           (has.uvs ? "property float s\nproperty float t\n" : "") + "property int object\n" +
+           (ids ? "property uint id_high\nproperty uint id_low\n" : "");
   }
-  void write(const ComponentMesh& m, std::size_t v, OutFile& out) const {
-    if (velocities) out.number(m.velocities[v]);
-    if (temperatures) out.number(m.temperatures[v]);
-    if (liquid) out.number(m.liquid[v]);
-    if (uvs) out.number(m.uvs[v]);
+  void write(const ComponentMesh& m, std::size_t v, std::int32_t object, OutFile& out) const {
+    constexpr std::uint64_t noId = std::numeric_limits<std::uint64_t>::max();
+    if (has.velocities) out.number(valueAt(m.velocities, v, noVector));
+    if (has.temperatures) out.number(valueAt(m.temperatures, v, noNumber));
+    if (has.liquid) out.number(valueAt(m.liquid, v, noNumber));
+    if (has.uvs) out.number(valueAt(m.uvs, v, noUv));
+    out.number(object);
+    if (!ids) return;
+    const std::uint64_t id = valueAt(m.ids, v, noId);
+    out.number(static_cast<std::uint32_t>(id >> 32));
+    out.number(static_cast<std::uint32_t>(id));
   }
 };
 
@@ -107,11 +111,8 @@ void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame,
 
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes) {
   std::uint64_t vertices = 0, faces = 0, edges = 0;
-  bool ids = !meshes.empty();
-  for (const ComponentMesh& m : meshes) {
+  for (const ComponentMesh& m : meshes)
     vertices += m.mesh.vertices.size(), faces += m.mesh.triangles.size(), edges += m.lines.size();
-    ids = ids && m.ids.size() == m.mesh.vertices.size();
-  }
   checkCount(file, vertices);
   OutFile out(file);
   out.text(
@@ -119,24 +120,23 @@ void writeMeshPly(const std::filesystem::path& file, const std::vector<Component
   for (const ComponentMesh& m : meshes)
     out.text(m.name.empty() ? fmt::format("comment component {}{}\n", m.component, cutNote(m))
                             : fmt::format("comment object {}\n", m.name));
-  const FieldsOfAll fields(meshes);
+  const VertexProperties properties(meshes);
   out.text(fmt::format(
-      "element vertex {}\n{}{}{}element face {}\nproperty list uchar int vertex_indices\nproperty int "
+      "element vertex {}\n{}{}element face {}\nproperty list uchar int vertex_indices\nproperty int "
       "component\n{}end_header\n",
-      vertices, vertexProperties, fields.properties(),
-      ids ? "property uint id_high\nproperty uint id_low\n" : "", faces,
+      vertices, vertexProperties, properties.header(), faces,
       edges > 0 ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges) : ""));
-  for (const ComponentMesh& m : meshes)
+  std::int32_t first = 0, number = 0;
+  for (const ComponentMesh& m : meshes) {
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
       place(out, m.mesh.vertices[v]);
       out.number(m.normals[v]);
       for (int a = 0; a < 3; a++) out.number(byteOf(m.colours[v][a]));
-      fields.write(m, v, out);
-      if (!ids) continue;
-      out.number(static_cast<std::uint32_t>(m.ids[v] >> 32));
-      out.number(static_cast<std::uint32_t>(m.ids[v]));
+      properties.write(m, v, number, out);
     }
-  std::int32_t first = 0, number = 0;
+    number++;
+  }
+  number = 0;
   for (const ComponentMesh& m : meshes) {
     for (const auto& t : m.mesh.triangles) {
       out.number(std::uint8_t{3});

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include <openvdb/openvdb.h>
+#include <openvdb/points/PointConversion.h>
 #include <openvdb/tools/MeshToVolume.h>
+#include <openvdb/tools/PointIndexGrid.h>
 
 #include "io/hdf5/io_error.hpp"
 
@@ -123,6 +125,55 @@ void addFogs(const ExportPoints& points, double voxel, openvdb::GridPtrVec& grid
   grids.insert(grids.begin(), weights);
 }
 
+/// Adds an attribute with a value per particle, in the order of `index`.
+template<class T, class Value>
+void addAttribute(openvdb::points::PointDataGrid& grid, const openvdb::tools::PointIndexGrid& index,
+                  const char* name, std::size_t count, Value value) {
+  namespace points = openvdb::points;
+  std::vector<T> values;
+  values.reserve(count);
+  for (std::size_t i = 0; i < count; i++) values.push_back(value(i));
+  points::appendAttribute<T>(grid.tree(), name);
+  const points::PointAttributeVector<T> wrapped(values);
+  points::populateAttribute<openvdb::points::PointDataTree, openvdb::tools::PointIndexTree,
+                            points::PointAttributeVector<T>>(grid.tree(), index.tree(), name, wrapped);
+}
+
+/// Returns the particles with their fields, for programs that read points.
+openvdb::GridBase::Ptr pointGridOf(const ExportPoints& particles, double spacing) {
+  namespace points = openvdb::points;
+  constexpr double spacingsOfVoxel = 2;  // about eight points in a voxel
+  std::vector<openvdb::Vec3s> positions;
+  positions.reserve(particles.positions.size());
+  for (const Vec3f& x : particles.positions) positions.emplace_back(x.x, x.y, x.z);
+  const auto transform = openvdb::math::Transform::createLinearTransform(spacingsOfVoxel * spacing);
+  const points::PointAttributeVector<openvdb::Vec3s> wrapped(positions);
+  const auto index = openvdb::tools::createPointIndexGrid<openvdb::tools::PointIndexGrid>(wrapped,
+                                                                                          *transform);
+  auto grid = points::createPointDataGrid<points::NullCodec, points::PointDataGrid>(*index, wrapped,
+                                                                                    *transform);
+  grid->setName("points");
+  const std::size_t n = positions.size();
+  const auto scalar = [&](const char* name, const std::vector<float>& field) {
+    if (n > 0 && field.size() == n)
+      addAttribute<float>(*grid, *index, name, n, [&](std::size_t i) { return field[i]; });
+  };
+  if (n > 0 && particles.velocities.size() == n)
+    addAttribute<openvdb::Vec3s>(*grid, *index, "v", n, [&](std::size_t i) {
+      const Vec3f& v = particles.velocities[i];
+      return openvdb::Vec3s(v.x, v.y, v.z);
+    });
+  scalar("temperature", particles.temperatures);
+  scalar("liquid", particles.liquid);
+  if (n > 0 && particles.ids.size() == n)
+    addAttribute<std::int64_t>(*grid, *index, "id", n,
+                               [&](std::size_t i) { return static_cast<std::int64_t>(particles.ids[i]); });
+  if (particles.widths && particles.widths->size() == n)
+    addAttribute<float>(*grid, *index, "pscale", n,
+                        [&](std::size_t i) { return 0.5f * (*particles.widths)[i]; });
+  return grid;
+}
+
 }  // namespace
 
 void writeVdb(const std::filesystem::path& file, const ExportScene& scene) {
@@ -137,7 +188,10 @@ void writeVdb(const std::filesystem::path& file, const ExportScene& scene) {
   part += ".part";
   try {
     if (scene.surfels) grids.push_back(levelSetOf(scene, 0.5 * spacing));
-    if (scene.points) addFogs(*scene.points, spacing, grids);
+    if (scene.points) {
+      addFogs(*scene.points, spacing, grids);
+      grids.push_back(pointGridOf(*scene.points, spacing));
+    }
     openvdb::io::File out(part.string());
     out.write(grids);
     out.close();

@@ -9,6 +9,7 @@
 
 #include "io/export/colour_byte.hpp"
 #include "io/export/export_surface.hpp"
+#include "io/export/mesh_fields.hpp"
 #include "io/export/out_file.hpp"
 
 namespace thaw {
@@ -158,41 +159,63 @@ void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame
   writePolyData(file, frame.time, n, {0, lines.size(), frame.triangles.size()}, a);
 }
 
-void writeMeshVtp(const std::filesystem::path& file, double time, const std::vector<ComponentMesh>& meshes) {
+namespace {
+
+/// Point data of meshes in one file.
+struct MeshColumns {
   std::vector<Vec3f> points, normals, velocities;
   std::vector<Rgb> colours;
   std::vector<float> temperatures, liquid;
   std::vector<std::array<float, 2>> uvs;
-  std::vector<std::uint32_t> components;
+  std::vector<std::uint32_t> objects;
+  std::vector<std::int64_t> labels;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  const auto append = [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
-  for (const ComponentMesh& m : meshes) {
-    const auto first = static_cast<std::uint32_t>(points.size());
-    for (const Vec3d& x : m.mesh.vertices) points.push_back(single(x));
-    for (const Vec3f& c : m.colours) colours.push_back({colourByte(c.x), colourByte(c.y), colourByte(c.z)});
-    for (const auto& t : m.mesh.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    components.resize(points.size(), static_cast<std::uint32_t>(&m - meshes.data()));
-    append(m.normals, normals), append(m.velocities, velocities);
-    append(m.temperatures, temperatures), append(m.liquid, liquid);
-    append(m.uvs, uvs);
+
+  explicit MeshColumns(const std::vector<ComponentMesh>& meshes) {
+    const MeshFields fields(meshes);
+    for (const ComponentMesh& m : meshes) {
+      const auto first = static_cast<std::uint32_t>(points.size());
+      for (const auto& t : m.mesh.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
+      for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
+        points.push_back(single(m.mesh.vertices[v]));
+        normals.push_back(m.normals[v]);
+        const Vec3f& c = m.colours[v];
+        colours.push_back({colourByte(c.x), colourByte(c.y), colourByte(c.z)});
+        if (fields.velocities) velocities.push_back(valueAt(m.velocities, v, noVector));
+        if (fields.temperatures) temperatures.push_back(valueAt(m.temperatures, v, noNumber));
+        if (fields.liquid) liquid.push_back(valueAt(m.liquid, v, noNumber));
+        if (fields.uvs) uvs.push_back(valueAt(m.uvs, v, noUv));
+      }
+      objects.resize(points.size(), static_cast<std::uint32_t>(&m - meshes.data()));
+      labels.resize(points.size(), labelOf(m));
+    }
   }
-  const Cells polygons(triangles);
-  const std::size_t n = points.size();
+  void addTo(Appended& a) const {
+    a.addVector("type=\"Float32\" Name=\"normal\" NumberOfComponents=\"3\"", normals);
+    a.addVector("type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", colours);
+    a.addVector("type=\"UInt32\" Name=\"object\"", objects);
+    a.addVector("type=\"Int64\" Name=\"component\"", labels);
+    if (!velocities.empty())
+      a.addVector("type=\"Float32\" Name=\"velocity\" NumberOfComponents=\"3\"", velocities);
+    if (!temperatures.empty()) a.addVector("type=\"Float32\" Name=\"temperature\"", temperatures);
+    if (!liquid.empty()) a.addVector("type=\"Float32\" Name=\"liquid\"", liquid);
+    if (!uvs.empty()) a.addVector("type=\"Float32\" Name=\"uv\" NumberOfComponents=\"2\"", uvs);
+  }
+};
+
+}  // namespace
+
+void writeMeshVtp(const std::filesystem::path& file, double time, const std::vector<ComponentMesh>& meshes) {
+  const MeshColumns columns(meshes);
+  const Cells polygons(columns.triangles);
   Appended a;
   a.xml = "<PointData Normals=\"normal\">\n";
-  a.addVector("type=\"Float32\" Name=\"normal\" NumberOfComponents=\"3\"", normals);
-  a.addVector("type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", colours);
-  a.addVector("type=\"UInt32\" Name=\"object\"", components);
-  if (velocities.size() == n)
-    a.addVector("type=\"Float32\" Name=\"velocity\" NumberOfComponents=\"3\"", velocities);
-  if (temperatures.size() == n) a.addVector("type=\"Float32\" Name=\"temperature\"", temperatures);
-  if (liquid.size() == n) a.addVector("type=\"Float32\" Name=\"liquid\"", liquid);
-  if (n > 0 && uvs.size() == n) a.addVector("type=\"Float32\" Name=\"uv\" NumberOfComponents=\"2\"", uvs);
+  columns.addTo(a);
   a.xml += "</PointData>\n<Points>\n";
-  a.addVector("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", points);
+  a.addVector("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", columns.points);
   a.xml += "</Points>\n";
   polygons.addTo(a, "Polys");
-  writePolyData(file, time, n, {0, 0, triangles.size()}, a);
+  writePolyData(file, time, columns.points.size(), {0, 0, columns.triangles.size()}, a);
 }
 
 }  // namespace thaw

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "core/geometry/shapes/pose.hpp"
@@ -56,6 +58,43 @@ void makeDiscs(float radius, FrameView& view) {
   if (view.paint == SurfelPaint::Values) view.paint = SurfelPaint::Mixed;
 }
 
+/// Adds triangles whose corners share vertices.
+void addShared(const std::vector<std::array<Corner, 3>>& triangles, DrawnObstacle& drawn) {
+  std::map<std::array<double, 6>, std::uint32_t> numbers;
+  for (const auto& t : triangles) {
+    std::array<std::uint32_t, 3> rows;
+    for (std::size_t k = 0; k < 3; k++) {
+      const Vec3d &x = t[k].place, &n = t[k].normal;
+      const auto [at, isNew] = numbers.try_emplace({x.x, x.y, x.z, n.x, n.y, n.z},
+                                                   static_cast<std::uint32_t>(drawn.places.size()));
+      if (isNew) drawn.places.push_back(x), drawn.normals.push_back(n), drawn.radii.push_back(0);
+      rows[k] = at->second;
+      const auto edge = static_cast<float>(0.6 * length(t[(k + 1) % 3].place - x));
+      drawn.radii[rows[k]] = std::max(drawn.radii[rows[k]], edge);
+    }
+    drawn.triangles.push_back(rows);
+  }
+}
+
+/// Adds an obstacle at its pose. Its inner side is never seen.
+void addObstacle(const DrawnObstacle& o, const Pose& pose, FrameView& view) {
+  constexpr std::uint32_t component = 0xfffffff0u;
+  const auto first = static_cast<std::uint32_t>(view.positions.size());
+  for (std::size_t k = 0; k < o.places.size(); k++) {
+    view.positions.push_back(single(fromRest(pose, o.places[k])));
+    view.normals.push_back(single(directionFromRest(pose, o.normals[k])));
+  }
+  view.radii.insert(view.radii.end(), o.radii.begin(), o.radii.end());
+  view.values.resize(view.positions.size(), std::numeric_limits<float>::quiet_NaN());
+  view.colours.resize(view.positions.size(), o.colour);
+  view.components.resize(view.positions.size(), component);
+  for (const auto& t : o.triangles) view.faces.push_back({first + t[0], first + t[1], first + t[2]});
+  for (const auto& t : o.casters)
+    view.solids.push_back(
+        {single(fromRest(pose, t[0])), single(fromRest(pose, t[1])), single(fromRest(pose, t[2]))});
+  view.solidFaces += o.triangles.size();
+}
+
 }  // namespace
 
 std::vector<DrawnObstacle> solidObstacles(const Walls& walls) {
@@ -78,12 +117,10 @@ std::vector<DrawnObstacle> solidObstacles(const Walls& walls) {
       }
       divide(corners, most, triangles);
     }
-    DrawnObstacle drawn{{}, {}, obstacle.motion, obstacle.until, rgbOf(obstacle.colour)};
-    for (const auto& t : triangles)
-      for (const Corner& corner : t) {
-        drawn.places.push_back(corner.place);
-        drawn.normals.push_back(corner.normal);
-      }
+    DrawnObstacle drawn{{}, {}, {}, {}, {}, obstacle.motion, obstacle.until, rgbOf(obstacle.colour)};
+    for (const auto& t : made.mesh.triangles)
+      drawn.casters.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+    addShared(triangles, drawn);
     all.push_back(std::move(drawn));
   }
   return all;
@@ -100,17 +137,8 @@ void addToBox(const std::vector<DrawnObstacle>& obstacles, ViewBox& box) {
 
 void addObstacles(const std::vector<DrawnObstacle>& obstacles, float radius, FrameView& view) {
   makeDiscs(radius, view);
-  for (const DrawnObstacle& o : obstacles) {
-    if (view.time >= o.until) continue;
-    const Pose pose = poseAt(o.motion, view.time);
-    for (std::size_t k = 0; k + 2 < o.places.size(); k += 3) {
-      std::array<FaceCorner, 3> corners;
-      for (std::size_t c = 0; c < 3; c++)
-        corners[c] = {single(fromRest(pose, o.places[k + c])),
-                      single(directionFromRest(pose, o.normals[k + c])), o.colour, o.colour};
-      addFace(corners, view);
-    }
-  }
+  for (const DrawnObstacle& o : obstacles)
+    if (view.time < o.until) addObstacle(o, poseAt(o.motion, view.time), view);
 }
 
 }  // namespace thaw

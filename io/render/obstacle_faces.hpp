@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solid obstacles in pictures: triangles that share light, shadow and depth with surfels.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/walls/walls.hpp"
@@ -8,9 +10,12 @@
 
 namespace thaw {
 
-/// An obstacle drawn as a solid: three corners a triangle, at rest.
+/// An obstacle drawn as a solid, at rest. Each vertex has one normal, so edges have vertices of both sides.
 struct DrawnObstacle {
   std::vector<Vec3d> places, normals;  ///< m; unit, outward
+  std::vector<float> radii;            ///< m, fraction of the longest edge, for queries of light
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< small enough for the shadows on them
+  std::vector<std::array<Vec3d, 3>> casters;            ///< m, the same surface in fewer triangles
   std::vector<Keyframe> motion;
   double until = never;  ///< s
   Rgb colour;

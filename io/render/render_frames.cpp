@@ -109,7 +109,7 @@ Image pictureOf(const FrameView& frame, const FrameJob& job, const RenderStyle& 
   if (!frame.normals.empty()) {
     SurfelStyle surfels{frame.paint, job.radius > 0 ? job.radius : SurfelStyle{}.discs, threads};
     return renderSurfels({frame.positions, frame.normals, frame.radii, frame.values, frame.colours,
-                          frame.components, frame.faces},
+                          frame.components, frame.faces, frame.solids, frame.solidFaces},
                          style, surfels);
   }
   std::vector<float> radii = frame.sizes.empty() ? std::vector<float>{1} : frame.sizes;

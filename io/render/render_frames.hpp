@@ -31,6 +31,9 @@ struct FrameView {
   /// Triangles between rows, counter-clockwise seen from the front; these rows are no discs.
   std::vector<std::array<std::uint32_t, 3>> faces;
   SurfelPaint paint = SurfelPaint::Plain;
+  std::vector<std::array<Vec3f, 3>> solids;  ///< triangles that cast the shadows of the last `solidFaces`
+                                             ///< faces
+  std::size_t solidFaces = 0;
 };
 
 /// Reads a frame's positions and one field; an empty name selects positions only. Throws std::runtime_error

@@ -57,6 +57,11 @@ class Improver {
   Vec3d normalOf(std::uint32_t v) const { return wide(m_.normals[v]); }
   bool isFixed(std::uint32_t v) const { return band_.fixedAxes[v] != 0; }
 
+  /// Returns whether product > cosine * sqrt(squares).
+  static bool exceedsCosine(double product, double cosine, double squares) {
+    const double bound = cosine * cosine * squares;
+    return cosine < 0 ? product > 0 || product * product < bound : product > 0 && product * product > bound;
+  }
   static Vec3d areaNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }
 
   /// Positions of a triangle's corners with vertex v at x.
@@ -69,12 +74,12 @@ class Improver {
   bool keepsDirection(const Triangle& t, std::uint32_t v, const Vec3d& x) const {
     const auto c = cornersWith(t, v, x);
     const Vec3d before = areaNormal(at(t[0]), at(t[1]), at(t[2])), after = areaNormal(c[0], c[1], c[2]);
-    const double l = length(after), was = length(before);
-    if (!(l > 1e-5 * spacing_ * spacing_)) return false;
-    if (was > 0.02 * spacing_ * spacing_) return dot(before, after) > leastTurn_ * was * l;
+    const double l2 = dot(after, after), was2 = dot(before, before), unit = spacing_ * spacing_;
+    if (!(l2 > 1e-10 * unit * unit)) return false;
+    if (was2 > 4e-4 * unit * unit) return exceedsCosine(dot(before, after), leastTurn_, was2 * l2);
     if (leastTurn_ < leastTurn) return true;
     const Vec3d mean = normalOf(t[0]) + normalOf(t[1]) + normalOf(t[2]);
-    return dot(mean, after) > 0.3 * length(mean) * l;
+    return exceedsCosine(dot(mean, after), 0.3, dot(mean, mean) * l2);
   }
 
   /// Returns the cosine of the smallest angle around a vertex that moves to x, without triangles of
@@ -168,7 +173,10 @@ class Improver {
     const auto count = static_cast<std::uint32_t>(m_.mesh.vertices.size());
     for (std::uint32_t a = 0; a < count; a++) {
       edits_.neighboursOf(a, list);
-      std::erase_if(list, [&](std::uint32_t b) { return !(length(at(b) - at(a)) < shortEdge * spacing_); });
+      std::erase_if(list, [&](std::uint32_t b) {
+        const Vec3d along = at(b) - at(a);
+        return !(dot(along, along) < shortEdge * shortEdge * spacing_ * spacing_);
+      });
       if (list.empty()) continue;
       // shortest first, so that few collapses suffice
       const auto size = [&](std::uint32_t b) { return length(at(b) - at(a)); };
@@ -235,14 +243,16 @@ class Improver {
   }
 
   /// Moves a vertex along the surface to x. Returns false, without a change, if a triangle would turn, or the
-  /// sharpest angle around it would exceed `most`.
-  bool moveTo(std::uint32_t v, Vec3d x, double most) {
+  /// cosine of the smallest angle around it would exceed `most`, and with `orNow` also that of now.
+  bool moveTo(std::uint32_t v, Vec3d x, double most, bool orNow = false) {
     const Vec3d n = normalOf(v);
     x -= dot(x - at(v), n) * n;
     PlaneHeight here;
     if (!project(v, x, here)) here.known = false;
     if (!keepsDirections(v, x, TriangleEdits::removed)) return false;
-    if (sharpestAround(v, x, TriangleEdits::removed) > most) return false;
+    const double sharpest = sharpestAround(v, x, TriangleEdits::removed);
+    if (sharpest > most && !(orNow && sharpest <= sharpestAround(v, at(v), TriangleEdits::removed)))
+      return false;
     place(v, x, here);
     return true;
   }
@@ -250,8 +260,7 @@ class Improver {
   void relaxVertices() {
     for (std::uint32_t v = 0; v < m_.mesh.vertices.size(); v++) {
       if (isFixed(v) || edits_.around(v).empty()) continue;
-      const double now = sharpestAround(v, at(v), TriangleEdits::removed);
-      moveTo(v, centroidAround(v), std::max(now, 0.85));
+      moveTo(v, centroidAround(v), 0.85, true);
     }
   }
 

@@ -149,6 +149,7 @@ struct BandMarcher {
 MarchedBand marchBand(const BandGrid& grid, const std::vector<double>& values, const PlaneField& planes,
                       const Vec3f& deep) {
   BandMarcher marcher{grid, values, planes, deep, {}, {}};
+  marcher.onEdge.reserve(grid.slots());
   marcher.march();
   return std::move(marcher.out);
 }
@@ -164,8 +165,12 @@ void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing
     volume[sets.find(t[0])] += dot(mesh.vertices[t[0]] - from,
                                    cross(mesh.vertices[t[1]] - from, mesh.vertices[t[2]] - from)) /
                                6;
-  std::vector<std::uint8_t> onDisc(volume.size());
-  for (std::size_t v = 0; v < onDisc.size(); v++) onDisc[v] = planes.onDisc(mesh.vertices[v], m.normals[v]);
+  double largest = 0;
+  for (const double v : volume) largest = std::max(largest, std::abs(v));
+  const auto isLargest = [&](std::uint32_t shell) { return !(std::abs(volume[shell]) < largest); };
+  std::vector<std::uint8_t> onDisc(volume.size());  // the largest shell is kept without it
+  for (std::uint32_t v = 0; v < onDisc.size(); v++)
+    if (!isLargest(sets.find(v))) onDisc[v] = planes.onDisc(mesh.vertices[v], m.normals[v]);
   std::vector<double> area(volume.size(), 0.0), onDiscs(volume.size(), 0.0);
   for (const auto& t : mesh.triangles) {
     if (band.fixedAxes[t[0]] & band.fixedAxes[t[1]] & band.fixedAxes[t[2]]) continue;  // on a cut
@@ -176,13 +181,10 @@ void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing
     for (const std::uint32_t v : t)
       if (onDisc[v]) onDiscs[shell] += size;
   }
-  double largest = 0;
-  for (const double v : volume) largest = std::max(largest, std::abs(v));
   const double least = std::min(largest, 2 * spacing * spacing * spacing);
   const auto isFragment = [&](std::uint32_t v) {
     const std::uint32_t shell = sets.find(v);
-    return std::abs(volume[shell]) < least ||
-           (std::abs(volume[shell]) < largest && onDiscs[shell] < 0.5 * area[shell]);
+    return std::abs(volume[shell]) < least || (!isLargest(shell) && onDiscs[shell] < 0.5 * area[shell]);
   };
   std::vector<std::uint32_t> number(mesh.vertices.size());
   std::uint32_t kept = 0;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace thaw {
 
@@ -25,24 +27,23 @@ bool PlaneField::onDisc(const Vec3d& x, const Vec3f& normal) const {
 }
 
 PlaneHeight PlaneField::at(const Vec3d& x) const {
-  const auto forNear = [&](auto use) {
-    forRowsWithin(bins_, x, farthest_, [&](std::uint32_t i, double d2) {
-      const double reach = planeReach * frame_.radii[i] + margin_;
-      if (d2 < reach * reach) use(i, d2);
-    });
-  };
+  thread_local std::vector<std::pair<std::uint32_t, double>> near;  // rows, and squares of distances
+  near.clear();
   double nearest2 = std::numeric_limits<double>::infinity();
   std::uint32_t nearest = 0;
-  forNear([&](std::uint32_t i, double d2) {
+  forRowsWithin(bins_, x, farthest_, [&](std::uint32_t i, double d2) {
+    const double reach = planeReach * frame_.radii[i] + margin_;
+    if (!(d2 < reach * reach)) return;
+    near.emplace_back(i, d2);
     if (d2 < nearest2) nearest2 = d2, nearest = i;
   });
   PlaneHeight h;
   if (!(nearest2 < std::numeric_limits<double>::infinity())) return h;
   double weight = 0, value = 0;
   Vec3d offset{}, normal{}, colour{};
-  forNear([&](std::uint32_t i, double d2) {
+  for (const auto& [i, d2] : near) {
     const Vec3f& m = frame_.normals[i];
-    if (dot(m, frame_.normals[nearest]) < planeAgreement) return;
+    if (dot(m, frame_.normals[nearest]) < planeAgreement) continue;
     // relative to the nearest one, so weights do not vanish far from the surface
     const double width = planeSharpness * frame_.radii[i];
     const double w = std::exp(std::max(-60.0, (nearest2 - d2) * 0.5 / (width * width)));
@@ -53,7 +54,7 @@ PlaneHeight PlaneField::at(const Vec3d& x) const {
     offset += w * away;
     normal += w * n;
     colour += w * Vec3d{static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)};
-  });
+  }
   const auto single = [](const Vec3d& v) {
     return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   };

@@ -20,12 +20,15 @@ void TriangleEdits::neighboursOf(std::uint32_t vertex, std::vector<std::uint32_t
 
 TriangleEdits::Edge TriangleEdits::edge(std::uint32_t a, std::uint32_t b) const {
   Edge e;
-  for (const std::uint32_t t : around_[a])
-    for (std::size_t k = 0; k < 3; k++) {
-      const Triangle& c = triangle(t);
-      if (c[k] == a && c[(k + 1) % 3] == b) e.first = t, e.left = c[(k + 2) % 3];
-      if (c[k] == b && c[(k + 1) % 3] == a) e.second = t, e.right = c[(k + 2) % 3];
-    }
+  for (const std::uint32_t t : around_[a]) {
+    const Triangle& c = triangle(t);
+    const std::size_t k = c[0] == a   ? 0
+                          : c[1] == a ? 1
+                                      : 2,
+                      next = k == 2 ? 0 : k + 1, last = k == 0 ? 2 : k - 1;
+    if (c[next] == b) e.first = t, e.left = c[last];
+    if (c[last] == b) e.second = t, e.right = c[next];
+  }
   return e;
 }
 
@@ -41,7 +44,7 @@ bool TriangleEdits::mayCollapse(std::uint32_t from, std::uint32_t to) {
   return common == 2;
 }
 
-void TriangleEdits::drop(std::uint32_t vertex, std::uint32_t t) { std::erase(around_[vertex], t); }
+void TriangleEdits::drop(std::uint32_t vertex, std::uint32_t t) { around_[vertex].erase(t); }
 
 void TriangleEdits::collapse(std::uint32_t from, std::uint32_t to) {
   for (const std::uint32_t t : around_[from]) {
@@ -114,7 +117,8 @@ bool TriangleEdits::cutNeck(const Triangle& neck) {
       std::replace(c.begin(), c.end(), neck[k], copies[k]);
       drop(neck[k], t);
     }
-    around_.push_back(std::move(sectors[k]));
+    around_.emplace_back();
+    for (const std::uint32_t t : sectors[k]) around_.back().push_back(t);
   }
   const auto close = [&](const Triangle& cap) {
     for (const std::uint32_t v : cap)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Local changes of a closed triangle mesh: collapse and flip of an edge, cut of a neck.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -8,6 +9,40 @@
 #include "core/geometry/basic/triangle_mesh.hpp"
 
 namespace thaw {
+
+/// Triangles around a vertex: a list without memory of its own up to twelve of them.
+class TriangleList {
+ public:
+  const std::uint32_t* begin() const { return count_ <= own ? few_.data() : many_.data(); }
+  const std::uint32_t* end() const { return begin() + count_; }
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  void clear() { count_ = 0, many_.clear(); }
+  void push_back(std::uint32_t t) {
+    if (count_ < own) few_[count_] = t;
+    else {
+      if (count_ == own) many_.assign(few_.begin(), few_.end());
+      many_.push_back(t);
+    }
+    count_++;
+  }
+  /// Removes a triangle and keeps the order of the others.
+  void erase(std::uint32_t t) {
+    const bool wasMany = count_ > own;
+    std::uint32_t* first = wasMany ? many_.data() : few_.data();
+    std::uint32_t* last = std::remove(first, first + count_, t);
+    count_ = static_cast<std::uint32_t>(last - first);
+    if (!wasMany) return;
+    many_.resize(count_);
+    if (count_ <= own) std::copy(many_.begin(), many_.end(), few_.begin());
+  }
+
+ private:
+  static constexpr std::uint32_t own = 12;
+  std::uint32_t count_ = 0;
+  std::array<std::uint32_t, own> few_{};
+  std::vector<std::uint32_t> many_;  // all of them, if there are more than `own`
+};
 
 /// A triangle mesh with the triangles around each vertex. Removed triangles and vertices stay in the lists
 /// until `compact`.
@@ -21,7 +56,7 @@ class TriangleEdits {
   explicit TriangleEdits(TriangleMesh& mesh);
 
   TriangleMesh& mesh() { return *mesh_; }
-  const std::vector<std::uint32_t>& around(std::uint32_t vertex) const { return around_[vertex]; }
+  const TriangleList& around(std::uint32_t vertex) const { return around_[vertex]; }
   const Triangle& triangle(std::uint32_t t) const { return mesh_->triangles[t]; }
   bool exists(std::uint32_t t) const { return mesh_->triangles[t][0] != removed; }
 
@@ -63,7 +98,7 @@ class TriangleEdits {
   bool sector(std::uint32_t vertex, std::uint32_t first, std::uint32_t last,
               std::vector<std::uint32_t>& list) const;
   TriangleMesh* mesh_;
-  std::vector<std::vector<std::uint32_t>> around_;
+  std::vector<TriangleList> around_;
   std::vector<std::uint32_t> near_, other_;
 };
 

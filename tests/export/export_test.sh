@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# `thaw export` as USD, OpenVDB and VTKHDF, read by three.js, tinyusdz, OpenVDB's Python module and h5py. It
-# names readers that are not installed at its end. MODULES=DIR: node_modules with the readers of USD.
+# `thaw export` in all formats, read by three.js, tinyusdz, OpenVDB's Python module, h5py, ParaView and
+# Blender. It names readers that are not installed at its end; without any of them it is skipped. MODULES=DIR:
+# node_modules with the readers of USD.
 . "$(dirname "$0")/../support/run.sh"
 MODULES=${MODULES:-$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")}
-skipped=()
+skipped=() readers=0
 
 "$thaw" run "$source_dir/tests/export/scene.toml" --out "$work/run" >"$work/log" 2>&1
 expectExit 0 "run"
@@ -20,7 +21,8 @@ grep -q '^5 frames as usd, about ' "$work/log" || fail "no announcement of the s
 export --as usda --what all --out "$work/run.usda"; expectExit 0 "usda"
 export --as usd --what all --threads 1 --out "$work/one.usdc"; expectExit 0 "usd on one thread"
 cmp -s "$work/run.usdc" "$work/one.usdc" || fail "the layer depends on the number of threads"
-[ -z "$(find "$work" -name '*.part')" ] || fail "left $(find "$work" -name '*.part')"
+left=$(find "$work" -name '*.part' -o -name '*.sample')
+[ -z "$left" ] || fail "left $left"
 
 # --resume keeps complete files, and writes missing or outdated ones
 sums() { (cd "$work/run/export" && ls -l --time-style=full-iso ./*.ply); }
@@ -41,6 +43,7 @@ if command -v node >/dev/null && [ -d "$MODULES/tinyusdz" ]; then
   node "$source_dir/tests/export/read_usd.mjs" "$MODULES" "$work/run.usdc" "$work/run.usda" \
     "$work"/run/export/*_surface_*.ply >"$work/log" 2>&1
   expectExit 0 "three.js and tinyusdz"
+  readers=$((readers + 1))
 else
   skipped+=("three.js and tinyusdz are not in $MODULES (scripts/view --test installs them)")
 fi
@@ -55,15 +58,72 @@ else
   /usr/bin/python3 "$source_dir/tests/export/read_vdb.py" "$work/vdb/scene_all_000000.vdb" 5.77e-4 \
     >"$work/log" 2>&1
   expectExit 0 "OpenVDB"
+  readers=$((readers + 1))
 fi
 
 export --as vtkhdf --what all --out "$work/run.vtkhdf"; expectExit 0 "vtkhdf"
 if /usr/bin/python3 -c 'import h5py, numpy' 2>/dev/null; then
   /usr/bin/python3 "$source_dir/tests/export/read_vtkhdf.py" "$work/run.vtkhdf" 5.77e-4 >"$work/log" 2>&1
   expectExit 0 "the VTKHDF file"
+  readers=$((readers + 1))
 else
   skipped+=("h5py and numpy (python3-h5py)")
 fi
 
+# a frame with obstacles, in three formats
+frame=$work/run/frames/scene_surface_000002.hdf
+for as in vtp ply obj; do
+  "$thaw" export "$frame" --as $as --what surface,obstacles --out "$work/all.$as" >"$work/log" 2>&1
+  expectExit 0 "$as of surface and obstacles"
+done
+"$thaw" export "$frame" --as vtp --mesh --out "$work/mesh.vtp" >"$work/log" 2>&1
+expectExit 0 "vtp of a closed mesh"
+grep -aq 'NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="[1-9]' "$work/mesh.vtp" ||
+  fail "vtp --mesh has no triangles"
+"$thaw" export "$frame" --as ply --mesh --out "$work/none.ply" >"$work/log" 2>&1; expectExit 2 "ply --mesh"
+if command -v pvpython >/dev/null; then
+  pvpython "$source_dir/tests/export/read_paraview.py" "$work/all.vtp" "$work/all.ply" "$work/all.obj" \
+    >"$work/log" 2>&1
+  expectExit 0 "ParaView"
+  expectMessage 'ParaView reads all files' "ParaView"
+  readers=$((readers + 1))
+else
+  skipped+=("ParaView (paraview, python3-paraview)")
+fi
+"$thaw" export "$frame" --as obj --out "$work/ball.obj" >"$work/log" 2>&1; expectExit 0 "obj"
+if command -v blender >/dev/null; then
+  timeout 300 blender --background --factory-startup --python-exit-code 1 --python \
+    "$source_dir/tests/export/read_blender.py" -- "$work/run/export/scene_surface_000002.ply" \
+    "$work/ball.obj" "$work"/vdb/scene_all_000002.vdb >"$work/log" 2>&1
+  expectExit 0 "Blender"
+  expectMessage 'Blender reads all files' "Blender"
+  readers=$((readers + 1))
+else
+  skipped+=("Blender (blender)")
+fi
+
+# the announced size is right within a factor of 1.5
+announced() {  # announced NAME BYTES: of "5 frames as usd, about 1.2 MB and 3 s" in $work/log
+  awk -v real="$2" '/ frames as .*, about / { split($0, part, "about "); split(part[2], word, " ")
+    bytes = word[1] * (word[2] == "GB" ? 1e9 : 1e6); found = 1
+    if (bytes < real / 1.5 || bytes > real * 1.5) exit 1 }
+    END { if (!found) exit 1 }' "$work/log" || fail "$1: announced size ($2 bytes): $(head -n 1 "$work/log")"
+}
+for as in usd usda vtkhdf; do
+  export --as $as --out "$work/size.$as"; expectExit 0 "size of $as"
+  announced $as "$(stat -c %s "$work/size.$as")"
+  grep -q '^[1-4] of 5 frames, left ' "$work/log" || fail "$as: no lines of progress"
+done
+export --as ply --out "$work/size"; expectExit 0 "size of ply"
+announced ply "$(cat "$work"/size/*.ply | wc -c)"
+# in a terminal a bar is redrawn in place
+if command -v script >/dev/null; then
+  TERM=xterm script -qec "'$thaw' export '$work/run' --as usd --out '$work/bar.usd'" /dev/null \
+    >"$work/log" 2>&1
+  tr '\r' '\n' <"$work/log" | grep -q '^\[=*>* *\]  *[0-9]* %  left .*  [1-5] of 5 frames' ||
+    fail "no bar in a terminal: $(cat -v "$work/log")"
+fi
+
 for line in "${skipped[@]}"; do echo "skipped: $line"; done
+[ "$readers" -gt 0 ] || [ "$failures" -gt 0 ] || exit 77
 finish

@@ -16,15 +16,16 @@ function readPly(file) {
     head = bytes.toString('latin1', 0, end),
     count = (element) => Number(new RegExp(`element ${element} (\\d+)`).exec(head)[1]),
     body = head.slice(head.indexOf('element vertex'), head.indexOf('element face')),
-    properties = [...body.matchAll(/property (float|uchar) (\w+)/g)]
+    properties = [...body.matchAll(/property (float|uchar|int) (\w+)/g)]
         .map(([, type, name]) => ({ type, name }));
   let at = end;
   const vertices = [];
   for (let v = 0; v < count('vertex'); v++) {
     const vertex = {};
     for (const { type, name } of properties) {
-      vertex[name] = type === 'float' ? bytes.readFloatLE(at) : bytes[at];
-      at += type === 'float' ? 4 : 1;
+      const size = type === 'uchar' ? 1 : 4;
+      vertex[name] = type === 'float' ? bytes.readFloatLE(at) : bytes.readUIntLE(at, size);
+      at += size;
     }
     vertices.push(vertex);
   }

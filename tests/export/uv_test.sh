@@ -60,6 +60,12 @@ grep -q '^vt ' "$work"/run/export/uv_surface_000001.obj || fail "obj has no text
 grep -qE '^f [0-9]+/[0-9]+/[0-9]+ ' "$work"/run/export/uv_surface_000001.obj || fail "faces of obj"
 export --as usda --uv --out "$work/run.usda"; expectExit 0 "usda"
 grep -q 'texCoord2f\[\] primvars:st' "$work/run.usda" || fail "usda has no texture coordinates"
+export --as usd --uv --out "$work/run.usdc"; expectExit 0 "usd"
+MODULES=${MODULES:-$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")}
+if command -v node >/dev/null && [ -d "$MODULES/three" ]; then
+  node "$(dirname "$0")/read_usd_uv.mjs" "$MODULES" "$work/run.usdc" >"$work/log" 2>&1
+  expectExit 0 "texture coordinates of usd"
+fi
 export --as bgeo --uv; expectExit 0 "bgeo"
 export --as vtkhdf --uv --out "$work/run.vtkhdf"; expectExit 0 "vtkhdf"
 reader=$(dirname "$0")/read_uv.py

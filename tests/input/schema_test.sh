@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The JSON schema of scene files: it is current, accepts every scene of the project, and refuses wrong keys
-# and values. taplo, which editors use, agrees. It is on PATH, or comes from `npm install --prefix build/taplo
-# @taplo/cli`.
+# and values. taplo, which editors use, agrees: that of viewer/package-lock.json, which `scripts/view --test`
+# installs, or else the one on PATH. MODULES=DIR: node_modules with @taplo/cli.
 . "$(dirname "$0")/../support/run.sh"
 python=$(command -v /usr/bin/python3 || command -v python3)
-taplo=$(command -v taplo || command -v "$source_dir/build/taplo/node_modules/.bin/taplo")
+MODULES=${MODULES:-$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")}
+taplo=$(command -v "$MODULES/.bin/taplo" || command -v taplo)
 schema=$scenes/scene.schema.json
 
 "$thaw" docs --schema >"$work/scene.schema.json"; expectExit 0 "thaw docs --schema"
@@ -70,6 +71,6 @@ if [ -n "$taplo" ]; then
     expectExit 1 "taplo accepts ${file##*/}"
   done
 else
-  echo "without taplo: npm install --prefix build/taplo @taplo/cli"
+  echo "skipped: taplo is not in $MODULES (scripts/view --test installs it)"
 fi
 finish

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <thread>
 
+#include "io/commands/export/estimate.hpp"
 #include "io/commands/export/in_order.hpp"
 #include "io/meshes/read_mesh.hpp"
 #include "io/render/frame_source.hpp"
-#include "io/text/bytes_text.hpp"
 
 namespace thaw {
 
@@ -26,22 +26,6 @@ double intervalOf(const std::vector<FrameGroup>& groups) {
   const double from = readFrameInfo(groups[0].first().string()).time,
                to = readFrameInfo(groups[last].first().string()).time;
   return (to - from) / static_cast<double>(last);
-}
-
-/// Returns the expected size of an export in bytes, from the rows of its first, middle and last frame.
-double expectedSize(const std::vector<FrameGroup>& groups, const ExportFormat& format, unsigned contents,
-                    double cell) {
-  const double finer = format.keepsSurfels ? 1 : 1 / (cell * cell);  // triangles per surfel
-  double rows = 0;
-  const std::size_t samples[] = {0, groups.size() / 2, groups.size() - 1};
-  for (const std::size_t k : samples)
-    for (const auto& [content, file] :
-         {std::pair{surfaceContent, groups[k].surface}, std::pair{sheetContent, groups[k].sheets},
-          std::pair{orientedContent, groups[k].oriented}, std::pair{particleContent, groups[k].particles}})
-      if ((contents & content) && !file.empty())
-        rows += (content == surfaceContent ? finer : 0.25) *
-                static_cast<double>(readFrameInfo(file.string()).count) / std::size(samples);
-  return rows * format.bytesPerSurfel * static_cast<double>(groups.size());
 }
 
 /// Returns the surface frames from the start of the run to the last one of the export.
@@ -118,9 +102,6 @@ void startExport(const ExportOptions& options, const ExportFormat& format, Expor
   run.job.threads = run.groups.size() == 1 ? cores : 1;
   run.job.interval = intervalOf(run.groups);
   if (options.uv) startUv(run);
-  if (run.groups.size() > 1)
-    fmt::print("{} frames as {}, about {}\n", run.groups.size(), format.name,
-               bytesText(expectedSize(run.groups, format, run.job.contents, options.cell)));
 }
 
 void exportFrames(const ExportOptions& options, const ExportFormat& format) {
@@ -132,30 +113,29 @@ void exportFrames(const ExportOptions& options, const ExportFormat& format) {
   for (const FrameGroup& group : run.groups)
     files.push_back(one ? options.out : folder / (outputName(group, run.job.contents) + format.extension));
   if (files[0].has_parent_path()) fs::create_directories(files[0].parent_path());
-  std::size_t skipped = 0;
-  ProgressLine progress(files.size());
-  struct Written {
-    GatherNotes notes;
-    bool isSkipped = false;
-  };
+  std::vector<std::size_t> todo;
+  for (std::size_t k = 0; k < files.size(); k++)
+    if (!options.resume || !isComplete(files[k], {run.groups[k]})) todo.push_back(k);
+  if (todo.size() < files.size()) fmt::print("{} complete files are kept\n", files.size() - todo.size());
+  announceExport(run, todo, [&](const ExportScene& scene, double frames) {
+    const SampleFile sample(files[todo[0]]);
+    format.writeFrame(sample.path, scene);
+    return frames * sample.bytes();
+  });
+  ProgressLine progress(todo.size(), false);
   parallelInOrder(
-      files.size(), run.threads,
+      todo.size(), run.threads,
       [&](std::size_t k) {
-        Written written;
-        written.isSkipped = options.resume && isComplete(files[k], {run.groups[k]});
-        if (!written.isSkipped)
-          format.writeFrame(files[k], gatherScene(run.groups[k], run.job, written.notes));
-        return written;
+        GatherNotes notes;
+        format.writeFrame(files[todo[k]], sceneOf(run, todo[k], notes));
+        return notes;
       },
-      [&](std::size_t k, Written written) {
-        skipped += written.isSkipped;
-        if (!written.isSkipped) {
-          printNotes(written.notes);
-          fmt::print("{}: {}\n", files[k].string(), written.notes.summary);
-        }
+      [&](std::size_t k, const GatherNotes& notes) {
+        progress.clear();
+        printNotes(notes);
+        fmt::print("{}: {}\n", files[todo[k]].string(), notes.summary);
         progress.done(k + 1);
       });
-  if (skipped > 0) fmt::print("{} complete files are kept\n", skipped);
 }
 
 namespace {

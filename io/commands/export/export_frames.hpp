@@ -7,20 +7,27 @@
 
 namespace thaw {
 
+/// A frame that is gathered before the export starts.
+struct FrameSample {
+  std::size_t frame = 0;
+  ExportScene scene;
+  GatherNotes notes;
+};
+
 /// Frames of an export, and the data that its threads share.
 struct ExportRun {
   std::vector<FrameGroup> groups;
   RunScenes scenes;
   std::optional<SurfaceUv> uv;  ///< texture coordinates of surfels
   GatherJob job;
-  int threads = 1;  ///< frames at a time
+  int threads = 1;                    ///< frames at a time
+  std::optional<FrameSample> sample;  ///< used by the thread of its frame
 };
 
 /// Returns export/ in the run folder. The input is that folder, its frames/, or a file in one of them.
 std::filesystem::path exportFolder(const std::filesystem::path& input);
 
-/// Finds the frames, and prints their number and the expected size unless there is only one. Throws IoError
-/// and std::invalid_argument.
+/// Finds the frames. Throws IoError and std::invalid_argument.
 void startExport(const ExportOptions& options, const ExportFormat& format, ExportRun& run);
 
 /// Prints notes and warnings of a frame.
@@ -43,17 +50,19 @@ void writeUsd(const std::filesystem::path& file, const std::string& name, Export
 void exportVtkHdf(const std::filesystem::path& out, const ExportOptions& options);
 void writeVtkHdf(const std::filesystem::path& file, const std::string& name, ExportRun& run);
 
-/// A line on a terminal that is redrawn as frames are done.
+/// Progress over frames: on a terminal a bar that is redrawn in place, else lines at each tenth if wanted.
 class ProgressLine {
  public:
-  explicit ProgressLine(std::size_t count);
+  ProgressLine(std::size_t count, bool wantsLines);
   ~ProgressLine();
   void done(std::size_t frames);
+  /// Removes the bar until the next `done`, for lines above it.
+  void clear() const;
 
  private:
   std::size_t count_;
   double start_;
-  bool isTerminal_;
+  bool isTerminal_, wantsLines_;
 };
 
 }  // namespace thaw

@@ -19,6 +19,7 @@ struct ExportOptions {
   double cell = 1;                 ///< cell edge of the mesh grid, over the surfels' mean radius
   int threads = 0;                 ///< 0: one per core
   bool uv = false;                 ///< with texture coordinates of surfaces
+  bool mesh = false;               ///< vtp: closed meshes of surfaces instead of surfels
   bool resume = false;             ///< skips files that are complete
   std::string size = "20MB";       ///< html: largest size of the page
 };

@@ -5,6 +5,9 @@
 namespace thaw {
 
 void writeVtkHdf(const std::filesystem::path& file, const std::string&, ExportRun& run) {
+  announceExport(run, allFrames(run), [](const ExportScene& scene, double frames) {
+    return vtkHdfBytes(vtkHdfFrameOf(scene), frames);
+  });
   std::optional<VtkHdfSeries> series;
   writeSequence(
       file, run, [](const ExportScene& scene) { return vtkHdfFrameOf(scene); },

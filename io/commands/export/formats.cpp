@@ -41,31 +41,32 @@ constexpr unsigned meshContents = surfaceContent | sheetContent | orientedConten
 // The order is that of --help.
 const ExportFormat formats[] = {
     {"ply-discs", ".discs.ply", "a polygon for each surfel (Blender)", surfaceContent, true, false, false,
-     false, 240, plyDiscs, nullptr},
-    {"pov", ".pov", "a scene of POV-Ray", surfaceContent, true, false, false, false, 110, pov, nullptr},
+     false, plyDiscs, nullptr},
+    {"pov", ".pov", "a scene of POV-Ray", surfaceContent, true, false, false, false, pov, nullptr},
     {"vtp", ".vtp",
-     "points with all fields, and the triangles of sheets, oriented particles and obstacles (ParaView)",
-     meshContents, true, true, false, true, 85, vtp, nullptr},
+     "points with all fields, and the triangles of sheets, oriented particles and obstacles; with --mesh "
+     "also "
+     "of surfaces (ParaView)",
+     meshContents, true, true, false, true, vtp, nullptr},
     {"ply", ".ply",
      "a closed triangle mesh of each component, or the triangles of each sheet, oriented surface or "
      "obstacle, "
      "and the lines of a curve",
-     meshContents, false, false, false, true, 125, ply, nullptr},
-    {"obj", ".obj", "the same as text", meshContents, false, false, false, true, 255, obj, nullptr},
+     meshContents, false, false, false, true, ply, nullptr},
+    {"obj", ".obj", "the same as text", meshContents, false, false, false, true, obj, nullptr},
     {"usd", ".usdc",
      "one USD layer of all frames with meshes, particles, obstacles and camera (Houdini, Blender, "
      "Maya, Omniverse)",
-     allContent, false, false, true, true, 100, nullptr, exportUsd},
-    {"usda", ".usda", "the same layer as text", allContent, false, false, true, true, 330, nullptr,
-     exportUsd},
+     allContent, false, false, true, true, nullptr, exportUsd},
+    {"usda", ".usda", "the same layer as text", allContent, false, false, true, true, nullptr, exportUsd},
     {"vtkhdf", ".vtkhdf", "one VTKHDF file of all frames with meshes or particles (ParaView 5.12 and newer)",
-     allContent, false, false, false, true, 180, nullptr, exportVtkHdf},
+     allContent, false, false, false, true, nullptr, exportVtkHdf},
     {"bgeo", ".bgeo", "Houdini geometry, classic version: points and triangles", allContent, false, false,
-     false, true, 145, writeBgeo, nullptr},
+     false, true, writeBgeo, nullptr},
     {"vdb", ".vdb", "OpenVDB: the level set of a surface, and fog volumes of the particles",
-     surfaceContent | particleContent, false, false, true, false, 30, writeVdb, nullptr},
+     surfaceContent | particleContent, false, false, true, false, writeVdb, nullptr},
     {"html", ".html", "the run as one page for any browser, without a server", allContent, true, true, true,
-     false, 0, nullptr, exportRunPage},
+     false, nullptr, exportRunPage},
 };
 
 struct NamedContent {

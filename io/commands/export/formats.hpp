@@ -31,7 +31,6 @@ struct ExportFormat {
   bool holdsAllByDefault;  ///< default of --what: all contents, with particles only if there is no surface;
                            ///< else the first content of the run
   bool keepsUv;            ///< --uv: texture coordinates of a surface
-  double bytesPerSurfel;   ///< expected size per surfel of a frame; particles take a quarter
   /// Writes one frame. Throws IoError.
   void (*writeFrame)(const std::filesystem::path& file, const ExportScene& scene);
   /// Writes a run as one file, and prints a summary. Throws IoError and std::invalid_argument.

@@ -191,7 +191,7 @@ void gatherSurface(const FrameGroup& group, const GatherJob& job, ExportScene& s
   addFieldsOfParticles(frame, particles);
   if (job.uv) frame.columns.push_back(uvColumn(job.uv->of(frame)));
   scene.surfelColours = coloursOf(frame, *job.options, group.surface);
-  if (job.format->keepsSurfels && job.contents == surfaceContent) {
+  if (job.format->keepsSurfels && job.contents == surfaceContent && !job.options->mesh) {
     notes.summary = fmt::format("{} surfels", frame.positions.size());
   } else {
     ExportObject surface{"surface", ExportKind::Surface, {}, {}, false};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/render/light/triangle_rows.hpp"
+
 namespace thaw {
 
 namespace {
@@ -56,6 +58,28 @@ void drawDisc(DepthMap& map, const Discs& discs, std::size_t i) {
   }
 }
 
+/// Draws a triangle; the depth of each cell is that of its plane.
+void drawTriangle(DepthMap& map, const std::array<Vec3f, 3>& corners) {
+  GridTriangle t;
+  float depth[3];
+  for (std::size_t k = 0; k < 3; k++) {
+    t.x[k] = (dot(corners[k], map.across) - map.left) / map.cell;
+    t.y[k] = (dot(corners[k], map.along) - map.low) / map.cell;
+    depth[k] = dot(corners[k], map.toLight);
+  }
+  const float area2 = t.area2();
+  if (!(area2 > 1e-6f)) return;
+  const float b = depth[1] - depth[0], c = depth[2] - depth[0],
+              alongX = (b * (t.y[2] - t.y[0]) - c * (t.y[1] - t.y[0])) / area2,
+              alongY = (c * (t.x[1] - t.x[0]) - b * (t.x[2] - t.x[0])) / area2;
+  forRowsInside(t, map.columns, map.rows, [&](int y, int x0, int x1) {
+    float* row = map.nearest.data() + static_cast<std::size_t>(y) * map.columns;
+    const float start = depth[0] + alongY * (static_cast<float>(y) + 0.5f - t.y[0]);
+    for (int x = x0; x <= x1; x++)
+      row[x] = std::max(row[x], start + alongX * (static_cast<float>(x) + 0.5f - t.x[0]));
+  });
+}
+
 }  // namespace
 
 float DepthMap::visible(const Vec3f& point, float bias, int taps) const {
@@ -91,7 +115,7 @@ DepthMap makeDepthMap(const Discs& discs, const Vec3f& toLight, float cellsPerRa
   map.across = cross(pole, toLight);
   map.across = map.across / lengthOf(map.across);
   map.along = cross(toLight, map.across);
-  if (discs.positions.empty()) return map;
+  if (discs.positions.empty() && discs.triangles.empty()) return map;
   float right = nothing, high = nothing, largest = 0;
   map.left = map.low = -nothing;
   double radii = 0;
@@ -104,7 +128,15 @@ DepthMap makeDepthMap(const Discs& discs, const Vec3f& toLight, float cellsPerRa
     radii += r;
   }
   map.left -= largest, map.low -= largest, right += largest, high += largest;
-  const float typical = static_cast<float>(radii / static_cast<double>(discs.positions.size()));
+  for (const auto& t : discs.triangles)
+    for (const Vec3f& x : t) {
+      const float u = dot(x, map.across), v = dot(x, map.along);
+      map.left = std::min(map.left, u), right = std::max(right, u);
+      map.low = std::min(map.low, v), high = std::max(high, v);
+    }
+  const float typical = discs.positions.empty()
+                            ? 0
+                            : static_cast<float>(radii / static_cast<double>(discs.positions.size()));
   map.cell = std::max(typical / cellsPerRadius,
                       std::max(right - map.left, high - map.low) / static_cast<float>(limit));
   map.columns = std::clamp(static_cast<int>(std::ceil((right - map.left) / map.cell)), 1, limit);
@@ -113,6 +145,7 @@ DepthMap makeDepthMap(const Discs& discs, const Vec3f& toLight, float cellsPerRa
   for (std::size_t i = 0; i < discs.positions.size(); i++)
     if (discs.normals.empty()) drawSphere(map, discs, i);
     else drawDisc(map, discs, i);
+  for (const auto& t : discs.triangles) drawTriangle(map, t);
   return map;
 }
 

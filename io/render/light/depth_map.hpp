@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Depth map of a distant light: for each cell across its direction, the depth of the nearest particle.
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -26,12 +27,14 @@ struct Discs {
   std::span<const Vec3f> positions;  ///< m
   std::span<const float> radii;      ///< m, one per disc, or one for all
   std::span<const Vec3f> normals;    ///< unit; empty: discs face the light or camera, like spheres
+  /// Triangles that cast shadows, too; counter-clockwise seen from outside.
+  std::span<const std::array<Vec3f, 3>> triangles{};
   float radius(std::size_t i) const { return radii.size() == 1 ? radii[0] : radii[i]; }
 };
 
-/// Returns the map of all discs for light from direction `toLight` (unit vector). It has about
-/// `cellsPerRadius` cells per typical radius, and at most `limit` columns and rows. Discs with normals away
-/// from the light are skipped; a closed surface needs none.
+/// Returns the map of all discs and triangles for light from direction `toLight` (unit vector). It has about
+/// `cellsPerRadius` cells per typical radius, and at most `limit` columns and rows. Discs and triangles that
+/// face away from the light are skipped; a closed surface needs none.
 DepthMap makeDepthMap(const Discs& discs, const Vec3f& toLight, float cellsPerRadius, int limit);
 
 }  // namespace thaw

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/render/light/triangle_rows.hpp"
+
 namespace thaw {
 
 namespace {
@@ -116,6 +118,31 @@ struct FloorGrid {
         return r * scale * std::sqrt(std::max(0.0f, dot(shift, shift) - along * along));
       };
       drawOutline({x, y, half(shiftU), half(shiftV), r * scale, dot(d, normal) * scale}, n, toLight, facing);
+    }
+    for (const auto& t : casters.triangles) drawTriangle(t, shiftU, shiftV);
+  }
+
+  /// Draws the shadow of the part of a triangle above the floor. It must face the light.
+  void drawTriangle(const std::array<Vec3f, 3>& corners, const Vec3f& shiftU, const Vec3f& shiftV) {
+    const float scale = 0.5f * static_cast<float>(side) / reach;
+    std::array<Vec3f, 4> above;  // relative to the origin
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 3; k++) {
+      const Vec3f a = corners[k] - origin, b = corners[(k + 1) % 3] - origin;
+      const float ha = dot(a, normal), hb = dot(b, normal);
+      if (ha > 0) above[count++] = a;
+      if ((ha > 0) != (hb > 0)) above[count++] = a + (ha / (ha - hb)) * (b - a);
+    }
+    for (std::size_t k = 2; k < count; k++) {
+      GridTriangle t;
+      const Vec3f* of[3] = {&above[0], &above[k - 1], &above[k]};
+      for (std::size_t c = 0; c < 3; c++)
+        t.x[c] = (dot(*of[c], shiftU) + reach) * scale, t.y[c] = (dot(*of[c], shiftV) + reach) * scale;
+      if (!(t.area2() > 0)) continue;
+      forRowsInside(t, side, side, [&](int row, int from, int to) {
+        std::fill_n(dark.begin() + static_cast<std::ptrdiff_t>(row) * side + from, to - from + 1,
+                    std::uint8_t{1});
+      });
     }
   }
 

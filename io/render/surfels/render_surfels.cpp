@@ -31,6 +31,7 @@ struct DrawnSurfels {
   std::vector<Light> colours;
   std::vector<std::uint32_t> components;
   std::vector<std::array<std::uint32_t, 3>> faces;
+  std::size_t casting = 0;           // faces that cast shadows; those of solids follow
   std::vector<std::uint8_t> corner;  // corner of a face: no disc of its own; empty without faces
   bool isDisc(std::size_t i) const { return corner.empty() || !corner[i]; }
   Discs discs() const { return {positions, radii, normals}; }
@@ -88,24 +89,29 @@ DrawnSurfels drawable(const SurfelInput& in, const RenderStyle& style, const Sur
     if (!in.components.empty()) s.components.push_back(in.components[i]);
   }
   if (!in.faces.empty()) s.corner.assign(s.positions.size(), 0);
-  for (const auto& f : in.faces) {
+  for (std::size_t k = 0; k < in.faces.size(); k++) {
+    const auto& f = in.faces[k];
     const std::array<std::uint32_t, 3> rows{now[f[0]], now[f[1]], now[f[2]]};
     for (const std::uint32_t row : rows)
       if (row != gone) s.corner[row] = 1;
-    if (std::find(rows.begin(), rows.end(), gone) == rows.end()) s.faces.push_back(rows);
+    if (std::find(rows.begin(), rows.end(), gone) != rows.end()) continue;
+    s.faces.push_back(rows);
+    if (k + in.solidFaces < in.faces.size()) s.casting = s.faces.size();
   }
   return s;
 }
 
-/// Shadow casters: discs, smaller than drawn, and one over each face.
+/// Shadow casters: discs, smaller than drawn, one over each face, and the triangles of solids.
 struct Casters {
   std::vector<Vec3f> positions, normals;
   std::vector<float> radii;
-  Discs discs() const { return {positions, radii, normals}; }
+  std::span<const std::array<Vec3f, 3>> triangles;
+  Discs discs() const { return {positions, radii, normals, triangles}; }
 };
 
-Casters castersOf(const DrawnSurfels& s) {
+Casters castersOf(const DrawnSurfels& s, std::span<const std::array<Vec3f, 3>> solids) {
   Casters all;
+  all.triangles = solids;
   const auto add = [&](const Vec3f& x, const Vec3f& n, float radius) {
     all.positions.push_back(x);
     all.normals.push_back(n);
@@ -113,7 +119,7 @@ Casters castersOf(const DrawnSurfels& s) {
   };
   for (std::size_t i = 0; i < s.positions.size(); i++)
     if (s.isDisc(i)) add(s.positions[i], s.normals[i], casterScale * s.radii[i]);
-  for (const auto& f : s.faces) {
+  for (const auto& f : std::span(s.faces).first(s.casting)) {
     const Vec3f &a = s.positions[f[0]], &b = s.positions[f[1]], &c = s.positions[f[2]],
                 n = cross(b - a, c - a), middle = (a + b + c) / 3.0f;
     const float l2 = dot(n, n), r2 = std::max({dot(a - middle, a - middle), dot(b - middle, b - middle),
@@ -322,7 +328,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   if (stage.empty())
     for (const Vec3f& p : surfels.positions) stage.add({p.x, p.y, p.z});
   const float near = stage.empty() ? 0 : static_cast<float>(1e-4 * length(stage.max - stage.min));
-  const Casters casting = castersOf(surfels);
+  const Casters casting = castersOf(surfels, input.solids);
   const Discs casters = casting.discs();
   const SurfelLights lights = makeSurfelLights(casters, sunDirection(style, view), how.threads);
   const Backdrop backdrop(style, view, stage, lights.lights, casters);

@@ -21,6 +21,9 @@ struct SurfelInput {
   std::span<const std::uint32_t> components;  ///< bodies do not blend into each other
   /// Triangles between rows, drawn instead of their discs; counter-clockwise seen from the front.
   std::span<const std::array<std::uint32_t, 3>> faces{};
+  /// Triangles that cast the shadows of the last `solidFaces` faces, fewer and larger than these.
+  std::span<const std::array<Vec3f, 3>> solids{};
+  std::size_t solidFaces = 0;
 };
 
 /// Source of colours. Plain: none. Values: values by the style's colours. Surface: the surface's own colours.

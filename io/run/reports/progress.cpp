@@ -13,6 +13,7 @@
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/reports/step_log.hpp"
 #include "io/text/duration_text.hpp"
+#include "io/text/progress_bar.hpp"
 
 namespace thaw {
 namespace {
@@ -122,16 +123,51 @@ std::string progressLine(const Progress& p, const LedgerReport& l) {
                      residualShare(l));
 }
 
-std::string statusLine(const Progress& p, const LedgerReport& l) {
-  constexpr int width = 20;
+namespace {
+
+/// Returns the limit of a step in at most 15 characters.
+std::string shortLimit(const std::string& limit) {
+  constexpr std::string_view owner = "the scene's ";
+  std::string text = limit.starts_with(owner) ? limit.substr(owner.size()) : limit;
+  return text.size() <= 15 ? text : text.substr(0, text.find(' '));
+}
+
+/// Returns a duration in at most 11 characters.
+std::string shortDuration(double seconds) {
+  if (!std::isfinite(seconds)) return "unknown";
+  const std::string text = durationText(seconds);
+  return text.size() <= 11 ? text : ">1000 years";
+}
+
+/// Returns the text behind the bar. detail: 0 has the shortest form, 3 all parts.
+std::string statusText(const Progress& p, const LedgerReport& l, double share, int detail) {
   const Clock& c = p.clock;
-  const double share = c.end > 0 ? std::min(1.0, c.time / c.end) : 1;
-  const int done = static_cast<int>(share * width);
-  const std::string bar = std::string(static_cast<std::size_t>(done), '=') + (done < width ? ">" : "");
-  const std::string step = c.dt < never ? fmt::format("  dt {:.1e} s ({})", c.dt, c.limitedBy) : "",
-                    liquid = l.particles > 0 ? fmt::format("  liquid {:.1f} %", 100 * l.liquidFraction) : "";
-  return fmt::format("[{:<{}}] {:3.0f} %  left {}  t {:.4g} s{}{}  residual {}", bar, width, 100 * share,
-                     duration(p.secondsLeft), c.time, step, liquid, residualShare(l));
+  const bool isLong = detail > 0;
+  const char *gap = isLong ? "  " : " ", *unit = isLong ? " s" : "";
+  const int digits = isLong ? 1 : 0;
+  std::string text;
+  if (detail > 1) text += fmt::format(" {:3.0f} %", 100 * share);
+  text += fmt::format("{}left {}", gap, shortDuration(p.secondsLeft));
+  if (detail > 2) text += fmt::format("  t {:.4g} s", c.time);
+  if (c.dt < never)
+    text += fmt::format("{}dt {:.{}e}{} ({})", gap, c.dt, digits, unit, shortLimit(c.limitedBy));
+  if (l.particles > 0) text += fmt::format("{}liquid {:.{}f} %", gap, 100 * l.liquidFraction, digits);
+  const double residual = l.energyLargest > 0 ? l.energyResidual / l.energyLargest : 0;
+  if (isRounding(l)) return text + gap + (isLong ? "residual rounding" : "residual ~0");
+  return text + fmt::format("{}residual {:+.{}e}", gap, residual, digits);
+}
+
+}  // namespace
+
+std::string statusLine(const Progress& p, const LedgerReport& l) {
+  constexpr int columns = 79, longestBar = 22, shortestBar = 8;
+  const double share = p.clock.end > 0 ? std::min(1.0, p.clock.time / p.clock.end) : 1;
+  std::string text;
+  for (int detail = 3; detail >= 0; detail--) {
+    text = statusText(p, l, share, detail);
+    if (static_cast<int>(text.size()) + shortestBar <= columns) break;
+  }
+  return progressBar(share, std::min(longestBar, columns - static_cast<int>(text.size()))) + text;
 }
 
 std::string progressOf(const std::vector<SolverUse>& solvers) {

@@ -20,8 +20,8 @@ struct Progress {
 /// explains, with its share of the largest term. Solvers and the surface add their text behind it. The line
 /// has some 160 characters.
 std::string progressLine(const Progress& progress, const LedgerReport& ledger);
-/// Returns "[=======>            ]  36 %  left 12 min 6 s  t 0.4819 s  dt 8.0e-05 s (elastic waves)  liquid
-/// 9.2 %  residual +9.4e-04", for a line that is redrawn in place.
+/// Returns "[====>       ]  left 12 min  dt 8.0e-05 s (elastic waves)  liquid 9.2 %  residual +9.4e-04", for
+/// a line that is redrawn in place: at most 79 characters, with percentage and time where they fit.
 std::string statusLine(const Progress& progress, const LedgerReport& ledger);
 /// Returns "  density 7 it  contact 12 it (2e-06 of 3e-06 m/s)", for the last step: iterations, and the error
 /// of contacts with its tolerance.

@@ -214,3 +214,49 @@ TEST_F(ExportContents, WrongRequestsAreReported) {
     }
   }
 }
+
+// The plate has no temperature and no velocity. Its values are padded, and the ball keeps its fields.
+TEST_F(ExportContents, MeshesKeepTheirFieldsBesideObstacles) {
+  const fs::path frame = both(1, 0.5);
+  ASSERT_EQ(write(frame, "ply", "surface,obstacles", folder / "a.ply"), 0) << said;
+  const std::string ply = contentOf(folder / "a.ply");
+  for (const char* part : {"property float velocity_x\n", "property float temperature\n",
+                           "property int object\n", "comment object floor\n"})
+    EXPECT_NE(ply.find(part), std::string::npos) << part;
+  ASSERT_EQ(write(frame, "vtp", "surface,obstacles", folder / "a.vtp"), 0) << said;
+  const std::string vtp = contentOf(folder / "a.vtp");
+  const auto floats = [&](const char* name) {
+    const std::size_t element = vtp.find("Name=\"" + std::string(name) + "\"");
+    EXPECT_NE(element, std::string::npos) << name;
+    const std::size_t offset = std::stoul(vtp.substr(vtp.find("offset=\"", element) + 8));
+    const char* block = vtp.data() + vtp.find("<AppendedData encoding=\"raw\">\n_") + 31 + offset;
+    std::uint64_t bytes;
+    std::memcpy(&bytes, block, 8);
+    std::vector<float> values(bytes / sizeof(float));
+    std::memcpy(values.data(), block + 8, bytes);
+    return values;
+  };
+  const std::vector<float> warm = floats("temperature"), velocities = floats("velocity");
+  ASSERT_EQ(3 * warm.size(), velocities.size());
+  std::size_t without = 0, still = 0;
+  for (std::size_t v = 0; v < warm.size(); v++) {
+    without += std::isnan(warm[v]);
+    still += velocities[3 * v] == 0 && velocities[3 * v + 1] == 0 && velocities[3 * v + 2] == 0;
+    if (!std::isnan(warm[v])) { EXPECT_NEAR(velocities[3 * v + 1], 2, 1e-3); }
+  }
+  EXPECT_GT(without, 8u);
+  EXPECT_GT(warm.size(), 2 * without);
+  EXPECT_GT(still, 3u);  // the floor
+}
+
+TEST_F(ExportContents, VtpHasClosedMeshesOnRequest) {
+  ExportOptions o;
+  o.input = both(1, 0.5), o.as = "vtp", o.out = folder / "a.vtp", o.mesh = true;
+  EXPECT_EQ(exportCommand(o), 0);
+  const std::string vtp = contentOf(folder / "a.vtp");
+  EXPECT_NE(vtp.find("NumberOfVerts=\"0\""), std::string::npos);
+  for (const char* name : {"velocity", "temperature", "component"})
+    EXPECT_NE(vtp.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
+  o.as = "ply";
+  EXPECT_EQ(exportCommand(o), 2);
+}

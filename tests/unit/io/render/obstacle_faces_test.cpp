@@ -117,10 +117,13 @@ TEST(ObstacleFaces, TrianglesAreSmallAndKeepTheArea) {
   const std::vector<DrawnObstacle> all = solidObstacles(jobOfScene(boxScene("solid")).walls);
   ASSERT_EQ(all.size(), 1u);  // not the plane
   double area = 0;
-  for (std::size_t k = 0; k < all[0].places.size(); k += 3) {
-    const Vec3d a = all[0].places[k + 1] - all[0].places[k], b = all[0].places[k + 2] - all[0].places[k];
+  for (const auto& t : all[0].triangles) {
+    const Vec3d &x = all[0].places[t[0]], a = all[0].places[t[1]] - x, b = all[0].places[t[2]] - x;
     area += 0.5 * length(cross(a, b));
     EXPECT_LT(length(a), 0.6 / 40 + 1e-9);
   }
   EXPECT_NEAR(area, 6 * 0.36, 1e-9);
+  // Faces share vertices, and cast their shadows as a few large triangles.
+  EXPECT_LT(all[0].places.size(), all[0].triangles.size());
+  EXPECT_LE(all[0].casters.size(), 100u);
 }

@@ -74,13 +74,38 @@ TEST(StatusLine, FillsItsBarWithTheTime) {
   p.clock.limitedBy = "sound";
   p.secondsLeft = 61;
   EXPECT_EQ(statusLine(p, {}),
-            "[=====>              ]  25 %  left 61 s  t 0.5 s  dt 8.0e-05 s (sound)  residual +0.0e+00");
+            "[==>       ]  25 %  left 61 s  t 0.5 s  dt 8.0e-05 s (sound)  residual +0.0e+00");
   LedgerReport l;
   l.particles = 10;
   l.liquidFraction = 0.092;
   p.clock.time = 2;
-  EXPECT_TRUE(has(statusLine(p, l), "[====================] 100 %  ")) << statusLine(p, l);
+  EXPECT_EQ(statusLine(p, l).find('>'), std::string::npos) << statusLine(p, l);
   EXPECT_TRUE(has(statusLine(p, l), "  liquid 9.2 %  "));
+}
+
+TEST(StatusLine, HasAllItemsOnATerminalOf80Columns) {
+  Progress p;
+  p.clock.end = 2;
+  p.clock.time = 0.5;
+  p.clock.dt = 1.234e-5;
+  LedgerReport l;
+  l.particles = 10;
+  l.energyScale = 100, l.energyLargest = 100;
+  std::vector<const char*> limits(limitNames.begin(), limitNames.end());
+  limits.push_back("the scene's fixed step"), limits.push_back("frames");
+  for (const char* limit : limits)
+    for (const double left : {9.9, 119.0, 7000.0, 360000.0, 1e9, 1e12})
+      for (const double liquid : {0.0, 0.5, 1.0})
+        for (const double residual : {0.0, -1e-3}) {
+          p.clock.limitedBy = limit;
+          p.secondsLeft = left;
+          l.liquidFraction = liquid;
+          l.energyResidual = residual;
+          const std::string line = statusLine(p, l);
+          EXPECT_LE(line.size(), 79u) << line;
+          for (const char* part : {"[=", ">", " left ", " dt 1", " (", " liquid ", " residual "})
+            EXPECT_TRUE(has(line, part)) << line;
+        }
 }
 
 TEST(Warnings, NameTheSidesWhereParticlesLeft) {
