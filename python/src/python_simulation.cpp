@@ -221,28 +221,56 @@ std::pair<std::vector<std::string>, py::array_t<double>> PythonSimulation::histo
   return {h.names, values};
 }
 
+namespace {
+
+using Ledgers = std::map<std::string, double>;
+
+void addVector(Ledgers& to, const std::string& name, const Vec3d& v) {
+  for (int a = 0; a < 3; a++) to[name + "_" + "xyz"[a]] = v[a];
+}
+
+/// Adds what has entered or left through openings and open sides.
+void addFlow(Ledgers& to, const std::string& name, const Balance& flow) {
+  to[name + "_mass"] = flow.mass;
+  to[name + "_kinetic"] = flow.kinetic;
+  to[name + "_elastic"] = flow.elastic;
+  to[name + "_potential"] = flow.potential;
+  to[name + "_internal"] = flow.internal;
+  addVector(to, name + "_momentum", flow.momentum);
+}
+
+}  // namespace
+
 std::map<std::string, double> PythonSimulation::ledger() {
   LedgerReport l;
   together([&](SharedFailure&) { return l = sim_.ledger(), true; });
-  return {{"mass", l.now.mass},
-          {"kinetic", l.now.kinetic},
-          {"elastic", l.now.elastic},
-          {"potential", l.now.potential},
-          {"internal", l.now.internal},
-          {"dissipated", l.dissipated},
-          {"outside_work", l.wallWork},
-          {"heat_in", l.heatIn},
-          {"phase_jump", l.phaseJump},
-          {"energy_residual", l.energyResidual},
-          {"energy_scale", l.energyLargest},
-          {"heat_residual", l.heatResidual},
-          {"heat_scale", l.heatScale},
-          {"mass_residual", l.massResidual},
-          {"momentum_x", l.now.momentum.x},
-          {"momentum_y", l.now.momentum.y},
-          {"momentum_z", l.now.momentum.z},
-          {"liquid_fraction", l.liquidFraction},
-          {"particles", static_cast<double>(l.particles)}};
+  Ledgers all{{"time", sim_.time()},
+              {"mass", l.now.mass},
+              {"kinetic", l.now.kinetic},
+              {"elastic", l.now.elastic},
+              {"potential", l.now.potential},
+              {"internal", l.now.internal},
+              {"dissipated", l.dissipated},
+              {"outside_work", l.wallWork},
+              {"wall_work", l.wallWork},
+              {"heat_in", l.heatIn},
+              {"phase_jump", l.phaseJump},
+              {"restart_jump", l.restartJump},
+              {"energy_residual", l.energyResidual},
+              {"energy_scale", l.energyLargest},
+              {"heat_residual", l.heatResidual},
+              {"heat_scale", l.heatScale},
+              {"mass_residual", l.massResidual},
+              {"liquid_fraction", l.liquidFraction},
+              {"particles", static_cast<double>(l.particles)}};
+  addVector(all, "momentum", l.now.momentum);
+  addVector(all, "momentum_residual", l.momentumResidual);
+  addVector(all, "angular_momentum", l.now.angularMomentum);
+  addVector(all, "wall_impulse", l.wallImpulse);
+  addVector(all, "gravity_impulse", l.gravityImpulse);
+  addFlow(all, "entered", l.entered);
+  addFlow(all, "left", l.left);
+  return all;
 }
 
 std::vector<std::string> PythonSimulation::tables() {

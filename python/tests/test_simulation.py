@@ -421,6 +421,12 @@ def test_the_history_is_that_of_the_file(folder):
         assert list(file) == list(memory)
         assert all(np.array_equal(file[name], memory[name]) for name in file)
         assert memory['momentum_residual'].shape == (4, 3)
+    now, rows = sim.ledger, sim.history
+    for name in set(rows) & set(now):
+        assert now[name] == rows[name][-1], name
+    for axis, name in enumerate('xyz'):
+        assert now['momentum_residual_' + name] == rows['momentum_residual'][-1, axis]
+    assert {'wall_work', 'entered_mass', 'left_kinetic', 'restart_jump'} <= set(rows) & set(now)
 
 
 def test_times_that_have_passed_are_refused():

@@ -250,7 +250,9 @@ class Simulation:
     def ledger(self) -> dict[str, float]:
         """Energies (J), mass (kg), momentum (kg m/s), heat (J) and their residuals over all ranks, now.
 
-        Vectors have the keys momentum_x, momentum_y, momentum_z. outside_work is the wall_work of history.
+        Names are those of history, where vectors have the keys momentum_x, momentum_y, momentum_z.
+        outside_work is wall_work: work of walls and of the program. entered_... and left_... are what came
+        and went through openings and open sides.
         """
         return self._core.ledger()
 
