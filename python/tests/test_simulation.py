@@ -190,7 +190,7 @@ def test_arrays_kept_by_functions_are_separate():
 def test_blocks_are_not_nested():
     sim = thaw.Simulation(drop())
     with sim.local() as p:
-        with pytest.raises(RuntimeError, match='while an edit is open'):
+        with pytest.raises(RuntimeError, match='a block of the particles is open'):
             with sim.local():
                 pass
         for change in (sim.step, sim.run, sim.finish, lambda: sim.add_force(lambda p, t: 0)):

@@ -228,6 +228,8 @@ class Simulation:
         and checkpoint is possible.
         """
         changes = table == "particles"
+        if changes and self._local:
+            raise RuntimeError("sim.local(): a block of the particles is open; use its rows, sim.particles")
         self._core.begin_block(table, changes)
         rows = Rows(self._core, table, changes)
         if changes:
