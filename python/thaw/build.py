@@ -72,8 +72,8 @@ class _FromSchema(type):
                 text = " ".join(form.get("description", "").split("\n\n"))
                 default = f" Default: {form['default']}." if "default" in form else ""
                 lines.append(f"{name}: {text}{default}")
-        except ImportError as error:
-            lines.append(str(error))
+        except ImportError:  # without the compiled part
+            lines.append(f"Its keys are those of the table `{cls.table}` of scene files.")
         return "\n".join(lines)
 
 
